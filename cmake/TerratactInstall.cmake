@@ -2,7 +2,7 @@
 
 include(GNUInstallDirs)
 
-# Programs find their files at ../share/terratact (app/resources.h): in the build tree, too.
+# Programs find their files at ../share/terratact (app/runtime/resources.h): in the build tree, too.
 file(RELATIVE_PATH _data ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR})
 if(NOT _data STREQUAL "../share")
   message(FATAL_ERROR "the programs look for ../share, but from CMAKE_INSTALL_BINDIR to CMAKE_INSTALL_DATADIR it is ${_data}")

@@ -45,14 +45,18 @@ function(terratact_library target)
   set_property(GLOBAL APPEND PROPERTY terratact_libraries ${target})
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)
-    get_filename_component(directory "${source}" DIRECTORY)
-    set_property(SOURCE "${source}" PROPERTY UNITY_GROUP "${target}_${directory}")
+    cmake_path(ABSOLUTE_PATH source NORMALIZE OUTPUT_VARIABLE path)
+    cmake_path(RELATIVE_PATH path BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+    cmake_path(GET path PARENT_PATH room)
+    string(MAKE_C_IDENTIFIER "${target}_${room}" group)
+    set_property(SOURCE "${source}" PROPERTY UNITY_GROUP ${group})
   endforeach()
   # False in joined sources: types without linkage are of the one file that is compiled, and g++ 12 loses sight of
   # what its own allocator frees.
   if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage -Wno-free-nonheap-object)
   endif()
+  list(TRANSFORM library_APART PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
   set_property(SOURCE ${library_APART} PROPERTY UNITY_GROUP "${target}_apart")
 endfunction()
 
@@ -73,7 +77,7 @@ function(terratact_tidy)
 endfunction()
 
 # terratact_included(<header> <variable>): what a header of ours includes, and what those of ours among that include, as
-# written: <QWidget>, "core/poll.h", …
+# written: <QWidget>, "core/base/poll.h", …
 function(terratact_included header variable)
   get_property(known GLOBAL PROPERTY terratact_included_by_${header} SET)
   if(NOT known)

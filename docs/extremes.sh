@@ -68,14 +68,14 @@ them all; \`docs/extremes.sh $build\` made this page, with the long forms and wh
 
 | what | tests | long form |
 |---|---|---|
-| truncated normal draws | \`tests/core/infer/truncated_normal_test.cpp\` | \`TERRATACT_DRAWS=1000000000 build/headless/tests/core.infer.truncated_normal_test --gtest_filter='*EveryOneOfManyDraws'\` |
-| Gaussian processes against long double: exact ones, sparse ones (presets \`fast\` and \`balanced\`), both in single precision, too | \`tests/core/learn/gaussian_process_extremes_test.cpp\`, \`sparse_process_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.gaussian_process_extremes_test --gtest_filter='*Sizes*'\` |
-| surface processes (method \`local\`) against long double | \`tests/core/learn/projected_process_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.projected_process_test --gtest_filter='*ofAModelsSize'\` |
-| the likelihood and its gradient against long double | \`tests/core/learn/likelihood_test.cpp\` | |
+| truncated normal draws | \`tests/core/infer/sampling/truncated_normal_test.cpp\` | \`TERRATACT_DRAWS=1000000000 build/headless/tests/core.infer.truncated_normal_test --gtest_filter='*EveryOneOfManyDraws'\` |
+| Gaussian processes against long double: exact ones, sparse ones (presets \`fast\` and \`balanced\`), both in single precision, too | \`tests/core/learn/gp/gaussian_process_extremes_test.cpp\`, \`sparse_process_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.gaussian_process_extremes_test --gtest_filter='*Sizes*'\` |
+| surface processes (method \`local\`) against long double | \`tests/core/learn/gp/projected_process_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.projected_process_test --gtest_filter='*ofAModelsSize'\` |
+| the likelihood and its gradient against long double | \`tests/core/learn/gp/likelihood_test.cpp\` | |
 | estimates by all methods, cancelled at every question, work between two questions | \`tests/core/infer/estimate_extremes_test.cpp\` | \`build/headless/tests/terratact-bench --benchmark_filter=cancelWaits\` (milliseconds on this machine) |
 | robots and ground, also at every end of the ranges of pitch and flippers | \`tests/core/sim/geometry_extremes_test.cpp\` | \`RC_PARAMS="seed=2 max_success=100000"\` before the test |
 | same seed, same bytes | \`tests/core/infer/same_draws_test.py\` | \`python3 tests/core/infer/same_draws_test.py\` (four builds), \`--native\` (AVX kernels), \`--programs\` (what is built) |
-| R-hat and ESS as the R package posterior | \`tests/core/infer/convergence_test.cpp\` | \`Rscript tests/data/make_posterior_reference.R\` writes the reference anew |
+| R-hat and ESS as the R package posterior | \`tests/core/infer/sampling/convergence_test.cpp\` | \`Rscript tests/data/make_posterior_reference.R\` writes the reference anew |
 
 What a truncated normal draw costs: \`build/headless/tests/terratact-bench --benchmark_filter=draws\`.
 
@@ -88,20 +88,20 @@ variants of the C library's functions, and OpenBLAS runs in one thread, as both 
 comes again); an estimate that used it says so among its warnings, \`terratact train\` when it ends. A model that
 this does not mend is refused. What is accepted is right to 1e-14 over the reciprocal condition number, at most 1e-2: a
 variance of the prior's, a mean of the most that its terms could add up to, which is about the largest output where
-outputs vary as smoothly as the length scales say (\`core/learn/gaussian_process.h\`). Gaussian processes take differences of inputs
+outputs vary as smoothly as the length scales say (\`core/learn/gp/gaussian_process.h\`). Gaussian processes take differences of inputs
 before they scale them, so rows 1e-8 apart are told apart at length scales of 1e-8. A sparse process has a jitter of up to 1e-9 where the noise is less than that of the signal, and
 the same condition. The surface processes of \`local\` and \`joint\` always have a jitter of 1e-6
-(\`core/learn/projected_process.h\`) and are refused by the same condition when they are trained.
+(\`core/learn/gp/projected_process.h\`) and are refused by the same condition when they are trained.
 
 **Chains that stand still.** R-hat of draws that are all the same is undefined.  Such an estimate has not converged,
-and says so, unless the height is the bin's ceiling, which holds the draws there (\`core/infer/convergence.h\`).
+and says so, unless the height is the bin's ceiling, which holds the draws there (\`core/infer/sampling/convergence.h\`).
 
 **Cancelling.** An estimate asks whether it is still wanted at least once per bin of a sweep, and in between every
-twenty million multiplications of a factorisation (\`core/learn/cholesky.h\`), every 34 million of a sweep's sums of
-squares, every million numbers read, and every 65536 draws, comparisons of a sort or the like (\`core/poll.h\`). So do
+twenty million multiplications of a factorisation (\`core/learn/gp/cholesky.h\`), every 34 million of a sweep's sums of
+squares, every million numbers read, and every 65536 draws, comparisons of a sort or the like (\`core/base/poll.h\`). So do
 a thread that waits for another one to factorise the same bin (every 5 ms), closed forms while they draw, the advice
 where to probe, and training within every evaluation of a likelihood. Reading a model does not ask. What cannot ask is the system, when it gives memory (in pages of 2 MiB for
-factors, \`core/learn/huge_pages.h\`; training asks before each) or takes it back: a virtual machine whose host has to find the memory first may stand still for
+factors, \`core/learn/kernels/huge_pages.h\`; training asks before each) or takes it back: a virtual machine whose host has to find the memory first may stand still for
 as long as the table's last lines say, and longer where several such waits lie between two questions.  The factor of 5600 rows takes
 120 such pages; a million draws take 88 MB. With memory that the process keeps (\`MALLOC_TRIM_THRESHOLD_=8000000000
 MALLOC_MMAP_THRESHOLD_=4000000000\` before the command) the waits of a million draws are those of arithmetic.

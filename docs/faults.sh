@@ -9,7 +9,7 @@ trap 'rm -f "$page"' EXIT
 cat >"$page" <<'EOF'
 # Sensors that lie
 
-The console watches every line of telemetry for readings that cannot be true (`core/robot/sensor_watch.h`). While one is suspected, no
+The console watches every line of telemetry for readings that cannot be true (`core/robot/watch/sensor_watch.h`). While one is suspected, no
 verdict is given, and an alarm names the sensor and the kind. The table was printed by the command above it, and this page by
 `docs/faults.sh`. A fault begins with the drive and lasts.
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes the pictures of the README and of docs/manual.md anew from a release build: the console on its built-in robot,
-# the review of the shipped session, and five of the states that tests/app/screens_test.cpp takes a picture of.  Wants
+# the review of the shipped session, and five of the states that tests/app/console/screens_test.cpp takes a picture of.  Wants
 # imagemagick, to make the files smaller.
 #   docs/screens.sh
 set -eu

@@ -45,7 +45,7 @@ is of a scene that has its thread alone.
 
 Most training rows say little that others do not: given well chosen ones, what is left of a row's variance is next to
 nothing of the noise.  In single precision a variance therefore goes through the rows that leave no other more than
-1e-4 of the noise's variance, and all others together no more than 1 % (\`core/learn/sparse_process.h\`), chosen when a process is first used; the table says how many of
+1e-4 of the noise's variance, and all others together no more than 1 % (\`core/learn/gp/sparse_process.h\`), chosen when a process is first used; the table says how many of
 the products are left.  A mean goes through all rows, in double.  What comes of it is compared with
 all rows where a process is first used, and not used where a variance is off by more than 0.2 % at sixteen probes.  How far variances of the
 shipped model are off, from likely to absurd states, is printed by

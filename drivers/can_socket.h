@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "drivers/can_bus.h"
 #include "drivers/posix_fd.h"
 

@@ -17,7 +17,7 @@
 #include <optional>
 #include <set>
 
-#include "core/text.h"
+#include "core/base/text.h"
 
 namespace terratact {
 namespace {

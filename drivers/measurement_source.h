@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "core/robot/command.h"
 #include "core/robot/measurement.h"
 #include "core/terrain/bins.h"

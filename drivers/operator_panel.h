@@ -9,7 +9,7 @@
 
 #include "core/atem/panel.h"
 #include "core/atem/panel_file.h"
-#include "core/result.h"
+#include "core/base/result.h"
 #include "drivers/gpio_lines.h"
 
 namespace terratact {

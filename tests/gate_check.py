@@ -29,9 +29,9 @@ SUBJECTS = {
     "arming": ("core/atem/arming", "core/atem/arming_test", []),
     "e2e": ("core/wire/e2e", "core/wire/e2e_test", []),
     "can_codec": ("core/wire/can_codec", "core/wire/can_codec_test",
-                  ["core/wire/e2e", "core/wire/frame_layout", "core/robot/measurement", "core/wire/dbc",
-                   "core/wire/dbc_file", "core/wire/dbc_messages", "core/wire/dbc_scanner",
-                   "core/wire/dbc_text", "core/file_read", "core/text"]),
+                  ["core/wire/e2e", "core/wire/frame_layout", "core/robot/measurement", "core/wire/dbc/dbc",
+                   "core/wire/dbc/dbc_file", "core/wire/dbc/dbc_messages", "core/wire/dbc/dbc_scanner",
+                   "core/wire/dbc/dbc_text", "core/store/file_read", "core/base/text"]),
     "command_receiver": ("core/wire/command_receiver", "core/wire/command_receiver_test",
                          ["core/wire/e2e", *BESIDE]),
 }

@@ -1,16 +1,17 @@
 # Who may include whom, and is every file built?  Run with cmake -P; fails with a list of all
 # offences.  -D ROOT=<tree> checks another tree.  The rules:
-#   core     a folder includes itself and the folders before it in core_order; no Qt, no Linux (learn/huge_pages.cpp asks it, where it is there)
-#   drivers  core/result.h and core/{wire,robot,sim,log}, text, the bins, the panel; no Qt
-#   widgets  the values of core that they draw, text, Qt, Qwt
-#   app      all four (its command line: no Qt)
+#   core     a room includes itself and the rooms before it in core_rooms; no Qt, no Linux (learn/kernels/huge_pages.cpp asks it, where it is there)
+#   drivers  core/base/result.h and core/{wire,robot,sim,log}, text, the bins, the panel; no Qt
+#   widgets  a room includes itself and those before it in widgets_rooms; the values of core that they draw, Qt, Qwt
+#   app      all four; a room includes itself and those before it in app_rooms; up to cli no Qt;
+#            nobody includes cli; review and console do not know each other
 #   tests    anything, through headers
 # And nothing that has to be answered before all else: a modal window would stand between the operator and STOP:
 #   widgets, app  no box of Qt's that asks, no exec() but the application's, no loop of events, no modality
 # And a text of somebody's file is shown as it is, whatever it looks like:
-#   widgets, app  no label but a PlainLabel, no tip but by widgets/tips.h, no other widget or document for rich text
+#   widgets, app  no label but a PlainLabel, no tip but by widgets/base/tips.h, no other widget or document for rich text
 # And a text of a file must not move a terminal's cursor:
-#   all but tests  print with say() (app/say.h), nothing else
+#   all but tests  print with say() (app/runtime/say.h), nothing else
 # And the same seed gives the same draws with every compiler and standard library (docs/extremes.md):
 #   core/{infer,learn}  no distribution nor shuffle of the standard library, whose algorithms differ from one to the next
 #   build files         no option that lets a compiler reorder sums or forget NaN
@@ -19,20 +20,23 @@ if(NOT ROOT)
   cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH ROOT)
 endif()
 
-set(core_order robot wire terrain learn infer eval atem sim log)   # files of core/ itself come first
+set(core_rooms base store robot robot/watch wire wire/dbc terrain learn/data learn/kernels learn/gp learn/model infer/estimate infer/sampling infer infer/verdict eval atem sim log)
+set(widgets_rooms base terrain control signals)
+set(app_rooms runtime link recording modelling figures cli shell mission pages review console main)
+set(no_qt "^app/(runtime|link|recording|modelling|figures|cli)/")
 set(qt "^<(Q[A-Za-z]|q[a-z0-9_]+\\.h>)")
 set(linux "^<(linux/|sys/(socket|ioctl|epoll|eventfd|timerfd|un|mman)\\.h|net/|netinet/|arpa/|poll\\.h|gpiod)")
-set(drivers_core "^core/(result\\.h|text\\.h|(wire|robot|sim|log)/.+|terrain/bins\\.h|atem/panel(_file)?\\.h)$")
-set(widgets_core "^core/(text|robot/(attitude|command|force_drift|measurement)|terrain/(bins|outline)|infer/(bimodality|estimate|ghost|obstacle|provenance|touch|settings|variant|verdict)|wire/frame_trouble|atem/[a-z_]+)\\.h$")
+set(drivers_core "^core/(base/(result|text|poll)\\.h|(wire|robot|sim|log)/.+|terrain/bins\\.h|atem/panel(_file)?\\.h)$")
+set(widgets_core "^core/(base/text|robot/(attitude|command|force_drift|measurement)|terrain/(bins|outline)|infer/estimate/(estimate|provenance|touch|settings|variant)|infer/verdict/(bimodality|ghost|obstacle|verdict)|wire/frame_trouble|atem/[a-z_]+)\\.h$")
 
 set(blocking "(QMessageBox|QInputDialog|QErrorMessage|QProgressDialog|QWizard|QFileDialog::get|QColorDialog::get|QFontDialog::get|QMenu::exec[(]|[Dd]ialog[A-Za-z0-9_]*([.]|->)open[(]|setModal|setWindowModality|(Application|Window)Modal|QEventLoop|([.]|->)exec[(])")
 set(rich "(new[ \t]+QLabel|QLabel[ \t]+[A-Za-z_]+[ \t]*[;({]|public[ \t]+QLabel|setToolTip[(]|QToolTip::showText|setTextFormat|setWhatsThis|setStatusTip|QTextEdit|QTextBrowser|QTextDocument|setHtml|insertHtml|RichText|QGraphicsTextItem|[Aa]ddRow[(][^(]*(tr[(]|QString|label,|name,))")
 # The label and the tips themselves; the sheet of the keys, whose HTML is the program's own; how a label is read aloud.
-set(may_be_rich "^(widgets/(plain_label|tips|spoken)\\.(h|cpp)|app/text_sheet\\.cpp)$")
+set(may_be_rich "^(widgets/base/(plain_label|tips|spoken)\\.(h|cpp)|app/shell/text_sheet\\.cpp)$")
 set(printing "(fmt::v?print|std::v?f?printf|std::f?puts|(^|[^A-Za-z_:])(f?printf|fputs|puts)|std::(cout|cerr|clog)) *[(<]")
 set(unlike "std::([a-z_]+_distribution|shuffle|sample|generate_canonical|random_device)")
 # A campaign's rows for a search and a simulated scanner's noise: what training draws is kept in the model.
-set(may_be_unlike "^core/learn/training\\.cpp$")
+set(may_be_unlike "^core/learn/model/training\\.cpp$")
 set(loose "[-\"](Ofast|f?fast-math|f?unsafe-math-optimizations|f?associative-math|f?reciprocal-math|f?finite-math-only)")
 
 set(offences "")
@@ -40,15 +44,13 @@ macro(offence text)
   list(APPEND offences "${file}: ${text}")
 endmacro()
 
-# rank of a path inside core; its last folder in the order includes everything before it
-function(core_rank path result)
-  if(path MATCHES "^core/([^/]+)/")
-    list(FIND core_order ${CMAKE_MATCH_1} rank)
-    if(rank EQUAL -1)
-      message(FATAL_ERROR "layering: core/${CMAKE_MATCH_1} has no place in core_order")
-    endif()
-  else()
-    set(rank -1)
+# The rank of a file's room in its layer; a room includes those before it.
+function(room_rank layer path result)
+  cmake_path(GET path PARENT_PATH room)
+  string(REGEX REPLACE "^${layer}/?" "" room "${room}")
+  list(FIND ${layer}_rooms "${room}" rank)
+  if(rank EQUAL -1)
+    message(FATAL_ERROR "layering: ${path}: room \"${room}\" has no place in ${layer}_rooms")
   endif()
   set(${result} ${rank} PARENT_SCOPE)
 endfunction()
@@ -59,15 +61,21 @@ file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/core/*.h ${ROOT}/core/*.cpp ${R
 foreach(file IN LISTS files)
   string(REGEX REPLACE "/.*" "" layer ${file})
 
-  # Built? Named by its folder's CMakeLists.txt, or a header nobody checks, a test nobody runs.
-  file(READ ${ROOT}/${layer}/CMakeLists.txt listed)
-  string(REGEX REPLACE "^${layer}/" "" name ${file})
+  # Built? Named by its room's CMakeLists.txt, or a header nobody checks, a test nobody runs.
   if(layer STREQUAL "tests")
-    string(REGEX REPLACE "\\.cpp$" "" name ${name})   # a test is listed without its suffix
+    set(lists tests/CMakeLists.txt)
+    string(REGEX REPLACE "^tests/|\\.cpp$" "" name ${file})   # a test is listed without its suffix
+  else()
+    cmake_path(GET file PARENT_PATH room)
+    cmake_path(GET file FILENAME name)
+    set(lists ${room}/CMakeLists.txt)
   endif()
-  string(FIND "${listed}" "${name}" position)
-  if(position EQUAL -1 AND NOT (layer STREQUAL "tests" AND file MATCHES "\\.h$"))
-    offence("is not listed in ${layer}/CMakeLists.txt")
+  set(listed "")
+  if(EXISTS ${ROOT}/${lists})
+    file(READ ${ROOT}/${lists} listed)
+  endif()
+  if(NOT listed MATCHES "(^|[ \n(])${name}([ \n).]|$)" AND NOT (layer STREQUAL "tests" AND file MATCHES "\\.h$"))
+    offence("is not listed in ${lists}")
   endif()
 
   file(STRINGS ${ROOT}/${file} lines REGEX "^[ \t]*#[ \t]*include")
@@ -84,16 +92,18 @@ foreach(file IN LISTS files)
         offence("includes \"${target}\", which is not written from the root")
       elseif(to STREQUAL "tests" AND NOT layer STREQUAL "tests")
         offence("includes ${target} of the tests")
-      elseif(layer STREQUAL "core")
-        if(NOT to STREQUAL "core")
-          offence("core includes ${target}")
-        else()
-          core_rank(${file} from_rank)
-          core_rank(${target} to_rank)
-          if(to_rank GREATER from_rank)
-            offence("includes ${target}, which comes later in core")
-          endif()
+      elseif(layer STREQUAL to AND DEFINED ${layer}_rooms)
+        room_rank(${layer} ${file} from_rank)
+        room_rank(${layer} ${target} to_rank)
+        if(to_rank GREATER from_rank)
+          offence("includes ${target}, whose room comes later in ${layer}_rooms")
+        elseif(target MATCHES "^app/cli/" AND NOT file MATCHES "^app/cli/")
+          offence("includes ${target}: nobody includes cli")
+        elseif(file MATCHES "^app/console/" AND target MATCHES "^app/review/")
+          offence("includes ${target}: console and review do not know each other")
         endif()
+      elseif(layer STREQUAL "core")
+        offence("core includes ${target}")
       elseif(layer STREQUAL "drivers")
         if(NOT to STREQUAL "drivers" AND NOT target MATCHES "${drivers_core}")
           offence("drivers include ${target}")
@@ -103,9 +113,9 @@ foreach(file IN LISTS files)
           offence("widgets include ${target}")
         endif()
       endif()
-    elseif(what MATCHES "${qt}" AND (layer MATCHES "^(core|drivers)$" OR file MATCHES "^app/(cli|command)"))
+    elseif(what MATCHES "${qt}" AND (layer MATCHES "^(core|drivers)$" OR file MATCHES "${no_qt}"))
       offence("includes ${what}: no Qt here")
-    elseif(what MATCHES "${linux}" AND layer STREQUAL "core" AND NOT file STREQUAL "core/learn/huge_pages.cpp")
+    elseif(what MATCHES "${linux}" AND layer STREQUAL "core" AND NOT file STREQUAL "core/learn/kernels/huge_pages.cpp")
       offence("includes ${what}: Linux belongs to drivers")
     endif()
   endforeach()
@@ -131,10 +141,10 @@ endforeach()
 
 foreach(file IN LISTS files)
   if(file MATCHES "^(widgets|app)/" AND NOT file MATCHES "${may_be_rich}")
-    refuse("${rich}" "has" ": it may show a file's text as HTML; use widgets/plain_label.h and widgets/tips.h")
+    refuse("${rich}" "has" ": it may show a file's text as HTML; use widgets/base/plain_label.h and widgets/base/tips.h")
   endif()
-  if(file MATCHES "^(core|drivers|widgets|app)/" AND NOT file STREQUAL "app/say.h")
-    refuse("${printing}" "prints with" ": a text of a file may hold escapes, and say() (app/say.h) prints none")
+  if(file MATCHES "^(core|drivers|widgets|app)/" AND NOT file STREQUAL "app/runtime/say.h")
+    refuse("${printing}" "prints with" ": a text of a file may hold escapes, and say() (app/runtime/say.h) prints none")
   endif()
   if(file MATCHES "^(widgets|app)/")
     refuse("${blocking}" "shows" ": a modal window stands between the operator and STOP")

@@ -1,6 +1,6 @@
 #include "core/atem/arm_choice.h"
 
-#include "core/infer/obstacle.h"
+#include "core/infer/verdict/obstacle.h"
 
 namespace terratact {
 namespace {

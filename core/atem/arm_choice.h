@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/atem/probe_gain.h"
-#include "core/infer/estimate.h"
+#include "core/infer/estimate/estimate.h"
 #include "core/robot/robot_model.h"
 
 namespace terratact {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/atem/panel.h"
-#include "core/result.h"
+#include "core/base/result.h"
 
 namespace terratact {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "core/infer/obstacle.h"
+#include "core/infer/verdict/obstacle.h"
 
 namespace terratact {
 namespace {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/infer/estimate.h"
-#include "core/poll.h"
+#include "core/base/poll.h"
+#include "core/infer/estimate/estimate.h"
 #include "core/robot/robot_model.h"
 
 namespace terratact {

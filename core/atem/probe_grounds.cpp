@@ -2,8 +2,8 @@
 
 #include <concepts>
 
-#include "core/learn/canonical_bytes.h"
-#include "core/learn/sha256.h"
+#include "core/store/canonical_bytes.h"
+#include "core/store/sha256.h"
 
 namespace terratact {
 namespace {

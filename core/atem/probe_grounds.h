@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/infer/settings.h"
+#include "core/infer/estimate/settings.h"
 #include "core/robot/measurement.h"
 
 namespace terratact {

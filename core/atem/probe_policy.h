@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/atem/arm_choice.h"
-#include "core/infer/verdict.h"
+#include "core/infer/verdict/verdict.h"
 
 namespace terratact {
 

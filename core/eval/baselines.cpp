@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/learn/gaussian_process.h"
-#include "core/learn/training.h"
+#include "core/learn/gp/gaussian_process.h"
+#include "core/learn/model/training.h"
 #include "core/robot/kinematics.h"
 #include "core/terrain/body_ceiling.h"
 

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/for_each.h"
-#include "core/infer/estimate.h"
-#include "core/learn/model.h"
+#include "core/base/for_each.h"
+#include "core/infer/estimate/estimate.h"
+#include "core/learn/model/model.h"
 #include "core/robot/robot_model.h"
 
 namespace terratact {

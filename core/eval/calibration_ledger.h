@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/infer/estimate.h"
-#include "core/infer/ghost.h"
+#include "core/infer/estimate/estimate.h"
+#include "core/infer/verdict/ghost.h"
 
 namespace terratact {
 

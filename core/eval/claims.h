@@ -7,7 +7,7 @@
 
 #include "core/eval/cluster_bootstrap.h"
 #include "core/eval/evaluation.h"
-#include "core/infer/variant.h"
+#include "core/infer/estimate/variant.h"
 
 namespace terratact {
 

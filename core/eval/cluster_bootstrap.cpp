@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "core/infer/quantile.h"
+#include "core/infer/estimate/quantile.h"
 
 namespace terratact {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/learn/scene.h"
+#include "core/learn/data/scene.h"
 
 namespace terratact {
 

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/infer/quantile.h"
+#include "core/infer/estimate/quantile.h"
 #include "core/terrain/kinematic_reconstruction.h"
 
 namespace terratact {

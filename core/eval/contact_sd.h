@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/infer/variant.h"
-#include "core/learn/scene.h"
+#include "core/infer/estimate/variant.h"
+#include "core/learn/data/scene.h"
 #include "core/robot/robot_model.h"
 #include "core/terrain/bins.h"
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "core/infer/quantile.h"
+#include "core/infer/estimate/quantile.h"
 #include "core/robot/kinematics.h"
 
 namespace terratact {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/eval/scores.h"
-#include "core/infer/estimate.h"
-#include "core/learn/scene.h"
+#include "core/infer/estimate/estimate.h"
+#include "core/learn/data/scene.h"
 #include "core/robot/robot_model.h"
 
 namespace terratact {

@@ -5,8 +5,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "core/csv_text.h"
-#include "core/text.h"
+#include "core/base/text.h"
+#include "core/store/csv_text.h"
 
 namespace terratact {
 namespace {

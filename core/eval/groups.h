@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/csv_reader.h"
+#include "core/base/result.h"
 #include "core/eval/evaluation.h"
-#include "core/result.h"
+#include "core/store/csv_reader.h"
 
 namespace terratact {
 
@@ -27,7 +27,7 @@ std::vector<GroupSummary> byNovelty(std::span<const BinError> errors);
 using Classes = std::map<std::string, std::string>;
 inline constexpr std::size_t kMostClassRows = 200'000;  ///< of an index file
 
-/// Reads the columns `row` and `column` of a CSV index (core/csv_reader.h).
+/// Reads the columns `row` and `column` of a CSV index (core/store/csv_reader.h).
 /// Errors name the file, the line and the cause: those of CsvReader; a column is missing, a row appears twice; over
 /// kMostClassRows rows.
 Result<Classes> readClasses(const std::string& path, const std::string& column);

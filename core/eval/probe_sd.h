@@ -4,7 +4,7 @@
 #include <span>
 
 #include "core/eval/contact_sd.h"
-#include "core/learn/probe_file.h"
+#include "core/learn/data/probe_file.h"
 
 namespace terratact {
 

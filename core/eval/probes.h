@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/infer/estimate.h"
-#include "core/learn/scene.h"
+#include "core/infer/estimate/estimate.h"
+#include "core/learn/data/scene.h"
 
 namespace terratact {
 

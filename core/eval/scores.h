@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "core/infer/estimate.h"
+#include "core/infer/estimate/estimate.h"
 
 namespace terratact {
 

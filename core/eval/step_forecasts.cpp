@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/infer/obstacle.h"
+#include "core/infer/verdict/obstacle.h"
 
 namespace terratact {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/eval/cluster_bootstrap.h"
-#include "core/infer/estimate.h"
-#include "core/learn/scene.h"
+#include "core/infer/estimate/estimate.h"
+#include "core/learn/data/scene.h"
 
 namespace terratact {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/infer/estimate.h"
-#include "core/infer/quality.h"
+#include "core/infer/estimate/estimate.h"
+#include "core/infer/estimate/quality.h"
 
 namespace terratact {
 

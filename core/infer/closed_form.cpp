@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/infer/draw_summary.h"
-#include "core/infer/hazards.h"
-#include "core/infer/measured_bins.h"
-#include "core/learn/clearance.h"
-#include "core/learn/hyperparameters.h"
+#include "core/infer/estimate/hazards.h"
+#include "core/infer/estimate/measured_bins.h"
+#include "core/infer/sampling/draw_summary.h"
+#include "core/learn/kernels/hyperparameters.h"
+#include "core/learn/model/clearance.h"
 #include "core/terrain/body_ceiling.h"
 
 namespace terratact {

@@ -2,10 +2,10 @@
 
 #include <span>
 
-#include "core/infer/estimate.h"
-#include "core/infer/gaussian_mixture.h"
-#include "core/infer/measured_bins.h"
-#include "core/learn/clearance_model.h"
+#include "core/infer/estimate/estimate.h"
+#include "core/infer/estimate/measured_bins.h"
+#include "core/infer/sampling/gaussian_mixture.h"
+#include "core/learn/model/clearance_model.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
 
@@ -24,7 +24,7 @@ GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::Ve
                                     unsigned covered, Method method);
 
 /// Estimates one scene without a chain: contacts, with the model's bias and sd, and arm readings are
-/// measurements (measured_bins.h), weak heights too, conditioned exactly in the surface coordinate y (core/learn/clearance.h).
+/// measurements (measured_bins.h), weak heights too, conditioned exactly in the surface coordinate y (core/learn/model/clearance.h).
 /// Their error there is the change of y when the ground lies one sd lower.  A measurement more than two standard
 /// deviations from every component makes one Gaussian of the mixture first.
 /// poll: at the start and while draws are made.

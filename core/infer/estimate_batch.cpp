@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/infer/missing_sensors.h"
+#include "core/infer/estimate/missing_sensors.h"
 
 namespace terratact {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/infer/closed_form.h"
-#include "core/infer/missing_sensors.h"
+#include "core/infer/estimate/missing_sensors.h"
 #include "core/infer/reconstruct.h"
 #include "core/infer/reconstruct_clearance.h"
 

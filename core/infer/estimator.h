@@ -2,14 +2,14 @@
 
 #include <span>
 
-#include "core/infer/estimate.h"
-#include "core/infer/measured_bins.h"
-#include "core/infer/scene_sampling.h"
-#include "core/infer/watch.h"
-#include "core/learn/bin_models.h"
-#include "core/learn/clearance_conditionals.h"
-#include "core/learn/clearance_model.h"
-#include "core/learn/reduced_clearances.h"
+#include "core/infer/estimate/estimate.h"
+#include "core/infer/estimate/measured_bins.h"
+#include "core/infer/sampling/scene_sampling.h"
+#include "core/infer/sampling/watch.h"
+#include "core/learn/model/bin_models.h"
+#include "core/learn/model/clearance_conditionals.h"
+#include "core/learn/model/clearance_model.h"
+#include "core/learn/model/reduced_clearances.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
 

@@ -2,10 +2,10 @@
 
 #include <span>
 
-#include "core/infer/estimate.h"
-#include "core/infer/scene_sampling.h"
-#include "core/infer/watch.h"
-#include "core/learn/bin_models.h"
+#include "core/infer/estimate/estimate.h"
+#include "core/infer/sampling/scene_sampling.h"
+#include "core/infer/sampling/watch.h"
+#include "core/learn/model/bin_models.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
 

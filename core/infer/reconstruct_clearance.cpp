@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/infer/clearance_states.h"
-#include "core/infer/measured_bins.h"
+#include "core/infer/estimate/measured_bins.h"
+#include "core/infer/sampling/clearance_states.h"
 #include "core/terrain/body_ceiling.h"
 
 namespace terratact {

@@ -2,11 +2,11 @@
 
 #include <span>
 
-#include "core/infer/estimate.h"
-#include "core/infer/measured_bins.h"
-#include "core/infer/scene_sampling.h"
-#include "core/infer/watch.h"
-#include "core/learn/clearance_conditionals.h"
+#include "core/infer/estimate/estimate.h"
+#include "core/infer/estimate/measured_bins.h"
+#include "core/infer/sampling/scene_sampling.h"
+#include "core/infer/sampling/watch.h"
+#include "core/learn/model/clearance_conditionals.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/learn/sha256.h"
 #include "core/log/session_rows.h"
 #include "core/log/session_schema.h"
-#include "core/sqlite.h"
+#include "core/store/sha256.h"
+#include "core/store/sqlite.h"
 
 namespace terratact {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/infer/ghost_track.h"
+#include "core/infer/verdict/ghost_track.h"
 #include "core/wire/telemetry_listener.h"
 
 namespace terratact {

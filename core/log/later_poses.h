@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/infer/estimate.h"
-#include "core/infer/ghost.h"
+#include "core/infer/estimate/estimate.h"
+#include "core/infer/verdict/ghost.h"
 #include "core/log/session_reader.h"
 #include "core/robot/robot_model.h"
 
@@ -24,7 +24,7 @@ struct LaterPose {
     Ghost ghost;
 };
 
-/// Follows estimates along the session's telemetry (infer/ghost_track.h), each to all the scenes behind its own that
+/// Follows estimates along the session's telemetry (infer/verdict/ghost_track.h), each to all the scenes behind its own that
 /// it reaches, in the order of these scenes.  Bins that the training set alone speaks for go along.  Reads only frames between a scene and where its estimates have ended.
 /// Throws std::invalid_argument where there is no such scene.
 std::vector<LaterPose> laterPoses(SessionReader& session, const RobotModel& robot,

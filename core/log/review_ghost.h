@@ -3,13 +3,13 @@
 #include <optional>
 #include <vector>
 
-#include "core/infer/ghost_track.h"
+#include "core/infer/verdict/ghost_track.h"
 #include "core/log/review_moment.h"
 #include "core/wire/telemetry_listener.h"
 
 namespace terratact {
 
-/// The ghost of a session's last estimate (infer/ghost.h) at a moment at which none stands: as the console had it, made
+/// The ghost of a session's last estimate (infer/verdict/ghost.h) at a moment at which none stands: as the console had it, made
 /// of the file alone.  It is followed for kFollowed after the estimate was left, from kBefore before that or from when the
 /// estimate came.  Times that go on, or a little back, are quick.
 class ReviewGhost {

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/learn/canonical_bytes.h"
-#include "core/learn/sha256.h"
 #include "core/log/session_schema.h"
-#include "core/sqlite.h"
+#include "core/store/canonical_bytes.h"
+#include "core/store/sha256.h"
+#include "core/store/sqlite.h"
 
 namespace terratact {
 
@@ -19,7 +19,7 @@ namespace terratact {
 //   rows_hash   = H(H(rows of settings) ‖ H(rows of model) ‖ …)          in the order of kSessionRowTables
 //   chain       = H(chain before ‖ id, t_first, t_last, frame_first, frame_count ‖ frames_hash ‖ rows_hash)
 // and the chain before the first batch is H(rows of meta).  A row's bytes are its values in the order of the
-// columns, each after its SQLite type, as core/learn/canonical_bytes.h has them.  The chain shows what was
+// columns, each after its SQLite type, as core/store/canonical_bytes.h has them.  The chain shows what was
 // changed, left out or put in afterwards as long as its last link is known from elsewhere: whoever can write
 // the file can also compute a whole new chain.
 

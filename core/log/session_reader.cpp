@@ -7,12 +7,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/file_read.h"
 #include "core/log/checked_row.h"
 #include "core/log/session_row_reader.h"
 #include "core/log/session_schema.h"
 #include "core/log/session_tables.h"
-#include "core/sqlite.h"
+#include "core/store/file_read.h"
+#include "core/store/sqlite.h"
 
 namespace terratact {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/log/session_hash.h"
 #include "core/log/session_rows.h"
-#include "core/result.h"
 
 namespace terratact {
 

@@ -4,11 +4,11 @@
 #include <array>
 #include <limits>
 
-#include "core/infer/contradiction.h"
-#include "core/infer/missing_sensors.h"
+#include "core/base/named.h"
+#include "core/infer/estimate/contradiction.h"
+#include "core/infer/estimate/missing_sensors.h"
 #include "core/log/checked_row.h"
 #include "core/log/session_schema.h"
-#include "core/named.h"
 
 namespace terratact {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/log/session_hash.h"
 #include "core/log/session_rows.h"
-#include "core/sqlite.h"
+#include "core/store/sqlite.h"
 
 namespace terratact {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/infer/estimate.h"
+#include "core/infer/estimate/estimate.h"
 #include "core/robot/measurement.h"
 #include "core/terrain/bins.h"
 #include "core/wire/can_frame.h"

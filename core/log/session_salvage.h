@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/log/session_rows.h"
-#include "core/result.h"
 
 namespace terratact {
 

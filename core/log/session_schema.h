@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/content_kind.h"  // kSessionApplicationId
+#include "core/store/content_kind.h"  // kSessionApplicationId
 
 namespace terratact {
 

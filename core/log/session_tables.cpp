@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/log/session_hash.h"
 #include "core/log/session_schema.h"
-#include "core/text.h"
 
 namespace terratact {
 namespace {

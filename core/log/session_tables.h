@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/log/session_rows.h"
-#include "core/sqlite.h"
+#include "core/store/sqlite.h"
 
 namespace terratact {
 

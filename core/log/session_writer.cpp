@@ -10,12 +10,12 @@
 #include <system_error>
 #include <utility>
 
-#include "core/file_read.h"
+#include "core/base/text.h"
 #include "core/log/session_hash.h"
 #include "core/log/session_schema.h"
 #include "core/log/session_tables.h"
-#include "core/sqlite.h"
-#include "core/text.h"
+#include "core/store/file_read.h"
+#include "core/store/sqlite.h"
 
 namespace terratact {
 namespace {

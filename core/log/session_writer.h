@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
+#include "core/base/result.h"
 #include "core/log/session_rows.h"
-#include "core/result.h"
-#include "core/sqlite.h"
+#include "core/store/sqlite.h"
 
 namespace terratact {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "core/text.h"
+#include "core/base/text.h"
 
 namespace terratact {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "core/robot/force_sensor.h"
 
 namespace terratact {

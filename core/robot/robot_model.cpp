@@ -5,8 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/robot/toml_section.h"
-#include "core/text.h"
 
 namespace terratact {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "core/robot/force_sensor.h"
 #include "core/robot/measurement.h"
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/file_read.h"
+#include "core/base/text.h"
 #include "core/robot/toml_depth.h"
-#include "core/text.h"
+#include "core/store/file_read.h"
 
 namespace terratact {
 namespace {

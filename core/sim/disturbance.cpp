@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "core/named.h"
+#include "core/base/named.h"
 
 namespace terratact {
 namespace {

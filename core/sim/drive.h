@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/learn/scene.h"
+#include "core/learn/data/scene.h"
 #include "core/robot/robot_model.h"
 #include "core/sim/rest_pose.h"
 #include "core/sim/sensor_noise.h"

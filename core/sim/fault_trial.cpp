@@ -3,7 +3,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "core/robot/sensor_watch.h"
+#include "core/robot/watch/sensor_watch.h"
 #include "core/sim/sensor_fault.h"
 
 namespace terratact {

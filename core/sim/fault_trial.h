@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/learn/scene.h"
+#include "core/learn/data/scene.h"
 #include "core/robot/robot_model.h"
-#include "core/robot/sensor_suspicion.h"
+#include "core/robot/watch/sensor_suspicion.h"
 #include "core/sim/watched_drive.h"
 
 namespace terratact {

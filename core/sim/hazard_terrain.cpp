@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/named.h"
+#include "core/base/named.h"
 #include "core/sim/random_terrain.h"
 #include "core/sim/terrain_path.h"
 #include "core/sim/terrain_shapes.h"

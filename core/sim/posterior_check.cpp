@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/infer/contradiction.h"
+#include "core/infer/estimate/contradiction.h"
 #include "core/sim/rest_pose.h"
 
 namespace terratact {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/infer/estimate.h"
-#include "core/poll.h"
+#include "core/base/poll.h"
+#include "core/infer/estimate/estimate.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
 

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "core/robot/kinematics.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/named.h"
+#include "core/base/named.h"
 #include "core/wire/telemetry.h"
 
 namespace terratact {

@@ -10,7 +10,7 @@
 
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
-#include "core/robot/sensor.h"
+#include "core/robot/watch/sensor.h"
 
 namespace terratact {
 

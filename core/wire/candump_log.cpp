@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/text.h"
+#include "core/base/text.h"
 #include "core/wire/log_format.h"
 #include "core/wire/log_time.h"
 #include "core/wire/log_words.h"

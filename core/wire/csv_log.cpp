@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/text.h"
+#include "core/base/text.h"
 #include "core/wire/log_format.h"
 #include "core/wire/log_words.h"
 

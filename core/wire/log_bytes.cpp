@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/file_read.h"
+#include "core/store/file_read.h"
 
 namespace terratact {
 namespace {

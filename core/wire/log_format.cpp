@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "core/text.h"
+#include "core/base/text.h"
 #include "core/wire/log_words.h"
 
 namespace terratact {

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/file_read.h"
+#include "core/store/file_read.h"
 #include "core/wire/log_words.h"
 
 namespace terratact {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "core/wire/log_bytes.h"
 #include "core/wire/log_clock.h"
 #include "core/wire/log_format.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "core/text.h"
+#include "core/base/text.h"
 #include "core/wire/log_words.h"
 
 namespace terratact {

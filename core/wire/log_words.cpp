@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/text.h"
+#include "core/base/text.h"
 
 namespace terratact {
 namespace {

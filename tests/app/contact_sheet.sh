@@ -1,5 +1,5 @@
 #!/bin/sh
-# Puts the pictures of a folder (tests/app/screens_test.cpp) on sheets of nine that can still be read, in their order:
+# Puts the pictures of a folder (tests/app/console/screens_test.cpp) on sheets of nine that can still be read, in their order:
 # DIR/sheet-01.png, …; wants imagemagick.  NAMES: of the pictures, as the shell matches them (default: all).
 #   tests/app/contact_sheet.sh DIR [NAMES]
 set -eu

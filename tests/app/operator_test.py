@@ -15,7 +15,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cli"))
 from x_operator import Operator, Screen, begin, begin_console, begin_display  # noqa: E402
 
 CONSOLE = sys.argv.pop()
-APPROVE = 0x5A1490  # the button's colour, of widgets/palette.h
+APPROVE = 0x5A1490  # the button's colour, of widgets/base/palette.h
 PROPOSED, STANDS = "arm probe proposed", "estimate stands"
 
 

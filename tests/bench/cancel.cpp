@@ -16,11 +16,11 @@
 #include <vector>
 
 #include "core/atem/arm_choice.h"
+#include "core/infer/estimate/quality.h"
 #include "core/infer/estimator.h"
-#include "core/infer/quality.h"
 #include "core/infer/reconstruct.h"
-#include "core/learn/aligned_array.h"
-#include "core/learn/likelihood.h"
+#include "core/learn/gp/likelihood.h"
+#include "core/learn/kernels/aligned_array.h"
 #include "core/terrain/step.h"
 #include "tests/bench/shipped_model.h"
 #include "tests/support/toy_model.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/infer/truncated_normal.h"
+#include "core/infer/sampling/truncated_normal.h"
 
 namespace terratact {
 namespace {

@@ -23,12 +23,12 @@
 #include <string>
 #include <vector>
 
-#include "app/parallel.h"
-#include "core/learn/bin_models.h"
-#include "core/learn/likelihood.h"
-#include "core/learn/scene_conditional.h"
-#include "core/learn/scene_file.h"
-#include "core/learn/training.h"
+#include "app/runtime/parallel.h"
+#include "core/learn/data/scene_file.h"
+#include "core/learn/gp/likelihood.h"
+#include "core/learn/gp/scene_conditional.h"
+#include "core/learn/model/bin_models.h"
+#include "core/learn/model/training.h"
 
 extern "C" void openblas_set_num_threads(int);
 

@@ -12,14 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include "core/infer/estimate/quality.h"
 #include "core/infer/estimate_batch.h"
 #include "core/infer/estimator.h"
-#include "core/infer/gibbs.h"
-#include "core/infer/process_scene.h"
-#include "core/infer/quality.h"
 #include "core/infer/reconstruct.h"
 #include "core/infer/reconstruct_clearance.h"
-#include "core/learn/likelihood.h"
+#include "core/infer/sampling/gibbs.h"
+#include "core/infer/sampling/process_scene.h"
+#include "core/learn/gp/likelihood.h"
 #include "core/terrain/body_ceiling.h"
 #include "tests/bench/fma_peak.h"
 #include "tests/bench/shipped_model.h"

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/csv_text.h"
+#include "core/base/text.h"
 #include "core/eval/groups.h"
-#include "core/learn/probe_file.h"
-#include "core/learn/profile_file.h"
-#include "core/text.h"
+#include "core/learn/data/probe_file.h"
+#include "core/learn/data/profile_file.h"
+#include "core/store/csv_text.h"
 #include "tests/fuzz/promise.h"
 
 using namespace terratact;

@@ -1,12 +1,12 @@
 // DBC files: what is accepted fits its frames and decodes any of them, to finite values where they are no floats, and to
 // texts that read back.
-#include "core/wire/dbc_file.h"
+#include "core/wire/dbc/dbc_file.h"
 
 #include <cmath>
 #include <cstdint>
 
-#include "core/text.h"
-#include "core/wire/dbc_number.h"
+#include "core/base/text.h"
+#include "core/wire/dbc/dbc_number.h"
 #include "tests/fuzz/promise.h"
 
 using namespace terratact;

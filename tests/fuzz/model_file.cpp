@@ -1,5 +1,5 @@
 // Model files as bytes.  Mutants keep the size of a real file, whose header would else refuse them all.
-#include "core/learn/model_file.h"
+#include "core/learn/model/model_file.h"
 
 #include <cstdint>
 

@@ -1,10 +1,10 @@
 // Scenes as CSV: what is accepted is finite and within the columns' ranges, and survives being written and read.
-#include "core/learn/scene_file.h"
+#include "core/learn/data/scene_file.h"
 
 #include <cmath>
 #include <cstdint>
 
-#include "core/learn/columns.h"
+#include "core/learn/data/columns.h"
 #include "tests/fuzz/promise.h"
 
 using namespace terratact;

@@ -16,13 +16,13 @@
 #include <thread>
 #include <vector>
 
-#include "app/can_source.h"
-#include "app/panel_reader.h"
-#include "app/robot_service.h"
-#include "app/steady_now.h"
+#include "app/link/can_source.h"
+#include "app/link/panel_reader.h"
+#include "app/link/robot_service.h"
+#include "app/runtime/steady_now.h"
 #include "core/atem/arm_choice.h"
 #include "core/infer/estimator.h"
-#include "core/learn/model_file.h"
+#include "core/learn/model/model_file.h"
 #include "core/sim/terrain_shapes.h"
 #include "drivers/socketcan.h"
 #include "tests/kernel/support.h"

@@ -3,11 +3,11 @@
 #include <QTest>
 #include <functional>
 
-#include "app/main_window.h"
+#include "app/console/main_window.h"
 #include "tests/support/gui.h"
-#include "widgets/arming_control.h"
-#include "widgets/held_button.h"
-#include "widgets/status_header.h"
+#include "widgets/base/held_button.h"
+#include "widgets/control/arming_control.h"
+#include "widgets/control/status_header.h"
 
 /// How an operator arms, for every test with a console on a bus.
 namespace terratact {

@@ -17,14 +17,14 @@
 #include "tests/support/sessions.h"
 #include "tests/support/staged_robot.h"
 #include "tests/support/temporary_directory.h"
-#include "widgets/arming_control.h"
-#include "widgets/atem_panel.h"
-#include "widgets/drive_pad.h"
-#include "widgets/force_bars.h"
-#include "widgets/held_button.h"
-#include "widgets/look.h"
-#include "widgets/probe_card.h"
-#include "widgets/status_header.h"
+#include "widgets/base/held_button.h"
+#include "widgets/base/look.h"
+#include "widgets/control/arming_control.h"
+#include "widgets/control/atem_panel.h"
+#include "widgets/control/drive_pad.h"
+#include "widgets/control/probe_card.h"
+#include "widgets/control/status_header.h"
+#include "widgets/signals/force_bars.h"
 
 namespace terratact {
 

@@ -11,19 +11,19 @@
 #include <utility>
 #include <vector>
 
-#include "app/main_window.h"
+#include "app/console/main_window.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "tests/support/scripted_source.h"
 #include "tests/support/sim_source.h"
-#include "widgets/atem_panel.h"
-#include "widgets/held_button.h"
-#include "widgets/look.h"
-#include "widgets/probe_card.h"
-#include "widgets/status_header.h"
-#include "widgets/terrain_profile_view.h"
+#include "widgets/base/held_button.h"
+#include "widgets/base/look.h"
+#include "widgets/control/atem_panel.h"
+#include "widgets/control/probe_card.h"
+#include "widgets/control/status_header.h"
+#include "widgets/terrain/terrain_profile_view.h"
 
 namespace terratact {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/console_alarms.h"
+#include "app/mission/console_alarms.h"
 
 namespace terratact {
 

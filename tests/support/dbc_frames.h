@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/wire/can_codec.h"
-#include "core/wire/dbc_file.h"
+#include "core/wire/dbc/dbc_file.h"
 
 namespace terratact {
 

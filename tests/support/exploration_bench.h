@@ -15,8 +15,8 @@
 #include <variant>
 #include <vector>
 
-#include "app/exploration.h"
-#include "app/steady_now.h"
+#include "app/mission/exploration.h"
+#include "app/runtime/steady_now.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "tests/support/scripted_source.h"

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "core/learn/hyperparameters.h"
+#include "core/learn/kernels/hyperparameters.h"
 
 namespace terratact {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/infer/conditionals.h"
+#include "core/infer/sampling/conditionals.h"
 
 namespace terratact {
 

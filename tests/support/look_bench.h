@@ -2,17 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include "app/main_window.h"
+#include "app/console/main_window.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "tests/support/sim_source.h"
 #include "tests/support/temporary_directory.h"
-#include "widgets/atem_panel.h"
-#include "widgets/look.h"
-#include "widgets/navigation_rail.h"
-#include "widgets/probe_card.h"
+#include "widgets/base/look.h"
+#include "widgets/base/navigation_rail.h"
+#include "widgets/control/atem_panel.h"
+#include "widgets/control/probe_card.h"
 
 namespace terratact {
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/steady_now.h"
+#include "app/runtime/steady_now.h"
 #include "core/atem/panel.h"
 #include "drivers/gpio_lines.h"
 

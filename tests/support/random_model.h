@@ -5,8 +5,8 @@
 #include <random>
 #include <string>
 
-#include "core/learn/clearance_model.h"
-#include "core/learn/model.h"
+#include "core/learn/model/clearance_model.h"
+#include "core/learn/model/model.h"
 
 namespace terratact {
 

@@ -9,13 +9,13 @@
 
 #include "core/atem/arm_choice.h"
 #include "core/atem/console_link.h"
-#include "core/file_read.h"
 #include "core/infer/estimator.h"
-#include "core/learn/model_file.h"
-#include "core/learn/sha256.h"
+#include "core/learn/model/model_file.h"
 #include "core/log/session_writer.h"
 #include "core/sim/robot_on_bus.h"
 #include "core/sim/terrain_shapes.h"
+#include "core/store/file_read.h"
+#include "core/store/sha256.h"
 
 /// Sessions of a simulated drive as the console records them, played in simulated time.
 namespace terratact {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "app/review_window.h"
+#include "app/review/review_window.h"
 #include "tests/support/absolem.h"
 #include "tests/support/gui.h"
 #include "tests/support/robot_session.h"

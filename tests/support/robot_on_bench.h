@@ -3,9 +3,9 @@
 #include <memory>
 #include <utility>
 
-#include "app/main_window.h"
-#include "app/robot_in_process.h"
-#include "app/steady_now.h"
+#include "app/console/main_window.h"
+#include "app/link/robot_in_process.h"
+#include "app/runtime/steady_now.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
 

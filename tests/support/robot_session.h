@@ -6,9 +6,9 @@
 
 #include "core/atem/arming.h"
 #include "core/atem/atem_machine.h"
-#include "core/file_read.h"
 #include "core/sim/robot_on_bus.h"
 #include "core/sim/terrain_shapes.h"
+#include "core/store/file_read.h"
 #include "tests/support/absolem.h"
 #include "tests/support/sessions.h"
 

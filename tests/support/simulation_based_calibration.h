@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/infer/gibbs.h"
+#include "core/infer/sampling/gibbs.h"
 
 namespace terratact {
 

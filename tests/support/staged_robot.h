@@ -10,8 +10,8 @@
 #include <utility>
 #include <variant>
 
-#include "app/robot_service.h"
-#include "app/steady_now.h"
+#include "app/link/robot_service.h"
+#include "app/runtime/steady_now.h"
 #include "core/sim/robot_on_bus.h"
 #include "core/wire/can_codec.h"
 #include "drivers/memory_bus.h"

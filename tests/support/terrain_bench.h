@@ -4,9 +4,9 @@
 
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
-#include "widgets/look.h"
-#include "widgets/palette.h"
-#include "widgets/terrain_profile_view.h"
+#include "widgets/base/look.h"
+#include "widgets/base/palette.h"
+#include "widgets/terrain/terrain_profile_view.h"
 
 namespace terratact {
 

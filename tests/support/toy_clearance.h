@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/learn/clearance_conditionals.h"
+#include "core/learn/model/clearance_conditionals.h"
 #include "core/terrain/body_ceiling.h"
 #include "tests/support/toy_model.h"
 

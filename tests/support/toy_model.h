@@ -2,9 +2,9 @@
 
 #include <random>
 
-#include "core/learn/bin_models.h"
-#include "core/learn/clearance_training.h"
-#include "core/learn/training.h"
+#include "core/learn/model/bin_models.h"
+#include "core/learn/model/clearance_training.h"
+#include "core/learn/model/training.h"
 #include "core/sim/drive.h"
 #include "core/sim/random_terrain.h"
 #include "tests/support/absolem.h"

@@ -6,7 +6,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "core/learn/columns.h"
+#include "core/learn/data/columns.h"
 #include "tests/support/absolem.h"
 
 namespace terratact {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "core/eval/confidence.h"
-#include "core/infer/quantile.h"
+#include "core/infer/estimate/quantile.h"
 
 namespace terratact {
 namespace {

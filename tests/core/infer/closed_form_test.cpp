@@ -6,9 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/infer/estimate/quantile.h"
 #include "core/infer/estimator.h"
-#include "core/infer/quantile.h"
-#include "core/learn/clearance.h"
+#include "core/learn/model/clearance.h"
 #include "core/terrain/body_ceiling.h"
 #include "tests/support/toy_model.h"
 

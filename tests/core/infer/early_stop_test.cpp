@@ -10,9 +10,9 @@
 #include <thread>
 #include <vector>
 
-#include "core/infer/convergence.h"
-#include "core/infer/draw_summary.h"
-#include "core/infer/gibbs.h"
+#include "core/infer/sampling/convergence.h"
+#include "core/infer/sampling/draw_summary.h"
+#include "core/infer/sampling/gibbs.h"
 
 namespace terratact {
 namespace {

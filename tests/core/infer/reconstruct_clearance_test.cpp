@@ -7,8 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/infer/clearance_states.h"
-#include "core/infer/quantile.h"
+#include "core/infer/estimate/quantile.h"
+#include "core/infer/sampling/clearance_states.h"
 #include "tests/support/toy_clearance.h"
 
 namespace terratact {

@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "core/infer/closed_form.h"
-#include "core/infer/draw_summary.h"
-#include "core/infer/gibbs.h"
 #include "core/infer/reconstruct_clearance.h"
-#include "core/infer/truncated_normal.h"
-#include "core/learn/clearance_training.h"
-#include "core/learn/columns.h"
+#include "core/infer/sampling/draw_summary.h"
+#include "core/infer/sampling/gibbs.h"
+#include "core/infer/sampling/truncated_normal.h"
+#include "core/learn/data/columns.h"
+#include "core/learn/model/clearance_training.h"
 
 namespace terratact {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include "core/infer/gibbs.h"
+#include "core/infer/sampling/gibbs.h"
 #include "tests/support/linear_conditionals.h"
 
 namespace terratact {

@@ -1,5 +1,5 @@
 // What became of the last estimate once it was left, as the console had it.  That a ghost lies where the console drew it
-// is tested with a console: app/bus_link_test.cpp.
+// is tested with a console: app/console/bus_link_test.cpp.
 #include "core/log/review_ghost.h"
 
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "core/text.h"
+#include "core/base/text.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
 

@@ -1,4 +1,4 @@
-#include "core/robot/ground_watch.h"
+#include "core/robot/watch/ground_watch.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <numbers>
 #include <random>
 
-#include "core/robot/return_watch.h"
-#include "core/robot/stuck_watch.h"
+#include "core/robot/watch/return_watch.h"
+#include "core/robot/watch/stuck_watch.h"
 #include "core/sim/random_terrain.h"
 #include "core/sim/sensor_fault.h"
 #include "core/sim/watched_drive.h"

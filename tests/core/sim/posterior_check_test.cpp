@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/infer/contradiction.h"
+#include "core/infer/estimate/contradiction.h"
 #include "core/sim/rest_pose.h"
 #include "core/sim/terrain_shapes.h"
 

@@ -1,4 +1,4 @@
-#include "core/robot/sensor_watch.h"
+#include "core/robot/watch/sensor_watch.h"
 
 #include <gtest/gtest.h>
 

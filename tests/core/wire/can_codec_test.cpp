@@ -12,7 +12,7 @@
 #include <stdexcept>
 
 #include "core/terrain/bins.h"
-#include "core/wire/dbc_file.h"
+#include "core/wire/dbc/dbc_file.h"
 #include "core/wire/e2e.h"
 #include "tests/support/dbc_frames.h"
 

@@ -1,0 +1,76 @@
+#include <cblas.h>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <sstream>
+#include <system_error>
+
+#include "app/cli/cli_options.h"
+#include "app/cli/cli_subcommands.h"
+#include "app/runtime/say.h"
+#include "core/base/memory_limit.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr int kDone = 0;
+constexpr int kFailed = 1;
+constexpr int kWrongArguments = 2;
+
+int realMain(int argc, char** argv)
+{
+    openblas_set_num_threads(1);  // our own threads run side by side, one Gaussian process each
+    CommandLine app("Terrain profile by touch for tracked robots that see nothing", "terratact");
+    app.set_version_flag("--version", "terratact " TERRATACT_VERSION);
+    app.require_subcommand(1);
+    Job job;
+    addModelling(app, job, {argv + 1, argv + argc});
+    addInspection(app, job);
+    addBuses(app, job);
+    addSessions(app, job);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        std::ostringstream out, complaint;  // which may quote a file's name
+        const int code = app.exit(error, out, complaint);
+        say("{}", Lines(out.str()));
+        say(stderr, "{}", Lines(complaint.str()));
+        return code == 0 ? kDone : kWrongArguments;
+    }
+    Status done = checkCommandFiles(app.files());
+    if (done) done = job();
+    if (done) return kDone;
+    say(stderr, "terratact: {}\n", done.error().text);
+    return kFailed;
+}
+
+/// `code`, or kFailed where the standard output, such as a file on a full disk, did not take all that was printed.
+int afterPrinting(int code)
+{
+    errno = 0;
+    std::cout.flush();
+    const bool whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
+    if (whole) return code;
+    say(stderr, "terratact: the standard output cannot be written{}{}\n", errno != 0 ? ": " : "",
+        errno != 0 ? std::generic_category().message(errno) : "");
+    return code == kDone ? kFailed : code;
+}
+
+}  // namespace
+
+}  // namespace terratact
+
+int main(int argc, char** argv)
+{
+    try {
+        return terratact::afterPrinting(terratact::realMain(argc, argv));
+    } catch (const std::exception& error) {
+        terratact::say(stderr, "terratact: {}\n", terratact::describeFailure(error));
+        return terratact::kFailed;
+    }
+}

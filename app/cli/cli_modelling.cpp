@@ -1,0 +1,276 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <variant>
+
+#include "app/cli/cli_options.h"
+#include "app/cli/cli_subcommands.h"
+#include "app/cli/commands.h"
+#include "app/figures/findings_report.h"
+#include "core/learn/data/scene_file.h"
+#include "core/learn/model/model_card.h"
+
+namespace terratact {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// The command as a person would type it, with the program's bare name.
+std::string commandLine(const Words& words)
+{
+    return fmt::format("terratact {}", fmt::join(words, " "));
+}
+
+/// The words without an option and its value.
+Words without(const std::string& option, Words words)
+{
+    for (auto word = words.begin(); word != words.end();)
+        if (*word == option && word + 1 != words.end())
+            word = words.erase(word, word + 2);
+        else if (word->starts_with(option + "="))
+            word = words.erase(word);
+        else
+            ++word;
+    return words;
+}
+
+/// The command around the value of --out.
+void splitAtOut(const Words& words, TrainOptions& options)
+{
+    const auto out = std::find_if(words.begin(), words.end(), [](const std::string& word) {
+        return word == "--out" || word.starts_with("--out=");
+    });
+    if (out == words.end()) return;
+    const bool joined = *out != "--out";  // "--out=model.ttm"
+    options.commandBeforeOut = commandLine({words.begin(), out}) + (joined ? " --out=" : " --out ");
+    for (auto word = out + (joined ? 1 : 2); word < words.end(); ++word)
+        options.commandAfterOut += " " + *word;
+}
+
+constexpr const char* kDisturbWords =
+    "none|imu-noise|forces-high|forces-low|dead-element|soft-ground|light-robot|heavy-robot|"
+    "friction-free";
+
+std::optional<std::variant<Disturbance, SensorFault>> disturbedFrom(const std::string& text)
+{
+    if (const auto known = disturbanceFromName(text)) return *known;
+    if (auto fault = sensorFaultFrom(text)) return *std::move(fault);
+    return std::nullopt;
+}
+
+void addSimulate(CLI::App& app, Job& job)
+{
+    auto* c =
+        app.add_subcommand("simulate", "Drive a simulated robot over terrain and record scenes");
+    const auto o = std::make_shared<SimulateOptions>();
+    addRobot(*c, o->robot);
+    addTerrain(*c, o->terrain,
+               "boxes (28 runs over boxes of 0.20 and 0.28 m), varied, hazards, or a CSV file of "
+               "profiles: two columns x,z in "
+               "m, or rows of heights in m")
+        ->required();
+    addTextOutput(*c, "--out", o->out, "Scenes CSV to write")->required();
+    addNumber(*c, "--seed", o->seed, "Seed of terrain and noise");
+    c->add_option("--count", o->count, "Scenes (default: 1400, or every stop over a file)")
+        ->check(CLI::Range(1, static_cast<int>(kMostScenes)));
+    addNumber(*c, "--step", o->step, "Distance of a file's heights [m]")
+        ->check(CLI::Range(0.001, 1.0));
+    c->add_flag("--blocks", o->blocks,
+                "A file's heights are flat-topped blocks with vertical faces");
+    c->add_flag("--exact-truth", o->exactTruth, "No scanner noise on the true heights");
+    c->add_option("--soft-drives", o->softDrives,
+                  "Share of the drives over ground into which the robot sinks (default 0)")
+        ->check(CLI::Range(0.0, 1.0));
+    const auto disturbed = std::make_shared<std::variant<Disturbance, SensorFault>>();
+    addParsed(*c, "--disturb", *disturbed, disturbedFrom, kDisturbWords,
+              fmt::format("is none of {}, nor {}", kDisturbWords, sensorFaultSyntax()),
+              "What the estimator does not know of (default none): of the world, or of sensors "
+              "that lie (stuck:pitch, late:front; FAULTS in the manual page)");
+    c->callback([o, disturbed, &job] {
+        if (const auto* known = std::get_if<Disturbance>(disturbed.get())) o->disturbance = *known;
+        if (const auto* fault = std::get_if<SensorFault>(disturbed.get())) o->sensorFault = *fault;
+        useShippedRobot(o->robot);
+        job = [o] { return simulate(*o); };
+    });
+}
+
+void addTrain(CLI::App& app, Job& job, const Words& words)
+{
+    auto* c =
+        app.add_subcommand("train", "Train a model on scenes: the paper's 22 conditionals, and the "
+                                    "processes over clearances");
+    const auto o = std::make_shared<TrainOptions>();
+    addRobot(*c, o->robot);
+    addInput(*c, "--data", o->data, "Scenes CSV with all heights")->required();
+    addFileOutput(*c, "--out", o->out, "Model to write (*.ttm)")->required();
+    declareFiles(*c, FileRole::Output, [o] { return o->bins ? Paths{} : Paths{cardPath(o->out)}; });
+    addNumber(*c, "--seed", o->seed, "Seed of the search");
+    addNumber(*c, "--scanner-sd", o->scannerSd,
+              "Noise added to the conditionals' heights [m]: for scenes with exact ones")
+        ->check(CLI::Range(0.0, 1.0));
+    addNumber(*c, "--conditional-rows", o->conditionalRows,
+              "Scenes the conditionals learn from; clearances learn from all")
+        ->check(CLI::Range(30, 20'000));
+    addParsed(*c, "--bins", o->bins, binSetFrom, "BINS", "does not name bins 0 to 10, each once",
+              "Train these bins alone (0-3 or 0,4,10; 0 is -0.3 m) and write a part of a model "
+              "(*.ttp) for merge");
+    addNumber(*c, "--inducing", o->inducing,
+              "Conditionals predict through at most so many of their scenes, and their "
+              "hyper-parameters come from 1400 (default 0: from all, through all)")
+        ->check(CLI::Range(0, 20'000));
+    c->callback([o, &job, words] {
+        o->commandLine = commandLine(words);
+        splitAtOut(without("--bins", words), *o);
+        useShippedRobot(o->robot);
+        job = [o] { return train(*o); };
+    });
+}
+
+void addReconstruct(CLI::App& app, Job& job)
+{
+    auto* c = app.add_subcommand("reconstruct", "Estimate the terrain of every scene of a file");
+    const auto o = std::make_shared<ReconstructOptions>();
+    addRobot(*c, o->robot);
+    addModel(*c, o->model);
+    addInput(*c, "--data", o->data, "Scenes CSV")->required();
+    addTextOutput(*c, "--out", o->out, "Estimates CSV to write")->required();
+    addMethod(*c, o->settings);
+    addSettings(*c, o->settings, o->seconds);
+    c->callback([o, &job] {
+        useShippedRobot(o->robot);
+        useShippedModel(o->model);
+        job = [o] { return reconstructScenes(*o); };
+    });
+}
+
+void addEvaluate(CLI::App& app, Job& job, const Words& words)
+{
+    auto* c = app.add_subcommand("evaluate", "Compare methods on scenes whose terrain is known");
+    const auto o = std::make_shared<EvaluateOptions>();
+    const auto methods = std::make_shared<std::vector<std::string>>();
+    addRobot(*c, o->robot);
+    addModel(*c, o->model);
+    addInput(*c, "--data", o->data, "Scenes CSV with heights")->required();
+    addFolderOutput(*c, "--out", o->out, "Directory for the CSV files and the figures", [o] {
+        return o->shard ? Paths{shardFile(*o->shard)} : reportFiles();
+    })->required();
+    declareFiles(*c, FileRole::Update,
+                 [o] { return o->card ? Paths{cardPath(o->model)} : Paths{}; });
+    addMethods(*c, *methods);
+    o->settings.hazardRate = 0.0;  // the methods themselves are compared
+    addNumber(*c, "--step-limit", o->stepLimit,
+              "Ground that rises or falls by more within two bins is a step [m]")
+        ->check(CLI::Range(0.0, 10.0));
+    auto* card = c->add_flag(
+        "--card", o->card, "Also write mean |error| and coverage into the model's card, beside it");
+    addParsed(*c, "--shard", o->shard, shardFrom, "i/n", "is no part i/n with 1 <= i <= n <= 10000",
+              "Evaluate part i of n alone (2/8) and write it (part_2_of_8.tte) for merge")
+        ->excludes(card);
+    auto* classes = addInput(*c, "--classes", o->classes,
+                             "Index CSV whose column row names the scenes' runs: scores by class");
+    c->add_option("--class-column", o->classColumn, "Its column with the class")
+        ->capture_default_str()
+        ->needs(classes);
+    c->add_flag("--probes", o->probes,
+                "Simulate probes chosen by largest sd, by expected variance and by the step "
+                "question");
+    c->add_flag("--missing", o->missing,
+                "Print instead what the methods err where currents or forces were not measured")
+        ->excludes(card);
+    addSettings(*c, o->settings, o->seconds);
+    c->callback([o, methods, &job, words] {
+        o->methods = methodsFrom(*methods);
+        o->command = commandLine(without("--out", without("--shard", words)));
+        useShippedRobot(o->robot);
+        useShippedModel(o->model);
+        job = [o] { return evaluate(*o); };
+    });
+}
+
+void addHazards(CLI::App& app, Job& job)
+{
+    auto* c = app.add_subcommand(
+        "hazards", "How often the verdict is wrong before drops, gaps, walls and ditches");
+    const auto o = std::make_shared<HazardsOptions>();
+    addRobot(*c, o->robot);
+    addModel(*c, o->model);
+    addNumber(*c, "--drives", o->drives, "Drives per kind of hazard and ground")
+        ->check(CLI::Range(1, 10'000));
+    addNumber(*c, "--step-limit", o->stepLimit,
+              "Ground that rises or falls by more within two bins is a step [m]")
+        ->check(CLI::Range(0.0, 10.0));
+    c->add_option("--rates", o->rates,
+                  "Rates of hazards per unfelt bin to compare; the last one is printed in full "
+                  "(default 0.002,0.01,0.05)")
+        ->delimiter(',')
+        ->check(CLI::Range(0.0, 1.0));
+    addNumber(*c, "--seed", o->settings.seed, "Seed of ground, drives and noise");
+    addMethod(*c, o->settings);
+    c->callback([o, &job] {
+        useShippedRobot(o->robot);
+        useShippedModel(o->model);
+        job = [o] { return judgeHazards(*o); };
+    });
+}
+
+void addMerge(CLI::App& app, Job& job)
+{
+    auto* c = app.add_subcommand(
+        "merge", "Put the parts of one train --bins or of one evaluate --shard together");
+    const auto o = std::make_shared<MergeOptions>();
+    addInput(*c, "parts", o->parts, "Every part (*.ttp or *.tte), in any order")->required();
+    addRobot(*c, o->robot);
+    addFolderOutput(*c, "--out", o->out,
+                    "Of a training the model to write (*.ttm), of an evaluation the directory",
+                    [o] { return isEvaluation(*o) ? reportFiles() : Paths{}; })
+        ->required();
+    declareFiles(*c, FileRole::Output, [o] {
+        return isEvaluation(*o) ? Paths{} : Paths{o->out, cardPath(o->out)};
+    });
+    c->callback([o, &job] {
+        useShippedRobot(o->robot);
+        job = [o] { return merge(*o); };
+    });
+}
+
+void addTradeoff(CLI::App& app, Job& job)
+{
+    auto* c = app.add_subcommand(
+        "tradeoff", "What sweeps, chains, precision, inducing rows and presets cost and err");
+    const auto o = std::make_shared<TradeoffOptions>();
+    const auto methods = std::make_shared<std::vector<std::string>>();
+    addRobot(*c, o->robot);
+    addModel(*c, o->model);
+    addInput(*c, "--data", o->data, "Scenes CSV with heights")->required();
+    addFolderOutput(*c, "--out", o->out, "Directory for the CSV files and the figure",
+                    tradeoffFiles)
+        ->required();
+    addMethods(*c, *methods);
+    addNumber(*c, "--reference-sweeps", o->referenceDraws,
+              "Kept sweeps of the long runs that the others are compared with")
+        ->check(CLI::Range(64, 10'000'000));
+    addNumber(*c, "--seed", o->seed, "Seed of the random numbers");
+    c->callback([o, methods, &job] {
+        o->methods = methodsFrom(*methods);
+        useShippedRobot(o->robot);
+        useShippedModel(o->model);
+        job = [o] { return tradeoff(*o); };
+    });
+}
+
+}  // namespace
+
+void addModelling(CLI::App& app, Job& job, const Words& words)
+{
+    addSimulate(app, job);
+    addTrain(app, job, words);
+    addReconstruct(app, job);
+    addEvaluate(app, job, words);
+    addHazards(app, job);
+    addMerge(app, job);
+    addTradeoff(app, job);
+}
+
+}  // namespace terratact

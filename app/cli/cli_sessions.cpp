@@ -1,0 +1,186 @@
+#include <cmath>
+#include <memory>
+
+#include "app/cli/cli_options.h"
+#include "app/cli/cli_subcommands.h"
+#include "app/cli/session_commands.h"
+#include "app/link/log_help.h"
+#include "core/base/text.h"
+
+namespace terratact {
+namespace {
+
+using Files = std::vector<std::string>;
+
+void addSessionFiles(CLI::App& app, Files& files)
+{
+    addInput(app, "files", files, "Sessions (*.tts)")->required();
+}
+
+/// One that only needs to know which sessions.
+void addOfFiles(CLI::App& session, Job& job, const std::string& name, const std::string& text,
+                Status (*run)(const Files&))
+{
+    auto* c = session.add_subcommand(name, text);
+    const auto files = std::make_shared<Files>();
+    addSessionFiles(*c, *files);
+    c->callback([files, run, &job] { job = [files, run] { return run(*files); }; });
+}
+
+void addSessionRecover(CLI::App& session, Job& job)
+{
+    auto* c = session.add_subcommand("recover", "Close sessions whose program died; of damaged "
+                                                "ones, save what is whole");
+    const auto o = std::make_shared<RecoverOptions>();
+    addSessionFiles(*c, o->files);
+    addFileOutput(*c, "--out", o->out,
+                  "Session to write where the file is damaged or cannot be written; without it "
+                  "NAME-recovered.tts beside it");
+    c->callback([o, &job] { job = [o] { return recoverSessions(*o); }; });
+}
+
+void addSessionVerify(CLI::App& session, Job& job)
+{
+    auto* c = session.add_subcommand("verify", "Check every hash; exit code 0: all is as it was "
+                                               "recorded");
+    const auto o = std::make_shared<VerifyOptions>();
+    addSessionFiles(*c, o->files);
+    c->add_option("--link", o->link,
+                  "Last link of the chain as it was noted elsewhere: shows that nothing was "
+                  "cut off");
+    c->callback([o, &job] { job = [o] { return verifySessions(*o); }; });
+}
+
+/// An end of a range.
+void addMoment(CLI::App& app, const std::string& name, double& seconds)
+{
+    const auto refuseNan = [](const std::string& text) {
+        const auto value = numberFrom(text);
+        return value && std::isnan(*value) ? text + " is no time" : std::string();
+    };
+    app.add_option(name, seconds, "Seconds since the session's start")
+        ->check(CLI::Validator(refuseNan, ""));
+}
+
+void addSessionExport(CLI::App& session, Job& job)
+{
+    auto* c = session.add_subcommand("export", "Write frames, signals, estimates or events for "
+                                               "other programs");
+    const auto o = std::make_shared<SessionExportOptions>();
+    addInput(*c, "file", o->file, "Session (*.tts)")->required();
+    addTextOutput(*c, "--out", o->out, "File to write")->required();
+    addChoice(*c, "--format", o->format, exportFormatFromName, "candump|asc|csv|mcap",
+              "Of the file; without it by the ending .log, .asc, .csv or "
+              ".mcap");
+    addChoice(*c, "--what", o->selection.what, exportKindFromName,
+              "frames|signals|estimates|events", "Which rows (CSV: frames if not said; MCAP: all)");
+    addMoment(*c, "--from", o->selection.from);
+    addMoment(*c, "--to", o->selection.to);
+    addInput(*c, "--dbc", o->dbc,
+             "DBC file: adds the signals of frames that are not the protocol's to signals "
+             "(CSV) or everything (MCAP); may be repeated")
+        ->allow_extra_args(false);
+    c->callback([o, &job] {
+        if (o->selection.from > o->selection.to)
+            throw CLI::ValidationError("--from", "must not be later than --to");
+        job = [o] { return exportSession(*o); };
+    });
+}
+
+void addSessionScenes(CLI::App& session, Job& job)
+{
+    auto* c =
+        session.add_subcommand("scenes", "Write captured scenes as CSV for train, reconstruct "
+                                         "and evaluate");
+    const auto o = std::make_shared<SessionScenesOptions>();
+    addSessionFiles(*c, o->files);
+    addTextOutput(*c, "--out", o->out, "Scenes CSV to write")->required();
+    c->add_flag("--measured", o->measured,
+                "Where no truth is known, the heights that contacts and the arm measured");
+    c->callback([o, &job] { job = [o] { return exportScenes(*o); }; });
+}
+
+void addSessionReport(CLI::App& session, Job& job)
+{
+    auto* c =
+        session.add_subcommand("report", "One page about a scene: profile, numbers, settings, "
+                                         "decisions");
+    const auto o = std::make_shared<SessionReportOptions>();
+    addInput(*c, "file", o->file, "Session (*.tts)")->required();
+    c->add_option("--scene", o->scene, "Its number; without it the last")
+        ->check(CLI::Range(1, 1'000'000'000));
+    addFileOutput(*c, "--out", o->out, "PDF, SVG, PNG or HTML to write, by the ending")->required();
+    c->callback([o, &job] { job = [o] { return reportSession(*o); }; });
+}
+
+void addSessionMerge(CLI::App& session, Job& job)
+{
+    auto* c = session.add_subcommand("merge", "Put sessions of one drive together");
+    const auto o = std::make_shared<SessionMergeOptions>();
+    addSessionFiles(*c, o->files);
+    addFileOutput(*c, "--out", o->out, "Session to write (*.tts)")->required();
+    c->callback([o, &job] { job = [o] { return mergeSessions(*o); }; });
+}
+
+void addSessionWhatIf(CLI::App& session, Job& job)
+{
+    auto* c = session.add_subcommand("what-if", "Compute recorded estimates again, as they were or "
+                                                "with other settings");
+    const auto o = std::make_shared<WhatIfOptions>();
+    addInput(*c, "files", o->files, "Sessions (*.tts), or folders of them")->required();
+    auto* one = c->add_option("--estimate", o->estimate, "This one alone, by its number")
+                    ->check(CLI::Range(1, 1'000'000'000));
+    c->add_flag_callback(
+         "--all", [] {}, "All estimates, which is so without it")
+        ->excludes(one);
+    addChoice(*c, "--method", o->method, methodFromName, "pa|pac|pafc|pafac|clearance|joint|local",
+              "Another method");
+    addChoice(*c, "--quality", o->quality, qualityFromName, "fast|balanced|accurate",
+              "Draws, chains, burn-in, precision and inducing rows of a "
+              "preset");
+    c->add_option("--threshold", o->threshold, "Another force of a contact [N]")
+        ->check(CLI::Range(0.0, 1000.0));
+    c->add_option("--seed", o->seed, "Another seed of the random numbers");
+    addInput(*c, "--model", o->model,
+             "Another model (*.ttm), or where the session's is, if it is "
+             "not the shipped one");
+    addTextOutput(*c, "--out", o->out, "CSV to write, a row for each bin");
+    c->callback([o, &job] {
+        useShippedModel(o->shippedModel);
+        job = [o] { return whatIf(*o); };
+    });
+}
+
+void addSessionImport(CLI::App& session, Job& job)
+{
+    auto* c = session.add_subcommand("import", "Make a session of a log of CAN frames");
+    const auto o = std::make_shared<SessionImportOptions>();
+    addLog(*c, "log", o->log, kLogHelp)->required();
+    addFileOutput(*c, "--out", o->out, "Session to write (*.tts)")->required();
+    c->add_option("--interface", o->interface, "Of a log that holds several");
+    addRobot(*c, o->robot);
+    c->callback([o, &job] {
+        useShippedRobot(o->robot);
+        job = [o] { return importLog(*o); };
+    });
+}
+
+}  // namespace
+
+void addSessions(CLI::App& app, Job& job)
+{
+    auto* session = app.add_subcommand("session", "Look at recorded sessions, check and export "
+                                                  "them: docs/sessions.md");
+    session->require_subcommand(1);
+    addOfFiles(*session, job, "info", "What is in them, and whether it holds", showSessions);
+    addSessionVerify(*session, job);
+    addSessionRecover(*session, job);
+    addSessionExport(*session, job);
+    addSessionScenes(*session, job);
+    addSessionReport(*session, job);
+    addSessionMerge(*session, job);
+    addSessionWhatIf(*session, job);
+    addSessionImport(*session, job);
+}
+
+}  // namespace terratact

@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "app/cli/can_commands.h"
+#include "app/link/can_check.h"
+#include "app/runtime/say.h"
+#include "core/store/file_read.h"
+#include "core/wire/log_reader.h"
+#include "drivers/can_interface.h"
+#include "drivers/socketcan.h"
+
+namespace terratact {
+namespace {
+
+const char* wordOf(CanFinding::Level level)
+{
+    switch (level) {
+    case CanFinding::Level::Fine: return "fine";
+    case CanFinding::Level::Warning: return "warning";
+    case CanFinding::Level::Problem: break;
+    }
+    return "problem";
+}
+
+void tell(CanFinding::Level level, const std::string& what)
+{
+    say("{:<8} {}\n", wordOf(level), what);
+}
+
+/// What a log holds, and what was wrong when it was recorded.
+Status checkLog(const std::string& path)
+{
+    Result<LogReader> log = LogReader::open(path);
+    if (!log) return log.error();
+    std::map<std::string, std::uint64_t> frames;
+    std::uint64_t untimed = 0, others = 0;
+    for (;;) {
+        const auto logged = log->next();
+        for (const std::string& remark : log->takeRemarks())
+            tell(CanFinding::Level::Warning, remark);
+        if (!logged) return logged.error();
+        if (!*logged) break;
+        if (!(*logged)->time) ++untimed;
+        const std::string& name = (*logged)->interface;
+        if (frames.size() < 64 || frames.contains(name))
+            ++frames[name];
+        else
+            ++others;
+    }
+    if (frames.empty()) return fileError(path, "holds no frame");
+    tell(CanFinding::Level::Fine, "it is a log of the format " + log->format());
+    for (const auto& [name, count] : frames)
+        tell(CanFinding::Level::Fine, fmt::format("{} frames of {}", count, name));
+    if (others > 0)
+        tell(CanFinding::Level::Fine, fmt::format("{} frames of other interfaces", others));
+    tell(CanFinding::Level::Fine, fmt::format("it lasts {:.3f} s", log->elapsed()));
+    if (untimed > 0)
+        tell(CanFinding::Level::Warning,
+             fmt::format("{} frames have no time: record with candump -L", untimed));
+    if (log->dropped() > 0)
+        tell(CanFinding::Level::Warning,
+             fmt::format("{} frames were lost when the log was recorded", log->dropped()));
+    return Done{};
+}
+
+}  // namespace
+
+Status checkCan(const std::string& interface)
+{
+    std::error_code ignored;
+    if (interface == "-" || std::filesystem::is_regular_file(interface, ignored))
+        return checkLog(interface);
+    if (Status name = checkInterfaceName(interface); !name) return name;
+    const CanInterfaceFacts facts = lookAtInterface(interface);
+    const CanController controller =
+        facts.isCan && !facts.isVirtual ? controllerFrom(linkDetails(interface)) : CanController{};
+    const std::vector<CanFinding> findings = findingsOf(facts, canSocketError(), controller);
+    for (const CanFinding& finding : findings) {
+        say("{:<8} {}\n", wordOf(finding.level), finding.what);
+        if (!finding.cure.empty()) say("{:<8} → {}\n", "", finding.cure);
+    }
+    const auto problems = std::count_if(findings.begin(), findings.end(), [](const CanFinding& f) {
+        return f.level == CanFinding::Level::Problem;
+    });
+    if (problems == 0) return Done{};
+    return Error{fmt::format("{} cannot be used: {} problem{}, see above", interface, problems,
+                             problems == 1 ? "" : "s")};
+}
+
+}  // namespace terratact

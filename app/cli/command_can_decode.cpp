@@ -1,0 +1,180 @@
+#include <fmt/format.h>
+#include <fmt/os.h>
+
+#include <map>
+#include <utility>
+
+#include "app/cli/can_commands.h"
+#include "app/link/bus_statistics.h"
+#include "app/link/dbc_book.h"
+#include "app/runtime/say.h"
+#include "app/runtime/text_output.h"
+#include "core/base/text.h"
+#include "core/store/csv_text.h"
+#include "core/store/file_read.h"
+#include "core/wire/log_reader.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::size_t kMostBuses = 64;
+
+/// One interface of the log.
+struct Bus {
+    std::unique_ptr<FrameReader> reader;
+    BusStatistics statistics;
+    std::optional<double> first, last;  ///< [s]
+};
+
+/// One row for each value, one for each frame without any.
+class CsvOutput {
+public:
+    static Result<CsvOutput> begin(const std::string& path)
+    {
+        Result<TextOutput> out = TextOutput::begin(path);
+        if (!out) return out.error();
+        CsvOutput csv(*std::move(out));
+        csv.out_.stream() << "time_s,interface,id,frame,counter,verdict,signal,value,unit\n";
+        return csv;
+    }
+
+    void write(const LoggedFrame& logged, const FrameWords& words)
+    {
+        const std::string begin = fmt::format(
+            "{},{},{},{},{},{}", logged.time ? fmt::format("{:.6f}", *logged.time) : "",
+            csvField(logged.interface), idText(logged.frame), csvField(words.name),
+            words.counter ? std::to_string(*words.counter) : "", csvField(words.verdict));
+        std::ostream& out = out_.stream();
+        for (const NamedValue& value : words.values)
+            out << begin << ',' << csvField(value.name) << ',' << csvField(value.forFiles()) << ','
+                << csvField(value.unit) << '\n';
+        if (words.values.empty())
+            out << begin << "," << (words.counter ? "," : "data," + bytesText(logged.frame))
+                << ",\n";
+    }
+
+    Status commit() { return out_.commit(); }
+
+private:
+    explicit CsvOutput(TextOutput out) : out_(std::move(out)) {}
+
+    TextOutput out_;
+};
+
+class Decoder {
+public:
+    Decoder(const CanDecodeOptions& options, std::shared_ptr<const DbcBook> book, LogReader log,
+            std::optional<CsvOutput> csv)
+        : options_(options), book_(std::move(book)), log_(std::move(log)), csv_(std::move(csv))
+    {
+    }
+
+    /// Whatever stands in the way, what came before it is in the summary.
+    Status run()
+    {
+        Status read = readAll();
+        summarize();
+        if (!read) return read;
+        return csv_ ? csv_->commit() : Status(Done{});
+    }
+
+private:
+    Status readAll()
+    {
+        for (;;) {
+            const auto logged = log_.next();
+            tellRemarks();
+            if (!logged) return logged.error();
+            if (!*logged) return ending();
+            if (Status done = take(**logged); !done) return done;
+        }
+    }
+
+    void tellRemarks()
+    {
+        for (const std::string& remark : log_.takeRemarks()) say(stderr, "terratact: {}\n", remark);
+    }
+
+    Status ending() const
+    {
+        if (!buses_.empty()) return Done{};
+        const std::string whose = options_.interface.empty() ? "" : " of " + options_.interface;
+        return fileError(options_.log, "holds no frame" + whose);
+    }
+
+    Status take(const LoggedFrame& logged)
+    {
+        if (!options_.interface.empty() && logged.interface != options_.interface) return Done{};
+        if (buses_.size() >= kMostBuses && !buses_.contains(logged.interface))
+            return log_.error(
+                fmt::format("is of the {}th interface: so many are not believed", kMostBuses + 1));
+        Bus& bus = buses_[logged.interface];
+        if (!bus.reader) bus.reader = frameReader(options_.protocol, book_);
+        if (logged.time && !begin_) begin_ = logged.time;
+        // On the log's even clock: the recording machine's may have been set.
+        const double now = log_.elapsed();
+        if (logged.time && !bus.first) bus.first = now;
+        if (logged.time) bus.last = now;
+        const FrameWords words = bus.reader->read(logged.frame, now);
+        bus.statistics.take(logged.frame, words, now);
+        if (csv_) csv_->write(logged, words);
+        if (!options_.summaryOnly) print(logged, words);
+        return Done{};
+    }
+
+    void print(const LoggedFrame& logged, const FrameWords& words) const
+    {
+        const std::string time = logged.time ? fmt::format("{:.6f}", log_.elapsed()) : "-";
+        const std::string counter = words.counter ? fmt::format("#{:03d}", *words.counter) : "-";
+        const std::string content = contentText(logged.frame, words);
+        say(messages_, "{:>12} {:<6} {:<9} {:<26} {:<4}  {}{}{}\n", time, logged.interface,
+            idText(logged.frame), words.name.empty() ? "unknown" : words.name, counter,
+            words.verdict, content.empty() ? "" : "; ", content);
+    }
+
+    void summarize() const
+    {
+        if (begin_ && !options_.summaryOnly)
+            say(messages_, "\ntimes are since {:.6f} s of the log's clock\n", *begin_);
+        for (const auto& [name, bus] : buses_) {
+            say(messages_, "\n{} in {}\n", name,
+                options_.log == "-" ? "standard input" : options_.log);
+            say(messages_, "{}",
+                Lines(summaryText(bus.statistics, bus.first ? std::optional(*bus.last - *bus.first)
+                                                            : std::nullopt)));
+        }
+        if (log_.stepsBack() > 0)
+            say(messages_, "the log's clock goes back {} times: the times above go on evenly\n",
+                log_.stepsBack());
+        if (log_.dropped() > 0)
+            say(messages_, "{} frames were lost when the log was recorded\n", log_.dropped());
+    }
+
+    const CanDecodeOptions& options_;
+    std::FILE* messages_ = messagesBeside(options_.csv);
+    std::shared_ptr<const DbcBook> book_;
+    LogReader log_;
+    std::optional<CsvOutput> csv_;
+    std::map<std::string, Bus> buses_;
+    std::optional<double> begin_;  ///< [s] of the first frame with a time
+};
+
+}  // namespace
+
+Status decodeCanLog(const CanDecodeOptions& options)
+{
+    const auto book = readDbcBook(options.protocol, options.dbc);
+    if (!book) return book.error();
+    for (const std::string& remark : remarksOf(*book)) say(stderr, "terratact: {}\n", remark);
+    Result<LogReader> log = LogReader::open(options.log);
+    if (!log) return log.error();
+    std::optional<CsvOutput> csv;
+    if (!options.csv.empty()) {
+        Result<CsvOutput> begun = CsvOutput::begin(options.csv);
+        if (!begun) return begun.error();
+        csv = *std::move(begun);
+    }
+    return Decoder(options, *book, *std::move(log), std::move(csv)).run();
+}
+
+}  // namespace terratact

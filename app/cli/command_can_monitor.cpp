@@ -1,0 +1,163 @@
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+
+#include "app/cli/can_commands.h"
+#include "app/link/can_monitor.h"
+#include "app/link/dbc_book.h"
+#include "app/link/open_bus.h"
+#include "app/runtime/say.h"
+
+namespace terratact {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+double seconds(Clock::time_point time)
+{
+    return std::chrono::duration<double>(time.time_since_epoch()).count();
+}
+
+/// Where the table goes.
+class Screen {
+public:
+    Screen() : isTerminal_(::isatty(STDOUT_FILENO) != 0) {}
+
+    bool isRedrawn() const { return isTerminal_; }
+    std::chrono::milliseconds period() const { return isTerminal_ ? 200ms : 1000ms; }
+
+    void show(const std::string& headline, const std::vector<std::string>& table) const
+    {
+        if (isTerminal_) say("\x1b[H");  // to the upper left corner
+        line(headline);
+        for (const std::string& text : table) line(text);
+        if (isTerminal_)
+            say("\x1b[J");  // nothing left of the table before
+        else
+            say("\n");
+        std::fflush(stdout);
+    }
+
+    void clear() const
+    {
+        if (isTerminal_) say("\x1b[2J");
+    }
+
+private:
+    void line(std::string text) const
+    {
+        if (isTerminal_) text.resize(std::min(text.size(), width()));
+        if (isTerminal_)
+            say("{}\x1b[K\n", text);
+        else
+            say("{}\n", text);
+    }
+
+    static std::size_t width()
+    {
+        winsize size{};
+        const bool known = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+        return known ? size.ws_col : 80;
+    }
+
+    bool isTerminal_;
+};
+
+/// Reads the bus until `until`, a replay to its end at most.
+Status takeUntil(CanBus& bus, bool isReplay, CanMonitor& monitor, Clock::time_point until)
+{
+    std::array<BusFrame, 64> frames;
+    for (;;) {
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
+        if (left <= 0ms || (isReplay && bus.state() == BusState::Ended)) return Done{};
+        const Result<std::size_t> count = bus.receive(frames, left);
+        if (!count) return count.error();
+        for (std::size_t i = 0; i < *count; ++i) monitor.take(frames[i]);
+    }
+}
+
+/// The bus to look at.
+struct Monitored {
+    std::unique_ptr<CanBus> bus;
+    LogReplay* replay = nullptr;  ///< the same; null: it is an interface
+};
+
+/// A name with a folder in it, or of something that exists here, is no interface's.
+bool isLog(const std::string& name)
+{
+    std::error_code ignored;
+    return name == "-" || name.find('/') != std::string::npos
+        || (std::filesystem::exists(name, ignored)
+            && !std::filesystem::is_directory(name, ignored));
+}
+
+Result<Monitored> open(const CanMonitorOptions& options)
+{
+    if (!isLog(options.bus)) {
+        auto bus = openBus(options.bus);
+        if (!bus) return bus.error();
+        return Monitored{*std::move(bus)};
+    }
+    auto replay = openReplay(options.bus, options.interface, options.speed);
+    if (!replay) return replay.error();
+    LogReplay* const log = replay->get();
+    return Monitored{*std::move(replay), log};
+}
+
+std::string stateText(const Monitored& monitored)
+{
+    constexpr double kShort = 2.0;  // [s] of waiting that needs no word
+    const CanBus& bus = *monitored.bus;
+    if (!monitored.replay) return describe(bus.state(), bus.name());
+    if (bus.state() == BusState::Ended) return bus.name() + " has ended";
+    const double wait = monitored.replay->wait().value_or(0.0);
+    if (wait < kShort) return bus.name();
+    return fmt::format("{}, whose next frame comes in {:.0f} s", bus.name(), wait);
+}
+
+}  // namespace
+
+Status monitorCan(const CanMonitorOptions& options)
+{
+    const Result<Monitored> opened = open(options);
+    if (!opened) return opened.error();
+    const bool isReplay = opened->replay != nullptr;
+    CanBus& bus = *opened->bus;
+    const auto book = readDbcBook(options.protocol, options.dbc);
+    if (!book) return book.error();
+    CanMonitor monitor(options.protocol, options.bitrate, *book);
+    const Screen screen;
+    std::vector<std::string> remarks = remarksOf(*book);
+    if (isReplay)
+        remarks.insert(remarks.end(), opened->replay->remarks().begin(),
+                       opened->replay->remarks().end());
+    if (!screen.isRedrawn())
+        for (const std::string& remark : remarks) say(stderr, "terratact: {}\n", remark);
+    screen.clear();
+    const Clock::time_point begin = Clock::now();
+    monitor.mark(seconds(begin));
+    for (Clock::time_point next = begin;;) {
+        next += screen.period();
+        const auto end = options.seconds ? begin
+                                               + std::chrono::duration_cast<Clock::duration>(
+                                                   std::chrono::duration<double>(*options.seconds))
+                                         : Clock::time_point::max();
+        if (Status done = takeUntil(bus, isReplay, monitor, std::min(next, end)); !done)
+            return done;
+        const double now = seconds(Clock::now());
+        monitor.mark(now);
+        const bool ended = isReplay && bus.state() == BusState::Ended;
+        std::vector<std::string> lines = monitor.table(now);
+        if (screen.isRedrawn()) lines.insert(lines.end(), remarks.begin(), remarks.end());
+        screen.show(monitor.headline(stateText(*opened), bus.counters()), lines);
+        if (ended || Clock::now() >= end) return Done{};
+    }
+}
+
+}  // namespace terratact

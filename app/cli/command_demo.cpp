@@ -1,0 +1,167 @@
+#include <fmt/core.h>
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "app/cli/commands.h"
+#include "app/figures/profile_figure.h"
+#include "app/modelling/estimate_csv.h"
+#include "app/modelling/scene_estimates.h"
+#include "app/runtime/parallel.h"
+#include "app/runtime/say.h"
+#include "app/runtime/time_budget.h"
+#include "core/atem/arm_choice.h"
+#include "core/infer/verdict/estimate_words.h"
+#include "core/sim/simulated_robot.h"
+#include "core/sim/terrain_shapes.h"
+#include "core/store/file_write.h"
+#include "core/terrain/body_ceiling.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr double kTick = 0.05;         // [s] telemetry period
+constexpr double kStopBefore = 0.47;   // [m] base to step when the operator stops
+constexpr double kPressTorque = 18.0;  // [N m]
+constexpr int kLongest = 20 * 120;     // [ticks] nothing here takes two minutes
+
+/// Lets time pass until the robot does `wanted`; false if it refuses or takes too long.
+template <class Condition>
+bool waitFor(SimulatedRobot& robot, Condition wanted)
+{
+    for (int tick = 0; tick < kLongest; ++tick) {
+        robot.step(kTick);
+        const Measurement m = robot.measure();
+        if (wanted(m)) return true;
+        if (m.refusal != Refusal::None) return false;
+    }
+    return false;
+}
+
+Error refused(SimulatedRobot& robot, std::string_view what)
+{
+    return Error{
+        fmt::format("the simulated robot did not {}: {}", what, describe(robot.measure().refusal)),
+        0};
+}
+
+Status driveToStep(SimulatedRobot& robot)
+{
+    robot.command(DriveCommand{0.3});
+    if (!waitFor(robot, [&](const Measurement&) {
+            return robot.rest().pose.base.x >= kDemoStep - kStopBefore;
+        }))
+        return refused(robot, "reach the step");
+    robot.command(HaltCommand{});
+    return Done{};
+}
+
+Status pressFlippers(SimulatedRobot& robot)
+{
+    robot.command(PressCommand{kPressTorque});
+    if (!waitFor(robot, [](const Measurement& m) { return m.activity == RobotActivity::Pressed; }))
+        return refused(robot, "press its flippers");
+    return Done{};
+}
+
+Status probe(SimulatedRobot& robot, int bin)
+{
+    robot.command(ProbeCommand{bin});
+    if (!waitFor(robot, [](const Measurement& m) { return m.arm.has_value(); }))
+        return refused(robot, "probe");
+    return Done{};
+}
+
+/// Prints an estimate and writes it as CSV and PNG under `stem`.
+Status present(const TerrainEstimate& estimate, const Scene& scene, const RobotModel& robot,
+               std::optional<int> bin, const std::string& title, const std::filesystem::path& stem)
+{
+    Heights truth{};
+    for (std::size_t i = 0; i < kBins; ++i) truth[i] = *scene.truth[i];
+    say("\n{}\n{}", title, Lines(profileTable(estimate, truth)));
+    for (const std::string& sentence : hiddenByBands(estimate)) say("  {}\n", sentence);
+    for (const std::string& warning : estimate.warnings) say("! {}\n", warning);
+    const std::string csv = estimateCsv({scene}, {{estimate, ""}});
+    if (Status s = writeFileAtomically(stem.string() + ".csv", csv); !s) return s;
+    FigureInput figure;
+    figure.estimate = estimate;
+    figure.outline = robotOutline(robot, scene.s.pitch, scene.s.front, scene.s.rear);
+    figure.truth = truth;
+    figure.title = title;
+    figure.proposedBin = bin;
+    return writeProfileFigure(stem.string() + ".png", figure);
+}
+
+Scene sceneOf(const Measurement& measurement, const Heights& truth)
+{
+    Scene scene{
+        .run = "demo", .time = measurement.time, .s = proprioception(measurement), .truth = {}};
+    for (std::size_t i = 0; i < kBins; ++i) scene.truth[i] = truth[i];
+    return scene;
+}
+
+}  // namespace
+
+std::vector<std::string> demoFiles()
+{
+    return {"first.csv", "first.png", "second.csv", "second.png"};
+}
+
+Status demo(const DemoOptions& options)
+{
+    const auto toolbox = openToolbox(options.robot, options.model);
+    if (!toolbox) return toolbox.error();
+    if (Status made = makeDirectory(options.out); !made) return made;
+    const std::filesystem::path out(options.out);
+
+    SimulatedRobot::Options start;
+    start.startX = 1.2;
+    start.seed = options.settings.seed;
+    SimulatedRobot robot((*toolbox)->robot, demoTerrain(), start);
+    say("SIMULATED ROBOT, method {}, seed {}\n", name(options.settings.method),
+        options.settings.seed);
+    if (Status s = driveToStep(robot); !s) return s;
+    say("{:6.1f} s  driven blind up to a step nobody has seen; ATEM: halted, pressing the "
+        "flippers\n",
+        robot.measure().time);
+    if (Status s = pressFlippers(robot); !s) return s;
+    const Measurement measurement = robot.measure();
+    const Scene scene = sceneOf(measurement, robot.truth());
+    say("{:6.1f} s  flippers pressed, scene captured\n", measurement.time);
+
+    const auto estimateWith = [&](std::span<const ArmReading> arm) {
+        Watch watch = endingAfter(options.seconds);
+        lendProcessors(watch);
+        return estimateTerrain(scene.s, arm, (*toolbox)->robot, (*toolbox)->models,
+                               options.settings, watch);
+    };
+    const TerrainEstimate first = estimateWith({});
+    const std::optional<int> bin = chooseProbe(first, (*toolbox)->robot);
+    if (Status s = present(first, scene, (*toolbox)->robot, bin,
+                           "First estimate, by flippers alone", out / "first");
+        !s)
+        return s;
+    if (!bin) {
+        say("\nno bin is uncertain enough to probe\n\nwritten: {}\n",
+            (out / "first.{csv,png}").string());
+        return Done{};
+    }
+    say("\n{:6.1f} s  probe proposed at {:+.1f} m (sd {:.0f} mm), approved\n", robot.measure().time,
+        binCentre(*bin), 1000.0 * first.sd[static_cast<std::size_t>(*bin)]);
+    if (Status s = probe(robot, *bin); !s) return s;
+    const ArmReading reading = *robot.measure().arm;
+    say("{:6.1f} s  arm measured {:+.3f} m\n", robot.measure().time, reading.height);
+    const TerrainEstimate second = estimateWith({&reading, 1});
+    if (Status s = present(second, scene, (*toolbox)->robot, std::nullopt,
+                           "Second estimate, with the probe", out / "second");
+        !s)
+        return s;
+    say("\nwritten: {} and {}\n", (out / "first.{csv,png}").string(),
+        (out / "second.{csv,png}").string());
+    return Done{};
+}
+
+}  // namespace terratact

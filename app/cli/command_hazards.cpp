@@ -1,0 +1,23 @@
+#include "app/cli/commands.h"
+#include "app/modelling/hazard_trials.h"
+#include "app/runtime/say.h"
+
+namespace terratact {
+
+Status judgeHazards(const HazardsOptions& options)
+{
+    const auto toolbox = openToolbox(options.robot, options.model);
+    if (!toolbox) return toolbox.error();
+    HazardTrial trial;
+    trial.drives = options.drives;
+    trial.seed = options.settings.seed;
+    trial.stepLimit = options.stepLimit;
+    trial.settings = options.settings;
+    if (!options.rates.empty()) trial.rates = options.rates;
+    const auto lines = tryHazards(**toolbox, trial);
+    const std::string table = hazardTable(lines, trial.rates.back());
+    say("{}", Lines(table));
+    return Done{};
+}
+
+}  // namespace terratact

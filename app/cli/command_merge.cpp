@@ -1,0 +1,86 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "app/cli/commands.h"
+#include "app/figures/findings_report.h"
+#include "app/modelling/findings.h"
+#include "app/modelling/findings_file.h"
+#include "app/modelling/model_cards.h"
+#include "app/runtime/say.h"
+#include "core/learn/model/model_file.h"
+#include "core/learn/model/model_part.h"
+#include "core/robot/robot_model.h"
+#include "core/store/file_read.h"
+#include "core/store/file_write.h"
+#include "core/store/sha256.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr std::size_t kMostRobotFile = std::size_t{1} << 20U;
+
+template <class Named, class Read>
+Result<std::vector<Named>> readParts(const std::vector<std::string>& paths, Read read)
+{
+    std::vector<Named> parts;
+    for (const std::string& path : paths) {
+        auto part = read(path);
+        if (!part) return part.error();
+        parts.push_back({path, *std::move(part)});
+    }
+    return parts;
+}
+
+Status mergeTraining(const MergeOptions& options)
+{
+    const auto bytes = readFile(options.robot, kMostRobotFile);
+    if (!bytes) return bytes.error();
+    const auto robot = robotModelFrom(options.robot, *bytes);
+    if (!robot) return robot.error();
+    const auto parts = readParts<NamedModelPart>(options.parts, readModelPart);
+    if (!parts) return parts.error();
+    const auto model = mergeModelParts(*parts, *robot, sha256Hex(*bytes), options.out);
+    if (!model) return model.error();
+    if (Status written = writeModel(options.out, *model); !written) return written;
+    if (Status card = writeNewCard(options.out, *model, {}); !card) return card;
+    say("{} parts; content {}; written to {}\n", parts->size(), contentHash(*model), options.out);
+    return Done{};
+}
+
+/// Whether any of the methods, baselines apart, has estimated a scene.
+bool anyEstimate(const Findings& findings)
+{
+    const auto methods = static_cast<std::ptrdiff_t>(findings.options.methods.size());
+    return std::any_of(findings.runs.begin(), findings.runs.begin() + methods,
+                       [](const MethodRun& run) { return run.failed < run.scenes; });
+}
+
+Status mergeEvaluation(const MergeOptions& options)
+{
+    const auto parts = readParts<NamedFindings>(options.parts, readFindings);
+    if (!parts) return parts.error();
+    const auto findings = mergeFindings(*parts, options.out);
+    if (!findings) return findings.error();
+    if (!anyEstimate(*findings))
+        return fileError(options.out, "cannot be made: no scene has what the methods need");
+    if (Status made = makeDirectory(options.out); !made) return made;
+    for (const MethodRun& run : findings->runs) printRun(run);
+    return reportFindings(*findings, options.out);
+}
+
+}  // namespace
+
+bool isEvaluation(const MergeOptions& options)
+{
+    return std::any_of(options.parts.begin(), options.parts.end(), isFindingsFile);
+}
+
+Status merge(const MergeOptions& options)
+{
+    return isEvaluation(options) ? mergeEvaluation(options) : mergeTraining(options);
+}
+
+}  // namespace terratact

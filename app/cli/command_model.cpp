@@ -1,0 +1,215 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "app/cli/commands.h"
+#include "app/modelling/model_cards.h"
+#include "app/modelling/model_conditions.h"
+#include "app/runtime/say.h"
+#include "core/infer/verdict/obstacle.h"
+#include "core/learn/data/scene_file.h"
+#include "core/learn/gp/projected_process.h"
+#include "core/learn/model/bin_models.h"
+#include "core/learn/model/model_file.h"
+#include "core/learn/model/training.h"
+#include "core/store/csv_text.h"
+
+namespace terratact {
+
+namespace {
+
+/// Every number that predictions need, one per line: set,bin_m,name,value.
+void printCsv(const ModelData& model, const BinModelData& data)
+{
+    const auto inputs = featureNames(data.set);
+    const auto columnName = [&](Eigen::Index d) {
+        return d < kBins ? fmt::format("h_{:+.1f}_m", binCentre(static_cast<int>(d)))
+                         : std::string(inputs[static_cast<std::size_t>(d - kBins)]);
+    };
+    for (Eigen::Index d = 0; d < data.mean.size(); ++d) {
+        say("{},,mean {},{}\n", name(data.set), columnName(d), data.mean[d]);
+        say("{},,sd {},{}\n", name(data.set), columnName(d), data.sd[d]);
+    }
+    for (int i = 0; i < kBins; ++i) {
+        const Hyperparameters& hyper = data.bins[static_cast<std::size_t>(i)];
+        const auto line = [&](std::string_view what, double value) {
+            say("{},{:+.1f},{},{}\n", name(data.set), binCentre(i), what, value);
+        };
+        Eigen::Index k = 0;
+        for (Eigen::Index d = 0; d < data.mean.size(); ++d)
+            if (d != i) line("length_scale " + columnName(d), hyper.lengthScale[k++]);
+        line("signal_sd_m", hyper.signalSd);
+        line("noise_sd_m", hyper.noiseSd);
+        line("log_likelihood", data.logLikelihood[static_cast<std::size_t>(i)]);
+    }
+    if (data.set == FeatureSet::Pa) return;
+    for (Eigen::Index u = 0; u < model.scannedHeights.rows(); ++u)
+        for (Eigen::Index d = 0; d < data.mean.size(); ++d)
+            say("row,{},{},{}\n", u + 1, columnName(d),
+                d < kBins ? model.scannedHeights(u, d) : model.features(u, d - kBins));
+}
+
+void printTable(const BinModelData& data)
+{
+    say("\n{} models: input in standard deviations; length scale per input and bin\n{:>18}",
+        name(data.set), "");
+    for (int i = 0; i < kBins; ++i) say(" {:>+8.1f}", binCentre(i));
+    say("\n");
+    const auto inputs = featureNames(data.set);
+    for (Eigen::Index d = 0; d < data.mean.size(); ++d) {
+        say("{:>18}", d < kBins ? fmt::format("h_{:+.1f}_m", binCentre(static_cast<int>(d)))
+                                : std::string(inputs[static_cast<std::size_t>(d - kBins)]));
+        for (int i = 0; i < kBins; ++i) {
+            const Eigen::Index k = d < i ? d : d - 1;
+            if (d == i)
+                say(" {:>8}", "-");
+            else
+                say(" {:>8.3g}", data.bins[static_cast<std::size_t>(i)].lengthScale[k]);
+        }
+        say("\n");
+    }
+    const auto row = [&](std::string_view what, auto value) {
+        say("{:>18}", what);
+        for (std::size_t i = 0; i < kBins; ++i) say(" {:>8.4g}", value(i));
+        say("\n");
+    };
+    row("signal sd [m]", [&](std::size_t i) { return data.bins[i].signalSd; });
+    row("noise sd [m]", [&](std::size_t i) { return data.bins[i].noiseSd; });
+    row("log likelihood", [&](std::size_t i) { return data.logLikelihood[i]; });
+}
+
+/// The processes over clearances on s, bins that a regime has too few scenes of left empty.
+void printSurfaces(const ClearanceData& data, bool covered)
+{
+    const auto& processes = covered ? data.covered : data.open;
+    say("\n{}; input in standard deviations; length scale per input and bin\n{:>18}",
+        covered ? "clearance under the robot, asinh((ceiling - height) / 10 mm)"
+                : "height where nothing of the robot is above [m]",
+        "");
+    for (int i = 0; i < kBins; ++i) say(" {:>+8.1f}", binCentre(i));
+    say("\n");
+    const auto row = [&](std::string_view what, auto value) {
+        say("{:>18}", what);
+        for (const SurfaceProcess& p : processes)
+            say(" {:>8}", p.weights.size() == 0 ? "-" : fmt::format("{:.4g}", value(p)));
+        say("\n");
+    };
+    const auto inputs = featureNames(FeatureSet::Paf);
+    for (std::size_t d = 0; d < inputs.size(); ++d)
+        row(inputs[d], [d](const SurfaceProcess& p) {
+            return p.hyper.lengthScale[static_cast<Eigen::Index>(d)];
+        });
+    row("signal sd", [](const SurfaceProcess& p) { return p.hyper.signalSd; });
+    row("noise sd", [](const SurfaceProcess& p) { return p.hyper.noiseSd; });
+    row("residual sd", [](const SurfaceProcess& p) { return p.residualSd; });
+}
+
+/// What the card beside the model adds to it.
+void printCard(const ModelFacts& facts)
+{
+    const auto known = [](const std::string& text) { return text.empty() ? "unknown" : text; };
+    say("trained  {}\nground   {}; {:.0f} % of the scenes with a step above {:.2f} m, "
+        "median relief "
+        "{:.2f} m\n",
+        known(facts.card.trained), known(facts.card.terrain), 100.0 * facts.ground.stepShare,
+        kStepLimit, facts.ground.relief);
+    if (facts.card.scores.empty())
+        say("errors   unknown; `terratact evaluate --card` finds them\n");
+    for (const CardScores& s : facts.card.scores)
+        say("errors   {}: mean {:.1f} mm, the 80 % band holds {:.0f} %; {} scenes of {} "
+            "({}), {}{}\n",
+            s.method, 1000.0 * s.meanError, 100.0 * s.coverage, s.scenes, s.data,
+            s.dataHash.substr(0, 16), s.date,
+            s.trainingScenes > 0
+                ? fmt::format("; {} of them are training scenes", s.trainingScenes)
+                : std::string(facts.learntFrom(s) ? "; the scenes it was trained on" : ""));
+    if (!facts.trouble.empty()) say(stderr, "terratact: {}\n", facts.trouble);
+}
+
+/// p(hᵢ | h_{J∖i}, s) of every bin with the other heights taken from the scene.
+void printConditionals(const Scene& scene, const BinModels& models)
+{
+    Heights h{};
+    for (std::size_t i = 0; i < kBins; ++i) h[i] = *scene.truth[i];
+    const Eigen::VectorXd s = features(models.set(), scene.s);
+    for (int i = 0; i < kBins; ++i) {
+        const Normal p = models.bin(i).predict(models.input(i, h, s));
+        say("{},{},{},{:+.1f},{},{}\n", csvField(scene.run), scene.time, name(models.set()),
+            binCentre(i), p.mean, std::sqrt(p.variance));
+    }
+}
+
+}  // namespace
+
+Status predictConditionals(const std::string& modelPath, const std::string& dataPath)
+{
+    const auto stored = readModel(modelPath);
+    if (!stored) return stored.error();
+    const auto file = readScenes(dataPath);
+    if (!file) return file.error();
+    const BinModels pa(stored->data, FeatureSet::Pa);
+    const BinModels paf(stored->data, FeatureSet::Paf);
+    say("run,t_s,set,bin_m,mean_m,sd_m\n");
+    int leftOut = 0;
+    for (const Scene& scene : file->scenes) {
+        if (!isComplete(scene)) {
+            ++leftOut;
+            continue;
+        }
+        printConditionals(scene, pa);
+        printConditionals(scene, paf);
+    }
+    if (leftOut > 0) say(stderr, "terratact: {} scenes with unknown values left out\n", leftOut);
+    return Done{};
+}
+
+Status describeModel(const ModelCardOptions& options)
+{
+    const auto stored = readModel(options.model);
+    if (!stored) return stored.error();
+    auto found = readModelCard(options.model, stored->contentHash);
+    if (!found) return found.error();
+    ModelCard card = found->value_or(ModelCard{});
+    card.model = stored->contentHash;
+    if (!options.trained.empty()) card.trained = options.trained;
+    if (!options.terrain.empty()) card.terrain = options.terrain;
+    if (Status written = writeModelCard(options.model, card); !written) return written;
+    printCard(factsOf(options.model, *stored));
+    return Done{};
+}
+
+Status showModel(const std::string& path, bool csv)
+{
+    const auto stored = readModel(path);
+    if (!stored) return stored.error();
+    const ModelData& model = stored->data;
+    if (csv) {
+        say("set,bin_m,name,value\n");
+        printCsv(model, model.pa);
+        printCsv(model, model.paf);
+        return Done{};
+    }
+    say("{}\ncontent  {}\nmade by  {}\nseed     {}\nscenes   {}, {} of them for pa and "
+        "paf\ndata     {}\n",
+        path, stored->contentHash, model.command, model.seed, model.heights.rows(),
+        model.scannedHeights.rows(), model.dataHash);
+    if (model.inducing > 0)
+        say("sparse   pa and paf predict through at most {} scenes\n", model.inducing);
+    printCard(factsOf(path, *stored));
+    for (const BinModelData* data : {&model.pa, &model.paf}) {
+        printTable(*data);
+        say("{}", Lines(conditionsText(model, data->set)));
+    }
+    printSurfaces(model.clearance, true);
+    printSurfaces(model.clearance, false);
+    say("\nthe two above with a jitter of {:.0e} of the signal's variance at the inducing scenes\n",
+        kProjectionJitter);
+    say("\ncontact: bias {:.1f} mm, sd {:.1f} mm; novelty scale {:.3f}\n",
+        1000.0 * model.clearance.contactBias, 1000.0 * model.clearance.contactSd,
+        model.clearance.noveltyScale);
+    return Done{};
+}
+
+}  // namespace terratact

@@ -1,0 +1,48 @@
+#include <fmt/core.h>
+
+#include "app/cli/commands.h"
+#include "app/runtime/say.h"
+#include "core/eval/probe_sd.h"
+#include "core/learn/data/probe_file.h"
+#include "core/store/file_read.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr double kLeastSd = 0.5e-4;  ///< [m] that a robot file's four decimals can tell
+
+/// Why the readings tell no sd.
+std::string whyNoSd(const ProbeAccuracy& accuracy)
+{
+    if (accuracy.repeated.freedom > 0 && accuracy.repeated.sd < kLeastSd)
+        return "all readings of a place are the same: are they rounded, or copied? nothing tells "
+               "the sd";
+    if (accuracy.fromTruth.n > 1)
+        return "every reading differs from its truth by the same: are they rounded, or copied? "
+               "nothing tells the sd";
+    return "no place is read twice and no truth is known: nothing tells the sd";
+}
+
+}  // namespace
+
+Status showProbes(const std::string& path)
+{
+    const auto readings = readProbeReadings(path);
+    if (!readings) return readings.error();
+    const ProbeAccuracy accuracy = probeAccuracy(*readings);
+    say("{} readings of {} places\n", accuracy.readings, accuracy.places);
+    if (const SdEstimate& s = accuracy.repeated; s.freedom > 0)
+        say("repeating a place    sd {:.1f} mm [{:.1f}, {:.1f}]\n", 1e3 * s.sd, 1e3 * s.low,
+            1e3 * s.high);
+    if (const ResidualStatistics& s = accuracy.fromTruth; s.n > 1)
+        say("truth less reading   mean {:+.1f} mm, sd {:.1f} mm, robust sd {:.1f} mm; "
+            "{} readings\n",
+            1e3 * s.mean, 1e3 * s.sd, 1e3 * s.robustSd, s.n);
+    const double sd = readingSd(accuracy);
+    if (!(sd >= kLeastSd)) return fileError(path, whyNoSd(accuracy));
+    say("\nfor the robot file:\n[arm]\nreading_sd_m = {:.4f}\n", sd);
+    return Done{};
+}
+
+}  // namespace terratact

@@ -1,0 +1,36 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/cli/commands.h"
+#include "app/modelling/estimate_csv.h"
+#include "app/modelling/scene_estimates.h"
+#include "app/runtime/say.h"
+#include "app/runtime/text_output.h"
+#include "core/learn/data/scene_file.h"
+
+namespace terratact {
+
+Status reconstructScenes(const ReconstructOptions& options)
+{
+    const auto toolbox = openToolbox(options.robot, options.model);
+    if (!toolbox) return toolbox.error();
+    const auto file = readScenes(options.data);
+    if (!file) return file.error();
+    for (const std::string& notice : file->notices) say(stderr, "terratact: {}\n", notice);
+
+    auto estimates = estimateScenes(file->scenes, **toolbox, options.settings, options.seconds);
+    const std::size_t contradicting = checkEstimates(file->scenes, (*toolbox)->robot, estimates);
+    const std::string csv = estimateCsv(file->scenes, estimates);
+    if (Status written = writeText(options.out, csv); !written) return written;
+    const auto noted = std::count_if(estimates.begin(), estimates.end(),
+                                     [](const auto& e) { return !e.note.empty(); });
+    say(messagesBeside(options.out), "{} scenes written to {}; {} of them with a note\n",
+        estimates.size(), options.out, noted);
+    if (contradicting > 0)
+        say(messagesBeside(options.out),
+            "{} estimates contradict their readings: their verdict is withheld\n", contradicting);
+    return Done{};
+}
+
+}  // namespace terratact

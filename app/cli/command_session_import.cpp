@@ -1,0 +1,187 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "app/cli/session_commands.h"
+#include "app/runtime/say.h"
+#include "core/log/session_writer.h"
+#include "core/store/file_read.h"
+#include "core/store/sha256.h"
+#include "core/wire/log_reader.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr int kBatch = 250;  // frames
+constexpr std::size_t kMostRobot = std::size_t{64} * 1024;
+
+/// The frames of one interface of a log into a session that is begun with the first.
+class Importer {
+public:
+    Importer(const SessionImportOptions& options, std::string robot)
+        : options_(options), robot_(std::move(robot))
+    {
+    }
+
+    Status run(LogReader& log)
+    {
+        for (;;) {
+            const auto logged = log.next();
+            for (const std::string& remark : log.takeRemarks())
+                say(stderr, "terratact: {}\n", remark);
+            if (!logged) return logged.error();
+            if (!*logged) break;
+            const bool isWanted =
+                options_.interface.empty() || (*logged)->interface == options_.interface;
+            // A step of the clock counts whichever interface shows it.
+            if (log.stepBack()) stepped(log);
+            if (!isWanted) continue;
+            if (Status taken = take(log, **logged); !taken) return taken;
+        }
+        if (!writer_) return fileError(options_.log, "holds no frame" + ofInterface());
+        if (Status told = tellEnd(log); !told) return told;
+        if (Status sealed = writer_->seal(); !sealed) return sealed;
+        say("{} frames of {} written to {}; last link {}\n", writer_->frames(), interface_,
+            options_.out, writer_->chain());
+        return Done{};
+    }
+
+    bool began() const { return writer_.has_value(); }
+
+private:
+    std::string sourceName() const
+    {
+        return options_.log == "-" ? "standard input"
+                                   : std::filesystem::path(options_.log).filename().string();
+    }
+
+    std::string ofInterface() const
+    {
+        return options_.interface.empty() ? "" : " of " + options_.interface;
+    }
+
+    Status take(const LogReader& log, const LoggedFrame& logged)
+    {
+        if (!logged.time || *logged.time < 0.0 || *logged.time > 9e9)
+            return log.error("has no time that a session could have");
+        if (!writer_)
+            if (Status begun = begin(log, logged); !begun) return begun;
+        if (logged.interface != interface_)
+            return log.error(fmt::format("is of {}, the log began with {}: --interface says which "
+                                         "is wanted",
+                                         logged.interface, interface_));
+        last_ = sessionTimeOf(log.elapsed() - begin_);
+        if (Status told = tellSteps(); !told) return told;
+        const FrameRow row{
+            .time = last_, .frame = logged.frame, .sent = logged.direction == LogDirection::Sent};
+        if (Status added = writer_->add(row); !added) return added;
+        return ++count_ % kBatch == 0 ? writer_->commit() : Status(Done{});
+    }
+
+    /// Remembers a step of the log's clock until the next frame of the session.
+    void stepped(const LogReader& log)
+    {
+        constexpr std::size_t kMost = 200;  // that are told one by one
+        if (!writer_) return;
+        if (told_ + steps_.size() >= kMost) {
+            ++untold_;
+            return;
+        }
+        const double step = *log.stepBack();
+        steps_.push_back(fmt::format("at line {} the log's clock was set {} by {:.6f} s; the "
+                                     "session goes on evenly",
+                                     log.line(), step < 0.0 ? "forward" : "back", std::abs(step)));
+    }
+
+    EventRow event(EventKind kind, std::string subject, std::string text = {})
+    {
+        return {.id = ++events_,
+                .time = last_,
+                .kind = kind,
+                .subject = std::move(subject),
+                .text = std::move(text)};
+    }
+
+    Status tellSteps()
+    {
+        for (std::string& step : std::exchange(steps_, {})) {
+            ++told_;
+            if (Status told = writer_->add(event(EventKind::Gap, "clock", std::move(step))); !told)
+                return told;
+        }
+        return Done{};
+    }
+
+    Status tellEnd(const LogReader& log)
+    {
+        if (Status told = tellSteps(); !told) return told;
+        std::vector<EventRow> rows;
+        if (untold_ > 0)
+            rows.push_back(
+                event(EventKind::Gap, "clock",
+                      fmt::format("the log's clock was set back {} more times", untold_)));
+        if (log.dropped() > 0) {
+            rows.push_back(
+                event(EventKind::Gap, "log", "frames that were lost when the log was recorded"));
+            rows.back().number = static_cast<double>(log.dropped());
+        }
+        if (log.isTorn())
+            rows.push_back(event(EventKind::Gap, "log", "the end of the log is torn"));
+        rows.push_back(event(EventKind::Session, "ended"));
+        for (const EventRow& row : rows)
+            if (Status told = writer_->add(row); !told) return told;
+        return Done{};
+    }
+
+    Status begin(const LogReader& log, const LoggedFrame& first)
+    {
+        begin_ = log.elapsed();
+        interface_ = first.interface;
+        const SessionStart start{.wallTime = sessionTimeOf(*first.time),
+                                 .program = "terratact session import",
+                                 .source = sourceName(),
+                                 .bus = interface_,
+                                 .transmits = false,
+                                 .robot = robot_,
+                                 .robotHash = sha256Hex(robot_)};
+        auto writer = SessionWriter::create(options_.out, start);
+        if (!writer) return writer.error();
+        writer_ = std::move(*writer);
+        return writer_->add(event(EventKind::Session, "begun", "from a log of CAN frames"));
+    }
+
+    const SessionImportOptions& options_;
+    std::string robot_, interface_;
+    std::optional<SessionWriter> writer_;
+    double begin_ = 0.0;  ///< [s] of the first frame, on the log's even clock
+    SessionTime last_ = 0;
+    std::uint64_t count_ = 0, untold_ = 0;
+    std::int64_t events_ = 0;
+    std::size_t told_ = 0;
+    std::vector<std::string> steps_;  ///< of the clock since the last frame
+};
+
+}  // namespace
+
+Status importLog(const SessionImportOptions& options)
+{
+    auto robot = readFile(options.robot, kMostRobot);
+    if (!robot) return robot.error();
+    auto log = LogReader::open(options.log);
+    if (!log) return log.error();
+    Importer importer(options, std::move(*robot));
+    Status done = importer.run(*log);
+    if (!done && importer.began()) {
+        std::error_code ignored;
+        for (const char* suffix : {"", "-wal", "-shm"})
+            std::filesystem::remove(options.out + suffix, ignored);
+    }
+    return done;
+}
+
+}  // namespace terratact

@@ -1,0 +1,20 @@
+#include <fmt/core.h>
+
+#include "app/cli/session_commands.h"
+#include "app/figures/session_report.h"
+#include "app/runtime/say.h"
+
+namespace terratact {
+
+Status reportSession(const SessionReportOptions& options)
+{
+    auto session = SessionReader::open(options.file);
+    if (!session) return session.error();
+    const auto report = reportOf(*session, options.scene);
+    if (!report) return report.error();
+    if (Status written = writeReport(options.out, *report); !written) return written;
+    say("{} written to {}\n", report->title, options.out);
+    return Done{};
+}
+
+}  // namespace terratact

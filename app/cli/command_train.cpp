@@ -1,0 +1,113 @@
+#include <fmt/core.h>
+
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "app/cli/commands.h"
+#include "app/modelling/model_cards.h"
+#include "app/modelling/model_conditions.h"
+#include "app/modelling/model_training.h"
+#include "app/runtime/progress.h"
+#include "app/runtime/say.h"
+#include "core/learn/model/model_file.h"
+#include "core/learn/model/model_part.h"
+#include "core/robot/robot_model.h"
+#include "core/store/file_read.h"
+#include "core/store/sha256.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr std::size_t kMostTrainedRobot = std::size_t{1} << 20U;
+
+void printBins(const ModelData& model, const BinSet& bins)
+{
+    say("{:>6}  {:>22}  {:>22}\n", "bin_m", "noise sd [mm] pa, paf", "log p(y|X) pa, paf");
+    for (const int bin : binsOf(bins)) {
+        const auto i = static_cast<std::size_t>(bin);
+        say("{:>+6.1f}  {:>10.2f} {:>10.2f}  {:>11.1f} {:>10.1f}\n", binCentre(bin),
+            1000.0 * model.pa.bins[i].noiseSd, 1000.0 * model.paf.bins[i].noiseSd,
+            model.pa.logLikelihood[i], model.paf.logLikelihood[i]);
+    }
+}
+
+/// Shows how far each stage is; one line on a terminal.
+class StageProgress {
+public:
+    void show(const TrainingStep& step)
+    {
+        const std::string_view stage = stageOf(step.kind);
+        if (stage != stage_) {
+            stage_ = stage;
+            progress_.reset();
+            progress_ =
+                std::make_unique<Progress>(fmt::format("training {}", stage), step.stageTotal);
+        }
+        if (step.event != TrainingEvent::Begun) progress_->tick();
+    }
+
+private:
+    std::string_view stage_;
+    std::unique_ptr<Progress> progress_;
+};
+
+Result<ModelData> trainVisibly(const TrainOptions& options, const RobotModel& robot)
+{
+    StageProgress stages;
+    return trainModel(
+        {.robot = robot,
+         .data = options.data,
+         .scannerSd = options.scannerSd,
+         .conditionalRows = options.conditionalRows,
+         .inducing = options.inducing,
+         .commandLine = options.commandLine,
+         .seed = options.seed,
+         .bins = options.bins},
+        {.cancelled = {},
+         .progress = [&](const TrainingStep& step) { stages.show(step); },
+         .notice = [](const std::string& notice) { say(stderr, "terratact: {}\n", notice); }});
+}
+
+Status writePart(const TrainOptions& options, ModelData model, std::string robotHash)
+{
+    const ModelPart part{
+        std::move(model),
+        {*options.bins, std::move(robotHash), options.commandBeforeOut, options.commandAfterOut}};
+    if (Status written = writeModelPart(options.out, part); !written) return written;
+    printBins(part.model, *options.bins);
+    say("bins {} of {}; written to {}, for `terratact merge`\n", text(*options.bins),
+        text(kAllBins), options.out);
+    return Done{};
+}
+
+void printModel(const ModelData& model, const std::string& path)
+{
+    printBins(model, kAllBins);
+    for (const FeatureSet set : {FeatureSet::Pa, FeatureSet::Paf})
+        say("{}", Lines(conditionsText(model, set)));
+    say("a contact counts as a measurement with bias {:.1f} mm, sd {:.1f} mm\n",
+        1000.0 * model.clearance.contactBias, 1000.0 * model.clearance.contactSd);
+    say("{} scenes; 22 Gaussian processes on {} of them, surfaces on all; written to {}\n",
+        model.heights.rows(), model.scannedHeights.rows(), path);
+}
+
+}  // namespace
+
+Status train(const TrainOptions& options)
+{
+    const auto bytes = readFile(options.robot, kMostTrainedRobot);
+    if (!bytes) return bytes.error();
+    const auto robot = robotModelFrom(options.robot, *bytes);
+    if (!robot) return robot.error();
+    auto model = trainVisibly(options, *robot);
+    if (!model) return model.error();
+    if (options.bins) return writePart(options, *std::move(model), sha256Hex(*bytes));
+    if (Status written = writeModel(options.out, *model); !written) return written;
+    if (Status card = writeNewCard(options.out, *model, options.data); !card) return card;
+    printModel(*model, options.out);
+    return Done{};
+}
+
+}  // namespace terratact

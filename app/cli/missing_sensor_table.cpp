@@ -1,0 +1,83 @@
+#include "app/cli/missing_sensor_table.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string>
+
+#include "app/runtime/say.h"
+#include "core/eval/evaluation.h"
+#include "core/store/file_write.h"
+
+namespace terratact {
+namespace {
+
+struct MissingCase {
+    std::string name;
+    bool front = false, rear = false;  ///< currents that are left out
+    std::vector<std::size_t> forces;   ///< that are left out
+};
+
+std::vector<MissingCase> missingCases()
+{
+    const std::vector<std::size_t> all{0, 1, 2, 3, 4, 5};
+    std::vector<MissingCase> cases{{"none", false, false, {}},
+                                   {"front current", true, false, {}},
+                                   {"both currents", true, true, {}}};
+    for (const std::size_t e : all)
+        cases.push_back({fmt::format("force element {}", e + 1), false, false, {e}});
+    cases.push_back({"all forces", false, false, all});
+    cases.push_back({"currents and forces", true, true, all});
+    return cases;
+}
+
+std::vector<Scene> without(const MissingCase& lacks, std::vector<Scene> scenes)
+{
+    for (Scene& scene : scenes) {
+        if (lacks.front) scene.s.frontCurrent.reset();
+        if (lacks.rear) scene.s.rearCurrent.reset();
+        for (const std::size_t e : lacks.forces) scene.s.force[e].reset();
+    }
+    return scenes;
+}
+
+/// A line of the table, and the same as one of the file.
+std::string judgeCase(const MissingCase& lacks, const std::vector<Scene>& scenes,
+                      const std::vector<SceneEstimate>& estimates, const std::string& label)
+{
+    std::vector<BinError> errors;
+    std::size_t estimated = 0;
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+        if (!estimates[k].estimate) continue;
+        ++estimated;
+        const auto more = binErrors(k, scenes[k], label, *estimates[k].estimate);
+        errors.insert(errors.end(), more.begin(), more.end());
+    }
+    const ErrorStatistics s = statistics(errors);
+    say("{:<20}  {:<9}  {:>7}  {:>8.1f}  {:>6.1f}  {:>6.1f} %  {:>6.1f}\n", lacks.name, label,
+        estimated, 1000.0 * s.median, 1000.0 * s.mean, 100.0 * s.coverage, 1000.0 * s.width);
+    return fmt::format("{},{},{},{},{},{},{}\n", lacks.name, label, estimated, s.median, s.mean,
+                       s.coverage, s.width);
+}
+
+}  // namespace
+
+Status printMissingSensors(const std::vector<Scene>& scenes, const Toolbox& toolbox,
+                           const EvaluateOptions& options)
+{
+    say("|error| and width of the 80 % band [mm]\n{:<20}  {:<9}  {:>7}  {:>8}  {:>6}  {:>8}  "
+        "{:>6}\n",
+        "not measured", "method", "scenes", "median", "mean", "covers", "width");
+    std::string csv = "not_measured,method,scenes,median_m,mean_m,coverage_80,width_80_m\n";
+    for (const Method method : options.methods)
+        for (const MissingCase& lacks : missingCases()) {
+            Settings settings = options.settings;
+            settings.method = method;
+            const std::vector<Scene> left = without(lacks, scenes);
+            csv += judgeCase(lacks, left, estimateScenes(left, toolbox, settings, options.seconds),
+                             labelOf(settings));
+        }
+    return writeFileAtomically((std::filesystem::path(options.out) / "missing.csv").string(), csv);
+}
+
+}  // namespace terratact

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "app/shell/page.h"
+
+namespace terratact {
+
+class AlarmTable;
+class ConsoleAlarms;
+
+/// The alarms and what the operator does about them.
+class AlarmsPage final : public Page {
+    Q_OBJECT
+public:
+    explicit AlarmsPage(ConsoleAlarms& alarms, QWidget* parent = nullptr);
+    void refresh(double now) override;
+    AlarmTable* table() const { return table_; }
+
+private:
+    ConsoleAlarms& alarms_;
+    AlarmTable* table_ = nullptr;
+};
+
+}  // namespace terratact

@@ -1,0 +1,146 @@
+#include "app/console/console_keys.h"
+
+#include <QAction>
+#include <QPushButton>
+#include <functional>
+#include <utility>
+
+#include "app/console/main_window.h"
+#include "app/shell/key_table.h"
+#include "widgets/base/held_button.h"
+#include "widgets/control/arming_control.h"
+#include "widgets/control/atem_panel.h"
+#include "widgets/control/drive_pad.h"
+#include "widgets/control/probe_card.h"
+#include "widgets/control/status_header.h"
+#include "widgets/terrain/verdict_strip.h"
+
+namespace terratact {
+namespace {
+
+void addHeld(KeyTable& keys, QList<QKeyCombination> of, const QString& meaning, HeldButton* button)
+{
+    keys.add(
+        {std::move(of), meaning, [button] { button->hold(); }, [button] { button->letGoSoon(); }});
+}
+
+/// A key that is held to drive, and says why where it does not.
+void addDriveKey(KeyTable& keys, QList<QKeyCombination> of, const QString& meaning,
+                 HeldButton* button, MainWindow& window)
+{
+    const auto press = [button, &window] {
+        if (button->isEnabled() && button->isVisible()) return button->hold();
+        const QString why = window.exploration().whyNotDriving();
+        window.sayWhyNot(
+            MainWindow::tr("not driven: %1")
+                .arg(why.isEmpty() ? MainWindow::tr("it is done on the page Terrain (F2)") : why));
+    };
+    keys.add({std::move(of), meaning, press, [button] { button->letGoSoon(); }});
+}
+
+/// A key acts only where one sees what it acts on.
+enum class Needs { Sight, Use };
+std::function<void()> ifSeen(const QPushButton* button, std::function<void()> act,
+                             Needs needs = Needs::Use)
+{
+    return [button, needs, act = std::move(act)] {
+        if (button->isVisible() && (button->isEnabled() || needs == Needs::Sight)) act();
+    };
+}
+
+void addAnswerKeys(KeyTable& keys, const ProbeCard* card)
+{
+    const auto ifAsked = [card](std::function<void()> answer) {
+        return [card, answer = std::move(answer)] {
+            if (card->shown()) answer();
+        };
+    };
+    addHeld(keys, {Qt::Key_Space},
+            MainWindow::tr("approve the proposed probe, or press the button that has the focus"),
+            card->approveButton());
+    // A refusal harms nobody: it needs no look at what a window may cover.
+    QPushButton* const refuse = card->refuseButton();
+    keys.add(
+        {{Qt::Key_N}, MainWindow::tr("refuse it"), ifSeen(refuse, [refuse] { refuse->click(); })});
+    for (const std::size_t other : {0U, 1U, 2U})
+        keys.add({{static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(other))},
+                  MainWindow::tr("ask for another bin instead: the %1. offered").arg(other + 1),
+                  ifAsked([card, other] { card->otherButton(other)->click(); })});
+}
+
+void addObstacleKeys(KeyTable& keys, const VerdictStrip& verdict)
+{
+    QPushButton *raise = verdict.raiseButton(), *lower = verdict.lowerButton();
+    keys.add({{Qt::Key_PageUp},
+              MainWindow::tr("raise what counts as an obstacle"),
+              ifSeen(raise, [raise] { raise->click(); })});
+    keys.add({{Qt::Key_PageDown}, MainWindow::tr("lower it"), ifSeen(lower, [lower] {
+                  lower->click();
+              })});
+}
+
+}  // namespace
+
+void addRobotKeys(KeyTable& keys, MainWindow& window)
+{
+    Exploration* exploration = &window.exploration();
+    ArmingControl* arming = window.header()->arming();
+    keys.addGroup(MainWindow::tr("Robot"));
+    keys.add({.keys = kStopKeys,
+              .meaning = MainWindow::tr("STOP, in every window"),
+              .pressed = [exploration] { exploration->stop(); },
+              .everywhere = true});
+    addHeld(keys, {Qt::Key_R}, MainWindow::tr("release STOP"), window.atemPanel()->releaseButton());
+    addDriveKey(keys, {Qt::Key_W, Qt::Key_Up}, MainWindow::tr("drive forward"),
+                window.drivePad()->forwardButton(), window);
+    addDriveKey(keys, {Qt::Key_S, Qt::Key_Down}, MainWindow::tr("drive back"),
+                window.drivePad()->backButton(), window);
+    if (window.link())
+        keys.add({{Qt::Key_M},
+                  MainWindow::tr("arm the robot: press, then hold; again disarms it"),
+                  [arming] { arming->pressKey(); },
+                  [arming] { arming->releaseKey(); }});
+}
+
+void addExplorationKeys(KeyTable& keys, MainWindow& window, QAction& draws)
+{
+    Exploration* exploration = &window.exploration();
+    AtemPanel* panel = window.atemPanel();
+    keys.addGroup(MainWindow::tr("Exploration"));
+    keys.add({{Qt::Key_A},
+              MainWindow::tr("explore the terrain"),
+              ifSeen(panel->requestButton(), [exploration] { exploration->request(); })});
+    keys.add({{Qt::Key_O},
+              MainWindow::tr("override what is doubtful about exploring"),
+              ifSeen(panel->overrideButton(), [exploration] { exploration->overrideDoubts(); })});
+    addAnswerKeys(keys, window.probeCard());
+    keys.add({{Qt::Key_B},
+              MainWindow::tr("ask for a probe: of the bin shown up close, else the best"),
+              ifSeen(window.viewButton(), [&window] { window.askProbe(); })});
+    keys.add({{Qt::Key_P}, MainWindow::tr("what each command needs, one after the other"), [panel] {
+                  if (panel->isVisible()) panel->lookUpNext();
+              }});
+    addObstacleKeys(keys, *window.verdict());
+    keys.add({{Qt::Key_D},
+              MainWindow::tr("show some of the draws as thin lines"),
+              ifSeen(window.viewButton(), [&draws] { draws.toggle(); })});
+    keys.add({{Qt::Key_Escape},
+              MainWindow::tr("abort the exploration; its result stays"),
+              [exploration] {
+                  // From every page.  One that only follows has nothing to abort.
+                  if (exploring(exploration->state().phase) && !exploration->following())
+                      exploration->abort();
+              }});
+    keys.add({{Qt::Key_Delete},
+              MainWindow::tr("forget the estimate"),
+              ifSeen(
+                  panel->requestButton(), [exploration] { exploration->forgetResult(); },
+                  Needs::Sight)});
+    keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_Z)},
+              MainWindow::tr("bring back the estimate that was forgotten"),
+              ifSeen(
+                  panel->requestButton(), [exploration] { exploration->restoreResult(); },
+                  Needs::Sight)});
+}
+
+}  // namespace terratact

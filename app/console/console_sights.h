@@ -1,0 +1,64 @@
+#pragma once
+
+#include <QCoreApplication>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/console/diagnostics_page.h"
+#include "app/console/link_status.h"
+#include "app/link/acquisition.h"
+#include "app/mission/console_alarms.h"
+#include "app/mission/exploration.h"
+#include "app/mission/panel_control.h"
+#include "app/pages/force_arrays.h"
+#include "app/pages/terrain_page.h"
+#include "app/recording/session_recorder.h"
+#include "app/shell/preference_store.h"
+
+namespace terratact {
+
+/// Reads off what runs behind a console the plain values that its pages show.  GUI thread only.
+class ConsoleSights {
+    Q_DECLARE_TR_FUNCTIONS(ConsoleSights)
+public:
+    /// What runs; null: there is none.
+    struct Parts {
+        const Acquisition& acquisition;
+        const Exploration& exploration;
+        const EstimatorWorker& worker;
+        CanSource* link = nullptr;
+        const PanelControl* panel = nullptr;
+        const SessionRecorder* recorder = nullptr;
+        const PreferenceStore* preferences = nullptr;  ///< null: the defaults
+    };
+    /// All parts must outlive it.
+    ConsoleSights(const Parts& parts, const RobotModel& robot)
+        : parts_(parts), model_(robot), robot_(robot.name), forceArrays_(robot)
+    {
+    }
+
+    // newest: the telemetry of the exploration's last tick.  now: [s] on the steady clock.
+    LinkSight link(double now, const std::optional<Received>& newest);
+    /// link: of the same time.
+    AlarmSight alarms(double now, const std::optional<Received>& newest,
+                      const LinkAccount& link) const;
+    TerrainSight terrain(double now, const std::optional<Received>& newest);
+    ConsoleFacts facts(double now, const QString& source, const QString& robotDetails) const;
+    /// What the panel says to setting something in motion; empty: there is none.
+    std::optional<Precondition> panel(double now) const;
+
+private:
+    const std::vector<ForceArray>& forcesOf(const Received& newest);
+    Attitude attitudeOf(const Measurement& line) const;
+
+    Parts parts_;
+    RobotModel model_;
+    std::string robot_;  ///< its name
+    LinkWatch link_;
+    ForceArrays forceArrays_;
+    std::vector<ForceArray> forces_;
+    std::uint64_t forcesCount_ = 0;  ///< of the telemetry they are of
+};
+
+}  // namespace terratact

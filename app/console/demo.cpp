@@ -1,0 +1,124 @@
+#include "app/console/demo.h"
+
+#include <QApplication>
+#include <QPixmap>
+#include <QSaveFile>
+#include <cstdio>
+#include <utility>
+
+#include "app/console/main_window.h"
+#include "app/runtime/say.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kPatience = 120.0;     // [s] for the whole demonstration
+constexpr double kDrivesAtMost = 15.0;  // [s] then it explores where it stands
+constexpr double kSettle = 0.4;         // [s] the picture stands before it is taken
+constexpr double kStepSeen = 0.08;      // [m] the ground 0.5 m ahead has risen by more than this
+
+}  // namespace
+
+ScreenshotDemo::ScreenshotDemo(MainWindow& window, QString file)
+    : window_(window), file_(std::move(file)), began_(steadyNow())
+{
+    connect(&timer_, &QTimer::timeout, this, &ScreenshotDemo::tick);
+    timer_.start(10);
+}
+
+void ScreenshotDemo::tick()
+{
+    Exploration& exploration = window_.exploration();
+    if (steadyNow() - began_ > kPatience) return giveUp(tr("the demonstration took too long"));
+    if (!window_.modelTrouble().isEmpty()) return fail(window_.modelTrouble());
+    if (stage_ != Stage::Settling && !exploration.armed()) {  // at first, or for a busy machine
+        stage_ = Stage::Loading;
+        return arm();
+    }
+    if (exploration.state().phase == AtemPhase::Failed && stage_ == Stage::Exploring)
+        return giveUp(QString::fromStdString(describe(exploration.state().failure)));
+
+    switch (stage_) {
+    case Stage::Loading: {
+        const QList<Precondition> preconditions = exploration.preconditions();
+        for (const Precondition& condition : preconditions)
+            if (condition.level == Precondition::Level::Missing) return;
+        exploration.drive(+1);
+        if (!drove_) drove_ = steadyNow();
+        stage_ = Stage::Driving;
+        break;
+    }
+    case Stage::Driving:
+        if (!seesStep() && steadyNow() - *drove_ < kDrivesAtMost) return;
+        if (!seesStep())
+            say(stderr,
+                "terratact-console: no step after {:.0f} s of driving: explored where it stands\n",
+                kDrivesAtMost);
+        exploration.halt();
+        exploration.request();
+        stage_ = Stage::Exploring;
+        break;
+    case Stage::Exploring:
+        if (!window_.showsEstimate()) return;
+        settled_ = steadyNow();
+        stage_ = Stage::Settling;
+        break;
+    case Stage::Settling:
+        if (steadyNow() - settled_ >= kSettle) finish();
+        break;
+    }
+}
+
+bool ScreenshotDemo::seesStep() const
+{
+    const auto latest = window_.acquisition().latest();
+    if (!latest || !latest->sample.truth) return false;
+    const Heights& truth = *latest->sample.truth;
+    const auto ahead = static_cast<std::size_t>(*binOf(0.5)),
+               below = static_cast<std::size_t>(*binOf(0.2));
+    return truth[ahead] - truth[below] >= kStepSeen;
+}
+
+// Says both words of an operator; an arming that fails is begun anew.
+void ScreenshotDemo::arm()
+{
+    CanSource& link = *window_.link();
+    const CanView view = link.view();
+    if (view.link.arming.phase == ArmingPhase::Confirming) link.confirmArming();
+    if (view.link.arming.phase == ArmingPhase::Disarmed && whyNotArming(view).empty())
+        link.wantArming();
+}
+
+/// Empty: the picture is in its file.
+QString ScreenshotDemo::save()
+{
+    QSaveFile file(file_);
+    if (file.open(QIODevice::WriteOnly) && window_.grab().save(&file, "PNG") && file.commit())
+        return {};
+    return tr("%1: cannot be written: %2").arg(file_, file.errorString());
+}
+
+void ScreenshotDemo::finish()
+{
+    timer_.stop();
+    const QString trouble = save();
+    if (!trouble.isEmpty()) return fail(trouble);
+    QApplication::exit(0);
+}
+
+/// A picture of what stands in the way tells more than none.
+void ScreenshotDemo::giveUp(const QString& why)
+{
+    const QString trouble = save();
+    fail(QStringLiteral("%1; %2").arg(
+        why, trouble.isEmpty() ? tr("%1 shows the window at that time").arg(file_) : trouble));
+}
+
+void ScreenshotDemo::fail(const QString& why)
+{
+    timer_.stop();
+    say(stderr, "terratact-console: {}\n", why.toStdString());
+    QApplication::exit(1);
+}
+
+}  // namespace terratact

@@ -1,0 +1,221 @@
+#include "app/console/link_status.h"
+
+#include <QLabel>
+#include <QTime>
+#include <algorithm>
+#include <utility>
+
+#include "app/console/signals_page.h"
+#include "app/mission/bus_words.h"
+#include "app/mission/preconditions.h"
+#include "app/mission/robot_words.h"
+#include "widgets/base/words.h"
+#include "widgets/control/arming_control.h"
+#include "widgets/control/robot_readout.h"
+#include "widgets/control/status_header.h"
+#include "widgets/signals/event_list.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kRateEvery = 0.5;  // [s] the rate of telemetry is shown anew
+
+QString sentence(const LinkAccount& link)
+{
+    return words::sentence(describe(link));
+}
+
+QString capitals(const LinkAccount& link)
+{
+    return sentence(link).toUpper();
+}
+
+}  // namespace
+
+LinkStatus::LinkStatus(StatusHeader& header, QLabel& banner, EventList& events,
+                       const Acquisition& acquisition, CanSource* link)
+    : header_(header), banner_(banner), events_(events), acquisition_(acquisition), link_(link)
+{
+    header_.arming()->setVisible(link_ != nullptr);
+    banner_.setVisible(false);
+}
+
+void LinkStatus::show(const LinkSight& sight)
+{
+    const double age = sight.newest ? sight.now - secondsOf(sight.newest->arrived) : 0.0;
+    worstAge_ = std::max(worstAge_, age);
+    const auto view = link_ ? std::optional(link_->view()) : std::nullopt;
+    if (view) count(*view, sight.now);
+    showLink(sight, age);
+    if (view) showBus(*view, sight.now);
+    showBanner(sight, age);
+    tellChange(sight.link);
+    showRobot(sight.newest, age);
+}
+
+/// What a doubt is only while it happens: the counts stand for ever.
+void LinkStatus::count(const CanView& view, double now)
+{
+    const BusCounters& frames = view.frames;
+    droppedLately_ = dropped_.grewLately(frames.dropped, now);
+    erredLately_ = errors_.grewLately(frames.errorFrames, now);
+}
+
+void LinkStatus::showLink(const LinkSight& sight, double age)
+{
+    const LinkAccount& link = sight.link;
+    if (link.standing == LinkStanding::Up) {
+        if (upSince_ == 0.0) upSince_ = sight.now;
+        if (sight.now - rateShownAt_ >= kRateEvery) showRate(sight.now);
+        return;
+    }
+    rateShownAt_ = worstAge_ = upSince_ = 0.0;
+    const QString title = capitals(link);
+    const QString bus = link_ ? details(link_->view()) : QString();
+    switch (link.standing) {
+    case LinkStanding::Up: break;
+    case LinkStanding::Silent: return header_.setLink(sentence(link), Tone::Bad, bus);
+    case LinkStanding::Ended: return header_.setLink(title, Tone::Doubt, bus);
+    case LinkStanding::Unsteady: return header_.setLink(title, Tone::Bad, bus);
+    case LinkStanding::Lost:
+        header_.setLink(link.alive ? tr("back, not steady yet")
+                                   : QStringLiteral("%1 · %2").arg(title, words::age(age)),
+                        Tone::Bad, bus);
+    }
+}
+
+void LinkStatus::showBus(const CanView& view, double now)
+{
+    if (now - busShownAt_ < kRateEvery && view.bus == busShown_) return;
+    busShownAt_ = now;
+    busShown_ = view.bus;
+    const BusLoad load = link_->tap().load();
+    // Of a log the state says only whether it goes on.
+    const bool isLog = link_->mode() == CanSource::Mode::Replay;
+    const bool isOurs = link_->bitrate().nominal;  // a robot in this program
+    QStringList parts{isLog    ? tr("log")
+                      : isOurs ? tr("bus")
+                               : QString::fromStdString(link_->busName())};
+    QStringList brief = parts;
+    if (!isLog || view.bus != BusState::Up) parts << glance(view.bus);
+    if (view.bus != BusState::Up) brief << glance(view.bus);
+    parts << loadGlance(load, link_->bitrate());
+    const std::uint64_t dropped = view.frames.dropped, errors = view.frames.errorFrames;
+    if (dropped > 0) parts << (droppedLately_ ? tr("! %1 dropped") : tr("%1 dropped")).arg(dropped);
+    if (droppedLately_) brief << parts.last();
+    if (errors > 0) parts << (erredLately_ ? tr("! %1 errors") : tr("%1 errors")).arg(errors);
+    if (erredLately_) brief << parts.last();
+    const Tone tone = toneOf(view.bus);
+    const bool isDoubtful = droppedLately_ || erredLately_;
+    header_.setBus(parts.join(QLatin1Char(' ')),
+                   tone == Tone::Plain && isDoubtful ? Tone::Doubt : tone, details(view),
+                   brief.join(QLatin1Char(' ')));
+}
+
+void LinkStatus::showRate(double now)
+{
+    const auto view = link_ ? std::optional(link_->view()) : std::nullopt;
+    const std::uint64_t dropped = view ? view->frames.dropped : 0;
+    // The rate is that of the last second.
+    QString text = now - upSince_ < 1.0
+                     ? tr("link ≤ %1").arg(words::age(worstAge_))
+                     : tr("link %1 Hz · ≤ %2")
+                           .arg(words::number(acquisition_.rate(), 0), words::age(worstAge_));
+    if (dropped > 0) text += tr(" · %1 dropped").arg(dropped);
+    const bool isGood =
+        worstAge_ <= kStaleAfter && (!view || view->bus == BusState::Up) && !droppedLately_;
+    header_.setLink(text, isGood ? Tone::Good : Tone::Doubt, view ? details(*view) : QString());
+    rateShownAt_ = now;
+    worstAge_ = 0.0;
+}
+
+QString LinkStatus::details(const CanView& view) const
+{
+    const BusLoad load = link_->tap().load();
+    return tr("%1\n%2 frames/s, %3\n%4 frames dropped by this computer, %5 error frames")
+        .arg(busWords(view.bus, link_->busName()), words::number(load.framesPerSecond, 0),
+             loadWords(load, link_->bitrate()), QString::number(view.frames.dropped),
+             QString::number(view.frames.errorFrames));
+}
+
+QString LinkStatus::bannerText(const LinkSight& sight, double age) const
+{
+    const LinkAccount& link = sight.link;
+    if (link.standing != LinkStanding::Lost && link.standing != LinkStanding::Unsteady) return {};
+    const QString title = capitals(link);
+    if (link.standing == LinkStanding::Unsteady)
+        return tr("%1 — gaps: %2, the longest %3; values read -- in each of them")
+            .arg(title, QString::number(link.gaps), words::age(link.longest));
+    if (link.alive)
+        return tr("BACK after %1 — measured values are live, the terrain is as it was felt before")
+            .arg(words::age(link.longest));
+    const QString trouble = troubleWords(link_, acquisition_.trouble());
+    const QString why = trouble.isEmpty() ? QString() : QStringLiteral(": ") + trouble;
+    return link.alone
+             ? tr("%1 for %2 — %3; no measured value is live%4")
+                   .arg(title, words::age(age), sight.heard, why)
+             : tr("%1 for %2 — nothing on this screen is live%3").arg(title, words::age(age), why);
+}
+
+void LinkStatus::showBanner(const LinkSight& sight, double age)
+{
+    const QString text = bannerText(sight, age);
+    banner_.setVisible(!text.isEmpty());
+    if (!text.isEmpty() && banner_.text() != text) banner_.setText(text);
+}
+
+/// Of a link that comes and goes its loss and its end; and when nothing comes any more where other frames did.
+void LinkStatus::tellChange(const LinkAccount& link)
+{
+    const auto isDown = [](const LinkAccount& one) {
+        return one.standing == LinkStanding::Lost || one.standing == LinkStanding::Unsteady;
+    };
+    const bool worsens = told_.alone && !link.alone;
+    if (link.standing == told_.standing && !(isDown(link) && worsens)) return;
+    if (isDown(link) && isDown(told_) && !worsens) return;
+    told_ = link;
+    const QString text = sentence(link);
+    if (link.standing == LinkStanding::Up && link.gaps > 1)
+        events_.add(tr("%1; gaps before: %2, the longest %3")
+                        .arg(text, QString::number(link.gaps), words::age(link.longest)),
+                    Weight::Note, QTime::currentTime());
+    else if (link.standing != LinkStanding::Silent)
+        events_.add(text, isDown(link) ? Weight::Bad : Weight::Note, QTime::currentTime());
+}
+
+bool LinkStatus::says(const QString& text) const
+{
+    return !banner_.isHidden() && banner_.text().startsWith(text.toUpper());
+}
+
+void LinkStatus::showRobot(const Received* newest, double age)
+{
+    if (!newest) return header_.setRobot(tr("robot: --"), Tone::Plain);
+    const RobotActivity activity = newest->sample.measurement.activity;
+    if (age <= kStaleAfter)
+        header_.setRobot(glance(activity), toneOf(activity));
+    else
+        header_.setRobot(tr("robot: --"), Tone::Doubt);
+}
+
+void LinkStatus::showArming(const std::optional<Precondition>& panel)
+{
+    if (!link_) return;
+    const CanView view = link_->view();
+    if (!view.transmits) return header_.arming()->setListening(whyFollowing(link_));
+    const ArmingState& state = view.link.arming;
+    QList<Precondition> needs = Preconditions::toArm(view);
+    if (panel) needs << *panel;
+    header_.arming()->setState(state, needs);
+    if (state.phase == armingWas_) return;
+    const bool wasArmed = std::exchange(armingWas_, state.phase) == ArmingPhase::Armed;
+    if (state.phase == ArmingPhase::Armed)
+        events_.add(tr("the robot is armed"), Weight::Note, QTime::currentTime());
+    if (state.phase == ArmingPhase::Disarmed)
+        events_.add((wasArmed ? tr("disarmed: %1") : tr("not armed: %1"))
+                        .arg(words::sentence(describe(state.cause))),
+                    state.cause == DisarmCause::Operator ? Weight::Note : Weight::Bad,
+                    QTime::currentTime());
+}
+
+}  // namespace terratact

@@ -1,0 +1,639 @@
+#include "app/console/main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QTime>
+#include <QVBoxLayout>
+#include <chrono>
+#include <utility>
+
+#include "app/console/alarms_page.h"
+#include "app/console/console_keys.h"
+#include "app/console/profile_menu.h"
+#include "app/console/replay_bar.h"
+#include "app/console/settings_page.h"
+#include "app/console/signals_page.h"
+#include "app/console/training_page.h"
+#include "app/mission/preset_words.h"
+#include "app/mission/session_scribe.h"
+#include "app/pages/numbers_page.h"
+#include "app/shell/open_file.h"
+#include "app/shell/page.h"
+#include "app/shell/view_menu.h"
+#include "widgets/base/elided_label.h"
+#include "widgets/base/look.h"
+#include "widgets/base/navigation_rail.h"
+#include "widgets/base/words.h"
+#include "widgets/control/arming_control.h"
+#include "widgets/control/atem_panel.h"
+#include "widgets/control/drive_pad.h"
+#include "widgets/control/probe_card.h"
+#include "widgets/control/status_header.h"
+#include "widgets/signals/alarm_table.h"
+#include "widgets/signals/event_list.h"
+#include "widgets/terrain/bin_inspector.h"
+#include "widgets/terrain/estimate_strip.h"
+#include "widgets/terrain/terrain_profile_view.h"
+#include "widgets/terrain/verdict_strip.h"
+
+namespace terratact {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kLook = 10ms;       // at the world
+constexpr double kRedraw = 0.04;   // [s] 25 Hz
+constexpr double kUnheard = 0.06;  // [s] without new telemetry: ages go on
+constexpr double kToRead = 0.7;    // [s] sooner it is a double click, or a key that repeats
+constexpr double kNumbers = 0.2;   // [s]; what changes more often cannot be read
+
+}  // namespace
+
+MainWindow::MainWindow(Options options)
+    : preferences_(options.preferences ? std::move(options.preferences)
+                                       : std::make_unique<PreferenceStore>()),
+      presets_(std::move(options.presets)), robot_(std::move(options.robot)),
+      source_(std::move(options.source)), link_(options.link),
+      acquisition_(std::make_unique<Acquisition>(
+          *source_, [this] { lookSoon(); }, robot_)),
+      worker_(std::make_unique<EstimatorWorker>(std::move(options.model))),
+      exploration_(
+          std::make_unique<Exploration>(*source_, robot_, *worker_, options.exploration, link_)),
+      alarms_(std::make_unique<ConsoleAlarms>(std::move(options.sounder))),
+      recorder_(std::move(options.recorder)), meter_(std::chrono::duration<double>(kLook).count()),
+      robotDetails_(std::move(options.robotDetails))
+{
+    if (options.panel)
+        panel_ = std::make_unique<PanelControl>(std::move(options.panel), *source_, *exploration_);
+    sights_ = std::make_unique<ConsoleSights>(
+        ConsoleSights::Parts{*acquisition_, *exploration_, *worker_, link_, panel_.get(),
+                             recorder_.get(), preferences_.get()},
+        robot_);
+    setWindowTitle(tr("Terratact — %1").arg(words::sourceName(source_->name())));
+    build(options);
+    connectAll();
+    if (recorder_) {
+        scribe_ = std::make_unique<SessionScribe>(recorder_, *exploration_, *worker_, *events());
+        recorder_->setOn(preferences_->current().record);
+        const QString unusual = changesOf(Preferences{}, preferences_->current());
+        if (!unusual.isEmpty()) scribe_->decision("settings", unusual);
+    }
+    offerQualities();
+    profileMenu_ = new ProfileMenu(*terrain(), *exploration_, viewButton());
+    viewButton()->setMenu(profileMenu_);
+    defineKeys();
+    for (const QString& trouble : preferences_->troubles()) tell(trouble, Weight::Doubt);
+    look_.setInterval(kLook);
+    connect(&look_, &QTimer::timeout, this, [this] {
+        meter_.beat(steadyNow());
+        look();
+    });
+    setFocus();
+    look_.start();
+    worker_->start();
+    look();
+}
+
+MainWindow::~MainWindow()
+{
+    exploration_->leave();  // however the window goes
+}
+
+void MainWindow::build(const Options& options)
+{
+    header()->setSource(words::sourceName(source_->name()));
+    header()->setModel(tr("model loading …"), Tone::Doubt);
+    sharedStop_ = std::make_unique<SharedStop>(*exploration_);
+    stopDisplay_ = std::make_unique<StopDisplay>(*header(), *addBanner());
+    notice_ = std::make_unique<ShortNotice>(*addBanner());
+    probeNotice_ = std::make_unique<ProbeNotice>(*rail(), *addBanner());
+    panelLost_ = addBanner();
+    QLabel& banner = *addBanner();
+    QLabel& notRecorded = *addBanner();
+    addPages(options);
+    linkStatus_ = std::make_unique<LinkStatus>(*header(), banner, *events(), *acquisition_, link_);
+    recording_ = addTool({}, {});
+    recordingDisplay_ = std::make_unique<RecordingDisplay>(*recording_, notRecorded);
+    recording_->setVisible(recorder_ != nullptr);
+    connect(recording_, &QPushButton::clicked, this, &MainWindow::mark);
+    connect(addTool(tr("Open"), tr("Review a session, a log or scenes in a window of its own; "
+                                   "this one goes on (Ctrl+O)")),
+            &QPushButton::clicked, this, &MainWindow::open);
+    if (options.replay) addBelowPages(replayBar_ = new ReplayBar(*options.replay, this));
+    addViewTool(*preferences_, tr("opens the console anew"));
+    addHelpTool(demonstration(), [this](const QString& path) {
+        openInAnotherWindow(path, sharedStop_->line(), notOpened());
+    });
+    arrange();
+}
+
+void MainWindow::addPages(const Options& options)
+{
+    terrainPage_ = new TerrainPage(robot_, this);
+    verdict()->setLimit(exploration_->options().stepLimit);
+    terrainPage_->addTerrainTool(header()->qualityButton());  // the header has no room
+    addPage(terrainPage_, tr("Terrain"), Qt::Key_F2,
+            tr("The terrain under the robot, exploring it, and the arm"));
+    numbers_ = new NumbersPage(
+        [this] {
+            const Estimation& estimation = exploration_->estimation();
+            const auto& estimate = estimation.estimate();
+            return NumbersSight{estimate ? &*estimate : nullptr, exploration_->whyNoEstimate(),
+                                exploration_->options().stepLimit, estimation.verdict(),
+                                latest_ ? std::optional(steadyNow() - secondsOf(latest_->arrived))
+                                        : std::nullopt};
+        },
+        this);
+    addScrolledPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The same scene as a table"));
+    alarms_->setSoundOn(preferences_->current().sound);
+    alarmsPage_ = new AlarmsPage(*alarms_, this);
+    connect(alarmsPage_->table(), &AlarmTable::soundWanted, this,
+            [this](bool on) { preferences_->change([on](Preferences& p) { p.sound = on; }); });
+    addScrolledPage(alarmsPage_, tr("Alarms"), Qt::Key_F4,
+                    tr("What is wrong, and what was and has not been seen"));
+    signalsPage_ = new SignalsPage(*acquisition_, link_, *preferences_, this);
+    addScrolledPage(signalsPage_, tr("Signals"), Qt::Key_F5,
+                    tr("Every signal on the bus, and its newest frames"));
+    addTraining(options);
+    settings_ = new SettingsPage(*preferences_, this);
+    connect(settings_, &SettingsPage::robotChosen, this, &MainWindow::takeRobot);
+    addPage(settings_, tr("Settings"), Qt::Key_F7, tr("Method, limits, look, model and robot"));
+    const QString source = words::sourceName(source_->name());
+    diagnosticsPage_ = new DiagnosticsPage(
+        [this, source] {
+            return consoleDiagnostics(sights_->facts(steadyNow(), source, robotDetails_), meter_);
+        },
+        this);
+    addPage(diagnosticsPage_, tr("Diagnostics"), Qt::Key_F8,
+            tr("Versions, permissions and how fast the console is"));
+    cardsPage_ = new QWidget(this);
+    auto* cards = new QVBoxLayout(cardsPage_);
+    cards->setContentsMargins(12, 10, 12, 10);
+    addScrolledPage(cardsPage_, tr("Robot"), Qt::Key_F9,
+                    tr("Forces, attitude and the last events"));
+    connect(terrainPage_, &TerrainPage::tightened, this, &MainWindow::placeCards);
+    terrainPage_->allowTight(*this);
+    placeCards();
+}
+
+void MainWindow::placeCards()
+{
+    const int page = rail()->pageOf(Qt::Key_F9);
+    const bool apart = terrainPage_->isTight();
+    rail()->setOffered(page, apart);
+    if (apart)
+        cardsPage_->layout()->addWidget(terrainPage_->lower());
+    else
+        terrainPage_->placeLower();
+    terrainPage_->lower()->show();
+    if (!apart && rail()->chosen() == page) rail()->choose(0);
+}
+
+void MainWindow::addTraining(const Options& options)
+{
+    training_ = new TrainingPage(*exploration_,
+                                 {.robot = robot_,
+                                  .model = QString::fromStdString(options.modelPath),
+                                  .load = options.training},
+                                 this);
+    addScrolledPage(training_, tr("Training"), Qt::Key_F6,
+                    tr("Train a model, compare it with the one in use, adopt it"));
+    models_ = std::make_unique<ModelChoice>(*worker_, *preferences_, robot_,
+                                            QString::fromStdString(options.modelPath));
+    connect(models_.get(), &ModelChoice::loaded, this,
+            [this] { training_->setModelInUse(models_->inUse()); });
+    connect(training_, &TrainingPage::adopted, models_.get(), &ModelChoice::load);
+    connect(worker_.get(), &EstimatorWorker::modelLoaded, training_, &TrainingPage::adoptionDone);
+    for (const auto failed : {&EstimatorWorker::modelKept, &EstimatorWorker::modelFailed})
+        connect(worker_.get(), failed, training_, &TrainingPage::adoptionFailed);
+}
+
+int MainWindow::arrangement() const
+{
+    return static_cast<int>(preferences_->current().layout);
+}
+
+void MainWindow::arrange()
+{
+    const Preferences& preferences = preferences_->current();
+    terrainPage_->setThreshold(exploration_->options().settings.forceThreshold);
+    terrainPage_->arrange(preferences.layout, lookInForce().fontScale);
+}
+
+void MainWindow::applyPreferences(const Preferences& before)
+{
+    const Preferences& now = preferences_->current();
+    const QString changes = changesOf(before, now);
+    if (scribe_ && !changes.isEmpty()) scribe_->decision("settings", changes);
+    const Settings& set = exploration_->options().settings;
+    // Only what was changed now: other settings void a question, other colours do not.
+    if (const Settings wanted = withPreferences(set, now); wanted != withPreferences(set, before)) {
+        exploration_->setSettings(wanted);
+        offerQualities();
+    }
+    if (now.model != before.model) models_->loadPreferred();
+    if (now.sound != before.sound) {
+        alarms_->setSoundOn(now.sound);
+        alarmsPage_->table()->setSoundOn(now.sound);
+    }
+    if (recorder_ && now.record != before.record) recorder_->setOn(now.record);
+    if (now.obstacleLimit != before.obstacleLimit) {
+        exploration_->setStepLimit(now.obstacleLimit);
+        verdict()->setLimit(now.obstacleLimit);
+    }
+    setLook(now.theme, now.fontScale);
+    exploration_->setEstimateSeconds(now.estimateSeconds);
+    exploration_->setProbePolicy(now.probes);
+    if (now.robot != before.robot || now.language != before.language) reopen();
+}
+
+/// Of a dialog that may have stood open since before the robot was armed.
+void MainWindow::takeRobot(const QString& path)
+{
+    if (const QString why = whyNotReopening(); !why.isEmpty())
+        return tell(tr("the robot stays: %1").arg(why), Weight::Bad);
+    preferences_->change([path](Preferences& p) { p.robot = path; });
+}
+
+void MainWindow::reopen()
+{
+    if (const QString why = whyNotReopening(); !why.isEmpty()) {
+        tell(tr("robot and language change at the next start: %1").arg(why), Weight::Doubt);
+        return;
+    }
+    leave();
+    emit reopenWanted();
+}
+
+void MainWindow::showCards()
+{
+    const ModelInUse& model = exploration_->estimation().model();
+    settings_->setModelCard(model.trouble.isEmpty() ? model.name + QLatin1Char('\n') + model.details
+                                                    : tr("no model: %1").arg(model.trouble));
+    settings_->setRobotCard(robotDetails_);
+    settings_->setReopenBlocked(whyNotReopening());
+}
+
+QString MainWindow::whyNotReopening() const
+{
+    if (exploration_->following()) return {};
+    if (exploring(exploration_->state().phase))
+        return tr("An exploration is running: end it with Esc first");
+    if (link_ && exploration_->armed()) return tr("The robot is armed: disarm it first (M)");
+    return {};
+}
+
+void MainWindow::offerQualities()
+{
+    const Method method = exploration_->options().settings.method;
+    const ModelInUse& model = exploration_->estimation().model();
+    const bool measured = !model.name.isEmpty() && model.content.toStdString() == presets_.model;
+    const std::vector<PresetCost> costs = measured ? presets_.costs : std::vector<PresetCost>{};
+    settings_->setPresets(costs);
+    QStringList names;
+    for (const Quality quality : kQualities) names << words::sentence(name(quality));
+    header()->setQualities(names, presetLines(method, costs),
+                           static_cast<int>(preferences_->current().quality));
+}
+
+void MainWindow::connectAll()
+{
+    connectHeader();
+    connect(events(), &EventList::added, this, &MainWindow::notice);
+    connect(preferences_.get(), &PreferenceStore::changed, this, &MainWindow::applyPreferences);
+    connect(preferences_.get(), &PreferenceStore::notSaved, this,
+            [this](const QString& why) { tell(why, Weight::Doubt); });
+    connectExploration();
+    connectStop();
+    connect(alarms_.get(), &ConsoleAlarms::raised, this,
+            [this](const QString& text, Severity severity) {
+                const Weight weight = severity == Severity::Critical ? Weight::Bad : Weight::Doubt;
+                tell(text, weight);
+            });
+    if (panel_) connect(alarms_.get(), &ConsoleAlarms::sounded, panel_.get(), &PanelControl::buzz);
+    connectWorker();
+}
+
+void MainWindow::connectHeader()
+{
+    connect(header(), &StatusHeader::alarmsRequested, this,
+            [this] { rail()->choose(rail()->pageOf(Qt::Key_F4)); });
+    connect(header(), &StatusHeader::busRequested, this,
+            [this] { rail()->choose(rail()->pageOf(Qt::Key_F5)); });
+    connect(header(), &StatusHeader::qualityChosen, this, [this](int index) {
+        preferences_->change([index](Preferences& p) {
+            p.quality = kQualities.at(static_cast<std::size_t>(index));
+        });
+    });
+    connect(header(), &StatusHeader::stopPressed, exploration_.get(), &Exploration::stop);
+    if (link_) {
+        connect(header()->arming(), &ArmingControl::armingWanted, this,
+                [this] { link_->wantArming(); });
+        connect(header()->arming(), &ArmingControl::armingConfirmed, this,
+                [this] { link_->confirmArming(); });
+        connect(header()->arming(), &ArmingControl::disarmed, this, [this] { link_->disarm(); });
+    }
+}
+
+void MainWindow::connectExploration()
+{
+    Exploration* exploration = exploration_.get();
+    connect(atemPanel(), &AtemPanel::requested, exploration, &Exploration::request);
+    connect(atemPanel(), &AtemPanel::aborted, exploration, &Exploration::abort);
+    connect(atemPanel(), &AtemPanel::forgetWanted, exploration, &Exploration::forgetResult);
+    connect(atemPanel(), &AtemPanel::probeWanted, exploration, &Exploration::askProbe);
+    connect(terrain(), &TerrainProfileView::binChosen, exploration, &Exploration::askProbe);
+    connect(atemPanel(), &AtemPanel::overrideWanted, exploration, &Exploration::overrideDoubts);
+    connect(atemPanel(), &AtemPanel::stopReleased, this, &MainWindow::releaseStop);
+    connect(strip(), &EstimateStrip::cancelled, exploration, &Exploration::abort);
+    connect(probeCard(), &ProbeCard::approved, exploration, &Exploration::approve);
+    connect(probeCard(), &ProbeCard::refused, exploration, &Exploration::refuse);
+    connect(probeCard(), &ProbeCard::otherChosen, exploration, &Exploration::choose);
+    connect(verdict(), &VerdictStrip::limitChosen, this, [this](double metres) {
+        preferences_->change([metres](Preferences& p) { p.obstacleLimit = metres; });
+    });
+    connect(drivePad(), &DrivePad::driveRequested, exploration, &Exploration::drive);
+    connect(drivePad(), &DrivePad::haltRequested, exploration, &Exploration::halt);
+    connect(exploration, &Exploration::happened, this, &MainWindow::tell);
+    if (panel_) connect(panel_.get(), &PanelControl::happened, this, &MainWindow::tell);
+}
+
+/// What goes wrong is told on every page, and where the list of events is not seen.
+void MainWindow::notice(const QString& text, Weight weight)
+{
+    const QString state = exploration_->stateWords();
+    const bool panelSays = atemPanel()->isVisible() && !state.isEmpty() && text.contains(state);
+    if (weight != Weight::Bad || events()->isVisible() || panelSays || linkStatus_->says(text))
+        return;
+    notice_->say(text, steadyNow());
+}
+
+void MainWindow::connectWorker()
+{
+    // Queued, for it is told while the rest of what made it stand is still being done.
+    connect(&exploration_->estimation(), &Estimation::stands, this, &MainWindow::look,
+            Qt::QueuedConnection);
+    connect(worker_.get(), &EstimatorWorker::advised, this, &MainWindow::look);
+    connect(worker_.get(), &EstimatorWorker::modelLoaded, this,
+            [this](const QString& name, const QString& details) {
+                header()->setModel(tr("model %1").arg(name), Tone::Plain, details);
+                offerQualities();
+                if (link_) link_->begin();  // a replay, so that no press comes too early
+            });
+    connect(worker_.get(), &EstimatorWorker::modelFailed, this, [this](const QString& why) {
+        header()->setModel(tr("no model"), Tone::Bad, why);
+        if (link_) link_->begin();
+    });
+}
+
+void MainWindow::connectStop()
+{
+    connect(sharedStop_.get(), &SharedStop::happened, this, &MainWindow::tell);
+    connect(sharedStop_.get(), &SharedStop::taken, this, [this](const QString& text) {
+        events()->tell(text, Weight::Note, QTime::currentTime());
+    });
+    connect(sharedStop_.get(), &SharedStop::said, this,
+            [this](const QString& text) { notice_->say(text, steadyNow()); });
+    sharedStop_->listen();
+}
+
+void MainWindow::lookSoon()
+{
+    if (!lookComes_.exchange(true))
+        QMetaObject::invokeMethod(this, &MainWindow::look, Qt::QueuedConnection);
+}
+
+void MainWindow::look()
+{
+    lookComes_ = false;
+    const double now = steadyNow();
+    if (const auto frozen = stalls_.look(now)) tellOfStall(*frozen);
+    sharedStop_->look();
+    tickPanel(now);
+    if (link_ && (!panel_ || panel_->answers(now))) link_->operatorAlive();
+    latest_ = acquisition_->latest();
+    const AtemPhase before = exploration_->state().phase;
+    exploration_->tick(now, latest_);
+    // An estimate is shown as soon as it is there, and what another phase asks and allows; telemetry and previews as
+    // often as can be seen; all else can wait.  So does what painting would keep from the processors that compute an
+    // estimate: the next picture is due when most estimates are there.
+    const AtemPhase phase = exploration_->state().phase;
+    const bool computes = phase == AtemPhase::Estimating || phase == AtemPhase::EstimatingAgain;
+    if (computes && phase != before) redrawn_ = now;
+    const bool news = (phase != before && !computes)
+                   || (exploration_->estimation().estimate().has_value() && !showsEstimate());
+    const bool isLive = exploring(phase) || (latest_ && latest_->count != drawn_);
+    if (news || now - redrawn_ >= (isLive ? kRedraw : kUnheard) - 1e-3) redraw(now);
+}
+
+/// Where commands can leave: the robot has been kept from moving for so long, or has been halted for it.
+void MainWindow::tellOfStall(double seconds)
+{
+    if (link_ && exploration_->armed())
+        tell(tr("this window froze for %1 ms: no command could leave")
+                 .arg(words::number(seconds * 1e3, 0)),
+             Weight::Doubt);
+}
+
+void MainWindow::redraw(double now)
+{
+    redrawn_ = now;
+    const LinkSight link = sights_->link(now, latest_);
+    linkStatus_->show(link);
+    showAlarms(now, link.link);
+    showRecording(link.link);
+    linkStatus_->showArming(sights_->panel(now));
+    showTerrain(now);
+    using Terrain = ProbeNotice::Terrain;
+    probeNotice_->show(exploration_->state(), exploration_->time(), exploration_->proposal(),
+                       probeCard()->isVoid(),
+                       !terrainPage_->isVisible() ? Terrain::Elsewhere
+                       : probeCard()->isCovered() ? Terrain::Covered
+                                                  : Terrain::Seen);
+    const StopSight stop = exploration_->stopSight();
+    const bool elsewhere = stop.state == StopSight::State::NoEffect && sharedStop_->hasOther();
+    stopDisplay_->show(elsewhere ? StopSight{.state = StopSight::State::Elsewhere} : stop);
+    showPanelLost();
+    if (replayBar_) replayBar_->look();
+    notice_->look(now, !stopDisplay_->isLate());
+    header()->setOverridden(exploration_->overridden());
+    if (settings_->isVisible()) showCards();
+    if (auto* page = qobject_cast<Page*>(currentPage())) page->refresh(now);
+
+    prepared_ = steadyNow() - now;
+    if (latest_ && latest_->count != drawn_) {
+        newestIn_ = secondsOf(latest_->arrived);
+        drawn_ = latest_->count;
+    }
+}
+
+void MainWindow::showPanelLost()
+{
+    panelLost_->setVisible(panel_ && panel_->isLost());
+    // A console that only listens stops nothing, nor can it release what others have stopped.
+    panelLost_->setText(
+        exploration_->following() ? tr("PANEL LOST: connect the operator's panel")
+        : exploration_->state().phase == AtemPhase::Stopped
+            ? tr("PANEL LOST, which means STOP: connect the operator's panel, then "
+                 "hold R; or start without --panel")
+            : tr("PANEL LOST: connect the operator's panel, or start without --panel"));
+}
+
+void MainWindow::showTerrain(double now)
+{
+    TerrainSight sight = sights_->terrain(now, latest_);
+    sight.numbersDue = now - numbersShown_ >= kNumbers;
+    sight.numbersFor = kNumbers + kUnheard;
+    if (sight.numbersDue) numbersShown_ = now;
+    terrainPage_->setSight(sight);
+}
+
+bool MainWindow::event(QEvent* event)
+{
+    if (event->type() != QEvent::UpdateRequest) return ConsoleWindow::event(event);
+    const double began = steadyNow();
+    const bool done = ConsoleWindow::event(event);  // paints all that has changed
+    const double ended = steadyNow();
+    meter_.frame(prepared_ + ended - began, newestIn_ < 0.0 ? -1.0 : ended - newestIn_);
+    prepared_ = 0.0;
+    newestIn_ = -1.0;
+    return done;
+}
+
+void MainWindow::restartMeter()
+{
+    meter_ = LoopMeter(std::chrono::duration<double>(kLook).count());
+}
+
+void MainWindow::showAlarms(double now, const LinkAccount& link)
+{
+    alarms_->look(now, sights_->alarms(now, latest_, link));
+    const AlarmList& list = alarms_->list();
+    const auto all = list.alarms().size();
+    header()->setAlarms(static_cast<int>(all - list.count(AlarmState::Acknowledged)),
+                        static_cast<int>(all));
+}
+
+void MainWindow::showRecording(const LinkAccount& link)
+{
+    if (!scribe_) return;
+    scribe_->look(link, link_ ? std::optional(link_->view()) : std::nullopt, alarms_->list(),
+                  panel_ ? std::optional(panel_->state()) : std::nullopt);
+    recordingDisplay_->show(recorder_->state());
+}
+
+void MainWindow::mark()
+{
+    if (!scribe_ || !recorder_->state().recording)
+        return tell(tr("not marked: nothing is recorded"), Weight::Doubt);
+    scribe_->mark({});
+    tell(tr("marked in the recording"), Weight::Note);
+}
+
+void MainWindow::tickPanel(double now)
+{
+    if (!panel_) return;
+    const bool silent = alarms_->list().silentFor(now) > 0.0;
+    panel_->tick(now, {.mayExplore = atemPanel()->requestButton()->isEnabled(),
+                       .shown = probeCard()->shown(),
+                       .covered = terrainPage_->isVisible() && probeCard()->isCovered(),
+                       .mayAsk = alarms_->soundOn() && !silent && !probeCard()->isVoid()});
+}
+
+void MainWindow::releaseStop()
+{
+    const QString why = panel_ ? panel_->whyNotReleased() : QString();
+    if (!why.isEmpty()) return tell(why, Weight::Bad);
+    exploration_->releaseStop();
+}
+
+void MainWindow::open()
+{
+    askAndOpenInAnotherWindow(
+        *this, QString::fromStdString(recorder_ ? recorder_->folder() : sessionFolder()),
+        sharedStop_->line(), notOpened());
+}
+
+std::function<void(const QString&)> MainWindow::notOpened()
+{
+    return [this](const QString& why) { tell(why, Weight::Bad); };
+}
+
+void MainWindow::tell(const QString& text, Weight weight)
+{
+    events()->add(text, weight, QTime::currentTime());
+}
+
+void MainWindow::sayWhyNot(const QString& text)
+{
+    tell(text, Weight::Doubt);
+    notice_->say(text, steadyNow());
+}
+
+void MainWindow::askProbe()
+{
+    const int seen = terrain()->inspector()->bin();
+    const auto best = exploration_->bestProbe();
+    if (seen >= 0)
+        exploration_->askProbe(seen);
+    else if (best)
+        exploration_->askProbe(best->bin);
+    else
+        tell(tr("no probe is asked for: point at a bin first"), Weight::Doubt);
+}
+
+void MainWindow::defineKeys()
+{
+    KeyTable& keys = keyTable();
+    addRobotKeys(keys, *this);
+
+    keys.addGroup(tr("Pages"));
+    addPageKeys();
+    numbers_->addKeys(keys);
+    addHelpKeys();
+    keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_O)},
+              tr("open a session, a log or scenes in another window"),
+              [this] { open(); }});
+
+    if (recorder_)
+        keys.add({{Qt::Key_K}, tr("mark this moment in the recording"), [this] { mark(); }});
+
+    addExplorationKeys(keys, *this, profileMenu_->draws());
+    if (replayBar_) replayBar_->addKeys(keys);
+
+    setKeysNote(
+        tr("In the window of a review the same keys move in time, and no robot: A, B, M, P, K, "
+           "1 to 8, Space, Page Up and Down, Up and Down mean something else there."));
+    keys.addGroup(tr("View"));
+    addViewKeys(keys, *preferences_);
+    keys.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the one before"), {}});
+}
+
+void MainWindow::leave()
+{
+    exploration_->leave();
+    preferences_->change([this](Preferences& p) { p.window = saveGeometry(); });
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    const double now = steadyNow(), since = now - closeRefused_;
+    const bool isAnswer = since > kToRead && since <= ShortNotice::kFor;
+    if (mayAskBeforeClosing() && link_ && exploration_->armed() && !isAnswer) {
+        closeRefused_ = now;
+        const QString why =
+            tr("THE ROBOT IS ARMED: close the window again within %1 s, and it is halted and "
+               "disarmed; or disarm it first (M)")
+                .arg(words::number(ShortNotice::kFor, 0));
+        notice_->say(why, now);
+        if (since > ShortNotice::kFor) tell(why, Weight::Doubt);
+        return event->ignore();
+    }
+    leave();
+    event->accept();
+}
+
+}  // namespace terratact

@@ -1,0 +1,203 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "app/console/console_sights.h"
+#include "app/console/diagnostics_page.h"
+#include "app/console/link_status.h"
+#include "app/console/probe_notice.h"
+#include "app/console/recording_display.h"
+#include "app/console/shared_stop.h"
+#include "app/console/stop_display.h"
+#include "app/link/acquisition.h"
+#include "app/mission/console_alarms.h"
+#include "app/mission/estimator_worker.h"
+#include "app/mission/exploration.h"
+#include "app/mission/model_choice.h"
+#include "app/mission/model_trainer.h"
+#include "app/mission/panel_control.h"
+#include "app/modelling/tradeoff_csv.h"
+#include "app/pages/terrain_page.h"
+#include "app/recording/session_recorder.h"
+#include "app/shell/console_window.h"
+#include "app/shell/loop_meter.h"
+#include "app/shell/preference_store.h"
+#include "app/shell/short_notice.h"
+#include "core/atem/stall_watch.h"
+
+class QLabel;
+class QPushButton;
+
+namespace terratact {
+
+class AlarmsPage;
+class LogReplay;
+class ReplayBar;
+class SessionScribe;
+class ArmingControl;
+class SettingsPage;
+class SignalsPage;
+class NumbersPage;
+class ProfileMenu;
+class TrainingPage;
+
+/// The operator's console: lays the widgets out, shows them the newest telemetry, 25 times a second at most, and what
+/// time changes every 60 ms, and passes on what the operator does.  It owns the source and everything that runs.
+class MainWindow final : public ConsoleWindow {
+    Q_OBJECT
+public:
+    struct Options {
+        RobotModel robot;
+        QString robotDetails{};  ///< where it is from, and its hash
+        std::unique_ptr<MeasurementSource> source;
+        CanSource* link = nullptr;             ///< the source again, where it is a bus
+        LogReplay* replay = nullptr;           ///< of the source, where it is a log
+        std::unique_ptr<OperatorPanel> panel;  ///< null: there is none
+        ModelLoader model;
+        std::string modelPath;  ///< what `model` loads, for the page that compares models
+        TrainingLoad training = politeLoad();
+        Exploration::Options exploration;
+        std::unique_ptr<Sounder> sounder = desktopBeep();
+        std::unique_ptr<PreferenceStore> preferences;  ///< null: the defaults, and nothing is saved
+        std::shared_ptr<SessionRecorder> recorder{};   ///< null: nothing is recorded
+        PresetTable presets{};                         ///< as `terratact tradeoff` measured them
+    };
+    explicit MainWindow(Options options);
+    ~MainWindow() override;
+
+    Exploration& exploration() { return *exploration_; }
+    const Acquisition& acquisition() const { return *acquisition_; }
+    /// True once what was last drawn includes the standing estimate.
+    bool showsEstimate() const { return terrainPage_->showsEstimate(); }
+    QString modelTrouble() const { return exploration_->estimation().model().trouble; }
+
+    PreferenceStore& preferences() { return *preferences_; }
+    CanSource* link() const { return link_; }
+    AtemPanel* atemPanel() const { return terrainPage_->atemPanel(); }
+    DrivePad* drivePad() const { return terrainPage_->drivePad(); }
+    EventList* events() const { return terrainPage_->events(); }
+    ForceBars* forces() const { return terrainPage_->forces(); }
+    QPushButton* forceUnitButton() const { return terrainPage_->forceUnitButton(); }
+    ProbeCard* probeCard() const { return terrainPage_->probeCard(); }
+    RobotReadout* readout() const { return terrainPage_->readout(); }
+    TerrainProfileView* terrain() const { return terrainPage_->terrain(); }
+    EstimateStrip* strip() const { return terrainPage_->strip(); }
+    NumbersPage* numbers() const { return numbers_; }
+    SettingsPage* settings() const { return settings_; }
+    TrainingPage* training() const { return training_; }
+    VerdictStrip* verdict() const { return terrainPage_->verdict(); }
+    QPushButton* viewButton() const { return terrainPage_->viewButton(); }
+    ConsoleAlarms& alarms() { return *alarms_; }
+    const LoopMeter& meter() const { return meter_; }
+    void restartMeter();
+    void sayWhyNot(
+        const QString&
+            text);  ///< of what a key or a button did not do: an event, and a banner for a while
+    /// Of the bin that is shown up close, else the one that a probe is best spent on.
+    void askProbe();
+    AlarmsPage* alarmsPage() const { return alarmsPage_; }
+    SignalsPage* signalsPage() const { return signalsPage_; }
+    DiagnosticsPage* diagnosticsPage() const { return diagnosticsPage_; }
+
+signals:
+    /// Another robot or language was chosen: the window has to be built anew.  What it had set in motion is ended.
+    void reopenWanted();
+
+protected:
+    /// Of an armed robot it closes when that was asked for twice, or by a signal.
+    void closeEvent(QCloseEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    void build(const Options& options);
+    void addPages(const Options& options);
+    void showAlarms(double now, const LinkAccount& link);
+    void showRecording(const LinkAccount& link);
+    void notice(const QString& text, Weight weight);
+    void showPanelLost();
+    void mark();
+    void connectAll();
+    void connectHeader();
+    void connectExploration();
+    void tell(const QString& text, Weight weight);  ///< among the events
+    void connectWorker();
+    /// At telemetry, panel and estimator: as telemetry and estimates come, and every 10 ms.  Draws at 25 Hz at most.
+    void look();
+    void lookSoon();  ///< from any thread
+    void tellOfStall(double seconds);
+    void redraw(double now);
+    void showTerrain(double now);
+    void tickPanel(double now);
+    void releaseStop();
+    void connectStop();
+    void addTraining(const Options& options);
+    void open();
+    std::function<void(const QString& why)> notOpened();
+    void defineKeys();
+    void applyPreferences(const Preferences& before);
+    /// The terrain page in the layout in force, at the font scale in force.
+    void arrange() override;
+    int arrangement() const override;
+    /// Forces, robot and events: on the page of the terrain, or on one of their own.
+    void placeCards();
+    void showCards();  ///< of model and robot, on the page of the settings
+    void leave();
+    void reopen();
+    void takeRobot(const QString& path);
+    QString whyNotReopening() const;  ///< empty: the window may be built anew
+    void offerQualities();  ///< with what they cost, where that was measured with the model in use
+
+    std::unique_ptr<PreferenceStore> preferences_;
+    PresetTable presets_;
+    RobotModel robot_;
+    std::unique_ptr<MeasurementSource> source_;
+    CanSource* link_;                      ///< null where the source is no bus
+    std::atomic<bool> lookComes_ = false;  ///< as lookSoon() was called
+    std::unique_ptr<Acquisition> acquisition_;
+    std::unique_ptr<EstimatorWorker> worker_;
+    std::unique_ptr<Exploration> exploration_;
+    std::unique_ptr<ModelChoice> models_;
+    std::unique_ptr<PanelControl> panel_;  ///< may be null
+    std::unique_ptr<LinkStatus> linkStatus_;
+    std::unique_ptr<RecordingDisplay> recordingDisplay_;
+    std::unique_ptr<StopDisplay> stopDisplay_;
+    std::unique_ptr<ShortNotice> notice_;
+    std::unique_ptr<ProbeNotice> probeNotice_;
+    std::unique_ptr<SharedStop> sharedStop_;
+    std::unique_ptr<ConsoleAlarms> alarms_;
+    std::shared_ptr<SessionRecorder> recorder_;  ///< may be null
+    std::unique_ptr<SessionScribe> scribe_;      ///< likewise
+    std::unique_ptr<ConsoleSights> sights_;
+    LoopMeter meter_;
+    double prepared_ = 0.0;    ///< [s] the frame that is to be painted took to prepare
+    double newestIn_ = -1.0;   ///< [s] when the telemetry in it came, where that is new
+    std::uint64_t drawn_ = 0;  ///< Received::count of the telemetry that was drawn last
+    QTimer look_;
+    std::optional<Received> latest_;
+    StallWatch stalls_;           ///< of look()
+    double redrawn_ = 0.0;        ///< [s] steady clock
+    double numbersShown_ = 0.0;   ///< [s] those of the robot
+    double closeRefused_ = -1e9;  ///< [s] the armed robot's window was to be closed, and asked
+
+    // Qt's parents own the widgets.
+    QWidget* cardsPage_ = nullptr;
+    QLabel* panelLost_ = nullptr;  ///< a banner
+    NumbersPage* numbers_ = nullptr;
+    SettingsPage* settings_ = nullptr;
+    TerrainPage* terrainPage_ = nullptr;
+    TrainingPage* training_ = nullptr;
+    QPushButton* recording_ = nullptr;
+    ReplayBar* replayBar_ = nullptr;  ///< may be null
+    ProfileMenu* profileMenu_ = nullptr;
+    AlarmsPage* alarmsPage_ = nullptr;
+    SignalsPage* signalsPage_ = nullptr;
+    DiagnosticsPage* diagnosticsPage_ = nullptr;
+    QString robotDetails_;
+};
+
+}  // namespace terratact

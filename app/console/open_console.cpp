@@ -1,0 +1,193 @@
+#include "app/console/open_console.h"
+
+#include <QFileInfo>
+#include <QTime>
+#include <QTimer>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "app/console/demo.h"
+#include "app/console/main_window.h"
+#include "app/console/robot_connection.h"
+#include "app/console/session_housekeeping.h"
+#include "app/runtime/resources.h"
+#include "app/runtime/say.h"
+#include "app/shell/console_setup.h"
+
+namespace terratact {
+namespace {
+
+constexpr int kReopen = 1000;  // never an exit code
+
+/// What outlives a window that is opened anew.
+struct Lasting {
+    std::optional<Preferences> inForce;  ///< in the window before; empty: there was none
+    std::optional<SessionHousekeeping> house;
+};
+
+struct Chosen {
+    LoadedPreferences loaded;
+    Preferences inForce;
+    RobotFile robot;
+    std::string model;  ///< file
+};
+
+Result<Chosen> choose(const ConsoleOptions& options, const std::optional<Preferences>& before)
+{
+    Chosen chosen;
+    chosen.loaded = preferencesFor(options);
+    std::vector<LateSentence>& troubles = chosen.loaded.troubles;
+    auto robot = before ? usableRobot(before->robot, troubles) : robotFor(options, chosen.loaded);
+    if (!robot) return robot.error();
+    chosen.robot = std::move(*robot);
+    chosen.model = before ? usableModel(before->model, troubles) : modelFor(options, chosen.loaded);
+    chosen.inForce = before ? *before : inForce(chosen.loaded.preferences, options);
+    return chosen;
+}
+
+std::string sessionsOf(const ConsoleOptions& options)
+{
+    return options.sessions.empty() ? sessionFolder() : options.sessions;
+}
+
+std::shared_ptr<SessionRecorder> recorderFor(const ConsoleOptions& options, const Chosen& chosen)
+{
+    const bool simulated = options.can.empty();
+    SessionRecorder::Options recording;
+    recording.folder = sessionsOf(options);
+    recording.on = chosen.inForce.record;
+    recording.start = {.program = std::string("terratact-console ") + TERRATACT_VERSION,
+                       .source = simulated ? "SIMULATED ROBOT" : options.can,
+                       .bus = simulated ? "sim0" : options.can,
+                       .transmits = simulated || options.transmit,
+                       .robot = chosen.robot.text,
+                       .robotHash = chosen.robot.hash};
+    return std::make_shared<SessionRecorder>(std::move(recording));
+}
+
+/// What the shipped model's presets cost.
+PresetTable shippedPresets()
+{
+    auto presets = readPresets(resourcePath("models/default.presets.csv"));
+    if (!presets) say(stderr, "terratact-console: {}\n", presets.error().text);
+    return presets ? *presets : PresetTable{};
+}
+
+/// "Absolem: robots/absolem.toml\nfile of 2026-01-31, 1234 bytes; content 0123456789abcdef"
+QString fileDetails(const RobotFile& robot)
+{
+    const QFileInfo file(QString::fromStdString(robot.path));
+    return QCoreApplication::translate("RobotCard", "%1: %2\nfile of %3, %4 bytes; content %5")
+        .arg(QString::fromStdString(robot.model.name), QString::fromStdString(robot.path),
+             file.lastModified().toUTC().date().toString(Qt::ISODate),
+             QString::number(robot.text.size()), QString::fromStdString(robot.hash.substr(0, 16)));
+}
+
+Exploration::Options explorationFor(const ConsoleOptions& options, const Preferences& preferences)
+{
+    Exploration::Options exploration;
+    exploration.settings = withPreferences(exploration.settings, preferences);
+    exploration.settings.seed = options.seed;
+    exploration.stepLimit = preferences.obstacleLimit;
+    exploration.probes = preferences.probes;
+    exploration.seconds = preferences.estimateSeconds;
+    if (options.isPicture())  // must not fail on a busy machine
+        exploration.linkLostAfter = exploration.staleAfter = 5.0;
+    return exploration;
+}
+
+/// All but the connection.
+MainWindow::Options windowOptions(const ConsoleOptions& options, Chosen chosen)
+{
+    const RobotModel& robot = chosen.robot.model;
+    MainWindow::Options window;
+    window.robot = robot;
+    window.robotDetails = fileDetails(chosen.robot);
+    window.modelPath = chosen.model;
+    window.model = modelFileLoader(chosen.model, robot);
+    window.exploration = explorationFor(options, chosen.inForce);
+    window.presets = shippedPresets();
+    window.sounder = alarmTone();
+    window.preferences =
+        std::make_unique<PreferenceStore>(std::move(chosen.loaded), chosen.inForce);
+    return window;
+}
+
+SessionRetention retentionOf(const Preferences& preferences)
+{
+    return {.days = static_cast<double>(preferences.keepDays),
+            .gigabytes = static_cast<double>(preferences.keepGigabytes),
+            .confirmed = preferences.mayDelete};
+}
+
+/// Looks after the earlier recordings, once there is a window to tell of it.
+void keepHouse(Lasting& lasting, std::vector<std::string> earlier, const std::string& folder,
+               MainWindow& window)
+{
+    const PreferenceStore& preferences = window.preferences();
+    if (!lasting.house)
+        lasting.house.emplace(std::move(earlier), folder, retentionOf(preferences.current()));
+    SessionHousekeeping* house = &*lasting.house;
+    QObject::connect(&preferences, &PreferenceStore::changed, house, [house, &preferences] {
+        house->setLimits(retentionOf(preferences.current()));
+    });
+    const auto tell = [house, events = window.events()] {
+        for (const QString& sentence : house->takeNews())
+            events->add(sentence, Weight::Doubt, QTime::currentTime());
+    };
+    QObject::connect(house, &SessionHousekeeping::news, &window, tell);
+    tell();
+    QTimer::singleShot(0, house, &SessionHousekeeping::start);
+}
+
+/// kReopen: it is to be opened anew.
+Result<int> openOnce(Application& application, const ConsoleOptions& options, Lasting& lasting)
+{
+    auto chosen = choose(options, lasting.inForce);
+    if (!chosen) return chosen.error();
+    std::vector<std::string> earlier;
+    std::shared_ptr<SessionRecorder> recorder;
+    if (options.records()) {
+        earlier = sessionsIn(sessionsOf(options));  // before there is one of this run
+        recorder = recorderFor(options, *chosen);
+    }
+    auto connection = connectRobot(chosen->robot.model, options, recorder);  // outlives the window
+    if (!connection) return connection.error();
+    auto panel = openPanel(options);
+    if (!panel) return panel.error();
+    if (const Status ready = application.start(chosen->inForce, options.isPicture()); !ready)
+        return ready.error();
+
+    MainWindow::Options parts = windowOptions(options, std::move(*chosen));
+    parts.link = connection->source.get();
+    parts.replay = connection->replay;
+    parts.source = std::move(connection->source);
+    parts.panel = std::move(*panel);
+    parts.recorder = recorder;
+    MainWindow window(std::move(parts));
+    QObject::connect(
+        &window, &MainWindow::reopenWanted, &window, [] { QApplication::exit(kReopen); },
+        Qt::QueuedConnection);
+    showWindow(window, options, window.preferences().current().window);
+    keepHouse(lasting, std::move(earlier), sessionsOf(options), window);
+    std::optional<ScreenshotDemo> screenshot;
+    if (options.isPicture()) screenshot.emplace(window, QString::fromStdString(options.screenshot));
+    const int ended = QApplication::exec();
+    lasting.inForce = window.preferences().current();
+    return ended;
+}
+
+}  // namespace
+
+Result<int> openConsole(Application& application, const ConsoleOptions& options)
+{
+    Lasting lasting;
+    for (;;) {
+        auto ended = openOnce(application, options, lasting);
+        if (!ended || *ended != kReopen) return ended;
+    }
+}
+
+}  // namespace terratact

@@ -1,0 +1,76 @@
+#include "app/console/probe_notice.h"
+
+#include <QLabel>
+
+#include "widgets/base/navigation_rail.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+/// No wider than the longest name in the rail, with a time behind it.
+QString phaseWord(AtemPhase phase)
+{
+    switch (phase) {
+    case AtemPhase::Idle:
+    case AtemPhase::ProposingProbe:
+    case AtemPhase::Stopped: return {};  // said elsewhere on every page
+    case AtemPhase::Halting: return ProbeNotice::tr("halting");
+    case AtemPhase::Pressing: return ProbeNotice::tr("pressing");
+    case AtemPhase::Estimating:
+    case AtemPhase::EstimatingAgain: return ProbeNotice::tr("estimating");
+    case AtemPhase::Probing: return ProbeNotice::tr("probe");
+    case AtemPhase::Presenting: return ProbeNotice::tr("result");
+    case AtemPhase::Failed: return ProbeNotice::tr("failed");
+    }
+    return {};
+}
+
+/// "probe 0:31": what is left of it, where that is known and takes long.
+QString progressWords(AtemPhase phase, const std::optional<PhaseTime>& time)
+{
+    const QString word = phaseWord(phase);
+    const bool isKnown =
+        phase == AtemPhase::Probing && time && time->kind == PhaseTime::Kind::Expected;
+    return isKnown ? word + QLatin1Char(' ') + words::countdown(time->seconds) : word;
+}
+
+}  // namespace
+
+ProbeNotice::ProbeNotice(NavigationRail& rail, QLabel& banner) : rail_(rail), banner_(banner)
+{
+    banner_.setObjectName(QStringLiteral("question"));
+    banner_.hide();
+}
+
+void ProbeNotice::show(const AtemState& state, const std::optional<PhaseTime>& time,
+                       const std::optional<ProbeProposal>& proposal, bool isVoid, Terrain terrain)
+{
+    const bool seen = terrain == Terrain::Seen, covered = terrain == Terrain::Covered;
+    const bool asks = proposal && state.phase == AtemPhase::ProposingProbe;
+    const bool expired = state.phase == AtemPhase::Presenting && state.approvalExpired;
+    toldExpiry_ = expired && (toldExpiry_ || seen);
+    const QString left = words::countdown(time ? time->seconds : 0.0);
+    const bool looksAway = terrain == Terrain::Elsewhere;
+    rail_.tell(rail_.pageOf(Qt::Key_F2),
+               asks        ? (isVoid ? tr("arm: void") : tr("arm? %1").arg(left))
+               : looksAway ? progressWords(state.phase, time)
+                           : QString(),
+               asks && !isVoid);
+    QString text;
+    if (asks && isVoid)
+        text = tr("The question for a probe is void: F2 says why");
+    else if (asks)
+        text = (covered ? tr("PROBE at %1? %2 left, then no: close the window that covers it")
+                        : tr("PROBE at %1? %2 left, then no: F2 shows the question"))
+                   .arg(words::binName(proposal->bin), left);
+    else if (expired && !toldExpiry_)
+        text = covered ? tr("The probe was not answered in time, which means no: close the window "
+                            "that covers the result")
+                       : tr("The probe was not answered in time, which means no: F2 shows the "
+                            "result");
+    if (banner_.text() != text) banner_.setText(text);
+    banner_.setVisible(!text.isEmpty() && !seen);
+}
+
+}  // namespace terratact

@@ -1,0 +1,38 @@
+#include "app/console/profile_menu.h"
+
+#include <QActionGroup>
+
+#include "app/mission/exploration.h"
+#include "widgets/base/words.h"
+#include "widgets/terrain/terrain_profile_view.h"
+
+namespace terratact {
+
+ProfileMenu::ProfileMenu(TerrainProfileView& view, Exploration& exploration, QWidget* parent)
+    : QMenu(parent), draws_(addAction(tr("Some of the draws as thin lines (D)")))
+{
+    draws_->setCheckable(true);
+    connect(draws_, &QAction::toggled, &view, &TerrainProfileView::setDrawsShown);
+    addSeparator();
+    offerSecondMethods(exploration);
+}
+
+void ProfileMenu::offerSecondMethods(Exploration& exploration)
+{
+    QAction* title = addAction(tr("A second method beside it"));
+    title->setEnabled(false);  // addSection() draws no title where there is a style sheet
+    auto* group = new QActionGroup(this);
+    const auto offer = [&](const QString& text, std::optional<Method> method) {
+        QAction* action = addAction(text);
+        action->setCheckable(true);
+        action->setChecked(method == exploration.estimation().secondMethod());
+        group->addAction(action);
+        connect(action, &QAction::triggered, &exploration,
+                [&exploration, method] { exploration.setSecondMethod(method); });
+    };
+    offer(tr("none"), std::nullopt);
+    for (const Method method : kMethods)
+        if (method != Method::Pafac) offer(words::text(name(method)), method);
+}
+
+}  // namespace terratact

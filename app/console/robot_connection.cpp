@@ -1,0 +1,131 @@
+#include "app/console/robot_connection.h"
+
+#include <random>
+#include <utility>
+
+#include "app/link/can_check.h"
+#include "app/link/robot_setup.h"
+#include "app/runtime/say.h"
+#include "app/runtime/steady_now.h"
+#include "core/atem/panel_file.h"
+#include "drivers/can_interface.h"
+#include "drivers/gpio_lines.h"
+#include "drivers/log_replay.h"
+#include "drivers/socketcan.h"
+
+namespace terratact {
+namespace {
+
+using Heard = std::function<void(std::span<const BusFrame>)>;
+
+constexpr double kNominalBitrate = 500e3;  // [bit/s] of the robot's real bus
+constexpr double kDemoSpeed = 4.0;         // simulated seconds per second of a picture's drive
+
+std::uint64_t drawn()
+{
+    std::random_device device;
+    return (std::uint64_t{device()} << 32U) | device();
+}
+
+Result<std::unique_ptr<BuiltInRobot>> builtInRobot(const RobotModel& model,
+                                                   const ConsoleOptions& options)
+{
+    const auto ground = robotGround(options.terrain, options.seed);
+    if (!ground) return ground.error();
+    const auto onBus = withFault({.firstEpoch = static_cast<std::uint8_t>(1 + drawn() % 255),
+                                  .firstChallenge = static_cast<std::uint16_t>(1 + drawn() % 65535),
+                                  .speed = options.isPicture() ? kDemoSpeed : 1.0},
+                                 options.fault);
+    if (!onBus) return onBus.error();
+    SimulatedRobot::Options simulation;
+    simulation.startX = ground->start;
+    simulation.seed = options.seed;
+    return std::make_unique<BuiltInRobot>(model, SimulatedRobot(model, ground->profile, simulation),
+                                          *onBus);
+}
+
+std::unique_ptr<CanSource> sourceOn(BuiltInRobot& builtIn, const RobotModel& robot, Heard heard)
+{
+    return std::make_unique<CanSource>(
+        builtIn.bus.join("console"), robot,
+        CanSource::Options{.mode = CanSource::Mode::Transmit,
+                           .name = "SIMULATED ROBOT",
+                           .link = {.seed = drawn()},
+                           .truth = [&builtIn] { return builtIn.robot.truth(); },
+                           .bitrate = kNominalBitrate,
+                           .nominal = true,
+                           .heard = std::move(heard)});
+}
+
+Result<std::unique_ptr<CanBus>> namedBus(const ConsoleOptions& options)
+{
+    if (!options.replay.empty()) {
+        auto log = LogReplay::open(options.replay,
+                                   {.interface = options.interface, .speed = options.speed});
+        if (!log) return log.error();
+        for (const std::string& remark : (*log)->remarks())
+            say(stderr, "terratact-console: {}\n", remark);
+        return std::unique_ptr<CanBus>(std::move(*log));
+    }
+    auto bus = SocketCan::open({.interface = options.can, .transmit = options.transmit});
+    if (!bus) return bus.error();
+    if (const std::string warning = (*bus)->warning(); !warning.empty())
+        say(stderr, "terratact-console: {}\n", warning);
+    return std::unique_ptr<CanBus>(std::move(*bus));
+}
+
+std::unique_ptr<CanSource> sourceOn(std::unique_ptr<CanBus> bus, const RobotModel& robot,
+                                    const ConsoleOptions& options, Heard heard)
+{
+    using Mode = CanSource::Mode;
+    const Mode mode = !options.replay.empty() ? Mode::Replay
+                    : options.transmit        ? Mode::Transmit
+                                              : Mode::Listen;
+    std::optional<double> bitrate;
+    if (const auto told = controllerFrom(linkDetails(options.can)).bitrate)
+        bitrate = static_cast<double>(*told);
+    return std::make_unique<CanSource>(std::move(bus), robot,
+                                       CanSource::Options{.mode = mode,
+                                                          .link = {.seed = drawn()},
+                                                          .waits = mode == Mode::Replay,
+                                                          .bitrate = bitrate,
+                                                          .heard = std::move(heard)});
+}
+
+}  // namespace
+
+BuiltInRobot::BuiltInRobot(const RobotModel& model, const SimulatedRobot& simulated,
+                           const RobotOnBus::Options& options)
+    : bus(steadyNow), robot(bus, model, simulated, options)
+{
+}
+
+Result<RobotConnection> connectRobot(const RobotModel& robot, const ConsoleOptions& options,
+                                     const std::shared_ptr<SessionRecorder>& recorder)
+{
+    Heard heard;
+    if (recorder) heard = [recorder](std::span<const BusFrame> frames) { recorder->take(frames); };
+    RobotConnection connection;
+    if (!options.can.empty() || !options.replay.empty()) {
+        auto bus = namedBus(options);
+        if (!bus) return bus.error();
+        connection.replay = dynamic_cast<LogReplay*>(bus->get());
+        connection.source = sourceOn(std::move(*bus), robot, options, std::move(heard));
+    } else {
+        auto builtIn = builtInRobot(robot, options);
+        if (!builtIn) return builtIn.error();
+        connection.builtIn = std::move(*builtIn);
+        connection.source = sourceOn(*connection.builtIn, robot, std::move(heard));
+    }
+    return connection;
+}
+
+Result<std::unique_ptr<OperatorPanel>> openPanel(const ConsoleOptions& options)
+{
+    if (options.panel.empty()) return std::unique_ptr<OperatorPanel>();
+    const auto panel = readPanelFile(options.panel);
+    if (!panel) return panel.error();
+    return std::make_unique<OperatorPanel>(*panel, openGpioLines);
+}
+
+}  // namespace terratact

@@ -1,0 +1,115 @@
+#include "app/console/session_housekeeping.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+double looser(double a, double b)
+{
+    return a <= 0.0 || b <= 0.0 ? 0.0 : std::max(a, b);
+}
+
+}  // namespace
+
+SessionHousekeeping::SessionHousekeeping(std::vector<std::string> earlier, std::string folder,
+                                         const SessionRetention& limits)
+    : earlier_(std::move(earlier)), folder_(std::move(folder)), wanted_(limits), limits_(limits)
+{
+    grace_.setSingleShot(true);
+    grace_.setInterval(kGrace);
+    connect(&grace_, &QTimer::timeout, this, [this] { apply(wanted_); });
+}
+
+SessionHousekeeping::~SessionHousekeeping()
+{
+    thread_ = {};  // asks it to end, and waits
+}
+
+void SessionHousekeeping::start()
+{
+    if (thread_.joinable()) return;
+    thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+void SessionHousekeeping::setLimits(const SessionRetention& limits)
+{
+    if (limits == wanted_) return;
+    wanted_ = limits;
+    SessionRetention now;
+    {
+        const std::scoped_lock lock(mutex_);
+        now = {.days = looser(limits_.days, wanted_.days),
+               .gigabytes = looser(limits_.gigabytes, wanted_.gigabytes),
+               .confirmed = limits_.confirmed && wanted_.confirmed};
+    }
+    apply(now);
+    if (now == wanted_)
+        grace_.stop();
+    else
+        grace_.start();
+}
+
+void SessionHousekeeping::apply(const SessionRetention& limits)
+{
+    {
+        const std::scoped_lock lock(mutex_);
+        if (limits_ == limits) return;
+        limits_ = limits;
+        due_ = true;
+    }
+    limitsSet_.notify_one();
+}
+
+bool SessionHousekeeping::inForce(const SessionRetention& limits)
+{
+    const std::scoped_lock lock(mutex_);
+    return limits_ == limits;
+}
+
+QStringList SessionHousekeeping::takeNews()
+{
+    std::vector<std::string> told;
+    {
+        const std::scoped_lock lock(mutex_);
+        told = std::exchange(news_, {});
+    }
+    QStringList sentences;
+    for (const std::string& sentence : told) sentences << words::sentence(sentence);
+    return sentences;
+}
+
+void SessionHousekeeping::run(const std::stop_token& stop)
+{
+    for (const std::string& path : earlier_) {
+        if (stop.stop_requested()) return;
+        tell(recoverDeadSessions({path}));
+    }
+    for (;;) {
+        SessionRetention limits;
+        {
+            std::unique_lock lock(mutex_);
+            (void)limitsSet_.wait(lock, stop, [this] { return due_; });
+            if (stop.stop_requested()) return;
+            due_ = false;
+            limits = limits_;
+        }
+        tell(applyRetention(sessionsIn(folder_), limits, wallNow(),
+                            [&] { return !stop.stop_requested() && inForce(limits); }));
+    }
+}
+
+void SessionHousekeeping::tell(const std::vector<std::string>& sentences)
+{
+    if (sentences.empty()) return;
+    {
+        const std::scoped_lock lock(mutex_);
+        news_.insert(news_.end(), sentences.begin(), sentences.end());
+    }
+    emit news();
+}
+
+}  // namespace terratact

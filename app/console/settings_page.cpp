@@ -1,0 +1,422 @@
+#include "app/console/settings_page.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+
+#include "app/mission/preset_words.h"
+#include "app/shell/file_dialog.h"
+#include "app/shell/letters.h"
+#include "widgets/base/card.h"
+#include "widgets/base/look.h"
+#include "widgets/base/palette.h"
+#include "widgets/base/plain_label.h"
+#include "widgets/base/tips.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+const std::array<QString, 4> kLanguages{QString(), QStringLiteral("en"), QStringLiteral("cs"),
+                                        QStringLiteral("de")};
+
+template <class Range, class Value>
+int indexOf(const Range& range, const Value& value)
+{
+    const auto found = std::find(std::begin(range), std::end(range), value);
+    return found == std::end(range) ? 0 : static_cast<int>(found - std::begin(range));
+}
+
+QString chooseTip()
+{
+    return SettingsPage::tr("Use this file from now on");
+}
+
+QString shippedTip()
+{
+    return SettingsPage::tr("Back to what came with the program");
+}
+
+QString shippedInUseTip()
+{
+    return SettingsPage::tr("What came with the program is in use already");
+}
+
+QString languageTip()
+{
+    return SettingsPage::tr("Opens the console anew");
+}
+
+constexpr int kDefaultsAnswer = 8000,
+              kDefaultsRead = 700;  // [ms] as for closing the armed robot's window
+
+QString defaultsTip()
+{
+    return SettingsPage::tr("Everything on this page, and the shipped model and robot");
+}
+
+}  // namespace
+
+SettingsPage::SettingsPage(PreferenceStore& store, QWidget* parent) : Page(parent), store_(store)
+{
+    const auto card = [this](const QString& title) {
+        auto* made = new Card(title, this);
+        auto* form = new QFormLayout;
+        form->setHorizontalSpacing(16);
+        form->setVerticalSpacing(8);
+        form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+        made->body()->addLayout(form);
+        made->body()->addStretch(1);
+        return std::pair(made, form);
+    };
+    const auto [estimate, estimateForm] = card(tr("Estimate"));
+    buildEstimate(estimateForm);
+    const auto [look, lookForm] = card(tr("Look and sound"));
+    buildLook(lookForm);
+    defaults_ = new QPushButton(tr("All back to the defaults"), look);
+    setTip(*defaults_, defaultsTip());
+    look->body()->addWidget(defaults_);
+    defaultsAsked_.setSingleShot(true);
+    defaultsAsked_.setInterval(kDefaultsAnswer);
+    connect(&defaultsAsked_, &QTimer::timeout, this, &SettingsPage::showDefaults);
+    connect(defaults_, &QPushButton::clicked, this, [this] {
+        if (!defaultsAsked_.isActive()) {
+            defaultsAsked_.start();
+            return showDefaults();
+        }
+        if (defaultsAsked_.remainingTime() > kDefaultsAnswer - kDefaultsRead)
+            return;  // a double click
+        defaultsAsked_.stop();
+        showDefaults();
+        store_.change([](Preferences& p) {
+            Preferences plain;
+            plain.window = p.window;
+            plain.dbc = p.dbc;
+            p = plain;
+        });
+    });
+
+    const auto [recording, recordingForm] = card(tr("Recording"));
+    buildRecording(recordingForm);
+
+    auto* right = new QVBoxLayout;
+    right->setSpacing(10);
+    right->addWidget(look);
+    right->addWidget(recording);
+    auto* columns = new QHBoxLayout;
+    columns->setSpacing(10);
+    columns->addWidget(estimate, 1);
+    columns->addLayout(right, 1);
+    auto* inside = new QWidget;
+    auto* all = new QVBoxLayout(inside);
+    all->setContentsMargins(12, 10, 12, 10);
+    all->setSpacing(10);
+    all->addLayout(columns);
+    all->addWidget(buildFiles());
+    all->addStretch(1);
+    auto* scroll = new QScrollArea(this);
+    scroll->setAccessibleName(tr("Settings"));
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setWidget(inside);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(scroll);
+    show();
+    connect(&store_, &PreferenceStore::changed, this, &SettingsPage::show);
+}
+
+void SettingsPage::change(const std::function<void(Preferences&)>& edit)
+{
+    if (!showing_) store_.change(edit);
+}
+
+QComboBox* SettingsPage::choice(QFormLayout* form, const QString& label, const QStringList& names,
+                                const QString& tip, std::function<int(const Preferences&)> get,
+                                std::function<void(Preferences&, std::size_t)> set)
+{
+    auto* box = new QComboBox(this);
+    box->addItems(names);
+    box->setMinimumHeight(kTarget);
+    box->setAccessibleName(label);
+    setTip(*box, tip);
+    addField(*form, label, box);
+    shows_.emplace_back(
+        [box, get = std::move(get)](const Preferences& p) { box->setCurrentIndex(get(p)); });
+    connect(box, &QComboBox::currentIndexChanged, this, [this, set = std::move(set)](int index) {
+        if (index >= 0) change([&](Preferences& p) { set(p, static_cast<std::size_t>(index)); });
+    });
+    return box;
+}
+
+QDoubleSpinBox* SettingsPage::number(QFormLayout* form, const QString& label, PreferenceRange range,
+                                     int decimals, const QString& suffix, const QString& tip,
+                                     double Preferences::*value, double unit)
+{
+    auto* box = new QDoubleSpinBox(this);
+    box->setDecimals(decimals);
+    box->setRange(range.least / unit, range.most / unit);
+    box->setSingleStep(decimals == 2 ? 0.01 : decimals == 1 ? 0.1 : 1.0);
+    box->setSuffix(QLatin1Char(' ') + suffix);
+    box->setKeyboardTracking(false);  // a number is told when it is whole
+    box->setMinimumHeight(kTarget);
+    box->setAccessibleName(label);
+    setTip(*box, tip);
+    addField(*form, label, box);
+    shows_.emplace_back([=](const Preferences& p) { box->setValue(p.*value / unit); });
+    connect(box, &QDoubleSpinBox::valueChanged, this,
+            [=, this](double shown) { change([&](Preferences& p) { p.*value = shown * unit; }); });
+    return box;
+}
+
+QSpinBox* SettingsPage::whole(QFormLayout* form, const QString& label, int least, int most,
+                              const QString& suffix, const QString& tip, int Preferences::*value)
+{
+    auto* box = new QSpinBox(this);
+    box->setRange(least, most);
+    box->setSuffix(QLatin1Char(' ') + suffix);
+    box->setKeyboardTracking(false);
+    box->setMinimumHeight(kTarget);
+    box->setAccessibleName(label);
+    setTip(*box, tip);
+    addField(*form, label, box);
+    shows_.emplace_back([=](const Preferences& p) { box->setValue(p.*value); });
+    connect(box, &QSpinBox::valueChanged, this,
+            [=, this](int shown) { change([&](Preferences& p) { p.*value = shown; }); });
+    return box;
+}
+
+QCheckBox* SettingsPage::flag(QFormLayout* form, const QString& text, const QString& tip,
+                              bool Preferences::*value)
+{
+    auto* box = new QCheckBox(text, this);
+    box->setMinimumHeight(kTarget);
+    setTip(*box, tip);
+    addField(*form, QString(), box);
+    shows_.emplace_back([=](const Preferences& p) { box->setChecked(p.*value); });
+    connect(box, &QCheckBox::toggled, this,
+            [=, this](bool shown) { change([&](Preferences& p) { p.*value = shown; }); });
+    return box;
+}
+
+void SettingsPage::buildEstimate(QFormLayout* form)
+{
+    QStringList methods, qualities;
+    for (const Method method : offeredMethods()) methods << words::text(name(method));
+    for (const Quality quality : kQualities) qualities << words::sentence(name(quality));
+    method_ = choice(
+        form, tr("Method"), methods,
+        tr("local and joint are closed formulas; the others draw chains of samples"),
+        [](const Preferences& p) { return indexOf(offeredMethods(), p.method); },
+        [](Preferences& p, std::size_t i) { p.method = offeredMethods().at(i); });
+    quality_ = choice(
+        form, tr("Quality"), qualities,
+        tr("As terratact tradeoff has measured them: time, mean error, and in brackets how far the "
+           "quantiles are from a long run's"),
+        [](const Preferences& p) { return indexOf(kQualities, p.quality); },
+        [](Preferences& p, std::size_t i) { p.quality = kQualities.at(i); });
+    seconds_ = whole(form, tr("An estimate may take at most"), 0, kMostEstimateSeconds, tr("s"),
+                     tr("Then sampling ends with the draws there are, and the result says so"),
+                     &Preferences::estimateSeconds);
+    seconds_->setSpecialValueText(tr("no limit"));
+    obstacle_ = number(form, tr("An obstacle is a step of more than"), kObstacleRange, 2, tr("m"),
+                       tr("The verdict's question (PgUp, PgDown)"), &Preferences::obstacleLimit);
+    threshold_ = number(form, tr("An element is a contact above"), kForceRange, 1, tr("N"),
+                        tr("Weaker forces are noise"), &Preferences::forceThreshold);
+    probes_ = choice(
+        form, tr("The arm is offered"),
+        {tr("where the terrain is uncertain"), tr("there, unless the verdict stands"),
+         tr("where it tells about the verdict")},
+        tr("Uncertain: by the variance, as in the paper. About the verdict: by the entropy of its "
+           "question, whatever the sd, and only while it is open"),
+        [](const Preferences& p) { return indexOf(kProbePolicies, p.probes); },
+        [](Preferences& p, std::size_t i) { p.probes = kProbePolicies.at(i); });
+    number(form, tr("The arm is offered above a sd of"), kProbeAboveRange, 2, tr("m"),
+           tr("A bin less certain than this asks for a probe"), &Preferences::probeAbove);
+    number(
+        form, tr("Rate of hazards in 0.1 m that nothing has felt"), kHazardRateRange, 1, tr("%"),
+        tr("Drops and walls. At 5 % or more, CLEAR needs every bin felt up to the front flippers' "
+           "reach; lower rates accept ground that the flippers span"),
+        &Preferences::hazardRate, kPercent);
+    number(form, tr("The verdict is withheld above a roll of"), kRollRange, 1, tr("°"),
+           tr("Then left and right ground differ"), &Preferences::rollLimit, kDegree);
+    number(form, tr("… or left and right flippers apart by"), kAsymmetryRange, 1, tr("°"),
+           tr("Then left and right ground differ"), &Preferences::asymmetryLimit, kDegree);
+    number(form, tr("Pitch or roll is steep from"), kTiltRange, 1, tr("°"),
+           tr("An amber alarm; 20° before the robot tips over in any case"),
+           &Preferences::tiltAmber, kDegree);
+    number(form, tr("Pitch or roll is dangerous from"), kTiltRange, 1, tr("°"),
+           tr("A red alarm that sounds; 10° before the robot tips over in any case"),
+           &Preferences::tiltRed, kDegree);
+}
+
+void SettingsPage::buildLook(QFormLayout* form)
+{
+    theme_ = choice(
+        form, tr("Theme"), {tr("day"), tr("night, red"), tr("high contrast")},
+        tr("Night, red: keeps the eyes used to the dark"),
+        [](const Preferences& p) { return static_cast<int>(p.theme); },
+        [](Preferences& p, std::size_t i) { p.theme = static_cast<ThemeName>(i); });
+    whole(form, tr("Size of text"), kSmallestFont, kLargestFont, QStringLiteral("%"),
+          tr("Ctrl + and Ctrl −"), &Preferences::fontScale)
+        ->setSingleStep(10);
+    lettersNote_ = new PlainLabel(this);
+    setTone(*lettersNote_, Tone::Doubt);
+    lettersNote_->setWordWrap(true);
+    lettersNote_->hide();
+    addField(*form, QString(), lettersNote_);
+    language_ = choice(
+        form, tr("Language"),
+        {tr("the system's"), QStringLiteral("English"), QStringLiteral("Čeština"),
+         QStringLiteral("Deutsch")},
+        languageTip(), [](const Preferences& p) { return indexOf(kLanguages, p.language); },
+        [](Preferences& p, std::size_t i) { p.language = kLanguages.at(i); });
+    choice(
+        form, tr("Layout"), {tr("Drive"), tr("Probe"), tr("Review")},
+        tr("What the terrain page makes large"),
+        [](const Preferences& p) { return static_cast<int>(p.layout); },
+        [](Preferences& p, std::size_t i) { p.layout = static_cast<Layout>(i); });
+    flag(form, tr("Alarms may be heard"), tr("Off: alarms are only seen"), &Preferences::sound);
+}
+
+void SettingsPage::buildRecording(QFormLayout* form)
+{
+    record_ =
+        flag(form, tr("Everything is recorded"),
+             tr("Frames, scenes, estimates, what was shown and decided, in one file per session"),
+             &Preferences::record);
+    whole(form, tr("Delete a session after"), 0, kMostDays, tr("days"),
+          tr("Once it has stood for ten seconds; never: nothing is deleted"),
+          &Preferences::keepDays)
+        ->setSpecialValueText(tr("never"));
+    whole(form, tr("Delete the oldest beyond"), 0, kMostGigabytes, tr("GB"),
+          tr("Of all closed sessions together, once it has stood for ten seconds"),
+          &Preferences::keepGigabytes)
+        ->setSpecialValueText(tr("never"));
+    flag(form, tr("Sessions beyond these limits may be deleted"),
+         tr("Until this is ticked, the console only tells what it would delete"),
+         &Preferences::mayDelete);
+}
+
+QWidget* SettingsPage::buildFiles()
+{
+    auto* card = new Card(tr("Model and robot"), this);
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(16);
+    grid->setColumnStretch(0, 1);
+    const auto file = [&](int row, const QString& name, QLabel*& text, QPushButton*& choose,
+                          QPushButton*& shipped) {
+        text = new PlainLabel(card);
+        text->setAccessibleName(name);
+        text->setWordWrap(true);
+        text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+        choose = new QPushButton(tr("Choose a file …"), card);
+        choose->setAccessibleName(tr("Choose a file: %1").arg(name));
+        setTip(*choose, chooseTip());
+        shipped = new QPushButton(tr("The shipped one"), card);
+        shipped->setAccessibleName(tr("The shipped one: %1").arg(name));
+        setTip(*shipped, shippedTip());
+        grid->addWidget(text, row, 0);
+        grid->addWidget(choose, row, 1, Qt::AlignTop);
+        grid->addWidget(shipped, row, 2, Qt::AlignTop);
+    };
+    file(0, tr("Model"), model_, chooseModel_, shippedModel_);
+    file(1, tr("Robot"), robot_, chooseRobot_, shippedRobot_);
+    card->body()->addLayout(grid);
+    connect(chooseModel_, &QPushButton::clicked, this, [this] {
+        askForFile(
+            *this,
+            {.title = tr("Model"), .start = store_.current().model, .filter = tr("Models (*.ttm)")},
+            [this](const QString& path) {
+                store_.change([path](Preferences& p) { p.model = path; });
+            });
+    });
+    connect(chooseRobot_, &QPushButton::clicked, this, [this] {
+        askForFile(*this,
+                   {.title = tr("Robot"),
+                    .start = store_.current().robot,
+                    .filter = tr("Robots (*.toml)")},
+                   [this](const QString& path) { emit robotChosen(path); });
+    });
+    const auto forget = [this](QString Preferences::*which) {
+        store_.change([which](Preferences& p) { (p.*which).clear(); });
+    };
+    connect(shippedModel_, &QPushButton::clicked, this, [forget] { forget(&Preferences::model); });
+    connect(shippedRobot_, &QPushButton::clicked, this, [forget] { forget(&Preferences::robot); });
+    return card;
+}
+
+void SettingsPage::show()
+{
+    showing_ = true;
+    for (const auto& showOne : shows_) showOne(store_.current());
+    showing_ = false;
+    showCosts();
+}
+
+void SettingsPage::showCosts()
+{
+    const QSignalBlocker quiet(quality_);
+    const QStringList entries = presetEntries(store_.current().method, presets_);
+    for (int i = 0; i < quality_->count(); ++i) quality_->setItemText(i, entries.at(i));
+}
+
+void SettingsPage::setPresets(std::vector<PresetCost> presets)
+{
+    presets_ = std::move(presets);
+    showCosts();
+}
+
+void SettingsPage::setModelCard(const QString& card)
+{
+    if (model_->text() != card) model_->setText(card);
+}
+
+void SettingsPage::setRobotCard(const QString& card)
+{
+    if (robot_->text() != card) robot_->setText(card);
+}
+
+void SettingsPage::setReopenBlocked(const QString& why)
+{
+    const auto block = [&why](QWidget* control, const QString& tip, bool mayBe = true) {
+        control->setEnabled(why.isEmpty() && mayBe);
+        setTip(*control, why.isEmpty() ? tip : why);
+    };
+    block(chooseRobot_, chooseTip());
+    const bool own = !store_.current().robot.isEmpty();
+    block(shippedRobot_, own ? shippedTip() : shippedInUseTip(), own);
+    block(defaults_, defaultsTip());
+    block(language_, languageTip());
+}
+
+void SettingsPage::showDefaults()
+{
+    defaults_->setText(defaultsAsked_.isActive() ? tr("Press again: all settings go back")
+                                                 : tr("All back to the defaults"));
+}
+
+QString SettingsPage::modelCard() const
+{
+    return model_->text();
+}
+
+void SettingsPage::refresh(double /*now*/)
+{
+    const bool own = !store_.current().model.isEmpty();
+    shippedModel_->setEnabled(own);
+    setTip(*shippedModel_, own ? shippedTip() : shippedInUseTip());
+    lettersNote_->setText(terratact::lettersNote(store_.current().fontScale));
+    lettersNote_->setVisible(!lettersNote_->text().isEmpty());
+}
+
+}  // namespace terratact

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <QTimer>
+#include <functional>
+#include <vector>
+
+#include "app/shell/page.h"
+#include "app/shell/preference_store.h"
+#include "core/eval/tradeoff.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QCheckBox;
+class QPushButton;
+class QSpinBox;
+
+namespace terratact {
+
+/// What the operator may set: how is estimated, what counts as an obstacle, how the console looks, and which model
+/// and robot it works with.  Every change is a change of the preferences, at once.
+class SettingsPage final : public Page {
+    Q_OBJECT
+public:
+    explicit SettingsPage(PreferenceStore& store, QWidget* parent = nullptr);
+
+    /// What the presets cost with the model in use; those not measured with it are left out.
+    void setPresets(std::vector<PresetCost> presets);
+    // What is in use, in a few lines.
+    void setModelCard(const QString& card);
+    void setRobotCard(const QString& card);
+    /// Why the window cannot be built anew now, as another robot or language needs it; empty: it can.
+    void setReopenBlocked(const QString& why);
+    void refresh(double now) override;
+
+    QComboBox* methodBox() const { return method_; }
+    QComboBox* qualityBox() const { return quality_; }
+    QComboBox* themeBox() const { return theme_; }
+    QComboBox* probesBox() const { return probes_; }
+    QDoubleSpinBox* thresholdBox() const { return threshold_; }
+    QDoubleSpinBox* obstacleBox() const { return obstacle_; }
+    QLabel* lettersNote() const { return lettersNote_; }
+    QCheckBox* recordBox() const { return record_; }
+    QPushButton* modelButton() const { return chooseModel_; }
+    QPushButton* robotButton() const { return chooseRobot_; }
+    QSpinBox* secondsBox() const { return seconds_; }
+    QComboBox* languageBox() const { return language_; }
+    QPushButton* defaultsButton() const { return defaults_; }
+    QString modelCard() const;
+
+signals:
+    void robotChosen(const QString& path);  ///< a file that the window may be built anew with
+
+private:
+    void buildEstimate(QFormLayout* form);
+    void buildLook(QFormLayout* form);
+    void buildRecording(QFormLayout* form);
+    QWidget* buildFiles();
+
+    // A control of one preference each, which it shows and of which alone it writes: the others may be finer than
+    // their controls.
+    QComboBox* choice(QFormLayout* form, const QString& label, const QStringList& names,
+                      const QString& tip, std::function<int(const Preferences&)> get,
+                      std::function<void(Preferences&, std::size_t)> set);
+    /// unit: [SI] of what the box counts in.
+    QDoubleSpinBox* number(QFormLayout* form, const QString& label, PreferenceRange range,
+                           int decimals, const QString& suffix, const QString& tip,
+                           double Preferences::*value, double unit = 1.0);
+    QSpinBox* whole(QFormLayout* form, const QString& label, int least, int most,
+                    const QString& suffix, const QString& tip, int Preferences::*value);
+    QCheckBox* flag(QFormLayout* form, const QString& text, const QString& tip,
+                    bool Preferences::*value);
+
+    void show();  ///< the preferences in the controls
+    void change(const std::function<void(Preferences&)>& edit);
+    void showCosts();
+    void showDefaults();  ///< that button, which asks once more
+
+    PreferenceStore& store_;
+    std::vector<PresetCost> presets_;
+    std::vector<std::function<void(const Preferences&)>> shows_;  // one of each control
+    bool showing_ = false;  // the controls are being set, not the operator's doing
+    QComboBox* method_ = nullptr;
+    QComboBox* quality_ = nullptr;
+    QSpinBox* seconds_ = nullptr;
+    QComboBox* probes_ = nullptr;
+    QDoubleSpinBox* threshold_ = nullptr;
+    QDoubleSpinBox* obstacle_ = nullptr;
+    QComboBox* theme_ = nullptr;
+    QLabel* lettersNote_ = nullptr;
+    QComboBox* language_ = nullptr;
+    QCheckBox* record_ = nullptr;
+    QLabel* model_ = nullptr;
+    QLabel* robot_ = nullptr;
+    QPushButton* chooseModel_ = nullptr;
+    QPushButton* chooseRobot_ = nullptr;
+    QPushButton* shippedModel_ = nullptr;
+    QPushButton* shippedRobot_ = nullptr;
+    QPushButton* defaults_ = nullptr;
+    QTimer defaultsAsked_;  ///< runs while another press takes all back
+};
+
+}  // namespace terratact

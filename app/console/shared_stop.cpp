@@ -1,0 +1,49 @@
+#include "app/console/shared_stop.h"
+
+#include <utility>
+
+#include "widgets/base/words.h"
+
+namespace terratact {
+
+SharedStop::SharedStop(Exploration& exploration, QObject* parent)
+    : QObject(parent), exploration_(exploration)
+{
+    connect(&remote_, &RemoteStop::said, this, &SharedStop::happened);
+    connect(&remote_, &RemoteStop::said, this, &SharedStop::said);
+    connect(&exploration, &Exploration::stoppedNothing, this, &SharedStop::stoppedNothing);
+}
+
+void SharedStop::listen()
+{
+    if (exploration_.following()) return;
+    auto line = StopLine::listen(stopLineName());
+    if (line)
+        line_.emplace(std::move(*line));
+    else
+        emit happened(tr("STOP in windows that are opened from here stops nothing: %1")
+                          .arg(words::sentence(line.error().text)),
+                      Weight::Doubt);
+}
+
+void SharedStop::look()
+{
+    if (!line_ || !line_->take()) return;
+    const QString where = tr("STOP was pressed in a window that was opened from here");
+    emit taken(where);
+    exploration_.stopFrom(where);
+}
+
+std::string SharedStop::line() const
+{
+    return line_ ? stopLineName() : std::string();
+}
+
+void SharedStop::stoppedNothing(const QString& why)
+{
+    if (remote_.exists()) return remote_.press();
+    emit happened(tr("STOP has no effect: %1").arg(why), Weight::Bad);
+    emit said(tr("STOP HAS NO EFFECT HERE: %1").arg(why));
+}
+
+}  // namespace terratact

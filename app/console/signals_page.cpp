@@ -1,0 +1,201 @@
+#include "app/console/signals_page.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "app/link/acquisition.h"
+#include "app/link/can_source.h"
+#include "app/mission/bus_words.h"
+#include "app/pages/dbc_files.h"
+#include "widgets/base/card.h"
+#include "widgets/base/look.h"
+#include "widgets/base/palette.h"
+#include "widgets/base/plain_label.h"
+#include "widgets/base/tips.h"
+#include "widgets/base/words.h"
+#include "widgets/control/robot_readout.h"
+#include "widgets/signals/raw_trace.h"
+
+namespace terratact {
+namespace {
+
+// A number that changes more often cannot be read.
+constexpr double kRows = 0.1, kTrace = 0.2;  // [s]
+
+SignalRow quantity(const QString& name, double value, const QString& unit)
+{
+    SignalRow row;
+    row.name = name;
+    row.value = words::number(value, 3);
+    row.unit = unit;
+    return row;
+}
+
+std::vector<SignalRow> rowsOf(const Measurement& m)
+{
+    const QString radians = QStringLiteral("rad"), amperes = QStringLiteral("A");
+    std::vector<SignalRow> rows{
+        quantity(SignalsPage::tr("pitch"), m.pitch, radians),
+        quantity(SignalsPage::tr("roll"), m.roll, radians),
+        quantity(SignalsPage::tr("front flipper left"), m.frontLeft, radians),
+        quantity(SignalsPage::tr("front flipper right"), m.frontRight, radians),
+        quantity(SignalsPage::tr("rear flipper left"), m.rearLeft, radians),
+        quantity(SignalsPage::tr("rear flipper right"), m.rearRight, radians),
+        quantity(SignalsPage::tr("front current left"),
+                 shownFeature(m, kFrontCurrentFeature, m.frontLeftCurrent), amperes),
+        quantity(SignalsPage::tr("front current right"),
+                 shownFeature(m, kFrontCurrentFeature, m.frontRightCurrent), amperes),
+        quantity(SignalsPage::tr("rear current left"),
+                 shownFeature(m, kRearCurrentFeature, m.rearLeftCurrent), amperes),
+        quantity(SignalsPage::tr("rear current right"),
+                 shownFeature(m, kRearCurrentFeature, m.rearRightCurrent), amperes)};
+    for (std::size_t i = 0; i < m.force.size(); ++i)
+        rows.push_back(quantity(SignalsPage::tr("force %1").arg(i + 1),
+                                shownFeature(m, kFirstForceFeature + i, m.force[i]),
+                                QStringLiteral("N")));
+    if (m.travelled)
+        rows.push_back(
+            quantity(SignalsPage::tr("way of the tracks"), *m.travelled, QStringLiteral("m")));
+    return rows;
+}
+
+}  // namespace
+
+QString loadWords(const BusLoad& load, const BitRate& bitrate)
+{
+    const double rate = bitrate.bitsPerSecond.value_or(0.0);
+    if (!(rate > 0.0))
+        return SignalsPage::tr("load --- (bit rate not known): %1 to %2 kbit/s")
+            .arg(words::number(load.fewestBits / 1000.0, 1),
+                 words::number(load.mostBits / 1000.0, 1));
+    const auto percent = [&](double bits) { return words::number(100.0 * bits / rate, 1); };
+    const QString said =
+        bitrate.nominal
+            ? SignalsPage::tr("load %1 to %2 % of nominal %3 kbit/s (without stuff bits, with all "
+                              "there can be)")
+            : SignalsPage::tr(
+                "load %1 to %2 % of %3 kbit/s (without stuff bits, with all there can be)");
+    return said.arg(percent(load.fewestBits), percent(load.mostBits),
+                    words::number(rate / 1000.0, 0));
+}
+
+SignalsPage::SignalsPage(const Acquisition& acquisition, CanSource* link,
+                         PreferenceStore& preferences, QWidget* parent)
+    : Page(parent), acquisition_(acquisition), link_(link)
+{
+    auto* signalCard = new Card(tr("Signals"), this);
+    headline_ = new PlainLabel(signalCard);
+    headline_->setAccessibleName(tr("State of the bus"));
+    headline_->setWordWrap(true);
+    table_ = new SignalTable(signalCard);
+    signalCard->body()->addWidget(headline_);
+    if (link_) addDbc(*signalCard, preferences);
+    signalCard->body()->addWidget(table_, 1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(12, 10, 12, 10);
+    if (!link_) {
+        column->addWidget(signalCard, 1);
+        return;
+    }
+
+    auto* traceCard = new Card(tr("Newest frames"), this);
+    trace_ = new RawTrace([this](const CanFrame& frame) { return traceWords(frame, book_); },
+                          [this](const CanFrame& frame) { return frameName(frame, book_.get()); },
+                          traceCard);
+    traceCard->body()->addWidget(trace_, 1);
+    auto* both = new QSplitter(Qt::Vertical, this);
+    both->addWidget(signalCard);
+    both->addWidget(traceCard);
+    both->setStretchFactor(0, 3);
+    both->setStretchFactor(1, 2);
+    both->setChildrenCollapsible(false);
+    column->addWidget(both, 1);
+}
+
+void SignalsPage::addDbc(Card& card, PreferenceStore& preferences)
+{
+    card.note()->hide();
+    dbc_ = new DbcFiles(preferences, *this);
+    addTools(*card.titleRow());
+    dbc_->addLines(*card.body());
+    connect(dbc_, &DbcFiles::wereRead, this, [this](const DbcReading& reading) {
+        protocol_ = reading.protocol;
+        book_ = reading.book;
+        link_->tap().describe(book_);
+    });
+    dbc_->read();
+}
+
+void SignalsPage::addTools(QHBoxLayout& row)
+{
+    row.addStretch(1);
+    dbc_->addButtons(row);
+    auto* forget = new QPushButton(tr("Forget least and most"), this);
+    forget->setFocusPolicy(Qt::TabFocus);
+    forget->setMinimumHeight(kTarget);
+    setTip(*forget, tr("They begin anew with the next frames"));
+    row.addWidget(forget);
+    connect(forget, &QPushButton::clicked, this, [this] { link_->tap().forgetExtremes(); });
+}
+
+void SignalsPage::refresh(double now)
+{
+    if (now - shownAt_ >= kRows - 1e-3) {
+        shownAt_ = now;
+        if (link_)
+            refreshBus(now);
+        else
+            refreshMeasurement(now);
+    }
+    if (link_ && now - tracedAt_ >= kTrace - 1e-3) {
+        tracedAt_ = now;
+        trace_->setFrames(link_->tap().trace());
+    }
+}
+
+void SignalsPage::refreshBus(double now)
+{
+    const BusLoad load = link_->tap().load();
+    const CanView view = link_->view();
+    const auto of = [&](FrameTrouble trouble) {
+        return QString::number(load.troubles[static_cast<std::size_t>(trouble)]);
+    };
+    headline_->setText(
+        tr("%1 · %2 frames/s · %3\nSince the start: %4 frames, %5 dropped, %6 error frames, %7 "
+           "with "
+           "a wrong checksum, %8 out of sequence, %9 not in the DBC")
+            .arg(busWords(view.bus, link_->busName()), words::number(load.framesPerSecond, 0),
+                 loadWords(load, link_->bitrate()), QString::number(load.frames),
+                 QString::number(view.frames.dropped), QString::number(view.frames.errorFrames),
+                 of(FrameTrouble::WrongChecksum), of(FrameTrouble::WrongSequence),
+                 of(FrameTrouble::Unknown)));
+    setTone(*headline_, toneOf(view.bus));
+    table_->setRows(signalRows(link_->tap().frames(now), protocol_));
+}
+
+void SignalsPage::refreshMeasurement(double now)
+{
+    headline_->setText(
+        tr("This source is no CAN bus: it has no frames, and these are its values."));
+    const auto latest = acquisition_.latest();
+    if (!latest) return table_->setRows({});
+    const double age = now - secondsOf(latest->arrived);
+    std::vector<SignalRow> rows = rowsOf(latest->sample.measurement);
+    for (SignalRow& row : rows) {
+        row.age = age;
+        row.rate = acquisition_.rate();
+        row.standing = age <= kStaleAfter ? SignalRow::Standing::Fresh : SignalRow::Standing::Stale;
+    }
+    table_->setRows(std::move(rows));
+}
+
+QString SignalsPage::headline() const
+{
+    return headline_->text();
+}
+
+}  // namespace terratact

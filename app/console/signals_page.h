@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QString>
+#include <memory>
+#include <vector>
+
+#include "app/link/bus_tap.h"
+#include "app/link/can_source.h"
+#include "app/mission/signal_rows.h"
+#include "app/shell/page.h"
+
+class QHBoxLayout;
+class QLabel;
+
+namespace terratact {
+
+class Acquisition;
+class CanSource;
+class Card;
+class DbcFiles;
+class PreferenceStore;
+class RawTrace;
+
+/// "load 10.9 to 13.1 % of 500 kbit/s (without stuff bits, with all there can be)"; without a bit rate "---".
+QString loadWords(const BusLoad& load, const BitRate& bitrate);
+
+/// What is on the bus: its load, every signal, and the newest frames as they were.  Preferred DBC files say what
+/// frames mean that are not the robot's; what is wrong with them, the page and stderr say.
+class SignalsPage final : public Page {
+    Q_OBJECT
+public:
+    /// link: null where the source is no bus.  All must outlive it.
+    SignalsPage(const Acquisition& acquisition, CanSource* link, PreferenceStore& preferences,
+                QWidget* parent = nullptr);
+    void refresh(double now) override;
+
+    SignalTable* table() const { return table_; }
+    RawTrace* trace() const { return trace_; }
+    QString headline() const;
+    DbcFiles* dbc() const { return dbc_; }  ///< null without a bus
+
+private:
+    void addDbc(Card& card, PreferenceStore& preferences);
+    void addTools(QHBoxLayout& row);
+    void refreshBus(double now);
+    void refreshMeasurement(double now);
+
+    const Acquisition& acquisition_;
+    CanSource* link_;
+    std::vector<DbcMessage> protocol_;  ///< empty: its file could not be used
+    std::shared_ptr<const DbcBook> book_;
+    QLabel* headline_ = nullptr;
+    DbcFiles* dbc_ = nullptr;  ///< null without a bus
+    SignalTable* table_ = nullptr;
+    RawTrace* trace_ = nullptr;              ///< null without a bus
+    double shownAt_ = 0.0, tracedAt_ = 0.0;  ///< [s]
+};
+
+}  // namespace terratact

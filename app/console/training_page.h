@@ -1,0 +1,117 @@
+#pragma once
+
+#include <QString>
+
+#include "app/mission/model_trainer.h"
+#include "app/shell/page.h"
+
+class QBoxLayout;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+class QTableWidget;
+
+namespace terratact {
+
+class Exploration;
+class HoldToConfirmButton;
+
+/// terratact/models in the user's data folder (XDG base directory specification).
+QString modelsDirectory();
+
+/// Trains a model from a file of scenes, compares it with the one in use and, when the operator wants it, puts it
+/// in its place.  The robot goes on meanwhile.
+class TrainingPage final : public Page {
+    Q_OBJECT
+public:
+    struct Options {
+        RobotModel robot;
+        QString model;                          ///< file in use
+        QString directory = modelsDirectory();  ///< of new models
+        TrainingLoad load = politeLoad();
+    };
+    TrainingPage(const Exploration& exploration, Options options, QWidget* parent = nullptr);
+    ~TrainingPage() override;
+
+    void refresh(double now) override;
+    void changeEvent(QEvent* event) override;
+
+    QLineEdit* scenesField() const { return scenes_; }
+    QLineEdit* testField() const { return test_; }
+    QLineEdit* nameField() const { return name_; }
+    QSpinBox* seedField() const { return seed_; }
+    QPushButton* scenesButton() const { return chooseScenes_; }
+    QPushButton* testButton() const { return chooseTest_; }
+    QPushButton* startButton() const { return start_; }
+    QPushButton* cancelButton() const { return cancel_; }
+    QPushButton* compareButton() const { return compare_; }
+    HoldToConfirmButton* adoptButton() const { return adopt_; }
+    HoldToConfirmButton* discardButton() const { return discard_; }
+    QProgressBar* bar() const { return bar_; }
+    QLabel* status() const { return status_; }
+    QLabel* verdict() const { return verdict_; }
+    QLabel* caution() const { return caution_; }
+    QLabel* reason() const { return reason_; }
+    QTableWidget* bins() const { return bins_; }
+    QTableWidget* comparison() const { return comparison_; }
+    const QString& modelInUse() const { return options_.model; }
+    void setModelInUse(const QString& path) { options_.model = path; }
+
+public slots:
+    void adoptionDone();                      ///< the console has loaded a model
+    void adoptionFailed(const QString& why);  ///< and this: it could not
+
+signals:
+    void adopted(const QString& path);           ///< the operator wants this model in use
+    void adoptionFinished(const QString& path);  ///< it is in use
+
+private:
+    enum class Phase { Idle, Training, Trained, Comparing, Compared, Adopting };
+
+    QWidget* trainCard();
+    QWidget* compareCard();
+    QPushButton* addFile(QBoxLayout* column, const QString& what, const QString& title,
+                         QLineEdit*& field);
+    void choose(QLineEdit* field, const QString& title);
+    void connectTrainer();
+    void start();
+    void compare();
+    void adopt();
+    void discard();
+    void enter(Phase phase);
+    void say(const QString& text, bool bad = false);
+    void ended(const QString& what, bool bad);
+    void showButtons();
+    void showProgress();
+    void keepRoomForStatus();
+    void showBins(const TrainingProgress& progress);
+    void showComparison(const ModelComparison& comparison);
+    void clearComparison();
+    QString pathOfName() const;
+    // Empty: it may.
+    QString whyBusy() const;
+    QString whyNotStart() const;
+    QString whyNotCompare() const;
+    QString whyNotDiscard() const;
+    QString whyNotAdopt() const;
+
+    const Exploration& exploration_;
+    Options options_;
+    ModelTrainer trainer_;
+    Phase phase_ = Phase::Idle;
+    QString trained_;  ///< the new model's file; empty: there is none
+
+    QLineEdit *scenes_ = nullptr, *name_ = nullptr, *test_ = nullptr;
+    QSpinBox* seed_ = nullptr;
+    QPushButton *chooseScenes_ = nullptr, *chooseTest_ = nullptr, *start_ = nullptr,
+                *cancel_ = nullptr, *compare_ = nullptr;
+    HoldToConfirmButton *adopt_ = nullptr, *discard_ = nullptr;
+    QProgressBar* bar_ = nullptr;
+    QLabel *status_ = nullptr, *newModel_ = nullptr, *verdict_ = nullptr, *caution_ = nullptr,
+           *reason_ = nullptr;
+    QTableWidget *bins_ = nullptr, *comparison_ = nullptr;
+};
+
+}  // namespace terratact

@@ -1,0 +1,210 @@
+#include "app/link/can_source.h"
+
+#include <algorithm>
+#include <span>
+#include <thread>
+#include <utility>
+
+#include "app/runtime/steady_now.h"
+
+namespace terratact {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::chrono::milliseconds kTurn{10};  // half the period of a drive
+
+std::optional<Command> commandIn(const CanFrame& frame)
+{
+    const auto unpacked = unpack(frame);
+    const auto* content = std::get_if<Unpacked>(&unpacked);
+    const auto received = content ? commandOf(*content) : std::nullopt;
+    return received ? std::optional(received->command) : std::nullopt;
+}
+
+}  // namespace
+
+CanSource::CanSource(std::unique_ptr<CanBus> bus, const RobotModel& robot, const Options& options)
+    : bus_(std::move(bus)), options_(options), waits_(options.waits), link_(robot, options.link)
+{
+}
+
+std::string CanSource::name() const
+{
+    return options_.name.empty() ? bus_->name() : options_.name;
+}
+
+Result<std::optional<Sample>> CanSource::next(std::chrono::milliseconds patience)
+{
+    if (waits_) {
+        std::this_thread::sleep_for(std::min(patience, kTurn));
+        return std::optional<Sample>{};
+    }
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (true) {
+        if (auto sample = takePending()) return sample;
+        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
+            end - std::chrono::steady_clock::now());
+        const auto count = bus_->receive(frames_, std::clamp(left, 0ms, kTurn));
+        work();
+        tap_.tick(steadyNow());
+        if (!count) return count.error();
+        const auto received = std::span<const BusFrame>(frames_).first(*count);
+        tap_.take(received);
+        if (options_.heard && !received.empty()) options_.heard(received);
+        pending_.insert(pending_.end(), frames_.begin(),
+                        frames_.begin() + static_cast<std::ptrdiff_t>(*count));
+        waiting_ = pending_.size();
+        mostWaiting_ = std::max<std::size_t>(mostWaiting_, waiting_);
+        if (*count > 0 || left > 0ms) continue;
+        if (std::string what = trouble(); !what.empty()) return Error{std::move(what), 0};
+        return std::optional<Sample>{};
+    }
+}
+
+bool CanSource::ended() const
+{
+    return options_.mode == Mode::Replay && bus_->state() == BusState::Ended;
+}
+
+std::string CanSource::trouble() const
+{
+    const BusState state = bus_->state();
+    return state == BusState::Up ? std::string() : describe(state, bus_->name());
+}
+
+std::string CanSource::whyNotTransmitting() const
+{
+    switch (options_.mode) {
+    case Mode::Transmit: return {};
+    case Mode::Listen: return name() + " is only listened to: start the console with --transmit";
+    case Mode::Replay: return name() + " takes no commands";
+    }
+    return {};
+}
+
+std::optional<Sample> CanSource::takePending()
+{
+    const std::scoped_lock lock(mutex_);
+    while (!pending_.empty()) {
+        const BusFrame received = pending_.front();
+        pending_.pop_front();
+        const auto measurement = link_.receive(received.frame, received.echo, received.time);
+        if (!measurement) continue;
+        return Sample{.measurement = *measurement,
+                      .truth = options_.truth ? std::optional(options_.truth()) : std::nullopt};
+    }
+    return std::nullopt;
+}
+
+void CanSource::work()
+{
+    if (options_.mode != Mode::Transmit) return;
+    const std::scoped_lock lock(mutex_);
+    const double now = steadyNow();
+    if (unsent_) {
+        const auto frame = link_.send(*unsent_, now);
+        if (bus_->send(std::get<CanFrame>(frame))) unsent_.reset();
+    }
+    for (const CanFrame& frame : link_.tick(now)) {
+        const Status left = bus_->send(frame);  // counted by the bus
+        const auto command = commandIn(frame);
+        if (command && safety(*command) > 0) remember(*command, static_cast<bool>(left));
+    }
+}
+
+// What the gate lets through is the operator's newest word and takes the place of what is still to be sent,
+// unless that makes safer.  What moves or releases passes the gate only once a stop no longer stands.
+void CanSource::remember(const Command& command, bool left)
+{
+    const int level = safety(command);
+    if (unsent_ && level != 0 && level < safety(*unsent_)) return;
+    unsent_.reset();
+    if (!left && level != 0) unsent_ = command;
+}
+
+Status CanSource::send(const Command& command)
+{
+    if (std::string why = whyNotTransmitting(); !why.empty()) return Error{std::move(why), 0};
+    const std::scoped_lock lock(mutex_);
+    const auto sent = link_.send(command, steadyNow());
+    if (const auto* refusal = std::get_if<GateRefusal>(&sent)) return Error{describe(*refusal), 0};
+    const auto* frame = std::get_if<CanFrame>(&sent);
+    Status left = frame ? bus_->send(*frame) : Done{};  // else it waits and leaves in next()
+    remember(command, static_cast<bool>(left));
+    return left;
+}
+
+void CanSource::operatorAlive()
+{
+    const std::scoped_lock lock(mutex_);
+    link_.operatorAlive(steadyNow());
+}
+
+void CanSource::wantArming()
+{
+    const std::scoped_lock lock(mutex_);
+    link_.wantArming();
+}
+
+void CanSource::confirmArming()
+{
+    const std::scoped_lock lock(mutex_);
+    link_.confirmArming();
+}
+
+void CanSource::disarm()
+{
+    {
+        const std::scoped_lock lock(mutex_);
+        link_.disarm();
+    }
+    work();  // at once: the thread of next() may be about to end
+}
+
+void CanSource::approve(int bin)
+{
+    const std::scoped_lock lock(mutex_);
+    link_.approve(bin, steadyNow());
+}
+
+CanView CanSource::view() const
+{
+    const std::scoped_lock lock(mutex_);
+    return {.link = link_.view(steadyNow()),
+            .bus = bus_->state(),
+            .frames = bus_->counters(),
+            .telemetry = link_.telemetry().counters(),
+            .line = link_.telemetry().line(),
+            .forces = link_.telemetry().forces(),
+            .transmits = options_.mode == Mode::Transmit,
+            .whyNotTransmitting = whyNotTransmitting(),
+            .waits = waits_,
+            .ended = ended()};
+}
+
+std::vector<LinkNeed> armingNeeds(const CanView& view)
+{
+    const auto& robot = view.link.robot;
+    const auto need = [](bool met, const std::string& so, const std::string& why) {
+        return LinkNeed{met, met ? so : why};
+    };
+    return {need(view.transmits, "commands can leave", view.whyNotTransmitting),
+            need(!view.link.foreignSender, "no other console sends commands",
+                 describe(DisarmCause::ForeignSender)),
+            need(!robot || robot->activity != RobotActivity::Stopped, "STOP is not latched",
+                 "STOP is latched: release it first"),
+            need(view.link.goodFor >= ArmingLimits{}.linkGood, "the link is good",
+                 "The link must be good for a second"),
+            need(!robot || !robot->armed, "nobody else has armed the robot",
+                 describe(DisarmCause::AlreadyArmed))};
+}
+
+std::string whyNotArming(const CanView& view)
+{
+    for (const LinkNeed& need : armingNeeds(view))
+        if (!need.met) return need.text;
+    return {};
+}
+
+}  // namespace terratact

@@ -1,0 +1,218 @@
+#include "app/link/dbc_book.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <utility>
+#include <variant>
+
+#include "core/store/file_read.h"
+#include "core/wire/absolem.h"
+#include "core/wire/dbc/dbc_file.h"
+#include "core/wire/dbc/dbc_number.h"
+#include "core/wire/dbc/dbc_text.h"
+#include "core/wire/frame_layout.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::size_t kMostNamed = 4;  // in a sentence about many
+
+std::uint32_t keyOf(std::uint32_t id, bool extended)
+{
+    return id | (extended ? 0x8000'0000U : 0U);
+}
+
+CanFrame frameOf(const DbcMessage& message)
+{
+    return {.id = message.id, .extended = message.extended};
+}
+
+bool isOf(CanProtocol protocol, const CanFrame& frame)
+{
+    if (frame.extended) return false;
+    if (protocol == CanProtocol::Terratact) return kindOfId(frame.id).has_value();
+    const auto taken = absolemFrame(frame);
+    const auto* verdict = std::get_if<AbsolemVerdict>(&taken);
+    return !verdict || *verdict != AbsolemVerdict::UnknownId;
+}
+
+/// Identifiers, the first few named.
+class SomeIds {
+public:
+    void add(const CanFrame& frame)
+    {
+        if (++count_ <= kMostNamed) ids_ += (ids_.empty() ? "" : ", ") + idText(frame);
+    }
+    std::size_t count() const { return count_; }
+    /// "frame 022", "7 frames (022, 023, 024, 025 …)"
+    std::string text() const
+    {
+        if (count_ == 1) return "frame " + ids_;
+        return fmt::format("{} frames ({}{})", count_, ids_, count_ > kMostNamed ? " …" : "");
+    }
+
+private:
+    std::size_t count_ = 0;
+    std::string ids_;
+};
+
+/// The signals that a frame is too short for, the first few named; empty: it has them all.
+std::string missingText(const DbcMessage& message, const CanFrame& frame)
+{
+    std::string names;
+    std::size_t count = 0;
+    for (const DbcSignal& signal : message.payload) {
+        if (bitsOf(signal, frame) || !signal.selectedBy.empty()) continue;
+        if (++count <= kMostNamed) names += (names.empty() ? "" : ", ") + signal.name;
+    }
+    if (count == 0) return {};
+    return fmt::format(", {} for {}{}",
+                       frame.isCut ? "cut before it was stored, too short" : "too short", names,
+                       count > kMostNamed ? " …" : "");
+}
+
+/// "by engine.dbc, source address 0x00"
+std::string verdictOf(const DescribedFrame& described, const CanFrame& frame)
+{
+    const DbcMessage& message = described.message;
+    return "by " + described.file
+         + (message.isParameterGroup ? fmt::format(", source address 0x{:02X}", frame.id & 0xFFU)
+                                     : std::string())
+         + missingText(message, frame);
+}
+
+class DescribingReader final : public FrameReader {
+public:
+    DescribingReader(CanProtocol protocol, std::shared_ptr<const DbcBook> book)
+        : reader_(frameReader(protocol)), book_(std::move(book))
+    {
+    }
+    FrameWords read(const CanFrame& frame, double now) override
+    {
+        FrameWords words = reader_->read(frame, now);
+        if (words.trouble != FrameTrouble::Unknown) return words;
+        const auto described = book_->find(frame);
+        if (!described) return words;
+        return {.name = described->message.name,
+                .verdict = verdictOf(*described, frame),
+                .trouble = FrameTrouble::None,
+                .values = valuesOf(described->message, frame)};
+    }
+
+private:
+    std::unique_ptr<FrameReader> reader_;
+    std::shared_ptr<const DbcBook> book_;
+};
+
+}  // namespace
+
+Status DbcBook::add(const std::string& path)
+{
+    std::error_code ignored;
+    const auto type = std::filesystem::status(path, ignored).type();
+    if (type == std::filesystem::file_type::fifo || type == std::filesystem::file_type::character)
+        return fileError(path, "is no regular file, which would be waited for: copy it to one");
+    Result<DbcFile> file = readDbc(path);
+    if (!file) return file.error();
+    SomeIds ours;
+    std::map<std::string, SomeIds> theirs;  // by the file that has them
+    File& added = files_.emplace_back(File{path});
+    for (DbcMessage& message : file->messages) {
+        const CanFrame frame = frameOf(message);
+        if (isOf(protocol_, frame)) {
+            ours.add(frame);
+            continue;
+        }
+        const auto described = std::make_shared<const DescribedFrame>(
+            DescribedFrame{std::move(message), std::filesystem::path(path).filename().string()});
+        if (described->message.isParameterGroup)
+            groups_.emplace(parameterGroupOf(frame.id), described);
+        const auto [place, isNew] = frames_.emplace(keyOf(frame.id, frame.extended), described);
+        if (isNew)
+            ++added.frames;
+        else
+            theirs[place->second->file].add(frame);
+    }
+    remarks_.insert(remarks_.end(), file->warnings.begin(), file->warnings.end());
+    if (ours.count() > 0)
+        remarks_.push_back(fileError(path, ours.text()
+                                               + ": the robot's protocol has that "
+                                                 "identifier and is what counts")
+                               .text);
+    for (const auto& [other, ids] : theirs)
+        remarks_.push_back(
+            fileError(path, fmt::format("{}: {} describes that already and is what counts",
+                                        ids.text(), other))
+                .text);
+    return Done{};
+}
+
+std::shared_ptr<const DescribedFrame> DbcBook::find(const CanFrame& frame) const
+{
+    if (frame.error || frame.remote) return nullptr;
+    const auto found = frames_.find(keyOf(frame.id, frame.extended));
+    if (found != frames_.end()) return found->second;
+    const auto group = frame.extended ? groups_.find(parameterGroupOf(frame.id)) : groups_.end();
+    return group == groups_.end() ? nullptr : group->second;
+}
+
+Result<std::shared_ptr<const DbcBook>> readDbcBook(CanProtocol protocol,
+                                                   const std::vector<std::string>& paths)
+{
+    if (paths.empty()) return std::shared_ptr<const DbcBook>();
+    auto book = std::make_shared<DbcBook>(protocol);
+    for (const std::string& path : paths)
+        if (Status added = book->add(path); !added) return added.error();
+    return std::shared_ptr<const DbcBook>(std::move(book));
+}
+
+std::vector<std::string> remarksOf(const std::shared_ptr<const DbcBook>& book)
+{
+    return book ? book->remarks() : std::vector<std::string>();
+}
+
+std::string wordOrNumber(const DbcSignal& signal, double value)
+{
+    if (const std::string* word = wordOf(signal, value)) return shownDbcText(*word);
+    return shownText(signal, value);
+}
+
+std::string wordOrNumber(const DbcSignal& signal, std::uint64_t bits)
+{
+    if (const std::string* word = wordOfBits(signal, bits)) return shownDbcText(*word);
+    return shownText(signal, bits);
+}
+
+std::string exactWordOrNumber(const DbcSignal& signal, std::uint64_t bits)
+{
+    const std::string* word = wordOfBits(signal, bits);
+    return word ? *word : exactText(signal, bits);
+}
+
+std::vector<NamedValue> valuesOf(const DbcMessage& message, const CanFrame& frame)
+{
+    std::vector<std::optional<std::uint64_t>> bits(message.payload.size());
+    decodeBits(message, frame, bits);
+    std::vector<NamedValue> said;
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+        if (!bits[i]) continue;
+        const DbcSignal& signal = message.payload[i];
+        NamedValue value{signal.name, wordOrNumber(signal, *bits[i]), signal.unit};
+        std::string exact = exactWordOrNumber(signal, *bits[i]);
+        if (exact != value.value) value.exact = std::move(exact);
+        said.push_back(std::move(value));
+    }
+    return said;
+}
+
+std::unique_ptr<FrameReader> frameReader(CanProtocol protocol, std::shared_ptr<const DbcBook> book)
+{
+    if (!book) return frameReader(protocol);
+    return std::make_unique<DescribingReader>(protocol, std::move(book));
+}
+
+}  // namespace terratact

@@ -1,0 +1,64 @@
+#include "app/link/frame_judge.h"
+
+#include <variant>
+
+namespace terratact {
+namespace {
+
+FrameTrouble troubleOf(FrameFault fault)
+{
+    if (fault == FrameFault::UnknownId || fault == FrameFault::NotClassicData)
+        return FrameTrouble::Unknown;
+    return fault == FrameFault::WrongCrc ? FrameTrouble::WrongChecksum : FrameTrouble::Other;
+}
+
+FrameTrouble troubleOf(FrameCheck check)
+{
+    switch (check) {
+    case FrameCheck::Ok: return FrameTrouble::None;
+    case FrameCheck::SomeLost: return FrameTrouble::Gap;
+    case FrameCheck::Repeated:
+    case FrameCheck::WrongSequence: return FrameTrouble::WrongSequence;
+    case FrameCheck::WrongCrc: return FrameTrouble::WrongChecksum;
+    }
+    return FrameTrouble::Other;
+}
+
+}  // namespace
+
+FrameJudge::FrameJudge()
+{
+    for (const FrameLayout& layout : frameLayouts()) receivers_.emplace_back(layout.dataId);
+}
+
+JudgedFrame FrameJudge::judge(const CanFrame& frame, double now)
+{
+    JudgedFrame judged;
+    if (frame.error) {
+        judged.trouble = FrameTrouble::Other;
+        judged.fault = FrameFault::NotClassicData;
+        return judged;
+    }
+    const auto got = unpack(frame);
+    if (const auto* fault = std::get_if<FrameFault>(&got)) {
+        judged.fault = *fault;
+        judged.trouble = troubleOf(*fault);
+        if (judged.trouble == FrameTrouble::Unknown) return judged;
+        judged.kind = kindOfId(frame.id);
+        if (*fault == FrameFault::WrongCrc)
+            receivers_[static_cast<std::size_t>(*judged.kind)].receive({}, now);
+        return judged;
+    }
+    judged.content = std::get<Unpacked>(got);
+    judged.kind = judged.content.kind;
+    E2eReceiver& receiver = receivers_[static_cast<std::size_t>(*judged.kind)];
+    judged.silence = receiver.age(now);
+    judged.check = receiver.receive(bytesOf(frame), now);
+    judged.trouble = troubleOf(judged.check);
+    const bool isCyclic = layoutOf(*judged.kind).period > 0.0;
+    if (judged.check == FrameCheck::Ok && isCyclic && judged.silence && *judged.silence > kOutage)
+        judged.trouble = FrameTrouble::Gap;
+    return judged;
+}
+
+}  // namespace terratact

@@ -1,0 +1,23 @@
+#include "app/link/robot_file.h"
+
+#include "core/store/file_read.h"
+#include "core/store/sha256.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::size_t kMostRobotBytes = 1U << 20U;  // as many as a session keeps
+
+}  // namespace
+
+Result<RobotFile> readRobotFile(const std::string& path)
+{
+    auto text = readFile(path, kMostRobotBytes);
+    if (!text) return text.error();
+    auto model = robotModelFrom(path, *text);
+    if (!model) return model.error();
+    std::string hash = sha256Hex(*text);
+    return RobotFile{path, std::move(*text), std::move(hash), std::move(*model)};
+}
+
+}  // namespace terratact

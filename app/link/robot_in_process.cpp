@@ -1,0 +1,26 @@
+#include "app/link/robot_in_process.h"
+
+namespace terratact {
+
+RobotInProcess::RobotInProcess(MemoryBus& bus, const RobotModel& model, const SimulatedRobot& robot,
+                               const RobotOnBus::Options& options)
+    : end_(bus.join("robot", 0)), robot_(model, robot, options), truth_(robot.truth()),
+      thread_([this](const std::stop_token& stop) {
+          const auto keepTruth = [this] {
+              const std::scoped_lock lock(mutex_);
+              truth_ = robot_.robot().truth();
+          };
+          (void)serveRobot(  // a MemoryBus has no errors
+              *end_, robot_, [&] { return !stop.stop_requested(); }, [](const std::string&) {},
+              keepTruth);
+      })
+{
+}
+
+Heights RobotInProcess::truth() const
+{
+    const std::scoped_lock lock(mutex_);
+    return truth_;
+}
+
+}  // namespace terratact

@@ -1,0 +1,84 @@
+// The operator's console: the command line, and which window it opens.
+#include <cblas.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <sstream>
+
+#include "app/console/open_console.h"
+#include "app/review/open_recorded.h"
+#include "app/runtime/big_blocks.h"
+#include "app/runtime/say.h"
+#include "app/shell/console_setup.h"
+#include "app/shell/open_file.h"
+#include "core/base/memory_limit.h"
+
+namespace terratact {
+namespace {
+
+constexpr int kDone = 0, kFailed = 1, kWrongArguments = 2;
+// [bytes] beside the libraries; it takes 750 MB where it may.
+constexpr std::size_t kWindowMemory = 700'000'000;
+
+int failed(const std::string& why)
+{
+    say(stderr, "terratact-console: {}\n", why);
+    return kFailed;
+}
+
+Result<int> openWindow(Application& application, const ConsoleOptions& options)
+{
+    if (options.replay.empty()) return openConsole(application, options);
+    const FileKind kind = kindOfFile(QString::fromStdString(options.replay));
+    if (kind == FileKind::Session) return openReview(application, options);
+    if (kind == FileKind::Scenes) return openScenes(application, options);
+    if (options.isPicture())
+        return Error{options.replay + ": is no session, of which a picture could be saved"};
+    return openConsole(application, options);
+}
+
+int refused(Application& application, const ConsoleOptions& options, const std::string& why)
+{
+    const int code = failed(why);
+    if (options.errorsInWindow && !options.isPicture()
+        && application.start(inForce(preferencesFor(options).preferences, options), false))
+        tellRefusal(options.replay, why);
+    return code;
+}
+
+int run(int& argc, char** argv)
+{
+    CLI::App app("The operator's console of Terratact: feel the terrain that cannot be seen");
+    ConsoleOptions options;
+    declareOptions(app, options);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        std::ostringstream out, complaint;  // which may quote a file's name
+        const int code = app.exit(error, out, complaint);
+        say("{}", Lines(out.str()));
+        say(stderr, "{}", Lines(complaint.str()));
+        return code == 0 ? kDone : kWrongArguments;
+    }
+    if (memoryIsLimited())
+        if (const std::string missing = memoryMissing("the window", kWindowMemory);
+            !missing.empty())
+            return failed(missing);
+    Application application(argc, argv);
+    const auto ended = openWindow(application, options);
+    return ended ? *ended : refused(application, options, ended.error().text);
+}
+
+}  // namespace
+}  // namespace terratact
+
+int main(int argc, char** argv)
+{
+    terratact::giveBackBigBlocks();
+    openblas_set_num_threads(1);  // the estimator has threads of its own
+    try {
+        return terratact::run(argc, argv);
+    } catch (const std::exception& error) {
+        return terratact::failed(terratact::describeFailure(error));
+    }
+}

@@ -1,0 +1,90 @@
+#include "app/mission/comparison_words.h"
+
+#include <cmath>
+
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kAlike = 0.005;  // relative: shown as 0 %
+
+QString millimetres(double metres)
+{
+    return words::number(1000.0 * metres, 1);
+}
+
+ComparisonWords::Row inMillimetres(const QString& what, double before, double after)
+{
+    return {what, millimetres(before), millimetres(after),
+            words::signedNumber(1000.0 * (after - before), 1)};
+}
+
+ComparisonWords::Row inPercent(const QString& what, double before, double after)
+{
+    return {what, words::percent(before), words::percent(after),
+            words::signedNumber(100.0 * (after - before), 0)};
+}
+
+}  // namespace
+
+QList<ComparisonWords::Row> ComparisonWords::rows(const ModelComparison& c)
+{
+    const MethodSummary &before = c.before, &after = c.after;
+    return {
+        inMillimetres(tr("median error near [mm]"), before.near.median, after.near.median),
+        inMillimetres(tr("mean error near [mm]"), before.near.mean, after.near.mean),
+        inMillimetres(tr("CRPS near [mm]"), before.near.crps, after.near.crps),
+        inPercent(tr("80 % band near holds [%]"), before.near.coverage, after.near.coverage),
+        inMillimetres(tr("median error, all bins [mm]"), before.all.median, after.all.median),
+        inMillimetres(tr("mean error, all bins [mm]"), before.all.mean, after.all.mean),
+        inMillimetres(tr("CRPS, all bins [mm]"), before.all.crps, after.all.crps),
+        inPercent(tr("80 % band, all bins holds [%]"), before.all.coverage, after.all.coverage),
+    };
+}
+
+QString ComparisonWords::sentence(const ModelComparison& c)
+{
+    const double change = c.before.near.mean > 0.0
+                            ? (c.after.near.mean - c.before.near.mean) / c.before.near.mean
+                            : 0.0;
+    const QString scenes = QString::number(c.scenes);
+    const QString errs =
+        std::abs(change) < kAlike
+            ? tr("The new model errs as much as the old one near the robot on %1 scenes")
+                  .arg(scenes)
+        : change < 0.0 ? tr("The new model errs %1 % less near the robot on %2 scenes")
+                             .arg(words::percent(-change), scenes)
+                       : tr("The new model errs %1 % more near the robot on %2 scenes")
+                             .arg(words::percent(change), scenes);
+    return tr("%1; its 80 % bands there hold %2 % of the truths, the old one's %3 %.")
+        .arg(errs, words::percent(c.after.near.coverage), words::percent(c.before.near.coverage));
+}
+
+QString ComparisonWords::caution(const ModelComparison& c)
+{
+    QStringList cautions;
+    if (c.newLearntThese)
+        cautions << tr("The new model has learnt from this very file, which flatters it: choose "
+                       "scenes it has not seen.");
+    if (c.oldLearntThese)
+        cautions << tr("The old model has learnt from this very file, which flatters it.");
+    if (!c.nearDifference)
+        cautions << tr("Too few drives to tell whether the difference is chance.");
+    else if (c.nearDifference->low <= 0.0 && c.nearDifference->high >= 0.0)
+        cautions << tr("The difference may be chance: 95 % interval %1 … %2 mm.")
+                        .arg(words::signedNumber(1000.0 * c.nearDifference->low, 1),
+                             words::signedNumber(1000.0 * c.nearDifference->high, 1));
+    if (c.tried < c.inFile)
+        cautions << tr("%1 of the file's %2 scenes, evenly picked.").arg(c.tried).arg(c.inFile);
+    if (c.scenes < c.tried)
+        cautions << tr("%1 scenes left out that only one model or none could estimate (only the "
+                       "old %2, only the new %3): %4.")
+                        .arg(c.tried - c.scenes)
+                        .arg(c.onlyBefore)
+                        .arg(c.onlyAfter)
+                        .arg(words::sentence(c.whyNot));
+    return cautions.join(QLatin1Char(' '));
+}
+
+}  // namespace terratact

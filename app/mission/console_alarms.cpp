@@ -1,0 +1,233 @@
+#include "app/mission/console_alarms.h"
+
+#include <QStringList>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "app/mission/bus_words.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kTiltFlutter = 0.15;  // [s] longer than a line of noise
+constexpr double kFlutter = 1.0;       // [s] such a state lasts now and then on a bus that works
+
+/// Causes of which nothing else on the screen tells in words.
+const std::set<std::string> kOnlyHere{"bus",      "foreign", "dropped",
+                                      "checksum", "sensors", std::string(kSensorAlarm),
+                                      "attitude", "halted"};
+
+bool comesAndGoes(BusState state)
+{
+    return state == BusState::Stalled || state == BusState::ErrorWarning
+        || state == BusState::ErrorPassive;
+}
+
+/// "left 3 open, right 1 short"; one that is saturated is pressed hard, and the bars say so.
+QString unsoundElements(const ElementForces& forces)
+{
+    QStringList unsound;
+    const auto look = [&](const auto& side, const QString& name) {
+        for (std::size_t i = 0; i < side.size(); ++i)
+            if (side[i]
+                && (side[i]->state == ElementState::Open || side[i]->state == ElementState::Short))
+                unsound << QStringLiteral("%1 %2 %3")
+                               .arg(name)
+                               .arg(i + 1)
+                               .arg(words::sentence(describe(side[i]->state)));
+    };
+    look(forces.left, ConsoleAlarms::tr("left"));
+    look(forces.right, ConsoleAlarms::tr("right"));
+    return unsound.join(QStringLiteral(", "));
+}
+
+/// "Danger of tipping over: pitch +48°, tips over at +51°".
+QString tiltWords(const Measurement& m, const Attitude& attitude)
+{
+    QStringList angles;
+    if (attitude.pitch != AttitudeLevel::Level)
+        angles << ConsoleAlarms::tr("pitch %1, tips over at %2")
+                      .arg(words::degrees(m.pitch), words::degrees(attitude.pitchTips));
+    if (attitude.roll != AttitudeLevel::Level)
+        angles << ConsoleAlarms::tr("roll %1, tips over at %2")
+                      .arg(words::degrees(m.roll), words::degrees(attitude.rollTips));
+    const QString all = angles.join(QStringLiteral("; "));
+    return attitude.worst() == AttitudeLevel::Red
+             ? ConsoleAlarms::tr("Danger of tipping over: %1").arg(all)
+             : ConsoleAlarms::tr("Steep: %1").arg(all);
+}
+
+}  // namespace
+
+QString suspicionWords(const std::vector<SensorSuspicion>& suspicions)
+{
+    QStringList sentences;
+    std::map<SensorTrouble, QStringList> sensors;
+    std::map<SensorTrouble, QString> troubles;
+    for (const SensorSuspicion& suspicion : suspicions) {
+        sensors[suspicion.trouble] << words::sentence(describe(suspicion.sensor));
+        troubles[suspicion.trouble] = words::sentence(describeTrouble(suspicion));
+    }
+    for (const auto& [trouble, names] : sensors)
+        sentences << QStringLiteral("%1: %2").arg(names.join(QStringLiteral(", ")),
+                                                  troubles[trouble]);
+    return sentences.join(QStringLiteral("; "));
+}
+
+ConsoleAlarms::ConsoleAlarms(std::unique_ptr<Sounder> sounder, QObject* parent)
+    : QObject(parent), sounder_(std::move(sounder))
+{
+}
+
+void ConsoleAlarms::look(double now, const AlarmSight& sight)
+{
+    now_ = now;
+    if (!began_) began_ = now;
+    lookAtLink(sight);
+    if (sight.bus) lookAtBus(*sight.bus, sight);
+    judge("model", !sight.noModel.isEmpty(),
+          tr("No model, so nothing can be estimated: %1").arg(sight.noModel), Severity::Critical);
+    judge("panel", !sight.panelTrouble.isEmpty(), sight.panelTrouble, Severity::Critical);
+    judge("exploration", !sight.failedExploration.isEmpty(),
+          tr("Exploration failed: %1").arg(sight.failedExploration), Severity::Caution);
+    judge("recording", !sight.notRecorded.isEmpty(), tr("Not recorded: %1").arg(sight.notRecorded),
+          Severity::Caution);
+    lookAtSuspicions(sight);
+    lookAtAttitude(sight);
+    lookAtHalt(sight);
+    judge("stop", sight.isStopped, tr("The robot is stopped and moves only after a release"),
+          Severity::Caution);
+    if (list_.takeSound(now) && soundOn_) trySound();
+}
+
+void ConsoleAlarms::trySound()
+{
+    sounder_->sound();
+    emit sounded();
+}
+
+void ConsoleAlarms::lookAtLink(const AlarmSight& sight)
+{
+    const QString why =
+        sight.sourceTrouble.isEmpty() ? QString() : QStringLiteral(": ") + sight.sourceTrouble;
+    const LinkAccount& link = sight.link;
+    const bool came = link.standing != LinkStanding::Silent;
+    const bool waits = sight.bus && sight.bus->waits;
+    const bool ended = sight.bus && sight.bus->ended;
+    if (waits) began_ = now_;  // nothing is due yet
+    judge("silence", !came && !ended && now_ - *began_ >= kFirstTelemetry,
+          tr("No telemetry has come since the start%1").arg(why), Severity::Critical);
+    QString what = words::sentence(describe(link));
+    what.replace(0, 1, what.left(1).toUpper());
+    judge("link", came && !link.alive && !ended,
+          link.standing == LinkStanding::Unsteady
+              ? tr("%1; gaps: %2, the longest %3")
+                    .arg(what, QString::number(link.gaps), words::age(link.longest))
+              : what + why,
+          Severity::Critical);
+}
+
+void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmSight& sight)
+{
+    judge("bus", toneOf(bus.bus) != Tone::Plain, busWords(bus.bus, sight.busName),
+          comesAndGoes(bus.bus) ? Severity::Caution : Severity::Critical,
+          comesAndGoes(bus.bus) ? kFlutter : 0.0);
+    judge("foreign", bus.link.foreignSender && bus.transmits,
+          tr("Another console sends commands on this bus: find it and switch it off"),
+          Severity::Critical);
+    judge("dropped", counted_["dropped"].grewLately(bus.frames.dropped, now_),
+          tr("This computer was too slow for the bus: %1 frames lost since the start")
+              .arg(bus.frames.dropped),
+          Severity::Caution);
+    judge("checksum", counted_["checksum"].grewLately(sight.wrongChecksums, now_),
+          tr("Damaged frames: %1 with a wrong checksum since the start").arg(sight.wrongChecksums),
+          Severity::Caution);
+    lookAtSensors(bus.forces);
+    lookAtArming(bus.link.arming);
+}
+
+/// It stands until the operator arms anew: a robot that has stopped driving looks like one that was told to.
+void ConsoleAlarms::lookAtArming(const ArmingState& arming)
+{
+    const bool isArmed = arming.phase == ArmingPhase::Armed;
+    const bool hasEnded = std::exchange(wasArmed_, isArmed) && !isArmed;
+    if (hasEnded && arming.cause != DisarmCause::Operator && arming.cause != DisarmCause::Stop)
+        disarmedBy_ = arming.cause;
+    else if (arming.phase != ArmingPhase::Disarmed)
+        disarmedBy_.reset();
+    const DisarmCause cause = disarmedBy_.value_or(DisarmCause::None);
+    judge("disarmed", disarmedBy_.has_value(),
+          tr("Disarmed: %1").arg(words::sentence(describe(cause))), Severity::Critical);
+}
+
+void ConsoleAlarms::lookAtSensors(const ElementForces& forces)
+{
+    const QString unsound = unsoundElements(forces);
+    judge("sensors", !unsound.isEmpty(), tr("Force sensors not usable: %1").arg(unsound),
+          Severity::Caution, kFlutter);
+}
+
+/// It stands as long as a verdict is withheld for it: then it tells what was suspected.
+void ConsoleAlarms::lookAtSuspicions(const AlarmSight& sight)
+{
+    if (!sight.suspicions.empty()) suspected_ = suspicionWords(sight.suspicions);
+    const bool stands = !sight.suspicions.empty() || sight.isSceneSuspected;
+    judge(std::string(kSensorAlarm), stands, tr("Do not trust this sensor: %1").arg(suspected_),
+          Severity::Critical);
+}
+
+void ConsoleAlarms::lookAtAttitude(const AlarmSight& sight)
+{
+    const Attitude& attitude = sight.attitude;
+    const bool stands = sight.measurement && attitude.worst() != AttitudeLevel::Level;
+    judge("attitude", stands, stands ? tiltWords(*sight.measurement, attitude) : QString(),
+          attitude.worst() == AttitudeLevel::Red ? Severity::Critical : Severity::Caution,
+          kTiltFlutter);
+}
+
+/// A robot that halts with a refusal was not told to: it says why.  It stands until the next drive or press.
+void ConsoleAlarms::lookAtHalt(const AlarmSight& sight)
+{
+    if (sight.measurement) {
+        const Measurement& m = *sight.measurement;
+        const bool hasHalted = m.activity == RobotActivity::Halted && m.refusal != Refusal::None;
+        const bool moved =
+            activity_ != RobotActivity::Halted && activity_ != RobotActivity::Stopped;
+        if (hasHalted && moved) {
+            halted_ = words::sentence(describe(m.refusal));
+            if (sight.attitude.worst() != AttitudeLevel::Level)
+                halted_ += QStringLiteral(". ") + tiltWords(m, sight.attitude);
+        } else if (m.activity != RobotActivity::Halted) {
+            halted_.clear();
+        }
+        activity_ = m.activity;
+    }
+    judge("halted", !halted_.isEmpty(), tr("The robot has halted by itself: %1").arg(halted_),
+          Severity::Caution);
+}
+
+void ConsoleAlarms::judge(const std::string& id, bool stands, const QString& text,
+                          Severity severity, double after)
+{
+    Cause& cause = causes_[id];
+    if (stands) {
+        cause.gone.reset();
+        if (!cause.stands) cause.stands = now_;
+        if (now_ - *cause.stands < after) return;
+        list_.raise(id, text.toStdString(), severity, now_);
+        if (cause.told == severity || cause.told == Severity::Critical) return;
+        cause.told = severity;
+        if (kOnlyHere.contains(id)) emit raised(text, severity);
+        return;
+    }
+    if (!cause.stands) return;
+    if (!cause.gone) cause.gone = now_;
+    if (now_ - *cause.gone < kGoneFor) return;
+    list_.clear(id, now_);
+    cause = {};
+}
+
+}  // namespace terratact

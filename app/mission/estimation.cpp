@@ -1,0 +1,356 @@
+#include "app/mission/estimation.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/infer/verdict/estimate_words.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+constexpr int kLiveDraws = 200;  // enough for what a glance asks of a preview
+
+}  // namespace
+
+Estimation::Estimation(EstimatorWorker& worker, const RobotModel& robot, const Options& options)
+    : worker_(worker), robot_(robot), options_(options)
+{
+    listenToModels();
+    connect(&worker_, &EstimatorWorker::estimated, this, &Estimation::accept);
+    connect(&worker_, &EstimatorWorker::failed, this, &Estimation::refuse);
+    connect(&worker_, &EstimatorWorker::advised, this, &Estimation::takeAdvice);
+}
+
+void Estimation::takeAdvice(int job, const ProbeAdvice& advice)
+{
+    // That of an estimate before may come after the one that stands: it had to wait for that in the worker.
+    if (!estimate_ || job != estimateJob_ || advice.stepLimit != options_.stepLimit) return;
+    if (!unadvised_ && advice == advice_)
+        return;  // asked twice: the limit was changed there and back
+    advice_ = advice;
+    if (unadvised_)
+        offer();
+    else
+        emit advised();
+}
+
+void Estimation::offer()
+{
+    unadvised_ = false;
+    emit offered();
+    startSecond();
+}
+
+void Estimation::listenToModels()
+{
+    connect(&worker_, &EstimatorWorker::modelLoaded, this,
+            [this](const QString& name, const QString& details, const QString& /*hash*/,
+                   const QString& content) {
+                model_ = {.name = name, .details = details, .content = content};
+                if (!estimate_) track_.reset();  // it rests on the model before
+                aside_.reset();
+                emit modelChanged();
+                emit happened(tr("model %1 loaded").arg(name), Weight::Note);
+                resume();
+            });
+    connect(&worker_, &EstimatorWorker::modelFailed, this, [this](const QString& why) {
+        model_.trouble = why;
+        emit happened(why, Weight::Bad);
+        resume();
+    });
+    connect(&worker_, &EstimatorWorker::modelKept, this, [this](const QString& why) {
+        emit happened(tr("model %1 stays in use: %2").arg(model_.name, why), Weight::Bad);
+        resume();
+    });
+}
+
+void Estimation::look(const std::optional<Received>& latest, bool heard)
+{
+    heard_ = heard;
+    if (!latest) return;
+    const Measurement& newest = latest->sample.measurement;
+    if (pose_) pose_->look(newest, latest->count);
+    if (aside_) {
+        aside_->pose.look(newest, latest->count);
+        aside_->wasUnheard = aside_->wasUnheard || latest->unbrokenFrom > aside_->capturedAt;
+    }
+    if (scene_ && latest->unbrokenFrom > capturedAt_ && !std::exchange(wasUnheard_, true))
+        emit unheard();
+    if (scene_ && !hasMoved() && latest->count >= capturedAt_ && !latest->suspicions.empty())
+        wasSuspected_ = true;
+    if (latest->count == tracked_) return;
+    if (track_ && latest->unbrokenFrom > tracked_) {
+        track_->takeSilence();
+        if (!scene_) emit unheard();
+    }
+    tracked_ = latest->count;
+    if (track_) track_->take(newest);
+}
+
+Estimation::Processes Estimation::processesOf(Method method) const
+{
+    return {method, options_.settings.inducing, options_.settings.precision};
+}
+
+bool Estimation::warmUp(Method method)
+{
+    const Processes processes = processesOf(method);
+    if (isClosedForm(method) || std::find(made_.begin(), made_.end(), processes) != made_.end())
+        return false;
+    made_.push_back(processes);
+    EstimateRequest request;
+    request.settings = options_.settings;
+    request.settings.method = method;
+    request.prepares = true;
+    warmUpJob_ = worker_.request(request);
+    return true;
+}
+
+void Estimation::endWarmUp()
+{
+    if (std::exchange(warmUpJob_, 0) != 0) made_.pop_back();
+}
+
+void Estimation::prepare()
+{
+    const bool isBusy = job_ != 0 || secondJob_ != 0 || liveJob_ != 0 || warmUpJob_ != 0;
+    if (isBusy || unadvised_ || model_.name.isEmpty() || warmUp(options_.settings.method)) return;
+    if (secondMethod_) warmUp(*secondMethod_);
+}
+
+void Estimation::preview(const Received& latest)
+{
+    if (warmUpJob_ != 0 && made_.back() != processesOf(options_.settings.method))
+        endWarmUp();  // those of the second method can wait
+    if (liveJob_ != 0 || warmUpJob_ != 0 || model_.name.isEmpty() || latest.count == previewed_)
+        return;
+    previewed_ = latest.count;
+    if (warmUp(options_.settings.method)) return;
+    Settings settings = options_.settings;
+    settings.method = Method::Local;
+    settings.draws = kLiveDraws;
+    liveJob_ = worker_.request(
+        {.measurement = latest.sample.measurement, .arm = {}, .settings = settings});
+}
+
+void Estimation::begin(const Received& latest, std::uint64_t since)
+{
+    const bool isNew = latest.press && latest.press->count > since;
+    const Sample& sample = isNew ? latest.press->sample : latest.sample;
+    aside_.reset();
+    scene_ = CapturedScene{.measurement = sample.measurement, .truth = sample.truth};
+    pose_.emplace(sample.measurement);
+    capturedAt_ = isNew ? latest.press->count : latest.count;
+    wasUnheard_ = false;
+    wasSuspected_ = !latest.suspicions.empty();
+    readings_.clear();
+    emit captured(*scene_);
+    start();
+}
+
+void Estimation::take(const ArmReading& reading)
+{
+    const auto i = static_cast<std::size_t>(reading.bin);
+    const bool inside = estimate_->q10[i] <= reading.height && reading.height <= estimate_->q90[i];
+    emit happened(tr("arm at %1: %2 m, %3 the band shown before")
+                      .arg(words::binName(reading.bin), words::signedNumber(reading.height, 2),
+                           inside ? tr("inside") : tr("outside")),
+                  inside ? Weight::Note : Weight::Doubt);
+    ledger_.record(*estimate_, reading.bin, reading.height, reading.sd, Origin::Arm);
+    std::erase_if(readings_, [&](const ArmReading& r) { return r.bin == reading.bin; });
+    readings_.push_back(reading);
+    start();
+}
+
+void Estimation::setSecondMethod(std::optional<Method> method)
+{
+    secondMethod_ = method;
+    second_.reset();
+    secondJob_ = 0;
+    startSecond();
+}
+
+void Estimation::cancel()
+{
+    worker_.cancel();
+    endWarmUp();
+    job_ = liveJob_ = secondJob_ = 0;                    // a result on its way is not ours any more
+    if (std::exchange(unadvised_, false)) adviseAnew();  // that of an estimate which stands
+}
+
+void Estimation::adviseAnew()
+{
+    if (!estimate_) return;
+    if (advice_.stepLimit != options_.stepLimit)
+        worker_.advise(estimateJob_, *estimate_, robot_, options_.stepLimit);
+}
+
+void Estimation::forget(const QString& why)
+{
+    if (estimate_) emit forgotten(why);
+    estimate_.reset();
+    second_.reset();
+    job_ = secondJob_ = 0;
+    unadvised_ = false;
+    scene_.reset();
+    pose_.reset();
+    wasUnheard_ = wasSuspected_ = false;
+    readings_.clear();
+    whyNone_ = why;
+}
+
+void Estimation::setAside(const QString& why)
+{
+    if (estimate_ && scene_ && pose_)
+        aside_ = Aside{*scene_,   *pose_,     capturedAt_, wasUnheard_,
+                       readings_, *estimate_, second_,     track_};
+    forgetGhost();
+    forget(why);
+}
+
+bool Estimation::restore()
+{
+    if (!isAside() || scene_) return false;
+    Aside aside = *std::exchange(aside_, std::nullopt);
+    scene_ = aside.scene;
+    pose_ = aside.pose;
+    capturedAt_ = aside.capturedAt;
+    wasUnheard_ = aside.wasUnheard;
+    readings_ = std::move(aside.readings);
+    estimate_ = std::move(aside.estimate);
+    second_ = std::move(aside.second);
+    track_ = std::move(aside.track);
+    whyNone_.clear();
+    emit stands(false);
+    adviseAnew();  // where the limit has changed meanwhile
+    return true;
+}
+
+EstimateRequest Estimation::requestFor(Method method) const
+{
+    Settings settings = options_.settings;
+    settings.method = !readings_.empty() && method == Method::Pafc ? Method::Pafac : method;
+    return {.measurement = scene_->measurement,
+            .arm = readings_,
+            .settings = settings,
+            .prober = {},
+            .stepLimit = options_.stepLimit,
+            .seconds = options_.seconds};
+}
+
+void Estimation::start()
+{
+    liveJob_ = secondJob_ = 0;  // this request overtakes them
+    endWarmUp();
+    unadvised_ = false;
+    second_.reset();
+    EstimateRequest request = requestFor(options_.settings.method);
+    request.prober = robot_;
+    askedLimit_ = request.stepLimit;
+    job_ = worker_.request(request);
+}
+
+void Estimation::startSecond()
+{
+    // It would overtake that one, and the advice would have to wait for it.
+    if (!secondMethod_ || !estimate_ || !scene_ || job_ != 0 || unadvised_) return;
+    endWarmUp();
+    secondJob_ = worker_.request(requestFor(*secondMethod_));
+}
+
+void Estimation::resume()
+{
+    liveJob_ = warmUpJob_ = 0;
+    made_.clear();  // those of the model before
+    const bool second = secondJob_ != 0;
+    secondJob_ = 0;
+    if (job_ != 0)
+        start();
+    else if (unadvised_)
+        adviseAnew();
+    else if (second)
+        startSecond();
+}
+
+void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds)
+{
+    if (job == warmUpJob_) warmUpJob_ = 0;
+    if (job == liveJob_) {
+        liveJob_ = 0;
+        live_ = estimate;
+    }
+    if (job == secondJob_) {
+        secondJob_ = 0;
+        second_ = estimate;
+        emit stands(true);
+    }
+    if (job != job_) return;
+    job_ = 0;
+    live_.reset();
+    estimate_ = estimate;
+    seconds_ = seconds;
+    advice_ = {};
+    estimateJob_ = job;
+    track_.emplace(robot_, estimate, scene_->measurement);
+    if (wasUnheard_) track_->takeSilence();
+    emit stands(false);
+    tellOf(estimate);
+    unadvised_ = true;
+    // The advice follows, unless the limit has been changed meanwhile: another probe may be worth asking for.
+    if (askedLimit_ != options_.stepLimit) adviseAnew();
+}
+
+void Estimation::refuse(int job, const QString& why)
+{
+    if (job == warmUpJob_) warmUpJob_ = 0;
+    if (job == liveJob_) {
+        liveJob_ = 0;
+        live_.reset();
+        whyNone_ = tr("No live estimate: %1").arg(why);
+    }
+    if (job == secondJob_) {
+        secondJob_ = 0;
+        emit happened(tr("no second estimate: %1").arg(why), Weight::Doubt);
+    }
+    if (job != job_) return;
+    job_ = 0;
+    emit failed();
+    emit happened(tr("estimate failed: %1").arg(why), Weight::Bad);
+}
+
+void Estimation::tellOf(const TerrainEstimate& estimate)
+{
+    emit happened(tr("estimate in %1").arg(words::age(seconds_)), Weight::Note);
+    for (const std::string& warning : estimate.warnings)
+        emit happened(words::sentence(warning), Weight::Doubt);
+    for (const std::string& sentence : hiddenByBands(estimate, options_.stepLimit))
+        emit happened(words::sentence(sentence), Weight::Note);
+}
+
+std::optional<Verdict> Estimation::verdict() const
+{
+    if (!estimate_ || !scene_) return std::nullopt;
+    return verdictOf(*estimate_, scene_->measurement,
+                     {.heard = heard_, .unbroken = !wasUnheard_, .sensorsSound = !wasSuspected_},
+                     options_.stepLimit);
+}
+
+std::optional<Ghost> Estimation::ghost() const
+{
+    if (!wantsGhost() || !heard_) return std::nullopt;
+    return track_->ghost();
+}
+
+QString Estimation::whyNoGhost() const
+{
+    return wantsGhost() ? noGhostWords(track_->why(), heard_) : QString();
+}
+
+QString noGhostWords(std::optional<NoGhost> why, bool heard)
+{
+    if (why) return Estimation::tr("No ghost: %1").arg(words::sentence(describe(*why)));
+    return heard ? QString() : Estimation::tr("No ghost while telemetry is missing");
+}
+
+}  // namespace terratact

@@ -1,0 +1,199 @@
+#include "app/mission/estimator_worker.h"
+
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "app/mission/model_words.h"
+#include "app/runtime/parallel.h"
+#include "app/runtime/time_budget.h"
+#include "app/runtime/vector_registers.h"
+#include "core/infer/estimator.h"
+#include "core/infer/reconstruct.h"
+#include "core/learn/model/bin_models.h"
+#include "core/learn/model/model_file.h"
+#include "core/sim/posterior_check.h"
+#include "core/store/sha256.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+
+ModelLoader modelFileLoader(std::string path, RobotModel robot)
+{
+    return [path = std::move(path), robot = std::move(robot)]() -> Result<LoadedModel> {
+        auto stored = readModel(path);
+        if (!stored) return stored.error();
+        // Shared because an Estimator is a copyable value while the models are not.
+        const auto models = std::make_shared<const Models>(stored->data, robot);
+
+        LoadedModel model;
+        model.name = QFileInfo(QString::fromStdString(path)).fileName();
+        model.content = QString::fromStdString(stored->contentHash);
+        model.details = ModelWords::card(factsOf(path, *stored));
+        if (const auto hash = sha256OfFile(path)) model.hash = QString::fromStdString(*hash);
+        model.estimate = [models, robot](const EstimateRequest& request, const Watch& watch) {
+            if (request.prepares) {
+                makeProcesses(*models, request.settings, watch);
+                return TerrainEstimate{};
+            }
+            TerrainEstimate estimate =
+                estimateTerrain(proprioception(request.measurement), request.arm, robot, *models,
+                                request.settings, watch);
+            warnIfNotPlanar(estimate, request.measurement);
+            writePosteriorCheck(estimate, proprioception(request.measurement), robot,
+                                pollOf(watch));
+            return estimate;
+        };
+        return model;
+    };
+}
+
+EstimatorWorker::EstimatorWorker(ModelLoader load) : load_(std::move(load))
+{
+    thread_.setObjectName(QStringLiteral("estimator"));
+    moveToThread(&thread_);
+    connect(&thread_, &QThread::started, this, [this] { take(load_); });
+    connect(this, &EstimatorWorker::loadRequested, this, &EstimatorWorker::take,
+            Qt::QueuedConnection);
+    connect(this, &EstimatorWorker::requested, this, &EstimatorWorker::run, Qt::QueuedConnection);
+    connect(this, &EstimatorWorker::adviceRequested, this, &EstimatorWorker::answer,
+            Qt::QueuedConnection);
+}
+
+void EstimatorWorker::start()
+{
+    thread_.start();
+}
+
+EstimatorWorker::~EstimatorWorker()
+{
+    cancel();
+    ++newestAdvice_;
+    thread_.quit();
+    thread_.wait();
+}
+
+int EstimatorWorker::request(const EstimateRequest& request)
+{
+    const int job = ++newest_;
+    progress_ = 0.0;
+    emit requested(job, request);
+    return job;
+}
+
+void EstimatorWorker::cancel()
+{
+    ++newest_;
+    progress_ = -1.0;
+}
+
+void EstimatorWorker::advise(int job, const TerrainEstimate& estimate, const RobotModel& prober,
+                             double stepLimit)
+{
+    emit adviceRequested(++newestAdvice_, job, estimate, prober, stepLimit);
+}
+
+void EstimatorWorker::answer(int number, int job, const TerrainEstimate& estimate,
+                             const RobotModel& prober, double stepLimit)
+{
+    giveAdvice(job, estimate, prober, stepLimit, [this, number] {
+        if (number != newestAdvice_) throw Cancelled{};
+    });
+}
+
+void EstimatorWorker::giveAdvice(int job, const TerrainEstimate& estimate, const RobotModel& prober,
+                                 double stepLimit, const Poll& poll)
+{
+    try {
+        emit advised(job, adviseProbe(estimate, prober, stepLimit, poll));
+    } catch (const Cancelled&) {
+        return;
+    } catch (const std::exception&) {  // the estimate stands without
+        ProbeAdvice none;
+        none.stepLimit = stepLimit;
+        emit advised(job, none);
+    }
+}
+
+std::optional<double> EstimatorWorker::progress() const
+{
+    const double share = progress_;
+    return share < 0.0 ? std::nullopt : std::optional(share);
+}
+
+void EstimatorWorker::load(const ModelLoader& load)
+{
+    cancel();
+    emit loadRequested(load);
+}
+
+void EstimatorWorker::take(const ModelLoader& load)
+{
+    QString why;
+    try {
+        auto model = load();
+        if (model) {
+            estimate_ = model->estimate;
+            emit modelLoaded(model->name, model->details, model->hash, model->content);
+            return;
+        }
+        why = words::sentence(model.error().text);
+    } catch (const std::exception& error) {
+        why = QString::fromUtf8(error.what());
+    }
+    if (estimate_) {
+        emit modelKept(why);
+        return;
+    }
+    trouble_ = why;
+    emit modelFailed(why);
+}
+
+void EstimatorWorker::run(int job, const EstimateRequest& request)
+{
+    if (overtaken(job)) return;
+    clearUpperVectorHalves();
+    const std::optional<TerrainEstimate> result = estimateFor(job, request);
+    // Here and not in the window's thread, which has the picture to make meanwhile.
+    if (result && request.prober)
+        giveAdvice(job, *result, *request.prober, request.stepLimit, [this, job] {
+            if (overtaken(job)) throw Cancelled{};
+        });
+}
+
+/// Tells what comes of the request; empty where that is no estimate.
+std::optional<TerrainEstimate> EstimatorWorker::estimateFor(int job, const EstimateRequest& request)
+{
+    QString why;
+    try {
+        if (!estimate_) throw std::runtime_error(trouble_.toStdString());
+        Watch watch = endingAfter(request.seconds);
+        watch.cancelled = [this, job] { return overtaken(job); };
+        watch.progress = [this, job](double share) {
+            if (!overtaken(job)) progress_ = share;
+        };
+        lendProcessors(watch);
+        QElapsedTimer timer;
+        timer.start();
+        TerrainEstimate result = estimate_(request, watch);
+        const double seconds = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
+        if (overtaken(job)) return std::nullopt;
+        progress_ = -1.0;
+        emit estimated(job, result, seconds);
+        return result;
+    } catch (const Cancelled&) {
+        return std::nullopt;
+    } catch (const std::exception& error) {
+        why = QString::fromUtf8(error.what());
+    } catch (...) {
+        why = QStringLiteral("unknown error");
+    }
+    if (overtaken(job)) return std::nullopt;
+    progress_ = -1.0;
+    emit failed(job, why);
+    return std::nullopt;
+}
+
+}  // namespace terratact

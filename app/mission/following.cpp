@@ -1,0 +1,86 @@
+#include "app/mission/following.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "widgets/base/words.h"
+
+namespace terratact {
+
+Following::Following(QString why, Estimation& estimation, const AtemLimits& limits)
+    : why_(std::move(why)), estimation_(estimation), limits_(limits)
+{
+}
+
+void Following::look(FollowInput& in, const Received& latest) const
+{
+    const Measurement& m = latest.sample.measurement;
+    const auto& readings = estimation_.readings();
+    const bool captured = latest.press && latest.press->count == captured_;
+    in.activity = m.activity;
+    in.newPress = latest.press && !captured && !estimation_.model().name.isEmpty();
+    in.newReading = captured && estimation_.scene() && m.arm
+                 && std::ranges::find(readings, *m.arm) == readings.end();
+    in.poseChanged = estimation_.hasMoved();
+}
+
+void Following::tick(AtemState& state, FollowInput in, const Received& latest)
+{
+    look(in, latest);
+    if (in.aborted) estimation_.forgetGhost();
+    if (in.linkLost) {  // who knows what the robot did meanwhile
+        captured_ = 0;
+        lostAt_ = latest.count;
+    }
+    const AtemState before = state;
+    state = nextFollowed(state, in, limits_);
+    if (state != before) enter(state, latest);
+    if (estimation_.hasLeft() && estimation_.estimate()) estimation_.forget(whyMoved());
+}
+
+void Following::enter(const AtemState& state, const Received& latest)
+{
+    switch (state.phase) {
+    case AtemPhase::Pressing:
+        estimation_.forget(tr("Following: the front flippers press down"));
+        break;
+    case AtemPhase::Estimating:
+        estimation_.forget(tr("Estimating …"));
+        emit happened(tr("following: the robot has pressed its flippers down"), Weight::Note);
+        captured_ = latest.press->count;
+        estimation_.begin(latest, lostAt_);
+        break;
+    case AtemPhase::Probing:
+        emit happened(tr("following: the arm is probing"), Weight::Note);
+        break;
+    case AtemPhase::EstimatingAgain: estimation_.take(*latest.sample.measurement.arm); break;
+    case AtemPhase::Stopped:
+        emit happened(tr("following: the robot is stopped"), Weight::Bad);
+        estimation_.cancel();
+        if (!estimation_.estimate()) estimation_.forget(tr("No estimate: the robot is stopped"));
+        break;
+    case AtemPhase::Failed: fail(state.failure); break;
+    case AtemPhase::Idle:
+        estimation_.cancel();
+        estimation_.forget(estimation_.hasMoved() ? whyMoved() : QString());
+        break;
+    case AtemPhase::Presenting:
+    case AtemPhase::Halting:
+    case AtemPhase::ProposingProbe: break;
+    }
+}
+
+void Following::fail(AtemFailure failure)
+{
+    const QString why = words::sentence(describe(failure));
+    emit happened(tr("following: no estimate: %1").arg(why), Weight::Bad);
+    estimation_.cancel();
+    estimation_.forget(tr("No estimate: %1").arg(why));
+}
+
+QString Following::whyMoved()
+{
+    return tr("The robot has moved: the next press brings the next estimate");
+}
+
+}  // namespace terratact

@@ -1,0 +1,112 @@
+#include "app/mission/panel_control.h"
+
+#include <utility>
+
+#include "widgets/base/words.h"
+
+namespace terratact {
+
+PanelControl::PanelControl(std::unique_ptr<OperatorPanel> panel, MeasurementSource& source,
+                           Exploration& exploration)
+    : exploration_(exploration), reader_(std::move(panel), source)
+{
+}
+
+void PanelControl::tick(double now, const Sight& sight)
+{
+    if (now_ == 0.0) answeredAt_ = now;  // it has a while to begin
+    now_ = now;
+    if (std::exchange(shown_, sight.shown) != sight.shown) shownSince_ = now;
+    report_ = reader_.latest();
+    if (answers(now)) answeredAt_ = now;
+    const bool stopped = report_.state.stop || isLost();
+    if (stopped && !wasStopped_) {
+        exploration_.stop();  // again, after the reader's own: the window has to know, too
+        emit happened(report_.state.present && !isLost() ? tr("STOP pressed on the panel")
+                      : exploration_.following()         ? tr("the panel is lost")
+                                                 : tr("the panel is lost, which means STOP"),
+                      Weight::Bad);
+    }
+    wasStopped_ = stopped;
+    press(sight);
+    ask(sight);
+    light();
+    const QString trouble = words::sentence(report_.trouble);
+    if (trouble != trouble_ && !trouble.isEmpty()) emit happened(trouble, Weight::Bad);
+    trouble_ = trouble;
+}
+
+void PanelControl::press(const Sight& sight)
+{
+    const PerContact<int> presses = reader_.takePresses();
+    if (presses[PanelContact::Atem] > 0 && sight.mayExplore && answers(now_))
+        exploration_.request();
+    const auto& proposal = exploration_.proposal();
+    if (!proposal) {
+        approving_ = false;
+        return;
+    }
+    if (presses[PanelContact::Refuse] > 0)
+        exploration_.refuse(proposal->id);
+    else
+        approve(proposal->id, presses[PanelContact::Approve] > 0, sight.covered);
+}
+
+void PanelControl::approve(quint64 asked, bool pressed, bool covered)
+{
+    if (pressed && shown_ != asked)
+        emit happened(covered ? tr("not approved: close the window that covers the question")
+                              : tr("not approved: the question is not on the screen (Terrain, F2)"),
+                      Weight::Bad);
+    const ContactState& contact = report_.state.contacts[PanelContact::Approve];
+    const bool counts = shown_ == asked && report_.state.held(PanelContact::Approve)
+                     && contact.since >= shownSince_;
+    if (std::exchange(approving_, counts) && !counts)
+        emit happened(tr("not approved: the panel's button has to be held for 1.5 s"), Weight::Bad);
+    if (!counts || report_.state.time - contact.since < kApproveHold) return;
+    approving_ = false;
+    exploration_.approve(asked);
+}
+
+void PanelControl::buzz()
+{
+    buzzUntil_ = now_ + kBuzz;
+}
+
+void PanelControl::ask(const Sight& sight)
+{
+    if (exploration_.state().phase != AtemPhase::ProposingProbe) return asked_.reset();
+    if (!sight.mayAsk || (asked_ && now_ - *asked_ < kAskAgain)) return;
+    asked_ = now_;
+    buzz();
+}
+
+void PanelControl::light()
+{
+    reader_.setLamps({.link = exploration_.linkAlive(),
+                      .armed = exploration_.armed(),
+                      .probing = exploring(exploration_.state().phase),
+                      .buzzer = now_ < buzzUntil_});
+}
+
+bool PanelControl::answers(double now) const
+{
+    return report_.state.present && reader_.age(now) <= kAnswersWithin;
+}
+
+QString PanelControl::whyNotReleased() const
+{
+    if (!report_.state.present || isLost())
+        return tr("the panel is lost: connect it first, or start the console without --panel");
+    return stopPressed() ? tr("STOP is pressed on the panel: release it there first") : QString();
+}
+
+Precondition PanelControl::precondition(double now) const
+{
+    using Level = Precondition::Level;
+    if (!answers(now)) return {Level::Missing, tr("the operator's panel does not answer")};
+    if (stopPressed()) return {Level::Missing, tr("STOP is pressed on the panel")};
+    return {Level::Met, tr("the operator's panel answers")};
+}
+
+}  // namespace terratact

@@ -1,0 +1,70 @@
+#include "app/mission/preset_words.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+struct PresetWords {
+    Q_DECLARE_TR_FUNCTIONS(PresetWords)
+};
+
+/// Its numbers in words.
+struct CostWords {
+    QString name, milliseconds, error, off, converged;
+};
+
+CostWords inWords(const PresetCost& cost)
+{
+    return {words::sentence(name(cost.quality)), words::number(cost.milliseconds, 1),
+            words::number(cost.errorMm, 0), words::number(cost.offMm, 1),
+            words::number(100.0 * cost.converged, 0)};
+}
+
+template <class Say>
+QStringList ofEach(Method method, std::span<const PresetCost> costs, const QString& unmeasured,
+                   const Say& say)
+{
+    QStringList lines;
+    for (const Quality quality : kQualities) {
+        const auto cost = std::find_if(costs.begin(), costs.end(), [&](const PresetCost& c) {
+            return c.method == method && c.quality == quality;
+        });
+        lines << (cost == costs.end() ? unmeasured.arg(words::sentence(name(quality)))
+                                      : say(inWords(*cost)));
+    }
+    return lines;
+}
+
+}  // namespace
+
+QStringList presetLines(Method method, std::span<const PresetCost> costs)
+{
+    const QString unmeasured = PresetWords::tr("%1: not measured (terratact tradeoff)");
+    return ofEach(method, costs, unmeasured, [method](const CostWords& cost) {
+        return isClosedForm(method)
+                 ? PresetWords::tr("%1: %2 ms, exact quantiles by a formula, mean error %3 mm")
+                       .arg(cost.name, cost.milliseconds, cost.error)
+                 : PresetWords::tr("%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 "
+                                   "mm; chains converge in %5 % of scenes, without which there is "
+                                   "no verdict")
+                       .arg(cost.name, cost.milliseconds, cost.off, cost.error, cost.converged);
+    });
+}
+
+QStringList presetEntries(Method method, std::span<const PresetCost> costs)
+{
+    const QString unmeasured = PresetWords::tr("%1: not measured");
+    return ofEach(method, costs, unmeasured, [method](const CostWords& cost) {
+        return isClosedForm(method)
+                 ? PresetWords::tr("%1: %2 ms, %3 mm (exact)")
+                       .arg(cost.name, cost.milliseconds, cost.error)
+                 : PresetWords::tr("%1: %2 ms, %3 mm (± %4 mm), %5 % converge")
+                       .arg(cost.name, cost.milliseconds, cost.error, cost.off, cost.converged);
+    });
+}
+
+}  // namespace terratact

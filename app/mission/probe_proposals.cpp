@@ -1,0 +1,120 @@
+#include "app/mission/probe_proposals.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "core/atem/probe_grounds.h"
+
+namespace terratact {
+namespace {
+
+ProbeWorth worthOf(const ProbeGain& gain, const Uncertainty& before)
+{
+    const double share = before.variance > 0.0 ? gain.varianceReduction / before.variance : 0.0;
+    return {.bin = gain.bin,
+            .varianceShare = std::clamp(share, 0.0, 1.0),
+            .bitsAfter = std::max(0.0, before.entropy - gain.entropyReduction) / std::numbers::ln2};
+}
+
+/// Of those in the arm's reach that it has not measured.
+std::optional<int> leastCertain(const ProbeBasis& basis)
+{
+    std::optional<int> widest;
+    for (int bin = 0; bin < kBins && basis.robot.armSd > 0.0; ++bin) {
+        const auto i = static_cast<std::size_t>(bin);
+        if (!basis.robot.armReaches(bin) || basis.estimate.origin[i] == Origin::Arm) continue;
+        if (!widest || basis.estimate.sd[i] > basis.estimate.sd[static_cast<std::size_t>(*widest)])
+            widest = bin;
+    }
+    return widest;
+}
+
+}  // namespace
+
+ProbeProposal describeProbe(const ProbeBasis& basis, int bin)
+{
+    const auto& [estimate, advice, robot, seconds, policy] = basis;
+    const auto i = static_cast<std::size_t>(bin);
+    ProbeProposal probe{.id = 0,
+                        .bin = bin,
+                        .height = estimate.height[i],
+                        .q10 = estimate.q10[i],
+                        .q90 = estimate.q90[i],
+                        .sd = estimate.sd[i],
+                        .limit = estimate.settings.probeAbove,
+                        .armSd = robot.armSd,
+                        .seconds = seconds,
+                        .stepLimit = advice.stepLimit,
+                        .bitsBefore = advice.before.entropy / std::numbers::ln2,
+                        .worth = {},
+                        .others = {}};
+    for (const ProbeGain& gain : ranked(advice, policy)) {
+        const ProbeWorth worth = worthOf(gain, advice.before);
+        if (gain.bin == bin)
+            probe.worth = worth;
+        else
+            probe.others.push_back(worth);
+    }
+    return probe;
+}
+
+std::optional<ProbeProposal> bestProbe(const ProbeBasis& basis)
+{
+    const std::vector<ProbeGain> gains = ranked(basis.advice, basis.policy);
+    const bool isRanked = basis.policy == ProbePolicy::Question && !gains.empty();
+    if (basis.advice.bin && !isRanked) return describeProbe(basis, *basis.advice.bin);
+    if (!gains.empty()) return describeProbe(basis, gains.front().bin);
+    if (basis.advice.stepLimit <= 0.0) return std::nullopt;  // not told yet
+    const std::optional<int> widest = leastCertain(basis);
+    return widest ? std::optional(describeProbe(basis, *widest)) : std::nullopt;
+}
+
+ProbeProposals::ProbeProposals(const Estimation& estimation, const RobotModel& robot,
+                               double seconds, const ProbePolicy& policy)
+    : estimation_(estimation), robot_(robot), seconds_(seconds), policy_(policy)
+{
+}
+
+ProbeOffer ProbeProposals::offer() const
+{
+    return offerProbe(estimation_.advice(), estimation_.verdict()->outlook, policy_);
+}
+
+ProbeBasis ProbeProposals::basis() const
+{
+    return {*estimation_.estimate(), estimation_.advice(), robot_, seconds_, policy_};
+}
+
+std::optional<ProbeProposal> ProbeProposals::best() const
+{
+    return estimation_.estimate() ? bestProbe(basis()) : std::nullopt;
+}
+
+void ProbeProposals::propose(int bin)
+{
+    current_ = describeProbe(basis(), bin);
+    current_->id = ++last_;
+    proposedOn_ = grounds();
+}
+
+bool ProbeProposals::stands() const
+{
+    const std::string now = grounds();
+    return !now.empty() && now == proposedOn_;
+}
+
+std::string ProbeProposals::grounds() const
+{
+    const auto& scene = estimation_.scene();
+    const auto& estimate = estimation_.estimate();
+    if (!scene || !estimate || !current_ || estimation_.wasUnheard()) return {};
+    const ModelInUse& model = estimation_.model();
+    return fingerprint({.scene = scene->measurement,
+                        .readings = estimation_.readings(),
+                        .settings = estimate->settings,
+                        .wanted = estimation_.wanted(),
+                        .model = (model.name + model.details).toStdString(),
+                        .bin = current_->bin});
+}
+
+}  // namespace terratact

@@ -1,0 +1,225 @@
+#include "app/mission/session_scribe.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/base/text.h"
+
+namespace terratact {
+namespace {
+
+std::string inWords(Weight weight)
+{
+    switch (weight) {
+    case Weight::Note: return "note";
+    case Weight::Doubt: return "doubt";
+    case Weight::Bad: return "bad";
+    }
+    return {};
+}
+
+/// EventRow::number of an alarm; 0: gone.
+double numberOf(AlarmState state)
+{
+    switch (state) {
+    case AlarmState::Unacknowledged: return 3.0;
+    case AlarmState::Acknowledged: return 2.0;
+    case AlarmState::Returned: return 1.0;
+    }
+    return 0.0;
+}
+
+std::string inWords(const Verdict& verdict, double limit)
+{
+    std::string text =
+        fmt::format("{}, P(step > {:.2f} m) = {:.1f} % ± {}", name(verdict.outlook), limit,
+                    100.0 * verdict.step.p, randomErrorText(100.0 * verdict.step.monteCarloSd, 1));
+    if (!verdict.unfelt.empty()) text += "; " + describeUnfelt(verdict);
+    for (const Doubt doubt : verdict.doubts) text += fmt::format("; {}", describe(doubt));
+    return text;
+}
+
+}  // namespace
+
+SessionScribe::SessionScribe(std::shared_ptr<SessionRecorder> recorder, Exploration& exploration,
+                             EstimatorWorker& worker, EventList& events, QObject* parent)
+    : QObject(parent), recorder_(std::move(recorder)), exploration_(exploration)
+{
+    connectTo(exploration);
+    connect(&worker, &EstimatorWorker::modelLoaded, this, &SessionScribe::takeModel);
+    connect(&events, &EventList::added, this, [this](const QString& text, Weight weight) {
+        tell(EventKind::Word, inWords(weight), text.toStdString());
+    });
+}
+
+void SessionScribe::connectTo(Exploration& exploration)
+{
+    const Estimation* estimation = &exploration.estimation();
+    connect(estimation, &Estimation::captured, this, [this](const CapturedScene& scene) {
+        scene_ = recorder_->record(
+            SceneRow{.id = 0, .time = 0, .measurement = scene.measurement, .truth = scene.truth});
+    });
+    connect(estimation, &Estimation::stands, this, &SessionScribe::takeEstimate);
+    connect(&exploration, &Exploration::proposed, this, &SessionScribe::takeProposal);
+    connect(&exploration, &Exploration::decided, this, &SessionScribe::decision);
+    connect(estimation, &Estimation::unheard, this, [this] { tell(EventKind::Unheard, {}, {}); });
+    connect(estimation, &Estimation::forgotten, this, [this](const QString& why) {
+        tell(EventKind::Forgotten, {}, why.toStdString());
+        estimate_ = proposal_ = 0;
+    });
+}
+
+void SessionScribe::takeModel(const QString& name, const QString& details, const QString& hash)
+{
+    model_ = recorder_->record(ModelRow{.id = 0,
+                                        .time = 0,
+                                        .name = name.toStdString(),
+                                        .hash = hash.toStdString(),
+                                        .details = details.toStdString()});
+}
+
+void SessionScribe::takeEstimate(bool second)
+{
+    if (scene_ == 0 || model_ == 0) return;
+    const Estimation& estimation = exploration_.estimation();
+    EstimateRow row;
+    row.scene = scene_;
+    row.model = model_;
+    row.readings = estimation.readings();
+    row.role = second               ? EstimateRole::Second
+             : row.readings.empty() ? EstimateRole::First
+                                    : EstimateRole::Again;
+    row.seconds = second ? 0.0 : estimation.seconds();
+    row.stepLimit = exploration_.options().stepLimit;
+    row.estimate = second ? *estimation.second() : *estimation.estimate();
+    const std::int64_t id = recorder_->record(std::move(row));
+    if (!second) estimate_ = id;
+}
+
+void SessionScribe::takeProposal()
+{
+    const auto& p = exploration_.proposal();
+    if (!p || estimate_ == 0) return;
+    ProposalRow row{.id = 0,
+                    .time = 0,
+                    .estimate = estimate_,
+                    .bin = p->bin,
+                    .height = p->height,
+                    .q10 = p->q10,
+                    .q90 = p->q90,
+                    .sd = p->sd,
+                    .limit = p->limit,
+                    .armSd = p->armSd,
+                    .seconds = p->seconds,
+                    .stepLimit = p->stepLimit,
+                    .bitsBefore = p->bitsBefore,
+                    .grounds = exploration_.proposedOn()};
+    if (p->worth)
+        row.offers.push_back({p->worth->bin, p->worth->varianceShare, p->worth->bitsAfter});
+    for (const ProbeWorth& other : p->others)
+        row.offers.push_back({other.bin, other.varianceShare, other.bitsAfter});
+    proposal_ = recorder_->record(std::move(row));
+}
+
+void SessionScribe::tell(EventKind kind, const std::string& subject, const std::string& text,
+                         std::optional<double> number)
+{
+    const bool isDecision = kind == EventKind::Decision || kind == EventKind::Marker;
+    recorder_->record(EventRow{.id = 0,
+                               .time = 0,
+                               .kind = kind,
+                               .subject = subject,
+                               .text = text,
+                               .number = number,
+                               .estimate = estimate_,
+                               .proposal = exploration_.proposal() ? proposal_ : 0,
+                               .shown = isDecision ? shown() : std::string()});
+}
+
+void SessionScribe::decision(const char* what, const QString& text)
+{
+    tell(EventKind::Decision, what, text.toStdString());
+}
+
+void SessionScribe::mark(const QString& note)
+{
+    tell(EventKind::Marker, "operator", note.toStdString());
+}
+
+std::string SessionScribe::shown() const
+{
+    std::string text = fmt::format("exploration: {}", describe(exploration_.state().phase));
+    text += "; " + describe(link_);
+    if (const auto verdict = exploration_.estimation().verdict())
+        text += "; " + inWords(*verdict, exploration_.options().stepLimit);
+    else
+        text += "; no estimate";
+    if (const auto& p = exploration_.proposal())
+        text += fmt::format("; probe proposed at bin {}: {:.3f} m, {:.3f} … {:.3f} m, sd {:.3f} m",
+                            p->bin, p->height, p->q10, p->q90, p->sd);
+    if (const auto bin = exploration_.probingBin()) text += fmt::format("; probing bin {}", *bin);
+    return text;
+}
+
+void SessionScribe::look(const LinkAccount& link, const std::optional<CanView>& bus,
+                         const AlarmList& alarms, const std::optional<PanelState>& panel)
+{
+    lookAtLink(link, bus);
+    if (bus && std::exchange(arming_, bus->link.arming.phase) != bus->link.arming.phase)
+        tell(EventKind::Arming, describe(*arming_),
+             *arming_ == ArmingPhase::Disarmed ? describe(bus->link.arming.cause) : std::string());
+    const AtemState& state = exploration_.state();
+    if (std::exchange(phase_, state.phase) != state.phase)
+        tell(EventKind::Phase, describe(state.phase),
+             state.phase == AtemPhase::Failed ? describe(state.failure) : std::string());
+    const std::string overridden = exploration_.overridden().toStdString();
+    if (std::exchange(overridden_, overridden) != overridden)
+        tell(EventKind::Override, {}, overridden);
+    lookAtAlarms(alarms);
+    if (panel) lookAtPanel(*panel);
+}
+
+void SessionScribe::lookAtLink(const LinkAccount& link, const std::optional<CanView>& bus)
+{
+    link_ = link;
+    if (link.standing == LinkStanding::Silent) return;
+    const bool isUp = link.standing == LinkStanding::Up;
+    const std::string subject{isUp ? kLinkUp : link.alone ? kTelemetryLost : kLinkLost};
+    // What comes and goes is one loss, unless it becomes worse.
+    if (subject == linkTold_ || (linkTold_ == kLinkLost && !isUp)) return;
+    linkTold_ = subject;
+    if (!isUp) return tell(EventKind::Link, subject, bus ? describe(bus->bus, "bus") : "");
+    tell(EventKind::Link, subject,
+         link.gaps > 1
+             ? fmt::format("gaps before: {}, the longest {:.2f} s", link.gaps, link.longest)
+             : std::string(),
+         link.gaps > 0 ? std::optional(link.longest) : std::nullopt);
+}
+
+void SessionScribe::lookAtAlarms(const AlarmList& alarms)
+{
+    std::map<std::string, AlarmState> now;
+    for (const Alarm& alarm : alarms.alarms()) {
+        now[alarm.id] = alarm.state;
+        const auto before = alarms_.find(alarm.id);
+        if (before == alarms_.end() || before->second != alarm.state)
+            tell(EventKind::Alarm, alarm.id, alarm.text, numberOf(alarm.state));
+    }
+    for (const auto& [id, state] : alarms_)
+        if (!now.contains(id)) tell(EventKind::Alarm, id, {}, 0.0);
+    alarms_ = std::move(now);
+}
+
+void SessionScribe::lookAtPanel(const PanelState& panel)
+{
+    PerContact<bool> closed;
+    for (const PanelContact contact : kAllPanelContacts)
+        closed[contact] = panel.contacts[contact].closed;
+    for (const PanelContact contact : kAllPanelContacts)
+        if (!contacts_ || (*contacts_)[contact] != closed[contact])
+            tell(EventKind::Panel, std::string(name(contact)), {}, closed[contact] ? 1.0 : 0.0);
+    contacts_ = closed;
+}
+
+}  // namespace terratact

@@ -1,0 +1,209 @@
+#include "app/mission/signal_rows.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "app/link/can_words.h"
+#include "core/wire/dbc/dbc_text.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+struct SignalSays {
+    Q_DECLARE_TR_FUNCTIONS(terratact::SignalsPage)
+};
+
+/// Of the robot's protocol; empty: of no frame of it.
+std::optional<FrameKind> kindOf(const CanFrame& frame)
+{
+    const bool mayBeOurs = !frame.error && !frame.extended && !frame.remote && !frame.fd;
+    return mayBeOurs ? kindOfId(frame.id) : std::nullopt;
+}
+
+/// As wordsOf() says it; names are those of the DBC in every language, and so are the words of others' DBC files.
+QString contentOf(const CanFrame& frame, const std::vector<NamedValue>& values)
+{
+    if (isNotMeasured(values)) return words::sentence("not measured");
+    const bool isOurs = kindOf(frame).has_value();
+    QStringList parts;
+    for (const NamedValue& value : values)
+        parts << QStringLiteral("%1 %2 %3")
+                     .arg(words::text(value.name),
+                          isOurs ? words::sentence(value.value) : words::text(value.value),
+                          words::text(shownDbcText(value.unit)))
+                     .trimmed();
+    return parts.join(QStringLiteral(", "));
+}
+
+SignalRow::Standing standingOf(const TappedFrame& frame)
+{
+    using Standing = SignalRow::Standing;
+    if (!frame.age || !frame.isMeasured) return Standing::Stale;
+    if (*frame.age <= kBusFresh) return Standing::Fresh;
+    const bool isCyclic = frame.kind && layoutOf(*frame.kind).period > 0.0;
+    return isCyclic ? Standing::Stale : Standing::Said;
+}
+
+QString withMinus(QString number)
+{
+    return number.replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+QString valueText(const SignalLayout& layout, const std::optional<double>& value)
+{
+    return value ? withMinus(words::sentence(wordOf(layout, *value))) : words::kNothing;
+}
+
+/// A number that only names something has neither least nor most.
+bool isQuantity(const SignalLayout& layout)
+{
+    return !layout.unit.empty();
+}
+
+SignalRow rowOf(const TappedFrame& frame, const SignalLayout& layout, const TappedSignal& signal)
+{
+    SignalRow row;
+    row.name = words::text(layout.name);
+    row.unit = words::text(layout.unit);
+    row.rate = frame.rate;
+    row.age = frame.age;
+    row.standing = standingOf(frame);
+    if (layout.name == "Measured" && frame.age && *frame.age <= kBusFresh)
+        row.standing = SignalRow::Standing::Fresh;
+    row.value = valueText(layout, signal.last);
+    if (isQuantity(layout)) {
+        row.least = valueText(layout, signal.least);
+        row.most = valueText(layout, signal.most);
+    }
+    row.history.assign(signal.history.begin(), signal.history.end());
+    return row;
+}
+
+QString valueText(const DbcSignal& signal, const std::optional<double>& value)
+{
+    if (!value) return words::kNothing;
+    const QString text = words::text(wordOrNumber(signal, *value));
+    return wordOf(signal, *value) ? text : withMinus(text);
+}
+
+/// Of the newest value every digit is known.
+QString newestText(const DbcSignal& signal, const TappedSignal& tapped)
+{
+    if (!tapped.last) return words::kNothing;
+    const QString text = words::text(wordOrNumber(signal, tapped.bits));
+    return wordOfBits(signal, tapped.bits) ? text : withMinus(text);
+}
+
+/// Of a message that says how often it comes, an old value is none; of others it is the last word.
+SignalRow::Standing standingOf(const SignalTimes& times, const DbcMessage& message)
+{
+    using Standing = SignalRow::Standing;
+    if (!times.age) return Standing::Stale;
+    if (*times.age <= times.fresh) return Standing::Fresh;
+    return message.period() > 0.0 ? Standing::Stale : Standing::Said;
+}
+
+SignalRow rowOf(const DbcMessage& message, const DbcSignal& layout, const TappedSignal& signal,
+                const SignalTimes& times)
+{
+    SignalRow row;
+    row.name = words::text(layout.name);
+    row.unit = words::text(shownDbcText(layout.unit));
+    row.rate = times.rate;
+    row.age = times.age;
+    row.standing = standingOf(times, message);
+    row.value = newestText(layout, signal);
+    if (layout.words.empty()) {
+        row.least = valueText(layout, signal.least);
+        row.most = valueText(layout, signal.most);
+    }
+    row.history.assign(signal.history.begin(), signal.history.end());
+    row.meaning = words::text(layout.comment);
+    return row;
+}
+
+void addRobots(std::vector<SignalRow>& rows, const TappedFrame& frame,
+               std::span<const DbcMessage> protocol)
+{
+    const DbcMessage* said =
+        protocol.empty() ? nullptr : &protocol[static_cast<std::size_t>(*frame.kind)];
+    const auto layout = layoutOf(*frame.kind).payload;
+    for (std::size_t i = 0; i < layout.size(); ++i) {
+        rows.push_back(rowOf(frame, layout[i], frame.payload[i]));
+        if (said)
+            rows.back().meaning = words::text(said->signal(std::string(layout[i].name)).comment);
+    }
+}
+
+SignalRow wholeFrame(const TappedFrame& frame)
+{
+    SignalRow row;
+    row.rate = frame.rate;
+    row.age = frame.age;
+    row.standing = standingOf(frame);
+    row.value = words::text(bytesText(frame.newest));
+    return row;
+}
+
+QString nameOf(const TappedFrame& frame)
+{
+    return frame.described ? words::text(frame.described->message.name)
+                           : frameName(frame.newest, nullptr);
+}
+
+QString meaningOf(const TappedFrame& frame, std::span<const DbcMessage> protocol)
+{
+    if (frame.kind && !protocol.empty())
+        return words::text(protocol[static_cast<std::size_t>(*frame.kind)].comment);
+    if (!frame.described) return {};
+    const DbcMessage& message = frame.described->message;
+    return SignalSays::tr("%1, as %2 describes it; sent by %3\n%4")
+        .arg(words::text(message.name), words::text(frame.described->file),
+             words::text(message.sender), words::text(message.comment))
+        .trimmed();
+}
+
+}  // namespace
+
+std::vector<SignalRow> signalRows(const std::vector<TappedFrame>& frames,
+                                  std::span<const DbcMessage> protocol)
+{
+    std::vector<SignalRow> rows;
+    for (const TappedFrame& frame : frames) {
+        const std::size_t first = rows.size();
+        if (frame.kind) addRobots(rows, frame, protocol);
+        if (frame.described) {
+            const DbcMessage& message = frame.described->message;
+            for (std::size_t i = 0; i < frame.payload.size(); ++i)
+                rows.push_back(
+                    rowOf(message, message.payload[i], frame.payload[i], frame.times[i]));
+        }
+        if (rows.size() == first) rows.push_back(wholeFrame(frame));
+        rows[first].frame =
+            QStringLiteral("%1 %2").arg(words::text(idText(frame.newest)), nameOf(frame));
+        rows[first].frameMeaning = meaningOf(frame, protocol);
+    }
+    return rows;
+}
+
+QString frameName(const CanFrame& frame, const DbcBook* book)
+{
+    if (frame.error) return SignalSays::tr("error frame");
+    if (const auto kind = kindOf(frame)) return words::text(layoutOf(*kind).name);
+    const auto described = book ? book->find(frame) : nullptr;
+    return described ? words::text(described->message.name) : SignalSays::tr("unknown");
+}
+
+TraceWords traceWords(const CanFrame& frame, const std::shared_ptr<const DbcBook>& book)
+{
+    // A reader of its own: what the frame says is the same whatever came before.
+    const FrameWords said = frameReader(CanProtocol::Terratact, book)->read(frame, 0.0);
+    return {.id = words::text(idText(frame)),
+            .name = frameName(frame, book.get()),
+            .bytes = words::text(bytesText(frame)),
+            .content = said.values.empty() && frame.error ? words::text(said.verdict)
+                                                          : contentOf(frame, said.values)};
+}
+
+}  // namespace terratact

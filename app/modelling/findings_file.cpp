@@ -1,0 +1,473 @@
+#include "app/modelling/findings_file.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <limits>
+#include <span>
+
+#include "core/base/text.h"
+#include "core/store/canonical_bytes.h"
+#include "core/store/file_read.h"
+#include "core/store/file_write.h"
+#include "core/store/sha256.h"
+#include "core/store/sqlite_tables.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::int64_t kApplicationId = 0x54544531;  // "TTE1"
+constexpr std::int64_t kUserVersion = 2;
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30U;
+constexpr std::int64_t kMostCount = 10'000'000;
+constexpr double kMostNumber = 1e9;
+constexpr std::size_t kMostText = 10'000;  // bytes, of what an evaluation says of itself
+constexpr std::size_t kMostLabel = 200;    // which every row of a run gets a copy of
+
+/// Sorted by name.
+std::span<const SqliteTable> tables()
+{
+    static const std::array kTables{
+        SqliteTable{"bin_error",
+                    "CREATE TABLE bin_error(position INTEGER PRIMARY KEY, scene INTEGER NOT NULL, "
+                    "run INTEGER NOT NULL, bin INTEGER NOT NULL, error_m REAL NOT NULL, crps_m "
+                    "REAL NOT NULL, "
+                    "pit REAL NOT NULL, in_50 INTEGER NOT NULL, in_80 INTEGER NOT NULL, "
+                    "in_95 INTEGER NOT NULL, width_m REAL NOT NULL, origin INTEGER NOT NULL, "
+                    "novelty REAL NOT NULL) STRICT"},
+        SqliteTable{"content",
+                    "CREATE TABLE content(position INTEGER PRIMARY KEY, sha256 TEXT NOT NULL) "
+                    "STRICT"},
+        SqliteTable{"meta", "CREATE TABLE meta(position INTEGER PRIMARY KEY, key TEXT NOT NULL, "
+                            "value TEXT NOT NULL) STRICT"},
+        SqliteTable{"method",
+                    "CREATE TABLE method(position INTEGER PRIMARY KEY, name TEXT NOT NULL) STRICT"},
+        SqliteTable{"method_run",
+                    "CREATE TABLE method_run(position INTEGER PRIMARY KEY, label TEXT NOT NULL, "
+                    "scenes INTEGER NOT NULL, converged INTEGER NOT NULL, "
+                    "ended_by_sweeps INTEGER NOT NULL, ended_by_time INTEGER NOT NULL, "
+                    "failed INTEGER NOT NULL, "
+                    "seconds REAL NOT NULL) STRICT"},
+        SqliteTable{
+            "part",
+            "CREATE TABLE part(position INTEGER PRIMARY KEY, number INTEGER NOT NULL, count "
+            "INTEGER NOT NULL, total INTEGER NOT NULL, "
+            "seed TEXT NOT NULL, step_limit_m REAL NOT NULL, sd_limit_m REAL NOT NULL, "
+            "classes INTEGER NOT NULL) STRICT"},
+        SqliteTable{"probe_run",
+                    "CREATE TABLE probe_run(position INTEGER PRIMARY KEY, label TEXT NOT NULL, "
+                    "rule TEXT NOT NULL) STRICT"},
+        SqliteTable{
+            "probe_trial",
+            "CREATE TABLE probe_trial(position INTEGER PRIMARY KEY, run INTEGER NOT NULL, "
+            "ahead_before_m REAL NOT NULL, all_before_m REAL NOT NULL, ahead_after_m REAL NOT "
+            "NULL, "
+            "all_after_m REAL NOT NULL, probes INTEGER NOT NULL, settled INTEGER NOT NULL) STRICT"},
+        SqliteTable{
+            "scene",
+            "CREATE TABLE scene(position INTEGER PRIMARY KEY, run TEXT NOT NULL, "
+            "t_s REAL NOT NULL, under_flipper INTEGER NOT NULL, class TEXT NOT NULL) STRICT"},
+        SqliteTable{
+            "step_forecast",
+            "CREATE TABLE step_forecast(position INTEGER PRIMARY KEY, scene INTEGER NOT NULL, "
+            "run INTEGER NOT NULL, place INTEGER NOT NULL, probability REAL NOT NULL, "
+            "observed INTEGER NOT NULL) STRICT"},
+    };
+    return kTables;
+}
+
+/// Why a file is refused.  Thrown and caught in this file only: a sentence that lacks the file's name.
+struct Refused {
+    std::string cause;
+};
+
+void require(bool holds, const std::string& cause)
+{
+    if (!holds) throw Refused{cause};
+}
+
+void addTo(CanonicalBytes& bytes, std::int64_t value)
+{
+    bytes.add(static_cast<std::uint64_t>(value));
+}
+void addTo(CanonicalBytes& bytes, double value)
+{
+    bytes.add(value);
+}
+void addTo(CanonicalBytes& bytes, const std::string& value)
+{
+    bytes.add(std::string_view(value));
+}
+
+template <class Number>
+std::int64_t integer(Number number)
+{
+    return static_cast<std::int64_t>(number);
+}
+
+/// Which of the runs has that label.
+template <class Errors>
+std::int64_t runOf(const Findings& findings, const Errors& entry)
+{
+    const auto found = std::find_if(findings.runs.begin(), findings.runs.end(),
+                                    [&](const MethodRun& r) { return r.label == entry.label; });
+    return found - findings.runs.begin();
+}
+
+std::int64_t maskOf(const std::vector<int>& bins)
+{
+    std::int64_t mask = 0;
+    for (const int bin : bins) mask |= std::int64_t{1} << bin;
+    return mask;
+}
+
+std::vector<int> binsOfMask(std::int64_t mask)
+{
+    std::vector<int> bins;
+    for (int bin = 0; bin < kBins; ++bin)
+        if ((mask >> bin & 1) != 0) bins.push_back(bin);
+    return bins;
+}
+
+// ---------------------------------------------------------------- writing
+
+/// Fills tables row by row, numbered from 0, and hears every value for the hash.
+class Writer {
+public:
+    explicit Writer(SqliteFile& file) : file_(file) {}
+
+    /// Rows of one table; row(entry, put) calls put(values…) for one entry.
+    template <class Entries, class Row>
+    void fill(const std::string& table, int columns, const Entries& entries, Row row)
+    {
+        std::string sql = "INSERT INTO " + table + " VALUES(?";
+        for (int k = 0; k < columns; ++k) sql += ", ?";
+        SqliteStatement insert = file_.prepare(sql + ")");
+        bytes_.add(std::string_view(table));
+        std::int64_t position = 0;
+        for (const auto& entry : entries)
+            row(entry, [&](const auto&... values) {
+                int parameter = 0;
+                insert.bind(parameter++, position++);
+                (insert.bind(parameter++, values), ...);
+                insert.run();
+                (addTo(bytes_, values), ...);
+            });
+    }
+    std::string hash() const { return sha256Hex(bytes_.bytes()); }
+
+private:
+    SqliteFile& file_;
+    CanonicalBytes bytes_;
+};
+
+void writeShared(Writer& writer, const Findings& f)
+{
+    writer.fill("part", 7, std::array{&f.options}, [&](const ReportOptions* o, auto put) {
+        put(integer(f.shard.number), integer(f.shard.count), integer(f.total),
+            std::to_string(o->seed), o->stepLimit, o->sdLimit, integer(o->classes));
+    });
+    writer.fill("meta", 2, f.origin,
+                [](const auto& mark, auto put) { put(mark.first, mark.second); });
+    writer.fill("method", 1, f.options.methods,
+                [](Method method, auto put) { put(std::string(name(method))); });
+    writer.fill("scene", 4, f.scenes, [](const EvaluatedScene& s, auto put) {
+        put(s.run, s.time, maskOf(s.underFlipper), s.kind);
+    });
+    writer.fill("method_run", 7, f.runs, [](const MethodRun& r, auto put) {
+        put(r.label, integer(r.scenes), integer(r.converged), integer(r.endedBySweeps),
+            integer(r.endedByTime), integer(r.failed), r.seconds);
+    });
+}
+
+void writeErrors(Writer& writer, const Findings& f)
+{
+    writer.fill("bin_error", 12, f.errors, [&](const BinError& e, auto put) {
+        const ForecastScores& s = e.scores;
+        put(integer(e.scene), runOf(f, e), integer(e.bin), e.error, s.crps, s.pit, integer(s.in50),
+            integer(s.in80), integer(s.in95), s.width, integer(e.origin), e.novelty);
+    });
+    writer.fill("step_forecast", 5, f.steps, [&](const StepForecast& s, auto put) {
+        put(integer(s.scene), runOf(f, s), integer(s.place), s.probability, integer(s.observed));
+    });
+}
+
+void writeProbes(Writer& writer, const Findings& f)
+{
+    writer.fill("probe_run", 2, f.probes,
+                [](const ProbeRun& r, auto put) { put(r.label, r.rule); });
+    std::vector<std::pair<std::int64_t, ProbeTrial>> trials;
+    for (const ProbeRun& run : f.probes)
+        for (const ProbeTrial& trial : run.trials)
+            trials.emplace_back(&run - f.probes.data(), trial);
+    writer.fill("probe_trial", 7, trials, [](const auto& entry, auto put) {
+        const auto& [run, t] = entry;
+        put(run, t.before.ahead, t.before.all, t.after.ahead, t.after.all, integer(t.probes),
+            integer(t.settled));
+    });
+}
+
+void fill(const std::string& path, const Findings& findings)
+{
+    SqliteFile file = SqliteFile::fill(path);
+    file.run("PRAGMA application_id = " + std::to_string(kApplicationId));
+    file.run("PRAGMA user_version = " + std::to_string(kUserVersion));
+    for (const SqliteTable& table : tables()) file.run(table.sql);
+    file.run("BEGIN");
+    Writer writer(file);
+    writeShared(writer, findings);
+    writeErrors(writer, findings);
+    writeProbes(writer, findings);
+    const std::string hash = writer.hash();
+    writer.fill("content", 1, std::array{hash}, [](const std::string& h, auto put) { put(h); });
+    file.run("COMMIT");
+    file.run("VACUUM");
+    file.close();
+}
+
+// ---------------------------------------------------------------- reading
+
+/// Reads tables row by row, as Writer writes them, and hears every value for the hash.
+class Reader {
+public:
+    explicit Reader(SqliteFile& file) : file_(file) {}
+
+    /// Calls row() for every row of one table; row takes its values with integer, real, text.
+    template <class Row>
+    void read(const std::string& table, Row row)
+    {
+        SqliteStatement select = file_.prepare("SELECT * FROM " + table + " ORDER BY position");
+        statement_ = &select;
+        table_ = table;
+        bytes_.add(std::string_view(table));
+        for (std::int64_t position = 0; select.step(); ++position) {
+            require(select.integer(0) == position,
+                    "the rows of its table " + table + " are not numbered from 0");
+            column_ = 1;
+            row();
+        }
+    }
+    std::int64_t integer(std::int64_t least, std::int64_t most)
+    {
+        const std::int64_t value = statement_->integer(column_++);
+        require(value >= least && value <= most, "a number is out of range in its table " + table_);
+        addTo(bytes_, value);
+        return value;
+    }
+    std::size_t count(std::size_t most)
+    {
+        return static_cast<std::size_t>(integer(0, static_cast<std::int64_t>(most)));
+    }
+    bool flag() { return integer(0, 1) == 1; }
+    double real(double least = -kMostNumber, double most = kMostNumber)
+    {
+        const double value = statement_->real(column_++);
+        require(value >= least && value <= most, "a number is out of range in its table " + table_);
+        addTo(bytes_, value);
+        return value;
+    }
+    std::string text(std::size_t longest = kMostText)
+    {
+        std::string value = statement_->text(column_++);
+        require(value.size() <= longest && printable(value) == value,
+                "a text is too long or no line in its table " + table_);
+        addTo(bytes_, value);
+        return value;
+    }
+    std::string hash() const { return sha256Hex(bytes_.bytes()); }
+
+private:
+    SqliteFile& file_;
+    SqliteStatement* statement_ = nullptr;  ///< of the table being read
+    std::string table_;
+    int column_ = 0;
+    CanonicalBytes bytes_;
+};
+
+void checkIdentity(SqliteFile& file)
+{
+    require(file.integer("PRAGMA application_id") == kApplicationId,
+            "is an SQLite file of another application, not a part of an evaluation");
+    const std::int64_t version = file.integer("PRAGMA user_version");
+    require(version == kUserVersion, "is a part of format version " + std::to_string(version)
+                                         + ", and this program reads version "
+                                         + std::to_string(kUserVersion));
+}
+
+void checkSchema(SqliteFile& file)
+{
+    require(hasOnlyTables(file, tables()), "its tables are not those of a part of an evaluation");
+}
+
+std::uint64_t seedFrom(const std::string& text)
+{
+    const auto seed = writtenIntegerFrom<std::uint64_t>(text);
+    require(seed.has_value(), "its seed is not a number: " + shown(text));
+    return *seed;
+}
+
+Method methodOf(const std::string& text)
+{
+    const auto method = methodFromName(text);
+    require(method.has_value(), "has an unknown method: " + shown(text));
+    return *method;
+}
+
+void readPart(Reader& reader, Findings& f)
+{
+    int rows = 0;
+    reader.read("part", [&] {
+        f.shard.number = static_cast<int>(reader.integer(1, kMostCount));
+        f.shard.count = static_cast<int>(reader.integer(f.shard.number, kMostCount));
+        f.total = reader.count(kMostCount);
+        f.options.seed = seedFrom(reader.text());
+        f.options.stepLimit = reader.real(0.0);
+        f.options.sdLimit = reader.real(0.0);
+        f.options.classes = reader.flag();
+        ++rows;
+    });
+    require(rows == 1, "does not say which part it is");
+}
+
+void readShared(Reader& reader, Findings& f)
+{
+    reader.read("meta", [&] {
+        std::string key = reader.text();
+        f.origin[std::move(key)] = reader.text();
+    });
+    reader.read("method", [&] { f.options.methods.push_back(methodOf(reader.text())); });
+    reader.read("scene", [&] {
+        EvaluatedScene& scene = f.scenes.emplace_back();
+        scene.run = reader.text();
+        scene.time =
+            reader.real(-std::numeric_limits<double>::max(), std::numeric_limits<double>::max());
+        scene.underFlipper = binsOfMask(reader.integer(0, (std::int64_t{1} << kBins) - 1));
+        scene.kind = reader.text();
+    });
+    require(f.scenes.size() == f.shard.end(f.total) - f.shard.begin(f.total),
+            "does not hold the scenes of its part");
+    reader.read("method_run", [&] {
+        MethodRun& run = f.runs.emplace_back();
+        run.label = reader.text(kMostLabel);
+        run.scenes = reader.count(f.scenes.size());
+        run.converged = reader.count(f.scenes.size());
+        run.endedBySweeps = reader.count(f.scenes.size());
+        run.endedByTime = reader.count(f.scenes.size());
+        run.failed = reader.count(f.scenes.size());
+        run.seconds = reader.real(0.0);
+    });
+    require(f.runs.size() >= f.options.methods.size(), "lacks a method");
+}
+
+/// Number of one of the part's scenes among all.
+std::size_t readScene(Reader& reader, const Findings& f)
+{
+    return static_cast<std::size_t>(
+        reader.integer(integer(f.shard.begin(f.total)), integer(f.shard.end(f.total)) - 1));
+}
+
+const std::string& readLabel(Reader& reader, const Findings& f)
+{
+    return f.runs[static_cast<std::size_t>(reader.integer(0, std::ssize(f.runs) - 1))].label;
+}
+
+void readErrors(Reader& reader, Findings& f)
+{
+    reader.read("bin_error", [&] {
+        BinError& e = f.errors.emplace_back();
+        e.scene = readScene(reader, f);
+        e.label = readLabel(reader, f);
+        e.bin = static_cast<int>(reader.integer(0, kBins - 1));
+        e.error = reader.real();
+        e.scores.crps = reader.real();
+        e.scores.pit = reader.real(0.0, 1.0);
+        e.scores.in50 = reader.flag();
+        e.scores.in80 = reader.flag();
+        e.scores.in95 = reader.flag();
+        e.scores.width = reader.real();
+        e.origin = static_cast<Origin>(reader.integer(0, 2));
+        e.novelty = reader.real(0.0, std::numeric_limits<double>::max());
+    });
+    reader.read("step_forecast", [&] {
+        StepForecast& s = f.steps.emplace_back();
+        s.scene = readScene(reader, f);
+        s.label = readLabel(reader, f);
+        s.place = static_cast<StepPlace>(reader.integer(0, 1));
+        s.probability = reader.real(0.0, 1.0);
+        s.observed = reader.flag();
+    });
+}
+
+void readProbes(Reader& reader, Findings& f)
+{
+    reader.read("probe_run", [&] {
+        ProbeRun& run = f.probes.emplace_back();
+        run.label = reader.text(kMostLabel);
+        run.rule = reader.text();
+    });
+    reader.read("probe_trial", [&] {
+        auto& trials =
+            f.probes[static_cast<std::size_t>(reader.integer(0, std::ssize(f.probes) - 1))].trials;
+        ProbeTrial& t = trials.emplace_back();
+        t.before.ahead = reader.real(0.0);
+        t.before.all = reader.real(0.0);
+        t.after.ahead = reader.real(0.0);
+        t.after.all = reader.real(0.0);
+        t.probes = static_cast<int>(reader.integer(0, kMostCount));
+        t.settled = reader.flag();
+    });
+}
+
+Findings readStored(SqliteFile& file)
+{
+    checkIdentity(file);
+    checkSchema(file);
+    Findings findings;
+    Reader reader(file);
+    readPart(reader, findings);
+    readShared(reader, findings);
+    readErrors(reader, findings);
+    readProbes(reader, findings);
+    const std::string hash = reader.hash();
+    std::string stored;
+    reader.read("content", [&] { stored += reader.text(); });
+    require(hash == stored,
+            "its content was altered: it does not have the hash that was stored with it");
+    return findings;
+}
+
+}  // namespace
+
+Status writeFindings(const std::string& path, const Findings& findings)
+{
+    Result<NewFile> file = NewFile::begin(path);
+    if (!file) return file.error();
+    try {
+        fill(file->temporaryPath(), findings);
+    } catch (const SqliteError& error) {
+        return fileError(path, "cannot be written: " + std::string(error.what()));
+    }
+    return file->commit();
+}
+
+bool isFindingsFile(const std::string& path)
+{
+    std::array<char, 72> header{};  // SQLite keeps the application_id in bytes 68 to 71
+    std::ifstream in(path, std::ios::binary);
+    in.read(header.data(), header.size());
+    return in && std::string_view(&header[68], 4) == "TTE1";
+}
+
+Result<Findings> readFindings(const std::string& path)
+{
+    try {
+        SqliteFile file = SqliteFile::openUntrusted(path, kMostBytes);
+        return readStored(file);
+    } catch (const SqliteError& error) {
+        return fileError(path, error.what());
+    } catch (const Refused& refused) {
+        return fileError(path, refused.cause);
+    }
+}
+
+}  // namespace terratact

@@ -1,0 +1,254 @@
+#include "app/modelling/model_training.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "app/runtime/parallel.h"
+#include "core/infer/sampling/watch.h"
+#include "core/learn/data/scene_file.h"
+#include "core/learn/model/clearance_conditionals.h"
+#include "core/learn/model/clearance_training.h"
+#include "core/learn/model/training.h"
+#include "core/store/file_read.h"
+#include "core/store/sha256.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr int kRowsOfSurfaceSearch = 800;
+
+/// About how much an optimisation over so many rows costs: every evaluation of a likelihood factorises.
+double searchCost(Eigen::Index rows, const TrainingOptions& options)
+{
+    const auto cube = [rows](int most) {
+        return std::pow(static_cast<double>(most > 0 ? std::min<Eigen::Index>(rows, most) : rows),
+                        3.0);
+    };
+    const bool thinned = options.subset < rows || options.fullEvaluations == 0;
+    return (thinned ? options.subsetEvaluations * cube(options.subset) : 0.0)
+         + options.fullEvaluations * cube(options.fullRows);
+}
+
+/// Training under way: the jobs of a stage run side by side, the stages one after the other.
+class Training {
+public:
+    Training(ModelData& model, const TrainingPlan& plan, const TrainingWatch& watch)
+        : model_(model), plan_(plan), watch_(watch), bins_(binsOf(plan.bins.value_or(kAllBins))),
+          ceilings_(bodyCeilings(model.features, plan.robot, poll_))
+    {
+        conditional_.seed = surface_.seed = clearance_.seed = plan.seed;
+        if (plan.inducing > 0) conditional_.fullRows = kRowsOfSparseSearch;
+        surface_.subset = kRowsOfSurfaceSearch;
+        surface_.fullEvaluations = 0;
+        total_ = static_cast<double>(bins_.size())
+               * (costOf(TrainingKind::Paf) + costOf(TrainingKind::Pa)
+                  + 2.0 * costOf(TrainingKind::SurfaceOpen)
+                  + 2.0 * costOf(TrainingKind::ClearanceOpen));
+    }
+
+    void run()
+    {
+        trainConditionals();
+        trainSurfaces();
+        trainClearances();
+        callPoll(poll_);
+        if (!plan_.bins) finishClearance(model_, ceilings_, plan_.robot, poll_);
+    }
+
+private:
+    /// How a job ended.
+    struct Outcome {
+        TrainingEvent event = TrainingEvent::Done;
+        std::optional<double> logLikelihood{};
+    };
+
+    int jobs() const { return 2 * static_cast<int>(bins_.size()); }
+
+    double costOf(TrainingKind kind) const
+    {
+        switch (kind) {
+        case TrainingKind::Paf:
+        case TrainingKind::Pa: return searchCost(model_.scannedHeights.rows(), conditional_);
+        case TrainingKind::SurfaceCovered:
+        case TrainingKind::SurfaceOpen: return searchCost(model_.heights.rows(), surface_);
+        case TrainingKind::ClearanceCovered:
+        case TrainingKind::ClearanceOpen:
+            return searchCost(std::min<Eigen::Index>(model_.heights.rows(), kMostClearanceRows),
+                              clearance_);
+        }
+        return 0.0;
+    }
+
+    void tell(TrainingKind kind, int bin, const Outcome& outcome)
+    {
+        const std::scoped_lock lock(mutex_);
+        if (outcome.event != TrainingEvent::Begun) done_ += costOf(kind);
+        if (!watch_.progress) return;
+        watch_.progress({.kind = kind,
+                         .bin = bin,
+                         .event = outcome.event,
+                         .logLikelihood = outcome.logLikelihood,
+                         .stageTotal = jobs(),
+                         .share = std::min(1.0, done_ / total_)});
+    }
+
+    /// work(job, kind, bin) for all bins, first of one kind and then of the other.
+    template <class Work>
+    void runStage(TrainingKind first, TrainingKind second, Work work)
+    {
+        const auto count = static_cast<int>(bins_.size());
+        parallelFor(
+            jobs(),
+            [&](int job) {
+                callPoll(poll_);
+                const TrainingKind kind = job < count ? first : second;
+                const int bin = bins_[static_cast<std::size_t>(job % count)];
+                tell(kind, bin, {.event = TrainingEvent::Begun});
+                const Outcome outcome = work(job, kind, bin);
+                tell(kind, bin, outcome);
+            },
+            plan_.threads);
+    }
+
+    void trainConditionals()
+    {
+        // The larger ones first.
+        runStage(TrainingKind::Paf, TrainingKind::Pa, [&](int /*job*/, TrainingKind kind, int bin) {
+            const FeatureSet set = kind == TrainingKind::Paf ? FeatureSet::Paf : FeatureSet::Pa;
+            const TrainedBin trained = trainBin(model_, set, bin, conditional_, poll_);
+            BinModelData& data = set == FeatureSet::Pa ? model_.pa : model_.paf;
+            data.bins[static_cast<std::size_t>(bin)] = trained.hyper;
+            data.logLikelihood[static_cast<std::size_t>(bin)] = trained.logLikelihood;
+            return Outcome{.logLikelihood = trained.logLikelihood};
+        });
+    }
+
+    void trainSurfaces()
+    {
+        prepareClearance(model_, ceilings_);
+        std::vector<TrainedSurface> trained(static_cast<std::size_t>(jobs()));
+        runStage(TrainingKind::SurfaceCovered, TrainingKind::SurfaceOpen,
+                 [&](int job, TrainingKind kind, int bin) {
+                     trained[static_cast<std::size_t>(job)] =
+                         trainSurface(model_, ceilings_, bin, kind == TrainingKind::SurfaceCovered,
+                                      surface_, poll_);
+                     return Outcome{};
+                 });
+        const auto count = static_cast<int>(bins_.size());
+        for (int job = 0; job < jobs(); ++job)
+            store(model_, trained[static_cast<std::size_t>(job)],
+                  bins_[static_cast<std::size_t>(job % count)], job < count);
+    }
+
+    /// The conditionals over clearances, wherever a regime has enough rows.
+    void trainClearances()
+    {
+        const ClearanceTraining training = clearanceTraining(model_, plan_.robot);
+        const ClearanceConditionalData data = prepareClearanceConditionals(training);
+        runStage(TrainingKind::ClearanceCovered, TrainingKind::ClearanceOpen,
+                 [&](int /*job*/, TrainingKind kind, int bin) {
+                     const Regime regime =
+                         kind == TrainingKind::ClearanceCovered ? Regime::Covered : Regime::Open;
+                     if (data.at(bin, regime).rows < kFewestTrainingRows)
+                         return Outcome{.event = TrainingEvent::Skipped};
+                     ClearanceData& clearance = model_.clearance;
+                     auto& hypers = regime == Regime::Covered ? clearance.conditionalCovered
+                                                              : clearance.conditionalOpen;
+                     const TrainedBin trained =
+                         trainClearanceConditional(training, data, bin, regime, clearance_, poll_);
+                     hypers[static_cast<std::size_t>(bin)] = trained.hyper;
+                     return Outcome{.logLikelihood = trained.logLikelihood};
+                 });
+    }
+
+    ModelData& model_;
+    const TrainingPlan& plan_;
+    const TrainingWatch& watch_;
+    const Poll poll_ = pollOf({watch_.cancelled, {}, {}, {}});
+    std::vector<int> bins_;
+    Eigen::MatrixXd ceilings_;
+    TrainingOptions conditional_, surface_, clearance_;
+    std::mutex mutex_;
+    double done_ = 0.0, total_ = 1.0;  // of costOf()
+};
+
+/// "3, 7, 12 and 4 more".
+std::string someOf(const std::set<std::string>& runs)
+{
+    constexpr std::size_t kShown = 3;
+    std::string text;
+    std::size_t count = 0;
+    for (const std::string& run : runs)
+        if (++count <= kShown) text += (text.empty() ? "" : ", ") + run;
+    if (count > kShown) text += fmt::format(" and {} more", count - kShown);
+    return text;
+}
+
+Result<ModelData> readTraining(const TrainingPlan& plan, const TrainingWatch& watch)
+{
+    const auto tell = [&](const std::string& notice) {
+        if (watch.notice) watch.notice(notice);
+    };
+    const auto file = readScenes(plan.data);
+    if (!file) return file.error();
+    for (const std::string& notice : file->notices) tell(notice);
+    TrainingSet set;
+    try {
+        set = prepareTraining(file->scenes, {.conditionalRows = plan.conditionalRows,
+                                             .scannerSd = plan.scannerSd,
+                                             .seed = plan.seed});
+    } catch (const std::invalid_argument& error) {
+        return fileError(plan.data, error.what());
+    }
+    if (set.leftOut > 0) tell(fmt::format("{} scenes with unknown values left out", set.leftOut));
+    if (set.exactCopies > 0)
+        tell(fmt::format("{} scenes are there twice: their copies were left out", set.exactCopies));
+    if (set.nearCopies > 0)
+        tell(fmt::format("{} scenes repeat another within the sensors' noise and were left out "
+                         "(runs {})",
+                         set.nearCopies, someOf(set.runsWithCopies)));
+    if (const auto rows = set.model.scannedHeights.rows();
+        rows > kManyRows && (plan.inducing == 0 || plan.inducing > kManyRows))
+        tell(fmt::format(
+            "{} scenes for each conditional, whose training grows with their cube: "
+            "--inducing 1200 predicts nearly as well and trains in a fraction of the time",
+            rows));
+    set.model.seed = plan.seed;
+    set.model.inducing = plan.inducing;
+    set.model.command = plan.commandLine;
+    set.model.dataHash = file->hash;
+    return std::move(set.model);
+}
+
+}  // namespace
+
+std::string_view stageOf(TrainingKind kind)
+{
+    switch (kind) {
+    case TrainingKind::Paf:
+    case TrainingKind::Pa: return "Gaussian process";
+    case TrainingKind::SurfaceCovered:
+    case TrainingKind::SurfaceOpen: return "surface";
+    case TrainingKind::ClearanceCovered:
+    case TrainingKind::ClearanceOpen: return "clearance";
+    }
+    return "";
+}
+
+Result<ModelData> trainModel(const TrainingPlan& plan, const TrainingWatch& watch)
+{
+    auto model = readTraining(plan, watch);
+    if (!model) return model;
+    Training(*model, plan, watch).run();
+    return model;
+}
+
+}  // namespace terratact

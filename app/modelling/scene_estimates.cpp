@@ -1,0 +1,207 @@
+#include "app/modelling/scene_estimates.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <memory>
+#include <random>
+#include <utility>
+
+#include "app/runtime/parallel.h"
+#include "app/runtime/progress.h"
+#include "app/runtime/time_budget.h"
+#include "core/atem/arm_choice.h"
+#include "core/infer/estimate_batch.h"
+#include "core/sim/posterior_check.h"
+
+namespace terratact {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& warnings)
+{
+    return fmt::format("{}", fmt::join(warnings, "; "));
+}
+
+SceneEstimate noted(TerrainEstimate estimate)
+{
+    std::string note = joined(estimate.warnings);
+    return {std::move(estimate), std::move(note)};
+}
+
+/// Standard normal: the error of the simulated arm in its standard deviations.
+double armNoise(std::uint64_t seed)
+{
+    constexpr std::uint64_t kArmStream = 0x41524DULL;  // another stream than the draws'
+    std::seed_seq words{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U),
+                        static_cast<std::uint32_t>(kArmStream)};
+    std::mt19937_64 rng(words);
+    return std::normal_distribution<double>()(rng);
+}
+
+/// What a thread takes scenes from, and where estimates go.
+struct Work {
+    std::span<const Scene> scenes;
+    const Toolbox& toolbox;
+    const Settings& settings;
+    double seconds;
+    std::size_t atOnce;  ///< scenes that a thread has in work, at most
+    std::function<void()> tick;
+    std::vector<SceneEstimate> estimates{scenes.size()};
+    std::atomic<std::size_t> next{0};
+};
+
+/// One thread's part.
+class Estimating {
+public:
+    explicit Estimating(Work& work) : work_(work), batch_(work.toolbox.robot, work.toolbox.models)
+    {
+    }
+
+    void run()
+    {
+        for (;;) {
+            while (inWork_ < work_.atOnce && batch_.hasRoomFor(work_.settings)) {
+                const std::size_t k = work_.next++;
+                if (k >= work_.scenes.size()) break;
+                start(k);
+            }
+            if (batch_.empty()) return;
+            for (EstimateBatch::Ready& ready : batch_.next()) finish(std::move(ready));
+        }
+    }
+
+private:
+    void start(std::size_t k)
+    {
+        ++inWork_;
+        add(k, {});
+    }
+
+    void add(std::size_t k, std::span<const ArmReading> arm)
+    {
+        Settings own = work_.settings;
+        own.seed += k;
+        try {
+            batch_.add(k, work_.scenes[k].s, arm, own, endingAfter(work_.seconds));
+        } catch (const NotLearnt& error) {
+            leave(k, {std::nullopt, error.what()});
+        }
+    }
+
+    void finish(EstimateBatch::Ready ready)
+    {
+        const bool first =
+            usesArm(work_.settings.method) && touched_.try_emplace(ready.number).second;
+        if (first) return touch(ready.number, std::move(ready.estimate));
+        leave(ready.number, noted(std::move(ready.estimate)));
+    }
+
+    /// The simulated arm, where it is worth it.
+    void touch(std::size_t k, TerrainEstimate first)
+    {
+        const std::optional<int> bin = proposeProbe(first, work_.toolbox.robot);
+        if (!bin) return leave(k, noted(std::move(first)));
+        if (const auto truth = work_.scenes[k].truth[static_cast<std::size_t>(*bin)]) {
+            const double sd = work_.toolbox.robot.armSd;
+            touched_[k] = {{*bin, *truth + sd * armNoise(work_.settings.seed + k), sd}};
+            return add(k, touched_[k]);
+        }
+        first.warnings.push_back(fmt::format(
+            "arm not simulated: the truth of bin {:+.1f} m is unknown", binCentre(*bin)));
+        leave(k, noted(std::move(first)));
+    }
+
+    void leave(std::size_t k, SceneEstimate estimate)
+    {
+        const auto touched = touched_.find(k);
+        if (touched != touched_.end()) estimate.arm = touched->second;
+        work_.estimates[k] = std::move(estimate);
+        --inWork_;
+        if (work_.tick) work_.tick();
+    }
+
+    Work& work_;
+    EstimateBatch batch_;
+    std::size_t inWork_ = 0;
+    std::map<std::size_t, std::vector<ArmReading>>
+        touched_;  // by scenes whose arm has had its turn
+};
+
+/// The share of one thread's scenes that may be in work: a time limit is for a scene that has the thread alone, and
+/// a few scenes are better spread over the threads.
+std::size_t scenesAtOnce(std::size_t scenes, int threads, double seconds)
+{
+    const auto each = static_cast<std::size_t>(threads);
+    return seconds > 0.0 ? 1 : (scenes + each - 1) / each;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Toolbox>> openToolbox(const std::string& robotPath,
+                                             const std::string& modelPath)
+{
+    auto robot = readRobotModel(robotPath);
+    if (!robot) return robot.error();
+    auto model = readModel(modelPath);
+    if (!model) return model.error();
+    return std::make_unique<Toolbox>(std::move(*robot), std::move(*model));
+}
+
+TerrainEstimate estimateWith(const Scene& scene, std::span<const ArmReading> arm,
+                             const Toolbox& toolbox, const Settings& settings, double seconds)
+{
+    return estimateTerrain(scene.s, arm, toolbox.robot, toolbox.models, settings,
+                           endingAfter(seconds));
+}
+
+SceneEstimate estimateScene(const Scene& scene, const Toolbox& toolbox, const Settings& settings,
+                            double seconds)
+{
+    Work work{{&scene, 1}, toolbox, settings, seconds, 1, {}};
+    Estimating(work).run();
+    return std::move(work.estimates.front());
+}
+
+std::vector<SceneEstimate> estimateScenes(const std::vector<Scene>& scenes, const Toolbox& toolbox,
+                                          const Settings& settings, double seconds)
+{
+    Progress progress(fmt::format("{}: scene", name(settings.method)),
+                      static_cast<int>(scenes.size()));
+    const int threads = processors();
+    Work work{scenes,
+              toolbox,
+              settings,
+              seconds,
+              scenesAtOnce(scenes.size(), threads, seconds),
+              [&progress] { progress.tick(); }};
+    parallelFor(threads, [&work](int) {
+        try {
+            Estimating(work).run();
+        } catch (...) {
+            work.next = work.scenes.size();  // nothing new for the others
+            throw;
+        }
+    });
+    return std::move(work.estimates);
+}
+
+std::size_t checkEstimates(const std::vector<Scene>& scenes, const RobotModel& robot,
+                           std::vector<SceneEstimate>& estimates)
+{
+    std::atomic<std::size_t> contradicting{0};
+    parallelFor(static_cast<int>(scenes.size()), [&](int n) {
+        const auto k = static_cast<std::size_t>(n);
+        auto& estimate = estimates.at(k).estimate;
+        if (!estimate) return;
+        writePosteriorCheck(*estimate, scenes[k].s, robot);
+        if (!estimate->contradicts) return;
+        ++contradicting;
+        estimates[k].note = joined(estimate->warnings);
+    });
+    return contradicting;
+}
+
+}  // namespace terratact

@@ -1,0 +1,193 @@
+#include "app/pages/dbc_files.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <cstdio>
+#include <functional>
+
+#include "app/link/protocol_dbc.h"
+#include "app/runtime/resources.h"
+#include "app/runtime/say.h"
+#include "app/shell/file_dialog.h"
+#include "app/shell/preference_store.h"
+#include "widgets/base/look.h"
+#include "widgets/base/palette.h"
+#include "widgets/base/plain_label.h"
+#include "widgets/base/tips.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+struct DbcSays {
+    Q_DECLARE_TR_FUNCTIONS(terratact::SignalsPage)
+};
+
+/// A path that may be wrapped at its folders.
+QString breakable(QString text)
+{
+    return text.replace(QLatin1Char('/'), QStringLiteral("/\u200B"));
+}
+
+/// Empty: it is no longer wanted.
+std::optional<DbcReading> readDbcFiles(const QStringList& paths,
+                                       const std::function<bool()>& isWanted)
+{
+    DbcReading reading;
+    auto protocol = readProtocolDbc(resourcePath("dbc/terratact.dbc"));
+    if (!protocol) reading.troubles.push_back(protocol.error().text);
+    if (protocol) reading.protocol = *std::move(protocol);
+
+    auto book = std::make_shared<DbcBook>();
+    for (const QString& path : paths) {
+        if (!isWanted()) return std::nullopt;
+        const Status added = book->add(path.toStdString());
+        if (!added) reading.troubles.push_back(added.error().text);
+        reading.files.emplace_back(path, added ? std::optional(book->files().back().frames)
+                                               : std::nullopt);
+    }
+    reading.troubles.insert(reading.troubles.end(), book->remarks().begin(), book->remarks().end());
+    reading.book = std::move(book);
+    return reading;
+}
+
+}  // namespace
+
+DbcFiles::DbcFiles(PreferenceStore& preferences, QWidget& page)
+    : QObject(&page), preferences_(preferences), page_(page)
+{
+    reader_.setMaxThreadCount(1);
+    connect(&preferences_, &PreferenceStore::changed, this, [this](const Preferences& before) {
+        if (preferences_.current().dbc != before.dbc) read();
+    });
+}
+
+DbcFiles::~DbcFiles()
+{
+    ++readings_;
+    reader_.clear();
+}
+
+void DbcFiles::addButtons(QHBoxLayout& row)
+{
+    const auto tool = [&row, this](const QString& text, const QString& tip) {
+        auto* button = new QPushButton(text, &page_);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setMinimumHeight(kTarget);
+        setTip(*button, tip);
+        row.addWidget(button);
+        return button;
+    };
+    add_ = tool(DbcSays::tr("Add DBC file …"),
+                DbcSays::tr("A file that says what frames mean that are not the robot's"));
+    connect(add_, &QPushButton::clicked, this, &DbcFiles::addFile);
+    remove_ = tool(DbcSays::tr("Remove DBC file"),
+                   DbcSays::tr("Its frames are shown byte by byte again"));
+    remove_->setMenu(new QMenu(remove_));
+}
+
+void DbcFiles::addLines(QVBoxLayout& column)
+{
+    for (QLabel** label : {&files_, &troubles_}) {
+        *label = new PlainLabel(&page_);
+        (*label)->setWordWrap(true);
+        QSizePolicy policy = (*label)->sizePolicy();  // names of files are no reason to be wide
+        policy.setHorizontalPolicy(QSizePolicy::Ignored);
+        (*label)->setSizePolicy(policy);
+        (*label)->hide();
+        column.addWidget(*label);
+    }
+    files_->setAccessibleName(DbcSays::tr("DBC files"));
+    troubles_->setAccessibleName(DbcSays::tr("What is wrong with the DBC files"));
+    setTone(*troubles_, Tone::Doubt);
+}
+
+/// In a thread of its own: a large file takes longer than an armed robot waits for the operator's sign of life.
+void DbcFiles::read()
+{
+    const int job = ++readings_;
+    reader_.clear();
+    reader_.start([this, job, paths = preferences_.current().dbc] {
+        auto reading = readDbcFiles(paths, [this, job] { return job == readings_; });
+        if (!reading) return;
+        QMetaObject::invokeMethod(
+            this,
+            [this, job, reading = *std::move(reading)] {
+                if (job == readings_) use(reading);
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void DbcFiles::use(const DbcReading& reading)
+{
+    QStringList files, sentences;
+    for (const auto& [path, frames] : reading.files) {
+        const QString name = QFileInfo(path).fileName();
+        files << (frames ? DbcSays::tr("%1 (frames: %2)").arg(name).arg(*frames)
+                         : DbcSays::tr("%1 (not used)").arg(name));
+    }
+    for (const std::string& trouble : reading.troubles) {
+        say(stderr, "terratact-console: {}\n", trouble);
+        sentences << words::sentence(trouble);
+    }
+    show(files, sentences);
+    emit wereRead(reading);
+}
+
+void DbcFiles::show(const QStringList& files, const QStringList& troubles)
+{
+    constexpr qsizetype kMostLines = 3;
+    files_->setText(DbcSays::tr("DBC files: %1").arg(files.join(QStringLiteral(", "))));
+    files_->setVisible(!files.isEmpty());
+    QStringList shown;
+    for (const QString& trouble : troubles.mid(0, kMostLines))
+        shown << QStringLiteral("▲ ") + breakable(trouble);
+    if (troubles.size() > kMostLines)
+        shown << DbcSays::tr("… and %1 more, all of them in the tip here")
+                     .arg(troubles.size() - kMostLines);
+    troubles_->setText(shown.join(QLatin1Char('\n')));
+    troubles_->setVisible(!troubles.isEmpty());
+    setTip(*troubles_, plainTip(troubles.join(QLatin1Char('\n'))));
+
+    add_->setEnabled(files.size() < kMostDbcFiles);
+    remove_->setVisible(!files.isEmpty());
+    remove_->menu()->clear();
+    for (const QString& path : preferences_.current().dbc) {
+        const QAction* remove = remove_->menu()->addAction(QString(path).replace("&", "&&"));
+        const auto removed = [this, path] {
+            preferences_.change([path](Preferences& p) { p.dbc.removeAll(path); });
+        };
+        // Later, as the menu is filled anew then.
+        connect(remove, &QAction::triggered, this, removed, Qt::QueuedConnection);
+    }
+}
+
+void DbcFiles::addFile()
+{
+    const FileWish wish{.title = DbcSays::tr("Add DBC file"),
+                        .filter = DbcSays::tr("DBC files (*.dbc *.DBC);;All files (*)")};
+    askForFile(page_, wish, [this](const QString& path) {
+        preferences_.change([path](Preferences& p) {
+            if (!p.dbc.contains(path)) p.dbc << path;
+        });
+    });
+}
+
+QString DbcFiles::files() const
+{
+    return files_->text();
+}
+
+QString DbcFiles::troubles() const
+{
+    return troubles_->text();
+}
+
+}  // namespace terratact

@@ -1,0 +1,95 @@
+#include "app/pages/numbers_page.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "app/shell/key_table.h"
+#include "widgets/base/card.h"
+#include "widgets/base/look.h"
+#include "widgets/base/plain_label.h"
+#include "widgets/base/tips.h"
+#include "widgets/base/words.h"
+#include "widgets/terrain/numbers_table.h"
+#include "widgets/terrain/verdict_strip.h"
+
+namespace terratact {
+
+NumbersPage::NumbersPage(std::function<NumbersSight()> look, QWidget* parent)
+    : Page(parent), look_(std::move(look))
+{
+    auto* card = new Card(tr("The scene as numbers"), this);
+    copy_ = new QPushButton(tr("Copy (Ctrl+C)"), card);
+    copy_->setFocusPolicy(Qt::TabFocus);
+    setTip(*copy_, tr("The whole table, columns apart by tabs"));
+    card->titleRow()->addWidget(copy_);
+    verdict_ = new PlainLabel(card);
+    verdict_->setWordWrap(true);
+    verdict_->setAccessibleName(tr("Verdict"));
+    setTone(*verdict_, Tone::Strong);
+    summary_ = new PlainLabel(card);
+    summary_->setWordWrap(true);
+    summary_->setAccessibleName(tr("Estimate"));
+    setTone(*summary_, Tone::Muted);
+    table_ = new NumbersTable(card);
+    card->body()->addWidget(verdict_);
+    card->body()->addWidget(summary_);
+    card->body()->addWidget(table_, 1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(12, 10, 12, 10);
+    column->addWidget(card);
+    connect(copy_, &QPushButton::clicked, table_, &NumbersTable::copy);
+    verdict_->hide();
+    summary_->setText(look_().whyNoEstimate);
+}
+
+void NumbersPage::addKeys(KeyTable& keys)
+{
+    keys.add({.keys = {QKeyCombination(Qt::CTRL, Qt::Key_C)},
+              .meaning = tr("copy the numbers, on their page"),
+              .pressed = [this] { table_->copy(); },
+              .applies = [this] { return isVisible(); }});
+}
+
+void NumbersPage::showVerdict(const NumbersSight& sight)
+{
+    verdict_->setVisible(sight.verdict.has_value());
+    if (!sight.verdict) return;
+    const bool isOld =
+        std::ranges::find(sight.verdict->doubts, Doubt::Stale) != sight.verdict->doubts.end();
+    QStringList parts{VerdictStrip::answerOf(*sight.verdict),
+                      VerdictStrip::probabilityOf(*sight.verdict, sight.stepLimit),
+                      VerdictStrip::whyOf(*sight.verdict)};
+    if (isOld && sight.age) parts << tr("last heard %1 ago").arg(words::age(*sight.age));
+    const QString text = parts.join(QStringLiteral(" · "));
+    if (verdict_->text() == text) return;
+    verdict_->setText(text);
+    setTone(*verdict_, isOld ? Tone::Bad : Tone::Strong);
+}
+
+void NumbersPage::refresh(double /*now*/)
+{
+    const NumbersSight sight = look_();
+    showVerdict(sight);
+    if (!sight.estimate) {
+        if (shown_) table_->clearEstimate();
+        shown_.reset();
+        summary_->setText(sight.whyNoEstimate);
+        return;
+    }
+    if (shown_ == *sight.estimate && shownLimit_ == sight.stepLimit) return;
+    shown_ = *sight.estimate;
+    shownLimit_ = sight.stepLimit;
+    table_->setEstimate(*shown_, shownLimit_);
+    summary_->setText(tr("%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m. "
+                         "The verdict's P counts steps over two bins (0.2 m) anywhere ahead, the "
+                         "column those to the next bin alone")
+                          .arg(words::text(name(shown_->settings.method)))
+                          .arg(shown_->draws.size())
+                          .arg(shown_->settings.seed)
+                          .arg(words::number(shownLimit_, 2)));
+}
+
+}  // namespace terratact

@@ -1,0 +1,243 @@
+#include "app/pages/terrain_layout.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/shell/console_window.h"
+#include "app/shell/letters.h"
+#include "widgets/base/card.h"
+#include "widgets/base/palette.h"
+#include "widgets/control/atem_panel.h"
+#include "widgets/control/drive_pad.h"
+#include "widgets/control/probe_card.h"
+#include "widgets/terrain/estimate_strip.h"
+#include "widgets/terrain/terrain_profile_view.h"
+#include "widgets/terrain/verdict_strip.h"
+
+namespace terratact {
+namespace {
+
+constexpr int kBetween = 10;                       // [px] cards
+constexpr int kToSpare = 10;                       // [px] before cards have to leave
+constexpr QSize kLeastTerrain{420, 230};           // [px]
+constexpr int kColumn = 404, kNarrowColumn = 281;  // [px] of the decisions, at 100 %
+// [px] of the terrain beside them, likewise: it is the largest part
+constexpr int kRoomyTerrain = 540, kTightTerrain = 324;
+constexpr double kTerrainToColumn = 1.17;
+
+}  // namespace
+
+TerrainLayout::TerrainLayout(QWidget& page, const Parts& parts)
+    : QObject(&page), page_(page), parts_(parts)
+{
+    decisions_ = new QWidget(&page_);
+    auto* reserved = new QHBoxLayout(decisions_);
+    reserved->setContentsMargins(0, 0, 0, 0);
+    reserved->setSpacing(0);
+    question_ = new QSpacerItem(0, 0);
+    decide_ = new QVBoxLayout;
+    reserved->addLayout(decide_);
+    reserved->addItem(question_);
+    decide_->setSpacing(kBetween);
+    decide_->addWidget(parts_.atem);
+    decide_->addWidget(parts_.probe, 1);
+    column_ = new QVBoxLayout;
+    column_->setSpacing(kBetween);
+    column_->addWidget(decisions_, 1);
+    upper_ = new QHBoxLayout;
+    upper_->setSpacing(kBetween);
+    ground_ = new QVBoxLayout;
+    ground_->setSpacing(kBetween);
+    ground_->addWidget(parts_.verdict);
+    ground_->addWidget(parts_.terrainCard, 1);
+    upper_->addLayout(ground_, 1);
+    upper_->addLayout(column_);
+    lowerPanel_ = new QWidget(&page_);
+    lower_ = new QHBoxLayout(lowerPanel_);
+    lower_->setContentsMargins(0, 0, 0, 0);
+    lower_->setSpacing(kBetween);
+    recent_ = new QHBoxLayout;
+    recent_->setSpacing(kBetween);
+    recent_->addWidget(parts_.robot);
+    recent_->addWidget(parts_.events);
+    lower_->addWidget(parts_.forces);
+    lower_->addLayout(recent_);
+
+    rows_ = new QVBoxLayout(&page_);
+    rows_->setSpacing(kBetween);
+    rows_->addLayout(upper_);
+    rows_->addWidget(lowerPanel_);
+}
+
+void TerrainLayout::placeLower()
+{
+    if (rows_->indexOf(lowerPanel_) < 0) rows_->addWidget(lowerPanel_);
+    share();
+}
+
+void TerrainLayout::stackLower(bool stacked)
+{
+    stacked_ = stacked;
+    share();
+}
+
+void TerrainLayout::placeDecisions()
+{
+    if (column_->indexOf(decisions_) < 0) column_->insertWidget(1, decisions_, 1);
+}
+
+void TerrainLayout::setVerdictBeside(int columnWidth)
+{
+    columnWidth_ = columnWidth;
+    if (!verdictBeside_) column_->addStretch();  // where only the verdict is beside
+    verdictBeside_ = true;
+    arrange(layout_, fontScale_);
+}
+
+void TerrainLayout::allowTight(const ConsoleWindow& window)
+{
+    window_ = &window;
+    arrange(layout_, fontScale_);
+}
+
+void TerrainLayout::arrange(Layout layout, int fontScale)
+{
+    const bool isMeasured = roomyNeeds_.isValid() && layout == layout_ && fontScale == fontScale_;
+    layout_ = layout;
+    fontScale_ = fontScale;
+    if (isMeasured) return;
+    if (window_) {
+        const bool tight = tight_;
+        measures_ = true;
+        tightNeeds_ = needs(true);
+        roomyNeeds_ = needs(false);
+        setTight(tight);
+        measures_ = false;
+        fit();
+    } else {
+        setTight(false);
+    }
+}
+
+/// [px] of the page, arranged like that.
+QSize TerrainLayout::needs(bool tight)
+{
+    setTight(tight);
+    forgetSizes(page_);
+    forgetSizes(*lowerPanel_);  // it may be elsewhere
+    const QMargins margins = rows_->contentsMargins();
+    QSize size = upper_->minimumSize();
+    if (!tight) {
+        // With a banner, what it takes is given; without one, nothing is.
+        const int line = window_->bannerLine();
+        size.setHeight(
+            std::max(size.height() + line,
+                     column_->minimumSize().height() + parts_.probe->givenHeight() + kToSpare));
+    }
+    const auto below = [&size](const QSize& part) {
+        size = {std::max(size.width(), part.width()), size.height() + kBetween + part.height()};
+    };
+    if (rows_->indexOf(parts_.verdict) >= 0) below(parts_.verdict->minimumSizeHint());
+    if (!tight) below(lowerPanel_->minimumSizeHint());
+    return size.grownBy(margins);
+}
+
+void TerrainLayout::fit()
+{
+    fitTightness();
+    setColumn();
+}
+
+void TerrainLayout::fitTightness()
+{
+    if (!window_ || measures_) return;
+    const QSize room = page_.size() + QSize(0, window_->bannersTake());  // as without a banner
+    const bool tight = room != room.expandedTo(roomyNeeds_);
+    if (tight == tight_ && (rows_->indexOf(lowerPanel_) < 0) == tight) return;
+    setTight(tight);
+    emit tightened(tight);
+    rows_->activate();
+}
+
+void TerrainLayout::setTight(bool tight)
+{
+    tight_ = tight;
+    if (window_) stacked_ = tight;
+    const int margin = tight ? 6 : 10;
+    rows_->setContentsMargins(12, margin, 12, margin);
+    parts_.atem->setNarrow(tight);
+    parts_.probe->setNarrow(tight);
+    parts_.drive->setNarrow(tight);
+    // A banner's line is the terrain's and the question's, where it would else make the cards leave.
+    if (window_)
+        parts_.terrain->setMinimumSize(tight ? QSize(0, kLeastTerrain.height())
+                                             : kLeastTerrain - QSize(0, window_->bannerLine()));
+    if (window_) parts_.terrainCard->setMinimumWidth(scaled(tight ? kTightTerrain : kRoomyTerrain));
+    // Driving is needed at any time; the rest of its card is looked up.
+    if (tight)
+        decide_->addWidget(parts_.drive);
+    else
+        parts_.robot->body()->addWidget(parts_.drive);
+    setColumn();
+    placeVerdict();
+    share();
+}
+
+/// Where room is tight the decisions are as wide as leaves the terrain wider.
+void TerrainLayout::setColumn()
+{
+    int wide = scaled(tight_ ? kNarrowColumn : kColumn);
+    if (tight_ && window_ && !measures_) {
+        const int room = page_.width() - rows_->contentsMargins().left()
+                       - rows_->contentsMargins().right() - kBetween;
+        const auto share = static_cast<int>(room / (1.0 + kTerrainToColumn));
+        wide = std::clamp(share, wide, scaled(kColumn));
+    }
+    for (QWidget* card : std::initializer_list<QWidget*>{parts_.atem, parts_.probe})
+        card->setFixedWidth(wide);
+    // Room for the question is kept, so that nothing moves when it comes.
+    question_->changeSize(0, verdictBeside_ ? 0
+                                            : parts_.atem->leastHeight() + kBetween
+                                                  + parts_.probe->leastHeight());
+}
+
+void TerrainLayout::placeVerdict()
+{
+    // Large letters leave no room for the result beside the card's title; a review's page has its name already.
+    QBoxLayout *beside = parts_.terrainCard->titleRow(), *below = parts_.terrainCard->body();
+    const bool large = fontScale_ > 100 || tight_, apart = large && !verdictBeside_;
+    for (QBoxLayout* row : {beside, below}) row->removeWidget(parts_.strip);
+    (apart ? below : beside)->insertWidget(apart ? 1 : 2, parts_.strip, apart ? 0 : 1);
+    beside->setStretch(0, apart ? 1 : 0);
+    beside->itemAt(0)->widget()->setVisible(!large || apart);
+    // Nor for the verdict above the terrain alone: it then stands above the whole page.
+    for (QBoxLayout* column : {ground_, rows_, column_}) column->removeWidget(parts_.verdict);
+    (verdictBeside_ ? column_ : large ? rows_ : ground_)->insertWidget(0, parts_.verdict);
+    parts_.verdict->setStacked(verdictBeside_);
+    if (verdictBeside_) parts_.verdict->setFixedWidth(scaled(columnWidth_));
+}
+
+void TerrainLayout::share()
+{
+    struct Shares {
+        int upper, lower, forces, robot, events;
+    };
+    const Shares shares = verdictBeside_            ? Shares{17, 6, 9, 8, 16}
+                        : layout_ == Layout::Drive  ? Shares{13, 9, 10, 11, 0}
+                        : layout_ == Layout::Review ? Shares{13, 9, 9, 8, 16}
+                                                    : Shares{17, 6, 10, 9, 10};
+    rows_->setStretchFactor(upper_, shares.upper + (fontScale_ > 100 ? 4 : 0));
+    rows_->setStretchFactor(lowerPanel_, shares.lower);
+    lower_->setStretch(0, shares.forces);
+    lower_->setStretch(1, shares.robot + shares.events);
+    recent_->setDirection(stacked_ ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    recent_->setStretch(0, stacked_ ? 0 : shares.robot);
+    recent_->setStretch(1, stacked_ ? 1 : shares.events);
+    recent_->itemAt(1)->widget()->setVisible(shares.events > 0);
+    // Where large letters leave little room, what exploring needs is seen whole before driving is large.
+    parts_.drive->setProminent(layout_ == Layout::Drive && !(tight_ && fontScale_ > 120));
+    parts_.drive->setVisible(layout_ != Layout::Review);
+}
+
+}  // namespace terratact

@@ -1,0 +1,443 @@
+#include "app/pages/terrain_page.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <cmath>
+#include <utility>
+
+#include "core/terrain/body_ceiling.h"
+#include "core/terrain/outline.h"
+#include "widgets/base/card.h"
+#include "widgets/base/elided_label.h"
+#include "widgets/base/look.h"
+#include "widgets/base/tips.h"
+#include "widgets/base/words.h"
+#include "widgets/control/drive_pad.h"
+#include "widgets/signals/event_list.h"
+#include "widgets/terrain/estimate_strip.h"
+#include "widgets/terrain/terrain_profile_view.h"
+#include "widgets/terrain/verdict_strip.h"
+
+namespace terratact {
+namespace {
+
+// What the probe's card says where nobody asks this operator.
+QString followedProbe(const AtemState& state)
+{
+    if (state.phase == AtemPhase::Probing) return TerrainPage::tr("Following: the arm is probing.");
+    if (state.probed)
+        return TerrainPage::tr("The arm has measured; its height is part of the estimate.");
+    return TerrainPage::tr("Following: probes are approved where the robot is commanded.");
+}
+
+/// There is a probe to tell of, nobody is asked and nothing is under way.
+bool isAtRest(const TerrainSight& sight)
+{
+    if (!sight.estimate || sight.live || !sight.bestProbe) return false;
+    switch (sight.state.phase) {
+    case AtemPhase::Presenting:
+    case AtemPhase::Stopped:
+    case AtemPhase::Failed:
+    case AtemPhase::Idle: return true;
+    case AtemPhase::Halting:
+    case AtemPhase::Pressing:
+    case AtemPhase::Estimating:
+    case AtemPhase::ProposingProbe:
+    case AtemPhase::Probing:
+    case AtemPhase::EstimatingAgain: return false;
+    }
+    return false;
+}
+
+/// What the estimate that stands says of a probe counts.
+bool tellsWorth(const TerrainSight& sight)
+{
+    return isAtRest(sight) && (!sight.verdict || sight.verdict->doubts.empty());
+}
+
+/// What a probe of the bin would tell, in a line.
+QString probeTells(const ProbeProposal& probe)
+{
+    const QString bin = words::binName(probe.bin);
+    if (!probe.worth)
+        return TerrainPage::tr("probe at %1: its height, ± %2 m instead of ± %3 m")
+            .arg(bin, words::number(probe.armSd, 2), words::number(probe.sd, 2));
+    const QString bits = words::number(probe.bitsBefore, 2);
+    return probe.tellsOfStep() ? TerrainPage::tr("probe at %1: %2 → %3 bit")
+                                     .arg(bin, bits, words::number(probe.worth->bitsAfter, 2))
+                               : TerrainPage::tr("probe at %1: no gain").arg(bin);
+}
+
+QString whyNoProbe(const TerrainSight& sight)
+{
+    if (isAtRest(sight) && !tellsWorth(sight))
+        return TerrainPage::tr("The verdict is withheld, and so is what a probe tells about it.");
+    const AtemState& state = sight.state;
+    if (state.followed) return followedProbe(state);
+    if (state.phase == AtemPhase::Presenting) {
+        if (state.probed)
+            return TerrainPage::tr("The arm has measured; its height is part of the estimate.");
+        if (state.approvalExpired)
+            return TerrainPage::tr("The proposal was not answered in time, which means no.");
+        if (!sight.whyNotOffered.isEmpty()) return sight.whyNotOffered;
+        if (sight.estimate && !sight.proposal)
+            return TerrainPage::tr("No probe: the estimate stands without the arm.");
+    }
+    if (tellsWorth(sight)) return TerrainPage::tr("Nobody asks for the arm. What it would buy:");
+    return TerrainPage::tr(
+        "No probe is proposed. After an exploration the arm is offered where the "
+        "terrain stays uncertain.");
+}
+
+/// The robot says of its arm where it touched last at this pose, and nothing of where it is.
+std::optional<ArmTip> armTipOf(const TerrainSight& sight, bool asking)
+{
+    using State = ArmTip::State;
+    if (asking) return ArmTip{.state = State::Proposed, .bin = sight.proposal->bin};
+    if (sight.probingBin) return ArmTip{.state = State::Probing, .bin = *sight.probingBin};
+    if (!sight.measurement || !sight.measurement->arm) return std::nullopt;
+    const ArmReading& touched = *sight.measurement->arm;
+    return ArmTip{.state = State::Touched, .bin = touched.bin, .height = touched.height};
+}
+
+/// Of a preview: it stays while the estimate of the scene is computed.
+bool flippersMove(const TerrainSight& sight)
+{
+    return sight.state.phase == AtemPhase::Pressing;
+}
+
+bool isShown(const std::optional<TerrainEstimate>& shown, const TerrainEstimate* estimate)
+{
+    return estimate ? shown == *estimate : !shown;
+}
+
+std::optional<TerrainEstimate> copyOf(const TerrainEstimate* estimate)
+{
+    return estimate ? std::optional(*estimate) : std::nullopt;
+}
+
+}  // namespace
+
+TerrainPage::TerrainPage(RobotModel robot, QWidget* parent)
+    : QWidget(parent), robot_(std::move(robot))
+{
+    verdict_ = new VerdictStrip(this);
+    terrainCard_ = terrainCard();
+    atem_ = new AtemPanel(this);
+    probe_ = new ProbeCard(this);
+    Card* const forcesCard = forceCard();
+    Card* const readoutCard = robotCard();
+    Card* const newsCard = eventCard();
+    layout_ = new TerrainLayout(*this, {.verdict = verdict_,
+                                        .terrainCard = terrainCard_,
+                                        .strip = strip_,
+                                        .terrain = terrain_,
+                                        .atem = atem_,
+                                        .probe = probe_,
+                                        .forces = forcesCard,
+                                        .robot = readoutCard,
+                                        .drive = drive_,
+                                        .events = newsCard});
+    connect(layout_, &TerrainLayout::tightened, this, &TerrainPage::tightened);
+}
+
+Card* TerrainPage::terrainCard()
+{
+    auto* card = new Card(tr("Terrain"), this);
+    view_ = new QPushButton(tr("view"), card);
+    view_->setFocusPolicy(Qt::TabFocus);
+    setTip(*view_, tr("What else is drawn: draws, a second method"));
+    view_->setAccessibleName(tr("View of the terrain"));
+    strip_ = new EstimateStrip(card);
+    terrain_ = new TerrainProfileView(card);
+    card->note()->hide();
+    card->titleRow()->addWidget(strip_, 1);
+    card->titleRow()->addWidget(view_);
+    card->body()->addWidget(strip_->warnings());
+    card->body()->addWidget(terrain_, 1);
+    return card;
+}
+
+Card* TerrainPage::forceCard()
+{
+    auto* card = new Card(tr("Front forces"), this);
+    forces_ = new ForceBars(card);
+    forceLegend_ = new ElidedLabel(card);
+    setTone(*forceLegend_, Tone::Muted);
+    forceUnit_ = new QPushButton(tr("N / V"), card);
+    forceUnit_->setCheckable(true);
+    forceUnit_->setFocusPolicy(Qt::TabFocus);
+    forceUnit_->setAccessibleName(tr("Raw voltages of the force elements"));
+    setTip(*forceUnit_, tr("Raw voltages instead of calibrated forces"));
+    connect(forceUnit_, &QPushButton::toggled, this, [this](bool raw) {
+        forces_->setUnit(raw ? ForceBars::Unit::Volts : ForceBars::Unit::Newtons);
+        showThreshold();
+    });
+    card->titleRow()->insertWidget(1, forceLegend_);
+    card->titleRow()->addWidget(forceUnit_);
+    thresholdText_ = card->note();
+    card->body()->addWidget(forces_, 1);
+    return card;
+}
+
+Card* TerrainPage::robotCard()
+{
+    auto* card = new Card(tr("Robot"), this);
+    robotAge_ = card->note();
+    robotAge_->setAccessibleName(tr("Age of the telemetry"));
+    readout_ = new RobotReadout(card);
+    drive_ = new DrivePad(card);
+    card->body()->addWidget(readout_, 1);
+    card->body()->addWidget(drive_);
+    return card;
+}
+
+Card* TerrainPage::eventCard()
+{
+    auto* card = new Card(tr("Last minutes"), this);
+    events_ = new EventList(card);
+    card->body()->addWidget(events_, 1);
+    return card;
+}
+
+void TerrainPage::addTerrainTool(QWidget* tool)
+{
+    terrainCard_->titleRow()->addWidget(tool);
+}
+
+void TerrainPage::arrange(Layout layout, int fontScale)
+{
+    layout_->arrange(layout, fontScale);
+    showThreshold();
+}
+
+QSize TerrainPage::minimumSizeHint() const
+{
+    return layout_->tightNeeds().isValid() ? layout_->tightNeeds() : QWidget::minimumSizeHint();
+}
+
+void TerrainPage::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    layout_->fit();
+}
+
+void TerrainPage::setThreshold(double newtons)
+{
+    if (newtons == threshold_) return;
+    threshold_ = newtons;
+    showThreshold();
+}
+
+void TerrainPage::showThreshold()
+{
+    forces_->setThreshold(threshold_);
+    if (forcesAge_) {
+        thresholdText_->setText(tr("%1 s old").arg(words::number(*forcesAge_, 1)));
+        return setTone(*thresholdText_, Tone::Bad);
+    }
+    const bool raw = forces_->unit() == ForceBars::Unit::Volts;
+    const QString value = words::number(threshold_, 1);
+    if (layout_->fontScale() > 100 || forces_->arrays() > 2)  // no room for a word
+        thresholdText_->setText(raw ? QString() : tr("- - %1 N").arg(value));
+    else
+        thresholdText_->setText(raw ? tr("raw voltages") : tr("- - threshold %1 N").arg(value));
+    setTone(*thresholdText_, raw ? Tone::Muted : Tone::Bad);
+}
+
+void TerrainPage::setSight(const TerrainSight& sight)
+{
+    showRobot(sight);
+    showEstimate(sight);
+    showPose(sight);
+    const bool isStale = sight.measurement && sight.age > kStaleAfter && !sight.ended;
+    terrain_->setStale(isStale ? std::optional(sight.age) : std::nullopt);
+    showVerdict(sight);
+    showProbe(sight);
+    strip_->setProgress(sight.progress);
+    atem_->setState(sight.state, sight.time, sight.stateWords);
+    atem_->setResultStands(sight.estimate || sight.ghost);
+    showProbeToAsk(sight);
+    atem_->setPreconditions(sight.preconditions);
+    atem_->setNeeds(Commanded::Drive, sight.driving);
+    atem_->setNeeds(Commanded::Arm, sight.arming);
+    atem_->setNeeds(Commanded::Probe, sight.probing);
+    atem_->setNeeds(Commanded::ReleaseStop, sight.releasing);
+    drive_->setPreconditions(sight.driving);
+}
+
+void TerrainPage::showRobot(const TerrainSight& sight)
+{
+    if (!sight.measurement) {
+        readout_->clearMeasurement();
+        forces_->clearForces();
+        showForcesAge(sight);
+        robotAge_->setText(QString());
+        return;
+    }
+    const bool fresh = sight.age <= kStaleAfter;
+    if (sight.numbersDue || fresh != numbersFresh_) {
+        numbersFresh_ = fresh;
+        const bool isDrawn = !sight.scene || sight.scene == sight.measurement;
+        readout_->setAttitude(sight.attitude);
+        const auto captured = isDrawn ? std::nullopt : std::optional(sight.scene->pitch);
+        if (sight.ages)
+            readout_->setMeasurement(*sight.measurement, sight.age, *sight.ages, captured);
+        else
+            readout_->setMeasurement(*sight.measurement, sight.age, captured);
+        showAge(sight);
+    }
+    if (!fresh) showAge(sight);  // it grows
+    showForcesAge(sight);
+    if (!fresh || forcesAge_) return forces_->clearForces();
+    if (sight.count == shownCount_ || !sight.forces) return;
+    if (sight.forcesBefore)
+        forces_->setForces(*sight.forces, sight.now, *sight.forcesBefore);
+    else
+        forces_->setForces(*sight.forces, sight.now);
+    if (forceLegend_->text() == forces_->legend()) return;
+    forceLegend_->setText(forces_->legend());
+    showThreshold();
+}
+
+void TerrainPage::showAge(const TerrainSight& sight)
+{
+    const bool fresh = sight.age <= kStaleAfter;
+    const double oldest = std::ceil(10.0 * (sight.age + sight.numbersFor)) / 10.0;
+    QString text;
+    if (sight.measurement == sight.scene)
+        text = QString();  // a scene of a file
+    else if (sight.ended)
+        text = tr("the log has ended");
+    else if (!fresh)
+        text = tr("%1 s old").arg(words::number(sight.age, 1));
+    else if (sight.numbersFor > 0.0)
+        text = tr("< %1 s old").arg(words::number(oldest, 1));
+    else
+        text = tr("%1 old").arg(words::age(sight.age));
+    robotAge_->setText(text);
+    setTone(*robotAge_, fresh || sight.ended ? Tone::Muted : Tone::Bad);
+}
+
+/// How old the forces are that are shown stands as their card's tip, and of those that are not shown any more upon it.
+void TerrainPage::showForcesAge(const TerrainSight& sight)
+{
+    const double age = sight.forcesAge.value_or(sight.age);
+    const bool isScene = !sight.measurement || sight.measurement == sight.scene;  // of a file
+    const auto said =
+        isScene || sight.ended || age <= kStaleAfter ? std::nullopt : std::optional(age);
+    if (sight.numbersDue || said != forcesAge_)
+        setTip(*thresholdText_,
+               isScene ? QString() : tr("the forces are %1 old").arg(words::age(age)));
+    if (said == forcesAge_) return;
+    forcesAge_ = said;
+    showThreshold();
+}
+
+void TerrainPage::showEstimate(const TerrainSight& sight)
+{
+    if (sight.live) {
+        showPreview(sight);
+        shown_.reset();
+    } else if (sight.estimate) {
+        if (!isShown(shown_, sight.estimate)) {
+            terrain_->setEstimate(*sight.estimate);
+            strip_->setEstimate(*sight.estimate, sight.estimateSeconds);
+            shown_ = *sight.estimate;
+        }
+    } else if (shown_ || shownLive_ || shownReason_ != sight.whyNoEstimate) {
+        shown_.reset();
+        shownReason_ = sight.whyNoEstimate;
+        terrain_->clearEstimate(shownReason_);
+        strip_->setNothing(QString());
+    }
+    terrain_->setGhost(sight.ghost, sight.whyNoGhost);
+    if (!isShown(shownSecond_, sight.second)) {
+        shownSecond_ = copyOf(sight.second);
+        terrain_->setSecond(shownSecond_, sight.secondName);
+    }
+    shownLive_ = copyOf(sight.live);
+    shownEstimate_ = sight.estimate && !sight.live;
+    if (shownEstimate_) shownReason_.clear();
+}
+
+void TerrainPage::showPreview(const TerrainSight& sight)
+{
+    const bool moves = flippersMove(sight);
+    const QString note = moves ? tr("The flippers still move: nothing ahead is felt yet")
+                               : tr("Preview from the way down: the estimate is being computed");
+    if (isShown(shownLive_, sight.live) && shownReason_ == note) return;
+    terrain_->setEstimate(*sight.live, note);
+    strip_->setLive(moves ? tr("LIVE preview") : tr("preview"));
+    shownReason_ = note;
+}
+
+void TerrainPage::showPose(const TerrainSight& sight)
+{
+    if (!sight.measurement || sight.count == shownCount_) return;
+    // An estimate belongs to the scene it rests on, so both are drawn in that pose.
+    const Proprioception s = proprioception(sight.scene ? *sight.scene : *sight.measurement);
+    if (shownPose_ != std::array{s.pitch, s.front, s.rear}) {
+        shownPose_ = std::array{s.pitch, s.front, s.rear};
+        terrain_->setOutline(robotOutline(robot_, s.pitch, s.front, s.rear));
+    }
+    const std::optional<Heights>* truth = sight.scene ? sight.sceneTruth : sight.truth;
+    const std::optional<Heights> known = truth ? *truth : std::nullopt;
+    if (shownTruth_ != known) terrain_->setTruth(shownTruth_ = known);
+    shownCount_ = sight.count;
+}
+
+void TerrainPage::showVerdict(const TerrainSight& sight)
+{
+    if (!sight.verdict)
+        return verdict_->setNothing(!sight.live           ? sight.whyNoEstimate
+                                    : flippersMove(sight) ? tr("The flippers still move")
+                                                          : tr("The estimate is being computed"));
+    QString probe;
+    const ProbeProposal* const proposal = sight.proposal    ? sight.proposal
+                                        : tellsWorth(sight) ? &*sight.bestProbe
+                                                            : nullptr;
+    if (proposal && proposal->worth && proposal->stepLimit == verdict_->limit())
+        probe = probeTells(*proposal);
+    verdict_->setVerdict(*sight.verdict, probe);
+}
+
+/// Where the verdict cannot tell, always: the bin, what is expected of it, and the button that asks for it.
+void TerrainPage::showProbeToAsk(const TerrainSight& sight)
+{
+    const bool open = sight.verdict && sight.verdict->outlook == Outlook::CannotTell;
+    if (!open || !isAtRest(sight)) return atem_->setProbeToAsk(std::nullopt, {});
+    atem_->setProbeToAsk(sight.bestProbe->bin, probeTells(*sight.bestProbe));
+}
+
+void TerrainPage::showProbe(const TerrainSight& sight)
+{
+    const bool asking = sight.proposal && sight.state.phase == AtemPhase::ProposingProbe;
+    // What asks or moves is shown in every layout.
+    const bool needed = asking || sight.probingBin;
+    const bool open = sight.verdict && sight.verdict->outlook == Outlook::CannotTell;
+    probe_->setVisible(
+        ((layout_->layout() == Layout::Probe || (open && isAtRest(sight))) && !isTight())
+        || needed);
+    drive_->setVisible(layout_->layout() != Layout::Review && !(isTight() && needed));
+    // In large letters the question needs the room; the robot stands still while it is asked.
+    readout_->setVisible(!asking || layout_->fontScale() <= 120 || isTight());
+    terrain_->setArmTip(armTipOf(sight, asking && firstMissing(sight.probing).isEmpty()));
+    if (asking) {
+        ProbeProposal proposal = *sight.proposal;
+        if (sight.verdict && proposal.stepLimit == verdict_->limit())
+            proposal.answer = sight.verdict->outlook;
+        probe_->setProposal(proposal);
+        probe_->setPreconditions(sight.probing);
+        probe_->setTimeLeft(sight.time ? sight.time->seconds : 0.0);
+    } else if (sight.probingBin) {
+        probe_->setProbing(*sight.probingBin, sight.secondsInPhase, sight.probeSeconds);
+    } else if (isAtRest(sight)) {
+        probe_->setWorth(*sight.bestProbe, whyNoProbe(sight));
+    } else {
+        probe_->setNothing(whyNoProbe(sight));
+    }
+}
+
+}  // namespace terratact

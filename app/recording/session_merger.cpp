@@ -1,0 +1,192 @@
+#include "app/recording/session_merger.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/store/file_read.h"
+
+namespace terratact {
+
+SessionMerger::SessionMerger(SessionWriter& writer, std::int64_t wallTime, Dangling dangling)
+    : writer_(writer), wallTime_(wallTime), dangling_(dangling)
+{
+}
+
+Status SessionMerger::add(SessionReader& session)
+{
+    // Rotated files have their start in common, later ones repeat what stood when they began.
+    session_ = &session;
+    toldBefore_.merge(told_);
+    shift_ = session.start().wallTime - wallTime_;
+    ids_ = {};
+    for (std::size_t i = 0; i < session.batches().size(); ++i) {
+        for (FrameRow frame : session.frames(i)) {
+            frame.time += shift_;
+            if (Status added = writer_.add(frame); !added) return added;
+        }
+        if (Status added = addRowsUntil(session.batches()[i].last); !added) return added;
+        if (Status done = writer_.commit(); !done) return done;
+    }
+    return addRowsUntil(session.end());
+}
+
+Status SessionMerger::event(const SessionReader& session, EventRow row)
+{
+    row.time += session.start().wallTime - wallTime_;
+    return writer_.add(row);
+}
+
+template <class Rows>
+Status SessionMerger::addUntil(SessionTime time, const Rows& rows, std::size_t& read)
+{
+    for (; read < rows.size() && rows[read].time <= time; ++read) {
+        dangles_ = false;
+        Status added = take(rows[read]);
+        if (added) continue;
+        if (!dangles_ || dangling_ == Dangling::Refused) return added;
+        ++leftOut_;
+    }
+    return Done{};
+}
+
+Status SessionMerger::addRowsUntil(SessionTime time)
+{
+    const SessionReader& s = *session_;
+    Status status = addUntil(time, s.models(), ids_.modelsRead);
+    if (status) status = addUntil(time, s.scenes(), ids_.scenesRead);
+    if (status) status = addUntil(time, s.estimates(), ids_.estimatesRead);
+    if (status) status = addUntil(time, s.proposals(), ids_.proposalsRead);
+    if (status) status = addUntil(time, s.events(), ids_.eventsRead);
+    return status;
+}
+
+/// Where an equal row is there already, its id; else adds it.
+template <class RowType>
+Status SessionMerger::keep(RowType row, std::int64_t old, std::map<std::int64_t, std::int64_t>& ids,
+                           std::vector<RowType>& kept)
+{
+    const auto same = std::find_if(kept.begin(), kept.end(), [&](const RowType& other) {
+        row.id = other.id;
+        return other == row;
+    });
+    if (same != kept.end()) {
+        ids[old] = same->id;
+        return Done{};
+    }
+    row.id = static_cast<std::int64_t>(kept.size()) + 1;
+    ids[old] = row.id;
+    kept.push_back(row);
+    return writer_.add(row);
+}
+
+Status SessionMerger::take(ModelRow row)
+{
+    if (ids_.model.contains(row.id)) return Done{};
+    row.time += shift_;
+    return keep(row, row.id, ids_.model, models_);
+}
+
+Status SessionMerger::take(SceneRow row)
+{
+    if (ids_.scene.contains(row.id)) return Done{};
+    row.time += shift_;
+    return keep(row, row.id, ids_.scene, scenes_);
+}
+
+Status SessionMerger::take(EstimateRow row)
+{
+    if (ids_.estimate.contains(row.id)) return Done{};
+    if (Status there = require(row); !there) return there;
+    auto draws = session_->draws(row.id);
+    if (!draws) {
+        dangles_ = true;
+        return draws.error();
+    }
+    row.time += shift_;
+    row.scene = ids_.scene.at(row.scene);
+    row.model = ids_.model.at(row.model);
+    const std::int64_t old = row.id;
+    // Draws are many: equal but for them is equal.
+    const auto same = std::find_if(estimates_.begin(), estimates_.end(), [&](const EstimateRow& o) {
+        row.id = o.id;
+        return o == row;
+    });
+    if (same != estimates_.end()) {
+        ids_.estimate[old] = same->id;
+        return Done{};
+    }
+    row.id = static_cast<std::int64_t>(estimates_.size()) + 1;
+    ids_.estimate[old] = row.id;
+    estimates_.push_back(row);
+    row.estimate.draws = std::move(*draws);
+    return writer_.add(row);
+}
+
+Status SessionMerger::take(ProposalRow row)
+{
+    if (ids_.proposal.contains(row.id)) return Done{};
+    if (Status there = requireEstimate(row.estimate); !there) return there;
+    row.time += shift_;
+    row.estimate = ids_.estimate.at(row.estimate);
+    return keep(row, row.id, ids_.proposal, proposals_);
+}
+
+Status SessionMerger::take(EventRow row)
+{
+    const Told told{row.time + shift_, row.kind, row.subject, row.text};
+    if (toldBefore_.contains(told)) return Done{};
+    told_.insert(told);
+    for (const bool estimates : {true, false}) {
+        if (Status there = refer(row, estimates); !there) {
+            if (!dangles_ || dangling_ == Dangling::Refused) return there;
+            (estimates ? row.estimate : row.proposal) = 0;  // what it tells stands without
+        }
+    }
+    row.time += shift_;
+    return writer_.add(row);
+}
+
+/// Puts the new number of the estimate, or of the proposal, that an event refers to.
+Status SessionMerger::refer(EventRow& row, bool toEstimate)
+{
+    if ((toEstimate ? row.estimate : row.proposal) == 0) return Done{};
+    if (toEstimate) {
+        if (Status there = requireEstimate(row.estimate); !there) return there;
+        row.estimate = ids_.estimate.at(row.estimate);
+        return Done{};
+    }
+    const ProposalRow* proposal = session_->proposal(row.proposal);
+    if (!proposal) return missing("an event", "proposal");
+    if (Status there = take(*proposal); !there) return there;
+    row.proposal = ids_.proposal.at(row.proposal);
+    return Done{};
+}
+
+/// What an estimate rests on, though it may be later by the clock.
+Status SessionMerger::require(const EstimateRow& row)
+{
+    const SceneRow* scene = session_->scene(row.scene);
+    const ModelRow* model = session_->model(row.model);
+    if (!scene) return missing("an estimate", "scene");
+    if (!model) return missing("an estimate", "model");
+    if (Status there = take(*model); !there) return there;
+    return take(*scene);
+}
+
+Status SessionMerger::requireEstimate(std::int64_t id)
+{
+    const EstimateRow* estimate = session_->estimate(id);
+    return estimate ? take(*estimate) : missing("a row", "estimate");
+}
+
+Status SessionMerger::missing(const char* what, const char* whose)
+{
+    dangles_ = true;
+    return fileError(session_->path(), fmt::format("{} refers to a {} that is damaged: it "
+                                                   "cannot be merged",
+                                                   what, whose));
+}
+
+}  // namespace terratact

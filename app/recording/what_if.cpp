@@ -1,0 +1,148 @@
+#include "app/recording/what_if.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/base/text.h"
+#include "core/infer/reconstruct.h"
+#include "core/sim/posterior_check.h"
+#include "core/store/file_read.h"
+#include "core/store/sha256.h"
+
+namespace terratact {
+
+namespace {
+
+bool sameBits(double a, double b)
+{
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+bool nearly(double a, double b)
+{
+    return sameBits(a, b)
+        || std::abs(a - b) <= kLastBits * std::max({1.0, std::abs(a), std::abs(b)});
+}
+
+/// A comparison of numbers, of all numbers of arrays and of lists of them.
+template <bool same(double, double)>
+struct Alike {
+    bool operator()(double a, double b) const { return same(a, b); }
+
+    template <class Numbers>
+    bool operator()(const Numbers& a, const Numbers& b) const
+    {
+        return std::equal(a.begin(), a.end(), b.begin(), b.end(), *this);
+    }
+};
+
+/// All but the settings, which say how it came about.
+template <class Same>
+bool alike(const TerrainEstimate& a, const TerrainEstimate& b, Same same)
+{
+    return same(a.mean, b.mean) && same(a.sd, b.sd) && same(a.q10, b.q10) && same(a.q90, b.q90)
+        && same(a.height, b.height) && same(a.ceiling, b.ceiling) && a.origin == b.origin
+        && same(a.rhat, b.rhat) && same(a.ess, b.ess) && same(a.draws, b.draws)
+        && same(a.novelty, b.novelty) && a.ending == b.ending && a.converged == b.converged
+        && a.warnings == b.warnings;
+}
+
+Likeness likenessOf(const TerrainEstimate& a, const TerrainEstimate& b)
+{
+    if (alike(a, b, Alike<sameBits>{})) return Likeness::Identical;
+    return alike(a, b, Alike<nearly>{}) ? Likeness::LastBits : Likeness::Other;
+}
+
+}  // namespace
+
+Result<RobotModel> robotOf(const SessionReader& session)
+{
+    return robotModelFrom(session.path() + ": its robot", session.start().robot);
+}
+
+Result<std::string> modelFileOf(const ModelRow& row, std::span<const std::string> paths)
+{
+    std::string seen;
+    for (const std::string& path : paths) {
+        const auto hash = sha256OfFile(path);
+        if (hash && *hash == row.hash) return path;
+        seen += hash ? fmt::format("; {} is {:.12}…", path, *hash) : "; " + hash.error().text;
+    }
+    return Error{fmt::format("the session's model {} ({:.12}…) is not there{}", shown(row.name),
+                             row.hash, seen)};
+}
+
+Result<TerrainEstimate> recordedEstimate(SessionReader& session, const EstimateRow& row)
+{
+    auto draws = session.draws(row.id);
+    if (!draws) return draws.error();
+    TerrainEstimate estimate = row.estimate;
+    estimate.draws = std::move(*draws);
+    return estimate;
+}
+
+Status requireModest(const Settings& settings)
+{
+    if (settings.chains > kMostChainsAgain)
+        return Error{fmt::format("its settings ask for {} chains, and at most {} are computed",
+                                 settings.chains, kMostChainsAgain)};
+    const std::int64_t thrownAway = std::int64_t{settings.chains} * settings.burnIn;
+    if (thrownAway + settings.draws > kMostSweepsAgain)
+        return Error{fmt::format("its settings ask for {} sweeps to be kept and {} to be thrown "
+                                 "away, and at most {} are computed",
+                                 settings.draws, thrownAway, kMostSweepsAgain)};
+    return Done{};
+}
+
+Result<TerrainEstimate> estimateAgain(const SessionReader& session, const EstimateRow& row,
+                                      const Models& models, const Settings& settings,
+                                      const Watch& watch)
+{
+    const auto robot = robotOf(session);
+    if (!robot) return robot.error();
+    const SceneRow* scene = session.scene(row.scene);
+    if (!scene)
+        return fileError(session.path(),
+                         fmt::format("estimate {}: its scene is not there", row.id));
+    if (const Status modest = requireModest(settings); !modest)
+        return fileError(session.path(),
+                         fmt::format("estimate {}: {}", row.id, modest.error().text));
+    try {
+        TerrainEstimate estimate = estimateTerrain(proprioception(scene->measurement), row.readings,
+                                                   *robot, models, settings, watch);
+        warnIfNotPlanar(estimate, scene->measurement);  // as the console does
+        writePosteriorCheck(estimate, proprioception(scene->measurement), *robot, pollOf(watch));
+        return estimate;
+    } catch (const std::exception& refused) {  // what the file says cannot be estimated
+        return fileError(session.path(), fmt::format("estimate {}: {}", row.id, refused.what()));
+    }
+}
+
+double Differences::largest() const
+{
+    return std::abs(bin[static_cast<std::size_t>(largestBin)].height);
+}
+
+Differences differencesBetween(const TerrainEstimate& before, const TerrainEstimate& after,
+                               const Measurement& scene, double stepLimit)
+{
+    Differences result{.before = verdictOf(before, scene, {}, stepLimit),
+                       .after = verdictOf(after, scene, {}, stepLimit),
+                       .likeness = likenessOf(before, after)};
+    for (std::size_t i = 0; i < kBins; ++i) {
+        result.bin[i] = {.mean = after.mean[i] - before.mean[i],
+                         .sd = after.sd[i] - before.sd[i],
+                         .q10 = after.q10[i] - before.q10[i],
+                         .q90 = after.q90[i] - before.q90[i],
+                         .height = after.height[i] - before.height[i]};
+        if (std::abs(result.bin[i].height) > result.largest())
+            result.largestBin = static_cast<int>(i);
+    }
+    return result;
+}
+
+}  // namespace terratact

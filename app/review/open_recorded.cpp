@@ -1,0 +1,92 @@
+#include "app/review/open_recorded.h"
+
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "app/recording/what_if.h"
+#include "app/review/review_window.h"
+#include "app/review/scenes_window.h"
+#include "app/runtime/resources.h"
+#include "app/shell/console_setup.h"
+#include "core/learn/data/scene_file.h"
+
+namespace terratact {
+namespace {
+
+constexpr int kReadyPeriod = 200;  // [ms] whether a window is ready for its picture
+
+Result<int> untilClosed(ConsoleWindow& window, const ConsoleOptions& options,
+                        const std::function<bool()>& isReady)
+{
+    showWindow(window, options);
+    if (!options.isPicture()) return QApplication::exec();
+    bool unsaved = false;
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, &window, [&] {
+        if (!isReady()) return;
+        look.stop();
+        unsaved = !window.grab().save(QString::fromStdString(options.screenshot), "PNG");
+        QApplication::exit();
+    });
+    look.start(kReadyPeriod);
+    const int code = QApplication::exec();
+    if (unsaved) return Error{options.screenshot + ": cannot be written"};
+    return code;
+}
+
+/// Files a session's model may be in: what is preferred, and what is shipped.
+QStringList modelsFor(const ConsoleOptions& options, LoadedPreferences& loaded)
+{
+    QStringList models{QString::fromStdString(modelFor(options, loaded)),
+                       QString::fromStdString(resourcePath("models/default.ttm"))};
+    models.removeDuplicates();
+    return models;
+}
+
+}  // namespace
+
+Result<int> openReview(Application& application, const ConsoleOptions& options)
+{
+    auto session = SessionReader::open(options.replay);
+    if (!session) return session.error();
+    const auto robot = options.robot.empty() ? robotOf(*session) : readRobotModel(options.robot);
+    if (!robot) return robot.error();
+    LoadedPreferences loaded = preferencesFor(options);
+    const Preferences preferences = inForce(loaded.preferences, options);
+    if (const Status ready = application.start(preferences, options.isPicture()); !ready)
+        return ready.error();
+    QStringList models = modelsFor(options, loaded);
+    ReviewWindow window(
+        {.session = std::move(*session),
+         .robot = *robot,
+         .models = std::move(models),
+         .preferences = std::make_unique<PreferenceStore>(std::move(loaded), preferences)});
+    if (options.at) window.goTo(*options.at);
+    return untilClosed(window, options, [&window] { return window.surveyed(); });
+}
+
+Result<int> openScenes(Application& application, const ConsoleOptions& options)
+{
+    auto file = readScenes(options.replay);
+    if (!file) return file.error();
+    if (file->scenes.empty()) return Error{options.replay + ": has no scenes"};
+    LoadedPreferences loaded = preferencesFor(options);
+    const auto robot = robotFor(options, loaded);
+    if (!robot) return robot.error();
+    const Preferences preferences = inForce(loaded.preferences, options);
+    if (const Status ready = application.start(preferences, options.isPicture()); !ready)
+        return ready.error();
+    Settings settings = withPreferences({}, preferences);
+    settings.seed = options.seed;
+    ScenesWindow window({.path = QString::fromStdString(options.replay),
+                         .scenes = std::move(file->scenes),
+                         .robot = robot->model,
+                         .model = modelFileLoader(modelFor(options, loaded), robot->model),
+                         .settings = settings,
+                         .stepLimit = preferences.obstacleLimit});
+    return untilClosed(window, options, [&window] { return window.estimate().has_value(); });
+}
+
+}  // namespace terratact

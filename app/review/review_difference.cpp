@@ -1,0 +1,74 @@
+#include "app/review/review_difference.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <limits>
+
+#include "widgets/base/words.h"
+#include "widgets/signals/session_timeline.h"
+
+namespace terratact {
+namespace {
+
+struct DifferenceWords {
+    Q_DECLARE_TR_FUNCTIONS(ReviewDifference)
+};
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// In the C locale, as short as reads back equal; empty where there is none.
+QString field(double value)
+{
+    return std::isfinite(value) ? QString::number(value, 'g', QLocale::FloatingPointShortest)
+                                : QString();
+}
+
+}  // namespace
+
+QString differenceWords(const ReviewMoment& a, const ReviewMoment& b)
+{
+    const bool both = a.measurement && b.measurement;
+    const Measurement from = a.measurement.value_or(Measurement{});
+    const Measurement to = b.measurement.value_or(Measurement{});
+    const Proprioception first = proprioception(from), second = proprioception(to);
+    const auto known = [both](double value) { return both ? value : kNone; };
+    QStringList forces;
+    for (std::size_t i = 0; i < from.force.size(); ++i)
+        forces << words::signedNumber(
+            known(shownFeature(to, kFirstForceFeature + i, to.force[i])
+                  - shownFeature(from, kFirstForceFeature + i, from.force[i])),
+            1);
+    return DifferenceWords::tr("B − A: %1 s, pitch %2, front %3, rear %4, forces %5 N")
+        .arg(words::signedNumber(secondsOf(b.time - a.time), 3),
+             words::degrees(known(second.pitch - first.pitch)),
+             words::degrees(known(second.front - first.front)),
+             words::degrees(known(second.rear - first.rear)), forces.join(QLatin1Char(' ')));
+}
+
+QString numbersCsv(const ReviewMoment& moment)
+{
+    QString header = QStringLiteral(
+        "t_s,measured_s,pitch_rad,roll_rad,front_left_rad,front_right_rad,rear_left_rad,"
+        "rear_right_rad,front_left_a,front_right_a,rear_left_a,rear_right_a");
+    QStringList row{field(secondsOf(moment.time))};
+    if (const auto& m = moment.measurement) {
+        row << field(secondsOf(moment.measured));
+        for (const double value :
+             {m->pitch, m->roll, m->frontLeft, m->frontRight, m->rearLeft, m->rearRight})
+            row << field(value);
+        const auto put = [&](std::size_t feature, double value) {
+            row << (m->missing[feature] ? QString() : field(value));
+        };
+        put(kFrontCurrentFeature, m->frontLeftCurrent);
+        put(kFrontCurrentFeature, m->frontRightCurrent);
+        put(kRearCurrentFeature, m->rearLeftCurrent);
+        put(kRearCurrentFeature, m->rearRightCurrent);
+        for (std::size_t e = 0; e < m->force.size(); ++e) put(kFirstForceFeature + e, m->force[e]);
+    } else {
+        while (row.size() < 12 + kForceElements) row << QString();
+    }
+    for (int i = 1; i <= kForceElements; ++i) header += QStringLiteral(",force_%1_n").arg(i);
+    return header + QLatin1Char('\n') + row.join(QLatin1Char(',')) + QLatin1Char('\n');
+}
+
+}  // namespace terratact

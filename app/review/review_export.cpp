@@ -1,0 +1,95 @@
+#include "app/review/review_export.h"
+
+#include <qwt_plot_renderer.h>
+
+#include <QApplication>
+#include <QFileInfo>
+
+#include "app/review/review_difference.h"
+#include "core/store/csv_text.h"
+#include "core/store/file_write.h"
+#include "widgets/base/look.h"
+#include "widgets/base/words.h"
+#include "widgets/terrain/numbers_table.h"
+#include "widgets/terrain/terrain_profile_view.h"
+
+namespace terratact {
+namespace {
+
+struct ExportWords {
+    Q_DECLARE_TR_FUNCTIONS(ReviewExport)
+};
+
+QString troubleOf(const Status& status)
+{
+    return status ? QString() : words::sentence(status.error().text);
+}
+
+/// Draws it as by day, as paper is white, while it lives.
+class AsOnPaper {
+public:
+    explicit AsOnPaper(TerrainProfileView& terrain) : terrain_(terrain), before_(lookInForce())
+    {
+        look(ThemeName::Day);
+    }
+    ~AsOnPaper() { look(before_.theme); }
+    AsOnPaper(const AsOnPaper&) = delete;
+    AsOnPaper& operator=(const AsOnPaper&) = delete;
+
+private:
+    void look(ThemeName theme)
+    {
+        if (before_.theme == ThemeName::Day) return;
+        applyLook(*qApp, theme, before_.fontScale);
+        terrain_.restyle();
+    }
+
+    TerrainProfileView& terrain_;
+    LookInForce before_;
+};
+
+/// A table whose columns stand apart by tabs, as CSV.
+QString csvOf(const QString& table)
+{
+    QString csv;
+    for (const QString& line : table.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
+        QStringList fields;
+        for (const QString& cell : line.split(QLatin1Char('\t')))
+            fields << QString::fromStdString(csvField(cell.toStdString()));
+        csv += fields.join(QLatin1Char(',')) + QLatin1Char('\n');
+    }
+    return csv;
+}
+
+}  // namespace
+
+QString savePicture(TerrainProfileView& terrain, const QString& path)
+{
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    if (suffix != QLatin1String("png") && suffix != QLatin1String("svg")
+        && suffix != QLatin1String("pdf"))
+        return ExportWords::tr("%1: a picture is a .png, .svg or .pdf").arg(path);
+    auto file = NewFile::begin(path.toStdString());
+    if (!file) return troubleOf(file.error());
+    const QString temporary = QString::fromStdString(file->temporaryPath());
+    const AsOnPaper look(terrain);
+    QwtPlotRenderer renderer;
+    renderer.setDiscardFlag(QwtPlotRenderer::DiscardBackground);
+    constexpr double kWidth = 240.0;  // [mm]
+    constexpr int kDotsPerInch = 192;
+    const QSizeF shown = terrain.size();
+    renderer.renderDocument(&terrain, temporary, suffix,
+                            QSizeF(kWidth, kWidth * shown.height() / shown.width()), kDotsPerInch);
+    if (QFileInfo(temporary).size() <= 0)
+        return ExportWords::tr("%1 could not be written").arg(path);
+    return troubleOf(file->commit());
+}
+
+QString saveNumbers(const ReviewMoment& moment, NumbersTable& estimate, const QString& path)
+{
+    QString text = numbersCsv(moment);
+    if (moment.estimate) text += QLatin1Char('\n') + csvOf(estimate.text());
+    return troubleOf(writeFileAtomically(path.toStdString(), text.toStdString()));
+}
+
+}  // namespace terratact

@@ -1,0 +1,442 @@
+#include "app/review/review_export_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSignalBlocker>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+#include <array>
+#include <utility>
+
+#include "app/shell/file_dialog.h"
+#include "widgets/base/look.h"
+#include "widgets/base/plain_label.h"
+#include "widgets/base/tips.h"
+#include "widgets/signals/session_timeline.h"
+
+namespace terratact {
+namespace {
+
+constexpr int kLookEvery = 200;  // [ms]
+constexpr int kPathWide = 420;   // [px] at 100 %
+
+/// Where a file comes from.
+enum class From : std::uint8_t { Picture, Numbers, Report, Rows };
+
+struct Choice {
+    const char* name;
+    const char* part;     ///< of the name of a file
+    QStringList formats;  ///< endings of the file
+    From from = From::Rows;
+    std::optional<ExportKind> rows{};  ///< empty: all that the format has room for
+};
+
+/// In the order of the list.
+const std::array<Choice, 8>& choices()
+{
+    static const std::array<Choice, 8> all{
+        {{QT_TRANSLATE_NOOP("ReviewExport", "Picture of the terrain"),
+          "terrain",
+          {"png", "svg", "pdf"},
+          From::Picture},
+         {QT_TRANSLATE_NOOP("ReviewExport", "Numbers of this time"),
+          "numbers",
+          {"csv"},
+          From::Numbers},
+         {QT_TRANSLATE_NOOP("ReviewExport", "Report of the scene, one page"),
+          "report",
+          {"pdf", "svg", "png", "html"},
+          From::Report},
+         {QT_TRANSLATE_NOOP("ReviewExport", "CAN frames"),
+          "frames",
+          {"csv", "log", "asc", "mcap"},
+          From::Rows,
+          ExportKind::Frames},
+         {QT_TRANSLATE_NOOP("ReviewExport", "Signals, a column for each"),
+          "signals",
+          {"csv", "mcap"},
+          From::Rows,
+          ExportKind::Signals},
+         {QT_TRANSLATE_NOOP("ReviewExport", "Estimates, a row for each bin"),
+          "estimates",
+          {"csv", "mcap"},
+          From::Rows,
+          ExportKind::Estimates},
+         {QT_TRANSLATE_NOOP("ReviewExport", "Events"),
+          "events",
+          {"csv", "mcap"},
+          From::Rows,
+          ExportKind::Events},
+         {QT_TRANSLATE_NOOP("ReviewExport", "Frames, signals, estimates and events"),
+          "all",
+          {"mcap"}}}};
+    return all;
+}
+
+const Choice& chosen(const QComboBox& what)
+{
+    return choices().at(static_cast<std::size_t>(what.currentIndex()));
+}
+
+/// A format by the ending of its files, with who reads it.
+QString formatName(const QString& ending)
+{
+    if (ending == QLatin1String("log")) return ReviewExportDialog::tr(".log, candump");
+    if (ending == QLatin1String("asc")) return ReviewExportDialog::tr(".asc, Vector");
+    if (ending == QLatin1String("mcap")) return ReviewExportDialog::tr(".mcap, Foxglove");
+    return QLatin1Char('.') + ending;
+}
+
+/// Whether the signals of DBC files are a part of it, as session export --dbc has it.
+bool holdsSignals(const Choice& choice)
+{
+    return choice.from == From::Rows && (!choice.rows || *choice.rows == ExportKind::Signals);
+}
+
+QString spanWords(double first, double last)
+{
+    return ReviewExportDialog::tr("%1 to %2").arg(timeWords(first), timeWords(last));
+}
+
+/// Without an ending: among the documents, with what it is and of when, so that two exports are two files.
+QString startFile(const QString& session, const Choice& choice, const ExportSight& sight)
+{
+    const auto seconds = [](double s) { return QString::number(s, 'f', 1); };
+    QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    if (!QFileInfo(folder).isDir() || !QFileInfo(folder).isWritable()) folder = QDir::homePath();
+    QString name =
+        QFileInfo(session).completeBaseName() + QLatin1Char('-') + QLatin1String(choice.part);
+    if (choice.from == From::Report)
+        name += QStringLiteral("-scene%1").arg(sight.scene);
+    else if (choice.from != From::Rows)
+        name += QStringLiteral("-%1s").arg(seconds(sight.now));
+    return folder + QLatin1Char('/') + name;
+}
+
+}  // namespace
+
+ReviewExportDialog::ReviewExportDialog(Sources sources, QWidget* parent)
+    : QDialog(parent), sources_(std::move(sources))
+{
+    setWindowTitle(tr("Export — %1").arg(QFileInfo(sources_.session).fileName()));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 14, 16, 14);
+    column->setSpacing(10);
+    column->addWidget(form());
+    progress_ = new QProgressBar(this);
+    progress_->setRange(0, 100);
+    progress_->setAccessibleName(tr("Progress of the export"));
+    column->addWidget(progress_);
+    result_ = new PlainLabel(this);
+    result_->setWordWrap(true);
+    result_->setAccessibleName(tr("Result of the export"));
+    result_->setMinimumHeight(scaled(44));
+    result_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    column->addWidget(result_);
+    column->addStretch(1);
+    column->addWidget(buttons());
+    offerFormats();
+    connect(path_, &QLineEdit::textChanged, this, &ReviewExportDialog::showButtons);
+    connect(&look_, &QTimer::timeout, this, &ReviewExportDialog::showSight);
+}
+
+ReviewExportDialog::~ReviewExportDialog() = default;
+
+QWidget* ReviewExportDialog::form()
+{
+    auto* form = new QWidget(this);
+    auto* rows = new QFormLayout(form);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    const auto combo = [&](const QString& name, const QString& tip) {
+        auto* box = new QComboBox(form);
+        box->setMinimumHeight(scaled(kTarget));
+        box->setAccessibleName(name);
+        setTip(*box, tip);
+        addField(*rows, name, box);
+        return box;
+    };
+    what_ = combo(tr("What"), tr("What of the session is to be a file"));
+    for (const Choice& choice : choices())
+        what_->addItem(QCoreApplication::translate("ReviewExport", choice.name));
+    format_ = combo(tr("Format"), tr("Which programs can read it"));
+    addField(*rows, tr("Of"), span());
+    payload_ = new QCheckBox(form);
+    payload_->setChecked(true);
+    payload_->setMinimumHeight(scaled(kTarget));
+    addField(*rows, tr("Other devices"), payload_);
+    addField(*rows, tr("File"), file());
+    connect(what_, &QComboBox::currentIndexChanged, this, &ReviewExportDialog::offerFormats);
+    connect(format_, &QComboBox::currentIndexChanged, this, &ReviewExportDialog::takeFormat);
+    return form;
+}
+
+QWidget* ReviewExportDialog::span()
+{
+    auto* box = new QWidget(this);
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    visible_ = new QRadioButton(box);
+    visible_->setChecked(true);
+    everything_ = new QRadioButton(box);
+    moment_ = new PlainLabel(box);
+    for (QWidget* const line : std::initializer_list<QWidget*>{visible_, everything_, moment_}) {
+        line->setMinimumHeight(scaled(kTarget));
+        column->addWidget(line);
+    }
+    column->addStretch(1);
+    box->setMinimumHeight(scaled(2 * kTarget + 4));  // whichever of them is seen
+    return box;
+}
+
+QWidget* ReviewExportDialog::file()
+{
+    auto* row = new QWidget(this);
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    path_ = new QLineEdit(row);
+    path_->setMinimumSize(scaled(kPathWide), scaled(kTarget));
+    path_->setAccessibleName(tr("File"));
+    setTip(*path_, tr("Where it is written"));
+    browse_ = new QPushButton(tr("Choose …"), row);
+    line->addWidget(path_, 1);
+    line->addWidget(browse_);
+    connect(browse_, &QPushButton::clicked, this, &ReviewExportDialog::browse);
+    return row;
+}
+
+QWidget* ReviewExportDialog::buttons()
+{
+    auto* row = new QWidget(this);
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    export_ = new QPushButton(row);
+    export_->setProperty("role", "primary");
+    export_->setDefault(true);
+    cancel_ = new QPushButton(tr("Cancel"), row);
+    auto* close = new QPushButton(tr("Close"), row);
+    close->setAutoDefault(false);
+    line->addStretch(1);
+    for (QPushButton* const button : {export_, cancel_, close}) {
+        button->setMinimumHeight(scaled(kTarget));
+        line->addWidget(button);
+    }
+    connect(export_, &QPushButton::clicked, this, &ReviewExportDialog::write);
+    connect(cancel_, &QPushButton::clicked, this, [this] {
+        if (job_) job_->cancel();
+    });
+    connect(close, &QPushButton::clicked, this, &QDialog::reject);
+    return row;
+}
+
+void ReviewExportDialog::ask()
+{
+    if (!job_) result_->clear();
+    showSight();
+    look_.start(kLookEvery);
+    show();
+    raise();
+    activateWindow();
+}
+
+void ReviewExportDialog::offerFormats()
+{
+    {
+        const QSignalBlocker quiet(format_);
+        format_->clear();
+        for (const QString& ending : chosen(*what_).formats)
+            format_->addItem(formatName(ending), ending);
+    }
+    takeFormat();
+    showSight();
+}
+
+/// Until the operator names a file himself.
+void ReviewExportDialog::nameFile()
+{
+    if (job_ || path_->text() != named_) return;
+    named_ = startFile(sources_.session, chosen(*what_), sight_) + QLatin1Char('.')
+           + format_->currentData().toString();
+    if (path_->text() != named_) path_->setText(named_);
+}
+
+void ReviewExportDialog::takeFormat()
+{
+    if (path_->text() == named_) return nameFile();
+    const QFileInfo named(path_->text());
+    path_->setText(named.path() + QLatin1Char('/') + named.completeBaseName() + QLatin1Char('.')
+                   + format_->currentData().toString());
+}
+
+QString ReviewExportDialog::path() const
+{
+    const QString text = path_->text().trimmed(), ending = format_->currentData().toString();
+    const bool hasIt = QFileInfo(text).suffix().compare(ending, Qt::CaseInsensitive) == 0;
+    return hasIt ? text : text + QLatin1Char('.') + ending;
+}
+
+void ReviewExportDialog::showSight()
+{
+    if (job_) return;
+    sight_ = sources_.look();
+    const bool all = sight_.first <= sight_.begin && sight_.last >= sight_.end;
+    const QString visible = sight_.isCursors ? tr("from A to B, %1")
+                          : all              ? tr("what is visible: all, %1")
+                                             : tr("what is visible, %1");
+    visible_->setText(visible.arg(spanWords(sight_.first, sight_.last)));
+    everything_->setText(tr("everything, %1").arg(spanWords(sight_.begin, sight_.end)));
+    const From from = chosen(*what_).from;
+    moment_->setText(from != From::Report ? tr("this time, %1").arg(timeWords(sight_.now))
+                     : sight_.scene > 0   ? tr("scene %1").arg(sight_.scene)
+                                          : tr("no estimate stands at this time"));
+    moment_->setVisible(from != From::Rows);
+    showPayload();
+    nameFile();
+    visible_->setVisible(from == From::Rows);
+    everything_->setVisible(from == From::Rows);
+    showButtons();
+}
+
+void ReviewExportDialog::showPayload()
+{
+    QStringList names;
+    for (const QString& file : sources_.dbc()) names << QFileInfo(file).fileName();
+    const bool holds = holdsSignals(chosen(*what_));
+    const QString with = tr("with the signals of %1").arg(names.join(QStringLiteral(", ")));
+    const QString seen =
+        payload_->fontMetrics().elidedText(with, Qt::ElideRight, scaled(kPathWide));
+    payload_->setText(names.isEmpty()
+                          ? tr("no DBC file describes them")
+                          : QString(seen).replace(QLatin1Char('&'), QStringLiteral("&&")));
+    payload_->setEnabled(!names.isEmpty() && !job_ && holds);
+    setTip(*payload_, names.isEmpty() ? tr("The page Signals (F7) adds DBC files")
+                      : holds         ? plainTip(names.join(QLatin1Char('\n')))
+                                      : tr("Only signals hold what DBC files describe"));
+}
+
+QString ReviewExportDialog::whyNotExport() const
+{
+    if (job_) return tr("A file is being written");
+    if (chosen(*what_).from == From::Report && sight_.scene == 0)
+        return tr("No estimate stands at this time");
+    return path_->text().trimmed().isEmpty() ? tr("Name the file first") : QString();
+}
+
+void ReviewExportDialog::showButtons()
+{
+    const QString whyNot = whyNotExport();
+    export_->setText(QFileInfo::exists(path()) ? tr("Replace the file") : tr("Export"));
+    export_->setEnabled(whyNot.isEmpty());
+    setTip(*export_, whyNot.isEmpty() ? tr("Writes the file") : whyNot);
+    for (QWidget* const choice :
+         std::initializer_list<QWidget*>{what_, format_, visible_, everything_, path_, browse_})
+        choice->setEnabled(!job_);
+    setTip(*browse_, job_ ? whyNot : tr("Choose the file"));
+    setTip(*visible_,
+           job_ ? whyNot : tr("From A to B, else what the timeline shows: zoom with Z and X"));
+    setTip(*everything_, job_ ? whyNot : tr("All that the session holds"));
+    cancel_->setEnabled(job_ != nullptr);
+    setTip(*cancel_,
+           job_ ? tr("Ends the export and leaves no file (Esc)") : tr("Nothing is being written"));
+    progress_->setVisible(job_ != nullptr);
+}
+
+void ReviewExportDialog::browse()
+{
+    const QString ending = format_->currentData().toString();
+    const FileWish wish{.title = tr("Export to"),
+                        .start = path(),
+                        .filter = QStringLiteral("%1 (*.%2)").arg(format_->currentText(), ending),
+                        .kind = FileWish::Kind::ToWrite};
+    askForFile(*this, wish, [this](const QString& file) {
+        path_->setText(file);
+        path_->setText(path());
+    });
+}
+
+void ReviewExportDialog::write()
+{
+    const Choice& choice = chosen(*what_);
+    to_ = path();
+    path_->setText(to_);
+    switch (choice.from) {
+    case From::Picture: return wrote(sources_.savePicture(to_));
+    case From::Numbers: return wrote(sources_.saveNumbers(to_));
+    case From::Report:
+    case From::Rows: break;
+    }
+    SessionExportJob::Wish wish{.session = sources_.session.toStdString(),
+                                .out = to_.toStdString()};
+    if (choice.from == From::Report) {
+        wish.scene = sight_.scene;
+    } else {
+        wish.format = exportFormatOf(wish.out);
+        wish.selection.what = choice.rows;
+        if (holdsSignals(choice) && payload_->isChecked())
+            for (const QString& dbc : sources_.dbc()) wish.dbc.push_back(dbc.toStdString());
+        if (visible_->isChecked()) {
+            wish.selection.from = sight_.first;
+            wish.selection.to = sight_.last;
+        }
+    }
+    begin(std::move(wish));
+}
+
+void ReviewExportDialog::begin(SessionExportJob::Wish wish)
+{
+    progress_->setValue(0);
+    result_->clear();
+    job_ = std::make_unique<SessionExportJob>(std::move(wish));
+    connect(job_.get(), &SessionExportJob::progressed, progress_,
+            [this](double share) { progress_->setValue(static_cast<int>(100.0 * share)); });
+    connect(job_.get(), &SessionExportJob::ended, this, &ReviewExportDialog::wrote);
+    job_->start();
+    showButtons();
+    cancel_->setFocus();
+}
+
+void ReviewExportDialog::wrote(const QString& trouble, qulonglong leftOut, int damaged,
+                               int withoutColumns)
+{
+    const bool cancelled = job_ && job_->cancelled() && !trouble.isEmpty();
+    job_.reset();
+    QStringList parts;
+    if (cancelled)
+        parts << tr("Cancelled: no file was written");
+    else if (!trouble.isEmpty())
+        parts << tr("NOT WRITTEN: %1").arg(trouble);
+    else
+        parts << tr("Written: %1").arg(to_);
+    if (leftOut > 0) parts << tr("frames left out, which the format cannot hold: %1").arg(leftOut);
+    if (damaged > 0) parts << tr("damaged and left out, places: %1").arg(damaged);
+    if (withoutColumns > 0)
+        parts << tr("messages of DBC files left out, for which there was no room: %1")
+                     .arg(withoutColumns);
+    result_->setText(parts.join(QStringLiteral(" · ")));
+    setTone(*result_, !trouble.isEmpty()                                 ? Tone::Bad
+                      : leftOut > 0 || damaged > 0 || withoutColumns > 0 ? Tone::Doubt
+                                                                         : Tone::Good);
+    showSight();
+    showButtons();
+    export_->setFocus();
+}
+
+void ReviewExportDialog::reject()
+{
+    if (job_) return job_->cancel();
+    look_.stop();
+    QDialog::reject();
+}
+
+}  // namespace terratact

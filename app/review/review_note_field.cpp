@@ -1,0 +1,48 @@
+#include "app/review/review_note_field.h"
+
+#include <QFileInfo>
+#include <algorithm>
+#include <utility>
+
+#include "app/review/review_player.h"
+#include "core/log/session_reader.h"
+#include "widgets/base/tips.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+
+ReviewNoteField::ReviewNoteField(const SessionReader& session, const ReviewPlayer& player,
+                                 QWidget* parent)
+    : QLineEdit(parent), session_(session), player_(player)
+{
+    setPlaceholderText(tr("note (M)"));
+    setAccessibleName(tr("Note at this time"));
+    setTip(*this,
+           tr("Kept beside the session, in %1; Enter saves it")
+               .arg(QFileInfo(QString::fromStdString(notesPath(session.path()))).fileName()));
+    if (auto notes = readNotes(session.path()))
+        notes_ = std::move(*notes);
+    else
+        trouble_ = words::sentence(notes.error().text);
+    connect(this, &QLineEdit::returnPressed, this, &ReviewNoteField::take);
+}
+
+void ReviewNoteField::take()
+{
+    const QString entered = text().trimmed();
+    if (entered.isEmpty()) return;
+    std::vector<ReviewNote> notes = notes_;
+    notes.push_back({player_.position(), entered.toStdString()});
+    std::stable_sort(notes.begin(), notes.end(),
+                     [](const ReviewNote& a, const ReviewNote& b) { return a.time < b.time; });
+    const Status saved = writeNotes(session_.path(), notes);
+    trouble_ =
+        saved ? QString() : tr("NOTE NOT SAVED: %1").arg(words::sentence(saved.error().text));
+    if (saved) {
+        notes_ = std::move(notes);
+        clear();
+    }
+    emit taken();
+}
+
+}  // namespace terratact

@@ -1,0 +1,427 @@
+#include "app/review/review_window.h"
+
+#include <QApplication>
+#include <QDateTime>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "app/pages/numbers_page.h"
+#include "app/pages/terrain_page.h"
+#include "app/review/review_events_page.h"
+#include "app/review/review_export.h"
+#include "app/review/review_export_dialog.h"
+#include "app/review/review_signals_page.h"
+#include "app/review/review_timeline.h"
+#include "app/review/what_if_page.h"
+#include "app/shell/open_file.h"
+#include "app/shell/view_menu.h"
+#include "widgets/base/held_button.h"
+#include "widgets/base/look.h"
+#include "widgets/base/navigation_rail.h"
+#include "widgets/base/words.h"
+#include "widgets/control/arming_control.h"
+#include "widgets/control/atem_panel.h"
+#include "widgets/control/drive_pad.h"
+#include "widgets/control/probe_card.h"
+#include "widgets/control/robot_readout.h"
+#include "widgets/control/status_header.h"
+#include "widgets/terrain/estimate_strip.h"
+#include "widgets/terrain/numbers_table.h"
+#include "widgets/terrain/terrain_profile_view.h"
+#include "widgets/terrain/verdict_strip.h"
+
+namespace terratact {
+namespace {
+
+constexpr int kLook = 50;            // [ms]
+constexpr double kRefresh = 0.5;     // [s] between two looks at a file that may grow
+constexpr double kStillGrows = 3.0;  // [s] after the last growth
+
+QString fileName(const SessionReader& session)
+{
+    return QFileInfo(QString::fromStdString(session.path())).fileName();
+}
+
+}  // namespace
+
+ReviewWindow::ReviewWindow(Options options)
+    : session_(std::move(options.session)), robot_(std::move(options.robot)),
+      preferences_(options.preferences ? std::move(options.preferences)
+                                       : std::make_unique<PreferenceStore>()),
+      moments_(session_, robot_), sights_(session_, robot_),
+      surveyor_(session_.path(), robot_, preferences_->current().forceThreshold)
+{
+    setWindowTitle(tr("REVIEW — %1 — Terratact").arg(fileName(session_)));
+    buildHeader();
+    addPages(std::move(options.models));
+    addTools();
+    addPlayer();
+    connectAll();
+    defineKeys();
+    loadTimeline();
+    player_->timeline()->showAll();
+    showMoment();
+    sinceLook_.start();
+    look_.start(kLook);
+    setFocus();
+}
+
+ReviewWindow::~ReviewWindow()
+{
+    delete export_;  // ends what it writes, before a survey that may take its time
+}
+
+void ReviewWindow::buildHeader()
+{
+    header()->setSource(tr("REVIEW · %1").arg(words::sourceName(session_.start().source)));
+    header()->arming()->hide();
+    header()->qualityButton()->hide();
+    state_ = addStrip(QStringLiteral("reviewStrip"));
+    damage_ = addStrip(QStringLiteral("banner"));
+    damage_->setVisible(false);
+    for (QLabel* const strip : {state_, damage_}) strip->setWordWrap(true);
+}
+
+void ReviewWindow::addPages(QStringList models)
+{
+    terrain_ = new TerrainPage(robot_, this);
+    terrain_->arrange(Layout::Review, lookInForce().fontScale);
+    display_.emplace(session_, ReviewDisplay::Places{*header(), *damage_, *terrain_->events()});
+    terrain_->viewButton()->hide();
+    terrain_->atemPanel()->forbidCommands();
+    addPage(terrain_, tr("Terrain"), Qt::Key_F2, tr("What the operator saw at this time"));
+    numbers_ = new NumbersPage(
+        [this] {
+            return NumbersSight{moment_.estimate ? &moment_.estimate->estimate : nullptr,
+                                tr("No estimate stood at this time"), sights_.limit(moment_),
+                                sights_.verdict(moment_),
+                                moment_.measurement
+                                    ? std::optional(secondsOf(moment_.time - moment_.measured))
+                                    : std::nullopt};
+        },
+        this);
+    addScrolledPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The scene of this time as a table"));
+    events_ = new ReviewEventsPage(session_, this);
+    addScrolledPage(events_, tr("Events"), Qt::Key_F4, tr("Everything the session tells of"));
+    robotPage_ = new QScrollArea(this);  // large letters may not all find room
+    robotPage_->setFrameShape(QFrame::NoFrame);
+    robotPage_->setWidgetResizable(true);
+    robotPage_->setFocusPolicy(Qt::NoFocus);
+    robotPage_->setWidget(new QWidget(robotPage_));
+    auto* robot = new QVBoxLayout(robotPage_->widget());
+    robot->setContentsMargins(12, 10, 12, 10);
+    robot->setSpacing(10);
+    addPage(robotPage_, tr("Robot"), Qt::Key_F5, tr("Forces, attitude and the last events"));
+    whatIf_ = new WhatIfPage(robot_, std::move(models), this);
+    addScrolledPage(whatIf_, tr("What if"), Qt::Key_F6,
+                    tr("Estimate the recorded scene with other settings"));
+    signals_ = new ReviewSignalsPage(session_, *preferences_, this);
+    addScrolledPage(signals_, tr("Signals"), Qt::Key_F7,
+                    tr("What other devices had sent: gas sensors, batteries"));
+}
+
+void ReviewWindow::addTools()
+{
+    connect(addTool(tr("Open"), tr("Open another file in a window of its own (Ctrl+O)")),
+            &QPushButton::clicked, this, &ReviewWindow::open);
+    connect(addTool(tr("Export"),
+                    tr("Write what is shown, or what the session holds, to a file (Ctrl+E)")),
+            &QPushButton::clicked, this, &ReviewWindow::exportShown);
+    addViewTool(*preferences_, tr("at the next start"));
+    addHelpTool(demonstration(),
+                [this](const QString& path) { openInAnotherWindow(path, {}, notOpened()); });
+}
+
+void ReviewWindow::addPlayer()
+{
+    player_ = new ReviewPlayerBar(session_, moments_, this);
+    note_ = new ReviewNoteField(session_, player(), player_);
+    trouble_ = note_->trouble();
+    player_->addTool(note_);
+    addBelowPages(player_);
+}
+
+void ReviewWindow::connectAll()
+{
+    connect(rail(), &NavigationRail::pageChosen, this, [this] {
+        place();
+        showMoment();
+    });
+    connect(terrain_->verdict(), &VerdictStrip::limitChosen, this, [this](double metres) {
+        sights_.setLimit(metres);
+        showMoment();
+    });
+    connect(header(), &StatusHeader::alarmsRequested, this,
+            [this] { rail()->choose(rail()->pageOf(Qt::Key_F4)); });
+    connect(events_, &ReviewEventsPage::seekWanted, player_, &ReviewPlayerBar::goTo);
+    connect(whatIf_, &WhatIfPage::answered, this, &ReviewWindow::showMoment);
+    connect(note_, &ReviewNoteField::taken, this, &ReviewWindow::noteTaken);
+    connect(player_, &ReviewPlayerBar::moved, this, &ReviewWindow::showMoment);
+    connect(player_, &ReviewPlayerBar::fieldLeft, this, [this] { setFocus(); });
+    // What has passed while it stood does not count.
+    connect(player_, &ReviewPlayerBar::started, this, [this] { sinceLook_.restart(); });
+    connect(preferences_.get(), &PreferenceStore::changed, this, &ReviewWindow::applyPreferences);
+    connect(&look_, &QTimer::timeout, this,
+            [this] { look(static_cast<double>(sinceLook_.restart()) * 1e-3); });
+}
+
+void ReviewWindow::look(double elapsed)
+{
+    sinceRefresh_ += elapsed;
+    sinceGrowth_ += elapsed;
+    if (sinceRefresh_ >= kRefresh) {
+        sinceRefresh_ = 0.0;
+        followSession();
+    }
+    player_->advance(elapsed);
+    if (currentPage() == whatIf_) whatIf_->refresh(0.0);
+}
+
+/// Takes what the file and its survey have more of.
+void ReviewWindow::followSession()
+{
+    bool news = false;
+    if (!session_.sealed()) {
+        const auto more = session_.refresh();
+        if (!more) showMoment();  // it may have moved rows before it failed
+        if (more && *more) {
+            news = true;
+            sinceGrowth_ = 0.0;
+            grows_ = true;
+            events_->reload();
+            player_->takeGrowth();  // shows the moment: rows have moved
+        }
+    }
+    if (sinceGrowth_ > kStillGrows) grows_ = false;
+    if (const auto version = surveyor_.version(); version != surveyVersion_) {
+        surveyVersion_ = version;
+        news = true;
+    }
+    if (news) loadTimeline();
+    showState();
+}
+
+void ReviewWindow::loadTimeline()
+{
+    const Surveyed surveyed = surveyor_.found();
+    surveyedAll_ = surveyed.share >= 1.0;
+    const Timeline timeline = timelineOf(session_, surveyed, notes());
+    damagedPlaces_ = timeline.gaps.size();
+    player_->setTimeline(timeline);
+    showState();
+}
+
+void ReviewWindow::showMoment()
+{
+    moment_ = moments_.at(sessionTimeOf(player().position()));
+    display_->show(moment_);
+    showTerrain();
+    whatIf_->setRecorded(moment_.estimate, moment_.scene, moment_.model);
+    events_->setMoment(moment_);
+    signals_->setTime(moment_.time);
+    if (currentPage() == numbers_) numbers_->refresh(0.0);
+}
+
+void ReviewWindow::showTerrain()
+{
+    const Preferences& preferences = preferences_->current();
+    terrain_->verdict()->setLimit(sights_.limit(moment_));
+    terrain_->setThreshold(ReviewSights::threshold(moment_, preferences));
+    terrain_->setSight(sights_.terrain(moment_, whatIf_->answer(), preferences));
+    forbidCommands();
+}
+
+/// Nothing listens to these; the card says why they are not there.
+void ReviewWindow::forbidCommands()
+{
+    ProbeCard* const probe = terrain_->probeCard();
+    QList<QPushButton*> buttons{probe->approveButton(), probe->refuseButton()};
+    for (std::size_t i = 0; i < ProbeCard::kOthers; ++i) buttons << probe->otherButton(i);
+    for (QPushButton* const button : std::as_const(buttons)) {
+        button->setEnabled(false);
+        button->hide();
+    }
+}
+
+void ReviewWindow::showState()
+{
+    QStringList parts{
+        fileName(session_),
+        tr("recorded %1")
+            .arg(wallClock(session_, 0).toString(QStringLiteral("yyyy-MM-dd HH:mm:ss 'UTC'")))};
+    parts << (session_.sealed() ? tr("closed and sealed")
+              : grows_          ? tr("BEING RECORDED")
+                                : tr("NOT SEALED: its program has not closed it"));
+    if (damagedPlaces_ > 0) parts << tr("DAMAGED, places: %1").arg(damagedPlaces_);
+    if (!surveyedAll_) parts << tr("frames are looked through …");
+    if (!trouble_.isEmpty()) parts << trouble_;
+    parts << tr("no command can be sent");
+    const QString text = parts.join(QStringLiteral(" · "));
+    if (state_->text() != text) state_->setText(text);
+}
+
+void ReviewWindow::addNote()
+{
+    player_->pause();
+    note_->setFocus(Qt::ShortcutFocusReason);
+}
+
+void ReviewWindow::noteTaken()
+{
+    trouble_ = note_->trouble();
+    if (trouble_.isEmpty()) setFocus();
+    loadTimeline();
+}
+
+ExportSight ReviewWindow::exportSight() const
+{
+    const ReviewPlayer& p = player();
+    ExportSight sight{.now = p.position(),
+                      .first = timeline()->first(),
+                      .last = timeline()->last(),
+                      .isCursors = p.a() && p.b(),
+                      .begin = p.begin(),
+                      .end = p.end(),
+                      .scene = moment_.estimate ? moment_.estimate->scene : 0};
+    if (sight.isCursors) {
+        sight.first = std::min(*p.a(), *p.b());
+        sight.last = std::max(*p.a(), *p.b());
+    }
+    return sight;
+}
+
+void ReviewWindow::exportShown()
+{
+    if (!export_)
+        export_ = new ReviewExportDialog(
+            {.session = QString::fromStdString(session_.path()),
+             .look = [this] { return exportSight(); },
+             .dbc = [this] { return preferences_->current().dbc; },
+             .savePicture =
+                 [this](const QString& path) { return savePicture(*terrain_->terrain(), path); },
+             .saveNumbers =
+                 [this](const QString& path) {
+                     numbers_->refresh(0.0);
+                     return saveNumbers(moment_, *numbers_->table(), path);
+                 }},
+            this);
+    export_->ask();
+}
+
+void ReviewWindow::open()
+{
+    player_->pause();
+    const QString folder = QFileInfo(QString::fromStdString(session_.path())).absolutePath();
+    askAndOpenInAnotherWindow(*this, folder, {}, notOpened());
+}
+
+std::function<void(const QString&)> ReviewWindow::notOpened()
+{
+    return [this](const QString& why) {
+        trouble_ = why;
+        showState();
+    };
+}
+
+void ReviewWindow::applyPreferences(const Preferences& before)
+{
+    const Preferences& now = preferences_->current();
+    if (now.theme != before.theme || now.fontScale != before.fontScale)
+        setLook(now.theme, now.fontScale);
+    showMoment();
+}
+
+void ReviewWindow::defineKeys()
+{
+    KeyTable& keys = keyTable();
+    player_->addKeys(keys);
+    keys.addGroup(tr("Pages"));
+    addPageKeys();
+    numbers_->addKeys(keys);
+    // Not R and S, which release STOP and drive back in the console's window.
+    keys.add({{Qt::Key_E}, tr("estimate the recorded scene again, on the page What if"), [this] {
+                  rail()->choose(rail()->pageOf(Qt::Key_F6));
+                  whatIf_->estimate();
+              }});
+    keys.add({{Qt::Key_M}, tr("a note at this time"), [this] { addNote(); }});
+    keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_O)}, tr("open another file"), [this] { open(); }});
+    keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_E)}, tr("export to a file"), [this] {
+                  exportShown();
+              }});
+    setKeysNote(
+        tr("In the console itself the same keys command: A explores, B asks for a probe, M arms, "
+           "Space approves a probe, Up and Down drive, Page Up and Down change the limit, P shows "
+           "what a command needs, K marks, 1 to 3 ask for another bin."));
+    addHelpKeys();
+    addRemoteStop();
+
+    keys.addGroup(tr("View"));
+    const auto zoom = [this](double factor) {
+        return [this, factor] { timeline()->zoom(factor, player().position()); };
+    };
+    keys.add({{Qt::Key_Z}, tr("timeline closer"), zoom(2.0)});
+    keys.add({{Qt::Key_X}, tr("timeline wider"), zoom(0.5)});
+    keys.add({{Qt::Key_V}, tr("all of the timeline"), [this] { timeline()->showAll(); }});
+    keys.add({{Qt::Key_D}, tr("show some of the draws as thin lines"), [this] {
+                  terrain_->terrain()->setDrawsShown(!terrain_->terrain()->drawsShown());
+              }});
+    addViewKeys(keys, *preferences_);
+    keys.add({{Qt::Key_Escape}, tr("back from a field to the keys"), [this] { setFocus(); }});
+    keys.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the one before"), {}});
+}
+
+void ReviewWindow::arrange()
+{
+    terrain_->arrange(Layout::Review, lookInForce().fontScale);
+    place();
+}
+
+void ReviewWindow::place()
+{
+    note_->setMinimumSize(scaled(90), scaled(kTarget));
+    note_->setMaximumWidth(scaled(220));
+    constexpr int kHigh = 800, kWide = 1180;  // [px] at 100 %
+    const bool isLow = isMeasured() || height() < scaled(kHigh);
+    const bool isNarrow = isMeasured() || width() < scaled(kWide);
+    auto* robot = qobject_cast<QBoxLayout*>(robotPage_->widget()->layout());
+    timeline()->setDense(isLow);
+    terrain_->setVerdictBeside(isNarrow ? 290 : 404);
+    if (isNarrow)
+        robot->insertWidget(0, terrain_->decisions(), 0, Qt::AlignLeft);
+    else
+        terrain_->placeDecisions();
+    terrain_->decisions()->show();
+    const bool isApart = isLow || currentPage() == robotPage_;
+    if (isApart)
+        robot->addWidget(terrain_->lower(), 1);
+    else
+        terrain_->placeLower();
+    terrain_->stackLower(isApart && isNarrow);
+    terrain_->lower()->show();
+}
+
+void ReviewWindow::resizeEvent(QResizeEvent* event)
+{
+    ConsoleWindow::resizeEvent(event);
+    place();
+}
+
+bool ReviewWindow::eventFilter(QObject* object, QEvent* event)
+{
+    if (event->type() == QEvent::KeyPress && (object == player_->positionEdit() || object == note_)
+        && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        setFocus();
+        return true;
+    }
+    return ConsoleWindow::eventFilter(object, event);
+}
+
+}  // namespace terratact

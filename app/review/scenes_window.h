@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/mission/estimator_worker.h"
+#include "app/shell/console_window.h"
+#include "core/learn/data/scene.h"
+#include "core/robot/robot_model.h"
+
+class QLabel;
+
+namespace terratact {
+
+class TerrainPage;
+
+/// A file of scenes, one after the other: each as the model in use estimates it, beside the terrain where the file
+/// knows it.  There is no source behind it, so nothing in it can command a robot.
+class ScenesWindow final : public ConsoleWindow {
+    Q_OBJECT
+public:
+    struct Options {
+        QString path;
+        std::vector<Scene> scenes;  ///< at least one
+        RobotModel robot;
+        ModelLoader model;
+        Settings settings{};
+        double stepLimit = kStepLimit;  ///< [m]
+    };
+    explicit ScenesWindow(Options options);
+    ~ScenesWindow() override;
+
+    void showScene(std::size_t scene);  ///< the last where there are fewer
+    std::size_t scene() const { return scene_; }
+    const std::optional<TerrainEstimate>& estimate() const { return estimate_; }
+    TerrainPage* terrainPage() const { return page_; }
+    QLabel* stateLabel() const { return state_; }
+
+private:
+    void defineKeys();
+    void go(int by);
+    void ask();
+    void showSight();
+
+    Options options_;
+    Measurement measurement_;
+    std::optional<Heights> truth_;
+    std::unique_ptr<EstimatorWorker> worker_;
+    std::size_t scene_ = 0;
+    std::uint64_t shows_ = 0;
+    int job_ = 0;
+    double seconds_ = 0.0;
+    QString trouble_;
+    std::optional<TerrainEstimate> estimate_;
+
+    QLabel* state_ = nullptr;
+    TerrainPage* page_ = nullptr;
+};
+
+}  // namespace terratact

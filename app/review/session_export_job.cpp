@@ -1,0 +1,76 @@
+#include "app/review/session_export_job.h"
+
+#include <utility>
+
+#include "app/figures/session_report.h"
+#include "core/log/session_reader.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+using Progress = std::function<bool(double)>;
+
+Status writeReportOf(SessionReader& session, const SessionExportJob::Wish& wish,
+                     const Progress& progress)
+{
+    const auto report = reportOf(session, wish.scene, progress);
+    if (!report) return report.error();
+    return writeReport(wish.out, *report);
+}
+
+}  // namespace
+
+SessionExportJob::SessionExportJob(Wish wish) : wish_(std::move(wish)) {}
+
+SessionExportJob::~SessionExportJob()
+{
+    cancel();
+}
+
+void SessionExportJob::start()
+{
+    thread_ = std::jthread([this] { run(); });
+}
+
+void SessionExportJob::cancel()
+{
+    cancelled_ = true;
+}
+
+bool SessionExportJob::goOn(double share)
+{
+    if (const int percent = static_cast<int>(100.0 * share); percent != percent_) {
+        percent_ = percent;
+        emit progressed(share);
+    }
+    return !cancelled_;
+}
+
+Result<ExportCounts> SessionExportJob::write(SessionReader& session)
+{
+    const Progress progress = [this](double share) { return goOn(share); };
+    if (!wish_.format) {
+        const Status written = writeReportOf(session, wish_, progress);
+        return written ? Result<ExportCounts>(ExportCounts{}) : written.error();
+    }
+    const auto book = readDbcBook(CanProtocol::Terratact, wish_.dbc);
+    if (!book) return book.error();
+    wish_.selection.book = *book;
+    return writeExport(session, wish_.out, *wish_.format, wish_.selection, progress);
+}
+
+void SessionExportJob::run()
+{
+    auto session = SessionReader::open(wish_.session);
+    if (!session) {
+        emit ended(words::sentence(session.error().text), 0, 0, 0);
+        return;
+    }
+    const auto written = write(*session);
+    const ExportCounts counts = written ? *written : ExportCounts{};
+    emit ended(written ? QString() : words::sentence(written.error().text), counts.leftOut,
+               static_cast<int>(session->damage().size()), static_cast<int>(counts.withoutColumns));
+}
+
+}  // namespace terratact

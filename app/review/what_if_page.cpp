@@ -1,0 +1,370 @@
+#include "app/review/what_if_page.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRegularExpressionValidator>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "app/recording/what_if.h"
+#include "app/shell/file_dialog.h"
+#include "core/infer/estimate/quality.h"
+#include "core/store/sha256.h"
+#include "widgets/base/card.h"
+#include "widgets/base/look.h"
+#include "widgets/base/plain_label.h"
+#include "widgets/base/plain_table.h"
+#include "widgets/base/tips.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+
+WhatIfPage::WhatIfPage(RobotModel robot, QStringList models, QWidget* parent)
+    : Page(parent), robot_(std::move(robot)), models_(std::move(models))
+{
+    auto* card = new Card(tr("What if …"), this);
+    what_ = new PlainLabel(card);
+    what_->setWordWrap(true);
+    result_ = new PlainLabel(card);
+    result_->setWordWrap(true);
+    result_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    result_->setAccessibleName(tr("What differs"));
+    table_ = new HeadedTable(kBins, 8, card);
+    table_->setAccessibleName(tr("Recorded estimate and the other, bin by bin"));
+    table_->setHorizontalHeaderLabels({tr("bin [m]"), tr("then [m]"), tr("now [m]"), tr("by"),
+                                       tr("sd then"), tr("sd now"), tr("q10 by"), tr("q90 by")});
+    table_->verticalHeader()->hide();
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table_->setAlternatingRowColors(true);
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->setSelectionMode(QAbstractItemView::NoSelection);
+    table_->setTabKeyNavigation(false);
+    table_->setFrameShape(QFrame::NoFrame);
+    auto* answers = new QVBoxLayout;
+    answers->addWidget(result_);
+    answers->addWidget(table_, 1);
+    auto* columns = new QHBoxLayout;
+    columns->setSpacing(18);
+    form_ = form();
+    columns->addWidget(form_);
+    columns->addLayout(answers, 1);
+    card->body()->addWidget(what_);
+    card->body()->addLayout(columns, 1);
+    auto* page = new QVBoxLayout(this);
+    page->setContentsMargins(12, 10, 12, 10);
+    page->addWidget(card);
+    setRecorded(nullptr, nullptr, nullptr);
+    drop();
+    resizeToFont();
+}
+
+WhatIfPage::~WhatIfPage() = default;
+
+void WhatIfPage::changeEvent(QEvent* event)
+{
+    Page::changeEvent(event);
+    if (changesLetters(*event) && form_) resizeToFont();
+}
+
+void WhatIfPage::resizeToFont()
+{
+    result_->setMinimumHeight(4 * fontMetrics().lineSpacing());
+    form_->setFixedWidth(scaled(360));
+    fitRows(*table_, fontMetrics());
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{method_, quality_, threshold_, seed_, model_, cancel_})
+        field->setMinimumHeight(scaled(kTarget));
+}
+
+QWidget* WhatIfPage::form()
+{
+    auto* form = new QWidget(this);
+    auto* rows = new QFormLayout(form);
+    rows->setContentsMargins(0, 0, 0, 0);
+    const auto combo = [&](const QString& label, const QString& tip) {
+        auto* box = new QComboBox(form);
+        box->setAccessibleName(label);
+        setTip(*box, tip);
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        addField(*rows, label, box);
+        return box;
+    };
+    method_ = combo(tr("Method"), tr("Which method estimates"));
+    for (const Method method : kMethods) method_->addItem(words::text(name(method)));
+    quality_ = combo(tr("Quality"), tr("Draws, chains and precision"));
+    quality_->addItem(tr("as recorded"));
+    for (const Quality quality : kQualities) quality_->addItem(words::sentence(name(quality)));
+    threshold_ = new QDoubleSpinBox(form);
+    threshold_->setRange(0.1, 50.0);
+    threshold_->setSingleStep(0.1);
+    threshold_->setDecimals(2);
+    threshold_->setSuffix(QStringLiteral(" N"));
+    threshold_->setAccessibleName(tr("An element is a contact above"));
+    setTip(*threshold_, tr("Force from which an element touches the ground"));
+    addField(*rows, tr("Contact above"), threshold_);
+    seed_ = new QLineEdit(form);
+    seed_->setAccessibleName(tr("Seed"));
+    setTip(*seed_, tr("Of the random numbers: a whole number"));
+    seed_->setValidator(
+        new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{1,20}")), seed_));
+    addField(*rows, tr("Seed"), seed_);
+    model_ = combo(tr("Model"), tr("File of the model"));
+    for (const QString& path : std::as_const(models_))
+        model_->addItem(QFileInfo(path).fileName(), path);
+    model_->addItem(tr("another file …"), QString());
+    connect(model_, &QComboBox::activated, this, [this](int index) {
+        if (!model_->itemData(index).toString().isEmpty()) return;
+        model_->setCurrentIndex(0);
+        askForFile(*this, {.title = tr("Model"), .filter = tr("Models (*.ttm)")},
+                   [this](const QString& path) {
+                       model_->insertItem(0, QFileInfo(path).fileName(), path);
+                       model_->setCurrentIndex(0);
+                   });
+    });
+    asRecorded_ = new QPushButton(tr("As recorded"), form);
+    estimate_ = new QPushButton(tr("Estimate again (E)"), form);
+    estimate_->setProperty("role", "primary");
+    for (QPushButton* button : {asRecorded_, estimate_}) {
+        button->setFocusPolicy(Qt::TabFocus);
+        rows->addRow(button);
+    }
+    progress_ = new QProgressBar(form);
+    progress_->setAccessibleName(tr("Progress of the estimate"));
+    progress_->setVisible(false);
+    rows->addRow(progress_);
+    cancel_ = new QPushButton(tr("Cancel the estimate"), form);
+    cancel_->setFocusPolicy(Qt::TabFocus);
+    cancel_->setVisible(false);
+    rows->addRow(cancel_);
+    connect(cancel_, &QPushButton::clicked, this, &WhatIfPage::drop);
+    connect(asRecorded_, &QPushButton::clicked, this, &WhatIfPage::asRecorded);
+    connect(estimate_, &QPushButton::clicked, this, &WhatIfPage::estimate);
+    return form;
+}
+
+void WhatIfPage::setRecorded(const std::shared_ptr<const EstimateRow>& estimate,
+                             const SceneRow* scene, const ModelRow* model)
+{
+    if (model) {
+        recordedModel_ = QString::fromStdString(model->name);
+        recordedHash_ = QString::fromStdString(model->hash);
+    }
+    const bool same = estimate && recorded_ && estimate->id == recorded_->id;
+    if (same || (!estimate && !recorded_ && !what_->text().isEmpty())) return;
+    recorded_ = scene ? estimate : nullptr;
+    scene_ = scene ? std::optional(*scene) : std::nullopt;
+    const QString whyNot = tr("No estimate stood at this time");
+    for (QPushButton* button : {estimate_, asRecorded_}) button->setEnabled(recorded_ != nullptr);
+    setTip(*estimate_,
+           recorded_ ? tr("Estimates the recorded scene with what is set here") : whyNot);
+    setTip(*asRecorded_, recorded_ ? tr("Sets everything to what was recorded") : whyNot);
+    what_->setText(recorded_
+                       ? tr("Estimate %1 of scene %2 at %3 s, by %4 with the model %5")
+                             .arg(recorded_->id)
+                             .arg(recorded_->scene)
+                             .arg(words::number(secondsOf(recorded_->time), 3),
+                                  words::text(name(recorded_->estimate.settings.method)),
+                                  recordedModel_.isEmpty() ? words::kNothing : recordedModel_)
+                       : tr("No estimate stood at this time: go to one (key 4 finds the next)."));
+    drop();
+    if (recorded_) asRecorded();
+}
+
+void WhatIfPage::drop()
+{
+    if (worker_) worker_->cancel();
+    job_ = 0;
+    asked_.reset();
+    if (answer_) {
+        answer_.reset();
+        emit answered();
+    }
+    say(recorded_
+            ? tr("Change what you like, then estimate again: the page Terrain (F2) draws both.")
+            : QString(),
+        Tone::Muted);
+    showBins(nullptr);
+}
+
+void WhatIfPage::asRecorded()
+{
+    if (!recorded_) return;
+    const Settings& s = recorded_->estimate.settings;
+    method_->setCurrentText(words::text(name(s.method)));
+    quality_->setCurrentIndex(0);
+    threshold_->setValue(s.forceThreshold);
+    seed_->setText(QString::number(s.seed));
+    std::vector<std::string> paths;
+    for (const QString& path : std::as_const(models_)) paths.push_back(path.toStdString());
+    ModelRow row;
+    row.name = recordedModel_.toStdString();
+    row.hash = recordedHash_.toStdString();
+    const auto found = modelFileOf(row, paths);
+    if (!found) return say(words::sentence(found.error().text), Tone::Doubt);
+    model_->setCurrentIndex(model_->findData(QString::fromStdString(*found)));
+}
+
+Settings WhatIfPage::settings() const
+{
+    Settings s = recorded_->estimate.settings;
+    s.method = kMethods.at(static_cast<std::size_t>(method_->currentIndex()));
+    if (const int quality = quality_->currentIndex(); quality > 0)
+        s = withQuality(s, kQualities.at(static_cast<std::size_t>(quality - 1)));
+    // What the form rounds is as recorded as long as nobody has changed it.
+    if (std::abs(threshold_->value() - s.forceThreshold) > 0.006)
+        s.forceThreshold = threshold_->value();
+    bool isNumber = false;
+    const qulonglong seed = seed_->text().toULongLong(&isNumber);
+    if (isNumber) s.seed = seed;
+    return s;
+}
+
+void WhatIfPage::useModel(const QString& path)
+{
+    if (worker_ && path == modelPath_) return;
+    modelPath_ = path;
+    const auto hash = sha256OfFile(path.toStdString());
+    modelHash_ = hash ? *hash : std::string();
+    const ModelLoader loader = modelFileLoader(path.toStdString(), robot_);
+    if (worker_) return worker_->load(loader);
+    worker_ = std::make_unique<EstimatorWorker>(loader);
+    connect(worker_.get(), &EstimatorWorker::estimated, this,
+            [this](int job, const TerrainEstimate& estimate) { take(job, estimate); });
+    const auto failed = [this](const QString& why) {
+        job_ = 0;
+        modelPath_.clear();
+        say(tr("No estimate: %1").arg(why), Tone::Bad);
+    };
+    connect(worker_.get(), &EstimatorWorker::failed, this, [this](int job, const QString& why) {
+        if (job != job_) return;
+        job_ = 0;
+        say(tr("No estimate: %1").arg(why), Tone::Bad);
+    });
+    connect(worker_.get(), &EstimatorWorker::modelFailed, this, failed);
+    connect(worker_.get(), &EstimatorWorker::modelKept, this, failed);
+    worker_->start();
+}
+
+void WhatIfPage::estimate()
+{
+    if (!recorded_ || !scene_) return;
+    const QString path = model_->currentData().toString();
+    if (path.isEmpty()) return say(tr("No model is chosen"), Tone::Bad);
+    if (const Status modest = requireModest(settings()); !modest)
+        return say(tr("No estimate: %1").arg(words::sentence(modest.error().text)), Tone::Bad);
+    useModel(path);
+    asked_ = settings();
+    EstimateRequest request{scene_->measurement, recorded_->readings, *asked_};
+    request.stepLimit = recorded_->stepLimit;
+    job_ = worker_->request(request);
+    say(tr("Estimating …"), Tone::Muted);
+}
+
+void WhatIfPage::take(int job, const TerrainEstimate& estimate)
+{
+    if (job != job_ || !recorded_) return;
+    job_ = 0;
+    answer_ = estimate;
+    showAnswer();
+    emit answered();
+}
+
+bool WhatIfPage::isRecordedModel() const
+{
+    return !modelHash_.empty() && modelHash_ == recordedHash_.toStdString();
+}
+
+void WhatIfPage::showAnswer()
+{
+    const TerrainEstimate& before = recorded_->estimate;
+    const Differences found =
+        differencesBetween(before, *answer_, scene_->measurement, recorded_->stepLimit);
+    const bool asRecorded = *asked_ == before.settings && isRecordedModel();
+    QString text;
+    Tone tone = Tone::Plain;
+    if (asRecorded && found.likeness == Likeness::Identical) {
+        text = tr("The recorded settings and model give the recorded estimate again, bit for bit.");
+        tone = Tone::Good;
+    } else if (asRecorded && found.likeness == Likeness::LastBits) {
+        text = tr("The recorded settings and model give the recorded estimate again, but for the "
+                  "last bits, which another processor or version rounds otherwise: no number "
+                  "moves by more than a millionth.");
+        tone = Tone::Good;
+    } else if (asRecorded && before.ending == Ending::Time) {
+        text = tr("Time ended the recorded sampling, so that it cannot be repeated bit for bit: "
+                  "%1 m at most, at bin %2.")
+                   .arg(words::number(found.largest(), 3), words::binName(found.largestBin));
+        tone = Tone::Doubt;
+    } else if (asRecorded) {
+        text =
+            tr("The recorded settings and model do NOT give the recorded estimate: %1 m at most, "
+               "at bin %2.")
+                .arg(words::number(found.largest(), 6), words::binName(found.largestBin));
+        tone = Tone::Bad;
+    } else {
+        text = tr("Differs from what was shown by %1 m at most, at bin %2.")
+                   .arg(words::number(found.largest(), 3), words::binName(found.largestBin));
+    }
+    text += QLatin1Char('\n')
+          + tr("Steps of more than %1 m: %2 (%3 %) then, %4 (%5 %) now.")
+                .arg(words::number(recorded_->stepLimit, 2),
+                     words::sentence(name(found.before.outlook)),
+                     words::number(100.0 * found.before.step.p, 1),
+                     words::sentence(name(found.after.outlook)),
+                     words::number(100.0 * found.after.step.p, 1));
+    say(text, tone);
+    showBins(&found);
+}
+
+void WhatIfPage::showBins(const Differences* found)
+{
+    const double nothing = std::numeric_limits<double>::quiet_NaN();
+    for (int bin = 0; bin < kBins; ++bin) {
+        const auto i = static_cast<std::size_t>(bin);
+        const TerrainEstimate* before = recorded_ ? &recorded_->estimate : nullptr;
+        const TerrainEstimate* now = found ? &*answer_ : nullptr;
+        const BinDifference by =
+            found ? found->bin[i] : BinDifference{nothing, nothing, nothing, nothing, nothing};
+        const QStringList cells{words::signedNumber(binCentre(bin), 1),
+                                words::signedNumber(before ? before->height[i] : nothing, 3),
+                                words::signedNumber(now ? now->height[i] : nothing, 3),
+                                words::signedNumber(by.height, 3),
+                                words::number(before ? before->sd[i] : nothing, 3),
+                                words::number(now ? now->sd[i] : nothing, 3),
+                                words::signedNumber(by.q10, 3),
+                                words::signedNumber(by.q90, 3)};
+        for (int column = 0; column < cells.size(); ++column) {
+            auto* item = new QTableWidgetItem(cells[column]);
+            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            table_->setItem(bin, column, item);
+        }
+    }
+}
+
+void WhatIfPage::say(const QString& text, Tone tone)
+{
+    result_->setText(text);
+    setTone(*result_, tone);
+}
+
+void WhatIfPage::refresh(double /*now*/)
+{
+    progress_->setVisible(job_ != 0);
+    cancel_->setVisible(job_ != 0);
+    if (job_ != 0 && worker_)
+        progress_->setValue(static_cast<int>(100.0 * worker_->progress().value_or(0.0)));
+}
+
+}  // namespace terratact

@@ -1,0 +1,13 @@
+#include "app/runtime/resources.h"
+
+#include <filesystem>
+
+namespace terratact {
+
+std::string resourcePath(const std::string& name)
+{
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
+    return (program.parent_path().parent_path() / "share/terratact" / name).string();
+}
+
+}  // namespace terratact

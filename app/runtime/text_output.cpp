@@ -1,0 +1,77 @@
+#include "app/runtime/text_output.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <iostream>
+#include <system_error>
+#include <utility>
+
+#include "core/store/file_read.h"
+
+namespace terratact {
+
+bool isStandardOutput(std::string_view path)
+{
+    constexpr std::array<std::string_view, 4> kNames{"-", "/dev/stdout", "/dev/fd/1",
+                                                     "/proc/self/fd/1"};
+    return std::find(kNames.begin(), kNames.end(), path) != kNames.end();
+}
+
+bool isStream(const std::string& path)
+{
+    struct stat found {};
+    return ::stat(path.c_str(), &found) == 0 && (S_ISFIFO(found.st_mode) || S_ISCHR(found.st_mode));
+}
+
+std::FILE* messagesBeside(const std::string& out)
+{
+    return isStandardOutput(out) ? stderr : stdout;
+}
+
+TextOutput::TextOutput(std::string path, std::optional<NewFile> file,
+                       std::unique_ptr<std::ostream> stream)
+    : path_(std::move(path)), file_(std::move(file)), stream_(std::move(stream))
+{
+}
+
+Result<TextOutput> TextOutput::begin(const std::string& path)
+{
+    if (isStandardOutput(path))
+        return TextOutput("the standard output", std::nullopt,
+                          std::make_unique<std::ostream>(std::cout.rdbuf()));
+    std::optional<NewFile> file;
+    if (!isStream(path)) {
+        Result<NewFile> begun = NewFile::begin(path);
+        if (!begun) return begun.error();
+        file = *std::move(begun);
+    }
+    errno = 0;
+    auto stream =
+        std::make_unique<std::ofstream>(file ? file->temporaryPath() : path, std::ios::binary);
+    if (!*stream)
+        return fileError(path, "cannot be written: " + std::generic_category().message(errno),
+                         errno);
+    return TextOutput(path, std::move(file), std::move(stream));
+}
+
+Status TextOutput::commit()
+{
+    stream_->flush();
+    if (auto* const opened = dynamic_cast<std::ofstream*>(stream_.get())) opened->close();
+    if (!*stream_) return fileError(path_, "cannot be written: is the disk full?");
+    return file_ ? file_->commit() : Status(Done{});
+}
+
+Status writeText(const std::string& path, std::string_view content)
+{
+    Result<TextOutput> output = TextOutput::begin(path);
+    if (!output) return output.error();
+    output->stream() << content;
+    return output->commit();
+}
+
+}  // namespace terratact

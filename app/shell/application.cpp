@@ -1,0 +1,97 @@
+#include "app/shell/application.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <QIcon>
+#include <QScreen>
+#include <QSocketNotifier>
+#include <csignal>
+#include <cstdlib>
+
+#include "app/shell/console_window.h"
+#include "app/shell/language.h"
+#include "app/shell/text_sheet.h"
+#include "widgets/base/look.h"
+#include "widgets/base/palette.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+constexpr QSize kDefaultSize{1440, 900};
+
+int endingPipe[2] = {-1, -1};
+
+extern "C" void requestEnd(int /*signal*/)
+{
+    const char byte = 0;
+    [[maybe_unused]] const ssize_t written = ::write(endingPipe[1], &byte, 1);
+}
+
+void closeOnSignals(ConsoleWindow& window)
+{
+    if (endingPipe[0] < 0 && ::pipe2(endingPipe, O_CLOEXEC | O_NONBLOCK) != 0) return;
+    auto* notifier = new QSocketNotifier(endingPipe[0], QSocketNotifier::Read, &window);
+    QObject::connect(notifier, &QSocketNotifier::activated, &window, [&window, notifier] {
+        notifier->setEnabled(false);
+        window.closeUnasked();
+    });
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) std::signal(signal, requestEnd);
+}
+
+void setSize(ConsoleWindow& window, const ConsoleOptions& options, const QByteArray& left)
+{
+    if (options.size)
+        window.resize(*options.size);
+    else if (left.isEmpty() || !window.restoreGeometry(left))
+        window.resize(options.isPicture()
+                          ? kDefaultSize
+                          : kDefaultSize.boundedTo(window.screen()->availableSize()));
+    if (options.isPicture()) window.setRoom(window.size());
+}
+
+}  // namespace
+
+Status Application::start(const Preferences& preferences, bool pictures)
+{
+    if (pictures && !std::getenv("QT_QPA_PLATFORM")) setenv("QT_QPA_PLATFORM", "offscreen", 1);
+    if (!std::getenv("QT_QPA_PLATFORM") && !std::getenv("DISPLAY")
+        && !std::getenv("WAYLAND_DISPLAY"))
+        return Error{"no display: set DISPLAY, or use --screenshot FILE"};
+    if (!application_) application_.emplace(argc_, argv_);
+    QApplication::setApplicationName(QStringLiteral("terratact-console"));
+    QApplication::setApplicationDisplayName(QStringLiteral("Terratact"));
+    QApplication::setApplicationVersion(QStringLiteral(TERRATACT_VERSION));
+    QApplication::setDesktopFileName(QStringLiteral("org.terratact.console"));
+    QApplication::setWindowIcon(QIcon::fromTheme(QStringLiteral("org.terratact.console")));
+    installLanguage(*application_, preferences.language);
+    applyLook(*application_, preferences.theme, preferences.fontScale);
+    return Done{};
+}
+
+void tellRefusal(const std::string& file, const std::string& why)
+{
+    constexpr int kWide = 620;  // [px] at 100 %
+    const QString title =
+        file.empty() ? QCoreApplication::translate("Application", "Terratact could not start")
+                     : QCoreApplication::translate("Application", "Terratact could not open this");
+    TextSheet sheet(title, {Qt::Key_Return, Qt::Key_Enter}, nullptr);
+    sheet.setWindowFlags(Qt::Window);  // which the desktop lists, and whose end is the program's
+    sheet.setAttribute(Qt::WA_QuitOnClose);
+    sheet.setText(
+        QStringLiteral("<h3>%1</h3><p>%2</p>").arg(title, words::sentence(why).toHtmlEscaped()),
+        sheet.screen()->availableSize(), scaled(kWide));
+    sheet.show();
+    QApplication::exec();
+}
+
+void showWindow(ConsoleWindow& window, const ConsoleOptions& options, const QByteArray& left)
+{
+    if (options.safeMode) window.saySafeMode();
+    setSize(window, options, left);
+    closeOnSignals(window);
+    window.show();
+}
+
+}  // namespace terratact

@@ -1,0 +1,517 @@
+#include "app/shell/console_window.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QKeySequence>
+#include <QLabel>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QShowEvent>
+#include <QStackedWidget>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <QWindow>
+#include <algorithm>
+#include <utility>
+
+#include "app/runtime/vector_registers.h"
+#include "app/shell/about.h"
+#include "app/shell/letters.h"
+#include "app/shell/preferences.h"
+#include "app/shell/remote_stop.h"
+#include "app/shell/text_sheet.h"
+#include "app/shell/view_menu.h"
+#include "widgets/base/calm_wheel.h"
+#include "widgets/base/elided_label.h"
+#include "widgets/base/look.h"
+#include "widgets/base/navigation_rail.h"
+#include "widgets/base/plain_label.h"
+#include "widgets/base/tips.h"
+#include "widgets/control/status_header.h"
+
+namespace terratact {
+namespace {
+
+const QString kPageArea = QStringLiteral("pageArea");
+constexpr QKeyCombination kKeysKey(Qt::Key_F1), kAboutKey(Qt::CTRL, Qt::Key_F1);
+constexpr int kAboutWide = 620;    // [px] at 100 %
+constexpr int kPrepareEvery = 20;  // [ms]
+
+}  // namespace
+
+ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForce().fontScale)
+{
+    setFocusPolicy(Qt::StrongFocus);  // so that no button has the focus before somebody tabs to it
+    resize(1440, 900);
+    setMinimumSize(kLeast);
+    header_ = new StatusHeader(this);
+    rail_ = new NavigationRail(this);
+    pages_ = new QStackedWidget(this);
+    connect(rail_, &NavigationRail::pageChosen, pages_, &QStackedWidget::setCurrentIndex);
+
+    right_ = new QVBoxLayout;
+    right_->setSpacing(0);
+    right_->addWidget(pages_, 1);
+    below_ = new QWidget(this);
+    auto* below = new QHBoxLayout(below_);
+    below->setContentsMargins(0, 0, 0, 0);
+    below->setSpacing(0);
+    below->addWidget(rail_);
+    below->addLayout(right_, 1);
+    strips_ = new QVBoxLayout;
+    strips_->setSpacing(0);
+    banners_ = new QHBoxLayout;
+    banners_->setSpacing(0);
+    strips_->addLayout(banners_);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->setSpacing(0);
+    all->addWidget(header_);
+    all->addLayout(strips_);
+    all->addWidget(below_, 1);
+    // STOP's keys have to stop the robot from every dialog, also from those that the desktop would draw by itself.
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    qApp->installEventFilter(this);
+    qApp->installEventFilter(new CalmWheel(this));
+    connect(&prepare_, &QTimer::timeout, this, &ConsoleWindow::prepareSome);
+    tryLater_.setSingleShot(true);
+    connect(&tryLater_, &QTimer::timeout, this, &ConsoleWindow::fitLettersInTurns);
+}
+
+QLabel* ConsoleWindow::addStrip(const QString& look)
+{
+    return addStrip(new PlainLabel(this), look);
+}
+
+QLabel* ConsoleWindow::addStrip(QLabel* strip, const QString& look)
+{
+    strip->setObjectName(look);
+    strips_->addWidget(strip);
+    return strip;
+}
+
+void ConsoleWindow::saySafeMode()
+{
+    QLabel* strip = addStrip(new ElidedLabel(this), QStringLiteral("safeStrip"));
+    strip->setText(tr("SAFE MODE: default settings, none are read or saved · to leave it, start "
+                      "without --safe-mode"));
+}
+
+void ConsoleWindow::closeUnasked()
+{
+    unasked_ = true;
+    close();
+}
+
+ElidedLabel* ConsoleWindow::addBanner()
+{
+    auto* banner = new ElidedLabel(this);
+    banner->setObjectName(QStringLiteral("banner"));
+    banner->hide();
+    banners_->addWidget(banner, 1);
+    return banner;
+}
+
+void ConsoleWindow::addPage(QWidget* page, const QString& name, Qt::Key key, const QString& tip)
+{
+    pages_->addWidget(page);
+    rail_->addPage(name, key, tip);
+}
+
+void ConsoleWindow::addScrolledPage(QWidget* page, const QString& name, Qt::Key key,
+                                    const QString& tip)
+{
+    auto* area = new QScrollArea(this);
+    area->setObjectName(kPageArea);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidget(page);
+    addPage(area, name, key, tip);
+}
+
+QWidget* ConsoleWindow::currentPage() const
+{
+    QWidget* const shown = pages_->currentWidget();
+    const auto* const area = qobject_cast<QScrollArea*>(shown);
+    return area && area->objectName() == kPageArea ? area->widget() : shown;
+}
+
+QPushButton* ConsoleWindow::addTool(const QString& text, const QString& tip)
+{
+    auto* button = new QPushButton(text, rail_);
+    button->setAccessibleName(text);
+    setTip(*button, tip);
+    rail_->addTool(button);
+    return button;
+}
+
+void ConsoleWindow::addViewTool(PreferenceStore& preferences, const QString& newWindow)
+{
+    QPushButton* view = addTool(tr("View"), tr("Layout, colours and size of the letters"));
+    view->setMenu(new ViewMenu(preferences, newWindow, view));
+}
+
+void ConsoleWindow::addHelpTool(const QString& demonstration,
+                                std::function<void(const QString& path)> open)
+{
+    QPushButton* help = addTool(tr("Help\nF1"), tr("Every key, and what this program is"));
+    help->setAccessibleName(tr("Help"));
+    help->setObjectName(QStringLiteral("help"));
+    auto* menu = new QMenu(help);
+    const auto offer = [this, menu](const QString& text, QKeyCombination key,
+                                    void (ConsoleWindow::*shows)()) {
+        const QString keys = QKeySequence(key).toString(QKeySequence::NativeText);
+        connect(menu->addAction(text + QLatin1Char('\t') + keys), &QAction::triggered, this, shows);
+    };
+    offer(tr("Keys"), kKeysKey, &ConsoleWindow::showKeys);
+    offer(tr("About Terratact"), kAboutKey, &ConsoleWindow::showAbout);
+    if (QFileInfo::exists(demonstration))
+        connect(menu->addAction(tr("Recorded demonstration")), &QAction::triggered, this,
+                [demonstration, open = std::move(open)] { open(demonstration); });
+    help->setMenu(menu);
+}
+
+void ConsoleWindow::addBelowPages(QWidget* widget)
+{
+    right_->addWidget(widget);
+}
+
+void ConsoleWindow::addPageKeys()
+{
+    for (int page = 0; page < rail_->pages(); ++page)
+        keys_.add({{static_cast<Qt::Key>(rail_->keyOf(page))},
+                   rail_->button(page)->accessibleName(),
+                   [this, page] {
+                       // What has no page of its own now is on the first.
+                       rail_->choose(rail_->button(page)->isHidden() ? 0 : page);
+                   }});
+}
+
+void ConsoleWindow::addHelpKeys()
+{
+    keys_.add({{kKeysKey, Qt::Key_Question}, tr("this sheet"), [this] { showKeys(); }});
+    keys_.add({{kAboutKey}, tr("what this program is"), [this] { showAbout(); }});
+}
+
+void ConsoleWindow::addRemoteStop()
+{
+    constexpr int kFor = 8000;  // [ms]
+    auto* banner = new PlainLabel(this);
+    banner->setObjectName(QStringLiteral("banner"));
+    banner->setWordWrap(true);
+    banner->hide();
+    auto* end = new QTimer(banner);
+    end->setSingleShot(true);
+    end->setInterval(kFor);
+    connect(end, &QTimer::timeout, banner, &QWidget::hide);
+    const auto say = [this, banner, end](const QString& text) {
+        banner->setText(text);
+        QRect place = header_->geometry();  // upon it: nothing moves
+        if (const QPushButton& stop = *header_->stopButton(); stop.isVisible())
+            place.setRight(place.left() + stop.x() - 1);  // which may have to be pressed again
+        banner->setGeometry(place);
+        banner->raise();
+        banner->show();
+        end->start();
+    };
+    auto* remote = new RemoteStop(this);
+    connect(remote, &RemoteStop::said, banner, say);
+    header_->setStop({.state = StopSight::State::Elsewhere});
+    header_->stopButton()->setVisible(remote->exists());
+    connect(header_, &StatusHeader::stopPressed, remote, &RemoteStop::press);
+    keys_.add({.keys = kStopKeys,
+               .meaning = remote->exists() ? tr("STOP, of the console that opened this window")
+                                           : tr("no STOP: this window has no robot"),
+               .pressed =
+                   [remote, say] {
+                       if (remote->exists()) return remote->press();
+                       say(tr("STOP HAS NO EFFECT HERE: this window has no robot. Go to the "
+                              "console's own window"));
+                   },
+               .everywhere = true});
+}
+
+void ConsoleWindow::showKeys()
+{
+    if (!keySheet_) keySheet_ = new TextSheet(tr("Keys"), {Qt::Key_F1, Qt::Key_Question}, this);
+    QString html = keys_.html();
+    for (const QString& line : {keysNote_, aboutLine()})
+        if (!line.isEmpty()) html += QStringLiteral("<p>%1</p>").arg(line.toHtmlEscaped());
+    keySheet_->setText(html, roomBelowHeader());
+    showSheet(*keySheet_);
+}
+
+void ConsoleWindow::showAbout()
+{
+    if (!about_) {
+        about_ = new TextSheet(tr("About Terratact"), {Qt::Key_F1}, this);
+        about_->setObjectName(QStringLiteral("about"));
+    }
+    about_->setText(aboutHtml(), roomBelowHeader(), scaled(kAboutWide));
+    showSheet(*about_);
+}
+
+void ConsoleWindow::showSheet(TextSheet& sheet) const
+{
+    putBelowHeader(sheet);
+    sheet.show();
+    sheet.raise();
+    sheet.activateWindow();
+}
+
+void ConsoleWindow::setRoom(QSize room)
+{
+    room_ = room;
+    fitLetters();
+}
+
+void ConsoleWindow::setLook(ThemeName theme, int wanted)
+{
+    const bool sameLetters = wanted == wanted_ && fits_;
+    if (theme == theme_ && wanted == wanted_) return arrange();
+    theme_ = theme;
+    wanted_ = wanted;
+    if (!sameLetters) {
+        trying_ = largestToTry();
+        return fitLettersInTurns();
+    }
+    // No colour needs more room than another.
+    applyLook(*qApp, theme_, lookInForce().fontScale);
+    arrange();
+}
+
+QSize ConsoleWindow::room() const
+{
+    const QSize frame = frameGeometry().size() - size();
+    return room_.isValid() ? room_ : screen()->availableSize() - frame;
+}
+
+QSize ConsoleWindow::needs() const
+{
+    QSize now = layout()->totalMinimumSize();
+    if (scroll_)
+        now = {std::max(now.width(), below_->minimumSizeHint().width()),
+               now.height() - scroll_->minimumSizeHint().height()
+                   + below_->minimumSizeHint().height()};
+    int height =
+        now.height() + header_->heightFor(room().width()) - header_->minimumSizeHint().height();
+    if (banners_->isEmpty()) height += bannerLine();
+    return {now.width(), height};
+}
+
+void ConsoleWindow::setLeast(QSize needed)
+{
+    setMinimumSize(needed.expandedTo(kLeast).boundedTo(room()));
+    letScroll(needed.expandedTo(room()) != room());
+}
+
+void ConsoleWindow::letScroll(bool scrolls)
+{
+    if (scrolls == (scroll_ != nullptr)) return;
+    auto* all = static_cast<QBoxLayout*>(layout());
+    all->removeWidget(belowBanners());
+    if (scrolls) {
+        scroll_ = new QScrollArea(this);
+        scroll_->setFrameShape(QFrame::NoFrame);
+        scroll_->setFocusPolicy(Qt::NoFocus);
+        scroll_->setWidgetResizable(true);
+        scroll_->setWidget(below_);
+    } else {
+        scroll_->takeWidget();
+        scroll_->hide();
+        scroll_->deleteLater();
+        scroll_ = nullptr;
+    }
+    all->addWidget(belowBanners(), 1);
+    below_->show();
+    belowBanners()->show();
+}
+
+QWidget* ConsoleWindow::belowBanners() const
+{
+    return scroll_ ? scroll_ : below_;
+}
+
+int ConsoleWindow::bannerLine() const
+{
+    return banners_->count() > 0 ? banners_->itemAt(0)->widget()->sizeHint().height() : 0;
+}
+
+int ConsoleWindow::bannersTake() const
+{
+    int strips = 0;
+    for (int i = 0; i < strips_->count(); ++i)
+        if (const QWidget* strip = strips_->itemAt(i)->widget(); strip && !strip->isHidden())
+            strips += strip->height();
+    return std::max(0, belowBanners()->y() - header_->y() - header_->height() - strips);
+}
+
+QSize ConsoleWindow::roomBelowHeader() const
+{
+    const QSize frame = frameGeometry().size() - size();  // the other's is alike
+    return size() - QSize(0, header_->geometry().bottom() + 1 + bannerLine()) - frame;
+}
+
+void ConsoleWindow::putBelowHeader(QWidget& other) const
+{
+    const QSize frame = frameGeometry().size() - size();
+    const QSize room = roomBelowHeader();
+    other.resize(other.size().boundedTo(room));
+    const QSize spare = room - other.size();
+    const QPoint corner = mapToGlobal(QPoint(0, height() - room.height() - frame.height()));
+    other.move(corner + QPoint(spare.width() / 2, spare.height() / 2));
+}
+
+int ConsoleWindow::largestToTry() const
+{
+    const bool known = tooLarge_ && tooLarge_->room == room()
+                    && tooLarge_->arrangement == arrangement() && tooLarge_->percent <= wanted_;
+    return known ? std::max(tooLarge_->percent - kLetterStep, kSmallestFont) : wanted_;
+}
+
+void ConsoleWindow::fitLetters()
+{
+    trying_ = largestToTry();
+    while (!tryLetters()) continue;
+}
+
+void ConsoleWindow::fitLettersInTurns()
+{
+    if (tryLetters()) return;
+    setUpdatesEnabled(false);  // nobody is to see letters that are too large
+    tryLater_.start(0);
+}
+
+bool ConsoleWindow::tryLetters()
+{
+    fits_ = false;  // in the making
+    tryLater_.stop();
+    letScroll(false);
+    if (trying_ != lookInForce().fontScale || theme_ != lookInForce().theme)
+        applyLook(*qApp, theme_, trying_);
+    layOutAnew();
+    const QSize needed = needs();
+    if (needed.expandedTo(room()) != room()) {
+        tooLarge_ = TooLarge{trying_, room(), arrangement()};
+        if (trying_ > kSmallestFont) {
+            trying_ = smallerLetters(trying_, needed, room());
+            return false;
+        }
+    }
+    setLeast(needed);
+    layOutAnew();
+    fits_ = true;
+    arrange();
+    keepOnScreen();
+    setUpdatesEnabled(true);
+    return true;
+}
+
+void ConsoleWindow::layOutAnew()
+{
+    arrange();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    forgetSizes(*this);
+}
+
+/// A window that had to grow may have grown over the edge, beyond which STOP must not lie.
+void ConsoleWindow::keepOnScreen()
+{
+    if (!isVisible() || isMaximized() || isFullScreen()) return;
+    const QRect screenArea = screen()->availableGeometry();
+    QRect frame = frameGeometry();
+    if (frame.size().expandedTo(screenArea.size()) != screenArea.size()) {
+        if (room_.isValid() || screen()->availableVirtualGeometry().contains(frame)) return;
+        resize(size().boundedTo(room()));
+        frame = frameGeometry();
+    }
+    frame.moveRight(std::min(frame.right(), screenArea.right()));
+    frame.moveBottom(std::min(frame.bottom(), screenArea.bottom()));
+    frame.moveLeft(std::max(frame.left(), screenArea.left()));
+    frame.moveTop(std::max(frame.top(), screenArea.top()));
+    if (frame.topLeft() != frameGeometry().topLeft()) move(frame.topLeft());
+}
+
+bool ConsoleWindow::event(QEvent* event)
+{
+    const bool done = QWidget::event(event);
+    if (event->type() == QEvent::UpdateRequest)
+        clearUpperVectorHalves();  // painting leaves them in use
+    if (event->type() != QEvent::LayoutRequest || !fits_) return done;
+    const QSize needed = needs();
+    if (needed.expandedTo(size()) == size()) return done;
+    // More than was foreseen.
+    const bool isSmallest = lookInForce().fontScale <= kSmallestFont;
+    if (needed.expandedTo(room()) != room() && !isSmallest) {
+        trying_ = largestToTry();
+        fitLettersInTurns();
+    } else {
+        setLeast(needed.expandedTo(minimumSize()));
+    }
+    return done;
+}
+
+void ConsoleWindow::prepareSome()
+{
+    constexpr qint64 kBudget = 5;  // [ms] nobody notices
+    QElapsedTimer since;
+    since.start();
+    while (!unprepared_.isEmpty() && since.elapsed() < kBudget)
+        if (QWidget* const widget = unprepared_.takeLast()) widget->ensurePolished();
+    if (unprepared_.isEmpty()) prepare_.stop();
+}
+
+void ConsoleWindow::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (!prepare_.isActive() && !event->spontaneous()) {
+        for (QWidget* widget : pages_->findChildren<QWidget*>())
+            if (!widget->isVisible()) unprepared_ << widget;
+        prepare_.start(kPrepareEvery);
+    }
+    if (event->spontaneous() || fits_) return;
+    const auto refit = [this] { QTimer::singleShot(0, this, &ConsoleWindow::fitLetters); };
+    const auto watch = [this, refit](const QScreen* screen) {
+        connect(screen, &QScreen::availableGeometryChanged, this, refit);
+    };
+    connect(windowHandle(), &QWindow::screenChanged, this, [watch, refit](const QScreen* screen) {
+        watch(screen);
+        refit();
+    });
+    watch(screen());
+    fitLetters();
+    refit();  // once the frame around it is known
+}
+
+/// A menu that is open takes the mouse: a press elsewhere only closes it, and another would be needed for STOP.
+bool ConsoleWindow::pressesStopBesidePopup(const QEvent& event) const
+{
+    const QWidget* popup = QApplication::activePopupWidget();
+    if (event.type() != QEvent::MouseButtonPress || !popup) return false;
+    const auto& mouse = static_cast<const QMouseEvent&>(event);
+    if (popup->geometry().contains(mouse.globalPosition().toPoint())) return false;  // meant for it
+    const QPushButton& stop = *header_->stopButton();
+    return mouse.button() == Qt::LeftButton && stop.isVisible()
+        && stop.rect().contains(stop.mapFromGlobal(mouse.globalPosition().toPoint()));
+}
+
+bool ConsoleWindow::eventFilter(QObject* object, QEvent* event)
+{
+    if (object == qApp && event->type() == QEvent::Quit) unasked_ = true;  // it closes all windows
+    if (object->isWidgetType() && pressesStopBesidePopup(*event)) {
+        emit header_->stopPressed();
+        while (QWidget* const popup = QApplication::activePopupWidget()) {
+            popup->setAttribute(Qt::WA_NoMouseReplay);  // it was pressed already
+            if (!popup->close()) break;
+        }
+        return true;
+    }
+    return keys_.filter(*this, *object, *event);
+}
+
+}  // namespace terratact

@@ -1,0 +1,86 @@
+#include "app/shell/file_dialog.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHash>
+#include <QLineEdit>
+#include <utility>
+
+#include "app/shell/console_window.h"
+#include "widgets/base/look.h"
+
+namespace terratact {
+namespace {
+
+/// Where the last file was chosen, by the dialog's title.
+QHash<QString, QString>& lastFolders()
+{
+    static QHash<QString, QString> folders;
+    return folders;
+}
+
+/// Without the boxes of QFileDialog, each of which would block every window until it is answered.
+class FileDialog final : public QFileDialog {
+    Q_DECLARE_TR_FUNCTIONS(FileDialog)
+public:
+    FileDialog(QWidget& parent, const FileWish& wish) : QFileDialog(&parent, wish.title)
+    {
+        const bool writes = wish.kind == FileWish::Kind::ToWrite;
+        setAcceptMode(writes ? AcceptSave : AcceptOpen);
+        setFileMode(writes ? AnyFile : ExistingFile);
+        setOption(DontConfirmOverwrite);  // whoever writes says what is replaced
+        setOption(ReadOnly);              // nothing is renamed or deleted here
+        setNameFilter(wish.filter);
+        setAttribute(Qt::WA_DeleteOnClose);
+        const QFileInfo start(wish.start);
+        const bool isFile = !wish.start.isEmpty() && !start.isDir();
+        const QString folder = lastFolders().value(wish.title, wish.start);
+        if (isFile)
+            selectFile(start.absoluteFilePath());
+        else if (!folder.isEmpty())
+            setDirectory(folder);
+        connect(this, &QFileDialog::fileSelected, this, [title = wish.title](const QString& file) {
+            lastFolders()[title] = QFileInfo(file).absolutePath();
+        });
+        if (auto* const name = findChild<QLineEdit*>(QStringLiteral("fileNameEdit")))
+            connect(name, &QLineEdit::textEdited, this,
+                    [this, usual = labelText(FileName)] { setLabelText(FileName, usual); });
+    }
+
+protected:
+    void accept() override
+    {
+        const QStringList files = selectedFiles();
+        const bool missing =
+            acceptMode() == AcceptOpen && !files.isEmpty() && !QFileInfo::exists(files.first());
+        if (missing) return setLabelText(FileName, tr("There is no file:"));
+        QFileDialog::accept();
+    }
+};
+
+const ConsoleWindow* consoleOf(const QWidget& widget)
+{
+    for (const QWidget* at = &widget; at; at = at->parentWidget())
+        if (const auto* console = qobject_cast<const ConsoleWindow*>(at)) return console;
+    return nullptr;
+}
+
+}  // namespace
+
+void askForFile(QWidget& parent, const FileWish& wish,
+                std::function<void(const QString& path)> chosen)
+{
+    for (auto* open : parent.findChildren<QFileDialog*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (!open->isVisible() || open->windowTitle() != wish.title) continue;
+        open->raise();
+        return open->activateWindow();
+    }
+    auto* dialog = new FileDialog(parent, wish);
+    QObject::connect(dialog, &QFileDialog::fileSelected, &parent, std::move(chosen));
+    dialog->resize(dialog->sizeHint().expandedTo(QSize(scaled(760), scaled(440))));
+    if (const ConsoleWindow* console = consoleOf(parent)) console->putBelowHeader(*dialog);
+    dialog->show();
+}
+
+}  // namespace terratact

@@ -1,0 +1,74 @@
+#include "app/shell/open_file.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QProcess>
+#include <QProcessEnvironment>
+#include <QtEndian>
+#include <utility>
+
+#include "app/runtime/resources.h"
+#include "app/shell/file_dialog.h"
+#include "app/shell/remote_stop.h"
+#include "core/log/session_schema.h"
+
+namespace terratact {
+namespace {
+
+struct OpenFile {
+    Q_DECLARE_TR_FUNCTIONS(OpenFile)
+};
+
+constexpr qint64 kHead = 4096;            // bytes to judge by
+constexpr qsizetype kApplicationId = 68;  // of an SQLite file, see its format
+
+}  // namespace
+
+FileKind kindOfFile(const QString& path)
+{
+    if (!QFileInfo(path).isFile()) return FileKind::Log;  // of a pipe nothing may be taken
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) return FileKind::Log;
+    const QByteArray head = file.read(kHead);
+    if (head.startsWith("SQLite format 3") && head.size() >= kApplicationId + 4
+        && qFromBigEndian<quint32>(head.constData() + kApplicationId)
+               == static_cast<quint32>(kSessionApplicationId))
+        return FileKind::Session;
+    // A header, below remarks perhaps, in any of the dialects of core/store/csv_reader.h; no log has these words.
+    return head.contains("pitch_rad") && head.contains("t_s") ? FileKind::Scenes : FileKind::Log;
+}
+
+void openInAnotherWindow(const QString& path, const std::string& stopLine,
+                         const std::function<void(const QString& why)>& failed)
+{
+    QProcess program;
+    program.setProgram(QCoreApplication::applicationFilePath());
+    program.setArguments({QStringLiteral("--errors-in-window"), path});
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    if (!stopLine.empty())
+        environment.insert(QLatin1String(kStopLineVariable), QString::fromStdString(stopLine));
+    program.setProcessEnvironment(environment);
+    if (!program.startDetached())
+        failed(OpenFile::tr("%1 could not be opened: this program could not be started again")
+                   .arg(path));
+}
+
+void askAndOpenInAnotherWindow(QWidget& parent, const QString& folder, const std::string& stopLine,
+                               std::function<void(const QString& why)> failed)
+{
+    const QString filter = OpenFile::tr(
+        "Sessions, logs and scenes (*.tts *.log *.asc *.trc *.csv *.gz);;All files (*)");
+    const QString start = QFileInfo(folder).isDir() ? folder : QString();
+    askForFile(parent, {.title = OpenFile::tr("Open"), .start = start, .filter = filter},
+               [stopLine, failed = std::move(failed)](const QString& path) {
+                   openInAnotherWindow(path, stopLine, failed);
+               });
+}
+
+QString demonstration()
+{
+    return QString::fromStdString(resourcePath("sessions/demo.tts"));
+}
+
+}  // namespace terratact

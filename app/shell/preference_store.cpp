@@ -1,0 +1,31 @@
+#include "app/shell/preference_store.h"
+
+#include <utility>
+
+namespace terratact {
+
+PreferenceStore::PreferenceStore(LoadedPreferences loaded, Preferences inForce)
+    : loaded_(std::move(loaded)), inForce_(std::move(inForce))
+{
+}
+
+QStringList PreferenceStore::troubles() const
+{
+    QStringList sentences;
+    for (const LateSentence& trouble : loaded_.troubles) sentences << trouble();
+    return sentences;
+}
+
+void PreferenceStore::change(const std::function<void(Preferences&)>& edit)
+{
+    const Preferences before = inForce_, saved = loaded_.preferences;
+    edit(inForce_);
+    edit(loaded_.preferences);
+    if (loaded_.preferences != saved) {
+        const QString trouble = savePreferences(loaded_.path, loaded_.preferences);
+        if (!trouble.isEmpty()) emit notSaved(trouble);
+    }
+    if (inForce_ != before) emit changed(before);
+}
+
+}  // namespace terratact

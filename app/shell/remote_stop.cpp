@@ -1,0 +1,70 @@
+#include "app/shell/remote_stop.h"
+
+#include <cerrno>
+#include <random>
+#include <utility>
+
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+constexpr int kPollAnswer = 20;  // [ms]
+
+}  // namespace
+
+const std::string& stopLineName()
+{
+    static const std::string kName = [] {
+        std::random_device random;
+        return "terratact-stop-" + std::to_string(random()) + "-" + std::to_string(random());
+    }();
+    return kName;
+}
+
+RemoteStop::RemoteStop(QObject* parent)
+    : QObject(parent), line_(qgetenv(kStopLineVariable).toStdString())
+{
+    look_.setInterval(kPollAnswer);
+    connect(&look_, &QTimer::timeout, this, &RemoteStop::look);
+}
+
+void RemoteStop::press()
+{
+    look_.stop();
+    if (!caller_) {
+        auto opened = StopCaller::open();
+        if (!opened) return fail(opened.error());
+        caller_.emplace(std::move(*opened));
+    }
+    if (const Status sent = caller_->press(line_); !sent) return fail(sent.error());
+    looks_ = 0;
+    look_.start();
+    emit said(tr("STOP SENT to the console that opened this window …"), Weight::Note);
+}
+
+void RemoteStop::fail(const Error& error)
+{
+    emit said(error.code == ECONNREFUSED
+                  ? tr("STOP HAS NO EFFECT HERE: the console that opened this window is gone")
+                  : tr("STOP NOT SENT: %1").arg(words::sentence(error.text)),
+              Weight::Bad);
+}
+
+void RemoteStop::look()
+{
+    if (caller_->isTaken()) {
+        look_.stop();
+        emit said(
+            tr("STOP: the console that opened this window has taken it; see there whether the "
+               "robot confirms it"),
+            Weight::Note);
+    } else if (++looks_ * kPollAnswer >= kAnswers) {
+        look_.stop();
+        emit said(tr("STOP NOT TAKEN: the console that opened this window does not answer; use the "
+                     "robot's own switch"),
+                  Weight::Bad);
+    }
+}
+
+}  // namespace terratact

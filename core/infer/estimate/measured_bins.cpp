@@ -1,0 +1,78 @@
+#include "core/infer/estimate/measured_bins.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "core/terrain/kinematic_reconstruction.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr double kContradiction = 3.0;  // [sd] beyond which two statements exclude each other
+
+void addContacts(MeasuredBins& measured, const RobotModel& robot, const Proprioception& s,
+                 const Settings& settings)
+{
+    KinematicReconstruction contacts = reconstructContacts(
+        robot, s, settings.forceThreshold, settings.contacts == ContactRule::Isolated);
+    for (std::size_t i = 0; i < kBins; ++i)
+        if (contacts.height[i])
+            measured.bin[i] =
+                MeasuredHeight{*contacts.height[i], settings.contactSd, Origin::Contact};
+    measured.warnings = std::move(contacts.warnings);
+}
+
+void flagDisagreement(MeasuredBins& measured, const ArmReading& reading)
+{
+    const auto& touched = measured.bin[static_cast<std::size_t>(reading.bin)];
+    if (!touched || touched->origin != Origin::Contact) return;
+    const double difference = std::abs(touched->height - reading.height);
+    if (difference > kContradiction * std::hypot(touched->sd, reading.sd))
+        measured.warnings.push_back(
+            fmt::format("contact and arm disagree about bin {:+.1f} m by {:.0f} mm",
+                        binCentre(reading.bin), 1000.0 * difference));
+}
+
+void addReading(MeasuredBins& measured, const ArmReading& reading, const Heights& ceiling)
+{
+    if (reading.bin < 0 || reading.bin >= kBins || !std::isfinite(reading.height)
+        || !(reading.sd > 0.0))
+        throw std::invalid_argument(
+            "an arm reading needs a bin 0 to 10, a finite height and a positive sd");
+    const auto bin = static_cast<std::size_t>(reading.bin);
+    flagDisagreement(measured, reading);
+    measured.bin[bin] = MeasuredHeight{reading.height, reading.sd, Origin::Arm};
+    if (reading.height > ceiling[bin] + kContradiction * reading.sd)
+        measured.warnings.push_back(
+            fmt::format("the arm found bin {:+.1f} m {:.0f} mm above the robot's own lower edge",
+                        binCentre(reading.bin), 1000.0 * (reading.height - ceiling[bin])));
+}
+
+void addWeak(MeasuredBins& measured, std::size_t bin, const WeakHeight& weak)
+{
+    if (!std::isfinite(weak.height) || !(weak.sd > 0.0))
+        throw std::invalid_argument("a weak height needs a finite height and a positive sd");
+    if (!measured.bin[bin])
+        measured.bin[bin] = MeasuredHeight{weak.height, weak.sd, Origin::Sampled};
+}
+
+}  // namespace
+
+MeasuredBins measureBins(const RobotModel& robot, const Proprioception& s,
+                         std::span<const ArmReading> arm, const Heights& ceiling,
+                         const Settings& settings, const WeakHeights& weak)
+{
+    MeasuredBins measured;
+    if (usesForces(settings.method) && settings.contacts != ContactRule::None)
+        addContacts(measured, robot, s, settings);
+    for (const ArmReading& reading : arm) addReading(measured, reading, ceiling);
+    for (std::size_t i = 0; i < kBins; ++i)
+        if (weak[i]) addWeak(measured, i, *weak[i]);
+    return measured;
+}
+
+}  // namespace terratact

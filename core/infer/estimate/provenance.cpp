@@ -1,0 +1,43 @@
+#include "core/infer/estimate/provenance.h"
+
+namespace terratact {
+
+Provenance provenance(const TerrainEstimate& estimate, int bin)
+{
+    const auto i = static_cast<std::size_t>(bin);
+    switch (estimate.origin[i]) {
+    case Origin::Contact: return Provenance::Contact;
+    case Origin::Arm: return Provenance::Arm;
+    case Origin::Sampled: break;
+    }
+    if (estimate.priorOnly(bin)) return Provenance::PriorOnly;
+    return estimate.ceiling[i] - estimate.q90[i] < kTouching ? Provenance::Constrained
+                                                             : Provenance::Sampled;
+}
+
+std::string_view name(Provenance provenance)
+{
+    switch (provenance) {
+    case Provenance::Arm: return "arm";
+    case Provenance::Contact: return "contact";
+    case Provenance::Constrained: return "constrained";
+    case Provenance::Sampled: return "sampled";
+    case Provenance::PriorOnly: return "prior only";
+    }
+    return {};
+}
+
+BarPattern barPattern(Provenance provenance)
+{
+    constexpr double kThin = 2.0, kWide = 5.0;  // [px]
+    switch (provenance) {
+    case Provenance::Arm: return {kWide};
+    case Provenance::Contact: return {kThin};
+    case Provenance::Constrained: return {kThin, {3.0, 1.5, 1.0, 1.5}};
+    case Provenance::Sampled: return {kThin, {6.0, 2.0}};
+    case Provenance::PriorOnly: return {kThin, {1.0, 1.0}};
+    }
+    return {};
+}
+
+}  // namespace terratact

@@ -1,0 +1,158 @@
+#include "core/infer/estimate/touch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/base/named.h"
+#include "core/infer/estimate/edge_pressure.h"
+#include "core/infer/estimate/estimate.h"
+#include "core/robot/kinematics.h"
+
+namespace terratact {
+namespace {
+
+constexpr auto kElements = static_cast<std::size_t>(kForceElements);
+
+constexpr double kShortestEdge = 0.01;  // [m] along x: a steeper flipper covers no bin
+
+/// Places and loads of the front flippers' elements, pivot to tip.
+struct ElementLoads {
+    std::array<double, kElements> x{};  ///< [m] DEM frame
+    std::array<bool, kElements> loaded{};
+    std::array<bool, kElements> even{};     ///< loaded as even ground loads it
+    double edgeBegin = 0.0, edgeEnd = 0.0;  ///< x of the edge's ends [m]
+};
+
+double neighbourForce(const Proprioception& s, std::size_t e)
+{
+    double most = 0.0;
+    if (e > 0) most = std::max(most, s.force[e - 1].value_or(0.0));
+    if (e + 1 < kElements) most = std::max(most, s.force[e + 1].value_or(0.0));
+    return most;
+}
+
+bool carriesLoad(const Proprioception& s, std::size_t e)
+{
+    const double force = s.force[e].value_or(0.0);
+    return force > kLoadThreshold && force > kLoadShare * neighbourForce(s, e);
+}
+
+ElementLoads loadsOf(const RobotModel& robot, const Proprioception& s)
+{
+    const Pose pose = poseInDem(robot, s.pitch, s.front, s.rear);
+    ElementLoads loads;
+    loads.edgeBegin = elementPosition(robot, pose, 0.0).x;
+    loads.edgeEnd = elementPosition(robot, pose, 1.0).x;
+    for (std::size_t e = 0; e < kElements; ++e) {
+        loads.x[e] = elementPosition(robot, pose, robot.elementShare[e]).x;
+        loads.loaded[e] = carriesLoad(s, e);
+    }
+    for (std::size_t e = 1; e + 1 < kElements; ++e)
+        if (!s.force[e]) loads.loaded[e] = carriesLoad(s, e - 1) && carriesLoad(s, e + 1);
+    return loads;
+}
+
+/// The share of the edge at x, within 0 … 1.
+double shareAt(const ElementLoads& loads, double x)
+{
+    return std::clamp((x - loads.edgeBegin) / (loads.edgeEnd - loads.edgeBegin), 0.0, 1.0);
+}
+
+bool anyLoadWithin(const ElementLoads& loads, int bin)
+{
+    for (std::size_t e = 0; e < kElements; ++e)
+        if (loads.loaded[e] && loads.x[e] >= binBegin(bin) && loads.x[e] < binEnd(bin)) return true;
+    return false;
+}
+
+/// Whether every element carries its share from the last one behind the bin to the first one ahead of it.
+bool elementsPress(const ElementLoads& loads, int bin)
+{
+    std::size_t first = kElements, last = kElements;
+    for (std::size_t e = 0; e < kElements; ++e) {
+        if (loads.x[e] >= binEnd(bin)) {
+            last = e;
+            break;
+        }
+        if (loads.x[e] < binBegin(bin) || first == kElements) first = e;
+    }
+    if (first == kElements || last == kElements) return false;
+    return std::all_of(loads.even.begin() + static_cast<std::ptrdiff_t>(first),
+                       loads.even.begin() + static_cast<std::ptrdiff_t>(last) + 1,
+                       [](bool even) { return even; });
+}
+
+bool isPressedThrough(const ElementLoads& loads, const EdgePressure& pressure, int bin)
+{
+    if (loads.edgeEnd - loads.edgeBegin < kShortestEdge) return false;
+    if (binBegin(bin) < loads.edgeBegin - kUnsensedWithin) return false;
+    const double least = std::min(pressure.at(shareAt(loads, binBegin(bin))),
+                                  pressure.at(shareAt(loads, binEnd(bin))));
+    return least > 0.0 && elementsPress(loads, bin);
+}
+
+Touch touchOfBin(const ElementLoads& loads, const EdgePressure& pressure, int bin, bool covered)
+{
+    if (covered && isPressedThrough(loads, pressure, bin)) return Touch::Felt;
+    if (anyLoadWithin(loads, bin)) return Touch::FeltInPart;
+    return covered ? Touch::Bounded : Touch::NotFelt;
+}
+
+}  // namespace
+
+std::string_view name(Touch touch)
+{
+    switch (touch) {
+    case Touch::Felt: return "felt";
+    case Touch::FeltInPart: return "felt in part";
+    case Touch::Bounded: return "bounded";
+    case Touch::NotFelt: return "not felt";
+    case Touch::Unrecorded: return "not recorded";
+    }
+    throw std::invalid_argument("name: no such Touch");
+}
+
+std::optional<Touch> touchFromName(std::string_view text)
+{
+    return named(text, kTouches);
+}
+
+PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const Heights& ceiling)
+{
+    ElementLoads loads = loadsOf(robot, s);
+    const EdgePressure pressure(robot, s.force, loads.loaded);
+    for (std::size_t e = 0; e < kElements; ++e)
+        loads.even[e] = loads.loaded[e] && pressure.isEven() && pressure.hasItsShare(e);
+    const double pivot = toWorld(poseInDem(robot, s.pitch, s.front, s.rear), robot.front.pivot).x;
+    PressedBins pressed;
+    pressed.feltTo = binBegin(0);
+    pressed.firstOfFlipper = kBins;
+    for (int bin = kBins - 1; bin >= 0; --bin) {
+        const auto i = static_cast<std::size_t>(bin);
+        const bool covered = std::isfinite(ceiling[i]);
+        if (binCentre(bin) < pivot) {
+            pressed.touch[i] = covered ? Touch::Bounded : Touch::NotFelt;
+            continue;
+        }
+        pressed.firstOfFlipper = bin;
+        pressed.touch[i] = touchOfBin(loads, pressure, bin, covered);
+    }
+    for (std::size_t e = 0; e < kElements; ++e)
+        if (loads.loaded[e]) pressed.feltTo = std::max(pressed.feltTo, loads.x[e]);
+    return pressed;
+}
+
+void writeTouch(TerrainEstimate& estimate, const PressedBins& pressed)
+{
+    estimate.touch = pressed.touch;
+    estimate.feltTo = pressed.feltTo;
+    for (int bin = 0; bin < kBins; ++bin) {
+        const auto i = static_cast<std::size_t>(bin);
+        const bool touching = estimate.ceiling[i] - estimate.q10[i] <= kPressedWithin;
+        if (bin < pressed.firstOfFlipper && touching) estimate.touch[i] = Touch::Felt;
+        if (estimate.origin[i] == Origin::Arm) estimate.touch[i] = Touch::Felt;
+    }
+}
+
+}  // namespace terratact

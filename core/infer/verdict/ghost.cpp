@@ -1,0 +1,94 @@
+#include "core/infer/verdict/ghost.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace terratact {
+namespace {
+
+constexpr double kTenth = 1.2815515655446004;  // Φ⁻¹(0.9)
+constexpr double kOnABin = 1e-9;               // of a bin's width
+
+/// Where a bin of now lies among those of then: between bin `rear` and the next, `share` of the way to that.
+struct Place {
+    int rear = 0;
+    double share = 0.0;
+};
+
+std::optional<Place> placeOf(double x)
+{
+    const double position = (x - binCentre(0)) / kBinWidth;
+    const double nearest = std::round(position);
+    const double snapped = std::abs(position - nearest) < kOnABin ? nearest : position;
+    if (!(snapped >= 0.0 && snapped <= kBins - 1)) return std::nullopt;
+    const int rear = static_cast<int>(std::floor(snapped));
+    return Place{rear, snapped - rear};
+}
+
+bool known(const TerrainEstimate& estimate, const Place& place)
+{
+    return !estimate.priorOnly(place.rear)
+        && (place.share == 0.0 || !estimate.priorOnly(place.rear + 1));
+}
+
+double between(const Heights& values, const Place& place)
+{
+    const auto i = static_cast<std::size_t>(place.rear);
+    return place.share == 0.0 ? values[i]
+                              : (1.0 - place.share) * values[i] + place.share * values[i + 1];
+}
+
+/// sd of the height where the slip is a way along the ground: of the steepest slope to a neighbour.
+double slipSd(const Heights& heights, const Place& place, const ImuMotion& motion)
+{
+    double worst = 0.0;
+    const int last = place.share == 0.0 ? place.rear : place.rear + 1;
+    for (int bin = std::max(1, place.rear); bin <= std::min(kBins - 1, last + 1); ++bin) {
+        const auto i = static_cast<std::size_t>(bin);
+        const double slope = (heights[i] - heights[i - 1]) / kBinWidth;
+        worst = std::max(worst, std::abs(slope * motion.slipForward - motion.slipUp));
+    }
+    return worst;
+}
+
+GhostBin widened(const TerrainEstimate& estimate, const Place& place, const ImuMotion& motion)
+{
+    const double w = std::hypot(slipSd(estimate.height, place, motion), motion.upSd);
+    const double height = between(estimate.height, place);
+    const double below = std::hypot(height - between(estimate.q10, place), kTenth * w);
+    const double above = std::hypot(between(estimate.q90, place) - height, kTenth * w);
+    const double now = height - motion.up;
+    return {now, std::hypot(between(estimate.sd, place), w), now - below, now + above};
+}
+
+}  // namespace
+
+Ghost ghostOf(const TerrainEstimate& estimate, const ImuMotion& motion)
+{
+    Ghost ghost;
+    ghost.motion = motion;
+    for (int bin = 0; bin < kBins; ++bin) {
+        const std::optional<Place> place = placeOf(binCentre(bin) + motion.forward);
+        if (place && known(estimate, *place))
+            ghost.bin[static_cast<std::size_t>(bin)] = widened(estimate, *place, motion);
+    }
+    return ghost;
+}
+
+std::string describe(NoGhost why)
+{
+    switch (why) {
+    case NoGhost::NoOdometry: return "the robot reports no odometry";
+    case NoGhost::TooFar: return "the robot has driven too far since the last estimate";
+    case NoGhost::TooUncertain: return "the last estimate has become too uncertain";
+    case NoGhost::Tilted: return "the robot has tilted too much since the last estimate";
+    case NoGhost::Turned: return "the robot has turned since the last estimate";
+    case NoGhost::Unheard:
+        return "telemetry was missing for a while, in which the robot may have moved";
+    case NoGhost::NothingLeft: return "nothing of the last estimate is left in view";
+    }
+    throw std::invalid_argument("describe: no such NoGhost");
+}
+
+}  // namespace terratact

@@ -1,0 +1,218 @@
+#include "core/infer/verdict/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/infer/estimate/contradiction.h"
+
+namespace terratact {
+namespace {
+
+std::vector<Doubt> doubtsOf(const TerrainEstimate& estimate, const Measurement& scene,
+                            const Aftermath& since)
+{
+    const Settings& settings = estimate.settings;
+    std::vector<Doubt> doubts;
+    if (!since.heard) doubts.push_back(Doubt::Stale);
+    if (!since.unbroken) doubts.push_back(Doubt::Unheard);
+    if (!estimate.converged) doubts.push_back(Doubt::NotConverged);
+    if (estimate.novelty > 1.0) doubts.push_back(Doubt::UnlikeTraining);
+    if (std::abs(scene.roll) > settings.rollLimit) doubts.push_back(Doubt::Roll);
+    if (flipperAsymmetry(scene) > settings.asymmetryLimit) doubts.push_back(Doubt::Asymmetry);
+    if (!since.sensorsSound) doubts.push_back(Doubt::SensorFault);
+    if (estimate.contradicts) doubts.push_back(Doubt::Contradiction);
+    return doubts;
+}
+
+bool isTouchRecorded(const TerrainEstimate& estimate)
+{
+    return std::ranges::find(estimate.touch, Touch::Unrecorded) == estimate.touch.end();
+}
+
+Touch touchAt(const TerrainEstimate& estimate, int bin)
+{
+    return estimate.touch[static_cast<std::size_t>(bin)];
+}
+
+/// The last bin ahead that is felt or lies behind a loaded element; kFirstAhead − 1: none.
+int horizonBin(const TerrainEstimate& estimate)
+{
+    if (!isTouchRecorded(estimate)) return kBins - 1;
+    int last = kFirstAhead - 1;
+    for (int bin = kFirstAhead; bin < kBins; ++bin)
+        if (touchAt(estimate, bin) == Touch::Felt || binEnd(bin) <= estimate.feltTo + kHorizonSlack)
+            last = bin;
+    return last;
+}
+
+/// The last bin ahead that the robot covers; kFirstAhead − 1: none.
+int reachBin(const TerrainEstimate& estimate)
+{
+    int last = kFirstAhead - 1;
+    for (int bin = kFirstAhead; bin < kBins; ++bin)
+        if (std::isfinite(estimate.ceiling[static_cast<std::size_t>(bin)])) last = bin;
+    return last;
+}
+
+bool isFeltThrough(const TerrainEstimate& estimate, int lastBin)
+{
+    for (int bin = kFirstAhead; bin <= lastBin; ++bin)
+        if (touchAt(estimate, bin) != Touch::Felt) return false;
+    return true;
+}
+
+Shortfall shortfallOf(const TerrainEstimate& estimate, int horizon)
+{
+    if (!isTouchRecorded(estimate)) return Shortfall::None;
+    if (horizon < kFirstAhead) return Shortfall::NothingFelt;
+    if (horizon < std::max(reachBin(estimate), kLeastHorizonBin)) return Shortfall::ShortHorizon;
+    return isFeltThrough(estimate, horizon) ? Shortfall::None : Shortfall::Spanned;
+}
+
+Help helpFor(Shortfall shortfall, const Measurement& scene)
+{
+    if (shortfall == Shortfall::None) return Help::Nothing;
+    const double slope = scene.pitch + 0.5 * (scene.frontLeft + scene.frontRight);
+    if (std::abs(slope) > kSteepFlipper) return Help::Flatten;
+    return shortfall == Shortfall::Spanned ? Help::DriveOn : Help::Nothing;
+}
+
+void writeHorizon(Verdict& verdict, const TerrainEstimate& estimate, const Measurement& scene,
+                  double limit)
+{
+    const int last = horizonBin(estimate);
+    verdict.touchRecorded = isTouchRecorded(estimate);
+    verdict.horizon = binBegin(last + 1);
+    verdict.shortfall = shortfallOf(estimate, last);
+    verdict.help = helpFor(verdict.shortfall, scene);
+    verdict.toHorizon = {1.0, 0.0};
+    if (last >= kLeastHorizonBin && !estimate.draws.empty())
+        verdict.toHorizon = anyStep(estimate, limit, kFirstAhead, last);
+}
+
+/// Spanned ground is part of the probability to the horizon.
+bool isClear(const Verdict& verdict)
+{
+    const bool reached =
+        verdict.shortfall == Shortfall::None || verdict.shortfall == Shortfall::Spanned;
+    return reached && verdict.toHorizon.p + 2.0 * verdict.toHorizon.monteCarloSd < kClearBelow;
+}
+
+}  // namespace
+
+std::string_view name(Outlook outlook)
+{
+    switch (outlook) {
+    case Outlook::Clear: return "CLEAR";
+    case Outlook::Blocked: return "BLOCKED";
+    case Outlook::CannotTell: return "CANNOT TELL";
+    }
+    return {};
+}
+
+std::string describe(Doubt doubt)
+{
+    switch (doubt) {
+    case Doubt::Stale: return "no live telemetry, the robot may have moved";
+    case Doubt::Unheard: return "the link was lost, the robot may have moved";
+    case Doubt::NotConverged: return "the chains have not converged";
+    case Doubt::UnlikeTraining: return "the scene is unlike all training";
+    case Doubt::Roll: return "the robot rolls, left and right ground differ";
+    case Doubt::Asymmetry: return "the flippers differ, left and right ground differ";
+    case Doubt::SensorFault: return "a sensor may lie, see the alarms";
+    case Doubt::Contradiction: return std::string(kContradictsReadings);
+    }
+    throw std::invalid_argument("describe: no such Doubt");
+}
+
+bool isUnfeltAhead(const TerrainEstimate& estimate, int bin)
+{
+    const Touch touch = touchAt(estimate, bin);
+    if (touch == Touch::Unrecorded) return estimate.priorOnly(bin);
+    return bin >= kFirstAhead && (touch == Touch::Bounded || touch == Touch::NotFelt);
+}
+
+std::optional<double> feltHorizon(const TerrainEstimate& estimate)
+{
+    const int last = horizonBin(estimate);
+    if (last < kFirstAhead || !isTouchRecorded(estimate)) return std::nullopt;
+    return binEnd(last);
+}
+
+std::string describe(Shortfall shortfall)
+{
+    switch (shortfall) {
+    case Shortfall::None: return {};
+    case Shortfall::NothingFelt: return "the front flippers press on nothing";
+    case Shortfall::ShortHorizon: return "the front flippers reach further than they press";
+    case Shortfall::Spanned: return "the front flippers span ground that they do not press";
+    }
+    throw std::invalid_argument("describe: no such Shortfall");
+}
+
+std::string describe(Help help)
+{
+    switch (help) {
+    case Help::Nothing: return {};
+    case Help::Flatten: return "lay the front flippers flatter";
+    case Help::DriveOn: return "drive on 0.1 m and explore again";
+    }
+    throw std::invalid_argument("describe: no such Help");
+}
+
+std::string describeOutlook(const Verdict& verdict)
+{
+    if (verdict.outlook != Outlook::Clear || !verdict.touchRecorded)
+        return std::string(name(verdict.outlook));
+    return fmt::format("{} to {:+.2f} m", name(verdict.outlook), verdict.horizon);
+}
+
+std::string describeUnfelt(const Verdict& verdict)
+{
+    std::string text;
+    for (const int bin : verdict.unfelt)
+        text += fmt::format("{}{:+.1f} m", text.empty() ? "not felt: " : ", ", binCentre(bin));
+    return text;
+}
+
+Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene, const Aftermath& since,
+                  double limit)
+{
+    if (!(limit >= 0.0) || !std::isfinite(limit))
+        throw std::invalid_argument("verdictOf: the limit must be finite and 0 m or more");
+    Verdict verdict;
+    verdict.likeliest = kFirstAhead;
+    verdict.doubts = doubtsOf(estimate, scene, since);
+    for (int bin = kFirstAhead; bin < kBins; ++bin)
+        if (isUnfeltAhead(estimate, bin)) verdict.unfelt.push_back(bin);
+    writeHorizon(verdict, estimate, scene, limit);
+    if (estimate.draws.empty()) {
+        verdict.step = {0.0, 1.0};
+        return verdict;
+    }
+    verdict.step = anyStep(estimate, limit, kFirstAhead);
+    const auto pairs = stepProbabilities(estimate, limit);
+    const auto likeliest = std::max_element(pairs.begin() + kFirstAhead, pairs.end(),
+                                            [](const auto& a, const auto& b) { return a.p < b.p; });
+    verdict.likeliest = static_cast<int>(likeliest - pairs.begin());
+    verdict.likeliestP = likeliest->p;
+    const double margin = 2.0 * verdict.step.monteCarloSd;
+    if (!verdict.doubts.empty()) return verdict;
+    if (isClear(verdict)) verdict.outlook = Outlook::Clear;
+    if (verdict.step.p - margin > kBlockedAbove) verdict.outlook = Outlook::Blocked;
+    return verdict;
+}
+
+Verdict verdictOf(const TerrainEstimate& estimate, const Proprioception& scene, double limit)
+{
+    Measurement even;
+    even.pitch = scene.pitch;
+    even.frontLeft = even.frontRight = scene.front;
+    even.rearLeft = even.rearRight = scene.rear;
+    return verdictOf(estimate, even, {}, limit);
+}
+
+}  // namespace terratact

@@ -1,0 +1,69 @@
+#include "core/learn/data/probe_file.h"
+
+#include <cmath>
+
+#include "core/base/text.h"
+#include "core/store/csv_text.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kMostHeight = 5.0;  // [m]
+
+Result<double> height(CsvReader& csv, std::size_t field, std::string_view name)
+{
+    Result<double> value = csv.number(field, name);
+    if (value && std::abs(*value) > kMostHeight)
+        return csv.error(std::string(name) + " is " + numberText(*value)
+                         + ", beyond ±5 m (is it in mm?)");
+    return value;
+}
+
+Result<ProbeReading> reading(CsvReader& csv)
+{
+    ProbeReading result;
+    result.place = csvText(csv.fields()[0]);
+    if (result.place.empty()) return csv.error("names no place");
+    const Result<double> read = height(csv, 1, "height_m");
+    if (!read) return read.error();
+    result.height = *read;
+    if (csv.isMissing(2)) return result;
+    const Result<double> truth = height(csv, 2, "truth_m");
+    if (!truth) return truth.error();
+    result.truth = *truth;
+    return result;
+}
+
+}  // namespace
+
+Result<std::vector<ProbeReading>> readProbeReadings(const std::string& path)
+{
+    Result<CsvReader> csv = CsvReader::open(path);
+    if (!csv) return csv.error();
+    return readProbeReadings(*std::move(csv));
+}
+
+Result<std::vector<ProbeReading>> readProbeReadings(CsvReader csv)
+{
+    if (const Result<bool> header = csv.next(); !header) return header.error();
+    const auto& names = csv.fields();
+    if (names.size() != 3 || names[0] != "place" || names[1] != "height_m" || names[2] != "truth_m")
+        return csv.error("is not the header place,height_m,truth_m");
+    csv.takeHeader({"", "m", "m"});
+    std::vector<ProbeReading> readings;
+    for (;;) {
+        const Result<bool> more = csv.next();
+        if (!more) return more.error();
+        if (!*more) break;
+        if (readings.size() == kMostProbeReadings)
+            return csv.error("is one reading more than the " + std::to_string(kMostProbeReadings)
+                             + " allowed in a file");
+        const Result<ProbeReading> next = reading(csv);
+        if (!next) return next.error();
+        readings.push_back(*next);
+    }
+    if (readings.empty()) return csv.error("is a header, and no reading follows it");
+    return readings;
+}
+
+}  // namespace terratact

@@ -1,0 +1,269 @@
+#include "core/learn/data/scene_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+
+#include "core/base/text.h"
+#include "core/learn/data/columns.h"
+#include "core/store/csv_text.h"
+#include "core/store/file_read.h"
+#include "core/store/file_write.h"
+#include "core/store/sha256.h"
+#include "core/wire/dbc/dbc_text.h"
+
+namespace terratact {
+namespace {
+
+// What a column of the file is: one of these, or the n-th feature or height counted from there.
+constexpr int kUnknown = -1;
+constexpr int kRun = 0;
+constexpr int kTime = 1;
+constexpr int kFirstFeature = 2;
+constexpr int kFirstHeight = kFirstFeature + static_cast<int>(kFeatures);
+constexpr int kSlots = kFirstHeight + kBins;
+constexpr int kNeverEmpty = kFirstFeature + 3;  ///< run, time, pitch and flipper angles
+constexpr std::size_t kMostColumns = 200;
+constexpr std::size_t kLongestRunName = 4096;  ///< bytes
+
+std::size_t index(int slot, int first)
+{
+    return static_cast<std::size_t>(slot - first);
+}
+
+std::string_view slotName(int slot)
+{
+    if (slot == kRun) return "run";
+    if (slot == kTime) return "t_s";
+    if (slot < kFirstHeight) return featureColumns()[index(slot, kFirstFeature)].name;
+    return heightColumns()[index(slot, kFirstHeight)].name;
+}
+
+std::string unitOf(int slot)
+{
+    if (slot == kRun) return {};
+    if (slot == kTime) return "s";
+    return std::string((slot < kFirstHeight ? featureColumns()[index(slot, kFirstFeature)]
+                                            : heightColumns()[index(slot, kFirstHeight)])
+                           .unit);
+}
+
+int slotNamed(std::string_view name)
+{
+    for (int slot = 0; slot < kSlots; ++slot)
+        if (slotName(slot) == name) return slot;
+    return kUnknown;
+}
+
+/// A column that means a height but is not spelt like one: it must not get lost as "unknown".
+bool looksLikeHeight(std::string_view name)
+{
+    constexpr std::string_view kNumberBegins = "+-0123456789";
+    return name.size() > 2 && name.starts_with("h_")
+        && kNumberBegins.find(name[2]) != std::string_view::npos;
+}
+
+bool isRunName(std::string_view text)
+{
+    return !text.empty() && text.size() <= kLongestRunName
+        && std::none_of(text.begin(), text.end(),
+                        [](char c) { return isControl(c) || c == ',' || c == '"'; });
+}
+
+/// Why a value is refused in a column; empty where it is fine.  An infinity is beyond every range.
+std::string refusal(int slot, double value)
+{
+    if (slot == kTime) return std::isfinite(value) ? "" : "t_s is not finite";
+    const Column& column = slot < kFirstHeight ? featureColumns()[index(slot, kFirstFeature)]
+                                               : heightColumns()[index(slot, kFirstHeight)];
+    return column.holds(value) ? "" : column.refusal(value);
+}
+
+/// What every column of the file is.
+struct Layout {
+    std::vector<int> slots;
+    std::vector<std::string> notices;
+};
+
+Result<Layout> layoutOf(CsvReader& csv)
+{
+    if (csv.fields().size() > kMostColumns)
+        return csv.error("has more than " + std::to_string(kMostColumns) + " columns");
+    Layout layout;
+    std::vector<std::string> units;
+    std::string unknown;
+    for (const std::string_view name : csv.fields()) {
+        const int slot = slotNamed(name);
+        units.push_back(slot == kUnknown ? "" : unitOf(slot));
+        if (slot == kUnknown && looksLikeHeight(name))
+            return csv.error(shown(name)
+                             + " is not a height column, expected h_-0.3_m … h_+0.0_m … h_+0.7_m");
+        if (slot != kUnknown && std::count(layout.slots.begin(), layout.slots.end(), slot) > 0)
+            return csv.error("the column " + std::string(name) + " appears twice");
+        layout.slots.push_back(slot);
+        if (slot != kUnknown || name.empty()) continue;
+        layout.notices.push_back(csv.name() + ": the column " + shown(name)
+                                 + " is not known and was left out");
+        unknown += (unknown.empty() ? "; not known: " : ", ") + shown(name);
+    }
+    for (int slot = 0; slot < kFirstHeight; ++slot)
+        if (std::count(layout.slots.begin(), layout.slots.end(), slot) == 0)
+            return csv.error("the column " + std::string(slotName(slot)) + " is missing" + unknown);
+    csv.takeHeader(std::move(units));
+    return layout;
+}
+
+/// A scene while its fields come in.
+struct Draft {
+    std::string run;
+    double time = 0.0;
+    FeatureValues features{};
+    OptionalHeights truth{};
+
+    void set(int slot, double value)
+    {
+        if (slot == kTime)
+            time = value;
+        else if (slot < kFirstHeight)
+            features[index(slot, kFirstFeature)] = value;
+        else
+            truth[index(slot, kFirstHeight)] = value;
+    }
+};
+
+Status readField(CsvReader& csv, std::size_t field, int slot, Draft& draft)
+{
+    if (slot == kUnknown || (slot >= kNeverEmpty && csv.isMissing(field))) return Done{};
+    if (slot == kRun) {
+        const std::string_view text = csvText(csv.fields()[field]);
+        if (text.empty()) return csv.error("run is empty");
+        if (text.size() > kLongestRunName)
+            return csv.error("run is longer than " + std::to_string(kLongestRunName)
+                             + " bytes: " + shown(text));
+        if (!isUtf8(text))
+            return csv.error("run is not text in UTF-8: " + shown(text)
+                             + ": save the file as CSV in UTF-8");
+        if (!isRunName(text))
+            return csv.error("run is not a name: " + shown(text)
+                             + ": it holds a comma, a quote or a control character");
+        draft.run = text;
+        return Done{};
+    }
+    const Result<double> value = csv.number(field, slotName(slot));
+    if (!value) return value.error();
+    if (const std::string cause = refusal(slot, *value); !cause.empty()) return csv.error(cause);
+    draft.set(slot, *value);
+    return Done{};
+}
+
+Result<Scene> readScene(CsvReader& csv, const Layout& layout)
+{
+    Draft draft;
+    for (std::size_t i = 0; i < layout.slots.size(); ++i)
+        if (const Status status = readField(csv, i, layout.slots[i], draft); !status)
+            return status.error();
+    return Scene{std::move(draft.run), draft.time, proprioception(draft.features), draft.truth};
+}
+
+std::string header()
+{
+    std::string line;
+    for (int slot = 0; slot < kSlots; ++slot) (line += slot == 0 ? "" : ",") += slotName(slot);
+    return line + "\n";
+}
+
+/// One field of a scene as text; throws what the reader would refuse.
+std::string field(const std::optional<double>& value, int slot)
+{
+    if (!value) return "";
+    if (const std::string cause = refusal(slot, *value); !cause.empty())
+        throw std::invalid_argument("writeScenes: " + cause);
+    return numberText(*value);
+}
+
+std::string lineOf(const Scene& scene)
+{
+    if (!isRunName(scene.run))
+        throw std::invalid_argument("writeScenes: run is not a name: " + shown(scene.run));
+    std::string line = csvField(scene.run) + ',' + field(scene.time, kTime);
+    int slot = kFirstFeature;
+    for (const std::optional<double>& value : featureValues(scene.s))
+        (line += ',') += field(value, slot++);
+    for (const std::optional<double>& value : scene.truth) (line += ',') += field(value, slot++);
+    return line + "\n";
+}
+
+}  // namespace
+
+Result<SceneFile> readScenes(const std::string& path)
+{
+    Result<std::string> text = CsvReader::textOf(path);
+    if (!text) return text.error();
+    std::string hash = sha256Hex(*text);
+    Result<CsvReader> csv = CsvReader::over(path, *std::move(text));
+    if (!csv) return csv.error();
+    Result<SceneFile> file = readScenes(*std::move(csv));
+    if (file) file->hash = std::move(hash);
+    return file;
+}
+
+Result<SceneFile> readScenes(CsvReader csv)
+{
+    if (const Result<bool> first = csv.next(); !first) return first.error();
+    Result<Layout> layout = layoutOf(csv);
+    if (!layout) return layout.error();
+    SceneFile file;
+    file.notices = std::move(layout->notices);
+    for (;;) {
+        const Result<bool> more = csv.next();
+        if (!more) return more.error();
+        if (!*more) break;
+        if (file.scenes.size() == kMostScenes)
+            return csv.error("is one scene more than the " + std::to_string(kMostScenes)
+                             + " allowed in a file");
+        Result<Scene> scene = readScene(csv, *layout);
+        if (!scene) return scene.error();
+        file.scenes.push_back(*std::move(scene));
+    }
+    if (file.scenes.empty()) return csv.error("is the header, and no scene follows it");
+    if (csv.lacksLineEnd())
+        file.notices.push_back(csv.name()
+                               + ": the last line has no line end; it was read as it is");
+    return file;
+}
+
+Result<SceneFile> readScenesWithTruth(const std::string& path)
+{
+    auto file = readScenes(path);
+    if (!file) return file;
+    const std::size_t left = std::erase_if(file->scenes, [](const Scene& scene) {
+        return std::ranges::none_of(scene.truth, [](const auto& h) { return h.has_value(); });
+    });
+    if (file->scenes.empty())
+        return fileError(path, "no scene has a known height (columns h_-0.3_m … h_+0.7_m)");
+    if (left > 0)
+        file->notices.push_back(fmt::format("{} scenes without any known height left out", left));
+    return file;
+}
+
+std::string scenesText(const std::vector<Scene>& scenes)
+{
+    if (scenes.size() > kMostScenes)
+        throw std::invalid_argument("writeScenes: more than " + std::to_string(kMostScenes)
+                                    + " scenes, which is what a file may hold");
+    std::string content = header();
+    for (const Scene& scene : scenes) content += lineOf(scene);
+    return content;
+}
+
+Status writeScenes(const std::string& path, const std::vector<Scene>& scenes)
+{
+    return writeFileAtomically(path, scenesText(scenes));
+}
+
+}  // namespace terratact

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/base/poll.h"
+#include "core/learn/kernels/hyperparameters.h"
+
+namespace terratact {
+
+/// Value and gradient of the negative log marginal likelihood.
+struct Likelihood {
+    double negativeLog = 0.0;
+    Eigen::VectorXd gradient;  ///< d + 2: by log ℓ_1 … log ℓ_d, log σ_f, log σ_n
+};
+
+/// −log p(y | X) = ½ yᵀ α + ½ log det K + ½ U log 2π and its gradient ½ tr((K⁻¹ − α αᵀ) ∂K/∂θ)
+/// (Rasmussen & Williams 2006, eq. 2.30 and 5.9; K and α as in GaussianProcess).
+/// Value and gradient are right to errorBoundAt (gaussian_process.h) of U + yᵀ α, at K's reciprocal condition number.
+/// U³ multiplications and additions; memory: ½ U² + (270 + d) U doubles (SymmetricPanels).
+/// Throws std::invalid_argument as requireTrainable, and where K is singular to working precision or the value
+/// overflows: no jitter here, the search shall see where it leads.
+/// poll: every few milliseconds; what it throws comes out of here.
+Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
+                                 const Hyperparameters& hyper, const Poll& poll = {});
+
+}  // namespace terratact

@@ -1,0 +1,41 @@
+#include "core/learn/kernels/blas.h"
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+#include "core/base/memory_limit.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::size_t kBuffer = std::size_t{128} << 20U;  // of OpenBLAS on every processor it knows
+constexpr std::size_t kBeside = std::size_t{4} << 20U;    // what else may be allocated meanwhile
+
+// Of the process, as OpenBLAS's buffers are.
+std::mutex turns;
+bool hasBuffer = false;
+
+// OpenBLAS keeps a buffer once it has it.
+void takeBuffer()
+{
+    if (hasBuffer) return;
+    if (const std::string missing = memoryMissing("OpenBLAS", kBuffer + kBeside); !missing.empty())
+        throw std::runtime_error(missing);
+    const double one = 1.0;
+    double product = 0.0;
+    cblas_dsyrk(CblasColMajor, CblasUpper, CblasNoTrans, 1, 1, 1.0, &one, 1, 0.0, &product, 1);
+    hasBuffer = true;
+}
+
+}  // namespace
+
+BlasTurn::BlasTurn()
+{
+    static const bool limited = memoryIsLimited();
+    if (!limited) return;
+    lock_ = std::unique_lock(turns);
+    takeBuffer();
+}
+
+}  // namespace terratact

@@ -1,0 +1,259 @@
+#include "core/learn/model/clearance_training.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/learn/data/columns.h"
+#include "core/learn/gp/projected_process.h"
+#include "core/learn/model/clearance.h"
+#include "core/learn/model/clearance_model.h"
+#include "core/terrain/body_ceiling.h"
+#include "core/terrain/kinematic_reconstruction.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr double kMostNoise = 3.0;  // of surface coordinates, no metres
+
+/// Standardised surface features of those rows: n × 11.
+Eigen::MatrixXd inputs(const ModelData& model, const std::vector<int>& rows,
+                       MissingFeatures without)
+{
+    Eigen::MatrixXd X(std::ssize(rows), model.features.cols());
+    for (Eigen::Index k = 0; k < X.rows(); ++k)
+        X.row(k) = standardisedFeatures(
+                       model.clearance.featureMean, model.clearance.featureSd,
+                       model.features.row(rows[static_cast<std::size_t>(k)]).transpose(), without)
+                       .transpose();
+    return X;
+}
+
+double surfaceOf(const ModelData& model, const Eigen::MatrixXd& ceilings, Eigen::Index row, int bin)
+{
+    return toSurface(model.heights(row, bin), ceilings(row, bin));
+}
+
+/// y of these bins wherever they are in that regime, or, open, of all rows' heights.
+std::vector<double> substitutes(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
+                                bool covered)
+{
+    std::vector<double> values;
+    for (Eigen::Index u = 0; u < model.heights.rows(); ++u) {
+        if (!covered) values.push_back(model.heights(u, bin));
+        for (int other = 0; covered && other < kBins; ++other)
+            if (std::isfinite(ceilings(u, other)))
+                values.push_back(surfaceOf(model, ceilings, u, other));
+    }
+    if (values.empty()) values.push_back(0.0);  // touching
+    return values;
+}
+
+TrainedSurface constantSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
+                               bool covered, std::vector<int> rows)
+{
+    const std::vector<double> values = substitutes(model, ceilings, bin, covered);
+    const Eigen::Map<const Eigen::ArrayXd> y(values.data(), std::ssize(values));
+    TrainedSurface trained;
+    trained.process.mean = y.mean();
+    trained.process.residualSd = std::max(std::sqrt((y - y.mean()).square().mean()), 1e-3);
+    trained.residuals.resize(std::ssize(rows));
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        trained.residuals[static_cast<Eigen::Index>(k)] =
+            surfaceOf(model, ceilings, rows[k], bin) - trained.process.mean;
+    trained.rows = std::move(rows);
+    return trained;
+}
+
+/// Positions among `rows` of the inducing ones.
+std::vector<int> inducingPositions(std::size_t rows)
+{
+    std::vector<int> positions(rows);
+    for (std::size_t k = 0; k < rows; ++k) positions[k] = static_cast<int>(k);
+    return inducingRows(positions);
+}
+
+/// The s of a training row.
+Proprioception proprioceptionOf(const ModelData& model, Eigen::Index row)
+{
+    FeatureValues values;
+    for (std::size_t d = 0; d < kFeatures; ++d)
+        values[d] = model.features(row, static_cast<Eigen::Index>(d));
+    return proprioception(values);
+}
+
+/// What a surface process learns from.
+struct SurfaceRows {
+    std::vector<int> rows;
+    Eigen::MatrixXd X;  ///< n × 11
+    Eigen::VectorXd y;  ///< n, centred
+    double mean = 0.0;  ///< taken off y
+};
+
+SurfaceRows surfaceRows(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
+                        std::vector<int> rows, MissingFeatures without)
+{
+    SurfaceRows own{{}, inputs(model, rows, without), Eigen::VectorXd(std::ssize(rows))};
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        own.y[static_cast<Eigen::Index>(k)] = surfaceOf(model, ceilings, rows[k], bin);
+    own.mean = own.y.mean();
+    own.y.array() -= own.mean;
+    own.rows = std::move(rows);
+    return own;
+}
+
+double rootMeanSquare(const Eigen::VectorXd& values)
+{
+    return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
+}
+
+/// Weights and leave-one-out residuals with those hyper-parameters.
+TrainedSurface fitted(SurfaceRows own, Hyperparameters hyper, const Poll& poll)
+{
+    TrainedSurface trained;
+    trained.process.mean = own.mean;
+    trained.process.hyper = std::move(hyper);
+    ProjectedProcess projected = projectProcess(own.X, own.y, inducingPositions(own.rows.size()),
+                                                trained.process.hyper, poll);
+    trained.process.weights = std::move(projected.weights);
+    trained.residuals = std::move(projected.leaveOneOut);
+    trained.process.residualSd = rootMeanSquare(trained.residuals);
+    trained.rows = std::move(own.rows);
+    return trained;
+}
+
+/// What a contact adds: pairs of z − m and h − m.
+struct ContactErrors {
+    std::vector<double> contact, height;
+};
+
+ContactErrors contactErrors(const ModelData& model, const Eigen::MatrixXd& ceilings,
+                            const RobotModel& robot, const Poll& poll)
+{
+    constexpr double kThreshold = 2.0;  // [N] as in Settings
+    constexpr double kMost = 0.1;       // [m]
+    ContactErrors errors;
+    for (Eigen::Index u = 0; u < model.heights.rows(); ++u) {
+        callPoll(poll);
+        const auto contacts =
+            reconstructContacts(robot, proprioceptionOf(model, u), kThreshold, true);
+        for (int bin = 0; bin < kBins; ++bin) {
+            const auto& z = contacts.height[static_cast<std::size_t>(bin)];
+            if (!z) continue;
+            const double y = surfaceOf(model, ceilings, u, bin) - model.clearance.residuals(u, bin);
+            const double m = toHeight(y, ceilings(u, bin));
+            if (std::abs(*z - m) > kMost) continue;
+            errors.contact.push_back(*z - m);
+            errors.height.push_back(model.heights(u, bin) - m);
+        }
+    }
+    return errors;
+}
+
+void calibrateContacts(ModelData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot,
+                       const Poll& poll)
+{
+    constexpr double kLeast = 0.005, kMost = 10.0;  // [m]
+    constexpr std::size_t kFewest = 30;
+    ClearanceData& data = model.clearance;
+    data.contactBias = 0.0;
+    data.contactSd = kMost;
+    const ContactErrors errors = contactErrors(model, ceilings, robot, poll);
+    if (errors.contact.size() < kFewest) return;
+    const Eigen::Map<const Eigen::ArrayXd> z(errors.contact.data(), std::ssize(errors.contact));
+    const Eigen::Map<const Eigen::ArrayXd> h(errors.height.data(), std::ssize(errors.height));
+    const Eigen::ArrayXd fromMean = z - z.mean();
+    const double gain = (fromMean * h).sum() / fromMean.square().sum();
+    if (!(gain > 0.0)) return;
+    const double variance = (h - h.mean()).square().mean();
+    const double sd = std::sqrt(variance * std::max(1.0 - gain, 0.0) / gain);
+    data.contactSd = std::clamp(sd, kLeast, kMost);
+    data.contactBias = std::clamp(h.mean() / gain - z.mean(), -0.1, 0.1);
+}
+
+}  // namespace
+
+Eigen::MatrixXd bodyCeilings(const Eigen::MatrixXd& features, const RobotModel& robot,
+                             const Poll& poll)
+{
+    Eigen::MatrixXd ceilings(features.rows(), kBins);
+    for (Eigen::Index u = 0; u < ceilings.rows(); ++u) {
+        callPoll(poll);
+        const Heights row = bodyCeiling(robot, features(u, 0), features(u, 1), features(u, 2));
+        ceilings.row(u) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), kBins);
+    }
+    return ceilings;
+}
+
+void prepareClearance(ModelData& model, const Eigen::MatrixXd& ceilings)
+{
+    const Eigen::Index U = model.heights.rows();
+    if (ceilings.rows() != U || ceilings.cols() != kBins || model.features.rows() != U || U < 1)
+        throw std::invalid_argument("clearances need one row of eleven ceilings per training row");
+    ClearanceData& data = model.clearance;
+    Eigen::MatrixXd raw(U, model.features.cols());
+    for (Eigen::Index u = 0; u < U; ++u)
+        raw.row(u) = surfaceFeatures(model.features.row(u).transpose()).transpose();
+    data.featureMean = raw.colwise().mean();
+    data.featureSd =
+        ((raw.rowwise() - data.featureMean.transpose()).array().square().colwise().sum()
+         / static_cast<double>(U))
+            .sqrt()
+            .matrix();
+    if (!(data.featureSd.array() > 1e-12).all())
+        throw std::invalid_argument("a feature of s never varies");
+    data.coveredBins.clear();
+    for (Eigen::Index u = 0; u < U; ++u) {
+        Heights ceiling{};
+        for (int i = 0; i < kBins; ++i) ceiling[static_cast<std::size_t>(i)] = ceilings(u, i);
+        data.coveredBins.push_back(coveredBins(ceiling));
+    }
+    data.residuals = Eigen::MatrixXd::Zero(U, kBins);
+}
+
+TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
+                            bool covered, const TrainingOptions& options, const Poll& poll)
+{
+    std::vector<int> rows = rowsOf(model.clearance.coveredBins, bin, covered);
+    if (std::ssize(rows) < kFewestTrainingRows)
+        return constantSurface(model, ceilings, bin, covered, std::move(rows));
+
+    SurfaceRows own = surfaceRows(model, ceilings, bin, std::move(rows), {});
+    TrainingOptions search = options;
+    search.seed += static_cast<std::uint64_t>(bin);
+    search.fullEvaluations = 0;
+    Hyperparameters hyper =
+        maximiseLikelihood(own.X, own.y, searchStart(own.X.cols(), rootMeanSquare(own.y)), search,
+                           {.mostNoise = kMostNoise}, poll)
+            .hyper;
+    return fitted(std::move(own), std::move(hyper), poll);
+}
+
+TrainedSurface refitSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
+                            bool covered, const Hyperparameters& known, MissingFeatures without,
+                            const Poll& poll)
+{
+    std::vector<int> rows = rowsOf(model.clearance.coveredBins, bin, covered);
+    if (std::ssize(rows) < kFewestTrainingRows || known.lengthScale.size() == 0)
+        return constantSurface(model, ceilings, bin, covered, std::move(rows));
+    return fitted(surfaceRows(model, ceilings, bin, std::move(rows), without), known, poll);
+}
+
+void store(ModelData& model, const TrainedSurface& trained, int bin, bool covered)
+{
+    ClearanceData& data = model.clearance;
+    auto& processes = covered ? data.covered : data.open;
+    processes[static_cast<std::size_t>(bin)] = trained.process;
+    for (std::size_t k = 0; k < trained.rows.size(); ++k)
+        data.residuals(trained.rows[k], bin) = trained.residuals[static_cast<Eigen::Index>(k)];
+}
+
+void finishClearance(ModelData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot,
+                     const Poll& poll, MissingFeatures without)
+{
+    model.clearance.noveltyScale = ClearanceModel::noveltyScale(model, poll, without);
+    calibrateContacts(model, ceilings, robot, poll);
+}
+
+}  // namespace terratact

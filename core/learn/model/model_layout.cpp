@@ -1,0 +1,95 @@
+#include "core/learn/model/model_layout.h"
+
+namespace terratact::model_file {
+
+const Column& inputColumn(std::size_t position)
+{
+    return position < kBins ? heightColumns()[position] : featureColumns()[position - kBins];
+}
+
+std::size_t inputs(FeatureSet set)
+{
+    return kBins + featureNames(set).size();
+}
+
+namespace {
+
+/// A table of numbered rows: `more` columns, then one number for each of the first `columns` inputs.
+SqliteTable rowTable(const std::string& name, std::size_t columns, const std::string& more = {})
+{
+    std::string sql = "CREATE TABLE " + name + "(row INTEGER PRIMARY KEY" + more;
+    for (std::size_t i = 0; i < columns; ++i)
+        sql += ", \"" + std::string(inputColumn(i).name) + "\" REAL NOT NULL";
+    return {name, sql + ") STRICT"};
+}
+
+}  // namespace
+
+std::vector<SqliteTable> schema()
+{
+    const std::string ofSurface = "bin INTEGER NOT NULL, covered INTEGER NOT NULL, ";
+    return {
+        {"bin",
+         "CREATE TABLE bin(feature_set TEXT NOT NULL, bin INTEGER NOT NULL, name TEXT NOT NULL, "
+         "signal_sd_m REAL NOT NULL, noise_sd_m REAL NOT NULL, log_likelihood REAL NOT NULL, "
+         "PRIMARY KEY(feature_set, bin)) STRICT, WITHOUT ROWID"},
+        {"clearance", "CREATE TABLE clearance(key TEXT NOT NULL PRIMARY KEY, value REAL NOT NULL) "
+                      "STRICT, WITHOUT ROWID"},
+        {"clearance_conditional", "CREATE TABLE clearance_conditional(" + ofSurface
+                                      + "signal_sd REAL NOT NULL, noise_sd REAL NOT NULL, "
+                                        "PRIMARY KEY(bin, covered)) STRICT, WITHOUT ROWID"},
+        {"clearance_conditional_scale",
+         "CREATE TABLE clearance_conditional_scale(" + ofSurface
+             + "input INTEGER NOT NULL, length_scale REAL NOT NULL, "
+               "PRIMARY KEY(bin, covered, input)) STRICT, WITHOUT ROWID"},
+        {"input", "CREATE TABLE input(feature_set TEXT NOT NULL, position INTEGER NOT NULL, "
+                  "name TEXT NOT NULL, unit TEXT NOT NULL, mean REAL NOT NULL, sd REAL NOT NULL, "
+                  "PRIMARY KEY(feature_set, position)) STRICT, WITHOUT ROWID"},
+        {"length_scale",
+         "CREATE TABLE length_scale(feature_set TEXT NOT NULL, bin INTEGER NOT NULL, "
+         "input INTEGER NOT NULL, length_scale REAL NOT NULL, "
+         "PRIMARY KEY(feature_set, bin, input)) STRICT, WITHOUT ROWID"},
+        {"meta", "CREATE TABLE meta(key TEXT NOT NULL PRIMARY KEY, value TEXT NOT NULL) "
+                 "STRICT, WITHOUT ROWID"},
+        rowTable("residual_row", kBins, ", covered_bins REAL NOT NULL"),
+        rowTable("scanned_row", kBins),
+        {"surface",
+         "CREATE TABLE surface(" + ofSurface
+             + "mean REAL NOT NULL, residual_sd REAL NOT NULL, signal_sd REAL NOT NULL, "
+               "noise_sd REAL NOT NULL, PRIMARY KEY(bin, covered)) STRICT, WITHOUT ROWID"},
+        {"surface_input", "CREATE TABLE surface_input(position INTEGER PRIMARY KEY, "
+                          "mean REAL NOT NULL, sd REAL NOT NULL) STRICT"},
+        {"surface_scale", "CREATE TABLE surface_scale(" + ofSurface
+                              + "input INTEGER NOT NULL, length_scale REAL NOT NULL, "
+                                "PRIMARY KEY(bin, covered, input)) STRICT, WITHOUT ROWID"},
+        {"surface_weight", "CREATE TABLE surface_weight(" + ofSurface
+                               + "position INTEGER NOT NULL, weight REAL NOT NULL, "
+                                 "PRIMARY KEY(bin, covered, position)) STRICT, WITHOUT ROWID"},
+        rowTable("training_row", inputs(FeatureSet::Paf)),
+    };
+}
+
+const std::map<std::string, std::string>& explanations()
+{
+    static const std::map<std::string, std::string> texts{
+        {"format", "Terratact model: per feature set eleven Gaussian processes, one per bin"},
+        {"input", "of a bin: the ten other heights, rear to front, then the features, "
+                  "x = (raw - mean) / sd; length_scale.input is input.position"},
+        {"kernel", "k(x, x') = signal_sd^2 exp(-1/2 sum (x - x')^2 / length_scale^2) "
+                   "+ noise_sd^2 on the diagonal"},
+        {"output", "height of the bin - its mean"},
+        {"rows",
+         "pa and paf use scanned_row with the features of the same training_row; surface uses "
+         "all of training_row"},
+        {"surface",
+         "a bin under the robot (covered 1): y = asinh(max(ceiling - height, -0.03 m) / 0.01 m), "
+         "else y = height; mean(x) = mean + sum weight k(x, z), z: at most 600 of the "
+         "bin's training rows, evenly spread; forces as log(1 + F / 3 N)"},
+        {"clearance_conditional",
+         "of a bin under the robot: y = log(max(ceiling - height, 0) + 0.003 m), else y = height; "
+         "given the other bins' y and s, on the first 2000 training rows"},
+    };
+    return texts;
+}
+
+}  // namespace terratact::model_file

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "core/robot/robot_model.h"
+#include "core/robot/watch/sensor_suspicion.h"
+
+namespace terratact {
+
+/// Flippers that press down lift the nose, and let it sink when they come up again while the tracks rest: a pitch that
+/// does the opposite has the wrong sign.  Each such change z, in its noise and cut off at ±kCut, goes into
+///   S ← max(0, S − z)
+/// (z of a rise turned round), a one-sided CUSUM (Page 1954) that suspects the sign above kLimit.  On simulated
+/// drives z has a mean of about +1.5, and one in a hundred is below −2.
+class PitchSignWatch {
+public:
+    static constexpr double kCut = 7.0;
+    static constexpr double kLimit = 15.0;
+    static constexpr double kHold =
+        600.0;  ///< [s] suspected for, unless the CUSUM falls to half of kLimit
+
+    explicit PitchSignWatch(const RobotModel& robot) : pitchSd_(robot.pitchSd) {}
+    void take(const Measurement& line);
+    const std::vector<SensorSuspicion>& found() const { return found_; }  ///< by the last line
+    bool isCleared() const { return sum_ < kLimit / 2.0; }
+    void reset();
+
+private:
+    /// Mean pitch of the last lines of a phase.
+    class Recent {
+    public:
+        void add(double pitch);
+        void clear() { lines_.clear(); }
+        bool isEmpty() const { return lines_.empty(); }
+        double mean() const;
+        double count() const { return static_cast<double>(lines_.size()); }
+
+    private:
+        std::deque<double> lines_;
+    };
+    void judge(const Recent& down, const Recent& up, double now);
+
+    double pitchSd_;
+    double sum_ = 0.0;
+    std::optional<Measurement> before_;
+    Recent free_, pressed_, raised_;
+    bool isRising_ = false;  ///< the flippers come up from a press, the tracks rest
+    double lowest_ = 0.0;    ///< [rad] front flippers of that press
+    std::vector<SensorSuspicion> found_;
+};
+
+}  // namespace terratact

@@ -1,0 +1,267 @@
+#include "core/robot/watch/press_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace terratact {
+namespace {
+
+constexpr std::size_t kReferenceLines = 4;
+constexpr int kEarlyLines = 3;
+constexpr int kLeastSettled = 3;
+constexpr double kMoved = 0.1;          // [rad] a flipper, for certain
+constexpr double kUnmoved = 0.03;       // [rad]
+constexpr double kLateAngle = 0.06;     // [rad]
+constexpr double kLateWay = 0.05;       // [m]
+constexpr double kLateCurrent = 0.5;    // [A]
+constexpr double kLateMoment = 2.5;     // [N m] of forces about the pivot
+constexpr double kNoCurrent = 0.2;      // [A]
+constexpr double kWrongCurrent = -0.4;  // [A] in front
+constexpr double kWrongRear = -0.9;     // [A] a flipper's own weight needs a tenth of it
+constexpr double kLowest = -1.0;        // [rad] there the flippers may hang free
+constexpr double kLeastMoment = 3.0;    // [N m] of one motor
+constexpr double kForceShare = 0.1;     // of the motor's moment
+constexpr double kNearEnd = 0.9;        // of an element's range
+constexpr int kSwappedPresses = 2;      // once, a rear flipper may have given way
+constexpr std::size_t kPresses = 8;
+constexpr double kPressChange = 25.0;  // squared pitch change, in its variance
+constexpr double kSumOfChanges = 36.0;
+constexpr std::size_t kSidePresses = 5;
+
+constexpr std::array kFront{Sensor::FrontLeft, Sensor::FrontRight};
+constexpr std::array kRear{Sensor::RearLeft, Sensor::RearRight};
+constexpr std::array kFrontCurrents{Sensor::FrontLeftCurrent, Sensor::FrontRightCurrent};
+constexpr std::array kRearCurrents{Sensor::RearLeftCurrent, Sensor::RearRightCurrent};
+constexpr std::array kForces{Sensor::Force1, Sensor::Force2, Sensor::Force3,
+                             Sensor::Force4, Sensor::Force5, Sensor::Force6};
+
+}  // namespace
+
+void PressWatch::Mean::add(const SensorReadings& readings)
+{
+    for (std::size_t i = 0; i < kSensors; ++i) {
+        if (!readings[i]) continue;
+        sum[i] += *readings[i];
+        ++lines[i];
+    }
+    const auto pitch = readings[indexOf(Sensor::Pitch)];
+    if (pitch) pitchSquares += *pitch * *pitch;
+}
+
+double PressWatch::Mean::of(Sensor sensor) const
+{
+    const std::size_t i = indexOf(sensor);
+    return lines[i] > 0 ? sum[i] / lines[i] : 0.0;
+}
+
+double PressWatch::Mean::pitchVariance() const
+{
+    const int n = count(Sensor::Pitch);
+    if (n < 2) return 0.0;
+    const double mean = of(Sensor::Pitch);
+    return std::max(0.0, (pitchSquares - n * mean * mean) / (n - 1));
+}
+
+PressWatch::PressWatch(const RobotModel& robot) : robot_(robot) {}
+
+void PressWatch::reset()
+{
+    before_.clear();
+    press_.reset();
+    activity_ = RobotActivity::Halted;
+    pitchChanges_.clear();
+    swappedPresses_ = 0;
+    for (Differences& differences : differences_) differences.clear();
+    found_.clear();
+    cleared_.clear();
+}
+
+bool PressWatch::judges(SensorTrouble trouble)
+{
+    return trouble == SensorTrouble::Flipped || trouble == SensorTrouble::SwappedAxles
+        || trouble == SensorTrouble::Late || trouble == SensorTrouble::NoLoad
+        || trouble == SensorTrouble::SidesDiffer;
+}
+
+void PressWatch::take(const Measurement& line)
+{
+    found_.clear();
+    cleared_.clear();
+    const SensorReadings readings = readingsOf(line);
+    const bool presses = line.activity == RobotActivity::Pressing;
+    if (presses && activity_ != RobotActivity::Pressing) {
+        press_.emplace(Press{});
+        press_->began = line.travelled;
+        for (const SensorReadings& before : before_) press_->reference.add(before);
+        if (before_.empty()) press_->reference.add(readings);
+    }
+    if (press_ && !presses) follow(line, readings);
+    if (!press_) {
+        before_.push_back(readings);
+        if (before_.size() > kReferenceLines) before_.pop_front();
+    } else {
+        before_.clear();
+    }
+    activity_ = line.activity;
+}
+
+void PressWatch::follow(const Measurement& line, const SensorReadings& readings)
+{
+    Press& press = *press_;
+    const bool rests =
+        line.activity == RobotActivity::Pressed || line.activity == RobotActivity::Probing;
+    if (rests && !press.pressed) {
+        press.pressed = line.time;
+        press.first.add(readings);
+        judgeMotion(line.time);
+    }
+    const bool isOver = !rests || line.time - *press.pressed > kWatched;
+    if (rests && press.early.count(Sensor::Pitch) < kEarlyLines) press.early.add(readings);
+    if (rests && !isOver && line.time - *press.pressed >= kSettle) press.settled.add(readings);
+    const bool isEarly = press.early.count(Sensor::Pitch) >= kEarlyLines || !rests;
+    if (press.pressed && isEarly && !press.wasJudgedEarly) judgeEarly(line.time);
+    if (press.pressed && isOver && !press.wasJudged) judgeSettled(line.time);
+    if (!rests) press_.reset();
+}
+
+double PressWatch::rise(Sensor angle) const
+{
+    return turnBetween(press_->reference.of(angle), press_->first.of(angle));
+}
+
+bool PressWatch::foundGround() const
+{
+    return press_->early.of(Sensor::FrontLeft) > kLowest
+        && press_->early.of(Sensor::FrontRight) > kLowest;
+}
+
+void PressWatch::judgeMotion(double now)
+{
+    const auto still = [this](Sensor s) { return std::abs(rise(s)) <= kUnmoved; };
+    const auto moved = [this](Sensor s) { return std::abs(rise(s)) >= kMoved; };
+    for (const Sensor sensor : kFront)
+        if (rise(sensor) > kMoved) suspect(sensor, SensorTrouble::Flipped, now, rise(sensor));
+    const double way =
+        press_->began ? std::abs(press_->first.of(Sensor::Travelled) - *press_->began) : 0.0;
+    if (way > kLateWay && press_->first.count(Sensor::Travelled) > 0)
+        suspect(Sensor::Travelled, SensorTrouble::Late, now, way);
+    const bool isSwapped = std::all_of(kFront.begin(), kFront.end(), still)
+                        && std::all_of(kRear.begin(), kRear.end(), moved);
+    swappedPresses_ = isSwapped ? swappedPresses_ + 1 : 0;
+    if (swappedPresses_ >= kSwappedPresses)
+        for (const Sensor sensor : {kFront[0], kFront[1], kRear[0], kRear[1]})
+            suspect(sensor, SensorTrouble::SwappedAxles, now, rise(sensor));
+}
+
+void PressWatch::judgeEarly(double now)
+{
+    press_->wasJudgedEarly = true;
+    judgeCurrents(now);
+    judgeForces(now);
+}
+
+void PressWatch::judgeCurrents(double now)
+{
+    const Mean& rest = press_->early;
+    for (const Sensor sensor : kFrontCurrents) {
+        const double current = rest.of(sensor);
+        if (current < kWrongCurrent)
+            suspect(sensor, SensorTrouble::Flipped, now, current);
+        else if (foundGround() && std::abs(current) < kNoCurrent)
+            suspect(sensor, SensorTrouble::NoLoad, now, current);
+    }
+    for (const Sensor sensor : kRearCurrents)
+        if (rest.of(sensor) < kWrongRear)
+            suspect(sensor, SensorTrouble::Flipped, now, rest.of(sensor));
+}
+
+void PressWatch::judgeForces(double now)
+{
+    const Mean& rest = press_->early;
+    const double motor = robot_.torquePerAmpere
+                       * (rest.of(Sensor::FrontLeftCurrent) + rest.of(Sensor::FrontRightCurrent))
+                       / 2.0;
+    double moment = 0.0, most = 0.0;
+    for (std::size_t e = 0; e < kForces.size(); ++e) {
+        const double force = rest.of(kForces[e]);
+        moment += force * robot_.elementShare[e] * robot_.front.edgeLength();
+        most = std::max(most, force);
+    }
+    const bool isAtEnd = most > kNearEnd * robot_.forceSaturation;
+    if (foundGround() && motor >= kLeastMoment && !isAtEnd && moment < kForceShare * motor)
+        for (const Sensor sensor : kForces) suspect(sensor, SensorTrouble::NoLoad, now, moment);
+}
+
+void PressWatch::judgeSettled(double now)
+{
+    Press& press = *press_;
+    press.wasJudged = true;
+    const auto change = [&press](Sensor s) { return press.settled.of(s) - press.first.of(s); };
+    if (press.settled.count(Sensor::Pitch) >= kLeastSettled) {
+        for (const auto& axle : {kFront, kRear})
+            for (const Sensor s : axle)
+                if (std::abs(change(s)) > kLateAngle)
+                    suspect(s, SensorTrouble::Late, now, std::abs(change(s)));
+        for (const auto& axle : {kFrontCurrents, kRearCurrents})
+            for (const Sensor s : axle)
+                if (std::abs(change(s)) > kLateCurrent)
+                    suspect(s, SensorTrouble::Late, now, std::abs(change(s)));
+        double moment = 0.0;
+        for (std::size_t e = 0; e < kForces.size(); ++e)
+            moment += change(kForces[e]) * robot_.elementShare[e] * robot_.front.edgeLength();
+        if (std::abs(moment) > kLateMoment)
+            for (const Sensor s : kForces)
+                suspect(s, SensorTrouble::Late, now, std::abs(change(s)));
+        judgePitch(now);
+    }
+    judgeSides(now);
+    for (std::size_t i = 0; i < kSensors; ++i)
+        if (!press.isSuspect[i]) cleared_.push_back(sensorAt(i));
+}
+
+void PressWatch::judgePitch(double now)
+{
+    const Press& press = *press_;
+    const double change = press.settled.of(Sensor::Pitch) - press.early.of(Sensor::Pitch);
+    const double variance =
+        std::max(robot_.pitchSd * robot_.pitchSd, press.settled.pitchVariance());
+    const double ofChange =
+        variance
+        * (1.0 / press.early.count(Sensor::Pitch) + 1.0 / press.settled.count(Sensor::Pitch));
+    pitchChanges_.push_back(ofChange > 0.0 ? change * change / ofChange : 0.0);
+    if (pitchChanges_.size() > kPresses) pitchChanges_.pop_front();
+    double sum = 0.0;
+    for (const double squared : pitchChanges_) sum += squared;
+    if (pitchChanges_.back() > kPressChange || sum > kSumOfChanges)
+        suspect(Sensor::Pitch, SensorTrouble::Late, now, std::abs(change));
+}
+
+void PressWatch::judgeSides(double now)
+{
+    constexpr std::array kLeast{0.05, 0.05, 0.4, 0.4};  // [rad], [A]
+    constexpr std::array kSpread{0.03, 0.03, 0.3, 0.3};
+    const std::array axles{kFront, kRear, kFrontCurrents, kRearCurrents};
+    for (std::size_t a = 0; a < axles.size(); ++a) {
+        Differences& last = differences_[a];
+        last.push_back(press_->early.of(axles[a][0]) - press_->early.of(axles[a][1]));
+        if (last.size() > kSidePresses) last.pop_front();
+        if (last.size() < kSidePresses) continue;
+        const auto [low, high] = std::minmax_element(last.begin(), last.end());
+        const double least = std::min(std::abs(*low), std::abs(*high));
+        if (*low * *high > 0.0 && least > kLeast[a] && *high - *low < kSpread[a])
+            for (const Sensor s : axles[a]) suspect(s, SensorTrouble::SidesDiffer, now, least);
+    }
+}
+
+void PressWatch::suspect(Sensor sensor, SensorTrouble trouble, double now, double amount)
+{
+    press_->isSuspect[indexOf(sensor)] = true;
+    found_.push_back({.sensor = sensor,
+                      .trouble = trouble,
+                      .since = now,
+                      .until = now + kHold,
+                      .amount = amount,
+                      .way = 0.0});
+}
+
+}  // namespace terratact

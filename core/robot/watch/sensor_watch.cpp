@@ -1,0 +1,92 @@
+#include "core/robot/watch/sensor_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <tuple>
+
+namespace terratact {
+namespace {
+
+auto keyOf(const SensorSuspicion& s)
+{
+    return std::tuple(s.sensor, s.trouble);
+}
+
+}  // namespace
+
+SensorWatch::SensorWatch(const RobotModel& robot)
+    : spikes_(robot), presses_(robot), pitchSign_(robot), ground_(robot), return_(robot)
+{
+}
+
+void SensorWatch::reset()
+{
+    stuck_ = {};
+    spikes_.reset();
+    presses_.reset();
+    pitchSign_.reset();
+    unloaded_.reset();
+    ground_.reset();
+    return_.reset();
+    last_.reset();
+}
+
+void SensorWatch::take(const Measurement& line)
+{
+    if (!std::isfinite(line.time))
+        throw std::invalid_argument("SensorWatch: the time must be finite");
+    if (last_ && line.time < *last_) standing_.clear();
+    if (last_ && (line.time < *last_ || line.time - *last_ > kLongestSilence)) reset();
+    last_ = line.time;
+    stuck_.take(line);
+    spikes_.take(line);
+    presses_.take(line);
+    pitchSign_.take(line);
+    unloaded_.take(line);
+    ground_.take(line);
+    return_.take(line);
+    for (const auto* found :
+         {&stuck_.found(), &spikes_.found(), &presses_.found(), &pitchSign_.found(),
+          &unloaded_.found(), &ground_.found(), &return_.found()})
+        for (const SensorSuspicion& suspicion : *found) note(suspicion);
+    forgetCleared();
+    forgetOld(line.time);
+}
+
+void SensorWatch::forgetCleared()
+{
+    const auto isOfPitchSign = [](const SensorSuspicion& s) {
+        return s.sensor == Sensor::Pitch && s.trouble == SensorTrouble::Flipped;
+    };
+    if (pitchSign_.isCleared()) std::erase_if(standing_, isOfPitchSign);
+    for (const Sensor sensor : presses_.cleared())
+        std::erase_if(standing_, [&](const SensorSuspicion& s) {
+            return s.sensor == sensor && PressWatch::judges(s.trouble) && !isOfPitchSign(s);
+        });
+    std::erase_if(standing_, [this](const SensorSuspicion& s) {
+        return ground_.isCleared(s)
+            || (s.trouble == SensorTrouble::BothWays && return_.isCleared());
+    });
+}
+
+void SensorWatch::note(const SensorSuspicion& found)
+{
+    const auto place =
+        std::lower_bound(standing_.begin(), standing_.end(), found,
+                         [](const auto& a, const auto& b) { return keyOf(a) < keyOf(b); });
+    if (place == standing_.end() || keyOf(*place) != keyOf(found)) {
+        standing_.insert(place, found);
+        return;
+    }
+    const double since = place->since;
+    *place = found;
+    place->since = since;
+}
+
+void SensorWatch::forgetOld(double now)
+{
+    std::erase_if(standing_, [now](const SensorSuspicion& s) { return s.until < now; });
+}
+
+}  // namespace terratact

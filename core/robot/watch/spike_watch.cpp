@@ -1,0 +1,117 @@
+#include "core/robot/watch/spike_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace terratact {
+namespace {
+
+constexpr double kTilt = 1.5;        // [rad]
+constexpr double kSpeed = 1.5;       // [m/s]
+constexpr double kJump = 0.3;        // [m] a robot that tips over an edge rolls less at once
+constexpr double kLongestGap = 0.2;  // [s] between lines that are neighbours
+constexpr double kAnew = 0.05;       // [m] odometry of a robot that began anew
+
+double spikeLimit(SensorKind kind)
+{
+    switch (kind) {
+    case SensorKind::Attitude:
+    case SensorKind::Angle: return 0.1;
+    case SensorKind::Current: return 1.5;
+    case SensorKind::Force: return 6.0;
+    case SensorKind::Way: return 0.1;
+    }
+    return 0.0;
+}
+
+bool stays(const Measurement& a, const Measurement& b)
+{
+    return a.activity == b.activity
+        && (a.activity == RobotActivity::Halted || a.activity == RobotActivity::Pressed
+            || a.activity == RobotActivity::Probing);
+}
+
+double difference(Sensor sensor, double from, double to)
+{
+    return kindOf(sensor) == SensorKind::Angle ? turnBetween(from, to) : to - from;
+}
+
+}  // namespace
+
+SpikeWatch::SpikeWatch(const RobotModel& robot)
+    : currentLimit_(2.0 * robot.maxFlipperTorque / robot.torquePerAmpere)
+{
+}
+
+void SpikeWatch::reset()
+{
+    before_.reset();
+    beforeThat_.reset();
+    for (auto& times : spikes_) times.clear();
+    found_.clear();
+}
+
+void SpikeWatch::suspect(Sensor sensor, SensorTrouble trouble, double now, double amount)
+{
+    found_.push_back({.sensor = sensor,
+                      .trouble = trouble,
+                      .since = now,
+                      .until = now + kHold,
+                      .amount = amount,
+                      .way = 0.0});
+}
+
+void SpikeWatch::lookForSpike(std::size_t i, const Measurement& line,
+                              const SensorReadings& readings)
+{
+    const Sensor sensor = sensorAt(i);
+    const SensorKind kind = kindOf(sensor);
+    const auto first = readingsOf(*beforeThat_)[i], middle = readingsOf(*before_)[i];
+    const auto last = readings[i];
+    if (!first || !middle || !last) return;
+    if ((kind == SensorKind::Current || kind == SensorKind::Force)
+        && !(stays(*beforeThat_, *before_) && stays(*before_, line)))
+        return;
+    const double up = difference(sensor, *first, *middle);
+    const double down = difference(sensor, *last, *middle);
+    const double least = std::min(std::abs(up), std::abs(down));
+    if (up * down <= 0.0 || least <= spikeLimit(kind)) return;
+    auto& times = spikes_[i];
+    times.push_back(line.time);
+    while (times.front() < line.time - kWindow) times.pop_front();
+    if (times.size() > kSpikes) times.pop_front();
+    if (times.size() >= kSpikes) suspect(sensor, SensorTrouble::Spikes, line.time, least);
+}
+
+void SpikeWatch::lookAtRange(const Measurement& line, const SensorReadings& readings)
+{
+    for (std::size_t i = 0; i < kSensors; ++i) {
+        if (!readings[i]) continue;
+        const SensorKind kind = kindOf(sensorAt(i));
+        const double size = std::abs(*readings[i]);
+        if ((kind == SensorKind::Attitude && size > kTilt)
+            || (kind == SensorKind::Current && size > currentLimit_))
+            suspect(sensorAt(i), SensorTrouble::OutOfRange, line.time, *readings[i]);
+    }
+    if (!before_ || !line.travelled || !before_->travelled) return;
+    const double way = *line.travelled - *before_->travelled;
+    const bool isAnew = std::abs(*line.travelled) < kAnew;
+    if (!isAnew && std::abs(way) > kJump
+        && std::abs(way) > kSpeed * std::max(line.time - before_->time, 0.05))
+        suspect(Sensor::Travelled, SensorTrouble::OutOfRange, line.time, *line.travelled);
+}
+
+void SpikeWatch::take(const Measurement& line)
+{
+    found_.clear();
+    const SensorReadings readings = readingsOf(line);
+    lookAtRange(line, readings);
+    const bool neighbours = beforeThat_ && line.time - before_->time <= kLongestGap
+                         && before_->time - beforeThat_->time <= kLongestGap;
+    if (neighbours)
+        for (std::size_t i = 0; i < kSensors; ++i) lookForSpike(i, line, readings);
+    beforeThat_ = before_;
+    before_ = line;
+}
+
+}  // namespace terratact

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "core/robot/watch/sensor_suspicion.h"
+
+namespace terratact {
+
+/// Forces that are felt although the front flippers are up, in a robot that drives.  An element that feels at least
+/// kLoad in nine lines of ten has drifted, or is stuck: four elements together over kWay, one alone over kLongWay,
+/// because a flipper may lean on a wall for a while.
+class UnloadedWatch {
+public:
+    static constexpr double kLoad = 1.0;     ///< [N]
+    static constexpr double kRaised = 0.3;   ///< [rad] both front flippers, at least
+    static constexpr double kWay = 0.25;     ///< [m]
+    static constexpr double kLongWay = 1.5;  ///< [m]
+    static constexpr double kHold = 60.0;    ///< [s] suspected for, after the last such line
+
+    void take(const Measurement& line);
+    const std::vector<SensorSuspicion>& found() const { return found_; }  ///< by the last line
+    void reset();
+
+private:
+    struct Element {
+        int lines = 0, free = 0;  ///< since it last was free in more than one line of ten
+        double way = 0.0;         ///< [m]
+        double least = 0.0;       ///< [N]
+    };
+    void suspect(std::size_t element, double now);
+
+    std::optional<double> travelled_;
+    std::array<Element, kForceElements> elements_{};
+    std::vector<SensorSuspicion> found_;
+};
+
+}  // namespace terratact

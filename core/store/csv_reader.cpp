@@ -1,0 +1,450 @@
+#include "core/store/csv_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/store/content_kind.h"
+#include "core/store/file_read.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{64} * 1024 * 1024;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::string_view kBlanks = " \t";
+constexpr std::string_view kLineEnds = "\r\n";
+constexpr char kEndOfDos = '\x1A';  // what DOS ended a text file with
+
+std::string_view withoutBlanks(std::string_view text)
+{
+    const std::size_t begin = text.find_first_not_of(kBlanks);
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+std::string lowerCase(std::string_view text)
+{
+    std::string lower(text);
+    std::ranges::transform(lower, lower.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return lower;
+}
+
+/// Why what is no text in UTF-8 cannot be read, and what to do; empty where nothing is known against it.
+std::string_view refusalOf(ContentKind kind)
+{
+    switch (kind) {
+    case ContentKind::Plain: return {};
+    case ContentKind::Utf16: return "is text in UTF-16: save it as CSV in UTF-8";
+    case ContentKind::Utf32: return "is text in UTF-32: save it as CSV in UTF-8";
+    case ContentKind::Zip:
+        return "is a workbook or an archive, not text: save the sheet as CSV in UTF-8";
+    case ContentKind::OldWorkbook:
+        return "is a workbook of an office program, not text: save the sheet as CSV in UTF-8";
+    case ContentKind::Gzip: return "is compressed by gzip, not text: unpack it first";
+    case ContentKind::Pdf: return "is a PDF, not text: export the numbers as CSV";
+    case ContentKind::Session:
+        return "is a recorded session, not text: terratact session scenes writes its scenes as CSV";
+    case ContentKind::Sqlite:
+    case ContentKind::Journal: break;
+    }
+    return "is an SQLite file, not text";
+}
+
+/// How often each separator stands in a line, outside of quotes.  A tab beside another separator is a blank.
+struct SeparatorCounts {
+    std::size_t commas = 0, semicolons = 0, tabs = 0;
+};
+
+SeparatorCounts countSeparators(std::string_view line)
+{
+    SeparatorCounts counts;
+    bool quoted = false;
+    const auto isSeparator = [&](std::size_t i) {
+        return i < line.size() && (line[i] == ',' || line[i] == ';');
+    };
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '"') quoted = !quoted;
+        if (quoted) continue;
+        counts.commas += line[i] == ',' ? 1 : 0;
+        counts.semicolons += line[i] == ';' ? 1 : 0;
+        const bool isBlank = isSeparator(i + 1) || (i > 0 && isSeparator(i - 1));
+        counts.tabs += line[i] == '\t' && !isBlank ? 1 : 0;
+    }
+    return counts;
+}
+
+/// A number as its file writes it: a decimal comma only where `commaIsDecimal`.
+std::optional<double> numberIn(std::string_view text, bool commaIsDecimal)
+{
+    constexpr std::string_view kMinus = "\xE2\x88\x92";  // U+2212
+    if (const std::optional<double> value = numberFrom(text)) return value;
+    std::string plain(text);
+    if (plain.starts_with(kMinus)) plain.replace(0, kMinus.size(), "-");
+    if (plain.starts_with('+') && plain.size() > 1 && plain[1] != '-') plain.erase(0, 1);
+    const bool oneComma = std::count(plain.begin(), plain.end(), ',') == 1;
+    if (commaIsDecimal && oneComma && plain.find('.') == std::string::npos)
+        plain[plain.find(',')] = '.';
+    return numberFrom(plain);
+}
+
+bool isMissingWord(std::string_view text)
+{
+    constexpr std::array<std::string_view, 16> kWords{
+        "",     "nan",    "-nan",    "+nan",    "na",       "n/a",  "#n/a", "#na",
+        "<na>", "1.#ind", "-1.#ind", "1.#qnan", "-1.#qnan", "null", "none", "nil"};
+    return text.size() <= 8 && std::ranges::find(kWords, lowerCase(text)) != kWords.end();
+}
+
+/// All fields of a line, which holds no quotes, spell numbers.
+bool allNumbers(std::string_view line, char separator)
+{
+    for (;;) {
+        const std::size_t end = line.find(separator);
+        if (!numberIn(withoutBlanks(line.substr(0, end)), separator != ',')) return false;
+        if (end == std::string_view::npos) return true;
+        line.remove_prefix(end + 1);
+    }
+}
+
+std::string_view lineOf(std::string_view text)
+{
+    return text.substr(0, text.find_first_of(kLineEnds));
+}
+
+/// A remark with as many fields as the numbers below it: NumPy writes a header so.
+bool namesColumns(std::string_view remark, std::string_view below)
+{
+    const auto separators = [](std::string_view text) {
+        const SeparatorCounts counts = countSeparators(text);
+        return std::max({counts.commas, counts.semicolons, counts.tabs});
+    };
+    const std::string_view first = below.substr(0, below.find_first_of(",;\t"));
+    return remark.starts_with('#') && separators(remark) > 0
+        && separators(remark) == separators(below) && numberIn(withoutBlanks(first), true);
+}
+
+/// A unit without the brackets that may stand around it.
+std::string_view withoutBrackets(std::string_view text)
+{
+    const bool bracketed = text.size() > 2
+                        && ((text.front() == '[' && text.back() == ']')
+                            || (text.front() == '(' && text.back() == ')'));
+    return bracketed ? withoutBlanks(text.substr(1, text.size() - 2)) : text;
+}
+
+}  // namespace
+
+CsvReader::CsvReader(std::string name, std::string text)
+    : name_(std::move(name)), text_(std::make_unique<const std::string>(std::move(text))),
+      rest_(*text_)
+{
+    if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
+    while (rest_.ends_with(kEndOfDos)) rest_.remove_suffix(1);
+}
+
+Result<std::string> CsvReader::textOf(const std::string& path)
+{
+    return readFile(path, kMostBytes);
+}
+
+Result<CsvReader> CsvReader::open(const std::string& path)
+{
+    Result<std::string> text = textOf(path);
+    if (!text) return text.error();
+    return over(path, *std::move(text));
+}
+
+Result<CsvReader> CsvReader::over(std::string name, std::string text)
+{
+    CsvReader reader(std::move(name), std::move(text));
+    if (const Status begun = reader.begin(); !begun) return begun.error();
+    return reader;
+}
+
+Status CsvReader::begin()
+{
+    if (const std::string_view why = refusalOf(contentKind(*text_)); !why.empty())
+        return fileError(name_, why);
+    if (rest_.find('\0') != std::string_view::npos)
+        return fileError(name_, "holds bytes of value 0, which no text in UTF-8 does: save it as "
+                                "CSV in UTF-8");
+    const Result<bool> isSaid = takeSeparatorLine();
+    if (!isSaid) return isSaid.error();
+    takeRemarks();
+    if (rest_.empty()) return fileError(name_, "is empty");
+    return *isSaid ? Status(Done{}) : chooseSeparator();
+}
+
+// Of spreadsheets: "sep=;" above the header.
+Result<bool> CsvReader::takeSeparatorLine()
+{
+    const std::string_view whole = lineOf(rest_);
+    const bool quoted = whole.size() > 1 && whole.starts_with('"') && whole.ends_with('"');
+    const std::string_view line = quoted ? whole.substr(1, whole.size() - 2) : whole;
+    if (line.size() != 5 || lowerCase(line.substr(0, 4)) != "sep=") return false;
+    separator_ = line[4];
+    rest_.remove_prefix(whole.size());
+    takeLineEnd();
+    if (separator_ == ',' || separator_ == ';' || separator_ == '\t') return true;
+    return fileError(name_, "line 1: names a separator that is no comma, semicolon or tab");
+}
+
+// And blank lines.
+void CsvReader::takeRemarks()
+{
+    while (!rest_.empty()) {
+        const std::string_view line = lineOf(rest_);
+        if (!line.starts_with('#') && !withoutBlanks(line).empty()) return;
+        std::string_view below = rest_.substr(line.size());
+        below.remove_prefix(std::min(below.find_first_not_of(kLineEnds), below.size()));
+        if (namesColumns(line, lineOf(below))) {
+            rest_.remove_prefix(std::min(line.find_first_not_of("# \t"), line.size()));
+            return;
+        }
+        rest_.remove_prefix(line.size());
+        takeLineEnd();
+    }
+}
+
+Status CsvReader::chooseSeparator()
+{
+    const std::string_view line = lineOf(rest_);
+    const SeparatorCounts n = countSeparators(line);
+    const auto refuse = [this](std::string_view how) {
+        return fileError(name_, "line " + std::to_string(nextLine_) + ": the fields are separated "
+                                    + std::string(how)
+                                    + ": save them separated by commas, numbers with a point");
+    };
+    const std::size_t most = std::max({n.commas, n.semicolons, n.tabs});
+    if (most == 0) {
+        if (line.find('|') != std::string_view::npos) return refuse("by |");
+        if (line.find('"') == std::string_view::npos
+            && withoutBlanks(line).find_first_of(kBlanks) != std::string_view::npos)
+            return refuse("by blanks");
+        return Done{};
+    }
+    const bool isPlain = line.find('"') == std::string_view::npos;
+    for (const auto& [separator, count] :
+         {std::pair(';', n.semicolons), std::pair('\t', n.tabs)})  // beside decimal commas
+        if (count > 0 && n.commas > 0 && isPlain && allNumbers(line, separator)) {
+            separator_ = separator;
+            return Done{};
+        }
+    if ((n.commas == most) + (n.semicolons == most) + (n.tabs == most) > 1)
+        return refuse("in more than one way");
+    separator_ = n.commas == most ? ',' : n.semicolons == most ? ';' : '\t';
+    return Done{};
+}
+
+void CsvReader::takeLineEnd()
+{
+    if (rest_.empty()) return;
+    rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : 1);
+    ++nextLine_;
+}
+
+std::string_view CsvReader::takePlain()
+{
+    std::size_t end = 0;
+    while (end < rest_.size() && rest_[end] != separator_
+           && kLineEnds.find(rest_[end]) == std::string_view::npos)
+        ++end;
+    const std::string_view field = rest_.substr(0, end);
+    rest_.remove_prefix(end);
+    return withoutBlanks(field);
+}
+
+// The opening quote is at the front.
+Result<std::string_view> CsvReader::takeQuoted()
+{
+    rest_.remove_prefix(1);
+    const std::string_view begin = rest_;
+    bool isDoubled = false;
+    for (std::size_t end = 0;; ++end) {
+        end = begin.find('"', end);
+        if (end == std::string_view::npos) return error("a quote does not end");
+        if (begin.substr(end).starts_with("\"\"")) {
+            isDoubled = true;
+            ++end;
+            continue;
+        }
+        const std::string_view inside = begin.substr(0, end);
+        rest_ = begin.substr(end + 1);
+        for (std::size_t i = 0; i < inside.size(); ++i)
+            nextLine_ +=
+                inside[i] == '\n' || (inside[i] == '\r' && !inside.substr(i).starts_with("\r\n"));
+        if (!isDoubled) return inside;
+        std::string text;
+        for (std::size_t i = 0; i < inside.size(); ++i) {
+            text += inside[i];
+            if (inside[i] == '"') ++i;
+        }
+        return std::string_view(unquoted_.emplace_back(std::move(text)));
+    }
+}
+
+// False: it was the last of its record.
+Result<bool> CsvReader::takeField()
+{
+    if (fields_.size() == kMostFields)
+        return error("has more than " + std::to_string(kMostFields) + " fields");
+    const auto skipBlanks = [this] {
+        while (!rest_.empty() && rest_.front() != separator_
+               && kBlanks.find(rest_.front()) != std::string_view::npos)
+            rest_.remove_prefix(1);
+    };
+    skipBlanks();
+    if (rest_.starts_with('"')) {
+        const Result<std::string_view> field = takeQuoted();
+        if (!field) return field.error();
+        fields_.push_back(*field);
+        skipBlanks();
+    } else {
+        fields_.push_back(takePlain());
+    }
+    if (fields_.back().size() > kLongestField)
+        return error("has a field of more than " + std::to_string(kLongestField) + " bytes");
+    if (rest_.starts_with(separator_)) {
+        rest_.remove_prefix(1);
+        return true;
+    }
+    if (rest_.empty() || kLineEnds.find(rest_.front()) != std::string_view::npos) return false;
+    return error("has text behind a closing quote");
+}
+
+// False at the end.
+Result<bool> CsvReader::readRecord()
+{
+    fields_.clear();
+    unquoted_.clear();
+    if (rest_.empty()) return false;
+    line_ = nextLine_;
+    for (;;) {
+        const Result<bool> more = takeField();
+        if (!more) return more.error();
+        if (*more) continue;
+        lacksLineEnd_ = rest_.empty();
+        takeLineEnd();
+        return true;
+    }
+}
+
+bool CsvReader::isBlank() const
+{
+    const auto isEmpty = [](std::string_view field) { return field.empty(); };
+    return (fields_.size() == 1 || columns_ != 0) && std::ranges::all_of(fields_, isEmpty);
+}
+
+/// Below a header, with another number of fields than it has: else it may be a text that begins so.
+bool CsvReader::isRemark() const
+{
+    return columns_ > 1 && fields_.front().starts_with('#') && fields_.size() != columns_;
+}
+
+Result<bool> CsvReader::next()
+{
+    for (;;) {
+        Result<bool> more = readRecord();
+        if (!more || !*more) return more;
+        if (isBlank() || isRemark()) continue;
+        if (columns_ == 0) return true;
+        if (const Status counted = checkCount(); !counted) return counted.error();
+        if (!std::exchange(unitsMayFollow_, false)) return true;
+        const Result<bool> units = isUnits();
+        if (!units || !*units) return units ? Result<bool>(true) : units;
+    }
+}
+
+void CsvReader::takeHeader(std::vector<std::string> units)
+{
+    while (fields_.size() > 1 && fields_.back().empty()) fields_.pop_back();
+    columns_ = fields_.size();
+    columnNames_.assign(fields_.begin(), fields_.end());
+    units_ = std::move(units);
+    units_.resize(columns_);
+    unitsMayFollow_ = true;
+}
+
+Status CsvReader::checkCount()
+{
+    while (fields_.size() > columns_ && fields_.back().empty()) fields_.pop_back();
+    if (fields_.size() == columns_) return Done{};
+    const std::string cause = "has " + std::to_string(fields_.size())
+                            + " fields where the header has " + std::to_string(columns_);
+    if (fields_.size() < columns_ && lacksLineEnd_)
+        return error("is torn: " + cause + ", and the file does not end with a line end");
+    if (fields_.size() > columns_ && separator_ == ',')
+        return error(cause + ": are there decimal commas? save numbers with a point");
+    return error(cause);
+}
+
+// A line below the header without any number, where numbers are expected.
+Result<bool> CsvReader::isUnits() const
+{
+    bool any = false;
+    for (std::size_t i = 0; i < columns_; ++i) {
+        if (units_[i].empty() || fields_[i].empty()) continue;
+        if (isMissing(i) || isNumber(i)) return false;
+        any = any || (fields_[i] != "-" && fields_[i].find(',') == std::string_view::npos);
+    }
+    for (std::size_t i = 0; any && i < columns_; ++i) {
+        const std::string_view unit = withoutBrackets(fields_[i]);
+        if (units_[i].empty() || unit.empty() || unit == "-") continue;
+        if (lowerCase(unit) != lowerCase(units_[i]))
+            return error(columnNames_[i] + " is " + shown(fields_[i])
+                         + ", expected a number, or its unit " + units_[i]);
+    }
+    return any;
+}
+
+bool CsvReader::isMissing(std::size_t field) const
+{
+    return isMissingWord(fields_.at(field));
+}
+
+bool CsvReader::isNumber(std::size_t field) const
+{
+    return numberIn(fields_.at(field), separator_ != ',').has_value();
+}
+
+Result<double> CsvReader::number(std::size_t field, std::string_view what)
+{
+    const std::string_view text = withoutBlanks(fields_.at(field));
+    if (text.empty()) return error(std::string(what) + " is empty");
+    const std::optional<double> value = numberIn(text, separator_ != ',');
+    if ((!value || std::isnan(*value)) && isMissingWord(text))
+        return error(std::string(what) + " is not measured: " + shown(text));
+    if (!value) {
+        const bool grouped = text.find(',') != std::string_view::npos
+                          && text.find_first_not_of("0123456789.,+-") == std::string_view::npos;
+        return error(
+            std::string(what) + " is not a number: " + shown(text)
+            + (grouped ? ": save numbers with a point, and nothing between thousands" : ""));
+    }
+    if (!std::isfinite(*value)) return error(std::string(what) + " is not finite: " + shown(text));
+    if (separator_ == ',') return *value;
+    const std::size_t mark = text.find_first_of(",.");
+    if (mark == std::string_view::npos) return *value;
+    if (decimalMark_ == 0) {
+        decimalMark_ = text[mark];
+        decimalLine_ = line_;
+    }
+    if (decimalMark_ == text[mark]) return *value;
+    return error(std::string(what) + " is " + shown(text) + ", and line "
+                 + std::to_string(decimalLine_) + " has a decimal "
+                 + (decimalMark_ == ',' ? "comma" : "point")
+                 + ": save all numbers with a decimal point");
+}
+
+Error CsvReader::error(std::string_view cause) const
+{
+    return fileError(name_, "line " + std::to_string(line_) + ": " + std::string(cause));
+}
+
+}  // namespace terratact

@@ -1,0 +1,70 @@
+#include "core/store/file_read.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
+
+#include "core/base/text.h"
+
+namespace terratact {
+namespace {
+
+/// Closes on the way out.
+class OpenFile {
+public:
+    explicit OpenFile(const std::string& path) : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC))
+    {
+        // A socket, as some shells and services connect, cannot be opened a second time.
+        if (fd_ < 0 && errno == ENXIO && path == "/dev/stdin")
+            fd_ = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0);
+    }
+    ~OpenFile()
+    {
+        if (fd_ >= 0) ::close(fd_);
+    }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+    int fd() const { return fd_; }
+
+private:
+    int fd_;
+};
+
+Error systemError(const std::string& path, std::string_view what, int code)
+{
+    return fileError(path, std::string(what) + ": " + std::generic_category().message(code), code);
+}
+
+}  // namespace
+
+Error fileError(const std::string& path, std::string_view cause, int code)
+{
+    Error error{path + ": " + std::string(cause), code};
+    const auto quoted = error.text.end() - static_cast<std::ptrdiff_t>(cause.size());
+    std::replace_if(quoted, error.text.end(), isControl, '?');
+    return error;
+}
+
+Result<std::string> readFile(const std::string& path, std::size_t most)
+{
+    const OpenFile file(path);
+    if (file.fd() < 0) return systemError(path, "cannot be opened", errno);
+    std::string content;
+    std::array<char, 65536> block{};
+    for (;;) {
+        const ssize_t got = ::read(file.fd(), block.data(), block.size());
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return systemError(path, "cannot be read", errno);
+        if (got == 0) return content;
+        if (content.size() + static_cast<std::size_t>(got) > most)
+            return fileError(path,
+                             "is larger than the " + std::to_string(most) + " bytes allowed here");
+        content.append(block.data(), static_cast<std::size_t>(got));
+    }
+}
+
+}  // namespace terratact

@@ -1,0 +1,211 @@
+#include "core/store/file_write.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "core/store/content_kind.h"
+
+namespace terratact {
+namespace {
+
+Error cannotWrite(const std::string& path, const std::string& cause, int code)
+{
+    return Error{path + ": cannot be written: " + cause, code};
+}
+
+Error cannotWrite(const std::string& path, int code)
+{
+    return cannotWrite(path, std::generic_category().message(code), code);
+}
+
+/// A descriptor that closes itself; close() tells whether the system kept what was written.
+class Descriptor {
+public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    ~Descriptor()
+    {
+        if (fd_ >= 0) ::close(fd_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int fd() const { return fd_; }
+    bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
+
+private:
+    int fd_;
+};
+
+/// Opens for writing a file that did not exist: "<target>.tmp0", or the next number that is free.
+int createBeside(const std::string& target, mode_t mode, std::string& name)
+{
+    constexpr int kTries = 1000;
+    for (int i = 0; i < kTries; ++i) {
+        name = target + ".tmp" + std::to_string(i);
+        const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        if (fd >= 0 || errno != EEXIST) return fd;
+    }
+    return -1;
+}
+
+/// 0, or errno.
+int writeAll(int fd, std::string_view content)
+{
+    while (!content.empty()) {
+        const ssize_t put = ::write(fd, content.data(), content.size());
+        if (put < 0 && errno == EINTR) continue;
+        if (put < 0) return errno;
+        content.remove_prefix(static_cast<std::size_t>(put));
+    }
+    return 0;
+}
+
+/// 0, or errno.
+int flushToDisk(const std::string& path, int flags)
+{
+    Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | flags));
+    if (file.fd() < 0 || ::fsync(file.fd()) != 0) return errno;
+    return 0;
+}
+
+/// Of a session, or of what SQLite keeps beside one.
+bool isSessionName(const std::string& path)
+{
+    std::string name = std::filesystem::path(path).filename().string();
+    std::ranges::transform(name, name.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    });
+    return std::ranges::any_of(std::array{".tts", ".tts-wal", ".tts-shm", ".tts-journal"},
+                               [&name](const char* ending) { return name.ends_with(ending); });
+}
+
+bool isRecording(const std::string& path)
+{
+    const ContentKind kind = contentKindOfFile(path);
+    return kind == ContentKind::Session || kind == ContentKind::Journal;
+}
+
+std::string directoryOf(const std::string& path)
+{
+    const std::string parent = std::filesystem::path(path).parent_path().string();
+    return parent.empty() ? "." : parent;
+}
+
+}  // namespace
+
+NewFile::NewFile(std::string path, std::string target, std::string temporary)
+    : path_(std::move(path)), target_(std::move(target)), temporary_(std::move(temporary))
+{
+}
+
+NewFile::NewFile(NewFile&& other) noexcept
+    : path_(std::move(other.path_)), target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, {}))
+{
+}
+
+NewFile& NewFile::operator=(NewFile&& other) noexcept
+{
+    if (this == &other) return *this;
+    discard();
+    path_ = std::move(other.path_);
+    target_ = std::move(other.target_);
+    temporary_ = std::exchange(other.temporary_, {});
+    return *this;
+}
+
+NewFile::~NewFile()
+{
+    discard();
+}
+
+Status checkReplaceable(const std::string& path)
+{
+    struct stat old {};
+    if (::stat(path.c_str(), &old) != 0) return Done{};
+    if (S_ISDIR(old.st_mode)) return cannotWrite(path, EISDIR);
+    if (!S_ISREG(old.st_mode)) return cannotWrite(path, "it is not a regular file", 0);
+    if (isSessionName(path) || isRecording(path))
+        return cannotWrite(
+            path, "a recorded session is there, which is never replaced: name another file", 0);
+    if (::access(path.c_str(), W_OK) != 0) return cannotWrite(path, errno);
+    if ((old.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0)
+        return cannotWrite(path, "it is write-protected: name another file", EACCES);
+    return Done{};
+}
+
+Result<NewFile> NewFile::begin(const std::string& path)
+{
+    if (const Status allowed = checkReplaceable(path); !allowed) return allowed.error();
+    struct stat old {};
+    const bool exists = ::stat(path.c_str(), &old) == 0;
+    std::error_code none;
+    const std::string target = exists ? std::filesystem::canonical(path, none).string() : path;
+    if (none) return cannotWrite(path, none.value());
+
+    std::string temporary;
+    const Descriptor file(createBeside(target, 0666, temporary));
+    if (file.fd() < 0) return cannotWrite(path, errno);
+    NewFile created(path, target, temporary);
+    if (exists && ::fchmod(file.fd(), old.st_mode & 07777) != 0) return cannotWrite(path, errno);
+    return created;
+}
+
+Status NewFile::commit()
+{
+    if (const int code = flushToDisk(temporary_, 0)) return failed(code);
+    if (::rename(temporary_.c_str(), target_.c_str()) != 0) return failed(errno);
+    temporary_.clear();
+    if (const int code = flushToDisk(directoryOf(target_), O_DIRECTORY)) return failed(code);
+    return Done{};
+}
+
+Error NewFile::failed(int code) const
+{
+    return cannotWrite(path_, code);
+}
+
+void NewFile::discard() noexcept
+{
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    temporary_.clear();
+}
+
+Status makeDirectory(const std::string& path, FolderAccess access)
+{
+    std::error_code failed;
+    if (access == FolderAccess::Owner) {
+        std::vector<std::string> missing;
+        for (std::filesystem::path at = path; !at.empty() && !std::filesystem::exists(at, failed);
+             at = at.parent_path())
+            missing.push_back(at.string());
+        std::reverse(missing.begin(), missing.end());
+        for (const std::string& at : missing)
+            (void)::mkdir(at.c_str(), S_IRWXU);  // where it fails, so does what follows
+    }
+    std::filesystem::create_directories(path, failed);
+    if (failed)
+        return Error{path + ": the directory cannot be made: " + failed.message(), failed.value()};
+    return Done{};
+}
+
+Status writeFileAtomically(const std::string& path, std::string_view content)
+{
+    Result<NewFile> file = NewFile::begin(path);
+    if (!file) return file.error();
+    Descriptor out(::open(file->temporaryPath().c_str(), O_WRONLY | O_CLOEXEC));
+    if (out.fd() < 0) return cannotWrite(path, errno);
+    if (const int code = writeAll(out.fd(), content)) return cannotWrite(path, code);
+    if (!out.close()) return cannotWrite(path, errno);
+    return file->commit();
+}
+
+}  // namespace terratact

@@ -1,0 +1,470 @@
+#include "core/store/sqlite.h"
+
+#include <fcntl.h>
+#include <sqlite3.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <system_error>
+
+#include "core/base/text.h"
+#include "core/store/content_kind.h"
+
+namespace terratact {
+namespace {
+
+void check(int code, sqlite3* file)
+{
+    if (code != SQLITE_OK) throw SqliteError(sqlite3_errmsg(file));
+}
+
+/// A path as an SQLite URI: everything but plain characters in percent code.
+std::string uriOf(const std::string& path, std::string_view options)
+{
+    constexpr std::string_view kHex = "0123456789ABCDEF";
+    constexpr std::string_view kPlain = "/._-";
+    std::string uri = path.starts_with('/') ? "file://" : "file:";
+    for (const char c : path) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z')
+                        || (c >= 'a' && c <= 'z') || kPlain.find(c) != std::string_view::npos;
+        if (plain)
+            uri += c;
+        else
+            uri.append({'%', kHex[byte >> 4U], kHex[byte & 15U]});
+    }
+    return uri.append("?").append(options);
+}
+
+/// Big-endian number of `bytes` bytes.
+std::uint64_t bigEndian(const char* at, int bytes)
+{
+    std::uint64_t value = 0;
+    for (int i = 0; i < bytes; ++i) value = value << 8U | static_cast<unsigned char>(at[i]);
+    return value;
+}
+
+constexpr std::string_view kMagic("SQLite format 3\0", 16);
+
+/// The file's first 100 bytes, its header.
+using Header = std::array<char, 100>;
+Header headerOf(const std::string& path)
+{
+    std::error_code unknown;
+    const std::filesystem::file_status there = std::filesystem::status(path, unknown);
+    if (std::filesystem::is_directory(there)) throw SqliteError("is a directory");
+    if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+        throw SqliteError(
+            "it is not a regular file, and an SQLite file is read back and forth: save "
+            "it as a file first");
+    Header header{};
+    errno = 0;
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw SqliteError("cannot be opened: " + std::generic_category().message(errno));
+    in.read(header.data(), header.size());
+    if (in.gcount() == 0) throw SqliteError("is empty");
+    if (!in || std::string_view(header.data(), kMagic.size()) != kMagic)
+        throw SqliteError("is not an SQLite file");
+    return header;
+}
+
+/// Refuses what is no SQLite file, or is not as long as its header says (sqlite.org/fileformat2.html §1.3).
+void checkSize(const std::string& path, std::uintmax_t most)
+{
+    std::error_code none;
+    const Header header = headerOf(path);
+    const std::uint64_t page = bigEndian(&header[16], 2);
+    const std::uint64_t expected = (page == 1 ? 65536 : page) * bigEndian(&header[28], 4);
+    const std::uintmax_t size = std::filesystem::file_size(path, none);
+    if (none) throw SqliteError("has no size: " + none.message());
+    if (size > most)
+        throw SqliteError("is larger than the " + std::to_string(most) + " bytes allowed");
+    if (size == expected) return;
+    throw SqliteError("has " + std::to_string(size) + " bytes where its header says "
+                      + std::to_string(expected) + (size < expected ? ": it is truncated" : ""));
+}
+
+/// Ends the statements of a hostile file: called every kStepsPerCall steps.
+constexpr int kStepsPerCall = 100'000;
+constexpr int kCalls = 1'000;
+int stopNow(void* callsLeft)
+{
+    return --*static_cast<int*>(callsLeft) < 0 ? 1 : 0;
+}
+
+}  // namespace
+
+void SqliteStatement::Finalise::operator()(sqlite3_stmt* statement) const
+{
+    sqlite3_finalize(statement);
+}
+
+void SqliteStatement::bind(int parameter, double value)
+{
+    check(sqlite3_bind_double(statement_.get(), parameter + 1, value),
+          sqlite3_db_handle(statement_.get()));
+}
+
+void SqliteStatement::bind(int parameter, std::int64_t value)
+{
+    check(sqlite3_bind_int64(statement_.get(), parameter + 1, value),
+          sqlite3_db_handle(statement_.get()));
+}
+
+void SqliteStatement::bind(int parameter, std::string_view value)
+{
+    check(sqlite3_bind_text64(statement_.get(), parameter + 1, value.data(), value.size(),
+                              SQLITE_TRANSIENT, SQLITE_UTF8),
+          sqlite3_db_handle(statement_.get()));
+}
+
+void SqliteStatement::bind(int parameter, std::nullptr_t)
+{
+    check(sqlite3_bind_null(statement_.get(), parameter + 1), sqlite3_db_handle(statement_.get()));
+}
+
+void SqliteStatement::bindBlob(int parameter, std::string_view bytes)
+{
+    // A null pointer would bind NULL.
+    check(sqlite3_bind_blob64(statement_.get(), parameter + 1, bytes.empty() ? "" : bytes.data(),
+                              bytes.size(), SQLITE_TRANSIENT),
+          sqlite3_db_handle(statement_.get()));
+}
+
+/// No cell of a page takes less room than this (sqlite.org/fileformat2.html §1.6).
+constexpr std::int64_t kLeastCell = 6;
+
+void SqliteStatement::take(std::int64_t bytes) const
+{
+    if (!bytesLeft_) return;
+    *bytesLeft_ -= bytes;
+    if (*bytesLeft_ < 0)
+        throw SqliteError("its rows hold more bytes than the file has: they share pages");
+}
+
+bool SqliteStatement::step()
+{
+    const int code = sqlite3_step(statement_.get());
+    if (code == SQLITE_ROW) take(kLeastCell);
+    if (code == SQLITE_ROW) return true;
+    if (code != SQLITE_DONE) throw SqliteError(sqlite3_errmsg(sqlite3_db_handle(statement_.get())));
+    return false;
+}
+
+void SqliteStatement::run()
+{
+    while (step()) {
+    }
+    check(sqlite3_reset(statement_.get()), sqlite3_db_handle(statement_.get()));
+}
+
+void SqliteStatement::expect(int column, int type) const
+{
+    if (this->type(column) == type) return;
+    const char* const name = sqlite3_column_name(statement_.get(), column);
+    throw SqliteError(std::string("a value of the wrong type in ") + (name ? name : "a column"));
+}
+
+double SqliteStatement::real(int column) const
+{
+    expect(column, SQLITE_FLOAT);
+    return sqlite3_column_double(statement_.get(), column);
+}
+
+std::int64_t SqliteStatement::integer(int column) const
+{
+    expect(column, SQLITE_INTEGER);
+    return sqlite3_column_int64(statement_.get(), column);
+}
+
+std::string SqliteStatement::bytes(int column) const
+{
+    const auto* const begin =
+        static_cast<const char*>(sqlite3_column_blob(statement_.get(), column));
+    const int size = sqlite3_column_bytes(statement_.get(), column);
+    take(size);
+    return begin ? std::string(begin, static_cast<std::size_t>(size)) : std::string();
+}
+
+std::string SqliteStatement::text(int column) const
+{
+    expect(column, SQLITE_TEXT);
+    return bytes(column);
+}
+
+std::string SqliteStatement::blob(int column) const
+{
+    expect(column, SQLITE_BLOB);
+    return bytes(column);
+}
+
+int SqliteStatement::type(int column) const
+{
+    return sqlite3_column_type(statement_.get(), column);
+}
+
+bool SqliteStatement::isNull(int column) const
+{
+    return type(column) == SQLITE_NULL;
+}
+
+int SqliteStatement::columns() const
+{
+    return sqlite3_column_count(statement_.get());
+}
+
+void SqliteFile::Close::operator()(sqlite3* file) const
+{
+    sqlite3_close_v2(file);
+}
+
+SqliteFile::SqliteFile(const std::string& name, int flags)
+{
+    sqlite3* file = nullptr;
+    const int code = sqlite3_open_v2(
+        name.c_str(), &file, flags | SQLITE_OPEN_PRIVATECACHE | SQLITE_OPEN_NOMUTEX, nullptr);
+    file_.reset(file);
+    if (!file) throw SqliteError("out of memory");
+    check(code, file);
+}
+
+SqliteFile SqliteFile::openUntrusted(const std::string& path, std::uintmax_t most)
+{
+    checkSize(path, most);
+    SqliteFile file(uriOf(path, "mode=ro&immutable=1"), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+    file.harden();
+    file.checkStructure();
+    return file;
+}
+
+bool SqliteFile::isJournaled(const std::string& path)
+{
+    return headerOf(path)[18] == 2;  // the file format's write version
+}
+
+bool SqliteFile::lacksJournal(const std::string& path)
+{
+    std::error_code none;
+    return isJournaled(path) && !std::filesystem::exists(path + "-wal", none);
+}
+
+/// False where SQLite lacks the right to make or to write what it wants beside the file.  Throws what else fails.
+bool SqliteFile::isReadable()
+{
+    try {
+        static_cast<void>(integer("PRAGMA schema_version"));
+        return true;
+    } catch (const SqliteError&) {
+        const int code = sqlite3_errcode(file_.get()) & 0xFF;
+        if (code != SQLITE_CANTOPEN && code != SQLITE_READONLY && code != SQLITE_IOERR) throw;
+        return false;
+    }
+}
+
+bool SqliteFile::journalIsDamaged(const std::string& path)
+{
+    const std::string journal = path + "-wal";
+    std::error_code none;
+    if (!isJournaled(path) || !std::filesystem::is_regular_file(journal, none)) return false;
+    const std::uintmax_t size = std::filesystem::file_size(journal, none);
+    if (none || size == 0 || ::access(journal.c_str(), R_OK) != 0) return false;
+    return contentKindOfFile(journal) != ContentKind::Journal;
+}
+
+namespace {
+
+/// Throws where the journal beside a file cannot be read, of which SQLite says that it is unable to open the file.
+void requireReadableJournal(const std::string& path)
+{
+    const std::filesystem::path journal = path + "-wal";
+    std::error_code none;
+    if (!std::filesystem::exists(journal, none)) return;  // its writer has just closed it
+    const bool isFile = std::filesystem::is_regular_file(journal, none);
+    if (isFile && ::access(journal.c_str(), R_OK) == 0) return;
+    const int code = errno;
+    throw SqliteError(
+        "its journal " + printable(journal.filename().string()) + " "
+        + (isFile ? "cannot be read: " + std::generic_category().message(code) : "is not a file")
+        + "; both files belong together");
+}
+
+}  // namespace
+
+SqliteFile SqliteFile::openLog(const std::string& path, int longest)
+{
+    const bool journaled = isJournaled(path);
+    if (!journaled) checkSize(path, std::numeric_limits<std::uintmax_t>::max());
+    const auto open = [&](std::string_view options) {
+        SqliteFile file(uriOf(path, options), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+        file.path_ = path;
+        file.harden();
+        sqlite3_limit(file.file_.get(), SQLITE_LIMIT_LENGTH, longest);
+        sqlite3_busy_timeout(file.file_.get(), 200);  // [ms] a checkpoint of the writer's
+        file.bytesLeft_ = std::make_unique<std::int64_t>(0);
+        file.grantBytes(1);
+        return file;
+    };
+    if (!journaled || lacksJournal(path)) return open("mode=ro&immutable=1");
+    requireReadableJournal(path);
+    SqliteFile file = open("mode=ro");
+    if (file.isReadable()) return file;
+    // The index of a journal is made beside it, which cannot be done here.  With nobody to share it with it can be
+    // held in memory, which takes a lock that needs the right to write: so without locks.
+    SqliteFile alone = open("mode=ro&vfs=unix-none");
+    check(sqlite3_db_config(alone.file_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr),
+          alone.file_.get());
+    alone.run("PRAGMA locking_mode = EXCLUSIVE");
+    static_cast<void>(alone.integer("PRAGMA schema_version"));
+    return alone;
+}
+
+void SqliteFile::grantBytes(int times)
+{
+    if (!bytesLeft_) return;
+    size_ = 0;
+    for (const char* const end : {"", "-wal"}) {
+        std::error_code none;
+        const std::uintmax_t size = std::filesystem::file_size(path_ + end, none);
+        if (!none) size_ += static_cast<std::int64_t>(size);
+    }
+    *bytesLeft_ = times * size_;
+}
+
+void SqliteFile::makeEmpty(const std::string& path)
+{
+    const int made =
+        ::open(path.c_str(), O_CREAT | O_EXCL | O_NOFOLLOW | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
+    if (made < 0)
+        throw SqliteError(errno == EEXIST
+                              ? "is there already"
+                              : "cannot be created: " + std::generic_category().message(errno));
+    ::close(made);
+}
+
+SqliteFile SqliteFile::createLog(const std::string& path)
+{
+    makeEmpty(path);
+    SqliteFile file(path, SQLITE_OPEN_READWRITE);
+    file.run("PRAGMA page_size = 8192");
+    file.journal();
+    return file;
+}
+
+SqliteFile SqliteFile::reopenLog(const std::string& path)
+{
+    SqliteFile file(path, SQLITE_OPEN_READWRITE);
+    file.harden();
+    file.journal();
+    return file;
+}
+
+void SqliteFile::checkpoint()
+{
+    run("PRAGMA wal_checkpoint(PASSIVE)");
+}
+
+void SqliteFile::journal()
+{
+    SqliteStatement mode = prepare("PRAGMA journal_mode = WAL");
+    if (!mode.step() || mode.text(0) != "wal")
+        throw SqliteError("its file system keeps no write-ahead journal");
+    run("PRAGMA synchronous = FULL");
+    // A file in WAL mode without its journal beside it is then one whose journal was taken away.
+    check(sqlite3_db_config(file_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr),
+          file_.get());
+    run("PRAGMA journal_size_limit = 67108864");
+    run("PRAGMA wal_autocheckpoint = 0");  // its failure would look like that of a commit: checkpoint()
+}
+
+bool SqliteFile::leaveJournal()
+{
+    const SqliteStatement mode = prepare("PRAGMA journal_mode = DELETE");
+    const int code = sqlite3_step(mode.statement_.get());
+    if (code == SQLITE_BUSY || code == SQLITE_LOCKED) return false;
+    if (code != SQLITE_ROW) throw SqliteError(sqlite3_errmsg(file_.get()));
+    return mode.text(0) == "delete";
+}
+
+void SqliteFile::grantSteps()
+{
+    if (callsLeft_) *callsLeft_ = kCalls;
+}
+
+// sqlite.org/security.html, "Untrusted SQLite Database Files".
+void SqliteFile::harden()
+{
+    sqlite3* const file = file_.get();
+    check(sqlite3_db_config(file, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr), file);
+    check(sqlite3_db_config(file, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr), file);
+    check(sqlite3_db_config(file, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr), file);
+    check(sqlite3_db_config(file, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr), file);
+    sqlite3_limit(file, SQLITE_LIMIT_LENGTH, 1'000'000);
+    sqlite3_limit(file, SQLITE_LIMIT_SQL_LENGTH, 100'000);
+    sqlite3_limit(file, SQLITE_LIMIT_COLUMN, 100);
+    sqlite3_limit(file, SQLITE_LIMIT_EXPR_DEPTH, 10);
+    sqlite3_limit(file, SQLITE_LIMIT_COMPOUND_SELECT, 3);
+    sqlite3_limit(file, SQLITE_LIMIT_VDBE_OP, 25'000);
+    sqlite3_limit(file, SQLITE_LIMIT_FUNCTION_ARG, 8);
+    sqlite3_limit(file, SQLITE_LIMIT_ATTACHED, 0);
+    sqlite3_limit(file, SQLITE_LIMIT_LIKE_PATTERN_LENGTH, 50);
+    sqlite3_limit(file, SQLITE_LIMIT_VARIABLE_NUMBER, 32);
+    sqlite3_limit(file, SQLITE_LIMIT_TRIGGER_DEPTH, 1);
+    callsLeft_ = std::make_unique<int>(kCalls);
+    sqlite3_progress_handler(file, kStepsPerCall, stopNow, callsLeft_.get());
+    run("PRAGMA cell_size_check = ON");
+    run("PRAGMA mmap_size = 0");
+}
+
+std::string SqliteFile::structureFault()
+{
+    if (callsLeft_) *callsLeft_ = kCalls + static_cast<int>(size_ / kStepsPerCall);
+    SqliteStatement statement = prepare("PRAGMA integrity_check(1)");
+    if (!statement.step()) throw SqliteError("its structure cannot be checked");
+    std::string finding = statement.text(0);
+    if (finding == "ok") return {};
+    std::replace(finding.begin(), finding.end(), '\n', ' ');
+    return finding;
+}
+
+void SqliteFile::checkStructure()
+{
+    if (const std::string fault = structureFault(); !fault.empty())
+        throw SqliteError("its structure is damaged: " + fault);
+}
+
+SqliteFile SqliteFile::fill(const std::string& path)
+{
+    SqliteFile file(path, SQLITE_OPEN_READWRITE);
+    file.run("PRAGMA journal_mode = OFF");
+    file.run("PRAGMA synchronous = OFF");
+    return file;
+}
+
+SqliteStatement SqliteFile::prepare(std::string_view sql)
+{
+    sqlite3_stmt* statement = nullptr;
+    check(sqlite3_prepare_v2(file_.get(), sql.data(), static_cast<int>(sql.size()), &statement,
+                             nullptr),
+          file_.get());
+    return SqliteStatement(statement, bytesLeft_.get());
+}
+
+std::int64_t SqliteFile::integer(std::string_view sql)
+{
+    SqliteStatement statement = prepare(sql);
+    if (!statement.step()) throw SqliteError("a number is missing");
+    return statement.integer(0);
+}
+
+void SqliteFile::close()
+{
+    check(sqlite3_close(file_.get()), file_.get());
+    static_cast<void>(file_.release());
+}
+
+}  // namespace terratact

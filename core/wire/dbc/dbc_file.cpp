@@ -1,0 +1,301 @@
+#include "core/wire/dbc/dbc_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/store/file_read.h"
+#include "core/wire/dbc/dbc_messages.h"
+#include "core/wire/dbc/dbc_scanner.h"
+#include "core/wire/dbc/dbc_text.h"
+
+namespace terratact {
+namespace {
+
+/// The sections of a file, and what they say of messages that stand before them.
+class DbcParser {
+public:
+    DbcParser(const std::string& path, std::string_view utf8) : scan_(utf8) { file_.path = path; }
+
+    void warn(const std::string& what) { warnings_.add(what); }
+
+    Result<DbcFile> parse()
+    {
+        while (!scan_.atEnd()) {
+            const DbcScanner::Place place = scan_.place();
+            const std::string_view keyword = scan_.word("the keyword of a section (BO_, CM_ …)");
+            if (keyword != "SG_") messages_.endMessage();
+            section(keyword, place.line);
+            if (scan_.failure().empty()) continue;
+            warnings_.add(scan_.failure() + "; what it says is left out");
+            scan_.recover(place);
+        }
+        messages_.endMessage();
+        if (file_.messages.empty())
+            return fileError(file_.path,
+                             "describes no message: expected lines that begin with BO_; is it a "
+                             "DBC file?"
+                                 + firstWarning());
+        messages_.finish();
+        takeDefaults();
+        warnings_.end();
+        return std::move(file_);
+    }
+
+private:
+    std::string firstWarning() const
+    {
+        if (file_.warnings.empty()) return {};
+        return " First fault: " + file_.warnings.front().substr(file_.path.size() + 2);
+    }
+
+    void section(std::string_view keyword, int line)
+    {
+        if (keyword == "BO_") return messages_.message(line);
+        if (keyword == "SG_") return messages_.signal(line);
+        if (keyword == "NS_" || keyword == "BS_" || keyword == "BU_") return scan_.skipIndented();
+        if (keyword == "VERSION") return static_cast<void>(scan_.text("the version"));
+        if (keyword == "CM_") comment();
+        if (keyword == "VAL_") words(line);
+        if (keyword == "SIG_VALTYPE_") valueType(line);
+        if (keyword == "SG_MUL_VAL_") selections(line);
+        if (keyword == "BA_") attribute();
+        if (keyword == "BA_DEF_") attributeKind();
+        if (keyword == "BA_DEF_DEF_") attributeDefault();
+        if (!keyword.empty() && !isDbcKeyword(keyword))
+            scan_.refuse(fmt::format("line {}: expected the keyword of a section, such as BO_ or "
+                                     "CM_, found {}",
+                                     line, shown(keyword)));
+        scan_.skipSection();
+    }
+
+    // "CM_ SG_ 256 Speed "Over ground.";"
+    void comment()
+    {
+        std::string other;
+        const std::string_view of = scan_.wordIfAny();
+        std::string* comment = &other;
+        if (of == "BO_") {
+            if (DbcMessage* m = messages_.messageNext()) comment = &m->comment;
+        } else if (of == "SG_") {
+            if (const auto place = messages_.signalNext()) comment = &messages_.at(*place).comment;
+        } else if (!of.empty()) {
+            (void)scan_.word("what the comment is about");
+        }
+        *comment = readable(scan_.text("a comment"), kDbcText, true);
+    }
+
+    // "VAL_ 256 Gear 0 "neutral" 1 "first" ;", but not of an environment variable
+    void words(int line)
+    {
+        if (scan_.isNameNext()) return;
+        const auto place = messages_.signalNext();
+        if (scan_.isNameNext())
+            return warnings_.add(line, "the name of a table of words (VAL_TABLE_) is passed over");
+        while (scan_.failure().empty() && !scan_.isNext(';') && !scan_.atEnd()) {
+            const double raw = scan_.number("a raw value");
+            std::string word = readable(scan_.text("the word of a raw value"), kDbcText, false);
+            // Of 64 bits the highest are no exact doubles; such a one has no word.
+            if (place && std::abs(raw) <= 0x1p53)
+                messages_.at(*place).words[static_cast<std::int64_t>(std::round(raw))] =
+                    std::move(word);
+        }
+    }
+
+    // "SIG_VALTYPE_ 256 Torque : 1;"
+    void valueType(int line)
+    {
+        const auto place = messages_.signalNext();
+        (void)scan_.take(':');
+        const std::uint64_t type = scan_.whole("0 (integer), 1 (float) or 2 (double)", 2);
+        if (!place || type == 0) return;
+        DbcSignal& s = messages_.at(*place);
+        const int bits = type == 1 ? 32 : 64;
+        if (s.length == bits) {
+            s.type = type == 1 ? DbcSignal::Type::Float : DbcSignal::Type::Double;
+            return;
+        }
+        warnings_.add(line,
+                      fmt::format("the signal {} is left out: it is no {} of IEEE 754, it has "
+                                  "{} bits, expected {}",
+                                  s.name, type == 1 ? "float" : "double", s.length, bits));
+        messages_.leaveOut(*place);
+    }
+
+    // "SG_MUL_VAL_ 256 Speed Selector 1-1, 4-7;"
+    void selections(int line)
+    {
+        const auto place = messages_.signalNext();
+        const std::string multiplexor(scan_.word("the name of a multiplexor"));
+        std::vector<DbcSignal::Selection> ranges;
+        do {
+            DbcSignal::Selection range;
+            range.first = scan_.whole("the first value of a multiplexor", ~std::uint64_t{0});
+            scan_.expect('-', "between two values of a multiplexor");
+            range.last = scan_.whole("the last value of a multiplexor", ~std::uint64_t{0});
+            ranges.push_back(range);
+        } while (scan_.take(',') && scan_.failure().empty());
+        if (place && scan_.failure().empty())
+            messages_.select(*place, multiplexor, std::move(ranges), line);
+    }
+
+    // "BA_ "GenMsgCycleTime" BO_ 256 100;"
+    void attribute()
+    {
+        const std::string name = readable(scan_.text("an attribute's name"), kDbcName, false);
+        if (name == "ProtocolType" && scan_.isNext('"')) {
+            isJ1939_ = scan_.text("the protocol") == "J1939";
+            return;
+        }
+        const std::string_view of = scan_.wordIfAny();
+        if (of == "SG_" && name == "SystemSignalLongSymbol") return signalName();
+        if (of != "BO_") return;
+        std::size_t index = 0;
+        DbcMessage* m = messages_.messageNext(&index);
+        if (name == "SystemMessageLongSymbol") return messageName(m);
+        if (name == "VFrameFormat") return frameFormat(m, index);
+        if (scan_.isNext('"')) return;
+        const double value = scan_.number("the attribute's value");
+        if (m) m->attributes[name] = value;
+    }
+
+    void signalName()
+    {
+        const auto place = messages_.signalNext();
+        std::string name = readable(scan_.text("a long name"), kDbcName, false);
+        if (place && !name.empty()) messages_.rename(*place, std::move(name));
+    }
+
+    void messageName(DbcMessage* m)
+    {
+        std::string name = readable(scan_.text("a long name"), kDbcName, false);
+        if (m && !name.empty()) m->name = std::move(name);
+    }
+
+    /// A format by its name, or by its number in the list that the file has of them.
+    std::string formatNext()
+    {
+        if (scan_.isNext('"')) return std::string(scan_.text("a frame format"));
+        const std::uint64_t number = scan_.whole("the number of a frame format", 65535);
+        if (formats_.empty()) return number == kJ1939Format ? kJ1939 : "";
+        return number < formats_.size() ? formats_[number] : "";
+    }
+
+    // "BA_ "VFrameFormat" BO_ 2566834709 3;"
+    void frameFormat(const DbcMessage* m, std::size_t index)
+    {
+        std::string format = formatNext();
+        if (m) formatOf_[index] = std::move(format);
+    }
+
+    // "BA_DEF_ BO_ "VFrameFormat" ENUM "StandardCAN","ExtendedCAN","reserved","J1939PG";"
+    void attributeKind()
+    {
+        if (scan_.wordIfAny() != "BO_" || scan_.text("an attribute's name") != "VFrameFormat"
+            || scan_.wordIfAny() != "ENUM")
+            return;
+        formats_.clear();
+        do formats_.emplace_back(scan_.text("a frame format"));
+        while (scan_.take(',') && scan_.failure().empty());
+    }
+
+    void attributeDefault()
+    {
+        const std::string_view name = scan_.text("an attribute's name");
+        if (name == "VFrameFormat") defaultFormat_ = formatNext();
+        if (name == "ProtocolType" && scan_.isNext('"'))
+            isJ1939_ = isJ1939_ || scan_.text("the protocol") == "J1939";
+        if (name == "GenMsgCycleTime" && !scan_.isNext('"'))
+            cycleTime_ = scan_.number("the attribute's default");
+    }
+
+    void takeDefaults()
+    {
+        if (defaultFormat_.empty() && formats_.empty() && isJ1939_) defaultFormat_ = kJ1939;
+        for (std::size_t i = 0; i < file_.messages.size(); ++i) {
+            DbcMessage& m = file_.messages[i];
+            if (cycleTime_ > 0.0) m.attributes.emplace("GenMsgCycleTime", cycleTime_);
+            const auto format = formatOf_.find(i);
+            m.isParameterGroup =
+                m.extended
+                && (format == formatOf_.end() ? defaultFormat_ : format->second) == kJ1939;
+        }
+    }
+
+    DbcScanner scan_;
+    DbcFile file_;
+    DbcWarnings warnings_{file_};
+    DbcMessages messages_{scan_, file_, warnings_};
+    double cycleTime_ = 0.0;  // [ms]
+
+    static constexpr const char* kJ1939 = "J1939PG";
+    static constexpr std::uint64_t kJ1939Format = 3;  // where a file does not list its formats
+    std::vector<std::string> formats_;
+    std::map<std::size_t, std::string> formatOf_;  // of a message
+    std::string defaultFormat_;
+    bool isJ1939_ = false;
+};
+
+}  // namespace
+
+Result<DbcFile> readDbc(const std::string& path)
+{
+    const auto content = readFile(path, kMostDbcBytes);
+    if (!content) return content.error();
+    return dbcFrom(path, *content);
+}
+
+namespace {
+
+/// Whether bytes stand in a text that Windows code pages 1250 and 1252 read as different letters; but for ² and ³, which
+/// units have.
+bool dependsOnCodePage(std::string_view text)
+{
+    constexpr std::string_view kSame = "\x80\x82\x84\x85\x86\x87\x89\x8A\x8B\x8E\x91\x92\x93\x94"
+                                       "\x95\x96\x97\x99\x9A\x9B\x9E\xA0\xA4\xA6"
+                                       "\xA7\xA8\xA9\xAB\xAC\xAD\xAE\xB0\xB1\xB2\xB3\xB4\xB5\xB6"
+                                       "\xB7\xB8\xBB\xC1\xC2\xC4\xC7\xC9\xCB\xCD"
+                                       "\xCE\xD3\xD4\xD6\xD7\xDA\xDC\xDD\xDF\xE1\xE2\xE4\xE7\xE9"
+                                       "\xEB\xED\xEE\xF3\xF4\xF6\xF7\xFA\xFC\xFD";
+    return std::any_of(text.begin(), text.end(), [&](char c) {
+        return static_cast<unsigned char>(c) >= 0x80 && kSame.find(c) == std::string_view::npos;
+    });
+}
+
+/// Line ends of old programs: CR alone.
+std::string withLineFeeds(std::string_view text)
+{
+    std::string lines(text);
+    std::replace(lines.begin(), lines.end(), '\r', '\n');
+    return lines;
+}
+
+}  // namespace
+
+Result<DbcFile> dbcFrom(const std::string& path, std::string_view content)
+{
+    if (content.find('\0') != std::string_view::npos)
+        return fileError(path,
+                         "is no text in UTF-8 or Windows code page 1252: expected a DBC file; save "
+                         "it anew as such");
+    constexpr std::string_view kMark = "\xEF\xBB\xBF";
+    if (content.starts_with(kMark)) content.remove_prefix(kMark.size());
+    if (content.find('\n') == std::string_view::npos
+        && content.find('\r') != std::string_view::npos)
+        return dbcFrom(path, withLineFeeds(content));
+    if (isUtf8(content)) return DbcParser(path, content).parse();
+    const std::string letters = fromWindows1252(content);
+    DbcParser parser(path, letters);
+    if (dependsOnCodePage(content))
+        parser.warn("is no text in UTF-8: its letters are read as Windows code page 1252; where "
+                    "they look wrong, save it as UTF-8");
+    return parser.parse();
+}
+
+}  // namespace terratact

@@ -1,0 +1,317 @@
+#include "core/wire/dbc/dbc_messages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/store/file_read.h"
+#include "core/wire/dbc/dbc_text.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::uint64_t kExtendedId = 0x8000'0000;  // the bit that tells 29 bits from 11
+constexpr std::uint64_t kMost29Bits = 0x1FFF'FFFF, kMost11Bits = 0x7FF;
+// A message of Vector's that holds the signals of no frame, under one of several identifiers.
+constexpr std::string_view kSignalsOfNoFrame = "VECTOR__INDEPENDENT_SIG_MSG";
+constexpr int kLongestFrame = 64;  // [bytes]
+constexpr std::size_t kMostWarnings = 20;
+
+}  // namespace
+
+void DbcWarnings::add(int line, const std::string& what)
+{
+    add(fmt::format("line {}: {}", line, what));
+}
+
+void DbcWarnings::add(const std::string& what)
+{
+    if (file_.warnings.size() >= kMostWarnings) {
+        ++unsaid_;
+        return;
+    }
+    file_.warnings.push_back(fileError(file_.path, what).text);
+}
+
+void DbcWarnings::end()
+{
+    if (unsaid_ > 0)
+        file_.warnings.push_back(
+            fmt::format("{}: {} more things are left out", file_.path, unsaid_));
+}
+
+// "BO_ 256 Engine: 8 Gateway"
+void DbcMessages::message(int line)
+{
+    DbcMessage m;
+    const std::uint64_t id = scan_.whole("the message's identifier", 0xFFFF'FFFF);
+    m.name = scan_.word("the message's name");
+    scan_.expect(':', "behind the message's name");
+    const auto length = static_cast<int>(scan_.whole("the message's length in bytes", 65535));
+    if (!scan_.isLineEndNext()) m.sender = scan_.word("the message's sender");
+    isOpen_ = true;
+    keeps_ = scan_.failure().empty() && m.name != kSignalsOfNoFrame && mayBe(id, m, length, line);
+    if (!keeps_) return;
+    m.extended = id >= kExtendedId;
+    m.id = static_cast<std::uint32_t>(id & kMost29Bits);
+    m.length = length;
+    byId_.emplace(id, file_.messages.size());
+    file_.messages.push_back(std::move(m));
+    lines_.push_back(0);
+}
+
+bool DbcMessages::mayBe(std::uint64_t id, const DbcMessage& m, int length, int line)
+{
+    if (length > kLongestFrame) {
+        warnings_.add(line,
+                      fmt::format("the message {} is left out: it has {} bytes, no frame more "
+                                  "than {}",
+                                  m.name, length, kLongestFrame));
+        return false;
+    }
+    const bool isExtended = id >= kExtendedId;
+    if ((isExtended ? id - kExtendedId : id) > (isExtended ? kMost29Bits : kMost11Bits)) {
+        warnings_.add(line, fmt::format("the message {} is left out: its identifier {} is none of "
+                                        "CAN; expected at most 2047, or 2147483648 and 29 bits",
+                                        m.name, id));
+        return false;
+    }
+    if (const auto first = byId_.find(id); first != byId_.end()) {
+        warnings_.add(line, fmt::format("the message {} is left out: {} has its identifier", m.name,
+                                        file_.messages[first->second].name));
+        return false;
+    }
+    return true;
+}
+
+// " SG_ Speed m1 : 8|16@1+ (0.1,-40) [0|250] "km/h" Display,Brake"
+void DbcMessages::signal(int line)
+{
+    if (!isOpen_) return scan_.fail("expected a message (BO_) before its signals");
+    DbcSignal s;
+    s.name = scan_.word("the signal's name");
+    const std::optional<Multiplexing> multiplexing = multiplex(s, line);
+    scan_.expect(':', "behind the signal's name");
+    s.start = static_cast<int>(scan_.whole("the signal's first bit", 65535));
+    scan_.expect('|', "behind the signal's first bit");
+    s.length = static_cast<int>(scan_.whole("the signal's length in bits", 65535));
+    scan_.expect('@', "behind the signal's length");
+    s.isBigEndian = scan_.whole("the byte order, 1 (little-endian) or 0", 1) == 0;
+    if (scan_.take('-'))
+        s.type = DbcSignal::Type::Signed;
+    else
+        scan_.expect('+', "or '-' behind the byte order");
+    scaleAndRange(s);
+    const std::string_view unit = scan_.text("the signal's unit");
+    if (unit.find('\n') != std::string_view::npos)
+        return scan_.refuse(fmt::format("line {}: expected a quotation mark at the end of the "
+                                        "signal's unit, found the end of the line",
+                                        line));
+    s.unit = readable(unit, kDbcText, false);
+    s.receivers = readable(scan_.restOfLine(), kDbcText, false);
+    s.receivers.erase(0, std::min(s.receivers.find_first_not_of(' '), s.receivers.size()));
+    s.receivers.erase(s.receivers.find_last_not_of(' ') + 1);
+    if (scan_.failure().empty() && keeps_ && multiplexing) keep(std::move(s), *multiplexing);
+}
+
+// "", "M", "m1" or "m1M"; empty: something else, which is said.
+std::optional<DbcMessages::Multiplexing> DbcMessages::multiplex(DbcSignal& s, int line)
+{
+    Multiplexing found{.line = line};
+    const std::string_view word = scan_.wordIfAny();
+    if (word.empty()) return found;
+    std::uint64_t value = 0;
+    const auto [rest, error] = std::from_chars(word.data() + 1, word.data() + word.size(), value);
+    const std::string_view behind = word.substr(static_cast<std::size_t>(rest - word.data()));
+    const bool isSelected = word.front() == 'm' && error == std::errc{};
+    found.selects = word == "M";
+    if (isSelected && (behind.empty() || behind == "M")) {
+        s.selectedBy.push_back({value, value});
+        return found;
+    }
+    if (found.selects) return found;
+    warnings_.add(line, fmt::format("the signal {} is left out: expected ':' behind its name, or M "
+                                    "or a multiplexor's value such as m1, found {}",
+                                    shown(s.name), shown(word)));
+    return std::nullopt;
+}
+
+void DbcMessages::scaleAndRange(DbcSignal& s)
+{
+    scan_.expect('(', "before the signal's scale");
+    s.scale = scan_.number("the signal's scale");
+    scan_.expect(',', "between scale and offset");
+    s.offset = scan_.number("the signal's offset");
+    scan_.expect(')', "behind the signal's offset");
+    range(s);
+}
+
+// "[-1|.5]".  Only a display needs it: one that is no pair of numbers is none.
+void DbcMessages::range(DbcSignal& s)
+{
+    scan_.expect('[', "before the signal's range");
+    const std::string_view both = scan_.upTo(']');
+    const std::size_t bar = both.find('|');
+    const auto number = [](std::string_view text) -> std::optional<double> {
+        while (text.starts_with(' ')) text.remove_prefix(1);
+        while (text.ends_with(' ')) text.remove_suffix(1);
+        if (text.starts_with('+')) text.remove_prefix(1);
+        const std::optional<double> value = numberFrom(text);
+        return value && std::isfinite(*value) ? value : std::nullopt;
+    };
+    if (bar != std::string_view::npos) {
+        const auto least = number(both.substr(0, bar)), most = number(both.substr(bar + 1));
+        if (least && most) {
+            s.least = *least;
+            s.most = *most;
+        }
+    }
+    scan_.expect(']', "behind the signal's range");
+}
+
+void DbcMessages::keep(DbcSignal s, const Multiplexing& multiplexing)
+{
+    DbcMessage& m = file_.messages.back();
+    const int line = multiplexing.line;
+    if (s.length < 1 || s.length > 64)
+        return warnings_.add(
+            line, fmt::format("the signal {} is left out: it has {} bits, expected 1 to 64", s.name,
+                              s.length));
+    if (s.end() > 8 * m.length)
+        return warnings_.add(line, fmt::format("the signal {} is left out: it does not fit its "
+                                               "message {}, it ends with bit {} of {}",
+                                               s.name, m.name, s.end(), 8 * m.length));
+    if (s.scale == 0.0)
+        return warnings_.add(line,
+                             fmt::format("the signal {} is left out: its scale is 0", s.name));
+    if (!names_.insert(s.name).second)
+        return warnings_.add(
+            line,
+            fmt::format("the signal {} is left out: {} has another of that name", s.name, m.name));
+    m.payload.push_back(std::move(s));
+    multiplexing_.push_back(multiplexing);
+}
+
+// What the signals of the message have to do with each other is known at its end.
+void DbcMessages::endMessage()
+{
+    if (isOpen_ && keeps_) {
+        DbcMessage& m = file_.messages.back();
+        std::optional<std::size_t> selector;
+        std::size_t selectors = 0;
+        for (std::size_t i = 0; i < m.payload.size(); ++i) {
+            if (multiplexing_[i].selects) selector = i;
+            selectors += multiplexing_[i].selects;
+            if (lines_.back() == 0 && !m.payload[i].selectedBy.empty())
+                lines_.back() = multiplexing_[i].line;
+        }
+        for (std::size_t i = 0; i < m.payload.size(); ++i) {
+            if (!m.payload[i].selectedBy.empty() && selectors == 1)
+                m.payload[i].selector = selector;
+            signals_.emplace(std::pair(file_.messages.size() - 1, m.payload[i].name), i);
+        }
+    }
+    names_.clear();
+    multiplexing_.clear();
+    isOpen_ = false;
+}
+
+DbcSignal& DbcMessages::at(const Place& place)
+{
+    return file_.messages[place.message].payload[place.signal];
+}
+
+void DbcMessages::select(const Place& place, const std::string& multiplexor,
+                         std::vector<DbcSignal::Selection> ranges, int line)
+{
+    DbcSignal& s = at(place);
+    if (s.selectedBy.empty()) return;
+    const auto above = signals_.find(std::pair(place.message, multiplexor));
+    if (above == signals_.end())
+        return warnings_.add(line, fmt::format("what selects {} is passed over: its message has no "
+                                               "signal {}",
+                                               s.name, shown(multiplexor)));
+    s.selector = above->second;
+    s.selectedBy = std::move(ranges);
+}
+
+void DbcMessages::leaveOut(const Place& place)
+{
+    leftOut_[place.message].insert(place.signal);
+}
+
+void DbcMessages::rename(const Place& place, std::string longName)
+{
+    longNames_.emplace_back(place, std::move(longName));
+}
+
+/// Signals below no multiplexor, below one that is left out, or too deep; a circle is that.
+std::vector<bool> DbcMessages::unselectable(std::size_t message) const
+{
+    const DbcMessage& m = file_.messages[message];
+    const auto out = leftOut_.find(message);
+    std::vector<bool> isOut(m.payload.size());
+    for (std::size_t i = 0; i < m.payload.size(); ++i) {
+        std::optional<std::size_t> at = i;
+        for (int depth = 0; at && !isOut[i]; ++depth) {
+            const DbcSignal& s = m.payload[*at];
+            const bool isLeft = out != leftOut_.end() && out->second.contains(*at);
+            isOut[i] =
+                isLeft || depth > DbcSignal::kMostNesting || (!s.selectedBy.empty() && !s.selector);
+            at = s.selectedBy.empty() ? std::nullopt : s.selector;
+        }
+    }
+    return isOut;
+}
+
+void DbcMessages::finish()
+{
+    for (auto& [place, longName] : longNames_) at(place).name = std::move(longName);
+    for (std::size_t i = 0; i < file_.messages.size(); ++i) finish(i, unselectable(i));
+}
+
+void DbcMessages::finish(std::size_t message, std::vector<bool> isOut)
+{
+    DbcMessage& m = file_.messages[message];
+    std::vector<DbcSignal> kept;
+    std::vector<std::size_t> newPlace(m.payload.size());
+    std::size_t dropped = 0;
+    for (std::size_t i = 0; i < m.payload.size(); ++i) {
+        newPlace[i] = kept.size();
+        if (!isOut[i]) kept.push_back(std::move(m.payload[i]));
+        dropped += isOut[i] && !m.payload[i].selectedBy.empty();
+    }
+    for (DbcSignal& s : kept)
+        if (s.selector) s.selector = newPlace[*s.selector];
+    m.payload = std::move(kept);
+    if (dropped > 0)
+        warnings_.add(lines_[message],
+                      fmt::format("{} multiplexed signals of {} are left out: expected one signal "
+                                  "marked M, or what selects them (SG_MUL_VAL_), at most {} below "
+                                  "each other",
+                                  dropped, m.name, DbcSignal::kMostNesting));
+}
+
+DbcMessage* DbcMessages::messageNext(std::size_t* index)
+{
+    const auto found = byId_.find(scan_.whole("a message's identifier", 0xFFFF'FFFF));
+    if (found == byId_.end()) return nullptr;
+    if (index) *index = found->second;
+    return &file_.messages[found->second];
+}
+
+std::optional<DbcMessages::Place> DbcMessages::signalNext()
+{
+    std::size_t index = 0;
+    const DbcMessage* m = messageNext(&index);
+    const std::string name(scan_.word("a signal's name"));
+    const auto found = m ? signals_.find(std::pair(index, name)) : signals_.end();
+    if (found == signals_.end()) return std::nullopt;
+    return Place{index, found->second};
+}
+
+}  // namespace terratact

@@ -1,0 +1,119 @@
+#include "core/wire/dbc/dbc_number.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/base/text.h"
+
+namespace terratact {
+namespace {
+
+__extension__ using Wide = __int128;
+
+constexpr int kMostDecimals = 12;  // of a scale that is taken for a decimal number
+constexpr int kMostShown = 9;      // digits behind the point that people read
+constexpr double kMostUnits =
+    1e15;  // of a scale in those decimals: exact in a double, and 64 bits times it in Wide
+constexpr double kMostOffset = 1e30;     // of an offset in the same
+constexpr double kLargestInFull = 1e25;  // beyond, an exponent is read more easily
+
+/// How many digits behind the point show every step of a scale; of one that never ends, so many as tell its steps
+/// apart.
+int digitsOf(double scale)
+{
+    constexpr int kMostDigits = 6;
+    const double size = std::abs(scale);
+    for (int digits = 0; digits <= kMostDigits; ++digits) {
+        const double steps = size * std::pow(10.0, digits);
+        if (std::abs(steps - std::round(steps)) <= 1e-9 * steps) return digits;
+    }
+    return std::max(0, static_cast<int>(std::ceil(-std::log10(size))) + 1);
+}
+
+/// A decimal number of `digits` digits behind the point, in units of the last of them.
+std::optional<Wide> unitsOf(double number, int digits, double most)
+{
+    const double units = number * std::pow(10.0, digits), whole = std::round(units);
+    if (!(std::abs(whole) <= most) || std::abs(units - whole) > 1e-15 * std::abs(units))
+        return std::nullopt;
+    return static_cast<Wide>(whole);
+}
+
+std::string textOf(Wide units, int digits)
+{
+    const bool isNegative = units < 0;
+    std::string text;
+    for (int i = 0; units != 0 || i <= digits; ++i) {
+        if (i == digits && digits > 0) text += '.';
+        const int digit = static_cast<int>(units % 10);
+        text += static_cast<char>('0' + (digit < 0 ? -digit : digit));
+        units /= 10;
+    }
+    if (isNegative) text += '-';
+    std::reverse(text.begin(), text.end());
+    return text;
+}
+
+bool isFloating(const DbcSignal& signal)
+{
+    return signal.type == DbcSignal::Type::Float || signal.type == DbcSignal::Type::Double;
+}
+
+/// Digits behind the point that people read.
+int shownDigits(const DbcSignal& signal)
+{
+    return std::max(digitsOf(signal.scale), digitsOf(signal.offset));
+}
+
+/// Every digit of a whole raw value, scaled; empty: scale and offset are no decimal numbers of so few digits.
+std::optional<std::string> decimalText(const DbcSignal& signal, std::uint64_t bits, int most)
+{
+    if (isFloating(signal)) return std::nullopt;
+    for (int digits = 0; digits <= most; ++digits) {
+        const auto scale = unitsOf(signal.scale, digits, kMostUnits);
+        const auto offset = unitsOf(signal.offset, digits, kMostOffset);
+        if (!scale || !offset) continue;
+        const Wide raw = signal.type == DbcSignal::Type::Signed ? Wide{rawOf(signal, bits)}
+                                                                : static_cast<Wide>(bits);
+        return textOf(raw * *scale + *offset, digits);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string exactText(const DbcSignal& signal, std::uint64_t bits)
+{
+    if (const auto text = decimalText(signal, bits, shownDigits(signal))) return *text;
+    if (auto text = decimalText(signal, bits, kMostDecimals)) {
+        text->erase(text->find_last_not_of('0') + 1);
+        if (text->ends_with('.')) text->pop_back();
+        return *text;
+    }
+    const double value = physicalOf(signal, bits);
+    if (std::isnan(value)) return "nan";
+    if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
+    return numberText(value + 0.0);
+}
+
+std::string shownText(const DbcSignal& signal, std::uint64_t bits)
+{
+    constexpr std::size_t kLongest = 25;
+    const auto text = decimalText(signal, bits, std::min(shownDigits(signal), kMostShown));
+    return text && text->size() <= kLongest ? *text : shownText(signal, physicalOf(signal, bits));
+}
+
+std::string shownText(const DbcSignal& signal, double value)
+{
+    if (std::isnan(value)) return "nan";
+    if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
+    const int digits = shownDigits(signal);
+    if (isFloating(signal) || std::abs(value) >= kLargestInFull || digits > kMostShown)
+        return fmt::format("{:.7g}", value + 0.0);
+    return fmt::format("{:.{}f}", value + 0.0, digits);
+}
+
+}  // namespace terratact

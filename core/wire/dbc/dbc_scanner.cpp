@@ -1,0 +1,252 @@
+#include "core/wire/dbc/dbc_scanner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/wire/dbc/dbc_text.h"
+
+namespace terratact {
+namespace {
+
+constexpr char kEndOfDos = '\x1A';  // what DOS ended a text file with
+
+bool isBlank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == kEndOfDos;
+}
+
+bool isNameCharacter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+bool isOfNumber(char c)
+{
+    return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+' || c == 'e' || c == 'E';
+}
+
+}  // namespace
+
+bool isDbcKeyword(std::string_view word)
+{
+    return word == "VERSION"
+        || (word.size() > 2 && word.back() == '_'
+            && std::all_of(word.begin(), word.end(),
+                           [](char c) { return (c >= 'A' && c <= 'Z') || c == '_'; }));
+}
+
+DbcScanner::Place DbcScanner::place()
+{
+    skipBlanks();
+    return {at_, line_};
+}
+
+void DbcScanner::recover(const Place& place)
+{
+    failure_.clear();
+    at_ = place.at;
+    line_ = place.line;
+    do {
+        (void)restOfLine();
+        skipBlanks();
+    } while (at_ < text_.size() && !isSectionNext());
+}
+
+int DbcScanner::line()
+{
+    skipBlanks();
+    return line_;
+}
+
+bool DbcScanner::atEnd()
+{
+    skipBlanks();
+    return at_ == text_.size();
+}
+
+bool DbcScanner::isNext(char c)
+{
+    skipBlanks();
+    return at_ < text_.size() && text_[at_] == c;
+}
+
+bool DbcScanner::take(char c)
+{
+    if (!isNext(c)) return false;
+    advance();
+    return true;
+}
+
+void DbcScanner::expect(char c, std::string_view place)
+{
+    if (!take(c)) fail(fmt::format("expected '{}' {}", c, place));
+}
+
+bool DbcScanner::isNameNext()
+{
+    skipBlanks();
+    return at_ < text_.size() && isNameCharacter(text_[at_])
+        && !(text_[at_] >= '0' && text_[at_] <= '9');
+}
+
+bool DbcScanner::isLineEndNext()
+{
+    std::size_t at = at_;
+    while (at < text_.size() && isBlank(text_[at]) && text_[at] != '\n') ++at;
+    return at == text_.size() || text_[at] == '\n';
+}
+
+std::string_view DbcScanner::upTo(char c)
+{
+    const std::size_t end = text_.find_first_of(std::string{c, '\n'}, at_);
+    if (end == std::string_view::npos || text_[end] != c) return {};
+    const std::string_view found = text_.substr(at_, end - at_);
+    at_ = end;
+    return found;
+}
+
+std::string_view DbcScanner::wordIfAny()
+{
+    skipBlanks();
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && isNameCharacter(text_[at_])) ++at_;
+    return text_.substr(begin, at_ - begin);
+}
+
+std::string_view DbcScanner::word(std::string_view what)
+{
+    skipBlanks();
+    const std::size_t begin = at_;
+    const std::string_view found = wordIfAny();
+    if (!found.empty() && found.size() <= kDbcName) return found;
+    at_ = begin;
+    fail(fmt::format("expected {} of at most {} letters, digits and _", what, kDbcName));
+    return {};
+}
+
+double DbcScanner::number(std::string_view what)
+{
+    skipBlanks();
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && isOfNumber(text_[at_])) ++at_;
+    std::string_view found = text_.substr(begin, at_ - begin);
+    if (found.starts_with('+')) found.remove_prefix(1);
+    const std::optional<double> value = numberFrom(found);
+    if (value && std::isfinite(*value)) return *value;
+    at_ = begin;
+    fail(fmt::format("expected {}, a number", what));
+    return 0.0;
+}
+
+std::uint64_t DbcScanner::whole(std::string_view what, std::uint64_t most)
+{
+    skipBlanks();
+    const std::size_t begin = at_;
+    std::uint64_t value = 0;
+    const auto [rest, error] =
+        std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
+    at_ = static_cast<std::size_t>(rest - text_.data());
+    if (error == std::errc{} && value <= most) return value;
+    at_ = begin;
+    fail(fmt::format("expected {}, a whole number of at most {}", what, most));
+    return 0;
+}
+
+std::string_view DbcScanner::text(std::string_view what)
+{
+    if (!isNext('"')) {
+        fail(fmt::format("expected {} in quotation marks", what));
+        return {};
+    }
+    const std::size_t before = at_;
+    const int line = line_;
+    advance();
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && text_[at_] != '"')
+        for (int i = text_[at_] == '\\' && at_ + 1 < text_.size() ? 2 : 1; i > 0; --i) advance();
+    if (at_ == text_.size()) {
+        at_ = before;
+        line_ = line;
+        fail(fmt::format("expected a quotation mark at the end of {}", what));
+        return {};
+    }
+    const std::string_view found = text_.substr(begin, at_ - begin);
+    advance();
+    return found;
+}
+
+std::string_view DbcScanner::restOfLine()
+{
+    const std::size_t begin = at_;
+    at_ = std::min(text_.find('\n', at_), text_.size());
+    return text_.substr(begin, at_ - begin);
+}
+
+void DbcScanner::skipIndented()
+{
+    do {
+        (void)restOfLine();
+        if (at_ < text_.size()) advance();
+    } while (at_ < text_.size() && isBlank(text_[at_]));
+}
+
+void DbcScanner::skipSection()
+{
+    for (int began = line_; !atEnd() && !take(';');) {
+        if (line_ > began && isSectionNext()) return;
+        began = line_;
+        if (isNext('"'))
+            (void)text("a text");
+        else if (wordIfAny().empty())
+            advance();
+    }
+}
+
+void DbcScanner::fail(std::string_view expected)
+{
+    if (!failure_.empty()) return;
+    skipBlanks();
+    // A word, or a semicolon alone.
+    const std::size_t end = std::min(text_.find_first_of(" \t\r\n;", at_ + 1), text_.size());
+    const std::string_view found = text_.substr(at_, end - at_);
+    failure_ = fmt::format("line {}: {}, found {}", line_, expected,
+                           found.empty() ? "the end of the file" : shown(found));
+    at_ = text_.size();
+}
+
+void DbcScanner::refuse(std::string failure)
+{
+    if (failure_.empty()) failure_ = std::move(failure);
+    at_ = text_.size();
+}
+
+void DbcScanner::advance()
+{
+    if (text_[at_] == '\n') ++line_;
+    ++at_;
+}
+
+void DbcScanner::skipBlanks()
+{
+    for (;;) {
+        while (at_ < text_.size() && isBlank(text_[at_])) advance();
+        if (!text_.substr(at_).starts_with("//")) return;
+        (void)restOfLine();
+    }
+}
+
+bool DbcScanner::isSectionNext()
+{
+    const std::size_t begin = at_;
+    const std::string_view found = wordIfAny();
+    at_ = begin;
+    return isDbcKeyword(found);
+}
+
+}  // namespace terratact

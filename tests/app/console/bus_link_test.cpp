@@ -1,0 +1,456 @@
+// The bus as the console sees it: lost, silent, listened to, or the replay of a log.
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <future>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "app/console/main_window.h"
+#include "app/console/signals_page.h"
+#include "app/mission/bus_words.h"
+#include "app/runtime/resources.h"
+#include "core/log/review_ghost.h"
+#include "core/log/review_moment.h"
+#include "core/log/session_reader.h"
+#include "core/sim/terrain_shapes.h"
+#include "core/wire/frame_layout.h"
+#include "drivers/log_replay.h"
+#include "tests/support/bus_console_bench.h"
+#include "tests/support/gui.h"
+#include "tests/support/sessions.h"
+#include "tests/support/staged_robot.h"
+#include "tests/support/temporary_directory.h"
+#include "widgets/base/held_button.h"
+#include "widgets/control/arming_control.h"
+#include "widgets/control/atem_panel.h"
+#include "widgets/control/drive_pad.h"
+#include "widgets/control/probe_card.h"
+#include "widgets/control/robot_readout.h"
+#include "widgets/control/status_header.h"
+#include "widgets/signals/event_list.h"
+#include "widgets/terrain/terrain_profile_view.h"
+#include "widgets/terrain/verdict_strip.h"
+
+namespace terratact {
+namespace {
+
+using namespace std::chrono_literals;
+using gui::eventually;
+
+TEST_F(BusConsole, lostLinkIsSaidWithItsCure)
+{
+    open();
+    ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
+    bus.setState(BusState::Down, "can0");
+    EXPECT_TRUE(eventually([&] {
+        for (const QLabel* label : window->findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains("ip link set can0 up")) return true;
+        return false;
+    }));
+    picture("bus-down");
+}
+
+TEST_F(BusConsole, telemetryThatStopsAloneIsNoLostLink)
+{
+    StagedRobot numb = stagedRobot();
+    const TemporaryDirectory folder;
+    openRecordedOn(folder);
+    ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
+    numb.stage({.isNumb = true});
+    EXPECT_TRUE(eventually([&] {
+        return says("TELEMETRY LOST for") && says("frames still come, heartbeat")
+            && says("no measured value is live");
+    }));
+    EXPECT_FALSE(says("nothing on this screen is live"));
+    picture("telemetry-stopped");
+    EXPECT_TRUE(window->header()->linkText().startsWith("TELEMETRY LOST"));
+    const auto alarm = [&] {
+        for (const Alarm& one : window->alarms().list().alarms())
+            if (one.id == "link") return QString::fromStdString(one.text);
+        return QString();
+    };
+    EXPECT_TRUE(alarm().startsWith("Telemetry lost")) << alarm().toStdString();
+    const auto event = [&](const char* text) {
+        return window->events()->findItems(text, Qt::MatchContains).size();
+    };
+    EXPECT_EQ(event("telemetry lost"), 1);
+    EXPECT_EQ(event("link lost"), 0);
+    for (const QString& text : gui::readableTexts(*window))
+        EXPECT_FALSE(text.contains("link lost", Qt::CaseInsensitive)) << text.toStdString();
+
+    numb.stage({.isMute = true});
+    EXPECT_TRUE(eventually([&] { return says("nothing on this screen is live"); }));
+    EXPECT_FALSE(says("frames still come"));
+    EXPECT_TRUE(window->header()->linkText().startsWith("LINK LOST"));
+    EXPECT_TRUE(alarm().startsWith("Link lost")) << alarm().toStdString();
+    EXPECT_EQ(event("link lost"), 1) << "now it is";
+    window.reset();
+    recording.reset();
+    auto session = SessionReader::open(sessionsIn(folder.file("sessions")).front());
+    ASSERT_TRUE(session) << session.error().text;
+    std::vector<std::string> recorded;
+    for (const EventRow& row : session->events())
+        if (row.kind == EventKind::Link) recorded.push_back(row.subject);
+    EXPECT_EQ(recorded, (std::vector<std::string>{"up", "telemetry lost", "lost"}));
+}
+
+TEST_F(BusConsole, aReviewKnowsWhatWasOverriddenAndThatTheRobotWasNotHeard)
+{
+    StagedRobot tilted = stagedRobot();
+    tilted.stage({.roll = 0.2});
+    const TemporaryDirectory folder;
+    openRecordedOn(folder);
+    Exploration& exploration = window->exploration();
+    ASSERT_TRUE(eventually([&] { return exploration.linkAlive(); }));
+    exploration.overrideDoubts();
+    ASSERT_TRUE(inSomeGo([&] { return armsOnce() && exploresAndProbes(); }));
+    tilted.stage({.roll = 0.2, .isMute = true});
+    QTest::qWait(static_cast<int>(1000.0 * kLongestSilence) + 300);
+    tilted.stage({.roll = 0.2});
+    const auto isWithheld = [&] {
+        const auto verdict = exploration.estimation().verdict();
+        return verdict && std::ranges::count(verdict->doubts, Doubt::Unheard) == 1;
+    };
+    ASSERT_TRUE(eventually(isWithheld));
+    window.reset();
+    recording.reset();
+
+    auto session = SessionReader::open(sessionsIn(folder.file("sessions")).front());
+    ASSERT_TRUE(session) << session.error().text;
+    const auto kinds = [&](EventKind kind) {
+        return std::ranges::count(session->events(), kind, &EventRow::kind);
+    };
+    EXPECT_EQ(kinds(EventKind::Unheard), 1);
+    ReviewMoments moments(*session, model);
+    const ReviewMoment last = moments.at(session->end());
+    ASSERT_TRUE(last.scene);
+    EXPECT_FALSE(last.unbroken);
+    EXPECT_TRUE(last.overridden.find("roll") != std::string::npos) << last.overridden;
+    EXPECT_TRUE(moments.at(last.scene->time).unbroken);
+}
+
+/// [m] of their ways, and of the heights and sd of any bin; infinite where one of them has a bin that the other lacks.
+double farthestApart(const Ghost& a, const Ghost& b)
+{
+    double most = std::abs(a.motion.forward - b.motion.forward);
+    for (std::size_t bin = 0; bin < kBins; ++bin) {
+        if (a.bin[bin].has_value() != b.bin[bin].has_value())
+            return std::numeric_limits<double>::infinity();
+        if (a.bin[bin])
+            most = std::max({most, std::abs(a.bin[bin]->height - b.bin[bin]->height),
+                             std::abs(a.bin[bin]->sd - b.bin[bin]->sd)});
+    }
+    return most;
+}
+
+TEST_F(BusConsole, aReviewShowsTheGhostThatTheConsoleShowed)
+{
+    const TemporaryDirectory folder;
+    startQuickRobot();
+    openRecordedOn(folder);
+    const Estimation& estimation = window->exploration().estimation();
+    ASSERT_TRUE(inSomeGo([&] { return exploresAndProbes() && drives(); }));
+    ASSERT_TRUE(eventually([&] {
+        const auto ghost = estimation.ghost();
+        return ghost && ghost->motion.forward > 0.05;
+    }));
+    QTest::keyRelease(window.get(), Qt::Key_W);
+    ASSERT_TRUE(robotIs(RobotActivity::Halted));
+    QTest::qWait(300);
+    QTest::keyClick(window.get(), Qt::Key_K);  // marks this moment
+    const auto shown = estimation.ghost();
+    ASSERT_TRUE(shown);
+    QTest::keyClick(window.get(), Qt::Key_Delete);
+    ASSERT_TRUE(eventually([&] { return !estimation.ghost(); })) << "it was forgotten";
+    QTest::qWait(100);
+    window.reset();
+    recording.reset();
+
+    auto session = SessionReader::open(sessionsIn(folder.file("sessions")).front());
+    ASSERT_TRUE(session) << session.error().text;
+    const auto timeOf = [&](EventKind kind) {
+        const auto found = std::ranges::find(session->events(), kind, &EventRow::kind);
+        return found == session->events().end() ? 0 : found->time;
+    };
+    const SessionTime marked = timeOf(EventKind::Marker);
+    ReviewMoments moments(*session, model);
+    ReviewGhost ghosts(*session, model);
+    const auto reviewed = ghosts.at(moments.at(marked)).ghost;
+    ASSERT_TRUE(reviewed);
+    // Which line of telemetry was the newest then, the file tells to some lines; they differ by the pitch's noise.
+    double nearest = std::numeric_limits<double>::infinity();
+    for (auto t = moments.frameAfter(marked - sessionTimeOf(0.3));
+         t && *t < marked + sessionTimeOf(0.1); t = moments.frameAfter(*t))
+        if (const auto then = ghosts.at(moments.at(*t)).ghost)
+            nearest = std::min(nearest, farthestApart(*then, *shown));
+    EXPECT_LT(nearest, 2e-3);
+    const SessionTime gone = timeOf(EventKind::Forgotten);
+    ASSERT_GT(gone, 0);
+    EXPECT_EQ(ghosts.at(moments.at(gone - sessionTimeOf(0.1))), ReviewGhost::Sight{})
+        << "the estimate itself stood";
+    EXPECT_EQ(ghosts.at(moments.at(session->end())), ReviewGhost::Sight{}) << "it was forgotten";
+    (void)ghosts.at(moments.at(gone + sessionTimeOf(0.1)));
+    EXPECT_EQ(ghosts.at(moments.at(marked)).ghost, reviewed) << "however one came there";
+}
+
+TEST_F(BusConsole, aRobotThatDisarmsWhileItDrivesIsToldInEveryLayoutAndOnEveryPage)
+{
+    StagedRobot moody = stagedRobot();
+    openOn();
+    const auto alarm = [&] {
+        for (const Alarm& one : window->alarms().list().alarms())
+            if (one.id == "disarmed") return std::optional(one);
+        return std::optional<Alarm>();
+    };
+    ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
+    QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);  // layout: drive
+    bool isDriving = false;
+    for (int attempt = 0; attempt < 5 && !isDriving; ++attempt) isDriving = drives();
+    ASSERT_TRUE(isDriving);
+    ASSERT_FALSE(window->events()->isVisible()) << "nobody sees the last minutes";
+    window->alarms().acknowledgeAll();
+    moody.stage({.isDisarmed = true});
+    EXPECT_TRUE(eventually([&] { return says("disarmed: the robot has disarmed"); }));
+    ASSERT_TRUE(eventually([&] { return alarm().has_value(); }));
+    EXPECT_EQ(alarm()->text, "Disarmed: the robot has disarmed");
+    EXPECT_EQ(alarm()->severity, Severity::Critical) << "it sounds";
+    picture("disarmed-while-driving");
+    QTest::keyRelease(window.get(), Qt::Key_W);
+    QTest::keyClick(window.get(), Qt::Key_F3);
+    EXPECT_TRUE(says("disarmed: the robot has disarmed"));
+    window.reset();
+}
+
+TEST_F(BusConsole, aDriveThatWaitsForTheRobotGoesWithItsKey)
+{
+    StagedRobot slow = stagedRobot();
+    openOn();
+    Exploration& exploration = window->exploration();
+    ASSERT_TRUE(eventually([&] { return exploration.linkAlive(); }));
+    const auto way = [&] { return window->acquisition().latest()->sample.measurement.travelled; };
+    const auto explores = [&] {
+        const auto said = window->link()->view().link.robot;
+        return said && said->exploring;
+    };
+    /// The robot is slow to end what it explored; nothing comes of it once it has.
+    const auto waitsInVain = [&](const std::function<void()>& end) {
+        arm();
+        slow.stage({.explores = true});
+        ASSERT_TRUE(eventually(explores));
+        const auto before = way();
+        exploration.drive(+1);
+        end();
+        slow.stage({});
+        ASSERT_TRUE(eventually([&] { return !explores(); }));
+        QTest::qWait(300);  // nothing is what comes
+        EXPECT_EQ(way(), before);
+        EXPECT_EQ(window->events()->findItems("command not sent", Qt::MatchContains).size(), 0);
+    };
+    waitsInVain([&] { exploration.halt(); });
+    waitsInVain([&] { window->link()->disarm(); });
+    waitsInVain([&] { exploration.stop(); });
+    window.reset();
+}
+
+TEST(StillComes, isToldOfFramesOfTheRobotThatMayBeUsed)
+{
+    const auto frame = [](std::optional<FrameKind> kind, std::optional<double> age) {
+        TappedFrame made;
+        made.kind = kind;
+        made.age = age;
+        return made;
+    };
+    EXPECT_EQ(stillComes({}, 1.0), "");
+    EXPECT_EQ(
+        stillComes({frame(FrameKind::RobotHeartbeat, 0.1), frame(FrameKind::Attitude, 0.8)}, 1.0),
+        "frames still come, heartbeat 100 ms old");
+    EXPECT_EQ(
+        stillComes({frame(FrameKind::RobotHeartbeat, 3.0), frame(FrameKind::Odometry, 0.02)}, 1.0),
+        "frames still come, heartbeat 3.0 s old");
+    EXPECT_EQ(
+        stillComes({frame(FrameKind::RobotHeartbeat, {}), frame(FrameKind::Odometry, 0.02)}, 1.0),
+        "frames still come");
+    EXPECT_EQ(
+        stillComes({frame(FrameKind::RobotStatus, 0.5), frame(FrameKind::Odometry, 0.02)}, 1.0),
+        "frames still come, status 500 ms old");
+    EXPECT_EQ(stillComes({frame(FrameKind::RobotHeartbeat, 0.26)}, 1.0), "");
+    EXPECT_EQ(stillComes({frame(FrameKind::ConsoleHeartbeat, 0.0), frame({}, 0.0)}, 1.0), "")
+        << "neither is the robot's";
+    EXPECT_EQ(stillComes({frame(FrameKind::Odometry, 0.14)}, 0.26), "")
+        << "it came with the last telemetry";
+    EXPECT_EQ(stillComes({frame(FrameKind::Odometry, 0.12)}, 0.26), "frames still come");
+}
+
+TEST_F(BusConsole, saysInTheHeaderHowTheBusIs)
+{
+    startQuickRobot();
+    openOn(CanSource::Mode::Listen);
+    const QPushButton& chip = *window->header()->busButton();
+    ASSERT_TRUE(eventually([&] { return chip.text().startsWith("can0 ACTIVE"); }));
+    EXPECT_TRUE(chip.isVisible());
+    EXPECT_TRUE(eventually([&] { return chip.accessibleDescription().contains("frames/s"); }));
+    EXPECT_TRUE(chip.accessibleDescription().contains("0 error frames"))
+        << chip.accessibleDescription().toStdString();
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    window->header()->busButton()->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(window->header()->busButton(), Qt::Key_Space);
+    EXPECT_TRUE(eventually([&] { return window->signalsPage()->isVisible(); }));
+    // The rows of the robot are as old as the frames that they came in.
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    EXPECT_TRUE(eventually(
+        [&] { return window->readout()->ageText(RobotReadout::Pitch).endsWith(" ms"); }));
+    EXPECT_TRUE(eventually([&] {
+        for (const QLabel* label : window->forces()->parentWidget()->findChildren<QLabel*>())
+            if (label->toolTip().startsWith("the forces are")) return true;
+        return false;
+    })) << "and so are the forces";
+    picture("bus-chip");
+}
+
+TEST_F(BusConsole, listensOnlyUnlessToldToTransmit)
+{
+    open(CanSource::Mode::Listen);
+    ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
+    EXPECT_FALSE(window->header()->arming()->armButton()->isEnabled());
+    EXPECT_TRUE(window->header()->arming()->armButton()->toolTip().contains("--transmit"));
+    EXPECT_FALSE(window->drivePad()->forwardButton()->isEnabled());
+    QTest::keyClick(window.get(), Qt::Key_F12);
+    EXPECT_TRUE(eventually([&] { return says("STOP HAS NO EFFECT HERE"); }));
+    EXPECT_EQ(window->exploration().state().phase, AtemPhase::Idle) << "nothing is stopped";
+    QPushButton& stop = *window->header()->stopButton();
+    EXPECT_EQ(stop.text(), "STOP: no commands");
+    const QImage image = gui::painted(stop);
+    EXPECT_EQ(image.pixelColor(12, image.height() / 2), theme().chip.area) << "it looks like none";
+    EXPECT_EQ(window->link()->view().frames.sent, 0U);
+    picture("listening");
+}
+
+/// Where the parts of the page are, and what of the terrain they say.
+struct TerrainLook {
+    QList<QRect> places;
+    QStringList says;
+    bool operator==(const TerrainLook&) const = default;
+};
+
+TerrainLook lookOf(const MainWindow& console)
+{
+    TerrainLook look;
+    const auto place = [&](const QWidget* part) {
+        return QRect(part->mapTo(&console, QPoint()), part->size());
+    };
+    const QWidget* const parts[]{console.verdict(), console.terrain(),  console.forces(),
+                                 console.readout(), console.drivePad(), console.events()};
+    for (const QWidget* part : parts) look.places << place(part);
+    // What is needed to explore is a line more or less, which its neighbour in the column gives.
+    look.places << place(console.atemPanel()).united(place(console.probeCard()));
+    // STOP says so where nobody can be stopped, which takes more letters.
+    const QRect stop = console.header()->stopButton()->geometry();
+    look.places << QRect(stop.topRight(), stop.bottomRight());
+    look.says << console.verdict()->badge() << console.verdict()->question()
+              << console.terrain()->accessibleDescription();
+    return look;
+}
+
+TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimatesAndSeesThemTheSame)
+{
+    const auto shipped = [this] {
+        return modelFileLoader(resourcePath("models/default.ttm"), model);
+    };
+    const auto recorder = bus.join("recorder", 0);
+    startQuickRobot();
+    const auto listener = console(bus.join("can1"), CanSource::Mode::Listen, shipped());
+    const Estimates heard(listener->exploration());
+    window = console(bus.join("can0"), CanSource::Mode::Transmit, shipped());
+    const Estimates made(window->exploration());
+    gui::showActive(*listener);
+    gui::showActive(*window);
+    for (MainWindow* one : {listener.get(), window.get()})
+        ASSERT_TRUE(eventually([&] { return modelInUse(*one) == "default.ttm"; }));
+    arm();
+    ASSERT_TRUE(exploresAndProbes());
+    ASSERT_TRUE(eventually([&] { return heard.all().size() == 2; }));
+    const auto ledger = window->exploration().estimation().ledger().entries();
+    const auto isDrawn = [](const MainWindow& console) {  // what the arm found
+        return console.terrain()->accessibleDescription().contains(", arm");
+    };
+    ASSERT_TRUE(eventually([&] { return isDrawn(*window) && isDrawn(*listener); }));
+    (void)eventually([&] { return lookOf(*listener) == lookOf(*window); }, 5000);
+    EXPECT_EQ(lookOf(*listener).says.join('\n').toStdString(),
+              lookOf(*window).says.join('\n').toStdString());
+    EXPECT_EQ(lookOf(*listener).places, lookOf(*window).places);
+    const TerrainLook look = lookOf(*window);
+    EXPECT_NE(look.says.first(), VerdictStrip::tr("NO VERDICT"));
+    const TemporaryDirectory directory;
+    const std::string log = directory.write("atem.log", candumpOf(*recorder));
+    window.reset();
+
+    auto replay = LogReplay::open(log, {.speed = 2.0});
+    ASSERT_TRUE(replay) << replay.error().text;
+    window = console(std::move(*replay), CanSource::Mode::Replay, shipped());
+    const Estimates replayed(window->exploration());
+    gui::showActive(*window);
+    ASSERT_TRUE(eventually([&] { return replayed.all().size() == 1; }));
+    picture("following");
+    ASSERT_TRUE(eventually([&] { return window->exploration().ended(); }));
+    ASSERT_TRUE(eventually([&] { return replayed.all().size() == 2; }));
+    ASSERT_EQ(made.all().size(), 2U);
+    EXPECT_EQ(std::ranges::count(made.all()[0].origin, Origin::Arm), 0);
+    EXPECT_EQ(std::ranges::count(made.all()[1].origin, Origin::Arm), 1);
+    EXPECT_EQ(heard.all(), made.all());
+    EXPECT_EQ(replayed.all(), made.all());
+    ASSERT_EQ(ledger.size(), 1U);
+    EXPECT_EQ(listener->exploration().estimation().ledger().entries(), ledger);
+    EXPECT_TRUE(eventually([&] { return window->probeCard()->tells(); }))
+        << "what a probe would buy is known here, too";
+    EXPECT_FALSE(window->probeCard()->asks());
+    ASSERT_TRUE(eventually([&] { return isDrawn(*window); }));
+    EXPECT_EQ(lookOf(*window).says.join('\n').toStdString(), look.says.join('\n').toStdString());
+    EXPECT_EQ(lookOf(*window).places, look.places);
+    EXPECT_EQ(window->exploration().estimation().ledger().entries(), ledger);
+    EXPECT_EQ(listener->link()->view().frames.sent, 0U);
+}
+
+TEST_F(BusConsole, aLogHasAnEndAndNoLostLink)
+{
+    auto replay = LogReplay::open(TERRATACT_SOURCE_DIR "/docs/can_demo.log", {});
+    ASSERT_TRUE(replay) << replay.error().text;
+    std::promise<void> loaded;
+    window = console(std::move(*replay), CanSource::Mode::Replay,
+                     [loaded = loaded.get_future().share()] {
+                         (void)loaded.wait_for(20s);
+                         return Result<LoadedModel>(madeUp());
+                     });
+    gui::showActive(*window);
+    QTest::qWait(500);  // longer than the whole log
+    EXPECT_FALSE(says("END OF THE LOG")) << "its press waits for the model";
+    loaded.set_value();
+    ASSERT_TRUE(eventually([&] { return says("END OF THE LOG"); }));
+    QTest::qWait(500);  // a link would be lost by now
+    EXPECT_TRUE(says("END OF THE LOG"));
+    EXPECT_FALSE(says("LINK LOST"));
+    EXPECT_TRUE(says("the log has ended"));
+    for (const Alarm& alarm : window->alarms().list().alarms()) {
+        // The forces of this log do not belong to its activity, which the sensor watch notices.
+        if (alarm.id.starts_with("sensor")) continue;
+        EXPECT_EQ(alarm.severity, Severity::Caution) << alarm.text;
+        for (const char* id : {"link", "silence", "bus"}) EXPECT_NE(alarm.id, id) << alarm.text;
+    }
+    QTest::keyClick(window.get(), Qt::Key_F5);
+    EXPECT_TRUE(eventually([&] { return says("REPLAY can_demo.log has ended"); }));
+    for (const QLabel* label : window->findChildren<QLabel*>())
+        EXPECT_FALSE((label->text() + label->toolTip()).contains("does not exist"));
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    EXPECT_TRUE(says("Following"));
+    EXPECT_TRUE(window->exploration().estimation().estimate());
+    EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
+    picture("end-of-the-log");
+}
+
+}  // namespace
+}  // namespace terratact

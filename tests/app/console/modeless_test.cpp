@@ -1,0 +1,202 @@
+// Whatever an operator opens, nothing has to be answered before the console can be used again.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPointer>
+#include <QPushButton>
+#include <QTimer>
+#include <set>
+#include <string>
+
+#include "tests/support/estimates.h"
+#include "tests/support/gui.h"
+#include "tests/support/robot_on_bench.h"
+#include "tests/support/temporary_directory.h"
+#include "widgets/base/look.h"
+#include "widgets/base/navigation_rail.h"
+#include "widgets/control/status_header.h"
+
+namespace terratact {
+namespace {
+
+/// Looks for windows that block the others, from within whatever loop runs, and closes them for it to end.
+class ModalWatch final : public QObject {
+public:
+    ModalWatch()
+    {
+        connect(&timer_, &QTimer::timeout, this, &ModalWatch::look);
+        timer_.start(5);
+    }
+    void look()
+    {
+        if (QWidget* menu = QApplication::activePopupWidget()) menu->close();  // would wait, too
+        QWidget* const modal = QApplication::activeModalWidget();
+        if (!modal) return;
+        seen.insert(modal->metaObject()->className()
+                    + (" “" + modal->windowTitle().toStdString() + "” after ") + after);
+        modal->close();
+    }
+    std::set<std::string> seen;
+    std::string after;  ///< what was done last
+
+private:
+    QTimer timer_;
+};
+
+struct Modeless : testing::Test, RobotOnBench {
+    Modeless()
+    {
+        applyLook(*qApp);
+        startRobot();
+        recorder = std::make_shared<SessionRecorder>(
+            SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});
+        MainWindow::Options options =
+            linked({.mode = CanSource::Mode::Transmit,
+                    .heard = [to = recorder](auto frames) { to->take(frames); }});
+        options.model = [] {
+            const auto estimate = [](const EstimateRequest&, const Watch&) {
+                return stepEstimate();
+            };
+            return Result<LoadedModel>({.estimate = estimate, .name = "fake.ttm", .details = {}});
+        };
+        options.recorder = recorder;
+        window = std::make_unique<MainWindow>(std::move(options));
+        window->resize(1440, 900);
+        gui::showActive(*window);
+    }
+    ~Modeless() override
+    {
+        window.reset();
+        applyLook(*qApp);
+    }
+
+    /// What is done may delete some of them.
+    template <class Object>
+    static QList<QPointer<Object>> guarded(const QList<Object*>& objects)
+    {
+        return {objects.begin(), objects.end()};
+    }
+    void trigger(const QList<QAction*>& actions, const std::string& where)
+    {
+        for (const QPointer<QAction>& action : guarded(actions)) {
+            if (!action || !action->isEnabled()) continue;
+            const std::string name = where + action->text().toStdString();
+            action->trigger();
+            settle(name);
+        }
+    }
+    /// After something was done: looks, answers dialogs for files with one that is nothing, and closes what has opened.
+    void settle(const std::string& what)
+    {
+        watch.after = what;
+        watch.look();
+        QApplication::processEvents();
+        for (const QPointer<QWidget>& opened : guarded(QApplication::topLevelWidgets())) {
+            if (!opened || opened == window.get() || !opened->isVisible()) continue;
+            ++opens;
+            // "Open" would start this program again with what is chosen.
+            auto* const name = opened->findChild<QLineEdit*>("fileNameEdit");
+            if (name && opened->windowTitle() != "Open") {
+                ++files;
+                name->setText(QString::fromStdString(garbage));
+                QTest::keyClick(name, Qt::Key_Return);
+                QApplication::processEvents();
+            }
+            watch.look();
+            if (opened) opened->close();
+        }
+        watch.look();
+    }
+    void press(QAbstractButton& button)
+    {
+        const std::string name = "a click on “" + button.text().toStdString() + "” ("
+                               + button.accessibleName().toStdString() + ")";
+        auto* const pushes = qobject_cast<QPushButton*>(&button);
+        if (pushes && pushes->menu()) {
+            emit pushes->menu()->aboutToShow();
+            trigger(pushes->menu()->actions(), name + ": ");
+            return;
+        }
+        button.click();
+        settle(name);
+    }
+    /// Every button of a page that can be pressed and has not been yet.
+    void pressAllOf(int page)
+    {
+        for (const auto& button : guarded(window->findChildren<QAbstractButton*>())) {
+            window->rail()->choose(page);  // another button may have led elsewhere
+            if (button && button->isVisible() && button->isEnabled()
+                && pressed.insert(button).second)
+                press(*button);
+        }
+    }
+
+    TemporaryDirectory directory;
+    std::string garbage = directory.write("garbage", "this is no file of any kind\n");
+    std::shared_ptr<SessionRecorder> recorder;
+    std::unique_ptr<MainWindow> window;
+    ModalWatch watch;
+    std::set<const QAbstractButton*> pressed;
+    int opens = 0, files = 0;
+};
+
+using Seen = std::set<std::string>;
+
+TEST_F(Modeless, noButtonOfAnyPageOpensWhatBlocksTheOthers)
+{
+    ASSERT_TRUE(gui::eventually([&] { return window->exploration().linkAlive(); }));
+    for (int page = 0; page < window->rail()->pages(); ++page) {
+        window->rail()->choose(page);
+        QApplication::processEvents();
+        pressAllOf(page);
+    }
+    trigger(window->findChildren<QAction*>(), "the action ");
+    EXPECT_EQ(watch.seen, Seen());
+    EXPECT_GT(pressed.size(), 30U);
+    EXPECT_GE(files, 5) << "model, robot, DBC, scenes to learn from and to test on";
+}
+
+TEST_F(Modeless, noKeyOpensWhatBlocksTheOthers)
+{
+    ASSERT_TRUE(gui::eventually([&] { return window->exploration().linkAlive(); }));
+    QList<QKeyCombination> keys;
+    for (int key = Qt::Key_F1; key <= Qt::Key_F12; ++key) keys << QKeyCombination(Qt::Key(key));
+    for (int key = Qt::Key_A; key <= Qt::Key_Z; ++key)
+        for (const Qt::KeyboardModifier with : {Qt::NoModifier, Qt::ControlModifier})
+            keys << QKeyCombination(with, Qt::Key(key));
+    for (const Qt::Key key : {Qt::Key_1, Qt::Key_Space, Qt::Key_Return, Qt::Key_Escape,
+                              Qt::Key_Question, Qt::Key_PageUp, Qt::Key_Delete, Qt::Key_Plus})
+        keys << QKeyCombination(key);
+    for (int page = 0; page < window->rail()->pages(); ++page)
+        for (const QKeyCombination key : keys) {
+            window->rail()->choose(page);
+            QTest::keyClick(window.get(), key.key(), key.keyboardModifiers());
+            settle("the key " + QKeySequence(key).toString().toStdString());
+        }
+    EXPECT_EQ(watch.seen, Seen());
+    EXPECT_GE(opens, 2) << "the sheet of keys, what Ctrl+O asks";
+}
+
+TEST_F(Modeless, neitherTroubleNorTheEndAsksBeforeAllElse)
+{
+    ASSERT_TRUE(gui::eventually([&] { return window->exploration().linkAlive(); }));
+    watch.after = "a bus that is down";
+    bus.setState(BusState::Down, "can0");
+    EXPECT_TRUE(gui::eventually([&] { return !window->exploration().linkAlive(); }));
+    bus.setState(BusState::Up, "can0");
+    EXPECT_TRUE(gui::eventually([&] { return window->exploration().linkAlive(); }));
+    watch.after = "a robot that is gone";
+    robot.reset();
+    EXPECT_TRUE(gui::eventually([&] { return !window->exploration().linkAlive(); }));
+    watch.after = "closing while it records";
+    window->close();
+    EXPECT_FALSE(window->isVisible());
+    EXPECT_EQ(watch.seen, Seen());
+}
+
+}  // namespace
+}  // namespace terratact

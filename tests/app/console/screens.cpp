@@ -1,0 +1,488 @@
+#include "tests/app/console/screens.h"
+
+#include <qwt_legend.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QMenu>
+#include <QPainter>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QScrollBar>
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <map>
+#include <thread>
+
+#include "app/runtime/resources.h"
+#include "app/shell/language.h"
+#include "core/log/session_reader.h"
+#include "core/sim/terrain_shapes.h"
+#include "core/wire/frame_layout.h"
+#include "tests/support/arming.h"
+#include "tests/support/gui.h"
+#include "tests/support/sessions.h"
+#include "tests/support/toy_model.h"
+#include "widgets/base/held_button.h"
+#include "widgets/base/look.h"
+#include "widgets/base/words.h"
+#include "widgets/control/arming_control.h"
+#include "widgets/control/atem_panel.h"
+#include "widgets/control/probe_card.h"
+#include "widgets/control/status_header.h"
+
+namespace terratact {
+namespace {
+
+using namespace std::chrono_literals;
+using gui::eventually;
+
+constexpr double kSpeed = 10.0;   // simulated seconds per second
+constexpr int kHold = 1500;       // [ms] of a hold that is seen at its half
+constexpr int kSettles = 50;      // [ms] until all of the window has been drawn anew
+constexpr int kPatience = 60000;  // [ms]
+constexpr const char* kLanguages[]{"en", "cs", "de"};
+
+const Chapter& chapterOfThisTest()
+{
+    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+    const auto found = std::ranges::find(chapters(), test, &Chapter::name);
+    if (found == chapters().end()) throw std::logic_error("no chapter is called " + test);
+    return *found;
+}
+
+/// Names of frames and signals are those of the DBC in every language, and frames' traces full of them.
+const QRegularExpression& namesOfTheBus()
+{
+    static const QRegularExpression kNames = [] {
+        QStringList names;
+        for (const FrameLayout& layout : frameLayouts()) {
+            names << words::text(layout.name);
+            for (const SignalLayout& signal : layout.payload) names << words::text(signal.name);
+        }
+        names.replaceInStrings(QRegularExpression("[0-9]+"), "#");
+        std::sort(names.begin(), names.end(),  // the longest first
+                  [](const QString& a, const QString& b) { return a.size() > b.size(); });
+        return QRegularExpression(names.join('|'));
+    }();
+    return kNames;
+}
+
+/// Whether a text may read in another language as in English: nothing in it but names, units, files and words that the
+/// languages share.
+bool isSameEverywhere(const std::string& text)
+{
+    static const QRegularExpression kNames(
+        "\\b(pa|pac|pafc|pafac|local|joint|clearance|Absolem|Terratact|SIMULATED ROBOT|"
+        "REPLAY|English|Deutsch|Eigen|Qwt|OpenBLAS.*|Linux.*|R-hat|ESS|AVX|rad|STOP|Token|"
+        "terratact (simulate|train) .*|[Mm]odel|[Pp]anel|[Rr]obot|Bus|Start|Status|Name|Training|"
+        "Signal|Rate|Bytes|REC|Export|Format)\\b|can#|"
+        "/usr/share/doc/terratact/copyright|candump|Vector|Foxglove|Čeština|\\bbit\\b|UTC|/min\\b|"
+        "[^ ]*\\.(ttm|toml|csv|log|tts|png|svg|pdf|html|mcap|asc)\\b|"
+        // what the system says, and drivers in its place
+        "/proc/terratact|no such chip");
+    static const QRegularExpression kWord("[A-Za-z]{3}");
+    QString rest = QString::fromStdString(text);
+    return !rest.remove(kNames).remove(namesOfTheBus()).contains(kWord);
+}
+
+/// The first or the last line of a tip that shows what a DBC file says, in the file's language (plainTip()).
+bool isWordsOfAFile(const std::string& text)
+{
+    return text.starts_with("<p ") || text.ends_with("</p>");
+}
+
+/// A text and what it is put together of.
+std::set<std::string> partsOf(const std::string& text)
+{
+    static const QRegularExpression kJoints(QStringLiteral(" · | — |: "));
+    std::set<std::string> parts{text};
+    for (const QString& part : QString::fromStdString(text).split(kJoints))
+        parts.insert(part.toStdString());
+    return parts;
+}
+
+/// Of a text with places for values (%1).
+QRegularExpression patternOf(const QString& text)
+{
+    static const QRegularExpression kPlaces(QStringLiteral("\\\\%[1-9]"));
+    QString pattern = QRegularExpression::escape(text);
+    return QRegularExpression(pattern.replace(kPlaces, QStringLiteral(".*")),
+                              QRegularExpression::CaseInsensitiveOption
+                                  | QRegularExpression::DotMatchesEverythingOption);
+}
+
+/// Those of `says` that are in none of the texts.
+QStringList missingIn(const QStringList& texts, const QStringList& says)
+{
+    QStringList missing;
+    for (const QString& text : says) {
+        const QRegularExpression pattern = patternOf(text);
+        const bool isThere =
+            std::ranges::any_of(texts, [&](const QString& read) { return read.contains(pattern); });
+        if (!isThere) missing << text;
+    }
+    return missing;
+}
+
+SimulatedRobot simulated(const RobotModel& model, const Screens::Setting& setting)
+{
+    SimulatedRobot::Options options;
+    options.startX = kDemoStep - setting.before;
+    options.probeSeconds = 3.0;
+    SimulatedRobot robot(model, demoTerrain(), options);
+    if (!setting.isPressed) return robot;
+    robot.command(PressCommand{18.0});
+    for (int i = 0; i < 1000 && robot.activity() != RobotActivity::Pressed; ++i) robot.step(0.05);
+    return robot;
+}
+
+}  // namespace
+
+QString pictureFile(std::string_view name)
+{
+    for (std::size_t c = 0; c < chapters().size(); ++c) {
+        const auto& pictures = chapters()[c].pictures;
+        const auto found = std::ranges::find(pictures, name);
+        if (found == pictures.end()) continue;
+        return QStringLiteral("%1-%2_%3")
+            .arg(c + 1, 2, 10, QLatin1Char('0'))
+            .arg(found - pictures.begin() + 1, 2, 10, QLatin1Char('0'))
+            .arg(words::text(name));
+    }
+    return {};
+}
+
+Screens::Screens() : chapter_(chapterOfThisTest())
+{
+    QApplication::setApplicationVersion("0.0");
+    applyLook(*qApp);
+}
+
+Screens::~Screens()
+{
+    close();
+    installLanguage(*qApp, "en");
+    applyLook(*qApp);
+}
+
+void Screens::close()
+{
+    holdsEstimates = false;
+    scenes.reset();
+    review.reset();
+    console.reset();  // its source lives on the bus
+    robot.reset();
+    board.reset();
+    sessions_.reset();
+    applyLook(*qApp);
+}
+
+void Screens::inEveryLanguage(const std::function<void()>& tour)
+{
+    const std::string only = qEnvironmentVariable("TERRATACT_LANGUAGE").toStdString();
+    for (const char* language : kLanguages) {
+        if ((!only.empty() && language != only) || HasFailure()) continue;
+        if (installLanguage(*qApp, language) != QLatin1String(language))
+            GTEST_SKIP() << "built without translations";
+        const testing::ScopedTrace trace(__FILE__, __LINE__, language);
+        language_ = language;
+        said.clear();
+        taken_.clear();
+        alterEstimates({});
+        tour();
+        close();
+        for (const std::string_view name : chapter_.pictures)
+            EXPECT_EQ(taken_.count(name), 1U) << "pictures of " << name;
+        compareWithEnglish();
+    }
+}
+
+void Screens::compareWithEnglish()
+{
+    if (language_ == "en") english_ = said;
+    for (const std::string& text : said)
+        EXPECT_TRUE(language_ == "en" || !english_.contains(text) || isSameEverywhere(text))
+            << text;
+}
+
+void Screens::unsay(const QString& recorded)
+{
+    static const QRegularExpression kDigits(QStringLiteral("[0-9]+"));
+    for (QString line : recorded.split(QLatin1Char('\n')))
+        for (const std::string& part :
+             partsOf(line.replace(kDigits, QStringLiteral("#")).trimmed().toStdString()))
+            said.erase(part);
+}
+
+ConsoleWindow& Screens::window() const
+{
+    if (console) return *console;
+    if (review) return *review;
+    return *scenes;
+}
+
+bool Screens::reads(const QString& text) const
+{
+    return missingIn(gui::readableTexts(window()), {text}).isEmpty();
+}
+
+void Screens::picture(std::string_view name, const QStringList& says)
+{
+    look(name, says);
+    save(gui::painted(window()), name);
+}
+
+void Screens::pictureWith(QWidget& above, std::string_view name, const QStringList& says)
+{
+    look(name, says, &above);
+    QImage image = gui::painted(window());
+    if (above.isWindow()) {
+        const QImage sheet = gui::painted(above);
+        QPainter painter(&image);
+        painter.drawImage((image.width() - sheet.width()) / 2,
+                          (image.height() - sheet.height()) / 2, sheet);
+    }
+    save(image, name);
+}
+
+void Screens::pictureOfMenu(QPushButton& button, std::string_view name, const QStringList& says)
+{
+    ASSERT_TRUE(button.isVisible() && button.menu()) << name;
+    QMenu& menu = *button.menu();
+    menu.popup({});
+    ASSERT_TRUE(eventually([&] { return menu.isVisible(); })) << name;
+    QStringList lines;
+    for (const QAction* action : menu.actions()) lines << action->text();
+    for (const QString& text : missingIn(lines, says))
+        ADD_FAILURE() << name << " does not say: " << text.toStdString();
+    EXPECT_EQ(menu.size().expandedTo(menu.sizeHint()), menu.size()) << name << ": lines are cut";
+    QImage image = gui::painted(window());
+    // As the button opens it: below where there is room, else above, and never beyond the window.
+    QRect place(button.mapTo(&window(), QPoint(0, button.height())), menu.size());
+    if (place.bottom() > image.height()) place.moveBottom(place.top() - button.height());
+    place.moveRight(std::min(place.right(), image.width() - 1));
+    place.moveTop(std::max(place.top(), 0));
+    EXPECT_TRUE(image.rect().contains(place)) << name << " has no room";
+    QPainter(&image).drawImage(place.topLeft(), gui::painted(menu));
+    menu.close();
+    look(name, {button.text()});
+    save(image, name);
+}
+
+void Screens::look(std::string_view name, const QStringList& says, QWidget* above)
+{
+    const auto untidy = [&] {
+        auto found = gui::cutText(window());
+        if (!above) std::ranges::copy(gui::overlaps(window()), std::back_inserter(found));
+        if (above && above->isWindow())
+            std::ranges::copy(gui::cramped(*above), std::back_inserter(found));
+        for (const auto* legend : window().findChildren<QwtLegend*>())
+            if (legend->isVisible() && legend->verticalScrollBar()->isVisible())
+                found.emplace_back("a legend has no room for all of it");
+        return found;
+    };
+    const auto unsaid = [&] {
+        QStringList texts = gui::readableTexts(window());
+        if (above && above->isWindow()) texts << gui::readableTexts(*above);
+        return missingIn(texts, says);
+    };
+    EXPECT_FALSE(says.isEmpty()) << name << ": what does it show?";
+    (void)eventually([&] { return unsaid().isEmpty(); }, 15000);
+    QTest::qWait(kSettles);
+    (void)eventually([&] { return untidy().empty(); }, 3000);  // a busy machine lays out late
+    for (const QString& text : unsaid())
+        ADD_FAILURE() << name << " does not say: " << text.toStdString();
+    for (const std::string& text : untidy()) ADD_FAILURE() << "in " << name << ": " << text;
+    if (console) {
+        EXPECT_TRUE(console->header()->stopButton()->isVisible()) << name;
+    }
+    for (const QWidget* seen : std::initializer_list<const QWidget*>{&window(), above}) {
+        if (!seen) continue;
+        for (const std::string& text : gui::textsOf(*seen))
+            if (!isWordsOfAFile(text)) said.merge(partsOf(text));
+    }
+}
+
+void Screens::save(const QImage& image, std::string_view name)
+{
+    EXPECT_GT(gui::colours(image), 20) << name;
+    taken_.insert(name);
+    const QString file = pictureFile(name);
+    EXPECT_FALSE(file.isEmpty()) << "no chapter has " << name;
+    const QString folder = qEnvironmentVariable("TERRATACT_PICTURES");
+    if (folder.isEmpty()) return;
+    const QString prefix = language_ == "en" ? QString() : QString::fromStdString(language_ + "_");
+    EXPECT_TRUE(image.save(folder + "/" + prefix + file + ".png"));
+}
+
+Result<LoadedModel> Screens::shipped() const
+{
+    static std::map<std::string, Result<LoadedModel>> inLanguage;  // once: it takes its time
+    const auto found = inLanguage.find(language_);
+    if (found != inLanguage.end()) return found->second;
+    const ModelLoader load = modelFileLoader(resourcePath("models/default.ttm"), model);
+    return inLanguage.emplace(language_, load()).first->second;
+}
+
+ModelLoader Screens::altered()
+{
+    return [this]() -> Result<LoadedModel> {
+        auto loaded = shipped();
+        if (!loaded) return loaded;
+        LoadedModel changed = *loaded;
+        changed.estimate = [this, estimate = changed.estimate](const EstimateRequest& request,
+                                                               const Watch& watch) {
+            while (holdsEstimates) {
+                stopIfCancelled(watch);
+                watch.progress(0.4);
+                std::this_thread::sleep_for(2ms);
+            }
+            TerrainEstimate made = estimate(request, watch);
+            const std::scoped_lock lock(mutex_);
+            if (alters_) alters_(made);
+            return made;
+        };
+        return changed;
+    };
+}
+
+void Screens::alterEstimates(std::function<void(TerrainEstimate&)> how)
+{
+    const std::scoped_lock lock(mutex_);
+    alters_ = std::move(how);
+}
+
+void Screens::open(const Setting& setting)
+{
+    close();
+    sessions_ = std::make_unique<TemporaryDirectory>();
+    robot = std::make_unique<StagedRobot>(bus, model, simulated(model, setting),
+                                          RobotOnBus::Options{.firstEpoch = 9, .speed = kSpeed});
+    robot->stage(setting.staging);
+    const auto recorder = std::make_shared<SessionRecorder>(SessionRecorder::Options{
+        .folder = setting.sessions.empty() ? sessions_->file("sessions") : setting.sessions,
+        .start = someStart()});
+    const bool transmits = setting.mode == CanSource::Mode::Transmit;
+    auto source = std::make_unique<CanSource>(
+        bus.join(setting.busName), model,
+        CanSource::Options{
+            .mode = setting.mode,
+            .name = transmits ? "SIMULATED ROBOT" : "",
+            .link = {.gate = {.statusAge = 3.0, .answerAge = 3.0, .operatorAge = 3.0}},
+            .truth = [this] { return robot->truth(); },
+            .bitrate = 500e3,
+            .heard = [recorder](std::span<const BusFrame> frames) { recorder->take(frames); }});
+    MainWindow::Options options;
+    options.robot = model;
+    options.link = source.get();
+    options.source = std::move(source);
+    options.model = setting.model ? setting.model : altered();
+    options.modelPath = resourcePath("models/default.ttm");
+    options.robotDetails = QStringLiteral("robots/absolem.toml");
+    options.recorder = recorder;
+    options.exploration.linkLostAfter = options.exploration.staleAfter = setting.linkLostAfter;
+    options.exploration.limits = setting.limits;
+    options.exploration.driveSpeed = 0.03;
+    Preferences preferences;
+    preferences.probeAbove = 0.03;
+    options.exploration.settings = withPreferences({}, preferences);
+    options.preferences =
+        std::make_unique<PreferenceStore>(LoadedPreferences{preferences, {}, {}}, preferences);
+    options.presets = *readPresets(resourcePath("models/default.presets.csv"));
+    if (setting.hasPanel) {
+        board = std::make_unique<PanelBoard>();
+        options.panel = std::make_unique<OperatorPanel>(
+            PanelConfig{}, [this](const GpioRequest&) { return board->open(); });
+    }
+    console = std::make_unique<MainWindow>(std::move(options));
+    if (setting.safeMode) console->saySafeMode();
+    show(*console);
+    (void)eventually([&] { return console->probeCard()->isVisible(); }, 5000);  // it has its size
+}
+
+void Screens::show(ConsoleWindow& opened)
+{
+    opened.setRoom({1440, 900});
+    opened.resize(1440, 900);
+    gui::showActive(opened);
+}
+
+void Screens::openReview()
+{
+    close();
+    auto session = SessionReader::open(resourcePath("sessions/demo.tts"));
+    ASSERT_TRUE(session) << session.error().text;
+    review = std::make_unique<ReviewWindow>(ReviewWindow::Options{
+        .session = std::move(*session),
+        .robot = model,
+        .models = {QString::fromStdString(resourcePath("models/default.ttm"))}});
+    show(*review);
+}
+
+void Screens::openScenes()
+{
+    close();
+    scenes = std::make_unique<ScenesWindow>(ScenesWindow::Options{
+        .path = "seen/scenes.csv", .scenes = someScenes(3, 5), .robot = model, .model = altered()});
+    show(*scenes);
+}
+
+void Screens::press(int key, Qt::KeyboardModifiers with)
+{
+    QTest::keyClick(&window(), static_cast<Qt::Key>(key), with);
+}
+
+void Screens::arm()
+{
+    console->header()->arming()->confirmButton()->setHoldTime(1);
+    ASSERT_TRUE(arms(*console)) << describe(console->link()->view().link.arming.cause);
+    ASSERT_TRUE(eventually([&] { return console->exploration().armed(); }, kPatience));
+}
+
+bool Screens::reaches(AtemPhase phase)
+{
+    return eventually([&] { return console->exploration().state().phase == phase; }, kPatience);
+}
+
+void Screens::explore()
+{
+    Exploration& exploration = console->exploration();
+    const auto phase = [&] { return exploration.state().phase; };
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        ASSERT_NO_FATAL_FAILURE(arm());
+        if (exploring(phase())) exploration.abort();
+        ASSERT_TRUE(eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); },
+                               kPatience));
+        press(Qt::Key_A);
+        ASSERT_TRUE(eventually([&] { return exploring(phase()); }, kPatience));
+        ASSERT_TRUE(
+            eventually([&] { return phase() == AtemPhase::ProposingProbe || !exploring(phase()); },
+                       kPatience));
+        if (phase() != AtemPhase::ProposingProbe) continue;
+        ASSERT_TRUE(eventually(
+            [&] { return console->probeCard()->shown() || phase() != AtemPhase::ProposingProbe; },
+            kPatience));
+        return;
+    }
+    FAIL() << describe(phase()) << ": " << describe(exploration.state().failure);
+}
+
+void Screens::approve()
+{
+    ASSERT_TRUE(console->exploration().proposal());
+    console->exploration().approve(console->exploration().proposal()->id);
+}
+
+void Screens::holdAtHalf(HoldToConfirmButton& button, Qt::Key key, std::string_view name,
+                         const QStringList& says)
+{
+    button.setHoldTime(kHold);
+    QTest::keyPress(&window(), key);
+    ASSERT_TRUE(eventually([&] { return button.share() >= 0.4; })) << name;
+    picture(name, says);
+    EXPECT_TRUE(button.isHeld() && button.share() < 0.9) << name << ": " << button.share();
+}
+
+}  // namespace terratact

@@ -1,0 +1,482 @@
+// Every state of the console as a picture, in the order of a mission.  The pictures go where TERRATACT_PICTURES says,
+// else nowhere:
+//   TERRATACT_PICTURES=DIR build/release/tests/app.screens_test && tests/app/contact_sheet.sh DIR
+// TERRATACT_LANGUAGE=en: in that language alone.
+#include <QPushButton>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+
+#include "app/mission/preconditions.h"
+#include "app/mission/robot_words.h"
+#include "app/pages/terrain_page.h"
+#include "app/runtime/resources.h"
+#include "tests/app/console/screens.h"
+#include "tests/support/gui.h"
+#include "widgets/base/held_button.h"
+#include "widgets/base/words.h"
+#include "widgets/control/arming_control.h"
+#include "widgets/control/atem_panel.h"
+#include "widgets/control/probe_card.h"
+#include "widgets/control/robot_readout.h"
+#include "widgets/control/status_header.h"
+#include "widgets/terrain/bin_inspector.h"
+#include "widgets/terrain/terrain_profile_view.h"
+#include "widgets/terrain/verdict_strip.h"
+
+namespace terratact {
+
+using namespace std::chrono_literals;
+using gui::eventually;
+
+const std::vector<Chapter>& chapters()
+{
+    static const std::vector<Chapter> kChapters{
+        {"start",
+         {"no_model", "model_loading", "not_armed", "arming", "hold_to_arm_at_half", "ready",
+          "driving", "safe_mode"}},
+        {"exploring",
+         {"halting", "live_preview", "estimating", "doubtful_ground", "checks_overridden",
+          "press_refused_by_the_robot", "moved_meanwhile", "estimate_failed",
+          "disarmed_meanwhile"}},
+        {"verdict",
+         {"clear", "undecided", "blocked", "withheld_stale", "withheld_unheard",
+          "withheld_not_converged", "withheld_unlike_training", "withheld_roll",
+          "withheld_flippers", "withheld_for_all"}},
+        {"probe",
+         {"proposed", "draws_second_method_and_a_bin_up_close", "hold_to_approve_at_half",
+          "do_not_probe", "probing", "probed", "probe_refused_by_the_robot",
+          "question_of_another_model", "approval_void"}},
+        {"tooLate",
+         {"no_answer_in_time", "probe_took_too_long", "halt_took_too_long", "press_took_too_long",
+          "estimate_took_too_long"}},
+        {"result",
+         {"page_numbers", "page_alarms", "page_signals", "page_training", "page_settings",
+          "page_diagnostics", "layout_drive", "layout_review", "keys", "smallest",
+          "settings_down_to_the_model_card", "letters_200_percent",
+          "letters_200_percent_page_robot", "ghost", "ghost_by_night", "ghost_in_high_contrast",
+          "about"}},
+        {"menus", {"menu_quality", "menu_terrain", "menu_needs", "menu_view", "menu_help"}},
+        {"stop",
+         {"stop_not_confirmed", "stopped", "hold_to_release_stop_at_half", "stop_not_sent"}},
+        {"trouble",
+         {"no_telemetry_yet", "link_lost", "alarms_of_a_lost_link", "bus_off", "panel_lost",
+          "not_recorded"}},
+        {"doubtful_link",
+         {"telemetry_lost", "telemetry_unsteady", "disarmed_while_driving",
+          "disarmed_while_driving_numbers", "another_console", "bus_warning", "bus_passive",
+          "frames_dropped", "force_sensors_unusable", "alarms_of_force_sensors"}},
+        {"themes",
+         {"not_ready_by_night", "asked_by_night", "stopped_by_night", "link_lost_by_night",
+          "alarms_by_night", "not_ready_in_high_contrast", "asked_in_high_contrast",
+          "stopped_in_high_contrast", "link_lost_in_high_contrast", "alarms_in_high_contrast",
+          "asked_in_the_smallest_window", "asked_in_letters_of_200_percent"}},
+        {"following",
+         {"no_commands", "following_live_preview", "following_estimate", "stop_has_no_effect",
+          "end_of_the_log"}},
+        {"training", {"training_running", "training_compared"}},
+        {"review",
+         {"review", "review_events", "what_if", "what_if_by_another_method",
+          "review_letters_200_percent_page_robot", "export", "export_written", "review_has_no_stop",
+          "review_with_the_stop_of_its_console"}},
+        {"scenes", {"scenes", "scenes_keys"}},
+    };
+    return kChapters;
+}
+
+TEST(Pictures, haveNamesOfTheirOwn)
+{
+    std::set<std::string_view> names;
+    std::set<QString> files;
+    for (const Chapter& chapter : chapters())
+        for (const std::string_view name : chapter.pictures) {
+            EXPECT_TRUE(names.insert(name).second) << name;
+            EXPECT_TRUE(files.insert(pictureFile(name)).second) << name;
+        }
+    EXPECT_EQ(pictureFile("not_armed"), "01-03_not_armed");
+}
+
+namespace {
+
+QString told(std::string_view english)
+{
+    return words::sentence(english);
+}
+
+QString notReady()
+{
+    return AtemPanel::tr("not ready");
+}
+
+QString noEstimateYet()
+{
+    return Exploration::tr("No estimate yet: press M, then hold M to arm; then explore (A)");
+}
+
+}  // namespace
+
+TEST_F(Screens, start)
+{
+    inEveryLanguage([&] {
+        open({.model = []() -> Result<LoadedModel> {
+            return Error{"models/mine.ttm: cannot be opened: No such file or directory", 2};
+        }});
+        ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
+        picture("no_model",
+                {MainWindow::tr("no model"), Exploration::tr("No estimate: there is no model"),
+                 QStringLiteral("models/mine.ttm: %1: %2")
+                     .arg(told("cannot be opened"), told("No such file or directory")),
+                 notReady()});
+
+        std::atomic<bool> go = false;
+        open({.model = [&] {
+            while (!go) std::this_thread::sleep_for(5ms);
+            return shipped();
+        }});
+        picture("model_loading", {MainWindow::tr("model loading …"),
+                                  Exploration::tr("No estimate yet: the model is being loaded")});
+        go = true;
+        ArmingControl& arming = *console->header()->arming();
+        ASSERT_TRUE(eventually([&] { return arming.armButton()->isEnabled(); }));
+        picture("not_armed",
+                {ArmingControl::tr("DISARMED · arm (M)"), noEstimateYet(), notReady()});
+        press(Qt::Key_M);
+        ASSERT_TRUE(eventually([&] { return arming.confirmButton()->isVisible(); }));
+        picture("arming", {ArmingControl::tr("hold to arm (M)")});
+        QTest::qWait(60);  // a second action, not a repeated key
+        holdAtHalf(*arming.confirmButton(), Qt::Key_M, "hold_to_arm_at_half",
+                   {ArmingControl::tr("hold to arm (M)")});
+        ASSERT_TRUE(eventually([&] { return console->exploration().armed(); }));
+        QTest::keyRelease(&window(), Qt::Key_M);
+        ASSERT_NO_FATAL_FAILURE(arm());
+        ASSERT_TRUE(eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }));
+        picture("ready", {ArmingControl::tr("ARMED · disarm (M)"),
+                          Exploration::tr("No estimate yet: explore the terrain (A)"),
+                          told(describe(AtemPhase::Idle)), TerrainPage::tr("< %1 s old")});
+        EXPECT_FALSE(reads(notReady()));
+        QTest::keyPress(&window(), Qt::Key_W);
+        picture("driving", {glance(RobotActivity::Driving)});
+        QTest::keyRelease(&window(), Qt::Key_W);
+
+        open({.safeMode = true});
+        ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
+        picture("safe_mode",
+                {ConsoleWindow::tr("SAFE MODE: default settings, none are read or saved · to leave "
+                                   "it, start without --safe-mode")});
+    });
+}
+
+TEST_F(Screens, exploring)
+{
+    inEveryLanguage([&] {
+        open({});
+        const auto isSeenToPress = [&] {
+            const auto latest = console->acquisition().latest();
+            return latest && console->exploration().estimation().live()
+                && latest->sample.measurement.activity == RobotActivity::Pressing;
+        };
+        for (int attempt = 0; attempt < 3 && !isSeenToPress(); ++attempt) {  // a busy machine
+            ASSERT_NO_FATAL_FAILURE(arm());
+            robot->stage({.says = RobotActivity::Driving});
+            ASSERT_TRUE(
+                eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }));
+            press(Qt::Key_A);
+            ASSERT_TRUE(reaches(AtemPhase::Halting));
+            if (attempt == 0) picture("halting", {told(describe(AtemPhase::Halting))});
+            robot->stage({.lasts = RobotActivity::Pressing});
+            (void)eventually([&] {
+                return isSeenToPress() || console->exploration().state().phase == AtemPhase::Failed;
+            });
+        }
+        ASSERT_TRUE(isSeenToPress()) << describe(console->exploration().state().failure);
+        picture("live_preview",
+                {told(describe(AtemPhase::Pressing)), TerrainPage::tr("LIVE preview")});
+        holdsEstimates = true;
+        robot->stage({});
+        ASSERT_TRUE(reaches(AtemPhase::Estimating))
+            << describe(console->exploration().state().failure);
+        picture("estimating", {told(describe(AtemPhase::Estimating)),
+                               TerrainPage::tr("The estimate is being computed"),
+                               RobotReadout::tr("%1   captured %2")});
+        EXPECT_FALSE(reads(TerrainPage::tr("The flippers still move"))) << "they have stopped";
+        holdsEstimates = false;
+        ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+        press(Qt::Key_Escape);
+        ASSERT_TRUE(reaches(AtemPhase::Idle));
+
+        robot->stage({.roll = 0.2, .twist = 0.2});
+        picture("doubtful_ground", {AtemPanel::tr("Override (O)"),
+                                    PlanarGround::tr("roll %1: left and right ground differ"),
+                                    PlanarGround::tr("left and right flippers differ by %1")});
+        press(Qt::Key_O);
+        picture("checks_overridden",
+                {StatusHeader::tr("! CHECK OVERRIDDEN"), AtemPanel::tr("%1 (overridden)")});
+
+        robot->stage({.refuses = Refusal::NoRestPose});
+        ASSERT_TRUE(eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }));
+        press(Qt::Key_A);
+        ASSERT_TRUE(reaches(AtemPhase::Failed));
+        picture("press_refused_by_the_robot",
+                {told(describe(AtemFailure::PressRefused)), told(describe(Refusal::NoRestPose))});
+        robot->stage({});
+        ASSERT_NO_FATAL_FAILURE(explore());
+        robot->stage({.pitch = 0.3});
+        ASSERT_TRUE(reaches(AtemPhase::Failed));
+        picture("moved_meanwhile", {told(describe(AtemFailure::PoseChanged))});
+        robot->stage({});
+        alterEstimates([](TerrainEstimate&) { throw std::runtime_error("a number is no number"); });
+        ASSERT_TRUE(eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }));
+        press(Qt::Key_A);
+        ASSERT_TRUE(reaches(AtemPhase::Failed));
+        picture("estimate_failed", {told(describe(AtemFailure::EstimateError))});
+        alterEstimates({});
+        ASSERT_NO_FATAL_FAILURE(explore());
+        press(Qt::Key_M);
+        ASSERT_TRUE(reaches(AtemPhase::Failed));
+        picture("disarmed_meanwhile",
+                {told(describe(AtemFailure::Disarmed)), ArmingControl::tr("DISARMED · arm (M)")});
+    });
+}
+
+namespace {
+
+/// The limit next to the usual one for which the estimate that stands gives that answer [m]; empty: none does.
+std::optional<double> limitFor(const Estimation& estimation, Outlook outlook)
+{
+    std::optional<double> found;
+    for (int centimetres = 2; centimetres <= 50; ++centimetres) {
+        const double limit = 0.01 * centimetres;
+        const Measurement& scene = estimation.scene()->measurement;
+        const Verdict verdict = verdictOf(*estimation.estimate(), scene, {}, limit);
+        if (verdict.outlook == outlook
+            && (!found || std::abs(limit - kStepLimit) < std::abs(*found - kStepLimit)))
+            found = limit;
+    }
+    return found;
+}
+
+}  // namespace
+
+TEST_F(Screens, verdict)
+{
+    const auto withLimit = [&](Outlook outlook) {
+        const Estimation& estimation = console->exploration().estimation();
+        const std::optional<double> limit = limitFor(estimation, outlook);
+        ASSERT_TRUE(limit) << name(outlook);
+        console->preferences().change([&](Preferences& p) { p.obstacleLimit = *limit; });
+        const auto isAsked = [&] {
+            const auto& proposal = console->exploration().proposal();
+            return !proposal || proposal->stepLimit == *limit;
+        };
+        EXPECT_TRUE(eventually(isAsked)) << "the question of the probe is that of the verdict";
+    };
+    const auto withheld = [](Doubt doubt) {
+        return QStringList{VerdictStrip::tr("? CANNOT TELL"), VerdictStrip::tr("withheld: %1"),
+                           told(describe(doubt))};
+    };
+    const auto unsettled = [](TerrainEstimate& e) {
+        e.converged = false;
+        e.rhat[9] = 1.061;
+        e.ess[9] = 92.0;
+        e.warnings.emplace_back(
+            "chains not converged: R-hat 1.061 (limit 1.01), effective draws 92 (limit 400)");
+    };
+    const auto unlike = [](TerrainEstimate& e) {
+        e.novelty = 1.8;
+        e.warnings.emplace_back(
+            "unlike the training scenes: 1.8 times the distance that 1 % of them exceed");
+    };
+    // A step of half its height, which some limit that can be set surely exceeds, whatever the noise of the scene.
+    const auto halved = [](TerrainEstimate& e) {
+        const double ground = e.mean[3];
+        const auto halve = [ground](Heights& heights) {
+            for (double& h : heights) h = ground + 0.5 * (h - ground);
+        };
+        for (Heights* heights : {&e.mean, &e.q10, &e.q90, &e.height}) halve(*heights);
+        for (Heights& heights : e.draws) halve(heights);
+        for (double& sd : e.sd) sd *= 0.5;
+        e.touch.fill(Touch::Felt);  // else the simulated ground would be spanned in places
+    };
+    inEveryLanguage([&] {
+        open({.before = 0.5, .linkLostAfter = 0.8});
+        console->preferences().change(
+            [](Preferences& p) { p.hazardRate = kHazardRateRange.least; });
+        alterEstimates(halved);
+        ASSERT_NO_FATAL_FAILURE(explore());
+        ASSERT_NO_FATAL_FAILURE(withLimit(Outlook::Clear));
+        picture("clear", {VerdictStrip::tr("✔ CLEAR")});
+        withLimit(Outlook::CannotTell);
+        picture("undecided", {VerdictStrip::tr("? CANNOT TELL"),
+                              VerdictStrip::tr("undecided from %1 to %2, %3")});
+        withLimit(Outlook::Blocked);
+        picture("blocked", {VerdictStrip::tr("✘ BLOCKED")});
+        robot->stage({.isMute = true});
+        picture("withheld_stale", withheld(Doubt::Stale));
+        QTest::qWait(static_cast<int>(1000.0 * kLongestSilence) + 200);
+        robot->stage({});
+        picture("withheld_unheard", withheld(Doubt::Unheard));
+
+        alterEstimates(unsettled);
+        ASSERT_NO_FATAL_FAILURE(explore());
+        picture("withheld_not_converged", withheld(Doubt::NotConverged));
+        alterEstimates(unlike);
+        ASSERT_NO_FATAL_FAILURE(explore());
+        picture("withheld_unlike_training", withheld(Doubt::UnlikeTraining));
+        alterEstimates({});
+        const auto exploreOn = [&](const Staging& ground) {
+            robot->stage(ground);
+            ASSERT_TRUE(
+                eventually([&] { return console->atemPanel()->overrideButton()->isVisible(); }));
+            press(Qt::Key_O);
+            ASSERT_NO_FATAL_FAILURE(explore());
+        };
+        press(Qt::Key_Escape);
+        ASSERT_NO_FATAL_FAILURE(exploreOn({.roll = 0.2}));
+        picture("withheld_roll", withheld(Doubt::Roll));
+        press(Qt::Key_Escape);
+        ASSERT_NO_FATAL_FAILURE(exploreOn({.twist = 0.2}));
+        picture("withheld_flippers", withheld(Doubt::Asymmetry));
+        press(Qt::Key_Escape);
+        alterEstimates([&](TerrainEstimate& e) { unsettled(e), unlike(e); });
+        ASSERT_NO_FATAL_FAILURE(exploreOn({.roll = 0.2, .twist = 0.2}));
+        robot->stage({.roll = 0.2, .twist = 0.2, .isMute = true});
+        picture("withheld_for_all",
+                {VerdictStrip::tr("withheld: %1"), VerdictStrip::tr("no live telemetry"),
+                 VerdictStrip::tr("not converged"), VerdictStrip::tr("unlike all training"),
+                 VerdictStrip::tr("the robot rolls"), VerdictStrip::tr("the flippers differ")});
+    });
+}
+
+TEST_F(Screens, probe)
+{
+    inEveryLanguage([&] {
+        open({});
+        ASSERT_NO_FATAL_FAILURE(explore());
+        Exploration& exploration = console->exploration();
+        const QString question = ProbeCard::tr("hold to approve probe at %1 (Space)");
+        picture("proposed", {question});
+        press(Qt::Key_D);
+        exploration.setSecondMethod(Method::Pafc);
+        ASSERT_TRUE(
+            eventually([&] { return exploration.estimation().second().has_value(); }, 60000));
+        console->terrain()->inspect(8);
+        ASSERT_TRUE(
+            eventually([&] { return console->findChild<BinInspector*>()->isVisible(); }, 5000));
+        picture("draws_second_method_and_a_bin_up_close",
+                console->findChild<BinInspector*>()->lines() << question);
+        console->terrain()->inspect(std::nullopt);
+        press(Qt::Key_D);
+        exploration.setSecondMethod(std::nullopt);
+
+        HoldToConfirmButton& approveButton = *console->probeCard()->approveButton();
+        if (exploration.state().phase != AtemPhase::ProposingProbe) {
+            ASSERT_NO_FATAL_FAILURE(explore());  // a busy machine
+        }
+        holdAtHalf(approveButton, Qt::Key_Space, "hold_to_approve_at_half", {question});
+        QTest::keyRelease(&window(), Qt::Key_Space);
+        ASSERT_TRUE(eventually([&] { return !approveButton.isHeld(); }));
+        ASSERT_EQ(exploration.state().phase, AtemPhase::ProposingProbe) << "nobody has approved it";
+        press(Qt::Key_N);
+        picture("do_not_probe",
+                {TerrainPage::tr("No probe: the estimate stands without the arm.")});
+
+        ASSERT_NO_FATAL_FAILURE(explore());
+        robot->stage({.lasts = RobotActivity::Probing});
+        approveButton.setHoldTime(1);
+        QTest::keyPress(&window(), Qt::Key_Space);
+        picture("probing",
+                {ProbeCard::tr("The arm is probing bin %1"), glance(RobotActivity::Probing)});
+        QTest::keyRelease(&window(), Qt::Key_Space);
+        robot->stage({});
+        picture("probed",
+                {TerrainPage::tr("The arm has measured; its height is part of the "
+                                 "estimate."),
+                 told(describe(AtemPhase::Presenting)) + AtemPanel::tr(", arm included")});
+
+        ASSERT_NO_FATAL_FAILURE(explore());
+        robot->stage({.refuses = Refusal::OutOfReach});
+        approve();
+        ASSERT_TRUE(reaches(AtemPhase::Failed));
+        picture("probe_refused_by_the_robot",
+                {told(describe(AtemFailure::ProbeRefused)), told(describe(Refusal::OutOfReach))});
+
+        robot->stage({});
+        const TemporaryDirectory files;
+        const auto chooseModel = [&](const std::string& name) {
+            std::filesystem::copy_file(resourcePath("models/default.ttm"), files.file(name));
+            console->preferences().change(
+                [&](Preferences& p) { p.model = QString::fromStdString(files.file(name)); });
+            ASSERT_TRUE(eventually(
+                [&] { return exploration.estimation().model().name.toStdString() == name; },
+                60000));
+        };
+        for (int attempt = 0; attempt < 3; ++attempt) {  // a busy machine
+            ASSERT_NO_FATAL_FAILURE(explore());
+            ASSERT_NO_FATAL_FAILURE(chooseModel("other" + std::to_string(attempt) + ".ttm"));
+            if (exploration.state().phase == AtemPhase::ProposingProbe) break;
+        }
+        picture("question_of_another_model",
+                {Preconditions::tr("scene, settings or model have changed since the question"),
+                 ProbeCard::tr("void"), ProbeCard::tr("approval void: probe at %1")});
+        approve();
+        ASSERT_TRUE(reaches(AtemPhase::Failed));
+        picture("approval_void", {told(describe(AtemFailure::ApprovalVoid))});
+    });
+}
+
+TEST_F(Screens, tooLate)
+{
+    inEveryLanguage([&] {
+        AtemLimits hasty = kPatient;
+        hasty.approval = hasty.probe = 0.6;
+        open({.limits = hasty});
+        ASSERT_NO_FATAL_FAILURE(explore());
+        picture("no_answer_in_time",
+                {TerrainPage::tr("The proposal was not answered in time, which means no."),
+                 AtemPanel::tr("; no answer in time, so no probe")});
+        robot->stage({.lasts = RobotActivity::Probing});
+        for (int attempt = 0; attempt < 5; ++attempt) {  // a busy machine answers late
+            ASSERT_NO_FATAL_FAILURE(explore());
+            if (console->exploration().proposal()) approve();
+            ASSERT_TRUE(eventually(
+                [&] { return console->exploration().state().phase != AtemPhase::ProposingProbe; }));
+            if (!console->exploration().state().approvalExpired) break;
+        }
+        ASSERT_TRUE(reaches(AtemPhase::Failed));
+        picture("probe_took_too_long", {told(describe(AtemFailure::ProbeTimeout))});
+
+        const auto failsWith = [&](const AtemLimits& limits, const Staging& staging,
+                                   bool holds = false) {
+            open({.limits = limits});
+            holdsEstimates = holds;
+            for (int attempt = 0; attempt < 3; ++attempt) {  // a busy machine disarms
+                ASSERT_NO_FATAL_FAILURE(arm());
+                robot->stage(staging);
+                ASSERT_TRUE(
+                    eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }));
+                press(Qt::Key_A);
+                ASSERT_TRUE(reaches(AtemPhase::Failed));
+                if (console->exploration().state().failure != AtemFailure::Disarmed) return;
+                robot->stage({});
+            }
+        };
+        const auto impatient = [](double AtemLimits::*of) {
+            AtemLimits limits = kPatient;
+            limits.*of = 0.6;
+            return limits;
+        };
+        ASSERT_NO_FATAL_FAILURE(
+            failsWith(impatient(&AtemLimits::halt), {.says = RobotActivity::Driving}));
+        picture("halt_took_too_long", {told(describe(AtemFailure::HaltTimeout))});
+        ASSERT_NO_FATAL_FAILURE(
+            failsWith(impatient(&AtemLimits::press), {.lasts = RobotActivity::Pressing}));
+        picture("press_took_too_long", {told(describe(AtemFailure::PressTimeout))});
+        ASSERT_NO_FATAL_FAILURE(failsWith(impatient(&AtemLimits::estimate), {}, true));
+        picture("estimate_took_too_long", {told(describe(AtemFailure::EstimateTimeout))});
+    });
+}
+
+}  // namespace terratact

@@ -1,0 +1,462 @@
+// What is set on the page of the settings is in force at once.
+#include "app/console/settings_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <numbers>
+#include <vector>
+
+#include "app/console/main_window.h"
+#include "app/console/session_housekeeping.h"
+#include "core/learn/model/model_file.h"
+#include "core/log/session_reader.h"
+#include "core/sim/terrain_shapes.h"
+#include "tests/support/absolem.h"
+#include "tests/support/estimates.h"
+#include "tests/support/gui.h"
+#include "tests/support/sessions.h"
+#include "tests/support/sim_source.h"
+#include "tests/support/temporary_directory.h"
+#include "tests/support/toy_model.h"
+#include "widgets/base/look.h"
+#include "widgets/control/atem_panel.h"
+#include "widgets/signals/event_list.h"
+#include "widgets/terrain/verdict_strip.h"
+
+namespace terratact {
+namespace {
+
+using gui::eventually;
+
+/// Tells what it was told, also when the window that owned it is gone.
+class WitnessedRobot final : public MeasurementSource {
+public:
+    WitnessedRobot(const SimulatedRobot& robot, std::vector<Command>& told)
+        : robot_(robot, 1.0), told_(told)
+    {
+    }
+    std::string name() const override { return robot_.name(); }
+    Result<std::optional<Sample>> next(std::chrono::milliseconds patience) override
+    {
+        return robot_.next(patience);
+    }
+    Status send(const Command& command) override
+    {
+        told_.push_back(command);
+        return robot_.send(command);
+    }
+
+private:
+    SimSource robot_;
+    std::vector<Command>& told_;
+};
+
+struct SettingsInForce : testing::Test {
+    SettingsInForce()
+    {
+        MainWindow::Options options;
+        options.robot = absolem();
+        SimulatedRobot::Options simulation;
+        simulation.startX = 2.0;
+        options.source = std::make_unique<WitnessedRobot>(
+            SimulatedRobot(options.robot, demoTerrain(), simulation), told);
+        options.exploration.linkLostAfter = 3.0;  // this machine may be busy
+        options.model = [] {
+            return Result<LoadedModel>(LoadedModel{
+                .estimate = [](const EstimateRequest&, const Watch&) { return stepEstimate(); },
+                .name = "fake.ttm",
+                .details = {},
+                .content = "measured"});
+        };
+        options.recorder = std::make_shared<SessionRecorder>(
+            SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});
+        options.presets = {"measured",
+                           {{Method::Local, Quality::Fast, 250, 16, 16, 175, 0.5, 0.0, 25.0, 1.0},
+                            {Method::Pac, Quality::Fast, 250, 16, 16, 175, 4.0, 11.3, 34.0, 0.13}}};
+        window = std::make_unique<MainWindow>(std::move(options));
+        gui::showActive(*window);
+        QTest::keyClick(window.get(), Qt::Key_F7);
+    }
+    ~SettingsInForce() override
+    {
+        applyLook(*qobject_cast<QApplication*>(QApplication::instance()));
+    }
+    const Settings& inForce() const { return window->exploration().options().settings; }
+    SettingsPage& page() const { return *window->settings(); }
+    template <class T>
+    bool wasTold() const
+    {
+        return std::ranges::any_of(told,
+                                   [](const Command& c) { return std::holds_alternative<T>(c); });
+    }
+    void explore()
+    {
+        ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
+        window->exploration().request();
+        ASSERT_TRUE(eventually([&] { return exploring(window->exploration().state().phase); }));
+        told.clear();
+    }
+
+    /// Of the operator's decisions on record, those about `subject`; ends the recording.
+    std::vector<std::string> decisions(const std::string& subject)
+    {
+        window.reset();
+        std::vector<std::string> found;
+        for (const auto& file : std::filesystem::directory_iterator(directory.file("sessions"))) {
+            if (file.path().extension() != ".tts") continue;
+            auto session = SessionReader::open(file.path().string());
+            EXPECT_TRUE(session) << session.error().text;
+            if (!session) continue;
+            for (const EventRow& row : session->events())
+                if (row.kind == EventKind::Decision && row.subject == subject)
+                    found.push_back(row.text);
+        }
+        return found;
+    }
+
+    TemporaryDirectory directory;
+    std::vector<Command> told;
+    std::unique_ptr<MainWindow> window;
+};
+
+TEST_F(SettingsInForce, methodQualityAndLimitsReachTheNextEstimate)
+{
+    ASSERT_TRUE(page().isVisible());
+    page().methodBox()->setCurrentText("pafc");
+    EXPECT_EQ(inForce().method, Method::Pafc);
+    page().qualityBox()->setCurrentIndex(static_cast<int>(Quality::Accurate));
+    EXPECT_EQ(inForce().draws, withQuality(Settings{}, Quality::Accurate).draws);
+    page().thresholdBox()->setValue(3.5);
+    EXPECT_EQ(inForce().forceThreshold, 3.5);
+    page().obstacleBox()->setValue(0.20);
+    EXPECT_NEAR(window->exploration().options().stepLimit, 0.20, 1e-12);
+    EXPECT_NEAR(window->verdict()->limit(), 0.20, 1e-12);
+    EXPECT_EQ(window->preferences().current().method, Method::Pafc);
+    EXPECT_EQ(window->exploration().options().seconds, 0.0) << "off until somebody wants it";
+    page().secondsBox()->setValue(5);
+    EXPECT_EQ(window->exploration().options().seconds, 5.0);
+}
+
+TEST_F(SettingsInForce, aSettingChangesNoOther)
+{
+    const Preferences before = window->preferences().current();
+    page().thresholdBox()->setValue(3.5);
+    Preferences wanted = before;
+    wanted.forceThreshold = 3.5;
+    EXPECT_EQ(window->preferences().current(), wanted)
+        << "limits finer than their boxes show, such as 0.1 rad, stay as they are";
+}
+
+TEST_F(SettingsInForce, theWheelChangesOnlyTheBoxWithTheFocus)
+{
+    const auto turn = [](QWidget& over) {
+        QWheelEvent wheel(QPointF(5, 5), over.mapToGlobal(QPointF(5, 5)), {}, QPoint(0, -120),
+                          Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&over, &wheel);
+    };
+    const Preferences before = window->preferences().current();
+    for (QWidget* box : std::initializer_list<QWidget*>{page().methodBox(), page().themeBox(),
+                                                        page().thresholdBox()}) {
+        turn(*box);
+        EXPECT_FALSE(box->hasFocus());
+    }
+    EXPECT_EQ(window->preferences().current(), before);
+    page().thresholdBox()->setFocus();
+    turn(*page().thresholdBox());
+    EXPECT_LT(window->preferences().current().forceThreshold, before.forceThreshold);
+}
+
+TEST_F(SettingsInForce, theLookChangesAtOnceAndBackAgain)
+{
+    page().themeBox()->setCurrentIndex(static_cast<int>(ThemeName::NightRed));
+    EXPECT_EQ(window->preferences().current().theme, ThemeName::NightRed);
+    const QColor night = theme().card;
+    page().themeBox()->setCurrentIndex(static_cast<int>(ThemeName::Day));
+    EXPECT_NE(theme().card, night);
+}
+
+TEST_F(SettingsInForce, aQualityTellsItsCostOrThatNobodyMeasuredIt)
+{
+    EXPECT_TRUE(eventually([&] { return page().qualityBox()->itemText(0).contains("0.5 ms"); }));
+    EXPECT_TRUE(page().qualityBox()->itemText(0).contains("(exact)"));
+    EXPECT_TRUE(page().qualityBox()->itemText(1).contains("not measured"));
+    page().methodBox()->setCurrentText("pafc");
+    EXPECT_TRUE(page().qualityBox()->itemText(0).contains("not measured"));
+    page().methodBox()->setCurrentText("pac");
+    EXPECT_TRUE(page().qualityBox()->itemText(0).contains("± 11.3 mm"));
+}
+
+TEST_F(SettingsInForce, whatAQualityCostsIsToldOnlyOfTheModelItWasMeasuredWith)
+{
+    const auto costs = [&] { return page().qualityBox()->itemText(0).contains("0.5 ms"); };
+    ASSERT_TRUE(eventually(costs));
+    const std::string other = directory.file("other.ttm");
+    ASSERT_TRUE(writeModel(other, toyModel(4)));
+    window->preferences().change([&](Preferences& p) { p.model = QString::fromStdString(other); });
+    EXPECT_TRUE(eventually([&] { return !costs(); }));
+}
+
+TEST_F(SettingsInForce, whatIsChangedElsewhereIsSeenHere)
+{
+    window->preferences().change([](Preferences& p) { p.forceThreshold = 4.0; });
+    EXPECT_EQ(page().thresholdBox()->value(), 4.0);
+    EXPECT_EQ(inForce().forceThreshold, 4.0);
+}
+
+TEST_F(SettingsInForce, aModelThatCannotBeLoadedLeavesTheOneInUse)
+{
+    ASSERT_TRUE(eventually([&] { return page().modelCard().contains("fake.ttm"); }));
+    window->preferences().change([](Preferences& p) { p.model = "/no/such.ttm"; });
+    QTest::qWait(300);
+    EXPECT_TRUE(window->modelTrouble().isEmpty());
+    EXPECT_TRUE(eventually([&] { return page().modelCard().contains("fake.ttm"); }));
+}
+
+TEST_F(SettingsInForce, anotherRobotBuildsTheWindowAnew)
+{
+    int wanted = 0;
+    QObject::connect(window.get(), &MainWindow::reopenWanted, window.get(), [&] { ++wanted; });
+    window->preferences().change([](Preferences& p) { p.robot = "/robots/other.toml"; });
+    EXPECT_EQ(wanted, 1);
+}
+
+TEST_F(SettingsInForce, anotherLanguageLikewiseButNotWhileExploring)
+{
+    int wanted = 0;
+    QObject::connect(window.get(), &MainWindow::reopenWanted, window.get(), [&] { ++wanted; });
+    page().languageBox()->setCurrentIndex(2);
+    EXPECT_EQ(wanted, 1);
+    explore();
+    EXPECT_TRUE(eventually([&] { return !page().languageBox()->isEnabled(); }));
+    window->preferences().change([](Preferences& p) { p.language = "de"; });  // as the menu does
+    EXPECT_EQ(wanted, 1);
+    EXPECT_TRUE(exploring(window->exploration().state().phase));
+    EXPECT_TRUE(window->events()->item(0)->text().contains("next start"));
+}
+
+TEST_F(SettingsInForce, everyChangeIsOnRecordWithWhatWasBefore)
+{
+    page().methodBox()->setCurrentText("pafc");
+    page().thresholdBox()->setValue(3.5);
+    page().themeBox()->setCurrentIndex(static_cast<int>(ThemeName::NightRed));
+    window->preferences().change([](Preferences& p) {
+        p.rollLimit = 0.125;
+        p.layout = Layout::Drive;
+    });
+    EXPECT_EQ(decisions("settings"),
+              (std::vector<std::string>{"method: local → pafc", "force-threshold: 2 → 3.5",
+                                        "theme: day → night-red",
+                                        "layout: probe → drive; roll-limit: 0.1 → 0.125"}));
+}
+
+TEST_F(SettingsInForce, whenTheArmIsOfferedIsChosenAndOnRecord)
+{
+    EXPECT_EQ(window->exploration().options().probes, ProbePolicy::Variance) << "as in the paper";
+    page().probesBox()->setCurrentIndex(2);
+    EXPECT_EQ(window->exploration().options().probes, ProbePolicy::Question);
+    EXPECT_EQ(decisions("settings"),
+              (std::vector<std::string>{"probe-policy: variance → question"}));
+}
+
+TEST_F(SettingsInForce, aMarkThatIsNotKeptIsSaid)
+{
+    const auto newest = [&] { return window->events()->item(0)->text(); };
+    ASSERT_TRUE(eventually([&] {
+        QTest::keyClick(window.get(), Qt::Key_K);
+        return newest().contains("marked in the recording");
+    }));
+    window->preferences().change([](Preferences& p) { p.record = false; });
+    EXPECT_TRUE(eventually([&] {
+        QTest::keyClick(window.get(), Qt::Key_K);
+        return newest().contains("not marked: nothing is recorded");
+    }));
+}
+
+TEST_F(SettingsInForce, theSecondMethodIsOnRecord)
+{
+    window->exploration().setSecondMethod(Method::Joint);
+    window->exploration().setSecondMethod(std::nullopt);
+    EXPECT_EQ(decisions("second method"), (std::vector<std::string>{"joint", "none"}));
+}
+
+TEST_F(SettingsInForce, nothingThatBuildsTheWindowAnewCanBeChosenWhileExploring)
+{
+    ASSERT_TRUE(eventually([&] { return page().defaultsButton()->isEnabled(); }));
+    explore();
+    for (const QPushButton* button : {page().defaultsButton(), page().robotButton()}) {
+        EXPECT_TRUE(eventually([&] { return !button->isEnabled(); }));
+        EXPECT_TRUE(button->toolTip().contains("Esc")) << button->toolTip().toStdString();
+    }
+    window->exploration().abort();
+    EXPECT_TRUE(eventually([&] { return page().defaultsButton()->isEnabled(); }));
+}
+
+TEST_F(SettingsInForce, allBackToTheDefaultsAsksFirst)
+{
+    ASSERT_TRUE(eventually([&] { return page().defaultsButton()->isEnabled(); }));
+    window->preferences().change([](Preferences& p) { p.obstacleLimit = 0.2; });
+    page().defaultsButton()->click();
+    page().defaultsButton()->click();  // a double click
+    EXPECT_EQ(window->preferences().current().obstacleLimit, 0.2);
+    EXPECT_TRUE(page().defaultsButton()->text().contains("again"));
+    EXPECT_TRUE(eventually([&] {
+        page().defaultsButton()->click();
+        return window->preferences().current().obstacleLimit == Preferences{}.obstacleLimit;
+    }));
+}
+
+TEST_F(SettingsInForce, aWindowThatIsBuiltAnewEndsWhatItHadSetInMotion)
+{
+    ASSERT_TRUE(eventually([&] { return window->exploration().whyNotDriving().isEmpty(); }));
+    window->exploration().drive(1);
+    window->preferences().change([](Preferences& p) { p.robot = "/robots/other.toml"; });
+    EXPECT_TRUE(wasTold<HaltCommand>());
+}
+
+TEST_F(SettingsInForce, aWindowThatGoesWithoutBeingClosedEndsWhatItHadSetInMotion)
+{
+    explore();
+    window.reset();
+    EXPECT_TRUE(wasTold<AbortAtemCommand>());
+}
+
+QDoubleSpinBox* boxOf(const SettingsPage& page, const char* name)
+{
+    for (QDoubleSpinBox* box : page.findChildren<QDoubleSpinBox*>())
+        if (box->accessibleName() == QString::fromUtf8(name)) return box;
+    return nullptr;
+}
+
+TEST(SettingsPageAlone, showsWhateverTheFileMayHold)
+{
+    constexpr double kDegrees = std::numbers::pi / 180.0;
+    const struct {
+        const char *key, *box;
+        double Preferences::*value;
+        double unit = 1.0;
+    } cases[]{{"obstacle-limit", "An obstacle is a step of more than", &Preferences::obstacleLimit},
+              {"force-threshold", "An element is a contact above", &Preferences::forceThreshold},
+              {"probe-above", "The arm is offered above a sd of", &Preferences::probeAbove},
+              {"roll-limit", "The verdict is withheld above a roll of", &Preferences::rollLimit,
+               kDegrees},
+              {"asymmetry-limit", "… or left and right flippers apart by",
+               &Preferences::asymmetryLimit, kDegrees},
+              {"tilt-amber", "Pitch or roll is steep from", &Preferences::tiltAmber, kDegrees},
+              {"tilt-red", "Pitch or roll is dangerous from", &Preferences::tiltRed, kDegrees}};
+    TemporaryDirectory directory;
+    int files = 0;  // another each time: QSettings remembers what it has read
+    PreferenceStore store(LoadedPreferences{}, Preferences{});
+    const SettingsPage page(store);
+    for (const auto& [key, name, value, unit] : cases) {
+        const QDoubleSpinBox* box = boxOf(page, name);
+        ASSERT_TRUE(box) << name;
+        const auto saying = [&, of = key](double number) {
+            const std::string path =
+                directory.write(std::to_string(++files) + ".ini",
+                                "[General]\nschema=1\n" + std::string(of) + "="
+                                    + QByteArray::number(number, 'g', 17).toStdString() + "\n");
+            return loadPreferences(QString::fromStdString(path));
+        };
+        for (const auto& [end, outwards] :
+             {std::pair(box->minimum(), -1e-4), std::pair(box->maximum(), 1e-4)}) {
+            const LoadedPreferences held = saying(end * unit);
+            EXPECT_TRUE(held.troubles.empty()) << key << " " << end;
+            EXPECT_NEAR(held.preferences.*value, end * unit, 1e-12) << key;
+            store.change([&](Preferences& p) { p = held.preferences; });
+            EXPECT_NEAR(box->value(), end, 1e-9) << key;
+            EXPECT_FALSE(saying((end + outwards) * unit).troubles.empty())
+                << key << " may be more than the page can show";
+        }
+    }
+    const std::string path = directory.write("method.ini", "[General]\nschema=1\nmethod=pafac\n");
+    EXPECT_EQ(loadPreferences(QString::fromStdString(path)).troubles.size(), 1U)
+        << "the page does not offer it";
+}
+
+TEST(SessionHousekeeping, closesWhatADeadProgramLeftAndTellsIt)
+{
+    const TemporaryDirectory directory;
+    const std::string folder = directory.file("sessions"), path = folder + "/dead.tts";
+    std::filesystem::create_directory(folder);
+    ASSERT_TRUE(someSession(path, 300));  // whose writer goes without sealing it
+    ASSERT_FALSE(SessionReader::open(path)->sealed());
+    SessionHousekeeping house(sessionsIn(folder), folder, {});
+    QStringList told;
+    QObject::connect(&house, &SessionHousekeeping::news, &house, [&] { told << house.takeNews(); });
+    QTest::qWait(100);
+    EXPECT_FALSE(SessionReader::open(path)->sealed()) << "nothing before the window is there";
+    house.start();
+    ASSERT_TRUE(eventually([&] { return !told.isEmpty(); }));
+    EXPECT_TRUE(told[0].contains("session recovered")) << told[0].toStdString();
+    EXPECT_TRUE(SessionReader::open(path)->sealed());
+}
+
+TEST(SessionHousekeeping, deletesByALimitThatIsSetMeanwhileOnceItHasStoodForAWhile)
+{
+    const TemporaryDirectory directory;
+    const std::string folder = directory.file("sessions"), path = folder + "/old.tts";
+    std::filesystem::create_directory(folder);
+    ASSERT_TRUE(someSession(path, 300));
+    ASSERT_FALSE(recoverDeadSessions({path}).empty());  // closes it
+    const SessionRetention any{}, small{.gigabytes = 1e-9, .confirmed = true};
+    SessionHousekeeping house(sessionsIn(folder), folder, any);
+    house.setGrace(300);
+    house.start();
+    QStringList told;
+    QObject::connect(&house, &SessionHousekeeping::news, &house, [&] { told << house.takeNews(); });
+    house.setLimits(small);
+    house.setLimits(any);  // a mistake, taken back in time
+    QTest::qWait(900);
+    EXPECT_TRUE(std::filesystem::exists(path));
+    house.setLimits(small);
+    ASSERT_TRUE(eventually([&] { return !told.isEmpty(); }));
+    EXPECT_TRUE(told[0].contains("session deleted")) << told[0].toStdString();
+    EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(SessionHousekeeping, countsAndDeletesTheSessionsOfThisRunToo)
+{
+    const TemporaryDirectory directory;
+    const std::string folder = directory.file("sessions");
+    std::filesystem::create_directory(folder);
+    SessionHousekeeping house({}, folder, {});
+    house.setGrace(1);
+    house.start();
+    auto closed = someSession(folder + "/of-this-run.tts", 300);
+    ASSERT_TRUE(closed && closed->seal());
+    const auto open = someSession(folder + "/under-way.tts", 300);
+    ASSERT_TRUE(open);
+    house.setLimits({.gigabytes = 1e-9, .confirmed = true});
+    EXPECT_TRUE(eventually([&] { return !std::filesystem::exists(folder + "/of-this-run.tts"); }));
+    EXPECT_TRUE(std::filesystem::exists(folder + "/under-way.tts"));
+    // Whoever only looked at it must not have dropped the lock that this process holds on it.
+    (void)std::system(
+        (TERRATACT_CLI " session recover " + folder + "/under-way.tts >/dev/null 2>&1").c_str());
+    EXPECT_TRUE(std::filesystem::exists(folder + "/under-way.tts-wal"))
+        << "another process took it over";
+}
+
+TEST(SessionHousekeeping, aLimitThatIsTakenBackDeletesNothingFromThenOn)
+{
+    const TemporaryDirectory directory;
+    const std::string folder = directory.file("sessions"), path = folder + "/old.tts";
+    std::filesystem::create_directory(folder);
+    auto session = someSession(path, 300);
+    ASSERT_TRUE(session && session->seal());
+    SessionHousekeeping house(sessionsIn(folder), folder, {.gigabytes = 1e-9, .confirmed = true});
+    house.setLimits({.days = 1.0, .confirmed = true});  // of the two, this one is stricter
+    house.start();
+    QTest::qWait(500);
+    EXPECT_TRUE(std::filesystem::exists(path)) << "although the grace has hardly begun";
+}
+
+}  // namespace
+}  // namespace terratact

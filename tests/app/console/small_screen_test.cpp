@@ -1,0 +1,133 @@
+// The console on a screen smaller than its least size: what must be at hand is on the screen.  Which screen is for
+// whoever starts this to say (tests/CMakeLists.txt).
+#include <gtest/gtest.h>
+
+#include <QScreen>
+#include <string>
+#include <vector>
+
+#include "app/shell/language.h"
+#include "tests/support/bus_console_bench.h"
+#include "widgets/base/navigation_rail.h"
+#include "widgets/terrain/verdict_strip.h"
+
+namespace terratact {
+namespace {
+
+using gui::eventually;
+
+constexpr QSize kEnough{940,
+                        500};  // [px] of a window, for nothing to be cut: 960x540 with a title bar
+
+QRect onScreen(const QWidget& widget)
+{
+    return {widget.mapToGlobal(QPoint(0, 0)), widget.size()};
+}
+
+struct SmallScreen : BusConsole {
+    ~SmallScreen() override
+    {
+        window.reset();
+        robot.reset();
+        installLanguage(*qApp, "en");
+        applyLook(*qApp);
+    }
+    QRect screenArea() const { return window->screen()->availableGeometry(); }
+    bool hasEnough() const { return window->size().expandedTo(kEnough) == window->size(); }
+    /// As it is opened the first time.
+    void openIn(const char* language)
+    {
+        window.reset();
+        robot.reset();
+        installLanguage(*qApp, language);
+        applyLook(*qApp);
+        startQuickRobot();
+        window = console(bus.join("can0"), CanSource::Mode::Transmit,
+                         [] { return Result<LoadedModel>(madeUp()); });
+        window->resize(1440, 900);
+        gui::showActive(*window);
+        EXPECT_TRUE(eventually([&] { return screenArea().contains(window->frameGeometry()); }));
+    }
+    /// STOP and arming, wherever one looks.
+    void lookAtHeader(const std::string& where)
+    {
+        picture(QString::fromStdString(where).remove(' ').replace(',', '_'));
+        for (const QWidget* needed : std::initializer_list<const QWidget*>{
+                 window->header()->stopButton(), window->header()->arming()}) {
+            EXPECT_TRUE(needed->isVisible()) << where;
+            EXPECT_TRUE(screenArea().contains(onScreen(*needed))) << where;
+            EXPECT_TRUE(window->header()->rect().contains(needed->geometry())) << where;
+        }
+        EXPECT_TRUE(screenArea().contains(window->frameGeometry())) << where;
+    }
+    void lookAtTerrain(const std::string& what)
+    {
+        window->rail()->choose(0);
+        QTest::qWait(60);
+        // What is new in the header may take it to a second line, and a new text more lines, which the rest makes room for.
+        (void)eventually(
+            [&] {
+                return gui::overlaps(*window).empty()
+                    && (!hasEnough() || gui::cramped(*window).empty());
+            },
+            3000);
+        lookAtHeader(what + ", terrain");
+        const QRect seen = onScreen(*window->verdict()).intersected(screenArea());
+        EXPECT_EQ(seen.height(), window->verdict()->height()) << what;
+        EXPECT_EQ(gui::overlaps(*window), std::vector<std::string>()) << what;
+        if (!hasEnough()) return;
+        EXPECT_EQ(seen, onScreen(*window->verdict())) << what;
+        EXPECT_EQ(gui::cramped(*window), std::vector<std::string>()) << what;
+    }
+    /// Nothing is cut where there is enough room.
+    void lookAtEachPage(const std::string& what)
+    {
+        lookAtTerrain(what);
+        for (int page = 1; page < window->rail()->pages(); ++page) {
+            if (window->rail()->button(page)->isHidden()) continue;
+            const std::string where = what + ", page " + std::to_string(page);
+            window->rail()->choose(page);
+            QTest::qWait(60);
+            lookAtHeader(where);
+            if (hasEnough()) {
+                EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>()) << where;
+            }
+        }
+        window->rail()->choose(0);
+    }
+    void clickStop()
+    {
+        const QPushButton& stop = *window->header()->stopButton();
+        QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {},
+                          stop.mapTo(window.get(), stop.rect().center()));
+    }
+};
+
+TEST_F(SmallScreen, hasStopArmingAndVerdictInEveryLanguage)
+{
+    for (const char* language : {"en", "cs", "de"}) {
+        openIn(language);
+        const std::string in = language;
+        lookAtEachPage(in + " started");
+        ASSERT_TRUE(inSomeGo([this] { return exploresUntilAsked(); }));
+        lookAtEachPage(in + " asked");
+        clickStop();
+        EXPECT_TRUE(reaches(AtemPhase::Stopped)) << in;
+        lookAtEachPage(in + " stopped");
+        robot.reset();
+        ASSERT_TRUE(eventually([&] { return !window->exploration().linkAlive(); }));
+        lookAtEachPage(in + " lost");
+    }
+}
+
+TEST_F(SmallScreen, hasRoomForNoLargerLettersThanFit)
+{
+    openIn("en");
+    for (const int percent : {200, 80, 130}) {
+        window->preferences().change([percent](Preferences& p) { p.fontScale = percent; });
+        lookAtTerrain("letters of " + std::to_string(percent));
+    }
+}
+
+}  // namespace
+}  // namespace terratact

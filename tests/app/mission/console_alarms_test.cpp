@@ -1,0 +1,387 @@
+// What makes an alarm, and the table of them.
+#include <gtest/gtest.h>
+
+#include "app/mission/console_alarms.h"
+#include "tests/support/counting_sounder.h"
+#include "tests/support/gui.h"
+#include "widgets/signals/alarm_table.h"
+
+namespace terratact {
+namespace {
+
+struct Alarming : testing::Test {
+    int sounds = 0;
+    ConsoleAlarms alarms{std::make_unique<CountingSounder>(sounds)};
+    double now = 1000.0;
+    static constexpr LinkAccount kUp{.standing = LinkStanding::Up, .alive = true},
+        kLost{.standing = LinkStanding::Lost, .gaps = 1};
+    AlarmSight sight{.link = kUp, .bus = CanView{}, .busName = "can0"};
+
+    void pass(double seconds)
+    {
+        for (const double until = now + seconds; now < until; now += 0.04) alarms.look(now, sight);
+    }
+    const Alarm* find(const std::string& id) const
+    {
+        for (const Alarm& alarm : alarms.list().alarms())
+            if (alarm.id == id) return &alarm;
+        return nullptr;
+    }
+    testing::AssertionResult says(const std::string& id, const std::string& part) const
+    {
+        const Alarm* alarm = find(id);
+        if (!alarm) return testing::AssertionFailure() << "no alarm " << id;
+        if (alarm->text.find(part) == std::string::npos)
+            return testing::AssertionFailure() << alarm->text;
+        return testing::AssertionSuccess();
+    }
+    bool stands(const std::string& id) const
+    {
+        const Alarm* alarm = find(id);
+        return alarm && alarm->state == AlarmState::Unacknowledged;
+    }
+};
+
+TEST_F(Alarming, aSoundRobotMakesNone)
+{
+    pass(20.0);
+    EXPECT_TRUE(alarms.list().alarms().empty());
+    EXPECT_EQ(sounds, 0);
+}
+
+TEST_F(Alarming, namesASensorThatMayLieAndItsKind)
+{
+    sight.suspicions = {{.sensor = Sensor::Pitch, .amount = 12.0, .way = 0.6}};
+    pass(0.1);
+    EXPECT_TRUE(says("sensor-fault",
+                     "pitch angle: not changed for 12 s while the robot drove 0.6 m, stuck?"));
+    EXPECT_EQ(sounds, 1);
+    sight.suspicions.clear();
+    sight.isSceneSuspected = true;
+    pass(5.0);
+    EXPECT_TRUE(stands("sensor-fault")) << "a verdict is withheld for it";
+    sight.isSceneSuspected = false;
+    pass(2.0);
+    EXPECT_FALSE(stands("sensor-fault"));
+}
+
+TEST_F(Alarming, joinsSensorsWithTheSameTrouble)
+{
+    for (const Sensor sensor : {Sensor::Force1, Sensor::Force2})
+        sight.suspicions.push_back({.sensor = sensor, .trouble = SensorTrouble::NoLoad});
+    pass(0.1);
+    EXPECT_TRUE(says("sensor-fault", "force 1, force 2: no load while the flippers press"));
+}
+
+TEST_F(Alarming, tellsOfASteepRobotAndSoundsBeforeItTips)
+{
+    sight.measurement = Measurement{};
+    sight.measurement->pitch = 0.6;
+    sight.attitude = {.pitch = AttitudeLevel::Amber, .pitchTips = 0.9};
+    pass(1.0);
+    EXPECT_TRUE(says("attitude", "Steep: pitch +34"));
+    EXPECT_EQ(sounds, 0);
+    sight.attitude.pitch = AttitudeLevel::Red;
+    pass(1.0);
+    EXPECT_TRUE(says("attitude", "Danger of tipping over: pitch +34"));
+    EXPECT_EQ(sounds, 1);
+    sight.attitude = {};
+    pass(2.0);
+    EXPECT_FALSE(stands("attitude"));
+}
+
+TEST_F(Alarming, saysWhyTheRobotHasHaltedByItself)
+{
+    sight.measurement = Measurement{};
+    sight.measurement->activity = RobotActivity::Driving;
+    pass(1.0);
+    sight.measurement->activity = RobotActivity::Halted;
+    sight.measurement->refusal = Refusal::NoRestPose;
+    pass(1.0);
+    EXPECT_TRUE(says("halted", "halted by itself: the robot finds no pose to rest in there"));
+    sight.measurement->activity = RobotActivity::Driving;
+    sight.measurement->refusal = Refusal::None;
+    pass(2.0);
+    EXPECT_FALSE(stands("halted"));
+}
+
+TEST_F(Alarming, aHaltThatWasWantedIsNone)
+{
+    sight.measurement = Measurement{};
+    sight.measurement->activity = RobotActivity::Driving;
+    pass(1.0);
+    sight.measurement->activity = RobotActivity::Halted;
+    pass(1.0);
+    EXPECT_FALSE(find("halted"));
+}
+
+TEST_F(Alarming, lostLinkSoundsOnceThenSeldomAndIsSilentOnReturn)
+{
+    sight.link = kLost;
+    sight.sourceTrouble = "can0 is down";
+    pass(1.0);
+    EXPECT_TRUE(says("link", "can0 is down"));
+    EXPECT_EQ(sounds, 1);
+    pass(8.0);
+    EXPECT_EQ(sounds, 1);
+    pass(2.0);
+    EXPECT_EQ(sounds, 2);
+    sight.link = kUp;
+    pass(30.0);
+    EXPECT_EQ(sounds, 2);
+    ASSERT_TRUE(find("link")) << "nobody has seen it";
+    EXPECT_EQ(find("link")->state, AlarmState::Returned);
+}
+
+TEST_F(Alarming, telemetryThatStopsAloneIsNoLostLink)
+{
+    sight.link = kLost;
+    sight.link.alone = true;
+    pass(1.0);
+    EXPECT_TRUE(says("link", "Telemetry lost"));
+}
+
+TEST_F(Alarming, aBusWithManyErrorsIsToldBeforeItFails)
+{
+    sight.bus->bus = BusState::ErrorWarning;
+    pass(0.5);
+    EXPECT_FALSE(find("bus")) << "a second of it is nothing";
+    pass(1.0);
+    EXPECT_TRUE(says("bus", "can0 has errors"));
+    EXPECT_EQ(find("bus")->severity, Severity::Caution);
+    sight.bus->bus = BusState::ErrorPassive;
+    pass(3.0);
+    EXPECT_TRUE(says("bus", "many errors"));
+    QStringList told;
+    QObject::connect(&alarms, &ConsoleAlarms::raised,
+                     [&](const QString& text, Severity) { told << text; });
+    sight.bus->bus = BusState::BusOff;
+    pass(1.0);
+    EXPECT_EQ(find("bus")->severity, Severity::Critical);
+    EXPECT_EQ(told.size(), 1) << "it has become worse";
+}
+
+TEST_F(Alarming, whatNothingElseTellsOfIsToldOnceItStands)
+{
+    QStringList told;
+    QObject::connect(&alarms, &ConsoleAlarms::raised,
+                     [&](const QString& text, Severity) { told << text; });
+    sight.bus->link.foreignSender = sight.bus->transmits = true;
+    sight.link = kLost;
+    pass(3.0);
+    ASSERT_EQ(told.size(), 1) << "the link has a banner";
+    EXPECT_TRUE(told.first().startsWith("Another console"));
+    sight.bus->link.foreignSender = false;
+    pass(30.0);
+    sight.bus->link.foreignSender = true;
+    pass(1.0);
+    EXPECT_EQ(told.size(), 2) << "it is back";
+}
+
+TEST_F(Alarming, linkThatFluttersIsOneAlarm)
+{
+    for (int i = 0; i < 20; ++i) {
+        sight.link.standing = i == 0 ? LinkStanding::Lost : LinkStanding::Unsteady;
+        sight.link.gaps = i / 2 + 1;
+        sight.link.longest = 0.4;
+        sight.link.alive = i % 2 == 1;
+        pass(0.4);
+    }
+    EXPECT_EQ(find("link")->raised, 1U);
+    EXPECT_TRUE(says("link", "Link unsteady; gaps: 10, the longest 400 ms"));
+    EXPECT_EQ(sounds, 1);
+}
+
+TEST_F(Alarming, telemetryThatNeverCameIsOneAfterAWhile)
+{
+    sight.link = {};
+    pass(ConsoleAlarms::kFirstTelemetry - 0.5);
+    EXPECT_TRUE(alarms.list().alarms().empty());
+    pass(1.0);
+    EXPECT_TRUE(stands("silence"));
+}
+
+TEST_F(Alarming, replayThatWaitsOrHasEndedMakesNone)
+{
+    sight.link = {};
+    sight.bus->waits = true;
+    pass(2.0 * ConsoleAlarms::kFirstTelemetry);  // while its model is being loaded
+    sight.bus->waits = false;
+    pass(ConsoleAlarms::kFirstTelemetry - 0.5);
+    sight.link = {.standing = LinkStanding::Ended};
+    sight.bus->ended = true;
+    sight.bus->bus = BusState::Ended;
+    pass(20.0);
+    for (const Alarm& alarm : alarms.list().alarms()) ADD_FAILURE() << alarm.text;
+    EXPECT_EQ(sounds, 0);
+}
+
+TEST_F(Alarming, busThatIsNotUpSaysWhatMendsIt)
+{
+    sight.bus->bus = BusState::BusOff;
+    pass(0.1);
+    EXPECT_TRUE(says("bus", "sudo ip link set can0 type can restart"));
+    EXPECT_EQ(find("bus")->severity, Severity::Critical);
+}
+
+TEST_F(Alarming, stalledBusIsOneOnlyWhenItStays)
+{
+    sight.bus->bus = BusState::Stalled;
+    pass(0.5);
+    EXPECT_FALSE(find("bus"));
+    sight.bus->bus = BusState::Up;
+    pass(2.0);
+    sight.bus->bus = BusState::Stalled;
+    pass(1.5);
+    EXPECT_TRUE(stands("bus"));
+    EXPECT_EQ(sounds, 0) << "a caution";
+}
+
+TEST_F(Alarming, lostAndDamagedFramesAreCounted)
+{
+    sight.bus->frames.dropped = 7;
+    sight.wrongChecksums = 3;
+    pass(0.1);
+    EXPECT_TRUE(says("dropped", "7 frames"));
+    EXPECT_TRUE(says("checksum", "3 with a wrong checksum"));
+    alarms.acknowledgeAll();
+    pass(GrowingCount::kLately + ConsoleAlarms::kGoneFor + 0.5);
+    EXPECT_FALSE(find("dropped")) << "none was lost since";
+    sight.bus->frames.dropped = 8;
+    pass(0.1);
+    EXPECT_TRUE(stands("dropped"));
+}
+
+TEST_F(Alarming, whoeverListensOrReplaysHearsTheConsoleItFollows)
+{
+    sight.bus->link.foreignSender = true;
+    sight.bus->transmits = false;
+    pass(1.0);
+    EXPECT_FALSE(find("foreign"));
+}
+
+TEST_F(Alarming, aRobotThatWasDisarmedByWhatNobodyWantedIsOneUntilItIsArmedAgain)
+{
+    const auto goes = [&](ArmingPhase phase, DisarmCause cause = DisarmCause::None) {
+        sight.bus->link.arming = {.phase = phase, .cause = cause};
+        pass(0.1);
+    };
+    goes(ArmingPhase::Disarmed, DisarmCause::ConfirmTimeout);
+    EXPECT_FALSE(find("disarmed")) << "it was not armed";
+    for (const DisarmCause wanted : {DisarmCause::Operator, DisarmCause::Stop}) {
+        goes(ArmingPhase::Armed);
+        goes(ArmingPhase::Disarmed, wanted);
+        EXPECT_FALSE(find("disarmed")) << describe(wanted);
+    }
+    EXPECT_EQ(sounds, 0);
+    for (int i = 0; i <= static_cast<int>(DisarmCause::EpochChanged); ++i) {
+        const auto cause = static_cast<DisarmCause>(i);
+        if (cause == DisarmCause::Operator || cause == DisarmCause::Stop) continue;
+        goes(ArmingPhase::Armed);
+        goes(ArmingPhase::Disarmed, cause);
+        EXPECT_TRUE(says("disarmed", "Disarmed: " + describe(cause)));
+        goes(ArmingPhase::Disarmed, DisarmCause::LinkNotGood);  // of an attempt to arm
+        EXPECT_TRUE(says("disarmed", "Disarmed: " + describe(cause)));
+        goes(ArmingPhase::Confirming);
+        pass(2.0);
+        EXPECT_EQ(find("disarmed")->state, AlarmState::Returned);
+        alarms.acknowledgeAll();
+    }
+    EXPECT_GT(sounds, 0);
+}
+
+TEST_F(Alarming, otherCauses)
+{
+    sight.bus->link.foreignSender = true;
+    sight.bus->transmits = true;
+    sight.noModel = "no such file";
+    sight.panelTrouble = "the panel does not answer";
+    sight.failedExploration = "the estimate failed";
+    sight.isStopped = true;
+    sight.bus->forces.left[2] = ElementForce{0.0, ElementState::Open};
+    pass(0.1);
+    for (const char* id : {"foreign", "model", "panel", "exploration", "stop"})
+        EXPECT_TRUE(stands(id)) << id;
+    EXPECT_FALSE(find("sensors"));
+    pass(1.5);
+    EXPECT_TRUE(says("sensors", "left 3 " + describe(ElementState::Open)));
+    EXPECT_EQ(sounds, 1) << "all at once sound once";
+}
+
+TEST_F(Alarming, soundCanBeSwitchedOff)
+{
+    alarms.setSoundOn(false);
+    sight.link = kLost;
+    pass(30.0);
+    EXPECT_EQ(sounds, 0);
+    EXPECT_TRUE(stands("link"));
+}
+
+TEST(AlarmTableWidget, showsEachStateInWordsAndEmitsWhatTheOperatorDoes)
+{
+    AlarmList list;
+    list.raise("seen", "the first", Severity::Caution, 0.0);
+    list.acknowledge("seen");
+    list.raise("over", "the second", Severity::Critical, 10.0);
+    list.clear("over", 20.0);
+    list.raise("new", "the third", Severity::Critical, 30.0);
+    AlarmTable table;
+    table.resize(900, 300);
+    table.setAlarms(list.alarms(), 95.0, 42.0);
+    gui::showActive(table);
+    const auto cell = [&](int row, int column) { return table.table()->item(row, column)->text(); };
+    ASSERT_EQ(table.table()->rowCount(), 3);
+    EXPECT_TRUE(cell(0, 0).contains("CRITICAL"));
+    EXPECT_EQ(cell(0, 1), "the third");
+    EXPECT_EQ(cell(0, 2), "for 1:05");
+    EXPECT_TRUE(cell(1, 0).contains("over"));
+    EXPECT_EQ(cell(1, 2), "over for 1:15");
+    EXPECT_TRUE(cell(2, 0).contains("seen"));
+    EXPECT_EQ(gui::cutText(table), std::vector<std::string>());
+
+    QStringList seen;
+    int all = 0;
+    double silenced = 0.0;
+    QObject::connect(&table, &AlarmTable::acknowledged, [&](const QString& id) { seen << id; });
+    QObject::connect(&table, &AlarmTable::allAcknowledged, [&] { ++all; });
+    QObject::connect(&table, &AlarmTable::silenced, [&](double s) { silenced = s; });
+    table.table()->selectRow(1);
+    list.raise("newer", "on top", Severity::Critical, 96.0);
+    table.setAlarms(list.alarms(), 97.0, 0.0);
+    QTest::mouseClick(table.acknowledgeButton(), Qt::LeftButton);
+    EXPECT_EQ(seen, QStringList{"over"}) << "the chosen alarm, wherever it has moved";
+    QTest::mouseClick(table.acknowledgeAllButton(), Qt::LeftButton);
+    EXPECT_EQ(all, 1);
+    QTest::mouseClick(table.silenceButton(2), Qt::LeftButton);
+    EXPECT_EQ(silenced, 120.0);
+    table.setAlarms({}, 98.0, 0.0);
+    EXPECT_FALSE(table.acknowledgeButton()->isEnabled());
+}
+
+TEST(AlarmTableWidget, choosesNoOtherAlarmWhenTheChosenOneGoes)
+{
+    AlarmList list;
+    for (const char* id : {"a", "b", "c"}) list.raise(id, id, Severity::Caution, 0.0);
+    AlarmTable table;
+    QStringList seen;
+    QObject::connect(&table, &AlarmTable::acknowledged, [&](const QString& id) { seen << id; });
+    table.setAlarms(list.alarms(), 1.0, 0.0);
+    gui::showActive(table);
+    EXPECT_EQ(table.table()->currentRow(), 0) << "the first is chosen when there was none";
+    table.table()->selectRow(1);
+    const std::string chosen = list.alarms()[1].id;
+    list.clear(chosen, 2.0);
+    list.acknowledge(chosen);  // now it is gone
+    table.setAlarms(list.alarms(), 3.0, 0.0);
+    ASSERT_EQ(table.table()->rowCount(), 2);
+    EXPECT_FALSE(table.acknowledgeButton()->isEnabled());
+    QTest::mouseClick(table.acknowledgeButton(), Qt::LeftButton);
+    QTest::keyClick(table.table(), Qt::Key_Return);
+    EXPECT_TRUE(seen.isEmpty());
+    table.table()->selectRow(1);
+    QTest::mouseClick(table.acknowledgeButton(), Qt::LeftButton);
+    EXPECT_EQ(seen, QStringList(QString::fromStdString(list.alarms()[1].id)));
+}
+
+}  // namespace
+}  // namespace terratact

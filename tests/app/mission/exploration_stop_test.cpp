@@ -1,0 +1,426 @@
+// STOP and its release, the lost link, and driving: what halts the robot.
+#include <QLabel>
+#include <QPushButton>
+
+#include "app/console/link_status.h"
+#include "drivers/memory_bus.h"
+#include "tests/support/exploration_bench.h"
+#include "widgets/control/status_header.h"
+
+namespace terratact {
+namespace {
+
+TEST_F(Bench, stopGoesOutAtOnceAndAgainUntilTheRobotConfirms)
+{
+    propose();
+    exploration->stop();
+    EXPECT_EQ(sent<StopCommand>(), 1) << "before any tick";
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Stopped);
+    tick(20);
+    const int repeated = sent<StopCommand>();
+    EXPECT_GE(repeated, 3);
+    telemetry.activity = RobotActivity::Stopped;
+    tick();
+    (void)sent<StopCommand>();
+    const int confirmed = sent<StopCommand>();
+    tick(20);
+    EXPECT_EQ(sent<StopCommand>(), confirmed);
+    EXPECT_EQ(exploration->whyNotDriving(), "STOP is latched: release it first");
+}
+
+TEST_F(Bench, stopIsOnlySentUntilTheRobotConfirmsIt)
+{
+    using State = StopSight::State;
+    EXPECT_EQ(exploration->stopSight().state, State::Ready);
+    exploration->stop();
+    EXPECT_EQ(exploration->stopSight().state, State::Sent) << "before any tick";
+    tick(10);
+    exploration->stop();  // pressing it again makes it no younger
+    tick(10);
+    EXPECT_EQ(exploration->stopSight().state, State::Sent);
+    EXPECT_NEAR(exploration->stopSight().seconds, 0.8, 1e-6);
+    telemetry.activity = RobotActivity::Stopped;
+    tick();
+    EXPECT_EQ(exploration->stopSight().state, State::Confirmed);
+    tickInSilence(20);
+    EXPECT_EQ(exploration->stopSight().state, State::Confirmed) << "silence takes nothing back";
+    telemetry.activity = RobotActivity::Halted;
+    tick();
+    EXPECT_EQ(exploration->stopSight().state, State::Sent) << "but telemetry does";
+    EXPECT_LT(exploration->stopSight().seconds, 0.1);
+}
+
+TEST_F(Bench, stopPressedElsewhereIsOneEventForEachPress)
+{
+    exploration->stop();
+    tick();
+    telemetry.activity = RobotActivity::Stopped;
+    tick(2);
+    ASSERT_EQ(exploration->stopSight().state, StopSight::State::Confirmed);
+    QStringList decided;
+    int happened = 0;
+    QObject::connect(exploration.get(), &Exploration::decided, exploration.get(),
+                     [&](const char* what, const QString& text) {
+                         decided << QString::fromLatin1(what) + ": " + text;
+                     });
+    QObject::connect(exploration.get(), &Exploration::happened, exploration.get(),
+                     [&] { ++happened; });
+    (void)sent<StopCommand>();
+    for (int press = 1; press <= 3; ++press) {
+        const int before = sent<StopCommand>();
+        exploration->stopFrom("in another window");
+        EXPECT_EQ(sent<StopCommand>(), before + 1) << "it is sent all the same";
+        tick(3);
+        EXPECT_EQ(decided.size(), press);
+    }
+    EXPECT_EQ(decided.last(), "stop: in another window");
+    EXPECT_EQ(happened, 0) << "the robot has confirmed it before";
+}
+
+TEST_F(Bench, stopThatCannotLeaveIsToldOnceAndTriedAgain)
+{
+    using State = StopSight::State;
+    source.setDeaf(true);
+    exploration->stop();
+    EXPECT_EQ(exploration->stopSight().state, State::NotSent);
+    EXPECT_EQ(exploration->stopSight().why, "the bus is off");
+    tick(20);
+    EXPECT_GE(sent<StopCommand>(), 3);
+    EXPECT_EQ(exploration->stopSight().state, State::NotSent);
+    EXPECT_NEAR(exploration->stopSight().seconds, 0.8, 1e-6);
+    EXPECT_EQ(events.filter("STOP not sent").size(), 1);
+    source.setDeaf(false);
+    tick(10);
+    EXPECT_EQ(exploration->stopSight().state, State::Sent);
+}
+
+TEST_F(Bench, stopIsRepeatedToARobotOfWhichNothingWasEverHeard)
+{
+    Exploration another(source, RobotModel{}, *worker, Exploration::Options{});
+    another.stop();
+    for (int i = 0; i < 20; ++i) another.tick(now += 0.04, std::nullopt);
+    EXPECT_GE(sent<StopCommand>(), 3);
+    EXPECT_EQ(another.stopSight().state, StopSight::State::Sent);
+}
+
+TEST_F(Bench, stopIsReleasedWhenTheRobotSaysSo)
+{
+    exploration->stop();
+    telemetry.activity = RobotActivity::Stopped;
+    tick(3);
+    exploration->request();
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Stopped) << "nothing but a release ends it";
+    exploration->releaseStop();
+    tick(10);
+    EXPECT_EQ(phase(), AtemPhase::Stopped) << "the robot is still latched";
+    EXPECT_GE(sent<ReleaseStopCommand>(), 2);
+    telemetry.activity = RobotActivity::Halted;
+    ASSERT_TRUE(reaches(AtemPhase::Idle));
+    tick(10);
+    EXPECT_EQ(phase(), AtemPhase::Idle);
+}
+
+TEST_F(Bench, releaseThatTheRobotDoesNotFollowIsForgotten)
+{
+    exploration->stop();
+    telemetry.activity = RobotActivity::Stopped;
+    tick(3);
+    exploration->releaseStop();
+    tick(130);  // 5.2 s
+    const int sentSoFar = sent<ReleaseStopCommand>();
+    EXPECT_TRUE(events.join('\n').contains("hold R again"));
+    tick(50);
+    EXPECT_EQ(sent<ReleaseStopCommand>(), sentSoFar);
+    EXPECT_EQ(phase(), AtemPhase::Stopped);
+}
+
+TEST_F(Bench, stopDuringAReleaseWins)
+{
+    exploration->stop();
+    telemetry.activity = RobotActivity::Stopped;
+    tick(3);
+    exploration->releaseStop();
+    exploration->stop();
+    telemetry.activity = RobotActivity::Halted;
+    tick(30);
+    EXPECT_EQ(phase(), AtemPhase::Stopped);
+}
+
+TEST_F(Bench, aRobotThatStoppedItselfIsShownAsStopped)
+{
+    telemetry.activity = RobotActivity::Stopped;
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::Stopped);
+}
+
+TEST_F(Bench, aLostLinkFailsTheExploration)
+{
+    press();
+    tickInSilence(10);
+    EXPECT_EQ(exploration->state().failure, AtemFailure::LinkLost);
+    EXPECT_FALSE(exploration->linkAlive());
+    EXPECT_FALSE(exploration->whyNotDriving().isEmpty());
+    tick();
+    EXPECT_TRUE(exploration->linkAlive());
+}
+
+TEST_F(Bench, theVerdictIsWithheldAsSoonAsTheTelemetryIsStale)
+{
+    propose();
+    const auto withheld = [this] {
+        const std::vector<Doubt> doubts = exploration->estimation().verdict()->doubts;
+        return std::ranges::find(doubts, Doubt::Stale) != doubts.end();
+    };
+    const double heard = now;
+    EXPECT_FALSE(withheld());
+    exploration->tick(heard + kStaleAfter - 0.001, latest);
+    EXPECT_FALSE(withheld());
+    exploration->tick(heard + kStaleAfter + 0.001, latest);
+    EXPECT_TRUE(withheld()) << "with the values";
+    EXPECT_TRUE(exploration->linkAlive()) << "the link is lost later";
+    now = heard + kStaleAfter + 0.001;
+    tick();
+    EXPECT_FALSE(withheld());
+}
+
+/// A verdict that stands with an open question, and then an outage.
+struct Outage : Bench {
+    Outage()
+    {
+        withDraws = true;
+        propose();
+    }
+    void linkIsLostFor(double seconds)
+    {
+        tickInSilence(static_cast<int>(seconds / 0.04 + 0.5) - 1);  // the next line ends it
+        tick(3);
+    }
+    std::vector<Doubt> doubts() const { return exploration->estimation().verdict()->doubts; }
+};
+
+TEST_F(Outage, ofMoreThanASecondWithholdsTheVerdictUntilTheTerrainIsExploredAnew)
+{
+    exploration->refuse(exploration->proposal()->id);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    ASSERT_EQ(exploration->estimation().verdict()->outlook, Outlook::Blocked);
+    linkIsLostFor(kLongestSilence - 0.04);
+    EXPECT_EQ(doubts(), std::vector<Doubt>());
+    EXPECT_EQ(exploration->estimation().verdict()->outlook, Outlook::Blocked);
+
+    linkIsLostFor(kLongestSilence + 0.04);
+    EXPECT_TRUE(exploration->linkAlive());
+    ASSERT_TRUE(exploration->estimation().estimate()) << "it stays to be seen";
+    EXPECT_EQ(doubts(), std::vector{Doubt::Unheard});
+    EXPECT_EQ(exploration->estimation().verdict()->outlook, Outlook::CannotTell);
+    tick(100);
+    EXPECT_EQ(doubts(), std::vector{Doubt::Unheard}) << "however long telemetry comes again";
+
+    telemetry.activity = RobotActivity::Halted;
+    propose();
+    EXPECT_EQ(doubts(), std::vector<Doubt>());
+    EXPECT_EQ(exploration->estimation().verdict()->outlook, Outlook::Blocked);
+}
+
+TEST_F(Outage, thatNobodyLookedAtWithholdsItToo)
+{
+    exploration->refuse(exploration->proposal()->id);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    now += kLongestSilence + 0.04;  // the window stands still meanwhile
+    line();
+    line();
+    tick();
+    EXPECT_EQ(doubts(), std::vector{Doubt::Unheard});
+}
+
+TEST_F(Outage, ofAWindowThatStandsStillIsNone)
+{
+    exploration->refuse(exploration->proposal()->id);
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    for (int i = 0; i < 100; ++i) line();
+    tick();
+    EXPECT_EQ(doubts(), std::vector<Doubt>()) << "telemetry has come all the time";
+}
+
+TEST_F(Outage, voidsAnOpenQuestion)
+{
+    const quint64 question = exploration->proposal()->id;
+    EXPECT_EQ(firstMissing(exploration->toProbe()), "");
+    now += kLongestSilence + 0.04;  // unseen: else the exploration has failed long before
+    line();
+    tick();
+    ASSERT_EQ(phase(), AtemPhase::ProposingProbe);
+    EXPECT_TRUE(firstMissing(exploration->toProbe()).startsWith("the link was lost"))
+        << firstMissing(exploration->toProbe()).toStdString();
+    exploration->approve(question);
+    tick();
+    EXPECT_EQ(exploration->state().failure, AtemFailure::ApprovalVoid);
+    EXPECT_EQ(sent<ProbeCommand>(), 0);
+}
+
+/// What a window shows of an exploration whose time is in the test's hands.
+struct LinkBench : Bench {
+    LinkBench() : display(header, banner, list, acquisition, nullptr) {}
+    void showAt(double time)
+    {
+        exploration->tick(time, latest);
+        display.show({.now = time,
+                      .newest = &*latest,
+                      .link = watch.look({.now = time,
+                                          .age = time - secondsOf(latest->arrived),
+                                          .alive = exploration->linkAlive()})});
+    }
+    LinkWatch watch;
+    StatusHeader header;
+    QLabel banner;
+    EventList list;
+    ScriptedSource other;
+    Acquisition acquisition{other};
+    LinkStatus display;
+};
+
+TEST_F(LinkBench, theLinkIsLostAfterAQuarterOfASecondAndTheBannerSaysSoThen)
+{
+    EXPECT_EQ(exploration->options().linkLostAfter, 0.25);
+    const double heard = now;
+    for (const double age : {0.0, 0.15, 0.24, 0.2499}) {
+        showAt(heard + age);
+        EXPECT_TRUE(exploration->linkAlive()) << age;
+        EXPECT_TRUE(banner.isHidden()) << age;
+        EXPECT_FALSE(header.linkText().startsWith("LINK LOST")) << age;
+    }
+    showAt(heard + 0.2501);
+    EXPECT_FALSE(exploration->linkAlive());
+    EXPECT_TRUE(banner.isVisible()) << "with the first picture after that";
+    EXPECT_EQ(banner.text(), "LINK LOST for 250 ms — nothing on this screen is live");
+    EXPECT_TRUE(header.linkText().startsWith("LINK LOST"));
+    showAt(heard + 0.26);
+    EXPECT_EQ(banner.text(), "LINK LOST for 260 ms — nothing on this screen is live");
+    now = heard + 0.26;
+    line();
+    showAt(now);
+    EXPECT_TRUE(exploration->linkAlive()) << "one line of telemetry is enough";
+    EXPECT_EQ(banner.text(),
+              "BACK after 260 ms — measured values are live, the terrain is as it was felt before");
+    for (const double back = now; now - back < 0.99;) {
+        EXPECT_TRUE(banner.isVisible()) << "for a second: it may go again";
+        line();
+        showAt(now);
+    }
+    line();
+    showAt(now);
+    EXPECT_TRUE(banner.isHidden());
+    EXPECT_TRUE(header.linkText().startsWith("link ")) << header.linkText().toStdString();
+}
+
+TEST_F(LinkBench, aLinkThatFluttersIsOneEventAndTheBannerStands)
+{
+    int banners = 0;  // times that one came
+    const auto pass = [&](double seconds, bool comes) {
+        for (const double until = now + seconds; now < until;) {
+            const bool was = !banner.isHidden();
+            if (comes)
+                line();
+            else
+                now += 0.04;
+            showAt(now);
+            banners += !was && !banner.isHidden();
+        }
+    };
+    pass(1.5, true);
+    for (int i = 0; i < 7; ++i) {
+        pass(0.3, false);
+        EXPECT_FALSE(exploration->linkAlive()) << "no value is shown";
+        pass(0.3, true);
+        EXPECT_TRUE(exploration->linkAlive()) << "nor is one withheld that is fresh";
+    }
+    EXPECT_EQ(banners, 1);
+    EXPECT_TRUE(banner.text().startsWith("LINK UNSTEADY — gaps: 7, the longest "))
+        << banner.text().toStdString();
+    EXPECT_EQ(header.linkText(), "LINK UNSTEADY");
+    pass(1.2, true);
+    EXPECT_TRUE(banner.isHidden());
+    const auto event = [this](int row) { return list.item(row)->text().mid(10); };
+    ASSERT_EQ(list.count(), 3);
+    EXPECT_EQ(event(2), "link is up");
+    EXPECT_EQ(event(1), "✘ link lost");
+    EXPECT_TRUE(event(0).startsWith("link is up; gaps before: 7, the longest "));
+}
+
+TEST_F(Bench, whatWentWrongOnTheBusIsADoubtOnlyWhileItIsFresh)
+{
+    MemoryBus bus{steadyNow};
+    CanSource link(bus.join("can0"), RobotModel{}, {.mode = CanSource::Mode::Listen});
+    const Acquisition acquisition(link);
+    StatusHeader header;
+    QLabel banner;
+    EventList list;
+    LinkStatus display(header, banner, list, acquisition, &link);
+    const auto showAt = [&](double time) {
+        now = time - 0.04;
+        line();
+        display.show({.now = time,
+                      .newest = &*latest,
+                      .link = {.standing = LinkStanding::Up, .alive = true}});
+    };
+    const auto toneOfLink = [&] {
+        for (const QLabel* label : header.findChildren<QLabel*>())
+            if (label->text() == header.linkText()) return label->property("tone").toString();
+        return QString();
+    };
+    const auto role = [&] { return header.busButton()->property("role").toString(); };
+    const double began = now;
+    showAt(began);
+    const QString calm = role();
+    EXPECT_EQ(toneOfLink(), "good");
+
+    bus.dropNext(1);
+    bus.put({.id = 0x100, .length = 1, .data = {}});
+    bus.put({.id = 4, .error = true, .length = 8, .data = {}});
+    ASSERT_TRUE(gui::eventually([&] {
+        const BusCounters frames = link.view().frames;
+        return frames.dropped == 1 && frames.errorFrames == 1;
+    }));
+    showAt(began + 1.0);
+    EXPECT_TRUE(header.busButton()->text().contains("! 1 dropped ! 1 errors"))
+        << header.busButton()->text().toStdString();
+    EXPECT_EQ(role(), "caution");
+    EXPECT_EQ(toneOfLink(), "doubt");
+    showAt(began + 1.0 + GrowingCount::kLately);
+    EXPECT_TRUE(header.busButton()->text().contains(" 1 dropped 1 errors"))
+        << header.busButton()->text().toStdString();
+    EXPECT_TRUE(header.linkText().contains("1 dropped")) << "it has been";
+    EXPECT_EQ(role(), calm);
+    EXPECT_EQ(toneOfLink(), "good");
+}
+
+TEST_F(Bench, drivingEndsWithOneHaltAndOnlyIfItBegan)
+{
+    exploration->halt();
+    EXPECT_EQ(sent<HaltCommand>(), 0);
+    exploration->drive(-1);
+    exploration->halt();
+    exploration->halt();
+    EXPECT_EQ(sent<HaltCommand>(), 1);
+    propose();
+    const int before = sent<HaltCommand>();
+    exploration->drive(+1);
+    EXPECT_EQ(sent<DriveCommand>(), 1) << "not while exploring";
+    exploration->halt();
+    EXPECT_EQ(sent<HaltCommand>(), before) << "a halt would end the press";
+}
+
+TEST_F(Bench, leavingHaltsWhatWasSetInMotion)
+{
+    exploration->drive(+1);
+    exploration->leave();
+    EXPECT_EQ(sent<HaltCommand>(), 1);
+    press();
+    const int before = sent<AbortAtemCommand>();
+    exploration->leave();
+    EXPECT_EQ(sent<AbortAtemCommand>(), before + 1);
+}
+
+}  // namespace
+}  // namespace terratact

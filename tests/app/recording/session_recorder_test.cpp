@@ -1,0 +1,618 @@
+// The recorder is in nobody's way, counts what it cannot keep, and goes on where it can again.
+#include "app/recording/session_recorder.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "app/cli/session_commands.h"
+#include "app/runtime/steady_now.h"
+#include "core/log/session_reader.h"
+#include "tests/support/sessions.h"
+#include "tests/support/temporary_directory.h"
+
+namespace {
+
+/// While it is set, the disk takes as long as it stays set.
+std::atomic<bool> stalled{false};
+
+}  // namespace
+
+// SQLite's, before the C library's: a disk that stalls.
+extern "C" int fdatasync(int file)
+{
+    while (stalled) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return static_cast<int>(::syscall(SYS_fdatasync, file));
+}
+
+namespace terratact {
+namespace {
+
+using namespace std::chrono_literals;
+
+std::vector<BusFrame> busFrames(std::int64_t from, std::size_t count)
+{
+    std::vector<BusFrame> frames(count);
+    for (std::size_t i = 0; i < count; ++i)
+        frames[i] = {.frame = someFrame(from + static_cast<std::int64_t>(i)).frame,
+                     .time = steadyNow(),
+                     .echo = i % 2 == 0};
+    return frames;
+}
+
+template <class Condition>
+bool eventually(Condition condition)
+{
+    for (const double end = steadyNow() + 20.0; steadyNow() < end;) {
+        if (condition()) return true;
+        std::this_thread::sleep_for(5ms);
+    }
+    return false;
+}
+
+std::vector<std::string> filesIn(const std::string& folder)
+{
+    std::vector<std::string> paths;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        paths.push_back(entry.path().string());
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+std::vector<std::uint64_t> numbersIn(SessionReader& reader)
+{
+    std::vector<std::uint64_t> numbers;
+    for (std::size_t i = 0; i < reader.batches().size(); ++i)
+        for (const FrameRow& row : reader.frames(i)) {
+            std::uint64_t number = 0;
+            for (std::size_t k = 0; k < 8; ++k)
+                number |= std::uint64_t{row.frame.data[k]} << (8 * k);
+            numbers.push_back(number);
+        }
+    return numbers;
+}
+
+bool hasEvent(const SessionReader& reader, EventKind kind, const std::string& subject)
+{
+    for (const EventRow& event : reader.events())
+        if (event.kind == kind && event.subject == subject) return true;
+    return false;
+}
+
+struct Recorder : testing::Test {
+    TemporaryDirectory directory;
+    std::string folder = directory.file("state/sessions");
+    SessionRecorder::Options options{.folder = folder, .start = someStart(), .batch = 10ms};
+};
+
+TEST_F(Recorder, makesASealedFileOfEverything)
+{
+    {
+        SessionRecorder recorder(options);
+        recorder.take(busFrames(0, 1000));
+        const std::int64_t model = recorder.record(ModelRow{.id = 0, .name = "default.ttm"});
+        SceneRow scene = someScene(1, 0);
+        const std::int64_t sceneId = recorder.record(scene);
+        EstimateRow estimate = someEstimate(1, 0);
+        estimate.model = model;
+        estimate.scene = sceneId;
+        const std::int64_t id = recorder.record(estimate);
+        recorder.record(
+            EventRow{.kind = EventKind::Decision, .subject = "explore", .estimate = id});
+        ASSERT_TRUE(eventually([&] { return recorder.state().frames == 1000; }));
+        EXPECT_TRUE(recorder.state().recording);
+        EXPECT_EQ(recorder.state().trouble, "");
+        EXPECT_EQ(recoverDeadSessions(sessionsIn(folder)).size(), 0U)
+            << "a file that is written is left alone";
+    }
+    const auto files = filesIn(folder);
+    ASSERT_EQ(files.size(), 1U) << "no journal is left";
+    auto reader = SessionReader::open(files.front());
+    ASSERT_TRUE(reader) << reader.error().text;
+    EXPECT_TRUE(reader->sealed());
+    EXPECT_EQ(numbersIn(*reader).size(), 1000U);
+    EXPECT_EQ(reader->estimates().size(), 1U);
+    EXPECT_TRUE(hasEvent(*reader, EventKind::Session, "begun"));
+    EXPECT_TRUE(hasEvent(*reader, EventKind::Decision, "explore"));
+    EXPECT_TRUE(hasEvent(*reader, EventKind::Session, "ended"));
+    EXPECT_FALSE(reader->verify().broken);
+}
+
+TEST_F(Recorder, countsWhatFindsNoRoom)
+{
+    options.mostFrames = 100;
+    options.batch = 200ms;
+    {
+        SessionRecorder recorder(options);
+        recorder.take(busFrames(0, 1000));
+        EXPECT_GE(recorder.state().missing, 800);
+        ASSERT_TRUE(eventually([&] { return recorder.state().frames >= 100; }));
+    }
+    auto reader = SessionReader::open(filesIn(folder).front());
+    ASSERT_TRUE(reader);
+    double missing = 0.0;
+    for (const EventRow& event : reader->events())
+        if (event.kind == EventKind::Gap) missing += *event.number;
+    const auto numbers = numbersIn(*reader);
+    EXPECT_EQ(static_cast<double>(numbers.size()) + missing, 1000.0);
+    for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], i);
+}
+
+TEST_F(Recorder, saysWhyItCannotAndGoesOnOnceItCan)
+{
+    std::filesystem::create_directories(directory.file("state"));
+    std::ofstream(folder) << "a file where the folder should be";
+    SessionRecorder recorder(options);
+    ASSERT_TRUE(eventually([&] { return !recorder.state().trouble.empty(); }));
+    EXPECT_NE(recorder.state().trouble.find(folder), std::string::npos);
+    EXPECT_FALSE(recorder.state().recording);
+    recorder.take(busFrames(0, 10));
+    recorder.record(EventRow{.kind = EventKind::Decision, .subject = "stop"});
+    std::filesystem::remove(folder);
+    ASSERT_TRUE(eventually([&] { return recorder.state().frames == 10; })) << "what waited is kept";
+    EXPECT_EQ(recorder.state().trouble, "");
+    auto reader = SessionReader::open(recorder.state().path);
+    ASSERT_TRUE(reader);
+    EXPECT_TRUE(hasEvent(*reader, EventKind::Decision, "stop"));
+}
+
+/// Records 12,000 frames into several files.
+void recordOn(const SessionRecorder::Options& options)
+{
+    const std::string& folder = options.folder;
+    {
+        SessionRecorder recorder(options);
+        recorder.record(ModelRow{.id = 0, .name = "default.ttm"});
+        recorder.record(someScene(1, 0));
+        recorder.record(someEstimate(1, 0));
+        for (int turn = 0; turn < 6; ++turn) {
+            recorder.take(busFrames(2000 * turn, 2000));
+            ASSERT_TRUE(eventually([&] { return recorder.state().frames == 2000 * (turn + 1); }));
+        }
+        recorder.record(EventRow{.kind = EventKind::Decision, .subject = "approve", .estimate = 1});
+    }
+    const auto files = filesIn(folder);
+    ASSERT_GE(files.size(), 2U);
+    std::vector<std::uint64_t> numbers;
+    for (const std::string& file : files) {
+        auto reader = SessionReader::open(file);
+        ASSERT_TRUE(reader) << reader.error().text;
+        EXPECT_TRUE(reader->sealed());
+        EXPECT_FALSE(reader->verify().broken);
+        EXPECT_NE(reader->estimate(1), nullptr) << file;
+        EXPECT_EQ(hasEvent(*reader, EventKind::Session, "continued"), file != files.front());
+        for (const std::uint64_t n : numbersIn(*reader)) numbers.push_back(n);
+    }
+    ASSERT_EQ(numbers.size(), 12'000U);
+    for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], i);
+}
+
+TEST_F(Recorder, goesOnInTheNextFileWithWhatIsReferredTo)
+{
+    options.mostBytes = 200'000;
+    recordOn(options);
+}
+
+TEST_F(Recorder, goesOnInTheNextFileWhereOneHasAsManyBatchesAsItMay)
+{
+    options.mostBatches = 4;
+    recordOn(options);
+    for (const std::string& file : filesIn(folder)) {
+        auto reader = SessionReader::open(file);
+        ASSERT_TRUE(reader) << reader.error().text;
+        EXPECT_LE(reader->batches().size(), 4U);
+    }
+}
+
+/// Three seconds of a stalled disk at the rate of a full bus: whoever records is not held up, the trouble is told
+/// while it lasts, what found room is kept, the rest is counted in the file.
+TEST_F(Recorder, aStalledDiskHoldsNobodyUpAndIsTold)
+{
+    constexpr int kTurns = 150;
+    constexpr std::size_t kPerTurn = 180;
+    double longest = 0.0, told = 0.0;
+    {
+        SessionRecorder recorder(options);
+        ASSERT_TRUE(eventually([&] { return recorder.state().recording; }));
+        stalled = true;
+        const double began = steadyNow();
+        for (int turn = 0; turn < kTurns; ++turn) {
+            const double before = steadyNow();
+            recorder.take(busFrames(static_cast<std::int64_t>(kPerTurn) * turn, kPerTurn));
+            recorder.record(EventRow{.kind = EventKind::Decision, .subject = "refuse"});
+            const std::string trouble = recorder.state().trouble;
+            longest = std::max(longest, steadyNow() - before);
+            if (told == 0.0 && trouble.find("the disk is slow") != std::string::npos)
+                told = steadyNow() - began;
+            std::this_thread::sleep_for(20ms);
+        }
+        stalled = false;
+        const bool over = eventually([&] { return recorder.state().trouble.empty(); });
+        EXPECT_TRUE(over) << recorder.state().trouble;
+    }
+    EXPECT_GT(told, 0.5);
+    EXPECT_LT(told, 3.0) << "before the stall was over";
+    EXPECT_LT(longest, 1.0);  // a hang guard: the stall takes three times as long
+    const auto files = filesIn(folder);
+    ASSERT_EQ(files.size(), 1U);
+    auto reader = SessionReader::open(files.front());
+    ASSERT_TRUE(reader) << reader.error().text;
+    EXPECT_FALSE(reader->verify().broken);
+    double missing = 0.0;
+    for (const EventRow& event : reader->events())
+        if (event.kind == EventKind::Gap) missing += event.number.value_or(0.0);
+    EXPECT_GT(missing, 0.0);
+    EXPECT_EQ(static_cast<double>(reader->frameCount()) + missing, 1.0 * kTurns * kPerTurn);
+    EXPECT_EQ(std::count_if(reader->events().begin(), reader->events().end(),
+                            [](const EventRow& e) { return e.kind == EventKind::Decision; }),
+              kTurns);
+    std::printf(
+        "a disk that stalls for 3 s: told after %.2f s, nobody waited longer than %.1f ms\n", told,
+        1e3 * longest);
+}
+
+TEST_F(Recorder, keepsNothingWhileItIsOff)
+{
+    SessionRecorder recorder(options);
+    ASSERT_TRUE(eventually([&] { return recorder.state().recording; }));
+    const std::string first = recorder.state().path;
+    recorder.setOn(false);
+    ASSERT_TRUE(eventually([&] { return !recorder.state().recording; }));
+    EXPECT_EQ(recorder.state().trouble, "");
+    EXPECT_TRUE(SessionReader::open(first)->sealed());
+    recorder.take(busFrames(0, 10));
+    std::this_thread::sleep_for(100ms);  // ten turns of its thread
+    recorder.setOn(true);
+    recorder.take(busFrames(10, 10));
+    ASSERT_TRUE(eventually([&] { return recorder.state().frames == 10; }));
+    auto reader = SessionReader::open(recorder.state().path);
+    ASSERT_TRUE(reader);
+    EXPECT_EQ(numbersIn(*reader).front(), 10U);
+}
+
+TEST_F(Recorder, knowsInEveryFileWhatWasSaidWhileItWasOffOrBefore)
+{
+    options.on = false;
+    {
+        SessionRecorder recorder(options);
+        recorder.record(ModelRow{.id = 0, .name = "default.ttm"});
+        recorder.record(someScene(1, 0));
+        recorder.record(someEstimate(1, 0));
+        recorder.record(someProposal(0));
+        std::this_thread::sleep_for(100ms);  // ten turns of its thread
+        for (const char* const what : {"approve", "stop"}) {
+            recorder.setOn(true);
+            recorder.record(EventRow{
+                .kind = EventKind::Decision, .subject = what, .estimate = 1, .proposal = 1});
+            ASSERT_TRUE(eventually([&] { return recorder.state().recording; }));
+            EstimateRow second = someEstimate(1, 0);
+            second.role = EstimateRole::Second;
+            recorder.record(second);
+            recorder.take(busFrames(0, 10));
+            const std::int64_t before = recorder.state().frames;
+            ASSERT_TRUE(eventually([&] { return recorder.state().frames >= before; }));
+            std::this_thread::sleep_for(100ms);
+            recorder.setOn(false);
+            ASSERT_TRUE(eventually([&] { return !recorder.state().recording; }));
+        }
+    }
+    const auto files = filesIn(folder);
+    ASSERT_EQ(files.size(), 2U);
+    for (const std::string& file : files) {
+        auto reader = SessionReader::open(file);
+        ASSERT_TRUE(reader) << reader.error().text;
+        const auto found = reader->verify();
+        EXPECT_FALSE(found.broken) << found.broken->why;
+        EXPECT_NE(reader->proposal(1), nullptr) << file;
+        EXPECT_NE(reader->estimate(1), nullptr) << file;
+        EXPECT_NE(reader->estimate(2), nullptr) << file;
+        for (const EventRow& event : reader->events()) EXPECT_NE(event.kind, EventKind::Gap);
+    }
+    EXPECT_TRUE(hasEvent(*SessionReader::open(files[0]), EventKind::Decision, "approve"));
+    EXPECT_TRUE(hasEvent(*SessionReader::open(files[1]), EventKind::Decision, "stop"));
+}
+
+TEST_F(Recorder, everyFileSaysWhatStoodWhenItBegan)
+{
+    {
+        SessionRecorder recorder(options);
+        recorder.record(ModelRow{.id = 0, .name = "default.ttm"});
+        recorder.record(someScene(1, 0));
+        recorder.record(someEstimate(1, 0));
+        const auto tell = [&](EventKind kind, const char* subject, const char* text,
+                              std::optional<double> number = {}) {
+            recorder.record(EventRow{
+                .kind = kind, .subject = subject, .text = text, .number = number, .estimate = 1});
+        };
+        tell(EventKind::Phase, "pressing", "");
+        tell(EventKind::Phase, "ready", "");
+        tell(EventKind::Link, "up", "");
+        tell(EventKind::Unheard, "", "");
+        tell(EventKind::Override, "", "roll 9");
+        tell(EventKind::Forgotten, "", "the robot has moved");
+        tell(EventKind::Alarm, "load", "too much", 3.0);
+        tell(EventKind::Alarm, "link", "gone", 3.0);
+        tell(EventKind::Alarm, "link", "", 0.0);
+        tell(EventKind::Word, "note", "said once");
+        ASSERT_TRUE(eventually([&] { return recorder.state().recording; }));
+        recorder.setOn(false);
+        ASSERT_TRUE(eventually([&] { return !recorder.state().recording; }));
+        recorder.setOn(true);
+        ASSERT_TRUE(eventually([&] { return recorder.state().recording; }));
+    }
+    const auto files = filesIn(folder);
+    ASSERT_EQ(files.size(), 2U);
+    const auto next = SessionReader::open(files[1]);
+    ASSERT_TRUE(next) << next.error().text;
+    std::vector<std::string> told;
+    for (const EventRow& event : next->events())
+        told.push_back(std::string(name(event.kind)) + ' ' + event.subject + ' ' + event.text);
+    std::sort(told.begin(), told.end());
+    const std::string after = "session continued after " + files[0];
+    EXPECT_EQ(told,
+              (std::vector<std::string>{"alarm load too much", "forgotten  the robot has moved",
+                                        "link up ", "override  roll 9", "phase ready ", after,
+                                        "session ended closed with the console", "unheard  "}));
+    EXPECT_NE(next->estimate(1), nullptr);
+
+    const std::string merged = folder + "/both.tts";
+    ASSERT_TRUE(mergeSessions({.files = files, .out = merged}));
+    const auto whole = SessionReader::open(merged);
+    ASSERT_TRUE(whole) << whole.error().text;
+    const auto& events = whole->events();
+    EXPECT_EQ(std::count_if(events.begin(), events.end(),
+                            [](const EventRow& e) { return e.kind == EventKind::Override; }),
+              1);
+    EXPECT_EQ(std::count_if(events.begin(), events.end(),
+                            [](const EventRow& e) { return e.kind == EventKind::Phase; }),
+              2);
+}
+
+TEST_F(Recorder, leavesNoFileOfAConsoleThatDidNotComeToBe)
+{
+    options.batch = 10s;
+    {
+        const SessionRecorder recorder(options);
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
+constexpr std::int64_t kSecond = 1'000'000'000;                           // [ns]
+constexpr std::int64_t kOctober = std::int64_t{1'793'000'000} * kSecond;  // of someSession()
+constexpr std::int64_t kLater = kOctober + 100 * 86'400 * kSecond;
+
+/// A closed session; by its own clock and the file system's it ended at these times.
+void makeClosed(const std::string& path, std::int64_t recorded = kOctober,
+                std::int64_t written = kOctober, std::int64_t frames = 2000)
+{
+    SessionStart start = someStart();
+    start.wallTime = recorded;
+    auto writer = SessionWriter::create(path, start);
+    ASSERT_TRUE(writer) << writer.error().text;
+    for (std::int64_t n = 0; n < frames; ++n) ASSERT_TRUE(writer->add(someFrame(n)));
+    ASSERT_TRUE(writer->seal());
+    const timespec time{.tv_sec = written / kSecond, .tv_nsec = 0};
+    const timespec both[2]{time, time};
+    ASSERT_EQ(::utimensat(AT_FDCWD, path.c_str(), both, 0), 0);
+}
+
+TEST_F(Recorder, deletesOnlyWhatTheUsersLimitsSay)
+{
+    std::filesystem::create_directories(folder);
+    makeClosed(folder + "/1.tts");
+    makeClosed(folder + "/2.tts", kOctober + kSecond, kOctober + kSecond);
+    std::ofstream(folder + "/2019.tts") << "no session";
+    const auto told = [&](const SessionRetention& limits) {
+        return applyRetention(sessionsIn(folder), limits, kLater).size();
+    };
+    EXPECT_EQ(told({.confirmed = true}), 0U);
+    EXPECT_EQ(told({.days = 101.0, .confirmed = true}), 0U);
+    const double one = static_cast<double>(std::filesystem::file_size(folder + "/1.tts"));
+    EXPECT_EQ(told({.gigabytes = 1.5e-9 * one, .confirmed = true}), 1U);
+    EXPECT_EQ(filesIn(folder).size(), 2U);
+    EXPECT_TRUE(std::filesystem::exists(folder + "/2.tts")) << "the oldest goes";
+    EXPECT_EQ(told({.days = 99.0, .confirmed = true}), 1U);
+    EXPECT_FALSE(std::filesystem::exists(folder + "/2.tts"));
+    EXPECT_TRUE(std::filesystem::exists(folder + "/2019.tts")) << "what is no session stays";
+}
+
+TEST_F(Recorder, deletesNothingThatWasNotConfirmed)
+{
+    std::filesystem::create_directories(folder);
+    makeClosed(folder + "/1.tts");
+    makeClosed(folder + "/2.tts");
+    const auto told = applyRetention(sessionsIn(folder), {.days = 30.0}, kLater);
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_NE(told[0].find("2 sessions of "), std::string::npos) << told[0];
+    EXPECT_NE(told[0].find("none is deleted until"), std::string::npos) << told[0];
+    EXPECT_EQ(filesIn(folder).size(), 2U);
+}
+
+TEST_F(Recorder, keepsWhatItsClockCannotSayTheAgeOf)
+{
+    std::filesystem::create_directories(folder);
+    const std::int64_t year1970 = 5 * kSecond, recent = kLater - 2 * kSecond;
+    makeClosed(folder + "/flat-battery.tts", year1970, year1970);
+    makeClosed(folder + "/flat-battery-copied.tts", year1970, kOctober);
+    makeClosed(folder + "/future.tts", kLater + 3 * 86'400 * kSecond, kOctober);
+    makeClosed(folder + "/touched.tts", kOctober, recent);
+    makeClosed(folder + "/back-dated.tts", recent, kOctober);
+    makeClosed(folder + "/old.tts", kOctober, kOctober);
+    const auto all = [&](std::int64_t now) {
+        return applyRetention(sessionsIn(folder),
+                              {.days = 30.0, .gigabytes = 1e-9, .confirmed = true}, now);
+    };
+    EXPECT_EQ(all(year1970).size(), 0U) << "this computer's own clock cannot be true";
+    EXPECT_EQ(applyRetention(sessionsIn(folder), {.days = 30.0, .confirmed = true}, kLater).size(),
+              1U);
+    EXPECT_FALSE(std::filesystem::exists(folder + "/old.tts"));
+    EXPECT_EQ(all(kLater).size(), 2U) << "whose times can be true";
+    EXPECT_EQ(filesIn(folder).size(), 3U);
+}
+
+TEST_F(Recorder, oldestIsWhatEndedFirstWhateverItsName)
+{
+    std::filesystem::create_directories(folder);
+    makeClosed(folder + "/1.tts", kOctober + 9 * kSecond, kOctober);
+    makeClosed(folder + "/2.tts");
+    const double one = static_cast<double>(std::filesystem::file_size(folder + "/1.tts"));
+    EXPECT_EQ(
+        applyRetention(sessionsIn(folder), {.gigabytes = 1.5e-9 * one, .confirmed = true}, kLater)
+            .size(),
+        1U);
+    EXPECT_TRUE(std::filesystem::exists(folder + "/1.tts"));
+}
+
+TEST_F(Recorder, deletesNoMoreOnceItIsToldToEnd)
+{
+    std::filesystem::create_directories(folder);
+    for (int i = 0; i < 6; ++i) makeClosed(folder + "/" + std::to_string(i) + ".tts");
+    const SessionRetention none{.gigabytes = 1e-9, .confirmed = true};
+    int asked = 0;
+    const auto apply = [&](int most) {
+        asked = 0;
+        return applyRetention(sessionsIn(folder), none, kLater, [&] { return ++asked <= most; })
+            .size();
+    };
+    EXPECT_EQ(apply(3), 0U) << "it had not seen all of them";
+    EXPECT_EQ(asked, 4) << "nor looked at more";
+    EXPECT_EQ(apply(8), 2U);
+    EXPECT_EQ(filesIn(folder).size(), 4U);
+}
+
+TEST_F(Recorder, symbolicLinksInItsFolderAreNotFollowed)
+{
+    const std::string elsewhere = directory.file("elsewhere.tts"), link = folder + "/link.tts";
+    std::filesystem::create_directories(folder);
+    ASSERT_TRUE(someSession(elsewhere, 300));  // whose writer goes without sealing it
+    const std::string before = contentOf(elsewhere);
+    std::filesystem::create_symlink(elsewhere, link);
+    EXPECT_TRUE(sessionsIn(folder).empty());
+    const auto told = recoverDeadSessions({link});
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_NE(told[0].find("is a symbolic link"), std::string::npos) << told[0];
+    EXPECT_EQ(contentOf(elsewhere), before);
+    makeClosed(directory.file("closed.tts"));
+    std::filesystem::create_symlink(directory.file("closed.tts"), folder + "/closed.tts");
+    EXPECT_EQ(
+        applyRetention({folder + "/closed.tts"}, {.days = 1.0, .confirmed = true}, kLater).size(),
+        0U);
+    EXPECT_TRUE(std::filesystem::exists(folder + "/closed.tts"));
+}
+
+TEST_F(Recorder, writesForItsOwnerAlone)
+{
+    const mode_t before = ::umask(022);
+    const std::string deep = folder + "/of/a/user";
+    options.folder = deep;
+    {
+        SessionRecorder recorder(options);
+        recorder.record(EventRow{.kind = EventKind::Marker});
+        ASSERT_TRUE(eventually([&] { return recorder.state().recording; }));
+    }
+    ::umask(before);
+    const auto modeOf = [](const std::string& path) {
+        struct stat file {};
+        EXPECT_EQ(::stat(path.c_str(), &file), 0) << path;
+        return file.st_mode & 0777U;
+    };
+    EXPECT_EQ(modeOf(filesIn(deep).front()), 0600U);
+    for (const char* const made : {"", "/of", "/of/a", "/of/a/user"})
+        EXPECT_EQ(modeOf(folder + made), 0700U) << made;
+}
+
+TEST(SessionFolder, isNeverRelative)
+{
+    const char* const home = std::getenv("HOME");
+    const std::string before = home ? home : "";
+    ::unsetenv("XDG_STATE_HOME");
+    ::setenv("HOME", "/somebody", 1);
+    EXPECT_EQ(sessionFolder(), "/somebody/.local/state/terratact/sessions");
+    for (const char* const odd : {"", "relative", "."}) {
+        ::setenv("HOME", odd, 1);
+        EXPECT_TRUE(sessionFolder().empty() || sessionFolder().front() == '/') << odd;
+    }
+    ::unsetenv("HOME");
+    EXPECT_TRUE(sessionFolder().empty() || sessionFolder().front() == '/');
+    if (home) ::setenv("HOME", before.c_str(), 1);
+}
+
+TEST_F(Recorder, withoutAFolderSaysSo)
+{
+    options.folder.clear();
+    SessionRecorder recorder(options);
+    recorder.record(EventRow{.kind = EventKind::Marker});
+    ASSERT_TRUE(eventually([&] { return !recorder.state().trouble.empty(); }));
+    EXPECT_NE(recorder.state().trouble.find("--sessions"), std::string::npos)
+        << recorder.state().trouble;
+}
+
+TEST_F(Recorder, refusesABusWhoseNameMovesTheCursor)
+{
+    options.start.bus = "can\x1b[2J0";
+    SessionRecorder recorder(options);
+    recorder.record(EventRow{.kind = EventKind::Marker});
+    ASSERT_TRUE(eventually([&] { return !recorder.state().trouble.empty(); }));
+    EXPECT_NE(recorder.state().trouble.find("'can?[2J0' has control characters"), std::string::npos)
+        << recorder.state().trouble;
+    EXPECT_TRUE(filesIn(folder).empty());
+}
+
+TEST_F(Recorder, anOpenSessionIsNoneOfThoseThatCount)
+{
+    std::filesystem::create_directories(folder);
+    auto closed = someSession(folder + "/1.tts", 100);
+    ASSERT_TRUE(closed && closed->seal());
+    const double one = static_cast<double>(std::filesystem::file_size(folder + "/1.tts"));
+    const auto open = someSession(folder + "/2.tts", 20'000);
+    ASSERT_TRUE(open);
+    EXPECT_EQ(applyRetention(sessionsIn(folder),
+                             {.gigabytes = 1e-9 * (one + 1.0), .confirmed = true}, wallNow())
+                  .size(),
+              0U);
+    EXPECT_TRUE(std::filesystem::exists(folder + "/1.tts"));
+}
+
+// 3.6 million frames as in an hour at 1 kHz, as fast as they are taken; TERRATACT_RECORD_FRAMES sets the number.
+TEST_F(Recorder, costsLittle)
+{
+    const char* const given = std::getenv("TERRATACT_RECORD_FRAMES");
+    const std::int64_t frames = given ? std::atoll(given) : 60'000;
+    const auto cpu = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
+    std::int64_t bytes = 0;
+    const double begin = cpu(), began = steadyNow();
+    {
+        options.batch = 50ms;  // a batch of 9,000 frames at most
+        options.mostBytes = std::int64_t{1} << 40U;
+        SessionRecorder recorder(options);
+        for (std::int64_t n = 0; n < frames; n += 250) {
+            recorder.take(busFrames(n, 250));
+            ASSERT_TRUE(eventually([&] { return recorder.state().frames + 9000 > n; }));
+        }
+        ASSERT_TRUE(eventually([&] { return recorder.state().frames == frames; }));
+        EXPECT_EQ(recorder.state().missing, 0);
+    }
+    bytes = static_cast<std::int64_t>(std::filesystem::file_size(filesIn(folder).front()));
+    const double perHour = 3.6e6 / static_cast<double>(frames);
+    std::printf("%lld frames: %.2f s of CPU (%.2f %% of a core at 1 kHz), %.1f s, %.1f MB; an hour "
+                "at 1 kHz: %.0f MB\n",
+                static_cast<long long>(frames), cpu() - begin,
+                100.0 * (cpu() - begin) * perHour / 3600.0, steadyNow() - began,
+                static_cast<double>(bytes) / 1e6, static_cast<double>(bytes) / 1e6 * perHour);
+    EXPECT_LT(static_cast<double>(bytes) / static_cast<double>(frames), 130e6 / 3.6e6);
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,594 @@
+// Why a chosen file is not taken is said in the operator's language.  The refusals are not listed here: they are what the
+// readers say of files that are broken in every way that can be thought of, and no word of English may be left in them.
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <QGuiApplication>
+#include <QRegularExpression>
+#include <QSet>
+#include <array>
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "app/link/dbc_book.h"
+#include "app/recording/what_if.h"
+#include "app/review/review_notes.h"
+#include "app/shell/language.h"
+#include "core/atem/panel_file.h"
+#include "core/learn/data/scene_file.h"
+#include "core/learn/model/model_card.h"
+#include "core/learn/model/model_file.h"
+#include "core/log/session_reader.h"
+#include "core/robot/robot_model.h"
+#include "core/wire/dbc/dbc_file.h"
+#include "core/wire/log_reader.h"
+#include "drivers/log_replay.h"
+#include "tests/support/random_model.h"
+#include "tests/support/sessions.h"
+#include "tests/support/temporary_directory.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+const std::string kSource = TERRATACT_SOURCE_DIR;
+
+/// Quoted pieces of the file are data, and so is what is no plain word: keys, columns, numbers, paths.
+QStringList plainWords(QString text)
+{
+    static const QRegularExpression kQuoted(
+        QStringLiteral("(?<!\\w)'[^']*'|\"[^\"]*\"|`[^`]*`|\\[\\[?[a-z_]+\\]\\]?"));
+    static const QRegularExpression kPlain(QStringLiteral("^[\\p{L}'’-]{2,}$"));
+    static const QRegularExpression kBetween(QStringLiteral("[\\s,;:()…]+"));
+    text.remove(kQuoted);
+    return text.split(kBetween, Qt::SkipEmptyParts).filter(kPlain);
+}
+
+/// What the parsers of others say stays as it is, and is left out here.
+QString withoutForeign(const std::string& english)
+{
+    static const QRegularExpression kHead(QStringLiteral(
+        "^.*?(is not TOML|its structure is damaged|malformed database schema \\(\\w+\\))"));
+    const QString whole = words::text(english);
+    const QRegularExpressionMatch head = kHead.match(whole);
+    return head.hasMatch() ? head.captured() : whole;
+}
+
+/// Sentences that the readers say, one of each form.
+class Refusals {
+public:
+    /// data: plain words that such a file has: keys, tables, names.
+    explicit Refusals(QSet<QString> data) : data_(std::move(data)) {}
+
+    template <class Value>
+    void take(const Result<Value>& read)
+    {
+        if (!read) add(read.error().text);
+    }
+    void add(const std::string& refusal)
+    {
+        static const QRegularExpression kData(
+            QStringLiteral("'[^']*'|[0-9][-+.0-9e]*|[a-z_]*_[a-z_]*"));
+        const QString english = withoutForeign(refusal);
+        forms_.emplace(QString(english).replace(kData, QStringLiteral("…")), english);
+    }
+    std::size_t size() const { return forms_.size(); }
+
+    void expectTranslated() const
+    {
+        for (const char* language : {"cs", "de"}) {
+            if (installLanguage(*qApp, language) != QLatin1String(language))
+                GTEST_SKIP() << "built without translations";
+            for (const auto& [form, english] : forms_) {
+                const QString translated = words::sentence(english.toStdString());
+                EXPECT_NE(translated, english) << language;
+                for (const QString& word : englishIn(english, translated))
+                    ADD_FAILURE() << language << ": \"" << word.toStdString() << "\" is left in \""
+                                  << translated.toStdString() << "\"";
+            }
+        }
+        installLanguage(*qApp, "en");
+    }
+
+private:
+    QStringList englishIn(const QString& english, const QString& translated) const
+    {
+        // Names, units, and words that the languages have in common.
+        static const QSet<QString> kSame{
+            "SQLite",     "TOML",    "Terratact", "ISO",           "IEEE", "CAN", "DBC",   "FD",
+            "ERRORFRAME", "float",   "double",    "little-endian", "rad",  "in",  "model", "text",
+            "bit",        "program", "offset",    "multiplexor",   "CSV",  "PDF", "gzip"};
+        const QStringList left = plainWords(translated);
+        QStringList found;
+        for (const QString& word : plainWords(english))
+            if (left.contains(word) && !kSame.contains(word) && !data_.contains(word))
+                found << word;
+        return found;
+    }
+
+    QSet<QString> data_;
+    std::map<QString, QString> forms_;  ///< without their data, and the first of each
+};
+
+void execute(const std::string& path, const std::string& sql)
+{
+    sqlite3* file = nullptr;
+    sqlite3_open(path.c_str(), &file);
+    const std::string quickly = "PRAGMA synchronous = OFF; PRAGMA journal_mode = MEMORY; ";
+    // What a constraint forbids changes nothing.
+    sqlite3_exec(file, (quickly + sql).c_str(), nullptr, nullptr, nullptr);
+    sqlite3_close(file);
+}
+
+/// Tables and their columns.
+std::vector<std::pair<std::string, std::string>> columnsOf(const std::string& path)
+{
+    std::vector<std::pair<std::string, std::string>> columns;
+    sqlite3* file = nullptr;
+    sqlite3_open(path.c_str(), &file);
+    const auto take = [](void* all, int, char** row, char**) {
+        static_cast<decltype(columns)*>(all)->emplace_back(row[0], row[1]);
+        return 0;
+    };
+    sqlite3_exec(file,
+                 "SELECT s.name, c.name FROM sqlite_schema s, pragma_table_info(s.name) c "
+                 "WHERE s.type = 'table'",
+                 take, &columns, nullptr);
+    sqlite3_close(file);
+    return columns;
+}
+
+/// The file with each of its columns, in one row and in all, set to what does not belong there, and its bytes cut.
+void breakTables(const TemporaryDirectory& dir, const std::string& path,
+                 const std::vector<std::string>& more,
+                 const std::function<void(const std::string& file)>& read)
+{
+    const std::string bytes = contentOf(path);
+    const auto after = [&](const std::string& sql) {
+        const std::string broken = dir.write("broken.ttm", bytes);
+        execute(broken, sql);
+        read(broken);
+    };
+    std::set<std::string> tables;
+    for (const auto& [table, column] : columnsOf(path)) {
+        tables.insert(table);
+        const std::string set = "UPDATE OR IGNORE " + table + " SET \"" + column + "\" = ";
+        const std::string one =
+            " WHERE \"" + column + "\" = (SELECT max(\"" + column + "\") FROM " + table + ")";
+        for (const char* const value :
+             {"0", "-1", "9e99", "77", "0.5", "''", "'wrong'", "'7'", "x''"}) {
+            after(set + value);
+            after(set + value + one);
+        }
+    }
+    for (const std::string& table : tables) {
+        after("DELETE FROM " + table);
+        after("DELETE FROM " + table + " WHERE rowid = 1");
+        after("DROP TABLE " + table);
+    }
+    for (const std::string& sql : more) after(sql);
+    for (const std::size_t size :
+         {std::size_t{0}, std::size_t{50}, bytes.size() - 1, bytes.size() - 4096})
+        read(dir.write("broken.ttm", bytes.substr(0, size)));
+    read(dir.write("broken.ttm", bytes + "x"));
+    for (std::size_t at = 4096; at < bytes.size(); at += 4096) {
+        std::string broken = bytes;
+        broken.replace(at, 64, 64, 'x');
+        read(dir.write("broken.ttm", broken));
+    }
+    read(dir.file("none.ttm"));
+    read(dir.file(""));
+}
+
+std::vector<std::string> linesOf(const std::string& text)
+{
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+std::string joined(const std::vector<std::string>& lines)
+{
+    std::string text;
+    for (const std::string& line : lines) text += line + "\n";
+    return text;
+}
+
+/// The text with each of its lines left out, said twice, cut, and its value set to what does not belong there.
+void breakToml(const std::string& text, const std::function<void(const std::string& broken)>& read)
+{
+    const std::vector<std::string> lines = linesOf(text);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto with = [&](std::vector<std::string> instead) {
+            std::vector<std::string> broken(lines.begin(),
+                                            lines.begin() + static_cast<std::ptrdiff_t>(i));
+            broken.insert(broken.end(), instead.begin(), instead.end());
+            broken.insert(broken.end(), lines.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                          lines.end());
+            read(joined(broken));
+        };
+        with({});
+        with({lines[i], "colour = 1"});
+        const std::size_t sign = lines[i].find(" = ");
+        if (sign == std::string::npos || lines[i].starts_with('#')) continue;
+        const std::string key = lines[i].substr(0, sign + 3);
+        with({lines[i], lines[i]});
+        for (const char* const value : {"",
+                                        "\"x\"",
+                                        "\"\"",
+                                        "-1e9",
+                                        "0",
+                                        "0.5",
+                                        "1e9",
+                                        "true",
+                                        "[]",
+                                        "{}",
+                                        "{ line = \"a\" }",
+                                        "[1, 1, 1, 1, 1, 1]",
+                                        "[0.1, 0.2]",
+                                        "[[1, 2], [2, 3]]",
+                                        "[[[0, 0], [1, 0], [0.5, 0.1], [0.5, 1]]]",
+                                        "{ line = \"a\", offset = 1 }",
+                                        "{ offset = 0.5 }",
+                                        R"({ line = "a", closes_to = "up", resistor = "x" })",
+                                        R"({ line = "GPIO5", lit_when = "up" })",
+                                        R"({ offset = -3, closes_to = "ground", resistor = "x" })"})
+            with({key + value});
+    }
+    read("");
+    read("x = " + std::string(20, '[') + std::string(20, ']'));
+    read(std::string(70'000, '#'));
+}
+
+TEST(Refusals, ofModels)
+{
+    const TemporaryDirectory dir;
+    const std::string path = dir.file("model.ttm");
+    ASSERT_TRUE(writeModel(path, randomModel(3)));
+    QSet<QString> names;
+    for (const auto& [table, column] : columnsOf(path))
+        names << words::text(table) << words::text(column);
+    names << "pa"
+          << "paf"
+          << "command"
+          << "seed";
+    Refusals refusals(names);
+    breakTables(dir, path,
+                {"PRAGMA application_id = 7",
+                 "PRAGMA application_id = 1414811953",
+                 "PRAGMA user_version = 1",
+                 "CREATE TABLE zebra(x)",
+                 "DELETE FROM meta WHERE key = 'seed'",
+                 "UPDATE meta SET value = 'x' WHERE key = 'seed'",
+                 "INSERT INTO meta VALUES('inducing_rows', '-5')",
+                 "INSERT INTO meta VALUES('bins', '1')",
+                 "INSERT INTO clearance VALUES('more', 1.0)",
+                 "INSERT INTO scanned_row SELECT 7, 0,0,0,0,0,0,0,0,0,0,0",
+                 "UPDATE meta SET value = 'another' WHERE key = 'command'",
+                 "UPDATE input SET name = 'roll_rad' WHERE position = 11",
+                 "UPDATE bin SET feature_set = 'pax' WHERE feature_set = 'pa' AND bin = 3",
+                 "INSERT INTO bin SELECT 'other', bin, name, 1.0, 1.0, 1.0 FROM bin WHERE "
+                 "feature_set = 'pa'",
+                 "INSERT INTO bin SELECT 'pa', 12, name, 1.0, 1.0, 1.0 FROM bin LIMIT 1",
+                 "INSERT INTO surface SELECT 12, 0, 0.0, 1.0, 1.0, 1.0",
+                 "DELETE FROM surface_scale WHERE bin = 3 AND input = 10",
+                 "DELETE FROM surface_scale WHERE bin = 3 AND input = 4",
+                 "DELETE FROM surface_weight WHERE bin = 3 AND position = 2",
+                 "INSERT INTO clearance_conditional VALUES(3, 0, 1.0, 1.0); "
+                 "INSERT INTO clearance_conditional_scale VALUES(3, 0, 0, 1.0)",
+                 "DELETE FROM residual_row WHERE row = 2",
+                 "DELETE FROM scanned_row WHERE row = 0",
+                 "DELETE FROM length_scale WHERE feature_set = 'pa' AND bin = 10 AND input = 13"},
+                [&](const std::string& file) { refusals.take(readModel(file)); });
+    EXPECT_GE(refusals.size(), 50U);
+    refusals.expectTranslated();
+}
+
+TEST(Refusals, ofRobots)
+{
+    const std::string text = contentOf(kSource + "/resources/robots/absolem.toml");
+    Refusals refusals({"name", "base", "imu", "track", "body", "arm", "odometry"});
+    const auto read = [&](const std::string& robot) {
+        refusals.take(robotModelFrom("/tmp/my robot.toml", robot));
+    };
+    breakToml(text, read);
+    const std::string array = "[[force_array]]\nname = \"a\"\nside = \"left\"\nelements = [1, 2]\n";
+    for (const char* const more :
+         {"[[force_array]]\n", "[force_array]\n", "force_array = 1\n", "force_array = [1]\n",
+          "force_array = []\n",
+          "[[force_array]]\nname = \"an array whose name is far longer than any screen has room "
+          "for\"\nside = \"left\"\nelements = [1]\n",
+          "[[force_array]]\nname = \"a\"\nside = \"up\"\nelements = [1]\n",
+          "[[force_array]]\nname = \"a\"\nside = \"left\"\nelements = [1.5]\n",
+          "[[force_array]]\nname = \"a\"\nside = \"left\"\nelements = [1, 1]\n",
+          "[[force_array]]\nname = \"a\"\nside = \"left\"\nelements = [9]\n"}) {
+        read(more + text);
+        read(text + more);
+    }
+    read(text + array);
+    read(text + array + array);
+    std::string many;
+    for (int i = 0; i < 40; ++i) many += array;
+    read(text + many);
+    EXPECT_GE(refusals.size(), 20U);
+    refusals.expectTranslated();
+}
+
+TEST(Refusals, ofPanelsAndCards)
+{
+    Refusals refusals({"name", "chip", "chip.name", "inputs", "outputs", "data", "date", "scenes",
+                       "method", "terrain", "trained", "evaluation", "label"});
+    breakToml(contentOf(kSource + "/resources/panels/example.toml"),
+              [&](const std::string& broken) { refusals.take(panelFrom("panel.toml", broken)); });
+    const std::size_t panels = refusals.size();
+    EXPECT_GE(panels, 12U);
+    const std::string card = contentOf(kSource + "/resources/models/default.card.toml");
+    breakToml(card, [&](const std::string& broken) {
+        refusals.take(modelCardFrom("m.card.toml", broken));
+    });
+    breakToml(
+        "evaluation = [1]\n" + card.substr(0, card.find("[[")),
+        [&](const std::string& broken) { refusals.take(modelCardFrom("m.card.toml", broken)); });
+    const TemporaryDirectory dir;
+    dir.write("mine.card.toml", card);
+    refusals.take(readModelCard(dir.file("mine.ttm"), std::string(64, '7')));
+    EXPECT_GE(refusals.size(), panels + 5U);
+    refusals.expectTranslated();
+}
+
+std::string semicolons(std::string text)
+{
+    std::replace(text.begin(), text.end(), ',', ';');
+    return text;
+}
+
+TEST(Refusals, ofScenes)
+{
+    const TemporaryDirectory dir;
+    Refusals refusals({"run"});
+    const auto read = [&](const std::string& content) {
+        const std::string path = dir.write("scenes.csv", content);
+        const auto file = readScenes(path);
+        refusals.take(file);
+        for (const std::string& notice : file ? file->notices : std::vector<std::string>{})
+            refusals.add(notice);
+        refusals.take(readScenesWithTruth(path));
+    };
+    Scene scene;
+    scene.run = "a";
+    const std::string good = scenesText({scene});
+    const std::string header = good.substr(0, good.find('\n') + 1),
+                      row = good.substr(header.size());
+    for (const std::string& content :
+         {std::string(),
+          good,
+          header,
+          good + good.substr(0, 9),
+          "\n" + good,
+          header + "\n",
+          header + "\"a\"\n",
+          header + "a\n",
+          header + "\"a\n",
+          header + "\"a\"b\n",
+          header + "\"a,b\"" + row.substr(1),
+          header + "a",
+          good.substr(0, good.size() - 1),
+          header + row.substr(0, row.size() - 1) + ",1\n",
+          std::string("\xFF\xFE\0a", 4),
+          std::string("PK\x03\x04"),
+          std::string("\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"),
+          std::string("\x1F\x8B"),
+          std::string("%PDF-"),
+          std::string("SQLite format 3\0", 16),
+          std::string("a\0,b\n", 5),
+          std::string("a b\n"),
+          std::string("a|b\n"),
+          std::string("a,b;c\n"),
+          std::string("sep=|\n"),
+          header + ",s,deg,rad,rad,A,A" + std::string(17, ',') + "\n",
+          semicolons(header) + "a;0,5;0.5" + std::string(21, ';') + "\n",
+          semicolons(header) + "a;0.5;0,5" + std::string(21, ';') + "\n",
+          semicolons(header) + "a;1.000,5;0" + std::string(21, ';') + "\n",
+          header + row.substr(0, row.size() - 1) + ",\n",
+          "run,run\n" + row,
+          "run,h_0.0_m\n" + row,
+          "run,colour\n" + row,
+          "colour," + header + "1," + row,
+          "run,t_s\n" + row,
+          header + std::string(70'000, 'x') + "\n",
+          header + std::string(2'000, ',') + "\n",
+          std::string(300, ',') + "\n"})
+        read(content);
+    const auto commas = static_cast<std::size_t>(std::count(header.begin(), header.end(), ','));
+    for (std::size_t column = 0; column <= commas; ++column)
+        for (const char* const value : {"", "x", "nan", "inf", "1e9", "-1e9", "a\tb"}) {
+            std::string broken;
+            std::size_t at = 0;
+            for (const char c : row) {
+                if (at != column || c == ',' || c == '\n') broken += c;
+                at += c == ',';
+                if (at == column && (c == ',' || broken.empty())) broken += value;
+            }
+            read(header + broken);
+        }
+    refusals.take(readScenes(dir.file("none.csv")));
+    EXPECT_GE(refusals.size(), 20U);
+    refusals.expectTranslated();
+}
+
+TEST(Refusals, ofDbcFiles)
+{
+    const TemporaryDirectory dir;
+    const std::string text = "VERSION \"1\"\n\nNS_ :\n\tCM_\n\nBS_:\n\nBU_: G1 D1\n\n"
+                             "BO_ 256 Engine_1: 8 G1\n"
+                             " SG_ Speed_1 m1 : 8|16@1+ (0.1,-40) [0|250] \"km/h\" D1\n"
+                             " SG_ Mode_1 M : 0|8@1+ (1,0) [0|3] \"\" D1\n"
+                             " SG_ Torque_1 : 24|32@1- (1,0) [0|0] \"Nm\" D1\n\n"
+                             "CM_ SG_ 256 Speed_1 \"Over ground.\";\n"
+                             "BA_DEF_DEF_ \"GenMsgCycleTime\" 100;\n"
+                             "BA_ \"GenMsgCycleTime\" BO_ 256 100;\n"
+                             "VAL_ 256 Mode_1 0 \"neutral\" 1 \"first\" ;\n"
+                             "SIG_VALTYPE_ 256 Torque_1 : 1;\n"
+                             "SG_MUL_VAL_ 256 Speed_1 Mode_1 1-1, 4-7;\n";
+    ASSERT_TRUE(dbcFrom("good.dbc", text)) << dbcFrom("good.dbc", text).error().text;
+    Refusals refusals({"Windows"});
+    const auto read = [&](const std::string& content) {
+        const auto file = dbcFrom("my.dbc", content);
+        refusals.take(file);
+        for (const std::string& warning : file ? file->warnings : std::vector<std::string>{})
+            refusals.add(warning);
+    };
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        read(text.substr(0, at));
+        for (const char* const instead : {"", "!", "\"", "9", "x", ";", " 99999999999 "})
+            read(text.substr(0, at) + instead + text.substr(at + 1));
+    }
+    const std::string message = "BO_ 256 Engine_1: 8 G1\n";
+    for (const char* const broken :
+         {" SG_ A_1 M : 0|8@1+ (1,0) [0|0] \"\" D1\n SG_ B_1 M : 8|8@1+ (1,0) [0|0] \"\" D1\n SG_ "
+          "C_1 m1 : 16|8@1+ (1,0) [0|0] \"\" D1\n",
+          " SG_ A_1 m1M : 0|8@1+ (1,0) [0|0] \"\" D1\n",
+          "BA_ \"SystemSignalLongSymbol\" SG_ 256 A_1 9;\n", "BA_ \"VFrameFormat\" BO_ 256 x;\n",
+          "BA_ \"ProtocolType\" 9;\n", "BA_DEF_ BO_ \"VFrameFormat\" ENUM x;\n",
+          " SG_ A_1 m1 : 0|8@1+ (1,0) [0|0] \"\" D1\nSG_MUL_VAL_ 256 A_1 None 1-1;\n",
+          " SG_ A_1 : 0|8@1+ (0,0) [0|0] \"\" D1\n", " SG_ A_1 : 0|0@1+ (1,0) [0|0] \"\" D1\n",
+          " SG_ A_1 : 0|8@1+ (1,0) [0|0] \"\" D1\n SG_ A_1 : 0|8@1+ (1,0) [0|0] \"\" D1\n",
+          " SG_ A_1 : 0|8@1+ (1,0) [0|0] \"\" D1\nSIG_VALTYPE_ 256 A_1 : 2;\n"})
+        read(message + broken);
+    read(message + "BO_ 256 Other_1: 8 G1\n");
+    read(message + "BO_ 4096 Other_1: 8 G1\n");
+    read(message + "BO_ 512 Other_1: 999 G1\n");
+    std::string many = message;
+    for (int i = 0; i < 30; ++i) many += message;
+    read(many);
+    read(std::string("\0", 1));
+    DbcBook book;
+    refusals.take(book.add("/dev/null"));
+    refusals.take(book.add(dir.file("none.dbc")));
+    refusals.take(book.add(dir.write("one.dbc", text)));
+    refusals.take(book.add(dir.write("two.dbc", text + "BO_ 257 Another_1: 8 G1\n")));
+    refusals.take(book.add(dir.write("three.dbc", text + "BO_ 257 Another_1: 8 G1\n")));
+    refusals.take(book.add(kSource + "/resources/dbc/terratact.dbc"));
+    refusals.take(book.add(dir.write("ours.dbc", "BO_ 34 Ours_1: 8 G1\n")));
+    for (const std::string& remark : book.remarks()) refusals.add(remark);
+    EXPECT_GE(refusals.size(), 60U);
+    refusals.expectTranslated();
+}
+
+TEST(Refusals, ofLogs)
+{
+    Refusals refusals(
+        {"remote",     "request", "candump", "-L",        "--interface",    "CSV",   "GVRET",
+         "python-can", "MCAP",    "Vector",  "BusMaster", "Microchip",      "CRTD",  "canboat",
+         "NMEA",       "JSON",    "XML",     "Wireshark", "tcpdump",        "ZIP",   "session",
+         "export",     "BRS",     "ESI",     "true",      "false",          "xz",    "zstd",
+         "Rx",         "Tx",      "dlc",     "base",      "can_logconvert", "--dbc", "-d"});
+    const auto read = [&](const std::string& log) {
+        LogReader reader("broken.log", std::make_unique<std::istringstream>(log));
+        for (;;) {
+            const auto frame = reader.next();
+            if (!frame) refusals.add(frame.error().text);
+            if (!frame || !*frame) return;
+        }
+    };
+    for (const std::string line :
+         {"(1436509052.249713) vcan0 044#2A366C2BBA R", "(1436509052.249713) vcan0 044#R3",
+          "(1436509052.249713) vcan0 12345678##1112233", "(1.5) vcan0 20000004#0000000000000000",
+          "  vcan0  RX - -  044   [5]  2A 36 6C 2B BA", "  vcan0  044   [0]  remote request",
+          "  vcan0  20000004   [8]  00 00 00 00 00 00 00 00   ERRORFRAME",
+          " (2025-01-10 12:34:56.249713)  vcan0  044   [1]  2A", "0.1 1 500x Rx d 3 DD FF 01",
+          "0.1 1 500 Rx r 4",
+          "0.1 CANFD 1 Rx 500 1 0 9 12 00 01 02 03 04 05 06 07 08 09 0A 0B 0 0 3000",
+          ";$FILEVERSION=1.1", "     1)     100.0 1 Rx     0500  3  DD FF 01"}) {
+        read(line);
+        read(line + "\n" + std::string(9'000, 'x') + "\n");
+        for (std::size_t at = 0; at < line.size(); ++at) {
+            read(line.substr(0, at) + "\n");
+            for (const char* const instead : {"", "!", "9", "x", "F", " ", "#", "R", "[99]"})
+                read(line.substr(0, at) + instead + line.substr(at + 1) + "\n");
+        }
+    }
+    const std::vector<std::pair<std::string, std::string>> tables{
+        {";$COLUMNS=N,O,T,B,I,d,R,L,D\n", "1 100.000 DT 1 0500 Rx - 3 DD FF 01"},
+        {"Time Stamp,ID,Extended,Dir,Bus,LEN,D1\n", "1000000,00000500,false,Rx,0,3,DD,FF,01,"},
+        {"timestamp,arbitration_id,extended,remote,error,dlc,data\n", "1.0,0x500,0,1,1,3,3f8B"},
+        {"__time,id,extended,remote,error,fd,sent,local,length,data\n",
+         "1.0,1280,0,1,0,1,0,0,3,DDFF01"},
+        {"base dec\n", "0.1 1 500x Rx d 3 221 255 1"}};
+    for (const auto& [heading, row] : tables)
+        for (std::size_t at = 0; at < row.size(); ++at)
+            for (const char* const instead : {"", "!", "9", "0", "x", ",", " ", "300"})
+                read(heading + row.substr(0, at) + instead + row.substr(at + 1) + "\n");
+    using namespace std::string_literals;
+    for (const std::string& kind :
+         {"LOGG"s, "MDF     "s, "\x89MCAP0"s, "SQLite format 3\0"s, "\x0A\x0D\x0D\x0A"s,
+          "\xD4\xC3\xB2\xA1"s, "PK\x03\x04"s,
+          "\xFD"
+          "7zXZ"s,
+          "\x28\xB5\x2F\xFD"s, "BZh"s, "***BUSMASTER"s, "Microchip Tech"s, "1.5 1R11 213 01"s,
+          "VERSION \"\""s, "2016-04-09T16:41:09.078Z,3,127257,17,255,8,00"s, "{}"s, "Time,a"s,
+          "\x1F\x8B\x08\x08 and nothing that is packed"s})
+        read(kind + "\n");
+    const TemporaryDirectory dir;
+    for (const auto& path : {dir.write("empty.log", ""), dir.file("."), dir.file("none.log"),
+                             dir.write("two.log", "(1.5) can0 044#2A\n(1.6) can1 044#2A\n"),
+                             dir.write("untimed.log", "  vcan0  044   [1]  2A\n")})
+        refusals.take(LogReplay::open(path, {}));
+    refusals.take(LogReplay::open(dir.file("two.log"), {.interface = "can7"}));
+    refusals.add("my.csv: has no scenes");
+    EXPECT_GE(refusals.size(), 24U);
+    refusals.expectTranslated();
+}
+
+TEST(Refusals, ofSessions)
+{
+    const TemporaryDirectory dir;
+    const std::string path = dir.file("session.tts");
+    {
+        auto writer = someSession(path, 400);
+        ASSERT_TRUE(writer) << writer.error().text;
+        ASSERT_TRUE(writer->seal());
+    }
+    QSet<QString> names{"meta",      "bus",   "program", "robot", "source",
+                        "transmits", "batch", "chain",   "base",  "note"};
+    for (const auto& [table, column] : columnsOf(path))
+        names << words::text(table) << words::text(column);
+    Refusals refusals(names);
+    breakTables(
+        dir, path,
+        {"PRAGMA application_id = 7", "PRAGMA user_version = 1", "CREATE TABLE zebra(x)",
+         "DELETE FROM meta WHERE key = 'bus'", "INSERT INTO meta VALUES('zebra', 'x')",
+         "UPDATE meta SET value = 'x' WHERE key = 'transmits'",
+         "UPDATE meta SET value = 'x' WHERE key = 'wall_time_ns'", "DELETE FROM batch WHERE id = 2",
+         "UPDATE event SET batch = 77", "UPDATE estimate_draws SET draws = x'00'",
+         "DELETE FROM estimate_draws", "DELETE FROM can_frame WHERE seq = 7",
+         "INSERT INTO can_frame SELECT 100000, t, id, flags, data FROM can_frame WHERE seq = 1"},
+        [&](const std::string& file) {
+            auto session = SessionReader::open(file);
+            refusals.take(session);
+            if (!session) return;
+            for (const SessionDamage& damage : session->verify().damage) refusals.add(damage.why);
+        });
+    auto session = SessionReader::open(path);
+    ASSERT_TRUE(session);
+    refusals.take(robotOf(*session));
+    const ModelRow row{
+        .id = 1, .name = "default.ttm", .hash = std::string(8, 'c') + std::string(56, '1')};
+    const std::string a = dir.write("a.ttm", "x"), b = dir.write("b.ttm", "y");
+    refusals.take(modelFileOf(row, {}));
+    refusals.take(modelFileOf(row, std::array{a}));
+    refusals.take(modelFileOf(row, std::array{a, b}));
+    refusals.take(modelFileOf(row, std::array{a, b, dir.file("none.ttm")}));
+    for (const char* const notes : {"", "x\n", "t_s,note", "t_s\n", "t_s,\"note\n",
+                                    "t_s,note\nx,y\n", "t_s,note\n1,2,3\n", "x,y\n"}) {
+        dir.write("session.tts.notes.csv", notes);
+        refusals.take(readNotes(path));
+    }
+    EXPECT_GE(refusals.size(), 25U);
+    refusals.expectTranslated();
+}
+
+}  // namespace
+}  // namespace terratact

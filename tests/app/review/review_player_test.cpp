@@ -1,0 +1,259 @@
+// Moving in a session under review: played, stepped through, looped, followed.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+#include "app/pages/terrain_page.h"
+#include "app/review/review_events_page.h"
+#include "app/review/review_window.h"
+#include "tests/support/gui.h"
+#include "tests/support/review_bench.h"
+#include "tests/support/robot_session.h"
+#include "widgets/signals/force_bars.h"
+
+namespace terratact {
+namespace {
+
+using namespace gui;
+using At = RobotSessionTimes;
+
+TEST(ReviewPlayer, goesOnByDataTimeAndAPauseLeavesNothingToCatchUpWith)
+{
+    ReviewPlayer player;
+    player.setRange(0.0, 100.0);
+    player.play(false);
+    player.advance(0.1);
+    EXPECT_NEAR(player.position(), 0.1, 1e-12);
+    player.setSpeed(50.0);
+    player.advance(0.1);
+    EXPECT_NEAR(player.position(), 5.1, 1e-12);
+    player.advance(3600.0);  // the machine slept
+    EXPECT_NEAR(player.position(), 5.1 + 50.0 * ReviewPlayer::kLongestStep, 1e-9);
+    player.pause();
+    const double stood = player.position();
+    player.advance(1.0);
+    EXPECT_EQ(player.position(), stood);
+    player.setSpeed(1e9);
+    EXPECT_EQ(player.speed(), ReviewPlayer::kFastest);
+    player.setSpeed(0.0);
+    EXPECT_EQ(player.speed(), ReviewPlayer::kSlowest);
+}
+
+TEST(ReviewPlayer, playsBackwardsLoopsAndStopsAtTheEnds)
+{
+    ReviewPlayer player;
+    player.setRange(0.0, 1.0);
+    player.seek(0.5);
+    player.play(true);
+    player.advance(0.2);
+    EXPECT_NEAR(player.position(), 0.3, 1e-12);
+    player.advance(0.2);
+    player.advance(0.2);
+    EXPECT_EQ(player.position(), 0.0);
+    EXPECT_FALSE(player.playing());
+    player.setA(0.8);
+    player.setB(0.6);
+    player.setLoop(true);
+    player.seek(0.7);
+    player.play(false);
+    for (int n = 0; n < 20; ++n) {
+        player.advance(0.05);
+        EXPECT_GE(player.position(), 0.6);
+        EXPECT_LE(player.position(), 0.8);
+    }
+    EXPECT_TRUE(player.playing());
+    player.setLoop(false);
+    player.setFollowing(true);
+    for (int n = 0; n < 20; ++n) player.advance(0.1);
+    EXPECT_EQ(player.position(), 1.0);
+    EXPECT_TRUE(player.playing()) << "waits for more";
+}
+
+TEST_F(ReviewOf, aSessionPlaysAndPausesByKeys)
+{
+    record();
+    open();
+    press(Qt::Key_Space);
+    EXPECT_TRUE(window->player().playing());
+    const double began = now();
+    window->look(0.2);
+    EXPECT_NEAR(now() - began, 0.2, 0.15);  // its own timer may have ticked
+    press(Qt::Key_Space);
+    EXPECT_FALSE(window->player().playing());
+    const double stood = now();
+    window->look(0.2);
+    EXPECT_EQ(now(), stood);
+    press(Qt::Key_F);
+    press(Qt::Key_F);
+    press(Qt::Key_H);
+    EXPECT_EQ(window->player().speed(), 2.0);
+    window->goTo(2.0);
+    press(Qt::Key_J);
+    EXPECT_TRUE(window->player().backwards());
+    window->look(0.1);
+    EXPECT_LT(now(), 2.0);
+    press(Qt::Key_K);
+    EXPECT_FALSE(window->player().playing());
+}
+
+TEST_F(ReviewOf, aSessionIsSteppedThroughByKeys)
+{
+    record();
+    open();
+    window->goTo(1.02);
+    press(Qt::Key_Period);
+    EXPECT_NEAR(now(), 1.05, 0.011);
+    const double frame = now();
+    press(Qt::Key_Period);
+    press(Qt::Key_Comma);
+    EXPECT_EQ(now(), frame);
+    press(Qt::Key_PageDown);
+    EXPECT_NEAR(now(), At::kEstimate, 1e-6) << "what stands then is the estimate of the scene";
+    press(Qt::Key_Down);
+    EXPECT_NEAR(now(), At::kProposing, 1e-6);
+    press(Qt::Key_Down);
+    EXPECT_NEAR(now(), At::kMarker, 1e-6);
+    press(Qt::Key_Up);
+    EXPECT_NEAR(now(), At::kProposing, 1e-6);
+    press(Qt::Key_6);
+    EXPECT_NEAR(now(), At::kApproved, 1e-6);
+    press(Qt::Key_7, Qt::AltModifier);
+    EXPECT_NEAR(now(), At::kAlarm, 1e-6);
+    press(Qt::Key_End);
+    EXPECT_EQ(now(), window->player().end());
+    press(Qt::Key_Home);
+    EXPECT_EQ(now(), window->player().begin());
+}
+
+TEST_F(ReviewOf, aSessionGoesToATimeThatIsTyped)
+{
+    record();
+    open();
+    press(Qt::Key_G);
+    QTest::keyClicks(window->positionEdit(), "0:02.5");
+    QTest::keyClick(window->positionEdit(), Qt::Key_Return);
+    EXPECT_NEAR(now(), 2.5, 1e-6);
+    press(Qt::Key_G);
+    QTest::keyClicks(window->positionEdit(), "now");
+    QTest::keyClick(window->positionEdit(), Qt::Key_Return);
+    EXPECT_NEAR(now(), 2.5, 1e-6);
+}
+
+TEST_F(ReviewOf, twoCursorsLoopAndTellTheDifference)
+{
+    record();
+    open();
+    window->goTo(1.0);
+    press(Qt::Key_A);
+    window->goTo(1.5);
+    press(Qt::Key_B);
+    EXPECT_TRUE(window->differenceLabel()->text().contains("+0.500"));
+    press(Qt::Key_P);
+    EXPECT_TRUE(window->player().loops());
+    press(Qt::Key_L);
+    for (int n = 0; n < 10; ++n) {
+        window->look(0.2);
+        EXPECT_GE(now(), 1.0);
+        EXPECT_LE(now(), 1.5);
+    }
+    press(Qt::Key_K);
+    window->goTo(1.5);
+    press(Qt::Key_B);
+    EXPECT_FALSE(window->player().b());
+}
+
+TEST_F(ReviewOf, aSessionThatIsStillRecordedIsFollowed)
+{
+    auto writer = robotSession(path.toStdString(), 2.0);
+    ASSERT_TRUE(writer) << writer.error().text;
+    open();
+    const double before = window->player().end();
+    press(Qt::Key_T);
+    EXPECT_TRUE(window->player().following());
+    EXPECT_EQ(now(), before);
+    ASSERT_TRUE(writer->add(EventRow{
+        .id = 100, .time = sessionTimeOf(7.0), .kind = EventKind::Marker, .text = "later"}));
+    ASSERT_TRUE(writer->commit());
+    window->look(0.6);
+    EXPECT_NEAR(window->player().end(), 7.0, 1e-6);
+    EXPECT_NEAR(now(), 7.0, 1e-6);
+    EXPECT_TRUE(window->stateLabel()->text().contains("BEING RECORDED"));
+    EXPECT_EQ(window->events()->table()->model()->rowCount(),
+              static_cast<int>(window->session().events().size()));
+}
+
+TEST_F(ReviewOf, theForcesPeaksAtATimeAreTheSameHoweverOneCameThere)
+{
+    path = TERRATACT_SOURCE_DIR "/resources/sessions/demo.tts";
+    open();
+    const auto peaks = [&] {
+        const ForceBars& bars = *window->terrainPage()->forces();
+        std::vector<std::optional<double>> all;
+        for (int array = 0; array < bars.arrays(); ++array)
+            for (int e = 0; e < kForceElements; ++e) all.push_back(bars.peak(e, array));
+        return all;
+    };
+    const auto shown = [&](double time) {
+        window->goTo(time);
+        return peaks();
+    };
+    constexpr double kLetGo = 20.0;  // [s] from where on it is looked for
+    double at = 0.0;                 // where an element feels less than it did
+    std::vector<std::optional<double>> jumped;
+    for (double t = kLetGo; at == 0.0 && t < window->player().end(); t += 0.5) {
+        jumped = shown(t);
+        const auto& measured = window->moment().measurement;
+        for (std::size_t e = 0; measured && e < measured->force.size(); ++e)
+            if (jumped[e] && *jumped[e] > measured->force[e] + 1.0) at = t;
+    }
+    ASSERT_GT(at, 0.0) << "the session has a peak that stands above its bar";
+    for (double t = at - 1.0; t < at; t += 0.04) window->goTo(t);
+    EXPECT_EQ(shown(at), jumped) << "played there";
+    for (double t = at + 5.0; t > at; t -= 0.3) window->goTo(t);
+    EXPECT_EQ(shown(at), jumped) << "played there backwards";
+    window->goTo(1.0);
+    EXPECT_EQ(shown(at), jumped) << "from far away";
+    open();
+    EXPECT_EQ(shown(at), jumped) << "in a window that was nowhere else";
+}
+
+/// What playing costs, by a command: TERRATACT_REVIEW_SECONDS=3600 app.review.review_test --gtest_filter=*Costs*
+TEST_F(ReviewOf, playbackCostsLittle)
+{
+    const char* given = std::getenv("TERRATACT_REVIEW_SECONDS");
+    const double seconds = given ? std::atof(given) : 10.0;
+    {
+        auto writer = robotSession(path.toStdString(), seconds, 850.0);
+        ASSERT_TRUE(writer) << writer.error().text;
+        ASSERT_TRUE(writer->seal());
+    }
+    open();
+    ASSERT_TRUE(eventually([&] { return window->surveyed(); }, 120000));
+    const auto used = [] {
+        rusage usage{};
+        ::getrusage(RUSAGE_SELF, &usage);
+        const auto of = [](const timeval& t) {
+            return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+        };
+        return std::pair(of(usage.ru_utime) + of(usage.ru_stime), usage.ru_maxrss / 1024);
+    };
+    const double from = seconds / 2.0, before = used().first;
+    window->goTo(from);
+    press(Qt::Key_L);
+    QElapsedTimer watch;
+    watch.start();
+    QTest::qWait(given ? 20000 : 1000);
+    const double elapsed = 1e-3 * static_cast<double>(watch.elapsed());
+    const auto [after, megabytes] = used();
+    std::printf("%lld frames: playback of %.2f s at 1x took %.1f %% of a core, %ld MB at most\n",
+                static_cast<long long>(window->session().frameCount()), now() - from,
+                100.0 * (after - before) / elapsed, megabytes);
+    EXPECT_GT(now(), from + 0.1);
+    EXPECT_LE(now(), from + elapsed + 0.1);
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,139 @@
+// Every page follows the size of the letters when it is changed at run time, tables and all.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "app/shell/language.h"
+#include "app/shell/letters.h"
+#include "tests/support/bus_console_bench.h"
+#include "tests/support/review_bench.h"
+#include "widgets/base/navigation_rail.h"
+#include "widgets/signals/alarm_table.h"
+#include "widgets/signals/raw_trace.h"
+#include "widgets/signals/signal_table.h"
+
+namespace terratact {
+namespace {
+
+using gui::eventually;
+
+constexpr const char* kLanguages[]{"en", "cs", "de"};
+constexpr std::pair<int, QSize> kLetters[]{{150, {1920, 1080}}, {200, {2560, 1440}}};  // [%]
+
+/// Shows the window in each size of letters, and each of its pages, on which nothing may be cut.
+void lookAtEachPage(ConsoleWindow& window, NavigationRail& rail,
+                    const std::function<void(int)>& resizeLetters, const std::string& language)
+{
+    for (const auto& [percent, size] : kLetters) {
+        window.setRoom(size);
+        resizeLetters(percent);
+        window.resize(size);
+        EXPECT_EQ(lookInForce().fontScale, percent);
+        for (int page = 0; page < rail.pages(); ++page) {
+            rail.choose(page);
+            QTest::qWait(150);
+            EXPECT_EQ(gui::cutWhenSettled(window), std::vector<std::string>())
+                << language << ", " << percent << " %, page " << page;
+        }
+        rail.choose(0);
+        resizeLetters(100);
+    }
+}
+
+struct LettersOfTheConsole : BusConsole {
+    ~LettersOfTheConsole() override
+    {
+        window.reset();
+        robot.reset();
+        installLanguage(*qApp, "en");
+        applyLook(*qApp);
+    }
+};
+
+TEST_F(LettersOfTheConsole, cutNothingOnAnyPageInAnyLanguage)
+{
+    for (const char* language : kLanguages) {
+        window.reset();
+        robot.reset();
+        applyLook(*qApp);
+        if (installLanguage(*qApp, language) != QLatin1String(language))
+            GTEST_SKIP() << "built without translations";
+        open();
+        ASSERT_TRUE(inSomeGo([this] { return exploresAndProbes(); }));
+        QTest::mousePress(window->header()->stopButton(), Qt::LeftButton);
+        ASSERT_TRUE(eventually([&] { return !window->alarms().list().alarms().empty(); }))
+            << "no alarm stands";
+        lookAtEachPage(
+            *window, *window->rail(),
+            [this](int percent) {
+                window->preferences().change([percent](Preferences& p) { p.fontScale = percent; });
+            },
+            language);
+    }
+}
+
+struct LettersOfAReview : ReviewOf {
+    ~LettersOfAReview() override
+    {
+        window.reset();
+        installLanguage(*qApp, "en");
+        applyLook(*qApp);
+    }
+};
+
+TEST_F(LettersOfAReview, cutNothingOnAnyPageInAnyLanguage)
+{
+    record();
+    for (const char* language : kLanguages) {
+        window.reset();
+        applyLook(*qApp);
+        if (installLanguage(*qApp, language) != QLatin1String(language))
+            GTEST_SKIP() << "built without translations";
+        open();
+        window->goTo(RobotSessionTimes::kAlarm + 0.1);
+        lookAtEachPage(
+            *window, *window->rail(),
+            [this](int percent) {
+                press(Qt::Key_0, Qt::ControlModifier);
+                for (int now = 100; now < percent; now += kLetterStep)
+                    press(Qt::Key_Plus, Qt::ControlModifier);
+            },
+            language);
+    }
+}
+
+TEST(LettersOfTables, growRowsAndColumnsOfTablesThatAreThere)
+{
+    applyLook(*qApp);
+    RawTrace trace(
+        [](const CanFrame&) {
+            return TraceWords{"022", "Attitude", "[8]", "words"};
+        },
+        [](const CanFrame&) { return QString(); });
+    SignalTable table;
+    AlarmTable alarms;
+    const auto sizes = [&] {
+        return std::array{table.rowHeight(0),
+                          table.columnWidth(SignalTable::Value),
+                          trace.view()->verticalHeader()->defaultSectionSize(),
+                          trace.view()->columnWidth(0),
+                          trace.filter()->width(),
+                          alarms.table()->columnWidth(0)};
+    };
+    table.setRows({SignalRow{}});
+    alarms.resize(900, 300);
+    trace.resize(1200, 300);
+    for (QWidget* shown : std::initializer_list<QWidget*>{&trace, &table, &alarms}) shown->show();
+    const auto before = sizes();
+    applyLook(*qApp, ThemeName::Day, 200);
+    QTest::qWait(50);
+    const auto after = sizes();
+    applyLook(*qApp);
+    for (std::size_t i = 0; i < before.size(); ++i)
+        EXPECT_GT(after[i], 1.5 * before[i]) << i << ": " << before[i];
+}
+
+}  // namespace
+}  // namespace terratact

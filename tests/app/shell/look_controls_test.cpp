@@ -1,0 +1,206 @@
+// Every control of the console: it has a name and a size, keys reach it, and it says why it cannot be pressed.
+#include <gtest/gtest.h>
+
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QMenu>
+#include <QPushButton>
+#include <QStyleOptionSpinBox>
+#include <set>
+
+#include "app/console/main_window.h"
+#include "app/console/settings_page.h"
+#include "tests/support/gui.h"
+#include "tests/support/look_bench.h"
+#include "widgets/base/held_button.h"
+#include "widgets/base/navigation_rail.h"
+#include "widgets/control/atem_panel.h"
+#include "widgets/signals/event_list.h"
+#include "widgets/terrain/verdict_strip.h"
+
+namespace terratact {
+namespace {
+
+using gui::eventually;
+
+/// Whatever an operator can point at or tab to.
+QList<QWidget*> controls(const MainWindow& window)
+{
+    QList<QWidget*> found;
+    for (QWidget* widget : window.findChildren<QWidget*>()) {
+        // What Qt put into one of our own widgets speaks through it.
+        const bool inner = widget->objectName().startsWith("qt_");
+        const bool control =
+            qobject_cast<QAbstractButton*>(widget) || (widget->focusPolicy() & Qt::TabFocus);
+        if (control && !inner && widget->isVisible()) found << widget;
+    }
+    return found;
+}
+
+/// Parts of a control that are pressed on their own: the arrows of a spin box, the entries of its menu or list; [px].
+QList<QSize> partsOf(const QWidget& control)
+{
+    QList<QSize> parts;
+    if (const auto* box = qobject_cast<const QAbstractSpinBox*>(&control)) {
+        QStyleOptionSpinBox option;
+        option.initFrom(box);
+        option.subControls = QStyle::SC_All;
+        option.buttonSymbols = box->buttonSymbols();
+        option.frame = box->hasFrame();
+        const auto rect = [&](QStyle::SubControl part) {
+            return box->style()->subControlRect(QStyle::CC_SpinBox, &option, part, box);
+        };
+        const QRect up = rect(QStyle::SC_SpinBoxUp), down = rect(QStyle::SC_SpinBoxDown);
+        EXPECT_FALSE(up.intersects(down));
+        EXPECT_FALSE(rect(QStyle::SC_SpinBoxEditField).intersects(down));
+        if (box->buttonSymbols() != QAbstractSpinBox::NoButtons) parts << up.size() << down.size();
+    }
+    const auto* button = qobject_cast<const QPushButton*>(&control);
+    if (QMenu* menu = button ? button->menu() : nullptr; menu) {
+        menu->ensurePolished();
+        for (QAction* action : menu->actions())
+            if (!action->isSeparator()) parts << menu->actionGeometry(action).size();
+    }
+    if (const auto* combo = qobject_cast<const QComboBox*>(&control))
+        for (int row = 0; row < combo->count(); ++row)
+            parts << QSize(combo->width(), combo->view()->sizeHintForRow(row));
+    return parts;
+}
+
+TEST_F(Look, everyControlHasANameAndASize)
+{
+    int parts = 0;
+    explore();
+    eachPage([&] {
+        const auto all = controls(*window);
+        EXPECT_GE(all.size(), 4);
+        for (const QWidget* control : all) {
+            const auto* button = qobject_cast<const QAbstractButton*>(control);
+            const std::string what =
+                std::string(control->metaObject()->className()) + " "
+                + (button ? button->text() : control->objectName()).toStdString();
+            EXPECT_FALSE(control->accessibleName().isEmpty()
+                         && (!button || button->text().isEmpty()))
+                << what;
+            EXPECT_TRUE(control->width() >= 32 && control->height() >= 32)
+                << what << ": " << control->width() << " × " << control->height();
+            for (const QSize part : partsOf(*control)) {
+                ++parts;
+                EXPECT_TRUE(part.width() >= 32 && part.height() >= 32)
+                    << what << ": a part of " << part.width() << " × " << part.height();
+            }
+            EXPECT_FALSE(button && button->toolTip().isEmpty())
+                << what << " says neither what it does nor why not";
+        }
+    });
+    EXPECT_GE(parts, 30);
+}
+
+TEST_F(Look, aButtonThatCannotBePressedSaysWhyNot)
+{
+    gui::TipsOfButtons tips;
+    const auto lookEverywhere = [&] { eachPage([&] { tips.look(*window); }); };
+    lookEverywhere();
+    for (const double limit : {VerdictStrip::kLeastLimit, VerdictStrip::kGreatestLimit}) {
+        window->preferences().change([limit](Preferences& p) { p.obstacleLimit = limit; });
+        tips.look(*window);
+    }
+    window->preferences().change([](Preferences& p) { p.model = "/nowhere/none.ttm"; });
+    explore();
+    lookEverywhere();
+    window->exploration().stop();  // which is an alarm, too
+    ASSERT_TRUE(eventually([&] { return window->atemPanel()->releaseButton()->isVisible(); }));
+    lookEverywhere();
+    EXPECT_EQ(tips.silent(), std::vector<std::string>());
+    for (const char* name : {"Lower the limit", "Raise the limit", "Acknowledge", "Acknowledge all",
+                             "The shipped one: Model", "Explore the terrain (A)"})
+        EXPECT_TRUE(tips.compared().contains(name)) << name;
+}
+
+TEST_F(Look, TabReachesEverythingAndComesBack)
+{
+    explore();
+    eachPage([&] {
+        window->setFocus();
+        std::set<QWidget*> reached;
+        for (int i = 0; i < 300; ++i) {
+            QWidget* at = QApplication::focusWidget();
+            ASSERT_NE(at, nullptr);
+            QTest::keyClick(at, Qt::Key_Tab);
+            QWidget* next = QApplication::focusWidget();
+            if (!next || reached.contains(next)) break;
+            reached.insert(next);
+        }
+        for (QWidget* control : controls(*window)) {
+            const bool reachable = control->isEnabled() && (control->focusPolicy() & Qt::TabFocus);
+            EXPECT_TRUE(!reachable || reached.contains(control))
+                << control->metaObject()->className() << " "
+                << control->accessibleName().toStdString();
+        }
+    });
+}
+
+TEST_F(Look, theSheetTellsOfEveryKeyAndEveryKeyActs)
+{
+    const QString sheet = window->keys().html();
+    std::set<int> seen;
+    for (const KeyTable::Entry& entry : window->keys().entries()) {
+        EXPECT_FALSE(entry.meaning.isEmpty());
+        EXPECT_TRUE(sheet.contains(entry.meaning.toHtmlEscaped()));
+        for (const QKeyCombination key : entry.keys) {
+            EXPECT_TRUE(seen.insert(key.toCombined()).second) << "a key with two meanings";
+            const QKeyEvent event(QEvent::KeyPress, key.key(), key.keyboardModifiers());
+            EXPECT_EQ(window->keys().entryOf(event), &entry);
+            EXPECT_TRUE(sheet.contains(
+                QKeySequence(key).toString(QKeySequence::NativeText).toHtmlEscaped()));
+        }
+    }
+    KeyTable twice;
+    twice.add({{Qt::Key_A}, "one", {}});
+    EXPECT_THROW(twice.add({{Qt::Key_B, Qt::Key_A}, "two", {}}), std::logic_error);
+    const QKeyEvent withAlt(QEvent::KeyPress, Qt::Key_A, Qt::AltModifier);
+    EXPECT_EQ(twice.entryOf(withAlt), nullptr);
+}
+
+/// Pixels of the window that are unlike in two pictures of it.
+int unlike(const QImage& a, const QImage& b)
+{
+    int count = 0;
+    for (int y = 0; y < std::min(a.height(), b.height()); ++y)
+        for (int x = 0; x < std::min(a.width(), b.width()); ++x)
+            count += a.pixel(x, y) != b.pixel(x, y);
+    return count;
+}
+
+TEST_F(Look, whatHasTheFocusIsSeenInEveryTheme)
+{
+    explore();
+    for (const ThemeName theme : {ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast}) {
+        window->preferences().change([theme](Preferences& p) { p.theme = theme; });
+        std::set<std::string> seen;
+        eachPage([&] {
+            for (QWidget* control : controls(*window)) {
+                const std::string kind = std::string(control->metaObject()->className()) + " "
+                                       + control->property("role").toString().toStdString() + " "
+                                       + control->parentWidget()->objectName().toStdString();
+                if (!control->isEnabled() || !(control->focusPolicy() & Qt::TabFocus)
+                    || !seen.insert(kind).second)
+                    continue;
+                const auto picture = [&] {  // of the window: the mark lies upon it
+                    const QPoint corner = control->mapTo(window.get(), QPoint(0, 0));
+                    return window->grab({corner, control->size()}).toImage();
+                };
+                window->setFocus();
+                const QImage before = picture();
+                control->setFocus(Qt::TabFocusReason);
+                if (!control->hasFocus()) continue;
+                EXPECT_GE(unlike(before, picture()), 60)
+                    << kind << " " << control->accessibleName().toStdString() << ", theme "
+                    << static_cast<int>(theme);
+            }
+        });
+    }
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,43 @@
+#include "core/infer/verdict/estimate_words.h"
+
+#include <gtest/gtest.h>
+
+namespace terratact {
+namespace {
+
+/// 100 draws, level but for bin +0.6: up by 0.2 m in 30 of them.
+TerrainEstimate perhapsAStep()
+{
+    TerrainEstimate estimate;
+    estimate.ess.fill(100.0);
+    for (int d = 0; d < 100; ++d) {
+        Heights h{};
+        h[9] = h[10] = d < 30 ? 0.2 : 0.0;
+        estimate.draws.push_back(h);
+    }
+    return estimate;
+}
+
+TEST(HiddenByBands, saysHowLikelyAStepIsAndWhereTwoHeightsAre)
+{
+    const auto sentences = hiddenByBands(perhapsAStep());
+    ASSERT_EQ(sentences.size(), 3U);
+    EXPECT_EQ(sentences[0],
+              "a step ahead of more than 100 mm: probability 0.30 ± 0.05, likeliest between "
+              "+0.5 and +0.6 m (0.30)");
+    EXPECT_EQ(sentences[1], "two heights are likely at +0.6 m: +0.00 m (70 %) or +0.20 m (30 %)");
+}
+
+TEST(HiddenByBands, hasALimitAndNothingToSayWithoutDraws)
+{
+    TerrainEstimate certain = perhapsAStep();
+    certain.ess.fill(1000.0);
+    certain.draws.resize(1000, certain.draws.back());
+    EXPECT_NE(hiddenByBands(certain, 0.25)[0].find("probability 0.00 ± < 0.01, likeliest"),
+              std::string::npos)
+        << "no number of draws makes it certain";
+    EXPECT_TRUE(hiddenByBands(TerrainEstimate{}).empty());
+}
+
+}  // namespace
+}  // namespace terratact

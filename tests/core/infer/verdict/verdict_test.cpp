@@ -1,0 +1,188 @@
+#include "core/infer/verdict/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace terratact {
+namespace {
+
+constexpr double kLimit = 0.10;
+
+/// 1000 draws, `steps` of which rise by 0.2 m at +0.5 m.
+TerrainEstimate estimateWith(int steps)
+{
+    TerrainEstimate e;
+    e.ess.fill(1000.0);
+    for (int d = 0; d < 1000; ++d) {
+        Heights h{};
+        if (d < steps) h[8] = h[9] = h[10] = 0.2;
+        e.draws.push_back(h);
+    }
+    return e;
+}
+
+Outlook outlook(int steps)
+{
+    return verdictOf(estimateWith(steps), Measurement{}, {}, kLimit).outlook;
+}
+
+TEST(Verdict, isClearOrBlockedTwoMonteCarloSdFromTheLimit)
+{
+    // sd of p = 0.038: 0.0060, so that p + 2 sd is 0.0501; of 0.037: 0.0490
+    EXPECT_EQ(outlook(0), Outlook::Clear);
+    EXPECT_EQ(outlook(37), Outlook::Clear);
+    EXPECT_EQ(outlook(38), Outlook::CannotTell);
+    EXPECT_EQ(outlook(500), Outlook::CannotTell);
+    EXPECT_EQ(outlook(962), Outlook::CannotTell);
+    EXPECT_EQ(outlook(963), Outlook::Blocked);
+    EXPECT_EQ(outlook(1000), Outlook::Blocked);
+}
+
+TEST(Verdict, namesTheLikeliestPairAhead)
+{
+    TerrainEstimate e = estimateWith(300);
+    for (Heights& h : e.draws) h[0] = 1.0;  // behind the robot: not asked for
+    const Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
+    EXPECT_DOUBLE_EQ(v.step.p, 0.3);
+    EXPECT_EQ(v.likeliest, 7);
+    EXPECT_DOUBLE_EQ(v.likeliestP, 0.3);
+    EXPECT_DOUBLE_EQ(verdictOf(e, Measurement{}, {}, 0.25).step.p, 0.0);
+}
+
+TEST(Verdict, saysWhichBinsAheadNobodyHasFelt)
+{
+    TerrainEstimate e = estimateWith(0);
+    e.ceiling.fill(0.1);
+    EXPECT_EQ(verdictOf(e, Measurement{}, {}, kLimit).unfelt, (std::vector<int>{}));
+    for (const std::size_t bin : {0U, 8U, 9U, 10U})
+        e.ceiling[bin] = std::numeric_limits<double>::infinity();
+    e.origin[8] = Origin::Contact;
+    EXPECT_EQ(verdictOf(e, Measurement{}, {}, kLimit).unfelt, (std::vector<int>{9, 10}));
+}
+
+/// Everything ahead is felt up to `last`, the rest is open. Ceilings end with the felt bins.
+TerrainEstimate estimateFeltTo(int last)
+{
+    TerrainEstimate e = estimateWith(0);
+    e.touch.fill(Touch::Felt);
+    e.ceiling.fill(0.0);
+    for (int bin = last + 1; bin < kBins; ++bin) {
+        e.touch[static_cast<std::size_t>(bin)] = Touch::NotFelt;
+        e.ceiling[static_cast<std::size_t>(bin)] = std::numeric_limits<double>::infinity();
+    }
+    return e;
+}
+
+TEST(Verdict, clearEndsAtTheFeltHorizon)
+{
+    const Verdict v = verdictOf(estimateFeltTo(8), Measurement{}, {}, kLimit);
+    EXPECT_EQ(v.outlook, Outlook::Clear);
+    EXPECT_NEAR(v.horizon, 0.55, 1e-9);
+    EXPECT_EQ(describeOutlook(v), "CLEAR to +0.55 m");
+    EXPECT_EQ(v.unfelt, (std::vector<int>{9, 10}));
+    EXPECT_GE(v.step.p, 1.0 - 0.95 * 0.95 - 1e-9);  // two bins that nobody felt
+    EXPECT_DOUBLE_EQ(v.toHorizon.p, 0.0);
+}
+
+TEST(Verdict, hoveringFlipperIsNeverClear)
+{
+    TerrainEstimate e = estimateFeltTo(8);
+    for (const std::size_t bin : {7U, 8U}) e.touch[bin] = Touch::Bounded;
+    const Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
+    EXPECT_EQ(v.outlook, Outlook::CannotTell);
+    EXPECT_EQ(v.shortfall, Shortfall::ShortHorizon);
+    EXPECT_NEAR(v.horizon, 0.35, 1e-9);
+    e.touch[6] = Touch::Bounded;
+    EXPECT_EQ(verdictOf(e, Measurement{}, {}, kLimit).shortfall, Shortfall::NothingFelt);
+}
+
+TEST(Verdict, spannedGroundNeedsALowRate)
+{
+    TerrainEstimate e = estimateFeltTo(8);
+    e.touch[6] = e.touch[7] = Touch::Bounded;
+    e.touch[8] = Touch::FeltInPart;
+    e.feltTo = 0.563;
+    Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
+    EXPECT_EQ(v.outlook, Outlook::CannotTell);
+    EXPECT_EQ(v.shortfall, Shortfall::Spanned);
+    EXPECT_EQ(v.help, Help::DriveOn);
+    e.settings.hazardRate = 0.01;
+    v = verdictOf(e, Measurement{}, {}, kLimit);
+    EXPECT_EQ(v.outlook, Outlook::Clear);
+    EXPECT_NEAR(v.toHorizon.p, 1.0 - 0.99 * 0.99 * 0.99, 1e-9);
+}
+
+TEST(Verdict, steepFlippersAreToldToLieFlatter)
+{
+    TerrainEstimate e = estimateFeltTo(6);
+    Measurement m;
+    m.frontLeft = m.frontRight = -0.9;
+    const Verdict v = verdictOf(e, m, {}, kLimit);
+    EXPECT_EQ(v.outlook, Outlook::CannotTell);
+    EXPECT_EQ(v.help, Help::Flatten);
+}
+
+TEST(Verdict, oldRecordingHasNoHorizon)
+{
+    TerrainEstimate e = estimateFeltTo(6);
+    e.touch = unrecordedTouch();
+    const Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
+    EXPECT_EQ(v.outlook, Outlook::Clear);
+    EXPECT_FALSE(v.touchRecorded);
+    EXPECT_EQ(describeOutlook(v), "CLEAR");
+}
+
+TEST(Verdict, isWithheldForEachDoubtByItself)
+{
+    struct Case {
+        Doubt doubt;
+        void (*make)(TerrainEstimate&, Measurement&, Aftermath&);
+    };
+    const Case cases[]{
+        {Doubt::Stale, [](TerrainEstimate&, Measurement&, Aftermath& a) { a.heard = false; }},
+        {Doubt::SensorFault,
+         [](TerrainEstimate&, Measurement&, Aftermath& a) { a.sensorsSound = false; }},
+        {Doubt::Contradiction,
+         [](TerrainEstimate& e, Measurement&, Aftermath&) { e.contradicts = true; }},
+        {Doubt::Unheard, [](TerrainEstimate&, Measurement&, Aftermath& a) { a.unbroken = false; }},
+        {Doubt::NotConverged,
+         [](TerrainEstimate& e, Measurement&, Aftermath&) { e.converged = false; }},
+        {Doubt::UnlikeTraining,
+         [](TerrainEstimate& e, Measurement&, Aftermath&) { e.novelty = 1.01; }},
+        {Doubt::Roll, [](TerrainEstimate&, Measurement& m, Aftermath&) { m.roll = -0.11; }},
+        {Doubt::Asymmetry,
+         [](TerrainEstimate&, Measurement& m, Aftermath&) { m.rearLeft = 0.11; }}};
+    for (const Case& c : cases) {
+        TerrainEstimate e = estimateWith(1000);
+        Measurement m;
+        Aftermath since;
+        c.make(e, m, since);
+        const Verdict v = verdictOf(e, m, since, kLimit);
+        EXPECT_EQ(v.outlook, Outlook::CannotTell) << describe(c.doubt);
+        EXPECT_EQ(v.doubts, std::vector{c.doubt});
+        EXPECT_DOUBLE_EQ(v.step.p, 1.0);  // still told
+        EXPECT_FALSE(describe(c.doubt).empty());
+    }
+}
+
+TEST(Verdict, saysNothingWithoutDraws)
+{
+    TerrainEstimate e = estimateWith(0);
+    e.draws.clear();
+    const Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
+    EXPECT_EQ(v.outlook, Outlook::CannotTell);
+    EXPECT_EQ(v.step.monteCarloSd, 1.0);
+}
+
+TEST(Verdict, refusesALimitThatIsNone)
+{
+    for (const double limit : {-0.1, std::nan(""), std::numeric_limits<double>::infinity()})
+        EXPECT_THROW(verdictOf(estimateWith(0), Measurement{}, {}, limit), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace terratact

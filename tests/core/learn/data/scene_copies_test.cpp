@@ -1,0 +1,105 @@
+#include "core/learn/data/scene_copies.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/learn/data/columns.h"
+#include "core/learn/model/training.h"
+#include "core/sim/sensor_noise.h"
+#include "tests/support/toy_model.h"
+
+namespace terratact {
+namespace {
+
+std::vector<Scene> scenesOf(int runs)
+{
+    return someScenes(runs, 5);
+}
+
+/// The same pose on the same ground, pressed again.
+Scene again(const Scene& scene, std::mt19937_64& rng)
+{
+    Scene copy = scene;
+    copy.run += " again";
+    copy.s = noisy(scene.s, {}, absolem().forceSaturation, rng);
+    Heights heights{};
+    for (std::size_t i = 0; i < kBins; ++i) heights[i] = *scene.truth[i];
+    heights = noisy(heights, {}, rng);
+    for (std::size_t i = 0; i < kBins; ++i) copy.truth[i] = heights[i];
+    return copy;
+}
+
+TEST(SceneCopies, trainingTakesAFileThatIsThereTwiceOnce)
+{
+    const std::vector<Scene> once = scenesOf(20);
+    std::vector<Scene> twice = once;
+    for (Scene scene : once) {
+        scene.run += " under another name";
+        scene.time += 3.0;
+        twice.push_back(scene);
+    }
+    const TrainingSet first = prepareTraining(once), second = prepareTraining(twice);
+    EXPECT_EQ(second.exactCopies, first.used);
+    EXPECT_EQ(second.nearCopies, 2 * first.nearCopies);
+    EXPECT_EQ(second.model.features, first.model.features);
+    EXPECT_EQ(second.model.heights, first.model.heights);
+    EXPECT_EQ(second.model.paf.mean, first.model.paf.mean);
+}
+
+TEST(SceneCopies, aPosePressedAgainIsTakenOnce)
+{
+    std::mt19937_64 rng(1);
+    std::vector<Scene> scenes = scenesOf(20);
+    const TrainingSet once = prepareTraining(scenes);
+    const std::size_t different = scenes.size();
+    for (std::size_t k = 0; k < different; k += 3)
+        for (int n = 0; n < 4; ++n) scenes.push_back(again(scenes[k], rng));
+    const auto copies = static_cast<int>(scenes.size() - different);
+    const TrainingSet set = prepareTraining(scenes);
+    EXPECT_GE(set.nearCopies - once.nearCopies, 95 * copies / 100);
+    EXPECT_FALSE(set.runsWithCopies.empty());
+    EXPECT_EQ(set.used + set.nearCopies, static_cast<int>(scenes.size()));
+}
+
+TEST(SceneCopies, differentScenesAreKept)
+{
+    const std::vector<Scene> scenes = scenesOf(40);
+    const TrainingSet set = prepareTraining(scenes);
+    EXPECT_EQ(set.exactCopies, 0);
+    EXPECT_LE(set.nearCopies, static_cast<int>(scenes.size() / 25));
+}
+
+TEST(SceneCopies, countsTheScenesAModelWasTrainedOn)
+{
+    const std::vector<Scene> scenes = scenesOf(20);
+    const ModelData model = prepareTraining(scenes).model;
+    EXPECT_EQ(trainingScenes(scenes, model.features),
+              static_cast<std::size_t>(model.features.rows()));
+    EXPECT_EQ(trainingScenes(someScenes(10, 6), model.features), 0U);
+    std::vector<Scene> lacking = scenes;
+    for (Scene& scene : lacking) scene.s.frontCurrent.reset();
+    EXPECT_EQ(trainingScenes(lacking, model.features), 0U);
+}
+
+TEST(SceneCopies, scenesInAnotherNumberFormatAreKnown)
+{
+    const std::vector<Scene> scenes = scenesOf(20);
+    const ModelData model = prepareTraining(scenes).model;
+    for (const double step : {1e-12, 1e-6, 1e-3}) {
+        std::vector<Scene> rewritten = scenes;
+        for (Scene& scene : rewritten) {
+            FeatureValues values = featureValues(scene.s);
+            for (auto& value : values)
+                if (value) *value = std::round(*value / step) * step;
+            scene.s = proprioception(values);
+        }
+        EXPECT_EQ(trainingScenes(rewritten, model.features),
+                  static_cast<std::size_t>(model.features.rows()))
+            << step;
+    }
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,276 @@
+#include "core/learn/gp/gaussian_process.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <array>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "core/learn/gp/scene_conditional.h"
+
+namespace terratact {
+namespace {
+
+struct Data {
+    Eigen::MatrixXd X;
+    Eigen::VectorXd y;
+    Hyperparameters hyper;
+};
+
+Data someData(int U, int d, unsigned seed = 1)
+{
+    std::mt19937_64 rng(seed);
+    std::normal_distribution<double> normal;
+    Data data{Eigen::MatrixXd(U, d), Eigen::VectorXd(U), {}};
+    for (double& x : data.X.reshaped()) x = normal(rng);
+    for (int u = 0; u < U; ++u) data.y[u] = std::sin(data.X(u, 0)) + 0.1 * normal(rng);
+    data.hyper.lengthScale = Eigen::VectorXd::LinSpaced(d, 0.7, 2.5);
+    data.hyper.signalSd = 0.9;
+    data.hyper.noiseSd = 0.15;
+    return data;
+}
+
+double kernel(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const Hyperparameters& h)
+{
+    return h.signalSd * h.signalSd
+         * std::exp(-0.5 * (a - b).cwiseQuotient(h.lengthScale).squaredNorm());
+}
+
+Eigen::MatrixXd covariance(const Data& data)
+{
+    const Eigen::Index U = data.X.rows();
+    Eigen::MatrixXd K(U, U);
+    for (Eigen::Index i = 0; i < U; ++i)
+        for (Eigen::Index j = 0; j < U; ++j)
+            K(i, j) = kernel(data.X.row(i), data.X.row(j), data.hyper)
+                    + (i == j ? data.hyper.noiseSd * data.hyper.noiseSd : 0.0);
+    return K;
+}
+
+/// Textbook prediction by a dense solve.
+Normal reference(const Data& data, const Eigen::VectorXd& x)
+{
+    const Eigen::LDLT<Eigen::MatrixXd> K(covariance(data));
+    Eigen::VectorXd k(data.X.rows());
+    for (Eigen::Index u = 0; u < k.size(); ++u) k[u] = kernel(data.X.row(u), x, data.hyper);
+    const double prior = std::pow(data.hyper.signalSd, 2) + std::pow(data.hyper.noiseSd, 2);
+    return {k.dot(K.solve(data.y)), prior - k.dot(K.solve(k))};
+}
+
+TEST(GaussianProcess, predictsAsTheTextbookFormula)
+{
+    for (const int U : {1, 2, 7, 8, 9, 65, 130}) {
+        const Data data = someData(U, 3);
+        const GaussianProcess gp(data.X, data.y, data.hyper, 0.25);
+        for (const double at : {-1.0, 0.0, 0.4, 9.0}) {
+            const Eigen::Vector3d x(at, 0.3, -at);
+            const Normal expected = reference(data, x);
+            const Normal got = gp.predict(x);
+            EXPECT_NEAR(got.mean, 0.25 + expected.mean, 1e-12) << U << " rows";
+            EXPECT_NEAR(got.variance, expected.variance, 1e-12) << U << " rows";
+        }
+    }
+}
+
+TEST(GaussianProcess, farFromAllDataReturnsThePrior)
+{
+    const Data data = someData(20, 2);
+    const Normal far =
+        GaussianProcess(data.X, data.y, data.hyper, -0.3).predict(Eigen::Vector2d(1e6, -1e6));
+    EXPECT_DOUBLE_EQ(far.mean, -0.3);
+    EXPECT_DOUBLE_EQ(far.variance, 0.9 * 0.9 + 0.15 * 0.15);
+}
+
+TEST(GaussianProcess, isNeverSurerThanItsNoiseWhateverRoundingDoes)
+{
+    Data data = someData(60, 2);
+    data.hyper.lengthScale.setConstant(0.2);
+    data.hyper.noiseSd = 0.0;
+    const GaussianProcess gp(data.X, data.y, data.hyper, 0.0);
+    for (Eigen::Index u = 0; u < 60; ++u) {
+        const double variance = gp.predict(data.X.row(u).transpose()).variance;
+        EXPECT_GE(variance, 0.0);
+        EXPECT_LT(variance, 1e-12);
+    }
+}
+
+TEST(SceneConditional, withMovingInputsPredictsAsTheWholeInputWould)
+{
+    const Data data = someData(77, 6);
+    const GaussianProcess gp(data.X, data.y, data.hyper, 0.1);
+    std::mt19937_64 rng(4);
+    std::normal_distribution<double> normal;
+    Eigen::VectorXd x(6);
+    for (double& v : x) v = normal(rng);
+    SceneConditional conditional(gp, x, {4, 1}, Precision::Double);
+    Eigen::VectorXd mean;
+    Eigen::VectorXd variance;
+    for (const int n : {1, 3, 8, 17, 2}) {
+        Eigen::MatrixXd moving(2, n);
+        for (double& v : moving.reshaped()) v = normal(rng);
+        conditional.predict(moving, mean, variance);
+        ASSERT_EQ(mean.size(), n);
+        for (int c = 0; c < n; ++c) {
+            Eigen::VectorXd whole = x;
+            whole[4] = moving(0, c);
+            whole[1] = moving(1, c);
+            const Normal expected = gp.predict(whole);
+            EXPECT_NEAR(mean[c], expected.mean, 1e-13);
+            EXPECT_NEAR(variance[c], expected.variance, 1e-13);
+        }
+    }
+}
+
+TEST(PredictTogether, givesEverySceneWhatItGetsAlone)
+{
+    const Data large = someData(120, 6);
+    Data small = someData(50, 6, 2);  // in the room that the large one has filled
+    Data smooth = someData(200, 6, 3);
+    small.hyper.lengthScale /= 4.0;
+    smooth.hyper.lengthScale *= 8.0;
+    const GaussianProcess a(large.X, large.y, large.hyper, 0.1);
+    const GaussianProcess b(small.X, small.y, small.hyper, 0.2);
+    const GaussianProcess c(smooth.X, smooth.y, smooth.hyper, 0.3);
+    ASSERT_EQ(b.varianceRows(), b.rows());
+    ASSERT_LT(c.varianceRows(), 0.9 * static_cast<double>(c.rows()));
+    const std::array<const GaussianProcess*, 3> processes{&a, &c, &b};
+    std::mt19937_64 rng(4);
+    std::normal_distribution<double> normal;
+    Eigen::VectorXd x(6);
+    for (double& v : x) v = normal(rng);
+    const std::vector<std::vector<int>> moving{{4, 1}, {0, 2, 3}, {}, {5}};
+    std::vector<SceneConditional> scenes;
+    std::vector<Eigen::MatrixXd> inputs;
+    for (const int columns : {3, 8, 1, 4, 12, 16, 5, 70})  // groups of eight begin anywhere
+        for (const Precision precision : {Precision::Single, Precision::Double}) {
+            const auto& m = moving[scenes.size() % moving.size()];
+            scenes.emplace_back(*processes[scenes.size() % 3], x, m, precision);
+            inputs.emplace_back(static_cast<Eigen::Index>(m.size()), columns);
+            for (double& v : inputs.back().reshaped()) v = normal(rng);
+        }
+    std::vector<Eigen::VectorXd> mean(scenes.size()), variance(scenes.size());
+    std::vector<ScenePrediction> asked;
+    for (std::size_t k = 0; k < scenes.size(); ++k)
+        asked.push_back({&scenes[k], &inputs[k], &mean[k], &variance[k]});
+    PredictionRoom room;
+    for (int again = 0; again < 2; ++again) {
+        predictTogether(asked, room);
+        for (std::size_t k = 0; k < scenes.size(); ++k) {
+            Eigen::VectorXd aloneMean, aloneVariance;
+            scenes[k].predict(inputs[k], aloneMean, aloneVariance);
+            EXPECT_EQ(mean[k], aloneMean) << k;
+            EXPECT_EQ(variance[k], aloneVariance) << k;
+        }
+    }
+    inputs[1](0, 0) = std::nan("");
+    EXPECT_THROW(predictTogether(asked, room), std::invalid_argument);
+    predictTogether({}, room);
+}
+
+/// Predictions at random inputs in both precisions, 40 columns, all inputs moving.
+struct BothPrecisions {
+    explicit BothPrecisions(const GaussianProcess& gp)
+    {
+        std::mt19937_64 rng(9);
+        std::normal_distribution<double> normal;
+        std::vector<int> all(static_cast<std::size_t>(gp.inputs()));
+        for (std::size_t d = 0; d < all.size(); ++d) all[d] = static_cast<int>(d);
+        const Eigen::VectorXd x = Eigen::VectorXd::Zero(gp.inputs());
+        Eigen::MatrixXd inputs(gp.inputs(), 40);
+        for (double& v : inputs.reshaped()) v = normal(rng);
+        SceneConditional(gp, x, all, Precision::Single).predict(inputs, meanSingle, single);
+        SceneConditional(gp, x, all, Precision::Double).predict(inputs, mean, variance);
+    }
+    Eigen::VectorXd mean, variance, meanSingle, single;
+};
+
+TEST(SceneConditional, inSinglePrecisionHasTheSameMeanAndNearlyTheSameVariance)
+{
+    const Data data = someData(300, 4);
+    const GaussianProcess gp(data.X, data.y, data.hyper, 0.1);
+    ASSERT_EQ(gp.usable(Precision::Single), Precision::Single);
+    EXPECT_EQ(gp.usable(Precision::Double), Precision::Double);
+    const BothPrecisions both(gp);
+    EXPECT_EQ(both.mean, both.meanSingle);
+    EXPECT_NE(both.variance, both.single);
+    EXPECT_LT((both.single - both.variance).cwiseAbs().maxCoeff(),
+              kSingleErrorElsewhere * gp.singleError());
+    EXPECT_LT((both.single.cwiseSqrt() - both.variance.cwiseSqrt()).cwiseAbs().maxCoeff(),
+              5e-3 * data.hyper.noiseSd);
+}
+
+TEST(SceneConditional, throughFewerRowsHasTheSameMeanAndNearlyTheSameVariance)
+{
+    Data data = someData(400, 4);
+    data.hyper.lengthScale *= 2.0;
+    const GaussianProcess gp(data.X, data.y, data.hyper, 0.1);
+    ASSERT_EQ(gp.usable(Precision::Single), Precision::Single);
+    ASSERT_LT(gp.varianceRows(), 0.9 * static_cast<double>(gp.rows()));
+    const BothPrecisions both(gp);
+    EXPECT_LT((both.mean - both.meanSingle).cwiseAbs().maxCoeff(), 1e-9);
+    const Eigen::ArrayXd share = (both.single - both.variance).array() / both.variance.array();
+    EXPECT_LT(share.abs().maxCoeff(), 3e-3);
+    EXPECT_GT(share.abs().maxCoeff(), 1e-7);
+}
+
+TEST(SceneConditional, goesThroughAllRowsWhereThoseThatExplainTheOthersDoNotDoBesideThem)
+{
+    // Two places next to each other: either explains the other, but hundreds of rows say how the function goes on.
+    Eigen::MatrixXd X(1000, 1);
+    const double noise = 0.1;
+    for (Eigen::Index u = 0; u < X.rows(); ++u) X(u, 0) = u % 2 == 0 ? 0.0 : 0.0099 * noise;
+    const GaussianProcess gp(X, X.col(0).array().sin().matrix(),
+                             {Eigen::VectorXd::Ones(1), 1.0, noise}, 0.0);
+    EXPECT_EQ(gp.varianceRows(), gp.rows());
+}
+
+TEST(SceneConditional, computesInDoubleWhereSinglePrecisionCannotTellTheVariance)
+{
+    Data data = someData(300, 2);  // dense in two dimensions: |L⁻¹k|² is σ_f² but for a millionth
+    data.hyper.noiseSd = 1e-4;
+    const GaussianProcess gp(data.X, data.y, data.hyper, 0.1);
+    EXPECT_EQ(gp.usable(Precision::Single), Precision::Double);
+    const BothPrecisions both(gp);
+    EXPECT_EQ(both.variance, both.single);
+    EXPECT_GE(both.single.minCoeff(), 1e-8);
+    data.hyper.noiseSd = 0.0;
+    data.hyper.lengthScale.setConstant(1e-3);  // well-conditioned, yet no noise to compare with
+    EXPECT_EQ(GaussianProcess(data.X, data.y, data.hyper, 0.0).usable(Precision::Single),
+              Precision::Double);
+}
+
+TEST(GaussianProcess, refusesWhatItCannotAnswer)
+{
+    const Data good = someData(10, 2);
+    const auto build = [](const Data& d) { return GaussianProcess(d.X, d.y, d.hyper, 0.0); };
+    EXPECT_NO_THROW(build(good));
+    Data bad = good;
+    bad.X(3, 1) = std::nan("");
+    EXPECT_THROW(build(bad), std::invalid_argument);
+    bad = good;
+    bad.y[0] = INFINITY;
+    EXPECT_THROW(build(bad), std::invalid_argument);
+    bad = good;
+    bad.hyper.lengthScale[0] = 0.0;
+    EXPECT_THROW(build(bad), std::invalid_argument);
+    const GaussianProcess gp = build(good);
+    EXPECT_THROW((void)gp.predict(Eigen::Vector2d(0.0, std::nan(""))), std::invalid_argument);
+    EXPECT_THROW((void)gp.predict(Eigen::Vector3d(0.0, 0.0, 0.0)), std::invalid_argument);
+}
+
+TEST(GaussianProcess, withTinyLengthScalesIsTheNoisyDataItself)
+{
+    Data data = someData(30, 2);
+    data.hyper.lengthScale.setConstant(1e-8);
+    const GaussianProcess gp(data.X, data.y, data.hyper, 0.0);
+    const Normal at = gp.predict(data.X.row(5).transpose());
+    const double signal2 = 0.81;
+    const double noise2 = 0.0225;
+    EXPECT_NEAR(at.mean, data.y[5] * signal2 / (signal2 + noise2), 1e-12);
+}
+
+}  // namespace
+}  // namespace terratact

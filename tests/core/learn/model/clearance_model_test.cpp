@@ -1,0 +1,149 @@
+#include "core/learn/model/clearance_model.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/learn/model/clearance.h"
+#include "core/terrain/body_ceiling.h"
+#include "tests/support/toy_model.h"
+
+namespace terratact {
+namespace {
+
+const ModelData& toy()
+{
+    static const ModelData model = toyModel(40);
+    return model;
+}
+
+Eigen::VectorXd row(Eigen::Index u)
+{
+    return toy().features.row(u).transpose();
+}
+
+TEST(ClearanceModel, predictsWhatTrainingLeftOver)
+{
+    // y = prediction + residual of the full fit; leave-one-out residuals are larger than those.
+    const ClearanceModel model(toy());
+    const Eigen::MatrixXd ceilings = bodyCeilings(toy().features, absolem());
+    double fit = 0.0;
+    double leftOut = 0.0;
+    for (Eigen::Index u = 0; u < toy().heights.rows(); ++u) {
+        const unsigned covered = toy().clearance.coveredBins[static_cast<std::size_t>(u)];
+        const Heights y = model.predict(row(u), covered);
+        for (int i = 0; i < kBins; ++i) {
+            const double residual =
+                toSurface(toy().heights(u, i), ceilings(u, i)) - y[static_cast<std::size_t>(i)];
+            fit += residual * residual;
+            leftOut += std::pow(toy().clearance.residuals(u, i), 2.0);
+            EXPECT_LE(std::abs(residual), std::abs(toy().clearance.residuals(u, i)) + 1e-6);
+        }
+    }
+    EXPECT_LT(fit, leftOut);
+}
+
+TEST(ClearanceModel, weighsTheResidualsOfLikeScenes)
+{
+    const ClearanceModel model(toy());
+    const unsigned covered = toy().clearance.coveredBins[5];
+    const ResidualSample sample = model.localResiduals(row(5), covered);
+    EXPECT_NEAR(sample.weight.sum(), 1.0, 1e-12);
+    EXPECT_LE(sample.weight.size(), kNeighbours);
+    EXPECT_EQ(sample.residual.rows(), kBins);
+    EXPECT_TRUE(sample.residual.allFinite());
+    // The scene itself is the nearest.
+    Eigen::Index heaviest = 0;
+    sample.weight.maxCoeff(&heaviest);
+    EXPECT_TRUE(sample.residual.col(heaviest).isApprox(toy().clearance.residuals.row(5).transpose(),
+                                                       1e-12));
+}
+
+TEST(ClearanceModel, borrowsWhereFewScenesHaveTheSameBinsCovered)
+{
+    const ClearanceModel model(toy());
+    for (const unsigned covered : {0x003U, 0x7FFU, 0x000U, 0x0FFU}) {
+        const ResidualSample sample = model.localResiduals(row(5), covered);
+        EXPECT_TRUE(sample.residual.allFinite()) << covered;
+        const Heights y = model.predict(row(5), covered);
+        EXPECT_TRUE(std::all_of(y.begin(), y.end(), [](double v) { return std::isfinite(v); }));
+        const Eigen::MatrixXd c = model.residualCovariance(covered);
+        EXPECT_TRUE(c.allFinite() && (c.diagonal().array() > 0.0).all()) << covered;
+    }
+}
+
+TEST(ClearanceModel, hasTheResidualsMeanProductsAsTheirCovariance)
+{
+    const ClearanceModel model(toy());
+    const ClearanceData& data = toy().clearance;
+    const unsigned covered = data.coveredBins[5];
+    const Eigen::MatrixXd c = model.residualCovariance(covered);
+    for (int i = 0; i < kBins; ++i) {
+        double sum = 0.0;
+        double count = 0.0;
+        for (Eigen::Index u = 0; u < data.residuals.rows(); ++u) {
+            if (isCovered(data.coveredBins[static_cast<std::size_t>(u)], i)
+                != isCovered(covered, i))
+                continue;
+            sum += data.residuals(u, i) * data.residuals(u, i);
+            count += 1.0;
+        }
+        EXPECT_NEAR(c(i, i), sum / count, 1e-9 * c(i, i)) << i;  // variances stay as they are
+    }
+}
+
+TEST(ClearanceModel, callsOneTrainingSceneInAHundredNovel)
+{
+    const ClearanceModel model(toy());
+    const Eigen::Index rows = toy().features.rows();
+    int novel = 0;
+    for (Eigen::Index u = 0; u < rows; ++u) novel += model.novelty(row(u)) > 1.0 ? 1 : 0;
+    EXPECT_LE(novel, 0.02 * static_cast<double>(rows) + 1.0);
+    Eigen::VectorXd strange = row(0);
+    strange.tail(6).setConstant(500.0);
+    EXPECT_GT(model.novelty(strange), 1.0);
+}
+
+TEST(ClearanceModel, refusesAModelWithoutClearancesAndAnIncompleteS)
+{
+    ModelData without = toy();
+    without.clearance = {};
+    EXPECT_THROW(ClearanceModel{without}, std::invalid_argument);
+    const ClearanceModel model(toy());
+    EXPECT_THROW((void)model.predict(Eigen::VectorXd::Zero(3), 0), std::invalid_argument);
+    EXPECT_THROW((void)model.novelty(Eigen::VectorXd::Constant(11, std::nan(""))),
+                 std::invalid_argument);
+}
+
+TEST(ClearanceTraining, givesAContactTheGainItHas)
+{
+    // The toy's forces are part of s; whatever a contact adds, its sd is positive and finite.
+    EXPECT_GE(toy().clearance.contactSd, 0.005);
+    EXPECT_LE(toy().clearance.contactSd, 10.0);
+    EXPECT_LE(std::abs(toy().clearance.contactBias), 0.1);
+}
+
+TEST(ClearanceTraining, needsOneRowOfCeilingsPerScene)
+{
+    ModelData model = toy();
+    EXPECT_THROW(prepareClearance(model, Eigen::MatrixXd::Zero(3, kBins)), std::invalid_argument);
+}
+
+TEST(Rows, areSplitByRegimeAndThinnedEvenly)
+{
+    const std::vector<unsigned> masks{1U, 0U, 1U, 3U};
+    EXPECT_EQ(rowsOf(masks, 0, true), (std::vector<int>{0, 2, 3}));
+    EXPECT_EQ(rowsOf(masks, 0, false), (std::vector<int>{1}));
+    std::vector<int> many(2000);
+    for (std::size_t k = 0; k < many.size(); ++k) many[k] = static_cast<int>(2 * k);
+    const std::vector<int> chosen = inducingRows(many);
+    ASSERT_EQ(chosen.size(), static_cast<std::size_t>(kInducing));
+    EXPECT_EQ(chosen.front(), 0);
+    EXPECT_TRUE(std::is_sorted(chosen.begin(), chosen.end()));
+    EXPECT_GT(chosen.back(), 3980);
+}
+
+}  // namespace
+}  // namespace terratact

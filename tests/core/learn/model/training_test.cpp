@@ -1,0 +1,106 @@
+#include "core/learn/model/training.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "core/learn/gp/likelihood.h"
+#include "tests/support/toy_model.h"
+
+namespace terratact {
+namespace {
+
+TEST(PrepareTraining, standardisesHeightsAndFeatures)
+{
+    const TrainingSet set = prepareTraining(someScenes(6, 3));
+    EXPECT_EQ(set.leftOut, 0);
+    EXPECT_EQ(set.model.heights.rows(), set.used);
+    EXPECT_EQ(set.model.pa.mean.size(), 11 + 3);
+    EXPECT_EQ(set.model.paf.mean.size(), 11 + 11);
+    const Eigen::MatrixXd z =
+        standardised(rawInputs(set.model, FeatureSet::Paf), set.model.paf.mean, set.model.paf.sd);
+    for (Eigen::Index d = 0; d < z.cols(); ++d) {
+        EXPECT_NEAR(z.col(d).mean(), 0.0, 1e-10);
+        EXPECT_NEAR(z.col(d).squaredNorm() / static_cast<double>(z.rows()), 1.0, 1e-10);
+    }
+}
+
+TEST(PrepareTraining, leavesOutScenesWithUnknownValues)
+{
+    auto scenes = someScenes(6, 3);
+    scenes[2].truth[4].reset();
+    scenes[5].s.force[0].reset();
+    const TrainingSet set = prepareTraining(scenes);
+    EXPECT_EQ(set.leftOut, 2);
+    EXPECT_EQ(set.used + set.exactCopies + set.nearCopies, static_cast<int>(scenes.size()) - 2);
+}
+
+TEST(PrepareTraining, refusesTooFewScenesAndInputsThatNeverVary)
+{
+    auto scenes = someScenes(6, 3);
+    EXPECT_THROW((void)prepareTraining({scenes.begin(), scenes.begin() + 20}),
+                 std::invalid_argument);
+    for (Scene& scene : scenes) scene.s.rear = 0.1;
+    EXPECT_THROW((void)prepareTraining(scenes), std::invalid_argument);
+}
+
+TEST(TrainBin, findsAHigherLikelihoodThanItsStart)
+{
+    const ModelData model = prepareTraining(someScenes(8, 5)).model;
+    TrainingOptions options;
+    options.subset = 60;
+    options.subsetEvaluations = 40;
+    const TrainedBin trained = trainBin(model, FeatureSet::Pa, 5, options);
+    const Eigen::MatrixXd X =
+        withoutBin(standardised(rawInputs(model, FeatureSet::Pa), model.pa.mean, model.pa.sd), 5);
+    const Eigen::VectorXd y = model.heights.col(5).array() - model.pa.mean[5];
+    const Hyperparameters guess{Eigen::VectorXd::Constant(13, 3.6), model.pa.sd[5],
+                                0.2 * model.pa.sd[5]};
+    EXPECT_NEAR(trained.logLikelihood, -negativeLogLikelihood(X, y, trained.hyper).negativeLog,
+                1e-6);
+    EXPECT_GT(trained.logLikelihood, -negativeLogLikelihood(X, y, guess).negativeLog + 10.0);
+    EXPECT_GT(trained.hyper.noiseSd, 0.004);  // the scanner's 12 mm are in the truth
+    EXPECT_LT(trained.hyper.noiseSd, 0.06);
+}
+
+TEST(TrainBin, searchesOnNoMoreRowsThanItIsGiven)
+{
+    const ModelData model = prepareTraining(someScenes(8, 5)).model;
+    TrainingOptions options;
+    options.subset = 40;
+    options.subsetEvaluations = 10;
+    options.fullEvaluations = 5;
+    const auto perRow = [&](double l) { return l / static_cast<double>(model.heights.rows()); };
+    const double all = perRow(trainBin(model, FeatureSet::Pa, 5, options).logLikelihood);
+    options.fullRows = 50;
+    const double some = perRow(trainBin(model, FeatureSet::Pa, 5, options).logLikelihood);
+    EXPECT_LT(some, 0.8 * all);  // a sum over fewer rows
+    EXPECT_GT(some, 0.0);
+}
+
+TEST(TrainBin, givesTheSameForTheSameSeedAndStopsWhenCancelled)
+{
+    const ModelData model = prepareTraining(someScenes(6, 5)).model;
+    TrainingOptions options;
+    options.subset = 40;
+    options.fullEvaluations = 5;
+    const TrainedBin a = trainBin(model, FeatureSet::Paf, 0, options);
+    const TrainedBin b = trainBin(model, FeatureSet::Paf, 0, options);
+    EXPECT_EQ(a.hyper.lengthScale, b.hyper.lengthScale);
+    EXPECT_EQ(a.logLikelihood, b.logLikelihood);
+    struct Stop {};
+    int polls = 0;
+    (void)trainBin(model, FeatureSet::Paf, 0, options, [&] { ++polls; });
+    EXPECT_GT(polls, 100);
+    for (const int last : {1, 2, 3, polls / 2, polls}) {
+        int asked = 0;
+        const Poll stop = [&] {
+            if (++asked == last) throw Stop{};
+        };
+        EXPECT_THROW((void)trainBin(model, FeatureSet::Paf, 0, options, stop), Stop);
+        EXPECT_EQ(asked, last) << "asked no more once it threw";
+    }
+}
+
+}  // namespace
+}  // namespace terratact

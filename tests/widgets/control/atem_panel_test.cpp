@@ -1,0 +1,217 @@
+#include "widgets/control/atem_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include "tests/support/gui.h"
+#include "widgets/base/held_button.h"
+
+namespace terratact {
+namespace {
+
+using Level = Precondition::Level;
+
+struct Atem : testing::Test {
+    Atem()
+    {
+        panel.resize(400, 260);
+        gui::showActive(panel);
+        QObject::connect(&panel, &AtemPanel::requested, [this] { said << "request"; });
+        QObject::connect(&panel, &AtemPanel::aborted, [this] { said << "abort"; });
+        QObject::connect(&panel, &AtemPanel::stopReleased, [this] { said << "release"; });
+    }
+    bool shows(const QString& words) const
+    {
+        for (const QLabel* label : panel.findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(words)) return true;
+        return false;
+    }
+    AtemPanel panel;
+    QStringList said;
+};
+
+TEST_F(Atem, saysTheStateAndItsTime)
+{
+    using Kind = PhaseTime::Kind;
+    panel.setState({.phase = AtemPhase::Pressing}, PhaseTime{Kind::Expected, 12.2});
+    EXPECT_TRUE(shows("Pressing the front flippers"));
+    EXPECT_TRUE(shows("about 0:13 left"));
+    panel.setState({.phase = AtemPhase::Pressing}, PhaseTime{Kind::GivesUp, 7.0});
+    EXPECT_TRUE(shows("gives up in 0:07"));
+    EXPECT_FALSE(shows("left"));
+    panel.setState({.phase = AtemPhase::ProposingProbe}, PhaseTime{Kind::Answer, 29.1});
+    EXPECT_TRUE(shows("0:30 left"));
+    EXPECT_FALSE(shows("about"));
+    panel.setState({.phase = AtemPhase::Failed, .failure = AtemFailure::LinkLost}, std::nullopt);
+    EXPECT_TRUE(shows("link to the robot was lost"));
+    EXPECT_FALSE(shows("left"));
+    panel.setState({.phase = AtemPhase::Failed, .failure = AtemFailure::ProbeRefused}, std::nullopt,
+                   "the robot refused the probe: too far");
+    EXPECT_TRUE(shows("Exploration failed: the robot refused the probe: too far"));
+    panel.setState({.phase = AtemPhase::Stopped}, std::nullopt, "STOP sent, not confirmed");
+    EXPECT_TRUE(shows("STOP sent, not confirmed"));
+    EXPECT_FALSE(shows("STOPPED"));
+}
+
+TEST_F(Atem, saysThatItFollowsAndOffersNothingThatMovesTheRobot)
+{
+    panel.setPreconditions({{Level::Missing, "can0 is only listened to"}});
+    panel.setState({.phase = AtemPhase::Probing, .followed = true}, std::nullopt);
+    EXPECT_TRUE(shows("Following: flippers pressed, arm is probing"));
+    EXPECT_FALSE(panel.requestButton()->isEnabled());
+    EXPECT_TRUE(panel.requestButton()->toolTip().contains("only listened to"));
+    EXPECT_TRUE(panel.abortButton()->isEnabled());
+    EXPECT_TRUE(panel.abortButton()->text().contains("Forget"))
+        << "it cannot end the robot's probe";
+    panel.setState({.phase = AtemPhase::Stopped, .followed = true}, std::nullopt);
+    EXPECT_FALSE(panel.releaseButton()->isVisible()) << "nothing is released from here";
+    panel.setState({.phase = AtemPhase::Failed, .failure = AtemFailure::LinkLost, .followed = true},
+                   std::nullopt);
+    EXPECT_TRUE(shows("Following: no estimate: the link to the robot was lost"));
+}
+
+TEST_F(Atem, requestsWhenNothingIsMissing)
+{
+    panel.setPreconditions({{Level::Met, "telemetry is live"}, {Level::Overridden, "roll 7°"}});
+    QTest::mouseClick(panel.requestButton(), Qt::LeftButton);
+    EXPECT_EQ(said, QStringList{"request"});
+    EXPECT_TRUE(shows(QStringLiteral("✔")) && shows("!") && shows("roll 7° (overridden)"));
+}
+
+TEST_F(Atem, whatIsDoubtfulHasToBeOverriddenFirst)
+{
+    panel.setPreconditions({{Level::Met, "telemetry is live"}});
+    EXPECT_FALSE(panel.overrideButton()->isVisible()) << "there is nothing to override";
+    panel.setPreconditions({{Level::Met, "telemetry is live"}, {Level::Doubtful, "roll 7°"}});
+    EXPECT_FALSE(panel.requestButton()->isEnabled());
+    EXPECT_TRUE(panel.requestButton()->toolTip().contains("roll 7°"));
+    QSignalSpy wanted(&panel, &AtemPanel::overrideWanted);
+    QTest::mouseClick(panel.overrideButton(), Qt::LeftButton);
+    EXPECT_EQ(wanted.size(), 1);
+    panel.setPreconditions({{Level::Missing, "no telemetry"}, {Level::Doubtful, "roll 7°"}});
+    EXPECT_FALSE(panel.overrideButton()->isVisible()) << "what is missing cannot be overridden";
+}
+
+TEST_F(Atem, refusesWithTheReasonWhileSomethingIsMissing)
+{
+    panel.setPreconditions(
+        {{Level::Met, "telemetry is live"}, {Level::Missing, "the model is being loaded"}});
+    QTest::mouseClick(panel.requestButton(), Qt::LeftButton);
+    EXPECT_TRUE(said.isEmpty());
+    EXPECT_TRUE(panel.requestButton()->toolTip().contains("the model is being loaded"));
+    EXPECT_TRUE(shows(QStringLiteral("✘")));
+    panel.setPreconditions({{Level::Met, "telemetry is live"}});
+    EXPECT_TRUE(panel.requestButton()->isEnabled());
+    EXPECT_FALSE(shows("the model is being loaded"));
+}
+
+TEST_F(Atem, isReadyOnlyWhereNothingSpeaksAgainstIt)
+{
+    panel.setState({}, std::nullopt);
+    panel.setPreconditions({{Level::Met, "telemetry is live"}, {Level::Overridden, "roll 7°"}});
+    EXPECT_TRUE(shows("Ready"));
+    panel.setPreconditions({{Level::Missing, "not armed"}, {Level::Doubtful, "roll 7°"}});
+    EXPECT_TRUE(shows("Not ready") && !shows("Ready"));
+    panel.setState({}, std::nullopt);
+    EXPECT_TRUE(shows("Not ready"));
+    panel.setPreconditions({{Level::Doubtful, "roll 7°"}});
+    EXPECT_TRUE(shows("Not ready: doubtful"));
+    panel.setState({.phase = AtemPhase::Presenting}, std::nullopt);
+    EXPECT_TRUE(shows("Estimate stands"));
+    panel.forbidCommands();
+    panel.setState({}, std::nullopt);
+    EXPECT_TRUE(shows("Nothing is explored"));
+}
+
+TEST_F(Atem, anExplorationCanBeAbortedButNotRequestedAgain)
+{
+    panel.setPreconditions({{Level::Met, "telemetry is live"}});
+    panel.setState({.phase = AtemPhase::Probing}, PhaseTime{PhaseTime::Kind::Expected, 80.0});
+    EXPECT_FALSE(panel.requestButton()->isEnabled());
+    EXPECT_FALSE(panel.requestButton()->toolTip().isEmpty());
+    QTest::mouseClick(panel.abortButton(), Qt::LeftButton);
+    EXPECT_EQ(said, QStringList{"abort"});
+}
+
+TEST_F(Atem, whatEveryCommandNeedsCanBeLookedUp)
+{
+    panel.setPreconditions({{Level::Met, "the model is ready"}});
+    panel.setNeeds(Commanded::Drive,
+                   {{Level::Met, "telemetry is live"}, {Level::Missing, "not armed"}});
+    panel.setNeeds(Commanded::Probe, {{Level::Missing, "no probe is proposed"}});
+    panel.setNeeds(Commanded::ReleaseStop, {{Level::Doubtful, "not confirmed"}});
+    EXPECT_TRUE(shows("the model is ready"));
+    EXPECT_FALSE(shows("needs:")) << "nobody has asked";
+
+    panel.lookUpNext();
+    EXPECT_TRUE(shows("Driving needs:") && shows("telemetry is live") && shows("not armed"));
+    EXPECT_FALSE(shows("the model is ready"));
+    panel.lookUpNext();
+    EXPECT_TRUE(shows("Approving a probe needs:")) << "nothing is to be armed here";
+    panel.lookUpNext();
+    EXPECT_TRUE(shows("Releasing STOP needs:") && shows("not confirmed"));
+    panel.lookUpNext();
+    EXPECT_TRUE(shows("the model is ready") && !shows("needs:"));
+
+    QMenu* menu = panel.needsButton()->menu();
+    emit menu->aboutToShow();
+    QStringList lines;
+    for (const QAction* action : menu->actions()) lines << action->text();
+    EXPECT_EQ(lines,
+              QStringList({"✔ exploring", "✘ driving", "✘ approving a probe", "! releasing STOP"}));
+    menu->actions()[1]->trigger();
+    EXPECT_EQ(panel.listed(), Commanded::Drive);
+    EXPECT_TRUE(panel.requestButton()->isEnabled()) << "the buttons go by their own needs";
+    panel.setNeeds(Commanded::Drive, {{Level::Met, "the robot is armed"}});
+    EXPECT_TRUE(shows("the robot is armed")) << "the list is live";
+    panel.setState({.phase = AtemPhase::Halting}, std::nullopt);
+    EXPECT_EQ(panel.listed(), Commanded::Explore) << "what comes next is not hidden for long";
+}
+
+TEST_F(Atem, listsWhatTheNextCommandNeeds)
+{
+    panel.setPreconditions({{Level::Met, "the model is ready"}});
+    panel.setNeeds(Commanded::Probe,
+                   {{Level::Met, "telemetry is live"}, {Level::Missing, "not armed"}});
+    panel.setNeeds(Commanded::ReleaseStop, {{Level::Met, "the robot says that it is stopped"}});
+    panel.setState({.phase = AtemPhase::ProposingProbe}, std::nullopt);
+    EXPECT_TRUE(shows("Approving a probe needs:") && shows("not armed"));
+    EXPECT_FALSE(shows("telemetry is live")) << "the room is the question's";
+    panel.lookUp(Commanded::Probe);
+    EXPECT_TRUE(shows("telemetry is live"));
+    panel.setState({.phase = AtemPhase::Stopped}, std::nullopt);
+    EXPECT_TRUE(shows("Releasing STOP needs:") && shows("says that it is stopped"));
+    panel.setNarrow(true);
+    panel.setFixedWidth(300);
+    EXPECT_TRUE(gui::eventually([&] { return gui::cutText(panel).empty(); }, 2000));
+    panel.forbidCommands();
+    EXPECT_FALSE(panel.needsButton()->isVisible());
+}
+
+TEST_F(Atem, releasingStopTakesAHold)
+{
+    panel.releaseButton()->setHoldTime(100);
+    panel.setState({.phase = AtemPhase::Stopped}, std::nullopt);
+    EXPECT_TRUE(shows("STOPPED"));
+    EXPECT_FALSE(panel.requestButton()->isVisible());
+    QTest::mouseClick(panel.releaseButton(), Qt::LeftButton);
+    EXPECT_TRUE(said.isEmpty());
+    QTest::mousePress(panel.releaseButton(), Qt::LeftButton);
+    EXPECT_TRUE(gui::eventually([this] { return said == QStringList{"release"}; }));
+}
+
+TEST_F(Atem, hostileTimesLeaveItDrawn)
+{
+    for (const double bad : gui::kHostile) {
+        panel.setState({.phase = AtemPhase::Pressing, .since = bad},
+                       PhaseTime{PhaseTime::Kind::GivesUp, bad});
+        EXPECT_FALSE(gui::painted(panel).isNull());
+    }
+}
+
+}  // namespace
+}  // namespace terratact

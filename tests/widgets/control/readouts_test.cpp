@@ -1,0 +1,398 @@
+// The widgets that only show text: readout, header, strip, events.
+#include <gtest/gtest.h>
+
+#include <QAccessible>
+#include <QApplication>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "tests/support/estimates.h"
+#include "tests/support/gui.h"
+#include "widgets/base/look.h"
+#include "widgets/base/palette.h"
+#include "widgets/base/spoken.h"
+#include "widgets/base/words.h"
+#include "widgets/control/probe_card.h"
+#include "widgets/control/robot_readout.h"
+#include "widgets/control/status_header.h"
+#include "widgets/signals/event_list.h"
+#include "widgets/terrain/estimate_strip.h"
+#include "widgets/terrain/verdict_strip.h"
+
+namespace terratact {
+namespace {
+
+TEST(Words, numbersReadAsOperatorsWriteThem)
+{
+    EXPECT_EQ(words::signedNumber(-0.254, 2), QStringLiteral("−0.25"));
+    EXPECT_EQ(words::signedNumber(0.254, 2), "+0.25");
+    EXPECT_EQ(words::degrees(0.1), QStringLiteral("+5.7°"));
+    EXPECT_EQ(words::countdown(83.2), "1:24");
+    EXPECT_EQ(words::countdown(-3.0), "0:00");
+    EXPECT_EQ(words::age(0.041), "41 ms");
+    EXPECT_EQ(words::age(2.44), "2.4 s");
+    for (const double bad : {gui::kHostile[0], gui::kHostile[1]}) {
+        EXPECT_EQ(words::signedNumber(bad, 2), "--");
+        EXPECT_EQ(words::degrees(bad), QStringLiteral("--°"));
+        EXPECT_EQ(words::countdown(bad), "--");
+        EXPECT_EQ(words::age(bad), "--");
+    }
+}
+
+TEST(Readout, showsAnglesInDegreesLeftAndRight)
+{
+    RobotReadout readout;
+    Measurement m;
+    m.pitch = -0.1;
+    m.frontLeft = 0.5;
+    m.frontRight = 0.6;
+    readout.setMeasurement(m, 0.04);
+    EXPECT_EQ(readout.text(RobotReadout::Pitch), QStringLiteral("−5.7°"));
+    EXPECT_EQ(readout.text(RobotReadout::FrontFlippers), QStringLiteral("L +28.6°   R +34.4°"));
+}
+
+TEST(Readout, thePitchThatIsDrawnStandsBesideThatOfNow)
+{
+    RobotReadout readout;
+    Measurement m;
+    m.pitch = 0.1;
+    readout.setMeasurement(m, 0.04, -0.1);
+    EXPECT_EQ(readout.text(RobotReadout::Pitch), QStringLiteral("+5.7°   captured −5.7°"));
+    readout.setMeasurement(m, 0.151, -0.1);
+    EXPECT_EQ(readout.text(RobotReadout::Pitch),
+              QStringLiteral("--   151 ms old   captured −5.7°"));
+    readout.setMeasurement(m, 0.04);
+    EXPECT_EQ(readout.text(RobotReadout::Pitch), QStringLiteral("+5.7°"));
+}
+
+TEST(Readout, theTipOfEveryValueIsTheAgeOfItsOwnMessage)
+{
+    RobotReadout readout;
+    readout.setMeasurement({}, 0.04);
+    for (int row = 0; row < RobotReadout::kRows; ++row) EXPECT_EQ(readout.ageText(row), "40 ms");
+    readout.setMeasurement({}, 0.3, {0.02, 0.02, 0.3, 0.03, 2.44, 0.03});
+    EXPECT_EQ(readout.ageText(RobotReadout::Pitch), "20 ms");
+    EXPECT_EQ(readout.ageText(RobotReadout::FrontFlippers), "300 ms");
+    EXPECT_EQ(readout.ageText(RobotReadout::FrontCurrents), "2.4 s");
+    int tips = 0;
+    for (const QLabel* label : readout.findChildren<QLabel*>())
+        tips += label->toolTip().endsWith(" old") ? 1 : 0;
+    EXPECT_EQ(tips, RobotReadout::kRows);
+    readout.clearMeasurement();
+    EXPECT_EQ(readout.ageText(RobotReadout::Pitch), "");
+    for (const QLabel* label : readout.findChildren<QLabel*>()) EXPECT_EQ(label->toolTip(), "");
+}
+
+TEST(Readout, theAgeStandsInPrintBesideWhatIsTooOldToBeShown)
+{
+    RobotReadout readout;
+    const double never = std::numeric_limits<double>::infinity();
+    readout.setMeasurement({}, 0.02, {0.02, 0.02, 0.02, 0.02, 0.02, 0.02});
+    for (int row = 0; row < RobotReadout::kRows; ++row)
+        EXPECT_FALSE(readout.text(row).contains("old")) << row;
+    readout.setMeasurement({}, 2.44, {0.02, 0.02, 0.3, 0.03, 2.44, never});
+    EXPECT_EQ(readout.text(RobotReadout::Pitch), "--   20 ms old") << "half a line is none";
+    EXPECT_EQ(readout.text(RobotReadout::FrontCurrents), "--   2.4 s old") << "that is missing";
+    EXPECT_EQ(readout.text(RobotReadout::RearCurrents), "--") << "it never came";
+}
+
+TEST(Readout, staleValuesAreNotShown)
+{
+    RobotReadout readout;
+    readout.setMeasurement({}, 0.149);
+    EXPECT_NE(readout.text(RobotReadout::Pitch), "--");
+    readout.setMeasurement({}, 0.151);
+    for (int row = 0; row < RobotReadout::kRows; ++row)
+        EXPECT_EQ(readout.text(row), "--   151 ms old");
+    for (const double bad : gui::kHostile) {
+        Measurement m;
+        m.pitch = m.roll = m.frontLeft = m.rearRightCurrent = bad;
+        readout.setMeasurement(m, bad);
+        EXPECT_FALSE(gui::painted(readout).isNull());
+    }
+}
+
+TEST(Header, stopActsOnThePressAndWithoutQuestion)
+{
+    StatusHeader header;
+    gui::showActive(header);
+    int stops = 0;
+    QObject::connect(&header, &StatusHeader::stopPressed, [&stops] { ++stops; });
+    QTest::mousePress(header.stopButton(), Qt::LeftButton);
+    EXPECT_EQ(stops, 1);
+    QTest::mouseRelease(header.stopButton(), Qt::LeftButton);
+    EXPECT_EQ(stops, 1);
+    header.setStop({.state = StopSight::State::Confirmed});
+    EXPECT_TRUE(header.stopButton()->isEnabled());
+    EXPECT_TRUE(header.stopButton()->isVisible());
+}
+
+TEST(Header, theSourcesNameIsAlwaysThere)
+{
+    StatusHeader header;
+    header.setSource("REPLAY demo.log");
+    header.setLink("LINK LOST", Tone::Bad);
+    EXPECT_EQ(header.sourceName(), "REPLAY demo.log");
+}
+
+TEST(Header, aBadgeHasTheColoursOfItsTone)
+{
+    applyLook(*qApp);
+    StatusHeader header;
+    header.resize(1400, 60);
+    gui::showActive(header);
+    const std::pair<Tone, Fill> badges[]{{Tone::Plain, theme().chip},
+                                         {Tone::Good, theme().chipGood},
+                                         {Tone::Doubt, theme().chipDoubt},
+                                         {Tone::Bad, theme().chipBad}};
+    for (const auto& [tone, fill] : badges) {
+        header.setLink("link 20 Hz", tone);
+        const auto labels = header.findChildren<QLabel*>();
+        const auto badge = std::ranges::find(labels, header.linkText(), &QLabel::text);
+        ASSERT_NE(badge, labels.end());
+        gui::settle(header);
+        const QImage image = gui::painted(**badge);
+        EXPECT_GT(gui::pixelsOf(image, fill.area), image.width() * image.height() / 2)
+            << static_cast<int>(tone);
+        EXPECT_GT(gui::pixelsOf(image, fill.text), 20) << static_cast<int>(tone);
+    }
+}
+
+TEST(Header, theBusAndTheModelLeaveForWhatMattersMore)
+{
+    applyLook(*qApp);
+    StatusHeader header;
+    header.setSource("can0");
+    header.setLink("link 20 Hz", Tone::Good);
+    header.setRobot("halted", Tone::Plain);
+    header.setModel("model default.ttm", Tone::Plain);
+    header.resize(1400, 60);
+    gui::showActive(header);
+    EXPECT_FALSE(header.busButton()->isVisible()) << "the source is none";
+    const int least = header.minimumSizeHint().width();
+    header.setBus("can0 ACTIVE ≤ 9 %", Tone::Plain, "42 frames/s");
+    ASSERT_TRUE(header.busButton()->isVisible());
+    EXPECT_GE(header.busButton()->height(), 32);
+    EXPECT_EQ(header.minimumSizeHint().width(), least);
+    EXPECT_EQ(header.busButton()->accessibleName(), QString::fromUtf8("Bus: can0 ACTIVE ≤ 9 %"));
+    EXPECT_EQ(header.busButton()->accessibleDescription(), "42 frames/s");
+    const int width = header.busButton()->width();
+    header.setBus("can0 ACTIVE ≤ 87 %", Tone::Plain, "412 frames/s");
+    QApplication::processEvents();
+    EXPECT_EQ(header.busButton()->width(), width) << "the load moves nothing";
+
+    const auto modelIsSeen = [&] {
+        for (const QLabel* label : header.findChildren<QLabel*>())
+            if (label->text().startsWith("model")) return label->isVisible();
+        return false;
+    };
+    EXPECT_TRUE(modelIsSeen());
+    bool busAlone = false;
+    for (int pixels = 1400; pixels >= least; pixels -= 20) {
+        header.resize(pixels, header.heightFor(pixels));
+        QApplication::processEvents();
+        EXPECT_EQ(gui::cutText(header), std::vector<std::string>()) << pixels;
+        EXPECT_EQ(gui::overlaps(header), std::vector<std::string>()) << pixels;
+        busAlone = busAlone || (header.busButton()->isVisible() && !modelIsSeen());
+    }
+    EXPECT_TRUE(busAlone) << "where there is room for one of them, the model leaves";
+    EXPECT_FALSE(header.busButton()->isVisible());
+    EXPECT_FALSE(modelIsSeen());
+
+    int asked = 0;
+    QObject::connect(&header, &StatusHeader::busRequested, [&asked] { ++asked; });
+    header.resize(1400, 60);
+    QApplication::processEvents();
+    header.busButton()->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(header.busButton(), Qt::Key_Space);
+    EXPECT_EQ(asked, 1);
+}
+
+TEST(Header, whatIsBadIsSeenInEveryWidth)
+{
+    for (const int letters : {100, 200}) {
+        applyLook(*qApp, ThemeName::Day, letters);
+        StatusHeader header;
+        header.setSource("SIMULATED ROBOT");
+        header.setRobot("pressing", Tone::Plain);
+        header.setLink("LINK LOST · 300 ms", Tone::Bad);
+        header.setModel("model default.ttm", Tone::Plain);
+        gui::showActive(header);
+        const QPushButton& bus = *header.busButton();
+        const int least = header.minimumSizeHint().width();
+        for (int pixels = letters * 16; pixels >= least; pixels -= 7) {
+            header.setBus("can0 ACTIVE ≤ 9 %", Tone::Plain, "");
+            header.resize(pixels, header.heightFor(pixels));
+            QApplication::processEvents();
+            header.setBus("can0 BUS-OFF ≤ 9 % ! 3 dropped", Tone::Bad, "", "can0 BUS-OFF");
+            QApplication::processEvents();
+            ASSERT_TRUE(bus.isVisible()) << pixels;
+            EXPECT_TRUE(bus.text().startsWith("can0 BUS-OFF"));
+            EXPECT_TRUE(header.rect().contains(bus.geometry())) << pixels;
+            EXPECT_EQ(gui::cutText(header), std::vector<std::string>()) << pixels;
+            EXPECT_EQ(gui::overlaps(header), std::vector<std::string>()) << pixels;
+        }
+        EXPECT_EQ(bus.text(), "can0 BUS-OFF") << "the rest has gone";
+        EXPECT_EQ(bus.accessibleName(), "Bus: can0 BUS-OFF ≤ 9 % ! 3 dropped");
+        header.setBus("can0 ACTIVE ≤ 9 %", Tone::Doubt, "");
+        QApplication::processEvents();
+        EXPECT_FALSE(bus.isVisible()) << "a doubt has to wait for room";
+    }
+    applyLook(*qApp);
+}
+
+/// What a screen reader is told while this lives: name and description of what is announced.
+struct Listener final : QObject {
+    Listener() { qApp->installEventFilter(this); }
+    bool eventFilter(QObject* object, QEvent* event) override
+    {
+        if (event->type() != kAnnounced) return false;
+        const QAccessibleInterface* const says = QAccessible::queryAccessibleInterface(object);
+        heard << says->text(QAccessible::Name) + QLatin1Char('|')
+                     + says->text(QAccessible::Description);
+        return false;
+    }
+    QStringList take() { return std::exchange(heard, {}); }
+    QStringList heard;
+};
+
+TEST(Spoken, aLabelSaysItsNameAndItsText)
+{
+    applyLook(*qApp);
+    RobotReadout readout;
+    Measurement m;
+    m.pitch = -0.1;
+    readout.setMeasurement(m, 0.04);
+    QStringList said;
+    for (QLabel* label : readout.findChildren<QLabel*>())
+        said << QAccessible::queryAccessibleInterface(label)->text(QAccessible::Name);
+    EXPECT_TRUE(said.contains(QStringLiteral("pitch: −5.7°"))) << said.join('\n').toStdString();
+    QLabel rich(QStringLiteral("<b>bold</b> words"));
+    EXPECT_EQ(QAccessible::queryAccessibleInterface(&rich)->text(QAccessible::Name), "bold words");
+}
+
+TEST(Spoken, whatMattersIsAnnouncedOnce)
+{
+    applyLook(*qApp);
+    StatusHeader header;
+    header.setLink("link 20 Hz", Tone::Good);
+    VerdictStrip verdict;
+    Listener listener;
+    header.setLink("link 19 Hz", Tone::Good);
+    EXPECT_EQ(listener.take(), QStringList());
+    header.setLink("LINK LOST · 300 ms", Tone::Bad);
+    header.setLink("LINK LOST · 340 ms", Tone::Bad);
+    EXPECT_EQ(listener.take(), QStringList{QStringLiteral("Link: LINK LOST · 300 ms|")})
+        << "once, not with every picture";
+    header.setLink("link 20 Hz", Tone::Good);
+    EXPECT_EQ(listener.take(), QStringList{QStringLiteral("Link: link 20 Hz|")});
+
+    header.setStop({.state = StopSight::State::Sent});
+    header.setStop({.state = StopSight::State::Sent, .seconds = 0.3});
+    const QStringList stop = listener.take();
+    ASSERT_EQ(stop.size(), 1);
+    EXPECT_TRUE(stop[0].startsWith("STOP|") && stop[0].contains("not confirmed"))
+        << stop[0].toStdString();
+
+    Verdict blocked;
+    blocked.outlook = Outlook::Blocked;
+    verdict.setVerdict(blocked);
+    verdict.setVerdict(blocked);
+    EXPECT_EQ(listener.take(), QStringList{QStringLiteral("Verdict: ✘ BLOCKED|")});
+
+    ProbeCard card;
+    ProbeProposal probe{.id = 3, .bin = 9, .height = 0.02, .worth = {}, .others = {}};
+    card.setProposal(probe);
+    probe.answer = Outlook::Blocked;
+    card.setProposal(probe);
+    const QStringList question = listener.take();
+    ASSERT_EQ(question.size(), 1);
+    EXPECT_TRUE(question[0].startsWith("Arm probe|bin 0.6 m; +0.02 m"))
+        << question[0].toStdString();
+}
+
+struct Strip : testing::Test {
+    Strip() { gui::showActive(strip); }
+    EstimateStrip strip;
+};
+
+TEST_F(Strip, saysWhereTheEstimateIsWidest)
+{
+    strip.setEstimate(stepEstimate(), 0.62);
+    EXPECT_EQ(strip.headline(), QStringLiteral("Uncertain at 0.6 m: ± 0.09 m"));
+    TerrainEstimate known = stepEstimate();
+    known.sd.fill(0.02);
+    strip.setEstimate(known, 0.62);
+    EXPECT_TRUE(strip.headline().startsWith(QStringLiteral("Known to ± 0.02 m")));
+}
+
+TEST_F(Strip, saysWhichBudgetEndedTheDrawing)
+{
+    TerrainEstimate e = stepEstimate();
+    e.ending = Ending::Time;
+    strip.setEstimate(e, 5.0);
+    EXPECT_TRUE(strip.details().endsWith("5.0 s · ended: time was out"))
+        << strip.details().toStdString();
+    e.ending = Ending::Converged;
+    strip.setEstimate(e, 0.1);
+    EXPECT_TRUE(strip.details().endsWith("100 ms"));
+    const auto tips = strip.findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(
+        tips, [](const QLabel* l) { return l->toolTip().endsWith("ended: converged"); }));
+}
+
+TEST_F(Strip, noWarningIsSwallowed)
+{
+    TerrainEstimate e = stepEstimate();
+    e.warnings = {"roll 8.1°", "contact above the body"};
+    strip.setEstimate(e, 0.1);
+    EXPECT_TRUE(strip.warningText().contains(QStringLiteral("roll 8.1°")));
+    EXPECT_TRUE(strip.warningText().contains("contact above the body"));
+    e.warnings.clear();
+    e.converged = false;
+    strip.setEstimate(e, 0.1);
+    EXPECT_TRUE(strip.warningText().contains("converged"));
+}
+
+TEST_F(Strip, progressBringsCancel)
+{
+    int cancelled = 0;
+    QObject::connect(&strip, &EstimateStrip::cancelled, [&cancelled] { ++cancelled; });
+    EXPECT_FALSE(strip.cancelButton()->isVisible());
+    strip.setProgress(0.4);
+    ASSERT_TRUE(strip.cancelButton()->isVisible());
+    EXPECT_EQ(strip.findChild<QProgressBar*>()->value(), 400);
+    QTest::mouseClick(strip.cancelButton(), Qt::LeftButton);
+    EXPECT_EQ(cancelled, 1);
+    for (const double bad : gui::kHostile) {
+        strip.setProgress(bad);
+        EXPECT_FALSE(gui::painted(strip).isNull());
+    }
+    strip.setProgress(std::nullopt);
+    EXPECT_FALSE(strip.cancelButton()->isVisible());
+}
+
+TEST(Events, theNewestStandsOnTopAndTheListIsBounded)
+{
+    EventList events;
+    for (int i = 0; i < 600; ++i) events.add(QString::number(i), Weight::Note, QTime(12, 0));
+    EXPECT_EQ(events.count(), 500);
+    EXPECT_TRUE(events.item(0)->text().endsWith("599"));
+    events.add("link lost", Weight::Bad, QTime(12, 1));
+    EXPECT_EQ(events.item(0)->text(), QStringLiteral("12:01:00  ✘ link lost"));
+}
+
+TEST(Number, hasNoMinusBeforeAZero)
+{
+    EXPECT_EQ(words::number(-0.004, 2), QStringLiteral("0.00"));
+    EXPECT_EQ(words::number(-0.0, 0), QStringLiteral("0"));
+    EXPECT_EQ(words::number(-0.006, 2), QStringLiteral("−0.01"));
+    EXPECT_EQ(words::signedNumber(-0.004, 2), QStringLiteral("+0.00"));
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,274 @@
+#include "widgets/terrain/terrain_profile_view.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/estimates.h"
+#include "tests/support/gui.h"
+#include "tests/support/terrain_bench.h"
+#include "widgets/base/look.h"
+#include "widgets/base/palette.h"
+#include "widgets/terrain/bin_inspector.h"
+
+namespace terratact {
+namespace {
+
+using gui::painted;
+
+TEST_F(TerrainView, aMetreIsAsLongUpwardsAsForwardsAtEverySize)
+{
+    view.setEstimate(stepEstimate());
+    for (const QSize size :
+         {QSize(900, 480), QSize(600, 600), QSize(1500, 400), QSize(421, 261), QSize(300, 900)}) {
+        view.resize(size);
+        QApplication::processEvents();
+        const QPointF origin = view.pixelOf(0.0, 0.0);
+        const double forwards = view.pixelOf(0.5, 0.0).x() - origin.x();
+        const double upwards = origin.y() - view.pixelOf(0.0, 0.5).y();
+        EXPECT_GT(forwards, 20.0);
+        EXPECT_NEAR(forwards, upwards, 0.01 * forwards) << size.width() << " × " << size.height();
+    }
+}
+
+TEST_F(TerrainView, whatIsNotLiveIsMutedAndSaysOfWhen)
+{
+    view.setOutline(square(-0.3, -0.1, 0.3, 0.1));
+    view.setTruth(Heights{});
+    view.setEstimate(stepEstimate());
+    const QImage live = painted(*view.canvas());
+    view.setStale(1.2);
+    const QImage stale = painted(*view.canvas());
+    // How far a spot stands out against the card.
+    const auto contrast = [&](const QImage& image, double x, double z) {
+        const QPoint at = view.pixelOf(x, z).toPoint();
+        double sum = 0.0;
+        for (int dx = -2; dx <= 2; ++dx)
+            for (int dy = -2; dy <= 2; ++dy)
+                sum +=
+                    std::abs(qGray(image.pixel(at + QPoint(dx, dy))) - qGray(theme().card.rgb()));
+        return sum;
+    };
+    const TerrainEstimate estimate = stepEstimate();
+    for (const std::size_t bin : {0U, 3U, 8U}) {
+        const double x = binCentre(static_cast<int>(bin)), z = estimate.height[bin];
+        EXPECT_LT(contrast(stale, x, z), 0.7 * contrast(live, x, z)) << "bin " << bin;
+    }
+    const QPoint robot = view.pixelOf(-0.25, -0.07).toPoint();
+    EXPECT_NE(stale.pixel(robot), live.pixel(robot));
+    view.setStale(1.3);
+    EXPECT_NE(painted(*view.canvas()), stale) << "its age goes on";
+    for (const double age : gui::kHostile) {
+        view.setStale(age);
+        EXPECT_FALSE(painted(*view.canvas()).isNull());
+    }
+    view.setStale(std::nullopt);
+    EXPECT_EQ(painted(*view.canvas()), live);
+}
+
+TEST_F(TerrainView, pixelsAndMetresMapBothWays)
+{
+    view.setEstimate(stepEstimate());
+    for (const double x : {-0.3, 0.0, 0.65}) {
+        const QPointF back = view.pointAt(view.pixelOf(x, -0.2));
+        EXPECT_NEAR(back.x(), x, 1e-9);
+        EXPECT_NEAR(back.y(), -0.2, 1e-9);
+    }
+}
+
+TEST_F(TerrainView, everyBinAndItsBarLieOnTheCanvas)
+{
+    TerrainEstimate high = stepEstimate();
+    high.height[10] = 0.6;
+    high.q90[10] = 0.8;
+    high.q10[0] = -0.9;
+    view.setEstimate(high);
+    const QRectF canvas = view.canvas()->rect();
+    for (int bin = 0; bin < kBins; ++bin) {
+        const auto i = static_cast<std::size_t>(bin);
+        for (const double z : {high.height[i], high.q10[i], high.q90[i]})
+            EXPECT_TRUE(canvas.contains(view.pixelOf(binCentre(bin), z)))
+                << "bin " << bin << " at " << z;
+    }
+}
+
+TEST_F(TerrainView, aNoteLiesBelowTheZonesWords)
+{
+    view.setEstimate(stepEstimate());
+    const auto strip = [&](int from, int to) {  // [px] below the upper edge
+        return painted(*view.canvas()).copy(0, from, view.canvas()->width(), to - from);
+    };
+    const int words = 5 + scaled(20);
+    const QImage zones = strip(0, words), below = strip(words, words + scaled(40));
+    view.setEstimate(stepEstimate(), QString(120, QLatin1Char('n')));
+    EXPECT_EQ(strip(0, words), zones);
+    EXPECT_NE(strip(words, words + scaled(40)), below);
+    EXPECT_TRUE(view.accessibleDescription().startsWith("nnnn"));
+}
+
+TEST_F(TerrainView, aBinWithTwoHeightsShowsBoth)
+{
+    const auto marked = [&](double z) { return alike(colourAt(view, 0.63, z), theme().doubt); };
+    view.setEstimate(stepEstimate());
+    EXPECT_FALSE(marked(-0.25));
+    view.setEstimate(divided());
+    EXPECT_TRUE(marked(-0.25));
+    EXPECT_TRUE(marked(-0.05));
+}
+
+TEST_F(TerrainView, drawsAndASecondMethodAreLayersOnDemand)
+{
+    view.setEstimate(divided());
+    const QImage plain = painted(*view.canvas());
+    view.setDrawsShown(true);
+    const QImage withDraws = painted(*view.canvas());
+    EXPECT_NE(plain, withDraws);
+    view.setDrawsShown(false);
+    EXPECT_EQ(painted(*view.canvas()), plain);
+    TerrainEstimate second = stepEstimate();
+    second.height[4] = -0.35;
+    view.setSecond(second, "pafc");
+    EXPECT_TRUE(alike(colourAt(view, 0.118, -0.35), theme().card));  // an open circle
+    view.setSecond(std::nullopt, {});
+    EXPECT_EQ(painted(*view.canvas()), plain);
+}
+
+TEST_F(TerrainView, theGhostIsDashedInABandAndSaysHowFarItWasDriven)
+{
+    view.clearEstimate("moved");
+    const QImage without = painted(*view.canvas());
+    view.setGhost(ghost());
+    const auto greens = [&](double z) {  // along bins -0.3 … 0.2
+        const QImage image = painted(*view.canvas());
+        const int y = static_cast<int>(std::lround(view.pixelOf(0.0, z).y()));
+        int count = 0, all = 0;
+        for (double x = -0.25; x < 0.2; x += 0.002, ++all) {
+            const auto isGreen = [&](int row) {  // it may lie between two
+                const int column = static_cast<int>(view.pixelOf(x, 0.0).x());
+                return alike(image.pixelColor(column, row), theme().sampled);
+            };
+            count += isGreen(y - 1) || isGreen(y) || isGreen(y + 1) ? 1 : 0;
+        }
+        return static_cast<double>(count) / all;
+    };
+    EXPECT_GT(greens(-0.25), 0.3);
+    EXPECT_LT(greens(-0.25), 0.8) << "dashed: an estimate is not";
+    EXPECT_FALSE(alike(colourAt(view, 0.05, -0.27), QColor(theme().sampled)));
+    EXPECT_NE(colourAt(view, 0.05, -0.27), theme().card) << "in its band";
+    EXPECT_EQ(colourAt(view, 0.6, -0.05), theme().card) << "nothing where nothing was estimated";
+    EXPECT_TRUE(view.accessibleDescription().contains(
+        QStringLiteral("0.20 m driven since · heights ± 3 cm")));
+    view.setGhost(std::nullopt, "No ghost: the robot has turned");
+    EXPECT_TRUE(view.accessibleDescription().contains("has turned"));
+    view.setGhost(std::nullopt);
+    EXPECT_EQ(painted(*view.canvas()), without);
+}
+
+TEST_F(TerrainView, theBinUnderTheMouseOrTheArrowKeysIsShownUpClose)
+{
+    view.setEstimate(divided());
+    QTest::mouseMove(view.canvas(), view.pixelOf(0.6, -0.2).toPoint());
+    QMouseEvent move(QEvent::MouseMove, view.pixelOf(0.6, -0.2), view.pixelOf(0.6, -0.2),
+                     Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(view.canvas(), &move);
+    const BinInspector& inspector = *view.inspector();
+    ASSERT_EQ(inspector.bin(), 9);
+    EXPECT_TRUE(inspector.isVisible());
+    EXPECT_TRUE(inspector.lines().join(' ').contains(QStringLiteral("either −0.25 m (50 %)")));
+    ASSERT_EQ(inspector.histogram().size(), static_cast<std::size_t>(BinInspector::kClasses));
+    EXPECT_EQ(inspector.histogram().front(), 100);
+    EXPECT_EQ(inspector.histogram().back(), 100);
+    QTest::keyClick(&view, Qt::Key_Left);
+    EXPECT_EQ(inspector.bin(), 8);
+    view.clearEstimate("none");
+    EXPECT_FALSE(inspector.isVisible());
+}
+
+TEST_F(TerrainView, theRobotIsDrawnInMetresAroundTheImu)
+{
+    view.setOutline(square(-0.2, 0.05, 0.2, 0.15));
+    EXPECT_FALSE(alike(colourAt(view, 0.12, 0.13), theme().card));
+    EXPECT_TRUE(alike(colourAt(view, 0.12, 0.17), theme().card));
+    view.setOutline({});
+    EXPECT_TRUE(alike(colourAt(view, 0.12, 0.13), theme().card));
+}
+
+TEST_F(TerrainView, theProbeIsMarkedAboveItsBinOnly)
+{
+    view.setEstimate(stepEstimate());
+    const auto purple = [&](double x) {
+        const QImage image = painted(*view.canvas());
+        const int px = static_cast<int>(std::lround(view.pixelOf(x, 0.0).x()));
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (const int dx : {-1, 0, 1})
+                count += alike(image.pixelColor(px + dx, y), theme().accent) ? 1 : 0;
+        return count;
+    };
+    EXPECT_EQ(purple(0.6), 0);
+    view.setArmTip(ArmTip{.bin = 9});
+    EXPECT_GT(purple(0.6), 10);
+    EXPECT_EQ(purple(0.4), 0);
+    view.setArmTip(std::nullopt);
+    EXPECT_EQ(purple(0.6), 0);
+    view.setArmTip(ArmTip{.bin = 99});
+    EXPECT_FALSE(painted(view).isNull());
+}
+
+TEST_F(TerrainView, theArmsTipStandsWhereItTouched)
+{
+    using State = ArmTip::State;
+    const auto purpleAt = [&](double x, double z, int up) {
+        const QImage image = painted(*view.canvas());
+        return alike(image.pixelColor(view.pixelOf(x, z).toPoint() - QPoint(0, up)),
+                     theme().accent);
+    };
+    view.setArmTip(ArmTip{.state = State::Touched, .bin = 10, .height = -0.2});
+    EXPECT_TRUE(purpleAt(0.7, -0.2, 20)) << "whether there is an estimate or not";
+    EXPECT_FALSE(purpleAt(0.7, -0.2, 4)) << "not below the ground";
+    EXPECT_FALSE(purpleAt(0.7, 0.05, 20)) << "where the arm comes from is not known";
+    view.setArmTip(ArmTip{.state = State::Probing, .bin = 10});
+    EXPECT_FALSE(purpleAt(0.7, -0.2, 20)) << "no height is believed";
+    const TerrainEstimate e = stepEstimate();
+    view.setEstimate(e);
+    EXPECT_TRUE(purpleAt(0.7, e.q90[10], 18)) << "above the band";
+    view.setArmTip(ArmTip{.state = State::Proposed, .bin = 10});
+    EXPECT_FALSE(purpleAt(0.7, e.q90[10], 18)) << "open as long as it is a question";
+    for (const double bad : gui::kHostile) {
+        view.setArmTip(ArmTip{.state = State::Touched, .bin = 10, .height = bad});
+        EXPECT_FALSE(painted(view).isNull());
+    }
+}
+
+TEST_F(TerrainView, theTruthIsALevelLineOverEachBin)
+{
+    Heights truth;
+    truth.fill(-0.33);
+    const auto red = [&] {
+        const QImage image = painted(*view.canvas());
+        const QPoint at = view.pixelOf(0.03, -0.33).toPoint();
+        for (int dy = -2; dy <= 2; ++dy) {
+            const QColor colour = image.pixelColor(at + QPoint(0, dy));
+            if (colour.red() - colour.green() > 60) return true;
+        }
+        return false;
+    };
+    EXPECT_FALSE(red());
+    view.setTruth(truth);
+    EXPECT_TRUE(red());
+    view.setTruth(std::nullopt);
+    EXPECT_FALSE(red());
+}
+
+TEST_F(TerrainView, saysEachBinInWords)
+{
+    view.setEstimate(stepEstimate());
+    EXPECT_EQ(view.binText(8),
+              QStringLiteral("bin 0.5 m: −0.05 m, 80 % in −0.06 … −0.04, contact"));
+    EXPECT_TRUE(view.binText(10).endsWith(QStringLiteral("prior only")));
+    EXPECT_EQ(view.accessibleDescription().count(QLatin1Char('\n')), kBins - 1);
+    view.clearEstimate("explore first");
+    EXPECT_EQ(view.accessibleDescription(), QStringLiteral("explore first"));
+    EXPECT_TRUE(view.binText(8).isEmpty());
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,24 @@
+#include "widgets/base/calm_wheel.h"
+
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QEvent>
+
+namespace terratact {
+
+bool CalmWheel::eventFilter(QObject* object, QEvent* event)
+{
+    if (event->type() != QEvent::Polish && event->type() != QEvent::Wheel) return false;
+    if (!qobject_cast<QAbstractSpinBox*>(object) && !qobject_cast<QComboBox*>(object)) return false;
+    auto* box = static_cast<QWidget*>(object);
+    if (event->type() == QEvent::Polish) {
+        // By Qt's own policy the wheel would give it the focus first.
+        if (box->focusPolicy() == Qt::WheelFocus) box->setFocusPolicy(Qt::StrongFocus);
+        return false;
+    }
+    if (box->hasFocus()) return false;
+    event->ignore();  // it is for the page below
+    return true;
+}
+
+}  // namespace terratact

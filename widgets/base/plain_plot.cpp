@@ -1,0 +1,24 @@
+#include "widgets/base/plain_plot.h"
+
+#include <qwt_plot.h>
+#include <qwt_plot_canvas.h>
+#include <qwt_plot_layout.h>
+
+namespace terratact {
+
+void makePlain(QwtPlot& plot)
+{
+    plot.setAutoReplot(false);
+    plot.setSizePolicy(QSizePolicy::Expanding,
+                       QSizePolicy::Expanding);  // Qwt's would take sizeHint() for the least
+    auto* canvas = new QwtPlotCanvas(&plot);
+    canvas->setFrameStyle(QFrame::NoFrame);
+    canvas->setFocusIndicator(QwtPlotCanvas::NoFocusIndicator);
+    canvas->setPaintAttribute(QwtPlotCanvas::BackingStore,
+                              false);  // anew with every line of telemetry
+    plot.setCanvas(canvas);
+    plot.plotLayout()->setAlignCanvasToScales(true);
+    plot.plotLayout()->setCanvasMargin(0);
+}
+
+}  // namespace terratact

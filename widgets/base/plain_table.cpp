@@ -1,0 +1,80 @@
+#include "widgets/base/plain_table.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <algorithm>
+#include <utility>
+
+namespace terratact {
+
+bool changesLetters(const QEvent& event)
+{
+    return event.type() == QEvent::StyleChange || event.type() == QEvent::FontChange;
+}
+
+int columnWidthFor(const QTableView& table, const QFontMetrics& letters, int column,
+                   const QStringList& texts)
+{
+    constexpr int kSpace = 24;  // [px]
+    int width =
+        letters.horizontalAdvance(table.model()->headerData(column, Qt::Horizontal).toString());
+    for (const QString& text : texts) width = std::max(width, letters.horizontalAdvance(text));
+    return width + kSpace;
+}
+
+void fitRows(QTableView& table, const QFontMetrics& letters)
+{
+    constexpr int kSpace = 6;  // [px]
+    table.verticalHeader()->setDefaultSectionSize(letters.height() + kSpace);
+}
+
+QSize HeadedTable::minimumSizeHint() const
+{
+    const QHeaderView& header = *horizontalHeader();
+    int width = 2 * frameWidth(), widest = 0,
+        alike = 0;  // [px]; those that stretch are of one width
+    for (int column = 0; column < header.count(); ++column) {
+        const int needed = header.sectionSizeHint(column);
+        if (header.sectionResizeMode(column) == QHeaderView::Stretch)
+            widest = std::max(widest, needed), ++alike;
+        else
+            width += std::max(needed, header.sectionSize(column));
+    }
+    return {width + alike * widest, QTableWidget::minimumSizeHint().height()};
+}
+
+PlainTable::PlainTable(QWidget* parent) : QTableView(parent)
+{
+    setSelectionMode(QAbstractItemView::NoSelection);
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setTabKeyNavigation(false);
+    setShowGrid(false);
+    setWordWrap(false);
+    setFrameShape(QFrame::NoFrame);
+    verticalHeader()->setVisible(false);
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setStretchLastSection(true);
+}
+
+void PlainTable::setWidest(QList<QStringList> widest)
+{
+    widest_ = std::move(widest);
+    resizeToFont();
+}
+
+void PlainTable::changeEvent(QEvent* event)
+{
+    QTableView::changeEvent(event);
+    if (changesLetters(*event)) resizeToFont();
+}
+
+void PlainTable::resizeToFont()
+{
+    fitRows(*this, fontMetrics());
+    for (int column = 0; column + 1 < widest_.size(); ++column)
+        setColumnWidth(column, columnWidthFor(*this, fontMetrics(), column, widest_[column]));
+}
+
+}  // namespace terratact

@@ -1,0 +1,441 @@
+#include "widgets/control/atem_panel.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "core/atem/following.h"
+#include "widgets/base/held_button.h"
+#include "widgets/base/look.h"
+#include "widgets/base/palette.h"
+#include "widgets/base/plain_label.h"
+#include "widgets/base/scroll_column.h"
+#include "widgets/base/tips.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+constexpr int kLines = 3, kLinesBusy = 2;  // of the texts, seen in any case
+
+Tone toneOf(AtemPhase phase)
+{
+    switch (phase) {
+    case AtemPhase::Idle: return Tone::Strong;
+    case AtemPhase::Halting:
+    case AtemPhase::Pressing:
+    case AtemPhase::Estimating:
+    case AtemPhase::Probing:
+    case AtemPhase::EstimatingAgain:
+    case AtemPhase::ProposingProbe: return Tone::Accent;
+    case AtemPhase::Presenting: return Tone::Good;
+    case AtemPhase::Stopped:
+    case AtemPhase::Failed: return Tone::Bad;
+    }
+    return Tone::Plain;
+}
+
+QString capital(QString text)
+{
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
+    return text;
+}
+
+QString alreadyExploring()
+{
+    return AtemPanel::tr("An exploration is running: end it with Esc first");
+}
+
+std::size_t indexOf(Commanded command)
+{
+    return static_cast<std::size_t>(command);
+}
+
+QString nameOf(Commanded command)
+{
+    switch (command) {
+    case Commanded::Explore: return AtemPanel::tr("exploring");
+    case Commanded::Drive: return AtemPanel::tr("driving");
+    case Commanded::Arm: return AtemPanel::tr("arming");
+    case Commanded::Probe: return AtemPanel::tr("approving a probe");
+    case Commanded::ReleaseStop: return AtemPanel::tr("releasing STOP");
+    }
+    return {};
+}
+
+}  // namespace
+
+AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
+{
+    stateText_ = new PlainLabel(this);
+    stateText_->setWordWrap(true);
+    stateText_->setAccessibleName(tr("State of the exploration"));
+    timeText_ = note();
+    subject_ = new PlainLabel(this);
+    subject_->setWordWrap(true);
+    setTone(*subject_, Tone::Muted);
+    needsButton_ = new QPushButton(tr("needs (P)"), this);
+    needsButton_->setFocusPolicy(Qt::TabFocus);
+    needsButton_->setProperty("role", "flat");
+    needsButton_->setAccessibleName(tr("What a command needs"));
+    setTip(*needsButton_, tr("What each command needs, and what of it is missing (P)"));
+    auto* menu = new QMenu(needsButton_);
+    needsButton_->setMenu(menu);
+    connect(menu, &QMenu::aboutToShow, this, &AtemPanel::offerCommands);
+    titleRow()->addWidget(needsButton_);
+    list_ = new QGridLayout;
+    list_->setContentsMargins(0, 0, 0, 0);
+    list_->setHorizontalSpacing(8);
+    list_->setVerticalSpacing(2);
+    list_->setColumnStretch(1, 1);
+
+    request_ = new QPushButton(tr("Explore the terrain (A)"), this);
+    request_->setProperty("role", "primary");
+    request_->setFocusPolicy(Qt::TabFocus);
+    abort_ = new QPushButton(tr("Abort (Esc)"), this);
+    abort_->setFocusPolicy(Qt::TabFocus);
+    ask_ = new QPushButton(this);
+    ask_->setFocusPolicy(Qt::TabFocus);
+    ask_->hide();
+    release_ = new HoldToConfirmButton(tr("hold to release STOP (R)"), &Theme::caution, this);
+    release_->setAccessibleName(tr("Hold to release STOP"));
+    setTip(*release_, tr("Lets commands through again; the robot does not move by itself"));
+
+    override_ = new QPushButton(tr("Override (O)"), this);
+    override_->setFocusPolicy(Qt::TabFocus);
+    setTip(*override_,
+           tr("Explore in spite of what is doubtful; it is noted, and stays on the screen"));
+    connect(override_, &QPushButton::clicked, this, &AtemPanel::overrideWanted);
+    texts_ = new ScrollColumn(kLines, this);
+    texts_->setAccessibleName(tr("Exploration (ATEM)"));
+    texts_->column()->addWidget(stateText_);
+    texts_->column()->addWidget(subject_);
+    texts_->column()->addLayout(list_);
+    texts_->column()->addStretch(1);
+    auto* others = new QHBoxLayout;
+    others->setSpacing(8);
+    for (QPushButton* button :
+         std::initializer_list<QPushButton*>{override_, abort_, ask_, release_})
+        others->addWidget(button, 1);
+    buttons_ = new QHBoxLayout;
+    buttons_->setSpacing(8);
+    buttons_->addWidget(request_, 1);
+    buttons_->addLayout(others, 1);
+    parts_ = new QVBoxLayout;
+    parts_->setSpacing(kSpacing);
+    parts_->addWidget(texts_, 1);
+    parts_->addLayout(buttons_);
+    body()->addLayout(parts_, 1);
+
+    connect(request_, &QPushButton::clicked, this, &AtemPanel::requested);
+    connect(abort_, &QPushButton::clicked, this, [this] {
+        if (forgets())
+            emit forgetWanted();
+        else
+            emit aborted();
+    });
+    connect(ask_, &QPushButton::clicked, this, [this] {
+        if (askBin_) emit probeWanted(*askBin_);
+    });
+    connect(release_, &HoldToConfirmButton::confirmed, this, &AtemPanel::stopReleased);
+    setState({}, std::nullopt);
+    setPreconditions({});
+}
+
+void AtemPanel::setState(const AtemState& state, const std::optional<PhaseTime>& time,
+                         const QString& said)
+{
+    if (state.phase != state_.phase) lookedUp_.reset();
+    state_ = state;
+    said_ = said;
+    showState();
+    timeText_->setText(time ? timeWords(*time) : QString());
+    setTone(*timeText_, Tone::Strong);
+    arrange();
+    showList();
+    showButtons();
+}
+
+void AtemPanel::showState()
+{
+    const auto is = [this](AtemPhase phase) { return state_.phase == phase; };
+    QString text = words::sentence(state_.followed ? describeFollowed(state_.phase)
+                                                   : terratact::describe(state_.phase));
+    if (is(AtemPhase::Failed))
+        text += QStringLiteral(": ")
+              + (said_.isEmpty() ? words::sentence(terratact::describe(state_.failure)) : said_);
+    else if (!said_.isEmpty())
+        text = said_;
+    else if (is(AtemPhase::Idle) && !state_.followed)
+        text = idleWords(text);
+    if (is(AtemPhase::Presenting) && state_.approvalExpired)
+        text += tr("; no answer in time, so no probe");
+    else if (is(AtemPhase::Presenting) && state_.probed)
+        text += tr(", arm included");
+    stateText_->setText(capital(text));
+    setTone(*stateText_, toneOf(state_.phase));
+}
+
+/// "ready" only where nothing below speaks against it.
+QString AtemPanel::idleWords(const QString& ready) const
+{
+    if (onlyShows_) return tr("nothing is explored");
+    switch (worstOf(needs_[indexOf(Commanded::Explore)])) {
+    case Precondition::Level::Missing: return tr("not ready");
+    case Precondition::Level::Doubtful: return tr("not ready: doubtful");
+    case Precondition::Level::Overridden:
+    case Precondition::Level::Met: break;
+    }
+    return ready;
+}
+
+QString AtemPanel::timeWords(const PhaseTime& time)
+{
+    const QString seconds = words::countdown(time.seconds);
+    switch (time.kind) {
+    case PhaseTime::Kind::Answer: return tr("%1 left").arg(seconds);
+    case PhaseTime::Kind::Expected: return tr("about %1 left").arg(seconds);
+    case PhaseTime::Kind::GivesUp: return tr("gives up in %1").arg(seconds);
+    }
+    return {};
+}
+
+void AtemPanel::setPreconditions(const QList<Precondition>& preconditions)
+{
+    setNeeds(Commanded::Explore, preconditions);
+}
+
+void AtemPanel::setNeeds(Commanded command, const QList<Precondition>& preconditions)
+{
+    needs_[indexOf(command)] = preconditions;
+    if (command == Commanded::ReleaseStop)
+        setTip(*release_, tr("Lets commands through again; the robot does not move by itself")
+                              + QLatin1Char('\n') + linesOf(preconditions));
+    if (command == listed()) showList();
+    if (command != Commanded::Explore) return;
+    showState();
+    showButtons();
+}
+
+Commanded AtemPanel::next() const
+{
+    if (state_.followed || onlyShows_) return Commanded::Explore;
+    if (state_.phase == AtemPhase::Stopped) return Commanded::ReleaseStop;
+    if (state_.phase == AtemPhase::ProposingProbe) return Commanded::Probe;
+    return Commanded::Explore;
+}
+
+Commanded AtemPanel::listed() const
+{
+    return lookedUp_.value_or(next());
+}
+
+void AtemPanel::lookUp(std::optional<Commanded> command)
+{
+    lookedUp_ = command;
+    showList();
+}
+
+void AtemPanel::lookUpNext()
+{
+    if (onlyShows_) return;
+    std::size_t at = indexOf(listed());
+    do {
+        at = (at + 1) % kCommanded.size();
+    } while (needs_[at].isEmpty() && kCommanded[at] != next());
+    lookUp(kCommanded[at] == next() ? std::nullopt : std::optional(kCommanded[at]));
+}
+
+void AtemPanel::offerCommands()
+{
+    QMenu& menu = *needsButton_->menu();
+    menu.clear();
+    for (const Commanded command : kCommanded) {
+        const QList<Precondition> needs = needsNow(command);
+        if (needs.isEmpty()) continue;
+        const QString line = markOf(worstOf(needs)) + QLatin1Char(' ') + nameOf(command);
+        connect(menu.addAction(line), &QAction::triggered, this,
+                [this, command] { lookUp(command); });
+    }
+}
+
+/// Those told, and before them what this card knows itself.
+QList<Precondition> AtemPanel::needsNow(Commanded command) const
+{
+    QList<Precondition> needs = needs_[indexOf(command)];
+    if (command == Commanded::Explore && exploring(state_.phase) && !state_.followed)
+        needs.prepend({Precondition::Level::Missing, alreadyExploring()});
+    return needs;
+}
+
+/// While an exploration runs, what is met takes the room of what asks; who looks it up sees all of it.
+QList<Precondition> AtemPanel::listOf(Commanded command) const
+{
+    if (lookedUp_) return needsNow(command);
+    QList<Precondition> list = needs_[indexOf(command)];
+    if (exploring(state_.phase))
+        list.removeIf([](const Precondition& p) { return p.level == Precondition::Level::Met; });
+    return list;
+}
+
+void AtemPanel::setResultStands(bool stands)
+{
+    if (std::exchange(resultStands_, stands) != stands) showButtons();
+}
+
+void AtemPanel::setProbeToAsk(std::optional<int> bin, const QString& tells)
+{
+    if (bin == askBin_ && tells == askTells_) return;
+    askBin_ = bin;
+    askTells_ = tells;
+    showButtons();
+}
+
+/// What is on the screen, rather than ending what the robot does.
+bool AtemPanel::forgets() const
+{
+    return !exploring(state_.phase);
+}
+
+void AtemPanel::showList()
+{
+    const QList<Precondition> preconditions = listOf(listed());
+    const bool named = listed() != Commanded::Explore || lookedUp_;
+    subject_->setVisible(named && !preconditions.isEmpty());
+    subject_->setText(tr("%1 needs:").arg(capital(nameOf(listed()))));
+    if (preconditions == shown_) return;
+    while (list_->count() < 2 * preconditions.size()) {
+        const int row = list_->count() / 2;
+        auto* mark = new PlainLabel(this);
+        auto* reason = new PlainLabel(this);
+        reason->setWordWrap(true);
+        list_->addWidget(mark, row, 0, Qt::AlignTop);
+        list_->addWidget(reason, row, 1);
+    }
+    for (int row = 0; row < list_->count() / 2; ++row) {
+        auto* mark = qobject_cast<QLabel*>(list_->itemAtPosition(row, 0)->widget());
+        auto* reason = qobject_cast<QLabel*>(list_->itemAtPosition(row, 1)->widget());
+        const bool used = row < preconditions.size();
+        mark->setVisible(used);
+        reason->setVisible(used);
+        if (!used) continue;
+        const Precondition& condition = preconditions[row];
+        static constexpr Tone kTones[]{Tone::Good, Tone::Doubt, Tone::Doubt, Tone::Bad};
+        const QString spoken[]{tr("met"), tr("overridden"), tr("doubtful"), tr("missing")};
+        const auto level = static_cast<std::size_t>(condition.level);
+        mark->setText(markOf(condition.level));
+        reason->setText(condition.level == Precondition::Level::Overridden
+                            ? tr("%1 (overridden)").arg(condition.text)
+                            : condition.text);
+        reason->setAccessibleName(spoken[level] + QStringLiteral(": ") + condition.text);
+        setTone(*mark, kTones[level]);
+        setTone(*reason, condition.level == Precondition::Level::Met ? Tone::Plain : kTones[level]);
+    }
+    shown_ = preconditions;
+}
+
+void AtemPanel::forbidCommands()
+{
+    onlyShows_ = true;
+    showState();
+    arrange();
+    showButtons();
+}
+
+void AtemPanel::setNarrow(bool narrow)
+{
+    narrow_ = narrow;
+    setTitle(narrow ? tr("Exploration") : tr("Exploration (ATEM)"));
+    arrange();
+    showButtons();
+}
+
+void AtemPanel::arrange()
+{
+    const bool busy = exploring(state_.phase);
+    const bool brief = narrow_ && busy && !onlyShows_;
+    setTitleShown(!brief);
+    // The button is higher than the title beside it: the room around that is the button's.
+    // While the robot is at work, its time stands there.
+    const bool idle = !busy || state_.phase == AtemPhase::ProposingProbe;
+    const bool button = idle && !brief && !onlyShows_;
+    needsButton_->setVisible(button);
+    QMargins margins = kMargins;
+    if (button) margins.setTop(1);
+    body()->setContentsMargins(margins);
+    const int spacing = button ? 0 : kSpacing;
+    if (body()->spacing() != spacing) body()->setSpacing(spacing);  // it lays out anew in any case
+    parts_->setDirection(brief ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    texts_->setLeastLines(busy ? kLinesBusy : kLines);
+}
+
+int AtemPanel::leastHeight() const
+{
+    const int lines = kLinesBusy * (fontMetrics().lineSpacing() + texts_->column()->spacing()) + 4;
+    const int button = abort_->sizeHint().height();
+    if (narrow_) return kMargins.top() + kMargins.bottom() + kSpacing + std::max(lines, button);
+    return frameHeight() + lines + parts_->spacing() + button;
+}
+
+void AtemPanel::showButtons()
+{
+    if (onlyShows_) {
+        for (QPushButton* const button :
+             std::initializer_list<QPushButton*>{request_, override_, abort_, ask_, release_}) {
+            button->setEnabled(false);
+            button->hide();
+        }
+        return;
+    }
+    QStringList missing, doubtful;
+    const QList<Precondition>& needs = needs_[indexOf(Commanded::Explore)];
+    for (const Precondition& condition : needs) {
+        if (condition.level == Precondition::Level::Missing) missing << condition.text;
+        if (condition.level == Precondition::Level::Doubtful) doubtful << condition.text;
+    }
+    const bool busy = exploring(state_.phase);
+    const bool stopped = state_.phase == AtemPhase::Stopped && !state_.followed;
+    const bool ended = state_.phase == AtemPhase::Failed || state_.phase == AtemPhase::Presenting
+                    || (!busy && resultStands_);
+
+    request_->setVisible(!stopped && !(narrow_ && busy));
+    const bool asks = askBin_ && !busy && !stopped && !state_.followed && doubtful.isEmpty();
+    abort_->setVisible(!stopped && !asks);
+    ask_->setVisible(asks);
+    release_->setVisible(stopped);
+    request_->setEnabled(!busy && !stopped && missing.isEmpty() && doubtful.isEmpty());
+    const bool overrides = !busy && !stopped && missing.isEmpty() && !doubtful.isEmpty();
+    override_->setVisible(overrides);  // beside the others it leaves no room for the request
+    buttons_->setDirection(narrow_ || overrides ? QBoxLayout::TopToBottom
+                                                : QBoxLayout::LeftToRight);
+    QString tip = tr("Halts the robot, presses the front flippers down and estimates the terrain");
+    if (busy && !state_.followed)
+        tip = alreadyExploring();
+    else if (!missing.isEmpty())
+        tip = tr("Not possible now:");
+    else if (!doubtful.isEmpty())
+        tip = tr("Doubtful, override it first (O):");
+    setTip(*request_, tip + QLatin1Char('\n') + linesOf(needs));
+    const bool clears = ended || state_.followed;  // nothing of the robot's can be ended from here
+    abort_->setEnabled(busy || ended);
+    abort_->setText(clears ? tr("Forget (Del)") : tr("Abort (Esc)"));
+    if (asks) {
+        ask_->setText(tr("Probe at %1 (B)").arg(words::binName(*askBin_)));
+        ask_->setEnabled(missing.isEmpty());
+        setTip(*ask_, (missing.isEmpty()
+                           ? tr("The robot presses anew, then the arm is proposed; nothing moves "
+                                "the arm before you approve it")
+                           : tr("Not possible now:") + QLatin1Char('\n') + linesOf(needs))
+                          + QLatin1Char('\n') + askTells_);
+    }
+    setTip(*abort_, !abort_->isEnabled() ? tr("No exploration is running")
+                    : clears ? tr("Takes the result off the screen; Ctrl+Z brings it back")
+                             : tr("Halts the robot and ends the exploration"));
+}
+
+}  // namespace terratact

@@ -1,0 +1,128 @@
+#include "widgets/control/robot_readout.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <cmath>
+
+#include "widgets/base/look.h"
+#include "widgets/base/plain_label.h"
+#include "widgets/base/tips.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr int kColumnGap = 14;  // [px]
+
+}  // namespace
+
+RobotReadout::RobotReadout(QWidget* parent) : QWidget(parent)
+{
+    setAccessibleName(tr("Robot"));
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(kColumnGap);
+    grid->setVerticalSpacing(2);
+    grid->setColumnStretch(1, 1);
+    const std::array<QString, kRows> names{tr("pitch"),          tr("roll"),
+                                           tr("front flippers"), tr("rear flippers"),
+                                           tr("front currents"), tr("rear currents")};
+    for (int row = 0; row < kRows; ++row) {
+        const auto i = static_cast<std::size_t>(row);
+        auto* name = new PlainLabel(names[i], this);
+        setTone(*name, Tone::Muted);
+        values_[i] = new PlainLabel(this);
+        values_[i]->setAccessibleName(names[i]);
+        grid->addWidget(name, row, 0);
+        grid->addWidget(values_[i], row, 1);
+    }
+    grid->setRowStretch(kRows, 1);
+    clearMeasurement();
+}
+
+void RobotReadout::show(Row row, const QString& text, bool known)
+{
+    QLabel* label = values_[row];
+    label->setText(text);
+    setTone(*label, known ? Tone::Strong : Tone::Muted);
+}
+
+void RobotReadout::showAngle(Row row, double angle, AttitudeLevel level)
+{
+    const QString value = words::degrees(angle);
+    if (level == AttitudeLevel::Level) return show(row, value, true);
+    const bool isRed = level == AttitudeLevel::Red;
+    values_[row]->setText(isRed ? tr("%1 DANGER").arg(value) : tr("%1 STEEP").arg(value));
+    setTone(*values_[row], isRed ? Tone::Bad : Tone::Doubt);
+}
+
+void RobotReadout::setMeasurement(const Measurement& m, double age, std::optional<double> captured)
+{
+    Ages same{};
+    same.fill(age);
+    setMeasurement(m, age, same, captured);
+}
+
+void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& ages,
+                                  std::optional<double> captured)
+{
+    const bool fresh = age <= kStaleAfter;
+    const auto put = [&](Row row, const QString& text) {
+        if (fresh) return show(row, text, true);
+        const QString old = tr("%1 old").arg(words::age(ages[row]));
+        const bool isKnown = std::isfinite(ages[row]);
+        show(row, isKnown ? QStringLiteral("%1   %2").arg(words::kNothing, old) : words::kNothing,
+             false);
+    };
+    const auto pair = [](const QString& left, const QString& right) {
+        return RobotReadout::tr("L %1   R %2").arg(left, right);
+    };
+    const auto amperes = [](double value) {
+        return words::signedNumber(value, 2) + QStringLiteral(" A");
+    };
+    fresh ? showAngle(Pitch, m.pitch, attitude_.pitch) : put(Pitch, {});
+    // Two lines of telemetry differ by the sensor's noise, if by nothing else.
+    if (captured)
+        values_[Pitch]->setText(tr("%1   captured %2").arg(text(Pitch), words::degrees(*captured)));
+    fresh ? showAngle(Roll, m.roll, attitude_.roll) : put(Roll, {});
+    put(FrontFlippers, pair(words::degrees(m.frontLeft), words::degrees(m.frontRight)));
+    put(RearFlippers, pair(words::degrees(m.rearLeft), words::degrees(m.rearRight)));
+    const auto front = [&](double value) {
+        return amperes(shownFeature(m, kFrontCurrentFeature, value));
+    };
+    const auto rear = [&](double value) {
+        return amperes(shownFeature(m, kRearCurrentFeature, value));
+    };
+    put(FrontCurrents, pair(front(m.frontLeftCurrent), front(m.frontRightCurrent)));
+    put(RearCurrents, pair(rear(m.rearLeftCurrent), rear(m.rearRightCurrent)));
+    for (std::size_t row = 0; row < ages.size(); ++row) {
+        ages_[row] = words::age(ages[row]);
+        QString tip = tr("%1 old").arg(ages_[row]);
+        if (row == Pitch && captured)
+            tip +=
+                tr("; beside it that of the captured scene: the robot is drawn as it stood then");
+        setTip(*values_[row], tip);
+    }
+}
+
+void RobotReadout::clearMeasurement()
+{
+    for (std::size_t row = 0; row < values_.size(); ++row) {
+        show(static_cast<Row>(row), words::kNothing, false);
+        ages_[row].clear();
+        setTip(*values_[row], {});
+    }
+}
+
+QString RobotReadout::ageText(int row) const
+{
+    return ages_.at(static_cast<std::size_t>(row));
+}
+
+QString RobotReadout::text(int row) const
+{
+    return values_.at(static_cast<std::size_t>(row))->text();
+}
+
+}  // namespace terratact

@@ -1,0 +1,480 @@
+#include "widgets/signals/force_bars.h"
+
+#include <qwt_plot_grid.h>
+#include <qwt_plot_marker.h>
+#include <qwt_scale_map.h>
+#include <qwt_scale_widget.h>
+#include <qwt_text.h>
+
+#include <QEvent>
+#include <QFontMetricsF>
+#include <QTimer>
+#include <algorithm>
+#include <cmath>
+
+#include "core/robot/force_drift.h"
+#include "widgets/base/palette.h"
+#include "widgets/base/plain_plot.h"
+#include "widgets/base/tips.h"
+#include "widgets/base/words.h"
+#include "widgets/signals/force_chart.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kLabelGap = 6.0;  // [px] between the labels of two elements
+
+void keepWithin(std::optional<double>& value, double limit)
+{
+    if (value && !(std::isfinite(*value) && std::abs(*value) <= limit)) value.reset();
+}
+
+}  // namespace
+
+void PeakHold::take(double time, double value)
+{
+    if (!falling_.empty() && time < falling_.back().first) falling_.clear();
+    while (!falling_.empty() && falling_.back().second <= value) falling_.pop_back();
+    falling_.emplace_back(time, value);
+    constexpr std::size_t kMost = 512;  // of a fast source only the largest stand
+    if (falling_.size() > kMost) falling_.pop_back();
+    forget(time);
+}
+
+void PeakHold::forget(double time)
+{
+    while (!falling_.empty() && time - falling_.front().first > kHold) falling_.pop_front();
+}
+
+std::optional<double> PeakHold::peak() const
+{
+    return falling_.empty() ? std::nullopt : std::optional(falling_.front().second);
+}
+
+ForceBars::ForceBars(QWidget* parent) : QwtPlot(parent), arrays_(1), peaks_(1)
+{
+    setAccessibleName(tr("Forces on the front flippers"));
+    makePlain(*this);
+    elementScale_ = new ElementScale;
+    setAxisScaleDraw(QwtPlot::xBottom, elementScale_);
+    unitScale_ = new UnitScale;
+    setAxisScaleDraw(QwtPlot::yLeft, unitScale_);
+    QList<double> elements;
+    for (int i = 0; i < kForceElements; ++i) elements << i;
+    setAxisScaleDiv(QwtPlot::xBottom, QwtScaleDiv(-0.5, kForceElements - 0.5, {}, {}, elements));
+    for (const int axis : {static_cast<int>(QwtPlot::xBottom), static_cast<int>(QwtPlot::yLeft)})
+        axisWidget(axis)->setMargin(0);
+
+    grid_ = new QwtPlotGrid;
+    grid_->enableX(false);
+    grid_->attach(this);
+
+    chart_ = new ForceChart;
+    chart_->setZ(10.0);
+    chart_->attach(this);
+
+    thresholdLine_ = new QwtPlotMarker;
+    thresholdLine_->setLineStyle(QwtPlotMarker::HLine);
+    thresholdLine_->setZ(20.0);
+    thresholdLine_->attach(this);
+
+    const auto label = [this](double z) {
+        auto* made = new QwtPlotMarker;
+        made->setLabelAlignment(Qt::AlignTop | Qt::AlignHCenter);
+        made->setSpacing(2);
+        made->setZ(z);
+        made->attach(this);
+        return made;
+    };
+    for (QwtPlotMarker*& number : numbers_) number = label(30.0);
+    for (QwtPlotMarker*& contact : contacts_) contact = label(31.0);
+    restyle();
+}
+
+void ForceBars::restyle()
+{
+    setCanvasBackground(theme().card);
+    QFont small = font();
+    small.setPixelSize(scaled(13));
+    for (const int axis : {static_cast<int>(QwtPlot::xBottom), static_cast<int>(QwtPlot::yLeft)}) {
+        setAxisFont(axis, small);
+        QPalette colours = axisWidget(axis)->palette();
+        colours.setColor(QPalette::Text, theme().muted);
+        colours.setColor(QPalette::WindowText, theme().cardBorder);
+        axisWidget(axis)->setPalette(colours);
+    }
+    axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(scaled(34));
+    elementScale_->invalidateCache();  // it holds colours
+    grid_->setMajorPen(theme().grid, 1.0);
+    thresholdLine_->setLinePen(theme().bad, 1.5, Qt::DashLine);
+    show();
+}
+
+void ForceBars::changeEvent(QEvent* event)
+{
+    QwtPlot::changeEvent(event);
+    // Later: the style sheet still has the palettes of the parts to set.
+    if (event->type() == QEvent::StyleChange) QTimer::singleShot(0, this, [this] { restyle(); });
+}
+
+void ForceBars::resizeEvent(QResizeEvent* event)
+{
+    QwtPlot::resizeEvent(event);
+    show();
+}
+
+void ForceBars::setForces(std::vector<ForceArray> arrays, double time)
+{
+    arrays.resize(std::clamp<std::size_t>(arrays.size(), 1, kArrays));
+    arrays_ = std::move(arrays);
+    peaks_.resize(arrays_.size());
+    for (ForceArray& array : arrays_)
+        for (ForceElement& element : array.elements)
+            for (auto* value : {&element.newtons, &element.volts, &element.drift})
+                keepWithin(*value, 1000.0);
+    takePeaks(arrays_, time);
+    show();
+}
+
+void ForceBars::setForces(std::vector<ForceArray> arrays, double time,
+                          const std::vector<TimedForces>& before)
+{
+    peaks_.assign(std::clamp<std::size_t>(arrays.size(), 1, kArrays), {});
+    for (const TimedForces& felt : before) takePeaks(felt.arrays, felt.time);
+    setForces(std::move(arrays), time);
+}
+
+void ForceBars::takePeaks(const std::vector<ForceArray>& arrays, double time)
+{
+    if (!std::isfinite(time)) return;
+    for (std::size_t a = 0; a < std::min(arrays.size(), peaks_.size()); ++a)
+        for (std::size_t e = 0; e < kForceElements; ++e) {
+            const ForceElement& element = arrays[a].elements[e];
+            Peaks& peaks = peaks_[a][e];
+            peaks.newtons.forget(time);
+            peaks.volts.forget(time);
+            const auto take = [time](PeakHold& peak, std::optional<double> value) {
+                keepWithin(value, 1000.0);
+                if (value) peak.take(time, *value);
+            };
+            take(peaks.newtons, element.newtons);
+            take(peaks.volts, element.volts);
+        }
+}
+
+void ForceBars::clearForces()
+{
+    for (ForceArray& array : arrays_)
+        for (ForceElement& element : array.elements) element = {.exists = element.exists};
+    for (auto& peaks : peaks_) peaks = {};
+    show();
+}
+
+void ForceBars::setThreshold(double newtons)
+{
+    if (!(newtons >= 0.0 && newtons <= 1000.0)) return;
+    threshold_ = newtons;
+    show();
+}
+
+void ForceBars::setUnit(Unit unit)
+{
+    if (unit == unit_) return;
+    unit_ = unit;
+    unitScale_->setUnit(unitText());
+    fullScale_ = 0.0;  // anew
+    show();
+}
+
+QString ForceBars::unitText() const
+{
+    return unit_ == Unit::Newtons ? QStringLiteral("N") : QStringLiteral("V");
+}
+
+QString ForceBars::legend() const
+{
+    if (arrays() < 2 && arrays_[0].name.isEmpty()) return {};
+    QStringList names;
+    for (std::size_t a = 0; a < arrays_.size(); ++a)
+        names << QChar(arrayLook(a).symbol) + QLatin1Char(' ') + arrays_[a].name;
+    return names.join(QStringLiteral("  "));
+}
+
+const ForceElement& ForceBars::at(int element, int array) const
+{
+    return arrays_.at(static_cast<std::size_t>(array))
+        .elements.at(static_cast<std::size_t>(element));
+}
+
+std::vector<int> ForceBars::arraysWith(int element) const
+{
+    std::vector<int> with;
+    for (int a = 0; a < arrays(); ++a)
+        if (at(element, a).exists) with.push_back(a);
+    return with;
+}
+
+std::optional<double> ForceBars::shown(int element, int array) const
+{
+    const ForceElement& e = at(element, array);
+    return unit_ == Unit::Newtons ? e.newtons : e.volts;
+}
+
+bool ForceBars::touching(int element) const
+{
+    double sum = 0.0;
+    int count = 0;
+    for (int a = 0; a < arrays(); ++a)
+        if (const auto& force = at(element, a).newtons) {
+            sum += *force;
+            ++count;
+        }
+    return count > 0 && sum / count > threshold_;
+}
+
+QString ForceBars::numberText(int element, int array) const
+{
+    const auto value = shown(element, array);
+    if (!value) return words::kNothing;
+    if (unit_ == Unit::Volts) return words::number(*value, 2);
+    if (at(element, array).saturated)
+        return QLatin1Char('>') + words::number(std::floor(*value), 0);
+    const bool isLarge =
+        arraysWith(element).size() > 1 && *value >= 9.95;  // two numbers share the room
+    return words::number(*value, isLarge ? 0 : 1);
+}
+
+QString ForceBars::driftText(int element) const
+{
+    double largest = 0.0;
+    for (int a = 0; a < arrays(); ++a) {
+        const double drift = at(element, a).drift.value_or(0.0);
+        if (std::abs(drift) > std::abs(largest)) largest = drift;
+    }
+    if (!(std::abs(largest) > ForceDrift::kNotable)) return {};
+    return tr("bias %1 N").arg(words::signedNumber(largest, 1));
+}
+
+std::optional<double> ForceBars::peak(int element, int array) const
+{
+    const Peaks& peaks =
+        peaks_.at(static_cast<std::size_t>(array)).at(static_cast<std::size_t>(element));
+    return unit_ == Unit::Newtons ? peaks.newtons.peak() : peaks.volts.peak();
+}
+
+QRectF ForceBars::barRect(int element, int array) const
+{
+    const std::vector<int> with = arraysWith(element);
+    const auto place = std::find(with.begin(), with.end(), array);
+    if (place == with.end()) return {};
+    const Span span =
+        spanOf(element, static_cast<int>(place - with.begin()), static_cast<int>(with.size()));
+    return rectOf(span, shown(element, array).value_or(0.0), canvasMap(QwtPlot::xBottom),
+                  canvasMap(QwtPlot::yLeft));
+}
+
+double ForceBars::pixelOf(double value) const
+{
+    return canvasMap(QwtPlot::yLeft).transform(value);
+}
+
+double ForceBars::groupWidth() const
+{
+    return canvas()->width() / static_cast<double>(kForceElements);
+}
+
+QFont ForceBars::labelFont(bool bold) const
+{
+    QFont face = font();
+    face.setPixelSize(scaled(13));
+    face.setBold(bold);
+    return face;
+}
+
+double ForceBars::top(int element) const
+{
+    double top = unit_ == Unit::Newtons ? threshold_ : 0.0;
+    for (int a = 0; a < arrays(); ++a)
+        top = std::max({top, shown(element, a).value_or(0.0), peak(element, a).value_or(0.0)});
+    return top;
+}
+
+/// Lines of letters above a bar, that of the word "contact" not among them, so that the bars have some height.
+int ForceBars::labelRows() const
+{
+    constexpr double kShare = 0.7;  // of the canvas
+    const double line = QFontMetricsF(labelFont(true)).height();
+    return std::max(1, static_cast<int>(kShare * canvas()->height() / line) - 1);
+}
+
+QString ForceBars::labelText(int element) const
+{
+    QStringList numbers;
+    bool saturated = false;
+    for (const int a : arraysWith(element)) {
+        numbers << numberText(element, a);
+        saturated = saturated || at(element, a).saturated;
+    }
+    const QFontMetricsF metrics(labelFont(touching(element)));
+    const QString row = numbers.join(QStringLiteral("  "));
+    const auto fits = [&](const QString& line) {
+        return metrics.horizontalAdvance(line) + kLabelGap <= groupWidth();
+    };
+    QString text = fits(row) ? row : numbers.join(QLatin1Char('\n'));
+    const QString mark = tr("▲ sat.");
+    if (saturated) text += QLatin1Char('\n') + (fits(mark) ? mark : mark.left(1));
+    if (text.count(QLatin1Char('\n')) < labelRows()) return text;
+    // In a low chart the largest alone, of which a saturated one only says the least it is; the tip has all.
+    const std::vector<int> with = arraysWith(element);
+    const int largest = *std::ranges::max_element(with, {}, [&](int a) {
+        return std::pair(at(element, a).saturated, shown(element, a).value_or(-1.0));
+    });
+    text = numberText(element, largest);
+    const QString marked = text + QLatin1Char(' ') + mark.left(1);
+    return saturated && fits(marked) ? marked : text;
+}
+
+QString ForceBars::spoken(int element) const
+{
+    QStringList parts;
+    for (const int a : arraysWith(element)) {
+        const QString& name = arrays_[static_cast<std::size_t>(a)].name;
+        QString text = numberText(element, a) + QLatin1Char(' ') + unitText();
+        if (!name.isEmpty()) text.prepend(name + QLatin1Char(' '));
+        if (at(element, a).saturated) text += QLatin1Char(' ') + tr("saturated");
+        parts << text;
+    }
+    if (touching(element)) parts << tr("contact");
+    if (const QString drift = driftText(element); !drift.isEmpty()) parts << drift;
+    return tr("element %1: %2").arg(element + 1).arg(parts.join(QStringLiteral(", ")));
+}
+
+// The scale grows at once and shrinks late, so that the bars do not jump; above each bar stays room for its
+// numbers.
+void ForceBars::fitScale()
+{
+    const double line = QFontMetricsF(labelFont(true)).height();
+    const double height = std::max(1, canvas()->height());
+    double needed = 0.0;
+    for (int element = 0; element < kForceElements; ++element) {
+        const auto rows = labelText(element).count(QLatin1Char('\n')) + (touching(element) ? 2 : 1);
+        const double share =
+            std::clamp(1.0 - (4.0 + line * static_cast<double>(rows)) / height, 0.3, 0.8);
+        needed = std::max(needed, top(element) / share);
+    }
+    constexpr std::array kScales{5.0,  6.0,   8.0,   10.0,  20.0,  30.0,  40.0,   50.0,
+                                 80.0, 100.0, 150.0, 200.0, 400.0, 800.0, 1000.0, 1400.0};
+    const auto scaleFor = [&](double value) {
+        return *std::find_if(kScales.begin(), kScales.end() - 1,
+                             [=](double scale) { return value <= scale; });
+    };
+    const double least = unit_ == Unit::Newtons ? 10.0 : 5.0;
+    if (needed > fullScale_) fullScale_ = std::max(least, scaleFor(needed));
+    if (needed < 0.4 * fullScale_) fullScale_ = std::max(least, scaleFor(1.25 * needed));
+
+    constexpr std::array kSteps{1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0};
+    const double step = *std::find_if(kSteps.begin(), kSteps.end() - 1,
+                                      [this](double s) { return fullScale_ / s <= 5.0; });
+    QList<double> ticks;
+    const int count = static_cast<int>(std::floor(fullScale_ / step + 1e-9));
+    for (int i = 0; i <= count; ++i) ticks << i * step;
+    setAxisScaleDiv(QwtPlot::yLeft, QwtScaleDiv(0.0, fullScale_, {}, {}, ticks));
+}
+
+void ForceBars::showBars()
+{
+    chart_->bars.clear();
+    for (int element = 0; element < kForceElements; ++element) {
+        const std::vector<int> with = arraysWith(element);
+        for (std::size_t place = 0; place < with.size(); ++place) {
+            const int a = with[place];
+            chart_->bars.push_back(
+                {.span = spanOf(element, static_cast<int>(place), static_cast<int>(with.size())),
+                 .value = shown(element, a).value_or(0.0),
+                 .peak = peak(element, a),
+                 .touching = touching(element),
+                 .saturated = at(element, a).saturated,
+                 .look = arrayLook(static_cast<std::size_t>(a))});
+        }
+    }
+}
+
+void ForceBars::showNumbers()
+{
+    for (int element = 0; element < kForceElements; ++element) {
+        QwtText label(labelText(element));
+        label.setFont(labelFont(touching(element)));
+        label.setColor(touching(element) ? theme().contact : theme().muted);
+        // Above the threshold line too, which would strike it out.
+        label.setBackgroundBrush(theme().card);
+        auto* number = numbers_[static_cast<std::size_t>(element)];
+        number->setValue(element, top(element));
+        number->setLabel(label);
+    }
+}
+
+// One word over all neighbours that touch: over each it would touch the next.
+void ForceBars::showContacts()
+{
+    std::size_t used = 0;
+    for (int first = 0; first < kForceElements; ++first) {
+        int last = first;
+        double highest = 0.0;
+        qsizetype rows = 0;
+        for (; last < kForceElements && touching(last); ++last) {
+            highest = std::max(highest, top(last));
+            rows = std::max(rows, labelText(last).count(QLatin1Char('\n')) + 1);
+        }
+        if (last == first) continue;
+        QwtText label(tr("contact") + QString(rows, QLatin1Char('\n')));  // above the numbers
+        label.setFont(labelFont(true));
+        label.setColor(theme().contact);
+        QwtPlotMarker& marker = *contacts_.at(used++);
+        marker.setValue((first + last - 1) / 2.0, highest);
+        marker.setLabel(label);
+        marker.show();
+        first = last;
+    }
+    for (; used < contacts_.size(); ++used) contacts_[used]->hide();
+}
+
+void ForceBars::showDrifts()
+{
+    const QFontMetricsF metrics(axisFont(QwtPlot::xBottom));
+    std::array<QString, kForceElements> notes;
+    for (int element = 0; element < kForceElements; ++element) {
+        const QString drift = driftText(element);
+        if (drift.isEmpty()) continue;
+        const bool fits = metrics.horizontalAdvance(drift) < groupWidth();
+        notes[static_cast<std::size_t>(element)] =
+            fits ? ElementScale::nameOf(element + 1) + QLatin1Char('\n') + drift
+                 : QStringLiteral("%1 %2\n%3")
+                       .arg(element + 1)
+                       .arg(drift.section(u' ', 0, 0), drift.section(u' ', 1));
+    }
+    const bool second = std::any_of(notes.begin(), notes.end(),
+                                    [](const QString& note) { return !note.isEmpty(); });
+    elementScale_->setMinimumExtent(scaled(24) + (second ? std::ceil(metrics.lineSpacing()) : 0.0));
+    if (notes == elementScale_->notes()) return;
+    elementScale_->setNotes(notes);
+    updateLayout();
+    axisWidget(QwtPlot::xBottom)->update();
+}
+
+void ForceBars::show()
+{
+    showDrifts();
+    fitScale();
+    showBars();
+    showNumbers();
+    showContacts();
+    thresholdLine_->setYValue(threshold_);
+    thresholdLine_->setVisible(unit_ == Unit::Newtons);
+    QStringList lines;
+    for (int element = 0; element < kForceElements; ++element) lines << spoken(element);
+    setAccessibleDescription(lines.join(QLatin1Char('\n')));
+    setTip(*this, accessibleDescription());
+    replot();
+}
+
+}  // namespace terratact

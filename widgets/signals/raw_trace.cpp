@@ -1,0 +1,216 @@
+#include "widgets/signals/raw_trace.h"
+
+#include <QAbstractTableModel>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "widgets/base/look.h"
+#include "widgets/base/palette.h"
+#include "widgets/base/plain_label.h"
+#include "widgets/base/plain_table.h"
+#include "widgets/base/tips.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+enum TraceColumn { Number, Time, Id, Name, Bytes, Content, kTraceColumns };
+
+QString troubleWords(FrameTrouble trouble)
+{
+    switch (trouble) {
+    case FrameTrouble::None: return {};
+    case FrameTrouble::Gap: return RawTrace::tr("after a gap");
+    case FrameTrouble::WrongChecksum: return RawTrace::tr("wrong checksum");
+    case FrameTrouble::WrongSequence: return RawTrace::tr("repeated or out of sequence");
+    case FrameTrouble::Other: return RawTrace::tr("not usable");
+    case FrameTrouble::Unknown: return RawTrace::tr("not in the DBC");
+    }
+    return {};
+}
+
+}  // namespace
+
+TraceFilter::TraceFilter(const QString& text) : text_(text.trimmed())
+{
+    bool isHex = false;
+    const std::uint32_t id = text_.toUInt(&isHex, 16);
+    if (isHex) id_ = id;
+}
+
+bool TraceFilter::passes(const CanFrame& frame, const QString& name) const
+{
+    return text_.isEmpty() || (id_ && frame.id == *id_)
+        || name.contains(text_, Qt::CaseInsensitive);
+}
+
+/// What RawTrace shows, newest first.
+class TraceModel final : public QAbstractTableModel {
+public:
+    TraceModel(RawTrace::Words words, QObject* parent)
+        : QAbstractTableModel(parent), words_(std::move(words))
+    {
+    }
+
+    void setFrames(std::vector<TracedFrame> frames)
+    {
+        if (frames.size() != frames_.size()) {
+            beginResetModel();
+            frames_ = std::move(frames);
+            endResetModel();
+            return;
+        }
+        frames_ = std::move(frames);
+        if (!frames_.empty())
+            emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    }
+
+    int rowCount(const QModelIndex& parent = {}) const override
+    {
+        return parent.isValid() ? 0 : static_cast<int>(frames_.size());
+    }
+    int columnCount(const QModelIndex& parent = {}) const override
+    {
+        return parent.isValid() ? 0 : kTraceColumns;
+    }
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override
+    {
+        if (orientation != Qt::Horizontal) return {};
+        const QString names[kTraceColumns]{RawTrace::tr("Number"), RawTrace::tr("Time [s]"),
+                                           RawTrace::tr("Id"),     RawTrace::tr("Frame"),
+                                           RawTrace::tr("Bytes"),  RawTrace::tr("What it says")};
+        if (role == Qt::DisplayRole) return names[section];
+        if (role == Qt::TextAlignmentRole) return alignment(section);
+        return {};
+    }
+    QVariant data(const QModelIndex& index, int role) const override
+    {
+        if (!index.isValid()) return {};
+        const TracedFrame& traced =
+            frames_[frames_.size() - 1 - static_cast<std::size_t>(index.row())];
+        if (role == Qt::TextAlignmentRole) return alignment(index.column());
+        if (role == Qt::ForegroundRole) return colour(traced.trouble);
+        if (role == Qt::ToolTipRole)  // there may be no room for all of it
+            return plainTip(data(index, Qt::DisplayRole).toString());
+        if (role != Qt::DisplayRole) return {};
+        if (index.column() == Number) return QString::number(traced.number);
+        if (index.column() == Time) return words::number(traced.time, 3);
+        const TraceWords words = words_(traced.frame);
+        switch (index.column()) {
+        case Id: return words.id;
+        case Name: return traced.echo ? RawTrace::tr("%1 (from here)").arg(words.name) : words.name;
+        case Bytes: return words.bytes;
+        default: return said(words.content, troubleWords(traced.trouble));
+        }
+    }
+
+private:
+    static QString said(const QString& content, const QString& trouble)
+    {
+        if (trouble.isEmpty()) return content;
+        return content.isEmpty() ? QStringLiteral("✘ ") + trouble
+                                 : QStringLiteral("✘ %1: %2").arg(trouble, content);
+    }
+    static QVariant alignment(int column)
+    {
+        return QVariant::fromValue(
+            Qt::Alignment((column <= Time ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+    }
+    static QColor colour(FrameTrouble trouble)
+    {
+        if (trouble == FrameTrouble::None) return theme().text;
+        return trouble == FrameTrouble::Unknown ? theme().muted : theme().bad;
+    }
+
+    std::vector<TracedFrame> frames_;
+    RawTrace::Words words_;
+};
+
+RawTrace::RawTrace(Words words, Name name, QWidget* parent)
+    : QWidget(parent), name_(std::move(name)), model_(new TraceModel(std::move(words), this))
+{
+    filter_ = new QLineEdit(this);
+    filter_->setPlaceholderText(tr("id (hexadecimal) or a part of the name"));
+    filter_->setAccessibleName(tr("Filter of the frames"));
+    filter_->setClearButtonEnabled(true);
+    pause_ = new QPushButton(tr("Hold the picture"), this);
+    pause_->setCheckable(true);
+    pause_->setFocusPolicy(Qt::TabFocus);
+    setTip(*pause_, tr("The list stands still; everything is received and counted all the same"));
+    summary_ = new PlainLabel(this);
+    setTone(*summary_, Tone::Muted);
+
+    view_ = new PlainTable(this);
+    view_->setAccessibleName(tr("Newest frames"));
+    view_->setModel(model_);
+    view_->setWidest({{QStringLiteral("123456789")},
+                      {QStringLiteral("1234567.890")},
+                      {QStringLiteral("1FFFFFFF FD")},
+                      {tr("%1 (from here)").arg(QStringLiteral("ConsoleHeartbeat"))},
+                      {QStringLiteral("[8] DD DD DD DD DD DD DD DD")},
+                      {}});
+
+    auto* controls = new QHBoxLayout;
+    controls->setSpacing(10);
+    controls->addWidget(filter_);
+    controls->addWidget(pause_);
+    controls->addWidget(summary_);
+    controls->addStretch(1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(6);
+    column->addLayout(controls);
+    column->addWidget(view_, 1);
+    connect(filter_, &QLineEdit::textChanged, this, &RawTrace::applyFilter);
+    connect(pause_, &QPushButton::toggled, this, [this](bool held) {
+        pause_->setText(held ? tr("Held: go on") : tr("Hold the picture"));
+    });
+    resizeToFont();
+}
+
+void RawTrace::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (changesLetters(*event) && filter_) resizeToFont();
+}
+
+void RawTrace::resizeToFont()
+{
+    filter_->setFixedWidth(scaled(320));
+    filter_->setMinimumHeight(scaled(kTarget));
+    pause_->setMinimumHeight(scaled(kTarget));
+}
+
+void RawTrace::setFrames(std::vector<TracedFrame> frames)
+{
+    if (isPaused()) return;
+    frames_ = std::move(frames);
+    applyFilter();
+}
+
+void RawTrace::applyFilter()
+{
+    const TraceFilter filter(filter_->text());
+    std::vector<TracedFrame> passed;
+    for (const TracedFrame& traced : frames_)
+        if (filter.passes(traced.frame, name_(traced.frame))) passed.push_back(traced);
+    summary_->setText(tr("%1 of the newest %2 frames").arg(passed.size()).arg(frames_.size()));
+    model_->setFrames(std::move(passed));
+}
+
+bool RawTrace::isPaused() const
+{
+    return pause_->isChecked();
+}
+
+QString RawTrace::summary() const
+{
+    return summary_->text();
+}
+
+}  // namespace terratact

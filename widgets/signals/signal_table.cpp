@@ -1,0 +1,215 @@
+#include "widgets/signals/signal_table.h"
+
+#include <QAbstractTableModel>
+#include <QPainter>
+#include <QStyledItemDelegate>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/robot/measurement.h"
+#include "widgets/base/palette.h"
+#include "widgets/base/tips.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+
+/// What SignalTable shows.
+class SignalModel final : public QAbstractTableModel {
+public:
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void setRows(std::vector<SignalRow> rows)
+    {
+        if (rows.size() != rows_.size()) {
+            beginResetModel();
+            rows_ = std::move(rows);
+            endResetModel();
+            return;
+        }
+        rows_ = std::move(rows);
+        if (!rows_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    }
+    const SignalRow& row(int i) const { return rows_.at(static_cast<std::size_t>(i)); }
+
+    int rowCount(const QModelIndex& parent = {}) const override
+    {
+        return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+    }
+    int columnCount(const QModelIndex& parent = {}) const override
+    {
+        return parent.isValid() ? 0 : SignalTable::kColumns;
+    }
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override
+    {
+        if (orientation != Qt::Horizontal) return {};
+        const QString names[SignalTable::kColumns]{
+            SignalTable::tr("Frame"), SignalTable::tr("Signal"), SignalTable::tr("Value"),
+            SignalTable::tr("Unit"),  SignalTable::tr("Rate"),   SignalTable::tr("Age"),
+            SignalTable::tr("Least"), SignalTable::tr("Most"),   SignalTable::tr("Last 12 s")};
+        if (role == Qt::DisplayRole) return names[section];
+        if (role == Qt::TextAlignmentRole) return alignment(section);
+        return {};
+    }
+    QVariant data(const QModelIndex& index, int role) const override
+    {
+        if (!index.isValid()) return {};
+        const SignalRow& r = row(index.row());
+        switch (role) {
+        case Qt::DisplayRole: return text(r, index.column());
+        case Qt::TextAlignmentRole: return alignment(index.column());
+        case Qt::ForegroundRole: return colour(r, index.column());
+        case Qt::ToolTipRole: return plainTip(tip(r, index.column()));
+        case Qt::AccessibleDescriptionRole:
+            return index.column() == SignalTable::Frame ? r.frameMeaning : r.meaning;
+        case Qt::AccessibleTextRole:
+            return index.column() == SignalTable::History
+                     ? SignalTable::tr("history of %1").arg(r.name)
+                     : text(r, index.column());
+        default: return {};
+        }
+    }
+
+private:
+    static QVariant alignment(int column)
+    {
+        const bool isNumber = (column >= SignalTable::Rate && column <= SignalTable::Most)
+                           || column == SignalTable::Value;
+        return QVariant::fromValue(
+            Qt::Alignment((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+    }
+    static QColor colour(const SignalRow& row, int column)
+    {
+        const bool lives = row.standing == SignalRow::Standing::Fresh;
+        const bool isBeside = column == SignalTable::Unit || column == SignalTable::Least
+                           || column == SignalTable::Most || column == SignalTable::Rate;
+        if (column == SignalTable::Frame || column == SignalTable::Name) return theme().text;
+        return lives && !isBeside ? theme().text : theme().muted;
+    }
+    /// A long name and a value of many words may have no room for all of them.
+    static QString tip(const SignalRow& row, int column)
+    {
+        if (column == SignalTable::Frame) return row.frameMeaning;
+        if (column != SignalTable::Name && column != SignalTable::Value) return row.meaning;
+        return (text(row, column) + QLatin1Char('\n') + row.meaning).trimmed();
+    }
+    static QString text(const SignalRow& row, int column)
+    {
+        switch (column) {
+        case SignalTable::Frame: return row.frame;
+        case SignalTable::Name: return row.name;
+        case SignalTable::Value:
+            return row.standing == SignalRow::Standing::Stale ? words::kNothing : row.value;
+        case SignalTable::Unit: return row.unit;
+        case SignalTable::Rate:
+            return row.rate ? words::number(*row.rate, 1) + QStringLiteral(" Hz") : words::kNothing;
+        case SignalTable::Age: return row.age ? words::age(*row.age) : words::kNothing;
+        case SignalTable::Least: return row.least;
+        case SignalTable::Most: return row.most;
+        default: return {};
+        }
+    }
+
+    std::vector<SignalRow> rows_;
+};
+
+namespace {
+
+/// Draws the history; all else is the default's.
+class HistoryDelegate final : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override
+    {
+        const auto* model = static_cast<const SignalModel*>(index.model());
+        painter->setPen(theme().contact);
+        for (const QPolygonF& line : sparkline(model->row(index.row()).history,
+                                               QRectF(option.rect).adjusted(6, 4, -6, -4))) {
+            if (line.size() == 1)
+                painter->drawPoint(line.first());
+            else
+                painter->drawPolyline(line);
+        }
+    }
+};
+
+/// The longest words that a signal has as a rule.
+QStringList activities()
+{
+    QStringList words;
+    for (const RobotActivity activity :
+         {RobotActivity::Halted, RobotActivity::Driving, RobotActivity::Pressing,
+          RobotActivity::Pressed, RobotActivity::Probing, RobotActivity::Stopped})
+        words << words::sentence(describe(activity));
+    return words;
+}
+
+}  // namespace
+
+std::vector<QPolygonF> sparkline(std::span<const float> history, const QRectF& box)
+{
+    float least = 0.0F, most = 0.0F;
+    bool any = false;
+    for (const float value : history) {
+        if (!std::isfinite(value)) continue;
+        least = any ? std::min(least, value) : value;
+        most = any ? std::max(most, value) : value;
+        any = true;
+    }
+    if (!any || !(box.width() > 0.0) || !(box.height() > 0.0)) return {};
+    const double range = static_cast<double>(most) - static_cast<double>(least);
+    const double step =
+        box.width() / std::max<double>(1.0, static_cast<double>(history.size()) - 1.0);
+    std::vector<QPolygonF> lines;
+    bool pen = false;
+    for (std::size_t i = 0; i < history.size(); ++i) {
+        if (!std::isfinite(history[i])) {
+            pen = false;
+            continue;
+        }
+        const double share = range > 0.0 ? (static_cast<double>(history[i]) - least) / range : 0.5;
+        if (!pen) lines.emplace_back();
+        lines.back() << QPointF(box.left() + step * static_cast<double>(i),
+                                box.bottom() - share * box.height());
+        pen = true;
+    }
+    return lines;
+}
+
+SignalTable::SignalTable(QWidget* parent) : PlainTable(parent), model_(new SignalModel(this))
+{
+    setAccessibleName(tr("Signals"));
+    setModel(model_);
+    setItemDelegateForColumn(History, new HistoryDelegate(this));
+    setAlternatingRowColors(true);
+    setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    const QString number = QStringLiteral("\u22123.14159");
+    setWidest({{QStringLiteral("00000000 RightForces4To6")},
+               {QStringLiteral("LastCommand")},
+               activities(),
+               {QStringLiteral("N.m ")},
+               {QStringLiteral("9000.0 Hz")},
+               {QStringLiteral("3600.0 s")},
+               {number},
+               {number},
+               {}});
+}
+
+void SignalTable::setRows(std::vector<SignalRow> rows)
+{
+    model_->setRows(std::move(rows));
+}
+
+QString SignalTable::text(int row, Column column) const
+{
+    return model_->data(model_->index(row, column), Qt::DisplayRole).toString();
+}
+
+int SignalTable::rows() const
+{
+    return model_->rowCount();
+}
+
+}  // namespace terratact

@@ -1,0 +1,200 @@
+#include "widgets/terrain/estimate_strip.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/infer/estimate/estimate.h"
+#include "widgets/base/elided_label.h"
+#include "widgets/base/look.h"
+#include "widgets/base/palette.h"
+#include "widgets/base/plain_label.h"
+#include "widgets/base/tips.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+QString methodName(Method method)
+{
+    switch (method) {
+    case Method::Pa: return QStringLiteral("PA");
+    case Method::Pac: return QStringLiteral("PAC");
+    case Method::Pafc: return QStringLiteral("PAFc");
+    case Method::Pafac: return QStringLiteral("PAFAc");
+    case Method::Clearance: return QStringLiteral("clearance");
+    case Method::Joint: return QStringLiteral("joint");
+    case Method::Local: return QStringLiteral("local");
+    }
+    return {};
+}
+
+/// Why there are no more draws; empty where none were sampled.
+QString endingWords(Ending ending)
+{
+    switch (ending) {
+    case Ending::Converged: return EstimateStrip::tr("ended: converged");
+    case Ending::Sweeps: return EstimateStrip::tr("ended: all draws made");
+    case Ending::Time: return EstimateStrip::tr("ended: time was out");
+    case Ending::NotSampled: break;
+    }
+    return {};
+}
+
+}  // namespace
+
+EstimateStrip::EstimateStrip(QWidget* parent) : QWidget(parent)
+{
+    headline_ = new ElidedLabel(this);
+    headline_->setAccessibleName(tr("Result"));
+    headline_->setProperty("headline", true);
+    details_ = new PlainLabel(this);
+    details_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    setTone(*details_, Tone::Muted);
+    warnings_ = new PlainLabel(this);
+    warnings_->setWordWrap(true);
+    warnings_->setAccessibleName(tr("What makes the result doubtful"));
+    setTone(*warnings_, Tone::Doubt);
+    progress_ = new QProgressBar(this);
+    progress_->setRange(0, 1000);
+    progress_->setAccessibleName(tr("Progress of the estimate"));
+    cancel_ = new QPushButton(tr("Cancel (Esc)"), this);
+    cancel_->setFocusPolicy(Qt::TabFocus);
+    setTip(*cancel_, tr("Ends the estimate and the exploration"));
+
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    row->addWidget(headline_);
+    row->addStretch(1);
+    row->addWidget(details_);
+    row->addWidget(progress_, 100);  // all of the room there is, up to its own
+    row->addWidget(cancel_);
+    connect(cancel_, &QPushButton::clicked, this, &EstimateStrip::cancelled);
+    setNothing(QString());
+    setProgress(std::nullopt);
+    resizeToFont();
+}
+
+void EstimateStrip::resizeToFont()
+{
+    setFixedHeight(scaled(kTarget));
+    progress_->setMaximumWidth(scaled(180));
+    arrange();
+}
+
+void EstimateStrip::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::StyleChange && cancel_) resizeToFont();
+}
+
+void EstimateStrip::setEstimate(const TerrainEstimate& estimate, double seconds)
+{
+    const auto widest =
+        std::max_element(estimate.sd.begin(), estimate.sd.end()) - estimate.sd.begin();
+    const auto at = static_cast<std::size_t>(widest);
+    const bool doubtful = estimate.sd[at] > estimate.settings.probeAbove;
+    const QString bin = words::binName(static_cast<int>(widest));
+    const QString sd = words::number(estimate.sd[at], 2);
+    headline_->setText(doubtful ? tr("Uncertain at %1: ± %2 m").arg(bin, sd)
+                                : tr("Known to ± %1 m, widest at %2").arg(sd, bin));
+    headline_->setVisible(true);
+    setTone(*headline_, doubtful ? Tone::Doubt : Tone::Good);
+    details_->setText(tr("%1 · %2 draws · %3")
+                          .arg(methodName(estimate.settings.method))
+                          .arg(estimate.draws.size())
+                          .arg(words::age(seconds)));
+    const QString ended = endingWords(estimate.ending);
+    const QString all =
+        ended.isEmpty() ? details_->text() : details_->text() + QStringLiteral(" · ") + ended;
+    if (estimate.ending == Ending::Time) details_->setText(all);
+    for (QLabel* const label : std::initializer_list<QLabel*>{headline_, details_})
+        setTip(*label, all);
+    arrange();
+    QStringList warnings;
+    if (!estimate.converged && estimate.warnings.empty())
+        warnings << tr("the chains have not converged");
+    for (const std::string& warning : estimate.warnings) warnings << words::sentence(warning);
+    warnings_->setText(warnings.isEmpty()
+                           ? QString()
+                           : QStringLiteral("! ") + warnings.join(QStringLiteral(" · ")));
+    warnings_->setVisible(!warnings.isEmpty());
+}
+
+void EstimateStrip::setLive(const QString& note)
+{
+    setNothing(note);
+    setTone(*headline_, Tone::Doubt);
+}
+
+void EstimateStrip::setNothing(const QString& why)
+{
+    headline_->setText(why);
+    headline_->setVisible(!why.isEmpty());
+    setTip(*headline_, QString());
+    setTone(*headline_, Tone::Muted);
+    details_->clear();
+    warnings_->clear();
+    warnings_->setVisible(false);
+}
+
+void EstimateStrip::setProgress(std::optional<double> share)
+{
+    progress_->setVisible(share.has_value());
+    cancel_->setVisible(share.has_value());
+    arrange();
+    if (!share) return;
+    const double done = std::isfinite(*share) ? std::clamp(*share, 0.0, 1.0) : 0.0;
+    progress_->setValue(static_cast<int>(done * 1000.0));
+    progress_->setFormat(tr("estimating %p %"));
+}
+
+void EstimateStrip::arrange()
+{
+    // To show a part lays the page out, which may resize this strip and so come back here.
+    if (std::exchange(arranges_, true)) return;
+    const auto fits = [this] {
+        const int needed =
+            headline_->sizeHint().width() + 3 * layout()->spacing() + details_->sizeHint().width();
+        return progress_->isHidden() && needed <= width();
+    };
+    details_->setVisible(fits());
+    if (!fits()) details_->setVisible(false);
+    arranges_ = false;
+}
+
+void EstimateStrip::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+bool EstimateStrip::event(QEvent* event)
+{
+    const bool handled = QWidget::event(event);
+    if (event->type() == QEvent::LayoutRequest && cancel_) arrange();  // what its parts need is new
+    return handled;
+}
+
+QString EstimateStrip::headline() const
+{
+    return headline_->text();
+}
+
+QString EstimateStrip::details() const
+{
+    return details_->text();
+}
+
+QString EstimateStrip::warningText() const
+{
+    return warnings_->text();
+}
+
+}  // namespace terratact

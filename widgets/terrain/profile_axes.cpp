@@ -1,0 +1,108 @@
+#include "widgets/terrain/profile_axes.h"
+
+#include <qwt_plot.h>
+#include <qwt_scale_map.h>
+#include <qwt_scale_widget.h>
+#include <qwt_text.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/base/palette.h"
+#include "widgets/base/words.h"
+#include "widgets/terrain/terrain_items.h"
+#include "widgets/terrain/terrain_profile_view.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::array<int, 2> kAxes{QwtPlot::xBottom, QwtPlot::yLeft};
+constexpr int kLetters = 13;  // [px] at 100 %
+
+}  // namespace
+
+MetreScale::MetreScale(bool withPlus) : withPlus_(withPlus)
+{
+    enableComponent(QwtAbstractScaleDraw::Backbone, false);
+    setTickLength(QwtScaleDiv::MajorTick, 5);
+    setTickLength(QwtScaleDiv::MediumTick, 0);
+    setTickLength(QwtScaleDiv::MinorTick, 0);
+}
+
+QwtText MetreScale::label(double value) const
+{
+    const double rounded = std::round(value * 10.0) / 10.0;
+    if (rounded == 0.0) return QStringLiteral("0.0");
+    return withPlus_ ? words::signedNumber(rounded, 1) : words::number(rounded, 1);
+}
+
+ProfileAxes::ProfileAxes(QwtPlot& plot) : plot_(plot)
+{
+    plot.setAxisScaleDraw(QwtPlot::xBottom, new MetreScale(false));
+    plot.setAxisScaleDraw(QwtPlot::yLeft, new MetreScale(true));
+    for (const int axis : kAxes) plot.axisWidget(axis)->setMargin(0);
+}
+
+void ProfileAxes::restyle()
+{
+    for (const int axis : kAxes) {
+        plot_.setAxisFont(axis, sized(plot_.font(), kLetters));
+        QPalette colours = plot_.axisWidget(axis)->palette();
+        colours.setColor(QPalette::Text, theme().muted);
+        colours.setColor(QPalette::WindowText, theme().muted);
+        plot_.axisWidget(axis)->setPalette(colours);
+    }
+    plot_.axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(scaled(48));
+    // Room for half a label at both ends, used or not: else the canvas would change with the ticks.
+    plot_.axisWidget(QwtPlot::xBottom)->setMinBorderDist(scaled(22), scaled(22));
+    plot_.axisWidget(QwtPlot::yLeft)->setMinBorderDist(scaled(10), scaled(10));
+    name();
+}
+
+void ProfileAxes::name()
+{
+    // One name for both leaves a narrow picture the width of the other.
+    constexpr int kNarrow = 400;  // [px] at 100 %
+    const bool isNarrow = plot_.width() < scaled(kNarrow);
+    const QString x = isNarrow ? TerrainProfileView::tr("forward, height [m]")
+                               : TerrainProfileView::tr("forward from the IMU [m]");
+    const QString y = isNarrow ? QString() : TerrainProfileView::tr("height [m]");
+    const QFont font = sized(plot_.font(), kLetters);
+    const QwtText now = plot_.axisTitle(QwtPlot::xBottom);
+    if (now.text() == x && now.font() == font && now.color() == theme().muted) return;
+    for (const auto& [axis, words] : {std::pair(QwtPlot::xBottom, x), std::pair(QwtPlot::yLeft, y)})
+        plot_.setAxisTitle(axis, inked(words, theme().muted, font));
+}
+
+bool ProfileAxes::fit(double bottom, double top, double below)
+{
+    // In steps, so that the picture does not swim with the noise.
+    bottom = std::floor(bottom / 0.05 + 1e-9) * 0.05;
+    top = std::ceil(top / 0.05 - 1e-9) * 0.05;
+
+    const double width = plot_.canvasMap(QwtPlot::xBottom).pDist();
+    const double height = plot_.canvasMap(QwtPlot::yLeft).pDist() - below;
+    if (!(width > 10.0 && height > 10.0)) return false;
+    const std::array<double, 4> wanted{bottom, top, width, height};
+    if (wanted == fitted_) return false;
+    fitted_ = wanted;
+    const double scale = std::min(width / (kRight - kLeft), height / (top - bottom));  // [px/m]
+    const double spareX = width / scale - (kRight - kLeft);
+    const double spareZ = height / scale - (top - bottom);
+
+    const auto setScale = [this, scale](int axis, double from, double to) {
+        QList<double> centres;
+        const double least = scaled(axis == QwtPlot::xBottom ? 44 : 22);  // [px] between labels
+        const double step = 0.1 * scale >= least ? 0.1 : 0.2 * scale >= least ? 0.2 : 0.5;
+        const auto last = static_cast<int>(std::floor(to / step + 1e-9));
+        for (auto tick = static_cast<int>(std::ceil(from / step - 1e-9)); tick <= last; ++tick)
+            centres << tick * step;
+        plot_.setAxisScaleDiv(axis, QwtScaleDiv(from, to, {}, {}, centres));
+    };
+    setScale(QwtPlot::xBottom, kLeft - spareX / 2.0, kRight + spareX / 2.0);
+    setScale(QwtPlot::yLeft, bottom - spareZ * 0.6 - below / scale, top + spareZ * 0.4);
+    plot_.updateAxes();
+    return true;
+}
+
+}  // namespace terratact

@@ -1,0 +1,139 @@
+#include "widgets/terrain/provenance_marks.h"
+
+#include <qwt_graphic.h>
+#include <qwt_plot.h>
+#include <qwt_scale_map.h>
+
+#include <QPainter>
+#include <algorithm>
+
+#include "widgets/base/palette.h"
+#include "widgets/terrain/provenance_words.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kThin = 2.0;      // [px]
+constexpr double kFarthest = 1e4;  // [px] beyond every screen
+
+constexpr int kLargestLetter = 13;  // [px] at 100 %
+
+QFont letterFont(QFont font, int pixels)
+{
+    font.setPixelSize(pixels);
+    font.setBold(true);
+    return font;
+}
+
+QPen barPen(Provenance provenance, const QColor& colour)
+{
+    const BarPattern pattern = barPattern(provenance);
+    QPen pen(colour, pattern.width, Qt::SolidLine, Qt::FlatCap);
+    if (!pattern.dashes.empty()) pen.setDashPattern({pattern.dashes.begin(), pattern.dashes.end()});
+    return pen;
+}
+
+}  // namespace
+
+ProvenanceMark markOf(Provenance provenance)
+{
+    const Theme& t = theme();
+    const auto mark = [provenance](QwtSymbol::Style shape, const QColor& line, const QColor& fill,
+                                   int size) {
+        return ProvenanceMark{shape, line, fill, size, barPen(provenance, line)};
+    };
+    switch (provenance) {
+    case Provenance::Arm: return mark(QwtSymbol::Triangle, t.arm, t.arm, 13);
+    case Provenance::Contact: return mark(QwtSymbol::Rect, t.contact, t.contact, 11);
+    case Provenance::Constrained: return mark(QwtSymbol::DTriangle, t.sampled, t.sampled, 11);
+    case Provenance::Sampled: return mark(QwtSymbol::Ellipse, t.sampled, t.sampled, 10);
+    case Provenance::PriorOnly: break;
+    }
+    return mark(QwtSymbol::Diamond, t.prior, t.card, 14);
+}
+
+PatternBar::PatternBar(const QPen& pen) : QwtIntervalSymbol(QwtIntervalSymbol::Bar)
+{
+    setPen(pen);
+    setWidth(scaled(13));
+}
+
+void PatternBar::draw(QPainter* painter, Qt::Orientation /*orientation*/, const QPointF& from,
+                      const QPointF& to) const
+{
+    const auto near = [](QPointF point) {
+        point.setY(std::clamp(point.y(), -kFarthest, kFarthest));
+        return point;
+    };
+    const QPointF ends[]{near(from), near(to)};
+    painter->setPen(pen());
+    painter->drawLine(ends[0], ends[1]);
+    painter->setPen(QPen(pen().color(), kThin));
+    const QPointF half(width() / 2.0, 0.0);
+    for (const QPointF& end : ends) painter->drawLine(end - half, end + half);
+}
+
+MarkCurve::MarkCurve(Provenance provenance)
+    : QwtPlotCurve(provenanceLetter(provenance) + QStringLiteral(": ")
+                   + provenanceWord(provenance)),
+      provenance_(provenance)
+{
+    setStyle(QwtPlotCurve::NoCurve);
+    setRenderHint(QwtPlotItem::RenderAntialiased);
+}
+
+QwtGraphic MarkCurve::legendIcon(int /*index*/, const QSizeF& /*size*/) const
+{
+    if (!symbol()) return {};  // not styled yet
+    const QSizeF size(scaled(26), scaled(16));
+    QwtGraphic icon;
+    icon.setDefaultSize(size);
+    QPainter painter(&icon);
+    const double middle = size.height() / 2.0;
+    painter.setPen(markOf(provenance_).bar);
+    painter.drawLine(QPointF(0.0, middle), QPointF(size.width(), middle));
+    painter.setRenderHint(QPainter::Antialiasing);
+    symbol()->drawSymbol(&painter, QPointF(size.width() / 2.0, middle));
+    return icon;
+}
+
+MarkLetters::MarkLetters()
+{
+    setZ(30.0);
+    setItemAttribute(QwtPlotItem::Legend, false);
+}
+
+double MarkLetters::height(const QFont& ofPlot)
+{
+    return QFontMetricsF(letterFont(ofPlot, scaled(kLargestLetter))).height();
+}
+
+double MarkLetters::reserved(const QFont& ofPlot, double canvasHeight)
+{
+    constexpr double kMost = 1.0 / 16.0;  // of the canvas
+    const double strip = height(ofPlot);
+    return strip <= kMost * canvasHeight ? strip : 0.0;
+}
+
+void MarkLetters::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& /*y*/,
+                       const QRectF& canvas) const
+{
+    constexpr int kLeast = 10;  // [px]
+    const double width = x.transform(binEnd(0)) - x.transform(binBegin(0));
+    const int largest = scaled(kLargestLetter);
+    painter->setFont(letterFont(
+        plot()->font(), std::clamp(static_cast<int>(width), std::min(kLeast, largest), largest)));
+    const double height = MarkLetters::height(plot()->font());
+    QColor behind = theme().card;
+    behind.setAlpha(0xd0);
+    for (std::size_t i = 0; i < kBins; ++i) {
+        if (!shown[i]) continue;
+        const QRectF place(x.transform(binBegin(static_cast<int>(i))), canvas.bottom() - height,
+                           width, height);
+        painter->fillRect(place, behind);
+        painter->setPen(theme().text);
+        painter->drawText(place, Qt::AlignCenter, provenanceLetter(*shown[i]));
+    }
+}
+
+}  // namespace terratact

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <qwt_legend.h>
+#include <qwt_plot_item.h>
+#include <qwt_plot_shapeitem.h>
+#include <qwt_plot_textlabel.h>
+#include <qwt_text.h>
+
+#include <QFont>
+#include <array>
+#include <optional>
+
+#include "core/infer/estimate/touch.h"
+#include "widgets/terrain/terrain_profile_view.h"
+
+namespace terratact {
+
+/// The font in so many pixels, at 100 %.
+QFont sized(QFont font, int pixels, bool bold = false);
+
+/// Words of a plot.
+QwtText inked(const QString& words, const QColor& colour, const QFont& font);
+
+/// A line in metres whose legend shows a piece of it.
+class LineItem final : public QwtPlotShapeItem {
+public:
+    using QwtPlotShapeItem::QwtPlotShapeItem;
+    QwtGraphic legendIcon(int index, const QSizeF& size) const override;
+};
+
+/// The legend, which makes room for the terrain in a view that is low, or where it would take much of it.
+class Key final : public QwtLegend {
+public:
+    explicit Key(const QWidget& view) : view_(view) {}
+    bool isEmpty() const override;
+
+private:
+    const QWidget& view_;
+};
+
+/// A text at the upper edge of the plot, on as many lines as it needs.
+class Note final : public QwtPlotTextLabel {
+    QRectF textRect(const QRectF& plot, const QSizeF& oneLine) const override;
+};
+
+/// Says in the legend what the bars are; draws nothing itself.
+class BandKey final : public QwtPlotItem {
+public:
+    BandKey();
+    void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
+              const QRectF& canvas) const override;
+    QwtGraphic legendIcon(int index, const QSizeF& size) const override;
+};
+
+/// Lines between the bins, not at their centres, where they would hide the bars.
+class BinBorders final : public QwtPlotItem {
+public:
+    BinBorders();
+    void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
+              const QRectF& canvas) const override;
+};
+
+/// The zones of bins that nobody has felt, hatched, each run with its word; and the felt horizon as a line.
+class BinZones final : public QwtPlotItem {
+public:
+    BinZones();
+    std::array<bool, kBins> shown{};
+    TouchMap touch = unrecordedTouch();
+    std::optional<double> horizon;  ///< [m]; empty: nothing ahead is felt, or it is not recorded
+    bool isShown() const;
+
+    void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
+              const QRectF& canvas) const override;
+
+private:
+    void drawZone(QPainter& painter, Touch kind, const QRectF& zone, const QRectF& canvas) const;
+    void drawHorizon(QPainter& painter, double px, const QRectF& canvas) const;
+};
+
+/// The arm's last link, upright, and its tip on the bin: dashed and open where nobody has approved it.
+class ArmMark final : public QwtPlotItem {
+public:
+    ArmMark();
+    ArmTip::State state = ArmTip::State::Proposed;
+    double at = 0.0, down = 0.0;  ///< [m]
+
+    void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
+              const QRectF& canvas) const override;
+
+private:
+    void drawLabel(QPainter& painter, double px, double top, const QRectF& canvas) const;
+    QString words() const;
+};
+
+}  // namespace terratact

@@ -1,0 +1,345 @@
+#include "widgets/terrain/verdict_strip.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QFontMetrics>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "widgets/base/look.h"
+#include "widgets/base/plain_label.h"
+#include "widgets/base/spoken.h"
+#include "widgets/base/tips.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+constexpr int kBadgeFrame = 16;  // [px] beside its word
+
+QString likeliestText(const Verdict& verdict)
+{
+    return VerdictStrip::tr("likeliest at %1 … %2 m (%3)")
+        .arg(words::signedNumber(binCentre(verdict.likeliest), 1),
+             words::signedNumber(binCentre(verdict.likeliest + 1), 1),
+             words::number(verdict.likeliestP, 2));
+}
+
+QString unfeltText(const std::vector<int>& bins)
+{
+    QStringList names;
+    for (const int bin : bins) names << words::binName(bin);
+    return names.join(QStringLiteral(", "));
+}
+
+/// One of several reasons, which share two lines.
+QString briefly(Doubt doubt)
+{
+    switch (doubt) {
+    case Doubt::Stale: return VerdictStrip::tr("no live telemetry");
+    case Doubt::Unheard: return VerdictStrip::tr("the link was lost");
+    case Doubt::NotConverged: return VerdictStrip::tr("not converged");
+    case Doubt::UnlikeTraining: return VerdictStrip::tr("unlike all training");
+    case Doubt::Roll: return VerdictStrip::tr("the robot rolls");
+    case Doubt::Asymmetry: return VerdictStrip::tr("the flippers differ");
+    case Doubt::SensorFault: return VerdictStrip::tr("a sensor may lie");
+    case Doubt::Contradiction: return VerdictStrip::tr("it contradicts the readings");
+    }
+    return {};
+}
+
+/// As the style sheet has it.
+QString outlookOf(const Verdict& verdict)
+{
+    switch (verdict.outlook) {
+    case Outlook::Clear: return QStringLiteral("clear");
+    case Outlook::Blocked: return QStringLiteral("blocked");
+    case Outlook::CannotTell: return QStringLiteral("open");
+    }
+    return {};
+}
+
+/// The shortfall and the help in a few words, for the two lines of the strip.
+QString briefShortfall(const Verdict& verdict)
+{
+    QString text;
+    switch (verdict.shortfall) {
+    case Shortfall::None: break;
+    case Shortfall::NothingFelt: text = VerdictStrip::tr("flippers press on nothing"); break;
+    case Shortfall::ShortHorizon:
+        text = VerdictStrip::tr("felt to %1 m only").arg(words::signedNumber(verdict.horizon, 2));
+        break;
+    case Shortfall::Spanned: text = VerdictStrip::tr("not felt under the flippers"); break;
+    }
+    if (verdict.help == Help::Flatten) text += VerdictStrip::tr(", flatter flippers help");
+    if (verdict.help == Help::DriveOn) text += VerdictStrip::tr(", 0.1 m further helps");
+    return text;
+}
+
+/// How far the answer goes, and what lies behind it.
+QString clearText(const Verdict& verdict)
+{
+    const QString risk = words::percent(kClearBelow);
+    const QString to = words::signedNumber(verdict.horizon, 2);
+    const QString unfelt = unfeltText(verdict.unfelt);
+    if (!verdict.touchRecorded)
+        return unfelt.isEmpty()
+                 ? VerdictStrip::tr("up to 0.75 m ahead of the IMU, at a risk below %1 %").arg(risk)
+                 : VerdictStrip::tr(
+                       "up to 0.75 m ahead of the IMU, at a risk below %1 %, but not felt: %2")
+                       .arg(risk, unfelt);
+    return unfelt.isEmpty()
+             ? VerdictStrip::tr("felt to %1 m ahead of the IMU, risk below %2 %").arg(to, risk)
+             : VerdictStrip::tr("felt to %1 m ahead of the IMU, risk below %2 %; not felt: %3")
+                   .arg(to, risk, unfelt);
+}
+
+/// What is not felt, and what would help besides a probe.
+QString shortfallText(const Verdict& verdict)
+{
+    QString text = words::sentence(describe(verdict.shortfall));
+    if (const QString unfelt = unfeltText(verdict.unfelt); !unfelt.isEmpty())
+        text = VerdictStrip::tr("%1; not felt: %2").arg(text, unfelt);
+    if (verdict.help != Help::Nothing)
+        text = VerdictStrip::tr("%1. Helps: %2").arg(text, words::sentence(describe(verdict.help)));
+    return text;
+}
+
+/// The answer on the badge: the horizon on a line of its own, so that the badge stays as wide.
+QString badgeOf(const Verdict& verdict)
+{
+    if (verdict.outlook != Outlook::Clear || !verdict.touchRecorded)
+        return VerdictStrip::answerOf(verdict);
+    return VerdictStrip::tr("✔ CLEAR") + QLatin1Char('\n')
+         + VerdictStrip::tr("to %1 m").arg(words::signedNumber(verdict.horizon, 2));
+}
+
+QString withheldText(const std::vector<Doubt>& doubts)
+{
+    QStringList reasons;
+    for (const Doubt doubt : doubts)
+        reasons << (doubts.size() > 1 ? briefly(doubt) : words::sentence(describe(doubt)));
+    return VerdictStrip::tr("withheld: %1").arg(reasons.join(QStringLiteral(" · ")));
+}
+
+}  // namespace
+
+VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
+{
+    setProperty("card", true);
+    badge_ = new PlainLabel(this);
+    badge_->setObjectName(QStringLiteral("verdictBadge"));
+    badge_->setAlignment(Qt::AlignCenter);
+    badge_->setAccessibleName(tr("Verdict"));
+    question_ = new PlainLabel(this);
+    question_->setObjectName(QStringLiteral("verdictQuestion"));
+    question_->setWordWrap(true);
+    setTip(*question_,
+           tr("A step: two bins at most %3 m apart that differ in height by more than the limit, "
+              "anywhere from %1 to %2 m ahead of the IMU")
+               .arg(words::number(binBegin(kFirstAhead), 2), words::number(binEnd(kBins - 1), 2),
+                    words::number(kStepBins * kBinWidth, 1)));
+    question_->setAccessibleName(tr("Probability of a step ahead"));
+    reason_ = new PlainLabel(this);
+    reason_->setAccessibleName(tr("Why"));
+    reason_->setWordWrap(true);
+    setTone(*reason_, Tone::Muted);
+    reason_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    const auto button = [this](const QString& text, const QString& name) {
+        auto* b = new QPushButton(text, this);
+        b->setFocusPolicy(Qt::TabFocus);
+        b->setAccessibleName(name);
+        b->setAutoRepeat(true);
+        b->setProperty("role", "small");
+        return b;
+    };
+    lower_ = button(QStringLiteral("−"), tr("Lower the limit"));
+    raise_ = button(QStringLiteral("+"), tr("Raise the limit"));
+    connect(lower_, &QPushButton::clicked, this, [this] { choose(limit_ - kLimitStep); });
+    connect(raise_, &QPushButton::clicked, this, [this] { choose(limit_ + kLimitStep); });
+
+    auto* words = new QVBoxLayout;
+    words->setSpacing(1);
+    words->addWidget(question_);
+    words->addWidget(reason_);
+    head_ = new QHBoxLayout;
+    row_ = new QHBoxLayout(this);
+    row_->setContentsMargins(8, 6, 10, 6);
+    row_->setSpacing(10);
+    row_->addLayout(head_);
+    row_->addWidget(badge_);
+    row_->addLayout(words, 1);
+    row_->addWidget(lower_);
+    row_->addWidget(raise_);
+    setLimit(kStepLimit);
+    setNothing(QString());
+    resizeToFont();
+}
+
+void VerdictStrip::resizeToFont()
+{
+    // Always two lines: a jumping layout misleads.  More where nothing but empty room would jump.
+    const int twoLines = 2 * QFontMetrics(QApplication::font()).lineSpacing() + 2;
+    reason_->setMinimumHeight(twoLines);
+    reason_->setMaximumHeight(stacked_ ? QWIDGETSIZE_MAX : twoLines);
+    // Nor does the badge change its width with its word.
+    QFont bold = QApplication::font();
+    bold.setPixelSize(scaled(19));  // as in the style sheet
+    bold.setBold(true);
+    int width = 0;
+    for (const QString& word :
+         {tr("✔ CLEAR"), tr("to %1 m").arg(words::signedNumber(binEnd(kBins - 1), 2)),
+          tr("✘ BLOCKED"), tr("? CANNOT TELL"), tr("NO VERDICT")})
+        width = std::max(width, QFontMetrics(bold).horizontalAdvance(word));
+    badge_->setMinimumWidth(width + kBadgeFrame);
+}
+
+void VerdictStrip::setStacked(bool stacked)
+{
+    if (stacked == stacked_) return;
+    stacked_ = stacked;
+    for (QWidget* const part : std::initializer_list<QWidget*>{badge_, lower_, raise_})
+        (stacked ? row_ : head_)->removeWidget(part);
+    row_->setDirection(stacked ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    QBoxLayout* const to = stacked ? head_ : row_;
+    to->insertWidget(stacked ? 0 : 1, badge_, stacked ? 1 : 0);
+    to->addWidget(lower_);
+    to->addWidget(raise_);
+    resizeToFont();
+}
+
+void VerdictStrip::changeEvent(QEvent* event)
+{
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::StyleChange) resizeToFont();
+}
+
+QString VerdictStrip::answerOf(const Verdict& verdict)
+{
+    switch (verdict.outlook) {
+    case Outlook::Clear:
+        return verdict.touchRecorded
+                 ? tr("✔ CLEAR to %1 m").arg(words::signedNumber(verdict.horizon, 2))
+                 : tr("✔ CLEAR");
+    case Outlook::Blocked: return tr("✘ BLOCKED");
+    case Outlook::CannotTell: return tr("? CANNOT TELL");
+    }
+    return {};
+}
+
+QString VerdictStrip::probabilityOf(const Verdict& verdict, double limit)
+{
+    if (verdict.outlook == Outlook::Clear && verdict.touchRecorded)
+        return tr("P(step > %1 m to %2 m) = %3 ± %4")
+            .arg(words::number(limit, 2), words::signedNumber(verdict.horizon, 2),
+                 words::number(verdict.toHorizon.p, 2),
+                 words::randomError(verdict.toHorizon.monteCarloSd, 2));
+    return tr("P(step > %1 m ahead) = %2 ± %3")
+        .arg(words::number(limit, 2), words::number(verdict.step.p, 2),
+             words::randomError(verdict.step.monteCarloSd, 2));
+}
+
+QString VerdictStrip::whyOf(const Verdict& verdict)
+{
+    switch (verdict.outlook) {
+    case Outlook::Clear: return clearText(verdict);
+    case Outlook::Blocked: return likeliestText(verdict);
+    case Outlook::CannotTell: break;
+    }
+    if (!verdict.doubts.empty()) return withheldText(verdict.doubts);
+    if (verdict.shortfall != Shortfall::None) return shortfallText(verdict);
+    return tr("undecided from %1 to %2, %3")
+        .arg(words::number(kClearBelow, 2), words::number(kBlockedAbove, 2),
+             likeliestText(verdict));
+}
+
+void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
+{
+    const bool isWithheld = !verdict.doubts.empty();
+    const QString probability = probabilityOf(verdict, limit_);
+    // What is withheld must not be the first thing that is read.
+    question_->setText(isWithheld ? QStringLiteral("(%1)").arg(probability) : probability);
+    setTone(*question_, isWithheld ? Tone::Muted : Tone::Strong);
+    setTone(*reason_, isWithheld ? Tone::Doubt : Tone::Muted);
+    const bool falls = verdict.outlook == Outlook::CannotTell && !isWithheld
+                    && verdict.shortfall != Shortfall::None;
+    QString why = falls ? briefShortfall(verdict) : whyOf(verdict);
+    if (!probe.isEmpty() && !isWithheld) why += QStringLiteral(" — ") + probe;
+    reason_->setText(why);
+    QStringList tip{why};
+    if (falls) tip << whyOf(verdict);
+    for (const Doubt doubt : verdict.doubts) tip << words::sentence(describe(doubt));
+    setTip(*reason_, tip.join(QLatin1Char('\n')));
+    say(badgeOf(verdict), outlookOf(verdict), isWithheld);
+}
+
+void VerdictStrip::setNothing(const QString& why)
+{
+    question_->setText(
+        tr("Is there a step of more than %1 m ahead?").arg(words::number(limit_, 2)));
+    setTone(*question_, Tone::Strong);
+    setTone(*reason_, Tone::Muted);
+    reason_->setText(why);
+    setTip(*reason_, QString());
+    say(tr("NO VERDICT"), QStringLiteral("none"), false);
+}
+
+/// Once all else is said.
+void VerdictStrip::say(const QString& answer, const QString& outlook, bool withheld)
+{
+    badge_->setText(answer);
+    if (badge_->property("outlook").toString() != outlook) {
+        badge_->setProperty("outlook", outlook);
+        badge_->style()->unpolish(badge_);
+        badge_->style()->polish(badge_);
+        announce(*badge_);
+    }
+    // The same word may stand for another reason.
+    if (std::exchange(withheld_, withheld) != withheld) announce(*reason_);
+}
+
+void VerdictStrip::setLimit(double metres)
+{
+    limit_ = std::isfinite(metres) ? std::clamp(metres, kLeastLimit, kGreatestLimit) : kStepLimit;
+    const bool lowest = limit_ <= kLeastLimit + 1e-9, highest = limit_ >= kGreatestLimit - 1e-9;
+    lower_->setEnabled(!lowest);
+    raise_->setEnabled(!highest);
+    setTip(*lower_,
+           lowest ? tr("No lower limit can be set than %1 m").arg(words::number(kLeastLimit, 2))
+                  : tr("A lower step counts as an obstacle, too (PgDown)"));
+    setTip(*raise_,
+           highest
+               ? tr("No higher limit can be set than %1 m").arg(words::number(kGreatestLimit, 2))
+               : tr("Only a higher step counts as an obstacle (PgUp)"));
+}
+
+void VerdictStrip::choose(double metres)
+{
+    const double rounded = std::round(metres / kLimitStep) * kLimitStep;
+    if (rounded < kLeastLimit - 1e-9 || rounded > kGreatestLimit + 1e-9) return;
+    setLimit(rounded);
+    emit limitChosen(limit_);
+}
+
+QString VerdictStrip::badge() const
+{
+    return badge_->text();
+}
+
+QString VerdictStrip::question() const
+{
+    return question_->text();
+}
+
+QString VerdictStrip::reason() const
+{
+    return reason_->text();
+}
+
+}  // namespace terratact

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <QFrame>
+
+#include "core/infer/verdict/verdict.h"
+
+class QBoxLayout;
+class QLabel;
+class QPushButton;
+
+namespace terratact {
+
+/// The first glance: can I drive on?  A badge of word, shape and colour, the probability of a step ahead higher
+/// than the operator's limit with its Monte-Carlo error, and below it why.
+class VerdictStrip final : public QFrame {
+    Q_OBJECT
+public:
+    explicit VerdictStrip(QWidget* parent = nullptr);
+
+    /// probe: what a probe would buy, in words; empty where none is proposed.  limit(): of this verdict.
+    void setVerdict(const Verdict& verdict, const QString& probe = {});
+    void setNothing(const QString& why);  ///< no estimate, so no verdict
+    void setLimit(double metres);         ///< clamped to kLeastLimit … kGreatestLimit
+    void setStacked(bool stacked);        ///< the words below the badge, for a narrow column
+
+    // Of a verdict, in words.
+    static QString answerOf(const Verdict& verdict);                     ///< "✔ CLEAR"
+    static QString probabilityOf(const Verdict& verdict, double limit);  ///< limit: [m]
+    static QString whyOf(const Verdict& verdict);  ///< what it means, or why there is none
+
+    double limit() const { return limit_; }
+    QString badge() const;
+    QString question() const;
+    QString reason() const;
+    QPushButton* lowerButton() const { return lower_; }
+    QPushButton* raiseButton() const { return raise_; }
+
+    static constexpr double kLeastLimit = 0.02, kGreatestLimit = 0.60, kLimitStep = 0.01;  ///< [m]
+
+signals:
+    void limitChosen(double metres);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void resizeToFont();
+    void choose(double metres);
+    void say(const QString& answer, const QString& outlook, bool withheld);
+
+    double limit_ = kStepLimit;
+    bool stacked_ = false;
+    bool withheld_ = false;
+    QBoxLayout* row_ = nullptr;
+    QBoxLayout* head_ = nullptr;  ///< the badge and the buttons, where they are stacked
+    QLabel* badge_ = nullptr;
+    QLabel* question_ = nullptr;
+    QLabel* reason_ = nullptr;
+    QPushButton* lower_ = nullptr;
+    QPushButton* raise_ = nullptr;
+};
+
+}  // namespace terratact
