@@ -11,6 +11,7 @@
 #include "app/link/foreign_frames.h"
 #include "app/link/frame_judge.h"
 #include "app/link/tapped_frame.h"
+#include "core/limits.h"
 #include "drivers/can_bus.h"
 
 namespace terratact {
@@ -30,9 +31,9 @@ struct BusLoad {
 /// tick() belong to one thread; all else may be called from any.
 class BusTap {
 public:
-    static constexpr std::size_t kTrace = 2000;  ///< frames
-    static constexpr double kTick = kBusTick;    ///< [s]
-    static constexpr double kFresh = kBusFresh;  ///< [s] an older value is none of now
+    static constexpr std::size_t kTrace = 2000;    ///< frames
+    static constexpr double kTick = kBusTick;      ///< [s]
+    static constexpr double kFresh = kStaleAfter;  ///< [s] an older value is none of now
 
     BusTap();
 

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/limits.h"
+
 namespace terratact {
 namespace {
 
@@ -115,7 +117,7 @@ double ForeignFrames::freshOf(const Kept& kept, const KeptSignal& signal)
     const double stated = kept.frame.described->message.period();
     const double usual = signal.interval.seconds();
     const double period = stated > 0.0 && !signal.takesTurns ? stated : std::max(stated, usual);
-    return std::max(kBusFresh, kPeriods * period);
+    return std::max(kStaleAfter, kPeriods * period);
 }
 
 void ForeignFrames::step(double now, std::size_t tick, std::size_t point)

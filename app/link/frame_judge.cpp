@@ -2,6 +2,8 @@
 
 #include <variant>
 
+#include "core/limits.h"
+
 namespace terratact {
 namespace {
 
@@ -56,7 +58,8 @@ JudgedFrame FrameJudge::judge(const CanFrame& frame, double now)
     judged.check = receiver.receive(bytesOf(frame), now);
     judged.trouble = troubleOf(judged.check);
     const bool isCyclic = layoutOf(*judged.kind).period > 0.0;
-    if (judged.check == FrameCheck::Ok && isCyclic && judged.silence && *judged.silence > kOutage)
+    if (judged.check == FrameCheck::Ok && isCyclic && judged.silence
+        && *judged.silence > kLinkLostAfter)
         judged.trouble = FrameTrouble::Gap;
     return judged;
 }

@@ -26,8 +26,6 @@ struct JudgedFrame {
 /// Judges the frames of one bus in the order in which they came.
 class FrameJudge {
 public:
-    static constexpr double kOutage = 0.25;  ///< [s] after which a cyclic frame's link is lost
-
     FrameJudge();
     /// now: [s] on any clock.
     JudgedFrame judge(const CanFrame& frame, double now);

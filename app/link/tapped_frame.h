@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/link/dbc_book.h"
+#include "core/limits.h"
 #include "core/wire/frame_layout.h"
 #include "core/wire/frame_trouble.h"
 
@@ -16,7 +17,6 @@ namespace terratact {
 
 inline constexpr double kBusTick = 0.1;           ///< [s] between two points of a history
 inline constexpr std::size_t kBusRateTicks = 20;  ///< rates are over so many
-inline constexpr double kBusFresh = 0.15;         ///< [s] an older value is none of now
 
 /// How many there were at the last ticks, tick n at n % size().
 using TickCounts = std::array<std::uint64_t, kBusRateTicks + 1>;
@@ -59,9 +59,9 @@ struct TappedSignal {
 
 /// When a signal of a DBC file came: of a multiplexed one, not with every frame.
 struct SignalTimes {
-    double rate = 0.0;          ///< [Hz] over the last seconds
-    std::optional<double> age;  ///< [s]
-    double fresh = kBusFresh;   ///< [s] an older value is none of now
+    double rate = 0.0;           ///< [Hz] over the last seconds
+    std::optional<double> age;   ///< [s]
+    double fresh = kStaleAfter;  ///< [s] an older value is none of now
 };
 
 /// The frames of one kind.

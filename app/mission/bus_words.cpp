@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/limits.h"
 #include "core/wire/frame_layout.h"
 #include "widgets/base/words.h"
 
@@ -100,7 +101,7 @@ QString stillComes(const std::vector<TappedFrame>& frames, double silence)
         if (frame.kind == FrameKind::RobotHeartbeat) heartbeat = frame.age;
         if (frame.kind == FrameKind::RobotStatus) status = frame.age;
     }
-    if (!youngest || *youngest > std::min(kStillComes, 0.5 * silence)) return {};
+    if (!youngest || *youngest > std::min(kLinkLostAfter, 0.5 * silence)) return {};
     if (heartbeat)
         return BusWords::tr("frames still come, heartbeat %1 old").arg(words::age(*heartbeat));
     // A robot's heart answers that of a console that commands; who listens has only this.

@@ -27,10 +27,9 @@ QString loadGlance(const BusLoad& load, const BitRate& bitrate);
 QString troubleWords(const CanSource* link, const std::string& said);
 
 /// What still comes of a robot whose telemetry has stopped for so many seconds: "frames still come, heartbeat 0.1 s old";
-/// empty: no frame of it that could be used is younger than kStillComes and half the silence, as none is that came with
+/// empty: no frame of it that could be used is younger than kLinkLostAfter and half the silence, as none is that came with
 /// the last telemetry.
 QString stillComes(const std::vector<TappedFrame>& frames, double silence);
-inline constexpr double kStillComes = 0.25;  ///< [s]
 
 /// Why this console only follows; empty where it commands.
 QString whyFollowing(const CanSource* link);

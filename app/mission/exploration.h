@@ -13,6 +13,7 @@
 #include "app/mission/probe_proposals.h"
 #include "core/atem/atem_machine.h"
 #include "core/atem/drive_watch.h"
+#include "core/limits.h"
 #include "core/robot/robot_model.h"
 #include "drivers/measurement_source.h"
 #include "widgets/control/atem_panel.h"
@@ -33,9 +34,9 @@ public:
     struct Options : Estimation::Options {
         AtemLimits limits;
         ProbePolicy probes = ProbePolicy::Variance;
-        double pressTorque = 18.0;    ///< [N m] sum of both front flippers
-        double driveSpeed = 0.2;      ///< [m/s]
-        double linkLostAfter = 0.25;  ///< [s] without telemetry
+        double pressTorque = 18.0;              ///< [N m] sum of both front flippers
+        double driveSpeed = 0.2;                ///< [m/s]
+        double linkLostAfter = kLinkLostAfter;  ///< [s] without telemetry
         double staleAfter =
             kStaleAfter;             ///< [s] older telemetry is none of now: no verdict, no ghost
         double probeSeconds = 45.0;  ///< what a probe costs, as told to the operator

@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "app/link/can_words.h"
+#include "core/limits.h"
 #include "core/wire/dbc/dbc_text.h"
 #include "widgets/base/words.h"
 
@@ -40,7 +41,7 @@ SignalRow::Standing standingOf(const TappedFrame& frame)
 {
     using Standing = SignalRow::Standing;
     if (!frame.age || !frame.isMeasured) return Standing::Stale;
-    if (*frame.age <= kBusFresh) return Standing::Fresh;
+    if (*frame.age <= kStaleAfter) return Standing::Fresh;
     const bool isCyclic = frame.kind && layoutOf(*frame.kind).period > 0.0;
     return isCyclic ? Standing::Stale : Standing::Said;
 }
@@ -69,7 +70,7 @@ SignalRow rowOf(const TappedFrame& frame, const SignalLayout& layout, const Tapp
     row.rate = frame.rate;
     row.age = frame.age;
     row.standing = standingOf(frame);
-    if (layout.name == "Measured" && frame.age && *frame.age <= kBusFresh)
+    if (layout.name == "Measured" && frame.age && *frame.age <= kStaleAfter)
         row.standing = SignalRow::Standing::Fresh;
     row.value = valueText(layout, signal.last);
     if (isQuantity(layout)) {

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "core/limits.h"
+
 namespace terratact {
 
 /// Algorithm 1 of the paper as named states.  Faults and refusals end in a named state, never in silence.
@@ -88,7 +90,7 @@ struct AtemLimits {
     double halt = 3.0;
     double press = 15.0;
     double estimate = 30.0;
-    double approval = 30.0;
+    double approval = kApprovalExpiry;
     double probe = 90.0;
 };
 

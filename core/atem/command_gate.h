@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/atem/arming.h"
+#include "core/limits.h"
 #include "core/wire/can_codec.h"
 #include "core/wire/e2e.h"
 
@@ -61,11 +62,11 @@ struct GateView {
 
 /// Values over the DBC's ranges never pass, whatever stands here.
 struct GateLimits {
-    double statusAge = 0.15;                               ///< [s]
-    double answerAge = 0.25;                               ///< [s]
+    double statusAge = kStaleAfter;                        ///< [s]
+    double answerAge = kLinkLostAfter;                     ///< [s]
     double operatorAge = 0.1;                              ///< [s] of what commands or moves
     double operatorPause = 1.0;                            ///< [s] while nothing moves
-    double approvalAge = 30.0;                             ///< [s]
+    double approvalAge = kApprovalExpiry;                  ///< [s]
     double speed = 0.6;                                    ///< [m/s] either way
     double torque = 60.0;                                  ///< [N m]
     double advance = 0.1;                                  ///< [m]

@@ -9,6 +9,7 @@
 
 #include "core/atem/arming.h"
 #include "core/atem/command_gate.h"
+#include "core/limits.h"
 #include "core/robot/robot_model.h"
 #include "core/wire/freshness.h"
 #include "core/wire/telemetry_listener.h"
@@ -33,9 +34,9 @@ public:
     static constexpr double kHeartbeatPeriod = 0.1;  ///< [s]
     static constexpr double kDrivePeriod = 0.02;     ///< [s]
     static constexpr double kDisarmPeriod =
-        0.1;                                    ///< [s] to a robot that is armed and should not be
-    static constexpr double kWaits = 0.25;      ///< [s] at most, of a command for a challenge
-    static constexpr double kForeignFor = 5.0;  ///< [s] a foreign sender is remembered
+        0.1;  ///< [s] to a robot that is armed and should not be
+    static constexpr double kWaits = kLinkLostAfter;  ///< [s] at most, of a command for a challenge
+    static constexpr double kForeignFor = 5.0;        ///< [s] a foreign sender is remembered
     static constexpr double kMotionShows =
         0.5;  ///< [s] after which the robot's status shows a motion
 

@@ -10,6 +10,7 @@
 
 #include "core/infer/estimate/estimate.h"
 #include "core/learn/data/scene.h"
+#include "core/limits.h"
 
 namespace terratact {
 
@@ -21,9 +22,9 @@ using ProbeRule =
     std::function<std::optional<int>(const TerrainEstimate&, std::span<const ArmReading>)>;
 
 struct ProbeLimits {
-    double armSd = 0.03;    ///< [m] noise of a reading
-    double sdLimit = 0.06;  ///< [m] enough is known when every bin's sd is below
-    int most = 4;           ///< probes of one scene
+    double armSd = 0.03;               ///< [m] noise of a reading
+    double sdLimit = kProbeThreshold;  ///< [m] enough is known when every bin's sd is below
+    int most = 4;                      ///< probes of one scene
     std::uint64_t seed = 1;
 };
 

@@ -1,4 +1,5 @@
 #include "core/log/review_moment.h"
+#include "core/limits.h"
 
 #include <algorithm>
 #include <map>
@@ -14,13 +15,13 @@ constexpr std::size_t kRecentEstimates = 4;
 
 bool isHeard(const ReviewMoment& moment)
 {
-    return moment.measurement && secondsOf(moment.time - moment.measured) <= kReviewLinkLost;
+    return moment.measurement && secondsOf(moment.time - moment.measured) <= kLinkLostAfter;
 }
 
 /// [s] of the link that is up again; of older sessions, in which that was told at once, from when the two were told.
 double silenceBefore(const EventRow& up, SessionTime lost)
 {
-    return up.number.value_or(kReviewLinkLost + secondsOf(up.time - lost));
+    return up.number.value_or(kLinkLostAfter + secondsOf(up.time - lost));
 }
 
 /// The value whose words these are, of first … last.

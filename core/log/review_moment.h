@@ -45,7 +45,6 @@ struct ReviewMoment {
 };
 
 inline constexpr double kReviewWindow = 1.0;  ///< [s] of frames before a moment that it is made of
-inline constexpr double kReviewLinkLost = 0.25;  ///< [s] without telemetry
 
 /// Moments of a session, each made of the file alone: the same time shows the same, however one came there.  What
 /// is kept between two of them only spares reading it again.  The reader must outlive it.

@@ -1,4 +1,5 @@
 #include "core/log/session_survey.h"
+#include "core/limits.h"
 
 #include <algorithm>
 
@@ -23,7 +24,7 @@ bool SessionSurvey::takeNext(SessionReader& reader)
 
 void SessionSurvey::take(const Measurement& measurement, SessionTime time)
 {
-    if (heard_ && secondsOf(time - *heard_) > kReviewLinkLost) {
+    if (heard_ && secondsOf(time - *heard_) > kLinkLostAfter) {
         silences_.push_back({*heard_, time});
         touches_ = false;
     }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/limits.h"
 #include "core/wire/can_codec.h"
 #include "core/wire/e2e.h"
 
@@ -37,10 +38,10 @@ enum class CommandVerdict : std::uint8_t {
 /// No clock: `now` is monotonic time [s].
 class CommandReceiver {
 public:
-    static constexpr double kHeartbeatLimit = 0.25;   ///< [s] without one disarm
-    static constexpr double kDriveLimit = 0.25;       ///< [s] without one end a drive
-    static constexpr double kChallengeLife = 0.5;     ///< [s] so old a challenge is void
-    static constexpr double kChallengePeriod = 0.05;  ///< [s] it is given out again within
+    static constexpr double kHeartbeatLimit = kLinkLostAfter;  ///< [s] without one disarm
+    static constexpr double kDriveLimit = kLinkLostAfter;      ///< [s] without one end a drive
+    static constexpr double kChallengeLife = 0.5;              ///< [s] so old a challenge is void
+    static constexpr double kChallengePeriod = 0.05;           ///< [s] it is given out again within
 
     struct Answer {
         CommandVerdict verdict = CommandVerdict::NotACommand;

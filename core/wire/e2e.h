@@ -4,6 +4,8 @@
 #include <optional>
 #include <span>
 
+#include "core/limits.h"
+
 namespace terratact {
 
 // AUTOSAR End-to-End protection, Profile 5: bytes 0 and 1 hold a checksum, low byte first, byte 2 a counter,
@@ -45,8 +47,8 @@ enum class LinkState : std::uint8_t {
 class E2eReceiver {
 public:
     struct Limits {
-        double stale = 0.15;  ///< [s] since the last sound frame
-        double lost = 0.25;   ///< [s]; the next sound frame begins anew
+        double stale = kStaleAfter;    ///< [s] since the last sound frame
+        double lost = kLinkLostAfter;  ///< [s]; the next sound frame begins anew
     };
     static constexpr int kMaxDelta = 3;  ///< of the counter; more is a wrong sequence
     static constexpr int kWindow = 10;   ///< frames; Good begins with a window without error

@@ -6,6 +6,7 @@
 
 #include "core/atem/probe_gain.h"
 #include "core/infer/verdict/verdict.h"
+#include "core/limits.h"
 #include "widgets/base/card.h"
 #include "widgets/control/precondition.h"
 
@@ -35,7 +36,7 @@ struct ProbeProposal {
     quint64 id = 0;
     int bin = 0;
     double height = 0.0, q10 = 0.0, q90 = 0.0, sd = 0.0;  ///< [m]
-    double limit = 0.06;              ///< [m] sd above which the arm is asked for
+    double limit = kProbeThreshold;   ///< [m] sd above which the arm is asked for
     double armSd = 0.03;              ///< [m] sd of what the arm would measure
     double seconds = 45.0;            ///< what it costs
     double stepLimit = 0.1;           ///< [m] of the question

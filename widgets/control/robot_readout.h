@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "core/limits.h"
 #include "core/robot/attitude.h"
 #include "core/robot/measurement.h"
 #include "widgets/base/card.h"
@@ -11,9 +12,6 @@ class QGridLayout;
 class QLabel;
 
 namespace terratact {
-
-/// Older telemetry than this is not shown as if it were true [s].
-inline constexpr double kStaleAfter = 0.15;
 
 /// The robot's angles and currents L left, R right, each with its age as its tip.  What is older than
 /// kStaleAfter reads "--" with its age beside it.  Beside the pitch stands that of the scene which is drawn.

@@ -4,6 +4,7 @@
 
 #include "core/infer/estimate/variant.h"
 #include "core/learn/kernels/precision.h"
+#include "core/limits.h"
 
 namespace terratact {
 
@@ -36,9 +37,9 @@ struct Settings {
     /// are cheaper and less exact (core/learn/gp/sparse_process.h).
     int inducing = 0;
     std::uint64_t seed = 1;
-    double probeAbove = 0.06;      ///< [m] a bin with a larger sd asks for the arm (paper)
-    double rollLimit = 0.10;       ///< [rad] beyond it the 2-D assumption is doubtful
-    double asymmetryLimit = 0.10;  ///< [rad] left/right flipper difference, likewise
+    double probeAbove = kProbeThreshold;  ///< [m] a bin with a larger sd asks for the arm (paper)
+    double rollLimit = 0.10;              ///< [rad] beyond it the 2-D assumption is doubtful
+    double asymmetryLimit = 0.10;         ///< [rad] left/right flipper difference, likewise
     double hazardRate =
         kHazardRate;  ///< 0 to 1 per bin, see core/infer/estimate/hazards.h; 0: the model's own bands
     bool operator==(const Settings&) const = default;
