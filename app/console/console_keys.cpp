@@ -39,12 +39,12 @@ void addDriveKey(KeyTable& keys, QList<QKeyCombination> of, const QString& meani
 }
 
 /// A key acts only where one sees what it acts on.
-enum class Needs { Sight, Use };
+enum class Needs { ViewState, Use };
 std::function<void()> ifSeen(const QPushButton* button, std::function<void()> act,
                              Needs needs = Needs::Use)
 {
     return [button, needs, act = std::move(act)] {
-        if (button->isVisible() && (button->isEnabled() || needs == Needs::Sight)) act();
+        if (button->isVisible() && (button->isEnabled() || needs == Needs::ViewState)) act();
     };
 }
 
@@ -135,12 +135,12 @@ void addExplorationKeys(KeyTable& keys, MainWindow& window, QAction& draws)
               MainWindow::tr("forget the estimate"),
               ifSeen(
                   panel->requestButton(), [exploration] { exploration->forgetResult(); },
-                  Needs::Sight)});
+                  Needs::ViewState)});
     keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_Z)},
               MainWindow::tr("bring back the estimate that was forgotten"),
               ifSeen(
                   panel->requestButton(), [exploration] { exploration->restoreResult(); },
-                  Needs::Sight)});
+                  Needs::ViewState)});
 }
 
 }  // namespace terratact

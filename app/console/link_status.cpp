@@ -40,17 +40,18 @@ LinkStatus::LinkStatus(StatusHeader& header, QLabel& banner, EventList& events,
     banner_.setVisible(false);
 }
 
-void LinkStatus::show(const LinkSight& sight)
+void LinkStatus::show(const LinkViewState& viewState)
 {
-    const double age = sight.newest ? sight.now - secondsOf(sight.newest->arrived) : 0.0;
+    const double age =
+        viewState.newest ? viewState.now - secondsOf(viewState.newest->arrived) : 0.0;
     worstAge_ = std::max(worstAge_, age);
     const auto view = link_ ? std::optional(link_->view()) : std::nullopt;
-    if (view) count(*view, sight.now);
-    showLink(sight, age);
-    if (view) showBus(*view, sight.now);
-    showBanner(sight, age);
-    tellChange(sight.link);
-    showRobot(sight.newest, age);
+    if (view) count(*view, viewState.now);
+    showLink(viewState, age);
+    if (view) showBus(*view, viewState.now);
+    showBanner(viewState, age);
+    tellChange(viewState.link);
+    showRobot(viewState.newest, age);
 }
 
 /// What a doubt is only while it happens: the counts stand for ever.
@@ -61,12 +62,12 @@ void LinkStatus::count(const CanView& view, double now)
     erredLately_ = errors_.grewLately(frames.errorFrames, now);
 }
 
-void LinkStatus::showLink(const LinkSight& sight, double age)
+void LinkStatus::showLink(const LinkViewState& viewState, double age)
 {
-    const LinkAccount& link = sight.link;
+    const LinkAccount& link = viewState.link;
     if (link.standing == LinkStanding::Up) {
-        if (upSince_ == 0.0) upSince_ = sight.now;
-        if (sight.now - rateShownAt_ >= kRateEvery) showRate(sight.now);
+        if (upSince_ == 0.0) upSince_ = viewState.now;
+        if (viewState.now - rateShownAt_ >= kRateEvery) showRate(viewState.now);
         return;
     }
     rateShownAt_ = worstAge_ = upSince_ = 0.0;
@@ -138,9 +139,9 @@ QString LinkStatus::details(const CanView& view) const
              QString::number(view.frames.errorFrames));
 }
 
-QString LinkStatus::bannerText(const LinkSight& sight, double age) const
+QString LinkStatus::bannerText(const LinkViewState& viewState, double age) const
 {
-    const LinkAccount& link = sight.link;
+    const LinkAccount& link = viewState.link;
     if (link.standing != LinkStanding::Lost && link.standing != LinkStanding::Unsteady) return {};
     const QString title = capitals(link);
     if (link.standing == LinkStanding::Unsteady)
@@ -153,13 +154,13 @@ QString LinkStatus::bannerText(const LinkSight& sight, double age) const
     const QString why = trouble.isEmpty() ? QString() : QStringLiteral(": ") + trouble;
     return link.alone
              ? tr("%1 for %2 — %3; no measured value is live%4")
-                   .arg(title, words::age(age), sight.heard, why)
+                   .arg(title, words::age(age), viewState.heard, why)
              : tr("%1 for %2 — nothing on this screen is live%3").arg(title, words::age(age), why);
 }
 
-void LinkStatus::showBanner(const LinkSight& sight, double age)
+void LinkStatus::showBanner(const LinkViewState& viewState, double age)
 {
-    const QString text = bannerText(sight, age);
+    const QString text = bannerText(viewState, age);
     banner_.setVisible(!text.isEmpty());
     if (!text.isEmpty() && banner_.text() != text) banner_.setText(text);
 }

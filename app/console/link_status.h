@@ -18,7 +18,7 @@ class EventList;
 class StatusHeader;
 
 /// What a window knows of the robot's telemetry at one time.
-struct LinkSight {
+struct LinkViewState {
     double now = 0.0;                  ///< [s] on the steady clock
     const Received* newest = nullptr;  ///< null: none came yet
     LinkAccount link{};
@@ -35,18 +35,18 @@ public:
                const Acquisition& acquisition, CanSource* link);
 
     /// To be called whenever the window is drawn.
-    void show(const LinkSight& sight);
+    void show(const LinkViewState& viewState);
     /// Likewise.  panel: what it says to setting something in motion; empty: there is none.
     void showArming(const std::optional<Precondition>& panel);
     bool says(const QString& text) const;  ///< the banner does, in capitals
 
 private:
     void count(const CanView& view, double now);
-    void showLink(const LinkSight& sight, double age);
+    void showLink(const LinkViewState& viewState, double age);
     void showRate(double now);
     void showBus(const CanView& view, double now);
-    void showBanner(const LinkSight& sight, double age);
-    QString bannerText(const LinkSight& sight, double age) const;
+    void showBanner(const LinkViewState& viewState, double age);
+    QString bannerText(const LinkViewState& viewState, double age) const;
     void tellChange(const LinkAccount& link);
     void showRobot(const Received* newest, double age);
     QString details(const CanView& view) const;

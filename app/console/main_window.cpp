@@ -68,8 +68,8 @@ MainWindow::MainWindow(Options options)
 {
     if (options.panel)
         panel_ = std::make_unique<PanelControl>(std::move(options.panel), *source_, *exploration_);
-    sights_ = std::make_unique<ConsoleSights>(
-        ConsoleSights::Parts{*acquisition_, *exploration_, *worker_, link_, panel_.get(),
+    viewStates_ = std::make_unique<LiveViewState>(
+        LiveViewState::Parts{*acquisition_, *exploration_, *worker_, link_, panel_.get(),
                              recorder_.get(), preferences_.get()},
         robot_);
     setWindowTitle(tr("Terratact — %1").arg(words::sourceName(source_->name())));
@@ -141,10 +141,10 @@ void MainWindow::addPages(const Options& options)
         [this] {
             const Estimation& estimation = exploration_->estimation();
             const auto& estimate = estimation.estimate();
-            return NumbersSight{estimate ? &*estimate : nullptr, exploration_->whyNoEstimate(),
-                                exploration_->options().stepLimit, estimation.verdict(),
-                                latest_ ? std::optional(steadyNow() - secondsOf(latest_->arrived))
-                                        : std::nullopt};
+            return NumbersViewState{
+                estimate ? &*estimate : nullptr, exploration_->whyNoEstimate(),
+                exploration_->options().stepLimit, estimation.verdict(),
+                latest_ ? std::optional(steadyNow() - secondsOf(latest_->arrived)) : std::nullopt};
         },
         this);
     addScrolledPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The same scene as a table"));
@@ -164,7 +164,8 @@ void MainWindow::addPages(const Options& options)
     const QString source = words::sourceName(source_->name());
     diagnosticsPage_ = new DiagnosticsPage(
         [this, source] {
-            return consoleDiagnostics(sights_->facts(steadyNow(), source, robotDetails_), meter_);
+            return consoleDiagnostics(viewStates_->facts(steadyNow(), source, robotDetails_),
+                                      meter_);
         },
         this);
     addPage(diagnosticsPage_, tr("Diagnostics"), Qt::Key_F8,
@@ -441,11 +442,11 @@ void MainWindow::tellOfStall(double seconds)
 void MainWindow::redraw(double now)
 {
     redrawn_ = now;
-    const LinkSight link = sights_->link(now, latest_);
+    const LinkViewState link = viewStates_->link(now, latest_);
     linkStatus_->show(link);
     showAlarms(now, link.link);
     showRecording(link.link);
-    linkStatus_->showArming(sights_->panel(now));
+    linkStatus_->showArming(viewStates_->panel(now));
     showTerrain(now);
     using Terrain = ProbeNotice::Terrain;
     probeNotice_->show(exploration_->state(), exploration_->time(), exploration_->proposal(),
@@ -453,9 +454,9 @@ void MainWindow::redraw(double now)
                        !terrainPage_->isVisible() ? Terrain::Elsewhere
                        : probeCard()->isCovered() ? Terrain::Covered
                                                   : Terrain::Seen);
-    const StopSight stop = exploration_->stopSight();
-    const bool elsewhere = stop.state == StopSight::State::NoEffect && sharedStop_->hasOther();
-    stopDisplay_->show(elsewhere ? StopSight{.state = StopSight::State::Elsewhere} : stop);
+    const StopViewState stop = exploration_->stopViewState();
+    const bool elsewhere = stop.state == StopViewState::State::NoEffect && sharedStop_->hasOther();
+    stopDisplay_->show(elsewhere ? StopViewState{.state = StopViewState::State::Elsewhere} : stop);
     showPanelLost();
     if (replayBar_) replayBar_->look();
     notice_->look(now, !stopDisplay_->isLate());
@@ -484,11 +485,11 @@ void MainWindow::showPanelLost()
 
 void MainWindow::showTerrain(double now)
 {
-    TerrainSight sight = sights_->terrain(now, latest_);
-    sight.numbersDue = now - numbersShown_ >= kNumbers;
-    sight.numbersFor = kNumbers + kUnheard;
-    if (sight.numbersDue) numbersShown_ = now;
-    terrainPage_->setSight(sight);
+    TerrainViewState viewState = viewStates_->terrain(now, latest_);
+    viewState.numbersDue = now - numbersShown_ >= kNumbers;
+    viewState.numbersFor = kNumbers + kUnheard;
+    if (viewState.numbersDue) numbersShown_ = now;
+    terrainPage_->setViewState(viewState);
 }
 
 bool MainWindow::event(QEvent* event)
@@ -510,7 +511,7 @@ void MainWindow::restartMeter()
 
 void MainWindow::showAlarms(double now, const LinkAccount& link)
 {
-    alarms_->look(now, sights_->alarms(now, latest_, link));
+    alarms_->look(now, viewStates_->alarms(now, latest_, link));
     const AlarmList& list = alarms_->list();
     const auto all = list.alarms().size();
     header()->setAlarms(static_cast<int>(all - list.count(AlarmState::Acknowledged)),

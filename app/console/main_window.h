@@ -7,9 +7,9 @@
 #include <memory>
 #include <string>
 
-#include "app/console/console_sights.h"
 #include "app/console/diagnostics_page.h"
 #include "app/console/link_status.h"
+#include "app/console/live_view_state.h"
 #include "app/console/probe_notice.h"
 #include "app/console/recording_display.h"
 #include "app/console/shared_stop.h"
@@ -172,7 +172,7 @@ private:
     std::unique_ptr<ConsoleAlarms> alarms_;
     std::shared_ptr<SessionRecorder> recorder_;  ///< may be null
     std::unique_ptr<SessionScribe> scribe_;      ///< likewise
-    std::unique_ptr<ConsoleSights> sights_;
+    std::unique_ptr<LiveViewState> viewStates_;
     LoopMeter meter_;
     double prepared_ = 0.0;    ///< [s] the frame that is to be painted took to prepare
     double newestIn_ = -1.0;   ///< [s] when the telemetry in it came, where that is new

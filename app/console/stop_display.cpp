@@ -11,10 +11,10 @@ StopDisplay::StopDisplay(StatusHeader& header, QLabel& banner) : header_(header)
     banner_.hide();
 }
 
-void StopDisplay::show(const StopSight& sight)
+void StopDisplay::show(const StopViewState& viewState)
 {
-    header_.setStop(sight);
-    const QString text = late(sight);
+    header_.setStop(viewState);
+    const QString text = late(viewState);
     banner_.setVisible(!text.isEmpty());
     if (banner_.text() != text) banner_.setText(text);
 }
@@ -24,21 +24,21 @@ bool StopDisplay::isLate() const
     return !banner_.isHidden();
 }
 
-QString StopDisplay::late(const StopSight& sight)
+QString StopDisplay::late(const StopViewState& viewState)
 {
-    const QString age = words::age(sight.seconds);
-    switch (sight.state) {
-    case StopSight::State::NotSent:
+    const QString age = words::age(viewState.seconds);
+    switch (viewState.state) {
+    case StopViewState::State::NotSent:
         return tr("STOP NOT SENT for %1, it is tried again: use the robot's own switch — %2")
-            .arg(age, sight.why);
-    case StopSight::State::Sent:
-        if (sight.seconds < kConfirmsWithin) return {};
+            .arg(age, viewState.why);
+    case StopViewState::State::Sent:
+        if (viewState.seconds < kConfirmsWithin) return {};
         return tr("STOP SENT, NOT CONFIRMED for %1: the robot may still move; STOP is sent again")
             .arg(age);
-    case StopSight::State::Ready:
-    case StopSight::State::Confirmed:
-    case StopSight::State::Elsewhere:
-    case StopSight::State::NoEffect: return {};
+    case StopViewState::State::Ready:
+    case StopViewState::State::Confirmed:
+    case StopViewState::State::Elsewhere:
+    case StopViewState::State::NoEffect: return {};
     }
     return {};
 }

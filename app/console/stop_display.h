@@ -19,11 +19,11 @@ public:
     /// Both must outlive it.
     StopDisplay(StatusHeader& header, QLabel& banner);
 
-    void show(const StopSight& sight);
+    void show(const StopViewState& viewState);
     bool isLate() const;  ///< the banner is there, and needs all of its line
 
 private:
-    static QString late(const StopSight& sight);
+    static QString late(const StopViewState& viewState);
 
     StatusHeader& header_;
     QLabel& banner_;

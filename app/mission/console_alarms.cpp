@@ -82,23 +82,24 @@ ConsoleAlarms::ConsoleAlarms(std::unique_ptr<Sounder> sounder, QObject* parent)
 {
 }
 
-void ConsoleAlarms::look(double now, const AlarmSight& sight)
+void ConsoleAlarms::look(double now, const AlarmViewState& viewState)
 {
     now_ = now;
     if (!began_) began_ = now;
-    lookAtLink(sight);
-    if (sight.bus) lookAtBus(*sight.bus, sight);
-    judge("model", !sight.noModel.isEmpty(),
-          tr("No model, so nothing can be estimated: %1").arg(sight.noModel), Severity::Critical);
-    judge("panel", !sight.panelTrouble.isEmpty(), sight.panelTrouble, Severity::Critical);
-    judge("exploration", !sight.failedExploration.isEmpty(),
-          tr("Exploration failed: %1").arg(sight.failedExploration), Severity::Caution);
-    judge("recording", !sight.notRecorded.isEmpty(), tr("Not recorded: %1").arg(sight.notRecorded),
-          Severity::Caution);
-    lookAtSuspicions(sight);
-    lookAtAttitude(sight);
-    lookAtHalt(sight);
-    judge("stop", sight.isStopped, tr("The robot is stopped and moves only after a release"),
+    lookAtLink(viewState);
+    if (viewState.bus) lookAtBus(*viewState.bus, viewState);
+    judge("model", !viewState.noModel.isEmpty(),
+          tr("No model, so nothing can be estimated: %1").arg(viewState.noModel),
+          Severity::Critical);
+    judge("panel", !viewState.panelTrouble.isEmpty(), viewState.panelTrouble, Severity::Critical);
+    judge("exploration", !viewState.failedExploration.isEmpty(),
+          tr("Exploration failed: %1").arg(viewState.failedExploration), Severity::Caution);
+    judge("recording", !viewState.notRecorded.isEmpty(),
+          tr("Not recorded: %1").arg(viewState.notRecorded), Severity::Caution);
+    lookAtSuspicions(viewState);
+    lookAtAttitude(viewState);
+    lookAtHalt(viewState);
+    judge("stop", viewState.isStopped, tr("The robot is stopped and moves only after a release"),
           Severity::Caution);
     if (list_.takeSound(now) && soundOn_) trySound();
 }
@@ -109,14 +110,15 @@ void ConsoleAlarms::trySound()
     emit sounded();
 }
 
-void ConsoleAlarms::lookAtLink(const AlarmSight& sight)
+void ConsoleAlarms::lookAtLink(const AlarmViewState& viewState)
 {
-    const QString why =
-        sight.sourceTrouble.isEmpty() ? QString() : QStringLiteral(": ") + sight.sourceTrouble;
-    const LinkAccount& link = sight.link;
+    const QString why = viewState.sourceTrouble.isEmpty()
+                          ? QString()
+                          : QStringLiteral(": ") + viewState.sourceTrouble;
+    const LinkAccount& link = viewState.link;
     const bool came = link.standing != LinkStanding::Silent;
-    const bool waits = sight.bus && sight.bus->waits;
-    const bool ended = sight.bus && sight.bus->ended;
+    const bool waits = viewState.bus && viewState.bus->waits;
+    const bool ended = viewState.bus && viewState.bus->ended;
     if (waits) began_ = now_;  // nothing is due yet
     judge("silence", !came && !ended && now_ - *began_ >= kFirstTelemetry,
           tr("No telemetry has come since the start%1").arg(why), Severity::Critical);
@@ -130,9 +132,9 @@ void ConsoleAlarms::lookAtLink(const AlarmSight& sight)
           Severity::Critical);
 }
 
-void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmSight& sight)
+void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmViewState& viewState)
 {
-    judge("bus", toneOf(bus.bus) != Tone::Plain, busWords(bus.bus, sight.busName),
+    judge("bus", toneOf(bus.bus) != Tone::Plain, busWords(bus.bus, viewState.busName),
           comesAndGoes(bus.bus) ? Severity::Caution : Severity::Critical,
           comesAndGoes(bus.bus) ? kFlutter : 0.0);
     judge("foreign", bus.link.foreignSender && bus.transmits,
@@ -142,8 +144,9 @@ void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmSight& sight)
           tr("This computer was too slow for the bus: %1 frames lost since the start")
               .arg(bus.frames.dropped),
           Severity::Caution);
-    judge("checksum", counted_["checksum"].grewLately(sight.wrongChecksums, now_),
-          tr("Damaged frames: %1 with a wrong checksum since the start").arg(sight.wrongChecksums),
+    judge("checksum", counted_["checksum"].grewLately(viewState.wrongChecksums, now_),
+          tr("Damaged frames: %1 with a wrong checksum since the start")
+              .arg(viewState.wrongChecksums),
           Severity::Caution);
     lookAtSensors(bus.forces);
     lookAtArming(bus.link.arming);
@@ -171,35 +174,35 @@ void ConsoleAlarms::lookAtSensors(const ElementForces& forces)
 }
 
 /// It stands as long as a verdict is withheld for it: then it tells what was suspected.
-void ConsoleAlarms::lookAtSuspicions(const AlarmSight& sight)
+void ConsoleAlarms::lookAtSuspicions(const AlarmViewState& viewState)
 {
-    if (!sight.suspicions.empty()) suspected_ = suspicionWords(sight.suspicions);
-    const bool stands = !sight.suspicions.empty() || sight.isSceneSuspected;
+    if (!viewState.suspicions.empty()) suspected_ = suspicionWords(viewState.suspicions);
+    const bool stands = !viewState.suspicions.empty() || viewState.isSceneSuspected;
     judge(std::string(kSensorAlarm), stands, tr("Do not trust this sensor: %1").arg(suspected_),
           Severity::Critical);
 }
 
-void ConsoleAlarms::lookAtAttitude(const AlarmSight& sight)
+void ConsoleAlarms::lookAtAttitude(const AlarmViewState& viewState)
 {
-    const Attitude& attitude = sight.attitude;
-    const bool stands = sight.measurement && attitude.worst() != AttitudeLevel::Level;
-    judge("attitude", stands, stands ? tiltWords(*sight.measurement, attitude) : QString(),
+    const Attitude& attitude = viewState.attitude;
+    const bool stands = viewState.measurement && attitude.worst() != AttitudeLevel::Level;
+    judge("attitude", stands, stands ? tiltWords(*viewState.measurement, attitude) : QString(),
           attitude.worst() == AttitudeLevel::Red ? Severity::Critical : Severity::Caution,
           kTiltFlutter);
 }
 
 /// A robot that halts with a refusal was not told to: it says why.  It stands until the next drive or press.
-void ConsoleAlarms::lookAtHalt(const AlarmSight& sight)
+void ConsoleAlarms::lookAtHalt(const AlarmViewState& viewState)
 {
-    if (sight.measurement) {
-        const Measurement& m = *sight.measurement;
+    if (viewState.measurement) {
+        const Measurement& m = *viewState.measurement;
         const bool hasHalted = m.activity == RobotActivity::Halted && m.refusal != Refusal::None;
         const bool moved =
             activity_ != RobotActivity::Halted && activity_ != RobotActivity::Stopped;
         if (hasHalted && moved) {
             halted_ = words::sentence(describe(m.refusal));
-            if (sight.attitude.worst() != AttitudeLevel::Level)
-                halted_ += QStringLiteral(". ") + tiltWords(m, sight.attitude);
+            if (viewState.attitude.worst() != AttitudeLevel::Level)
+                halted_ += QStringLiteral(". ") + tiltWords(m, viewState.attitude);
         } else if (m.activity != RobotActivity::Halted) {
             halted_.clear();
         }

@@ -20,7 +20,7 @@
 namespace terratact {
 
 /// What can be wrong, as it stands now.  An empty text: it is not.
-struct AlarmSight {
+struct AlarmViewState {
     LinkAccount link{};
     QString sourceTrouble{};       ///< why there is no telemetry
     std::optional<CanView> bus{};  ///< empty: the source is none
@@ -48,7 +48,7 @@ public:
     explicit ConsoleAlarms(std::unique_ptr<Sounder> sounder, QObject* parent = nullptr);
 
     /// now: [s] on the steady clock.  To be called several times a second.
-    void look(double now, const AlarmSight& sight);
+    void look(double now, const AlarmViewState& viewState);
 
     const AlarmList& list() const { return list_; }
     void acknowledge(const std::string& id) { list_.acknowledge(id); }
@@ -72,13 +72,13 @@ private:
     /// after: [s] it has to stand before it is an alarm.
     void judge(const std::string& id, bool stands, const QString& text, Severity severity,
                double after = 0.0);
-    void lookAtLink(const AlarmSight& sight);
-    void lookAtBus(const CanView& bus, const AlarmSight& sight);
+    void lookAtLink(const AlarmViewState& viewState);
+    void lookAtBus(const CanView& bus, const AlarmViewState& viewState);
     void lookAtArming(const ArmingState& arming);
     void lookAtSensors(const ElementForces& forces);
-    void lookAtSuspicions(const AlarmSight& sight);
-    void lookAtAttitude(const AlarmSight& sight);
-    void lookAtHalt(const AlarmSight& sight);
+    void lookAtSuspicions(const AlarmViewState& viewState);
+    void lookAtAttitude(const AlarmViewState& viewState);
+    void lookAtHalt(const AlarmViewState& viewState);
 
     std::unique_ptr<Sounder> sounder_;
     AlarmList list_;

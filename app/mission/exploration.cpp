@@ -245,8 +245,8 @@ void Exploration::stopFrom(const QString& where)
         return;  // nothing is stopped, so nothing must look so
     }
     emit decided("stop", where);
-    if (stopSight().state != StopSight::State::Sent
-        && stopSight().state != StopSight::State::NotSent)
+    if (stopViewState().state != StopViewState::State::Sent
+        && stopViewState().state != StopViewState::State::NotSent)
         stopBegan_ = now_;
     // Pressed again, what the robot has confirmed already is not to be confirmed anew.
     stopConfirmed_ = stopConfirmed_ && linkAlive_ && !releasing_;
@@ -278,9 +278,9 @@ void Exploration::confirmStop(bool latched)
         stopBegan_ = now_;  // it is asked for anew
 }
 
-StopSight Exploration::stopSight() const
+StopViewState Exploration::stopViewState() const
 {
-    using State = StopSight::State;
+    using State = StopViewState::State;
     if (following()) return {.state = State::NoEffect, .why = following_->why()};
     if (state_.phase != AtemPhase::Stopped && !pending_.stop) return {};
     if (stopConfirmed_) return {.state = State::Confirmed};
@@ -565,13 +565,13 @@ std::optional<PhaseTime> Exploration::time() const
 QString Exploration::stateWords() const
 {
     if (state_.phase == AtemPhase::Failed) return failureWords();
-    switch (const StopSight stop = stopSight(); stop.state) {
-    case StopSight::State::Sent: return tr("STOP sent, not confirmed by the robot");
-    case StopSight::State::NotSent: return tr("STOP not sent: %1").arg(stop.why);
-    case StopSight::State::Ready:
-    case StopSight::State::Confirmed:
-    case StopSight::State::Elsewhere:
-    case StopSight::State::NoEffect: return {};
+    switch (const StopViewState stop = stopViewState(); stop.state) {
+    case StopViewState::State::Sent: return tr("STOP sent, not confirmed by the robot");
+    case StopViewState::State::NotSent: return tr("STOP not sent: %1").arg(stop.why);
+    case StopViewState::State::Ready:
+    case StopViewState::State::Confirmed:
+    case StopViewState::State::Elsewhere:
+    case StopViewState::State::NoEffect: return {};
     }
     return {};
 }
@@ -624,7 +624,7 @@ QList<Precondition> Exploration::toProbe() const
 QList<Precondition> Exploration::toReleaseStop() const
 {
     if (following()) return {Preconditions::arming(following_->why())};
-    const bool confirmed = stopSight().state == StopSight::State::Confirmed;
+    const bool confirmed = stopViewState().state == StopViewState::State::Confirmed;
     return {Preconditions::telemetry(linkAlive_, ended_),
             state_.phase == AtemPhase::Stopped ? Preconditions::stopConfirmed(confirmed, linkAlive_)
                                                : Preconditions::nothingToRelease()};

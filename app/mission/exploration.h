@@ -90,7 +90,7 @@ public:
     {
         return state_.phase == AtemPhase::Estimating || state_.phase == AtemPhase::EstimatingAgain;
     }
-    StopSight stopSight() const;
+    StopViewState stopViewState() const;
     bool linkAlive() const { return linkAlive_; }
     bool armed() const;  ///< true without a link: such a source needs no arming
     bool following() const { return following_ != nullptr; }

@@ -12,11 +12,11 @@ PanelControl::PanelControl(std::unique_ptr<OperatorPanel> panel, MeasurementSour
 {
 }
 
-void PanelControl::tick(double now, const Sight& sight)
+void PanelControl::tick(double now, const ViewState& viewState)
 {
     if (now_ == 0.0) answeredAt_ = now;  // it has a while to begin
     now_ = now;
-    if (std::exchange(shown_, sight.shown) != sight.shown) shownSince_ = now;
+    if (std::exchange(shown_, viewState.shown) != viewState.shown) shownSince_ = now;
     report_ = reader_.latest();
     if (answers(now)) answeredAt_ = now;
     const bool stopped = report_.state.stop || isLost();
@@ -28,18 +28,18 @@ void PanelControl::tick(double now, const Sight& sight)
                       Weight::Bad);
     }
     wasStopped_ = stopped;
-    press(sight);
-    ask(sight);
+    press(viewState);
+    ask(viewState);
     light();
     const QString trouble = words::sentence(report_.trouble);
     if (trouble != trouble_ && !trouble.isEmpty()) emit happened(trouble, Weight::Bad);
     trouble_ = trouble;
 }
 
-void PanelControl::press(const Sight& sight)
+void PanelControl::press(const ViewState& viewState)
 {
     const PerContact<int> presses = reader_.takePresses();
-    if (presses[PanelContact::Atem] > 0 && sight.mayExplore && answers(now_))
+    if (presses[PanelContact::Atem] > 0 && viewState.mayExplore && answers(now_))
         exploration_.request();
     const auto& proposal = exploration_.proposal();
     if (!proposal) {
@@ -49,7 +49,7 @@ void PanelControl::press(const Sight& sight)
     if (presses[PanelContact::Refuse] > 0)
         exploration_.refuse(proposal->id);
     else
-        approve(proposal->id, presses[PanelContact::Approve] > 0, sight.covered);
+        approve(proposal->id, presses[PanelContact::Approve] > 0, viewState.covered);
 }
 
 void PanelControl::approve(quint64 asked, bool pressed, bool covered)
@@ -73,10 +73,10 @@ void PanelControl::buzz()
     buzzUntil_ = now_ + kBuzz;
 }
 
-void PanelControl::ask(const Sight& sight)
+void PanelControl::ask(const ViewState& viewState)
 {
     if (exploration_.state().phase != AtemPhase::ProposingProbe) return asked_.reset();
-    if (!sight.mayAsk || (asked_ && now_ - *asked_ < kAskAgain)) return;
+    if (!viewState.mayAsk || (asked_ && now_ - *asked_ < kAskAgain)) return;
     asked_ = now_;
     buzz();
 }

@@ -22,7 +22,7 @@ public:
                  Exploration& exploration);
 
     /// What the window shows at one time.
-    struct Sight {
+    struct ViewState {
         bool mayExplore = false;         ///< its button that asks for an exploration would do so
         std::optional<quint64> shown{};  ///< the proposal that the operator has before him
         bool covered = false;            ///< there it is, but for another window that covers it
@@ -30,7 +30,7 @@ public:
     };
     /// An approval needs its contact held for kApproveHold with the question before the operator all the time: what
     /// was pressed before is no answer to it.
-    void tick(double now, const Sight& sight);
+    void tick(double now, const ViewState& viewState);
     void buzz();  ///< once: something of the console's sounds
 
     /// The panel is there and was read lately: what an armed robot needs of it.
@@ -47,9 +47,9 @@ signals:
     void happened(const QString& text, terratact::Weight weight);
 
 private:
-    void press(const Sight& sight);
+    void press(const ViewState& viewState);
     void approve(quint64 asked, bool pressed, bool covered);
-    void ask(const Sight& sight);
+    void ask(const ViewState& viewState);
     void light();
 
     Exploration& exploration_;

@@ -17,7 +17,7 @@
 
 namespace terratact {
 
-NumbersPage::NumbersPage(std::function<NumbersSight()> look, QWidget* parent)
+NumbersPage::NumbersPage(std::function<NumbersViewState()> look, QWidget* parent)
     : Page(parent), look_(std::move(look))
 {
     auto* card = new Card(tr("The scene as numbers"), this);
@@ -53,16 +53,16 @@ void NumbersPage::addKeys(KeyTable& keys)
               .applies = [this] { return isVisible(); }});
 }
 
-void NumbersPage::showVerdict(const NumbersSight& sight)
+void NumbersPage::showVerdict(const NumbersViewState& viewState)
 {
-    verdict_->setVisible(sight.verdict.has_value());
-    if (!sight.verdict) return;
-    const bool isOld =
-        std::ranges::find(sight.verdict->doubts, Doubt::Stale) != sight.verdict->doubts.end();
-    QStringList parts{VerdictStrip::answerOf(*sight.verdict),
-                      VerdictStrip::probabilityOf(*sight.verdict, sight.stepLimit),
-                      VerdictStrip::whyOf(*sight.verdict)};
-    if (isOld && sight.age) parts << tr("last heard %1 ago").arg(words::age(*sight.age));
+    verdict_->setVisible(viewState.verdict.has_value());
+    if (!viewState.verdict) return;
+    const bool isOld = std::ranges::find(viewState.verdict->doubts, Doubt::Stale)
+                    != viewState.verdict->doubts.end();
+    QStringList parts{VerdictStrip::answerOf(*viewState.verdict),
+                      VerdictStrip::probabilityOf(*viewState.verdict, viewState.stepLimit),
+                      VerdictStrip::whyOf(*viewState.verdict)};
+    if (isOld && viewState.age) parts << tr("last heard %1 ago").arg(words::age(*viewState.age));
     const QString text = parts.join(QStringLiteral(" · "));
     if (verdict_->text() == text) return;
     verdict_->setText(text);
@@ -71,17 +71,17 @@ void NumbersPage::showVerdict(const NumbersSight& sight)
 
 void NumbersPage::refresh(double /*now*/)
 {
-    const NumbersSight sight = look_();
-    showVerdict(sight);
-    if (!sight.estimate) {
+    const NumbersViewState viewState = look_();
+    showVerdict(viewState);
+    if (!viewState.estimate) {
         if (shown_) table_->clearEstimate();
         shown_.reset();
-        summary_->setText(sight.whyNoEstimate);
+        summary_->setText(viewState.whyNoEstimate);
         return;
     }
-    if (shown_ == *sight.estimate && shownLimit_ == sight.stepLimit) return;
-    shown_ = *sight.estimate;
-    shownLimit_ = sight.stepLimit;
+    if (shown_ == *viewState.estimate && shownLimit_ == viewState.stepLimit) return;
+    shown_ = *viewState.estimate;
+    shownLimit_ = viewState.stepLimit;
     table_->setEstimate(*shown_, shownLimit_);
     summary_->setText(tr("%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m. "
                          "The verdict's P counts steps over two bins (0.2 m) anywhere ahead, the "

@@ -17,7 +17,7 @@ class KeyTable;
 class NumbersTable;
 
 /// What the numbers are of.
-struct NumbersSight {
+struct NumbersViewState {
     const TerrainEstimate* estimate = nullptr;  ///< null: there is none
     QString whyNoEstimate{};
     double stepLimit = kStepLimit;     ///< [m]
@@ -30,7 +30,7 @@ class NumbersPage final : public Page {
     Q_OBJECT
 public:
     /// look: at what is to be shown.
-    explicit NumbersPage(std::function<NumbersSight()> look, QWidget* parent = nullptr);
+    explicit NumbersPage(std::function<NumbersViewState()> look, QWidget* parent = nullptr);
     void refresh(double now) override;
     /// Ctrl+C copies the table while the page is seen, wherever the focus is.
     void addKeys(KeyTable& keys);
@@ -39,12 +39,12 @@ public:
     QPushButton* copyButton() const { return copy_; }
 
 private:
-    std::function<NumbersSight()> look_;
+    std::function<NumbersViewState()> look_;
     QLabel* verdict_ = nullptr;
     QLabel* summary_ = nullptr;
     NumbersTable* table_ = nullptr;
     QPushButton* copy_ = nullptr;
-    void showVerdict(const NumbersSight& sight);
+    void showVerdict(const NumbersViewState& viewState);
 
     std::optional<TerrainEstimate> shown_;
     double shownLimit_ = 0.0;

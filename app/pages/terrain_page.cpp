@@ -32,10 +32,10 @@ QString followedProbe(const AtemState& state)
 }
 
 /// There is a probe to tell of, nobody is asked and nothing is under way.
-bool isAtRest(const TerrainSight& sight)
+bool isAtRest(const TerrainViewState& viewState)
 {
-    if (!sight.estimate || sight.live || !sight.bestProbe) return false;
-    switch (sight.state.phase) {
+    if (!viewState.estimate || viewState.live || !viewState.bestProbe) return false;
+    switch (viewState.state.phase) {
     case AtemPhase::Presenting:
     case AtemPhase::Stopped:
     case AtemPhase::Failed:
@@ -51,9 +51,9 @@ bool isAtRest(const TerrainSight& sight)
 }
 
 /// What the estimate that stands says of a probe counts.
-bool tellsWorth(const TerrainSight& sight)
+bool tellsWorth(const TerrainViewState& viewState)
 {
-    return isAtRest(sight) && (!sight.verdict || sight.verdict->doubts.empty());
+    return isAtRest(viewState) && (!viewState.verdict || viewState.verdict->doubts.empty());
 }
 
 /// What a probe of the bin would tell, in a line.
@@ -69,42 +69,43 @@ QString probeTells(const ProbeProposal& probe)
                                : TerrainPage::tr("probe at %1: no gain").arg(bin);
 }
 
-QString whyNoProbe(const TerrainSight& sight)
+QString whyNoProbe(const TerrainViewState& viewState)
 {
-    if (isAtRest(sight) && !tellsWorth(sight))
+    if (isAtRest(viewState) && !tellsWorth(viewState))
         return TerrainPage::tr("The verdict is withheld, and so is what a probe tells about it.");
-    const AtemState& state = sight.state;
+    const AtemState& state = viewState.state;
     if (state.followed) return followedProbe(state);
     if (state.phase == AtemPhase::Presenting) {
         if (state.probed)
             return TerrainPage::tr("The arm has measured; its height is part of the estimate.");
         if (state.approvalExpired)
             return TerrainPage::tr("The proposal was not answered in time, which means no.");
-        if (!sight.whyNotOffered.isEmpty()) return sight.whyNotOffered;
-        if (sight.estimate && !sight.proposal)
+        if (!viewState.whyNotOffered.isEmpty()) return viewState.whyNotOffered;
+        if (viewState.estimate && !viewState.proposal)
             return TerrainPage::tr("No probe: the estimate stands without the arm.");
     }
-    if (tellsWorth(sight)) return TerrainPage::tr("Nobody asks for the arm. What it would buy:");
+    if (tellsWorth(viewState))
+        return TerrainPage::tr("Nobody asks for the arm. What it would buy:");
     return TerrainPage::tr(
         "No probe is proposed. After an exploration the arm is offered where the "
         "terrain stays uncertain.");
 }
 
 /// The robot says of its arm where it touched last at this pose, and nothing of where it is.
-std::optional<ArmTip> armTipOf(const TerrainSight& sight, bool asking)
+std::optional<ArmTip> armTipOf(const TerrainViewState& viewState, bool asking)
 {
     using State = ArmTip::State;
-    if (asking) return ArmTip{.state = State::Proposed, .bin = sight.proposal->bin};
-    if (sight.probingBin) return ArmTip{.state = State::Probing, .bin = *sight.probingBin};
-    if (!sight.measurement || !sight.measurement->arm) return std::nullopt;
-    const ArmReading& touched = *sight.measurement->arm;
+    if (asking) return ArmTip{.state = State::Proposed, .bin = viewState.proposal->bin};
+    if (viewState.probingBin) return ArmTip{.state = State::Probing, .bin = *viewState.probingBin};
+    if (!viewState.measurement || !viewState.measurement->arm) return std::nullopt;
+    const ArmReading& touched = *viewState.measurement->arm;
     return ArmTip{.state = State::Touched, .bin = touched.bin, .height = touched.height};
 }
 
 /// Of a preview: it stays while the estimate of the scene is computed.
-bool flippersMove(const TerrainSight& sight)
+bool flippersMove(const TerrainViewState& viewState)
 {
-    return sight.state.phase == AtemPhase::Pressing;
+    return viewState.state.phase == AtemPhase::Pressing;
 }
 
 bool isShown(const std::optional<TerrainEstimate>& shown, const TerrainEstimate* estimate)
@@ -246,88 +247,90 @@ void TerrainPage::showThreshold()
     setTone(*thresholdText_, raw ? Tone::Muted : Tone::Bad);
 }
 
-void TerrainPage::setSight(const TerrainSight& sight)
+void TerrainPage::setViewState(const TerrainViewState& viewState)
 {
-    showRobot(sight);
-    showEstimate(sight);
-    showPose(sight);
-    const bool isStale = sight.measurement && sight.age > kStaleAfter && !sight.ended;
-    terrain_->setStale(isStale ? std::optional(sight.age) : std::nullopt);
-    showVerdict(sight);
-    showProbe(sight);
-    strip_->setProgress(sight.progress);
-    atem_->setState(sight.state, sight.time, sight.stateWords);
-    atem_->setResultStands(sight.estimate || sight.ghost);
-    showProbeToAsk(sight);
-    atem_->setPreconditions(sight.preconditions);
-    atem_->setNeeds(Commanded::Drive, sight.driving);
-    atem_->setNeeds(Commanded::Arm, sight.arming);
-    atem_->setNeeds(Commanded::Probe, sight.probing);
-    atem_->setNeeds(Commanded::ReleaseStop, sight.releasing);
-    drive_->setPreconditions(sight.driving);
+    showRobot(viewState);
+    showEstimate(viewState);
+    showPose(viewState);
+    const bool isStale = viewState.measurement && viewState.age > kStaleAfter && !viewState.ended;
+    terrain_->setStale(isStale ? std::optional(viewState.age) : std::nullopt);
+    showVerdict(viewState);
+    showProbe(viewState);
+    strip_->setProgress(viewState.progress);
+    atem_->setState(viewState.state, viewState.time, viewState.stateWords);
+    atem_->setResultStands(viewState.estimate || viewState.ghost);
+    showProbeToAsk(viewState);
+    atem_->setPreconditions(viewState.preconditions);
+    atem_->setNeeds(Commanded::Drive, viewState.driving);
+    atem_->setNeeds(Commanded::Arm, viewState.arming);
+    atem_->setNeeds(Commanded::Probe, viewState.probing);
+    atem_->setNeeds(Commanded::ReleaseStop, viewState.releasing);
+    drive_->setPreconditions(viewState.driving);
 }
 
-void TerrainPage::showRobot(const TerrainSight& sight)
+void TerrainPage::showRobot(const TerrainViewState& viewState)
 {
-    if (!sight.measurement) {
+    if (!viewState.measurement) {
         readout_->clearMeasurement();
         forces_->clearForces();
-        showForcesAge(sight);
+        showForcesAge(viewState);
         robotAge_->setText(QString());
         return;
     }
-    const bool fresh = sight.age <= kStaleAfter;
-    if (sight.numbersDue || fresh != numbersFresh_) {
+    const bool fresh = viewState.age <= kStaleAfter;
+    if (viewState.numbersDue || fresh != numbersFresh_) {
         numbersFresh_ = fresh;
-        const bool isDrawn = !sight.scene || sight.scene == sight.measurement;
-        readout_->setAttitude(sight.attitude);
-        const auto captured = isDrawn ? std::nullopt : std::optional(sight.scene->pitch);
-        if (sight.ages)
-            readout_->setMeasurement(*sight.measurement, sight.age, *sight.ages, captured);
+        const bool isDrawn = !viewState.scene || viewState.scene == viewState.measurement;
+        readout_->setAttitude(viewState.attitude);
+        const auto captured = isDrawn ? std::nullopt : std::optional(viewState.scene->pitch);
+        if (viewState.ages)
+            readout_->setMeasurement(*viewState.measurement, viewState.age, *viewState.ages,
+                                     captured);
         else
-            readout_->setMeasurement(*sight.measurement, sight.age, captured);
-        showAge(sight);
+            readout_->setMeasurement(*viewState.measurement, viewState.age, captured);
+        showAge(viewState);
     }
-    if (!fresh) showAge(sight);  // it grows
-    showForcesAge(sight);
+    if (!fresh) showAge(viewState);  // it grows
+    showForcesAge(viewState);
     if (!fresh || forcesAge_) return forces_->clearForces();
-    if (sight.count == shownCount_ || !sight.forces) return;
-    if (sight.forcesBefore)
-        forces_->setForces(*sight.forces, sight.now, *sight.forcesBefore);
+    if (viewState.count == shownCount_ || !viewState.forces) return;
+    if (viewState.forcesBefore)
+        forces_->setForces(*viewState.forces, viewState.now, *viewState.forcesBefore);
     else
-        forces_->setForces(*sight.forces, sight.now);
+        forces_->setForces(*viewState.forces, viewState.now);
     if (forceLegend_->text() == forces_->legend()) return;
     forceLegend_->setText(forces_->legend());
     showThreshold();
 }
 
-void TerrainPage::showAge(const TerrainSight& sight)
+void TerrainPage::showAge(const TerrainViewState& viewState)
 {
-    const bool fresh = sight.age <= kStaleAfter;
-    const double oldest = std::ceil(10.0 * (sight.age + sight.numbersFor)) / 10.0;
+    const bool fresh = viewState.age <= kStaleAfter;
+    const double oldest = std::ceil(10.0 * (viewState.age + viewState.numbersFor)) / 10.0;
     QString text;
-    if (sight.measurement == sight.scene)
+    if (viewState.measurement == viewState.scene)
         text = QString();  // a scene of a file
-    else if (sight.ended)
+    else if (viewState.ended)
         text = tr("the log has ended");
     else if (!fresh)
-        text = tr("%1 s old").arg(words::number(sight.age, 1));
-    else if (sight.numbersFor > 0.0)
+        text = tr("%1 s old").arg(words::number(viewState.age, 1));
+    else if (viewState.numbersFor > 0.0)
         text = tr("< %1 s old").arg(words::number(oldest, 1));
     else
-        text = tr("%1 old").arg(words::age(sight.age));
+        text = tr("%1 old").arg(words::age(viewState.age));
     robotAge_->setText(text);
-    setTone(*robotAge_, fresh || sight.ended ? Tone::Muted : Tone::Bad);
+    setTone(*robotAge_, fresh || viewState.ended ? Tone::Muted : Tone::Bad);
 }
 
 /// How old the forces are that are shown stands as their card's tip, and of those that are not shown any more upon it.
-void TerrainPage::showForcesAge(const TerrainSight& sight)
+void TerrainPage::showForcesAge(const TerrainViewState& viewState)
 {
-    const double age = sight.forcesAge.value_or(sight.age);
-    const bool isScene = !sight.measurement || sight.measurement == sight.scene;  // of a file
+    const double age = viewState.forcesAge.value_or(viewState.age);
+    const bool isScene =
+        !viewState.measurement || viewState.measurement == viewState.scene;  // of a file
     const auto said =
-        isScene || sight.ended || age <= kStaleAfter ? std::nullopt : std::optional(age);
-    if (sight.numbersDue || said != forcesAge_)
+        isScene || viewState.ended || age <= kStaleAfter ? std::nullopt : std::optional(age);
+    if (viewState.numbersDue || said != forcesAge_)
         setTip(*thresholdText_,
                isScene ? QString() : tr("the forces are %1 old").arg(words::age(age)));
     if (said == forcesAge_) return;
@@ -335,108 +338,110 @@ void TerrainPage::showForcesAge(const TerrainSight& sight)
     showThreshold();
 }
 
-void TerrainPage::showEstimate(const TerrainSight& sight)
+void TerrainPage::showEstimate(const TerrainViewState& viewState)
 {
-    if (sight.live) {
-        showPreview(sight);
+    if (viewState.live) {
+        showPreview(viewState);
         shown_.reset();
-    } else if (sight.estimate) {
-        if (!isShown(shown_, sight.estimate)) {
-            terrain_->setEstimate(*sight.estimate);
-            strip_->setEstimate(*sight.estimate, sight.estimateSeconds);
-            shown_ = *sight.estimate;
+    } else if (viewState.estimate) {
+        if (!isShown(shown_, viewState.estimate)) {
+            terrain_->setEstimate(*viewState.estimate);
+            strip_->setEstimate(*viewState.estimate, viewState.estimateSeconds);
+            shown_ = *viewState.estimate;
         }
-    } else if (shown_ || shownLive_ || shownReason_ != sight.whyNoEstimate) {
+    } else if (shown_ || shownLive_ || shownReason_ != viewState.whyNoEstimate) {
         shown_.reset();
-        shownReason_ = sight.whyNoEstimate;
+        shownReason_ = viewState.whyNoEstimate;
         terrain_->clearEstimate(shownReason_);
         strip_->setNothing(QString());
     }
-    terrain_->setGhost(sight.ghost, sight.whyNoGhost);
-    if (!isShown(shownSecond_, sight.second)) {
-        shownSecond_ = copyOf(sight.second);
-        terrain_->setSecond(shownSecond_, sight.secondName);
+    terrain_->setGhost(viewState.ghost, viewState.whyNoGhost);
+    if (!isShown(shownSecond_, viewState.second)) {
+        shownSecond_ = copyOf(viewState.second);
+        terrain_->setSecond(shownSecond_, viewState.secondName);
     }
-    shownLive_ = copyOf(sight.live);
-    shownEstimate_ = sight.estimate && !sight.live;
+    shownLive_ = copyOf(viewState.live);
+    shownEstimate_ = viewState.estimate && !viewState.live;
     if (shownEstimate_) shownReason_.clear();
 }
 
-void TerrainPage::showPreview(const TerrainSight& sight)
+void TerrainPage::showPreview(const TerrainViewState& viewState)
 {
-    const bool moves = flippersMove(sight);
+    const bool moves = flippersMove(viewState);
     const QString note = moves ? tr("The flippers still move: nothing ahead is felt yet")
                                : tr("Preview from the way down: the estimate is being computed");
-    if (isShown(shownLive_, sight.live) && shownReason_ == note) return;
-    terrain_->setEstimate(*sight.live, note);
+    if (isShown(shownLive_, viewState.live) && shownReason_ == note) return;
+    terrain_->setEstimate(*viewState.live, note);
     strip_->setLive(moves ? tr("LIVE preview") : tr("preview"));
     shownReason_ = note;
 }
 
-void TerrainPage::showPose(const TerrainSight& sight)
+void TerrainPage::showPose(const TerrainViewState& viewState)
 {
-    if (!sight.measurement || sight.count == shownCount_) return;
+    if (!viewState.measurement || viewState.count == shownCount_) return;
     // An estimate belongs to the scene it rests on, so both are drawn in that pose.
-    const Proprioception s = proprioception(sight.scene ? *sight.scene : *sight.measurement);
+    const Proprioception s =
+        proprioception(viewState.scene ? *viewState.scene : *viewState.measurement);
     if (shownPose_ != std::array{s.pitch, s.front, s.rear}) {
         shownPose_ = std::array{s.pitch, s.front, s.rear};
         terrain_->setOutline(robotOutline(robot_, s.pitch, s.front, s.rear));
     }
-    const std::optional<Heights>* truth = sight.scene ? sight.sceneTruth : sight.truth;
+    const std::optional<Heights>* truth = viewState.scene ? viewState.sceneTruth : viewState.truth;
     const std::optional<Heights> known = truth ? *truth : std::nullopt;
     if (shownTruth_ != known) terrain_->setTruth(shownTruth_ = known);
-    shownCount_ = sight.count;
+    shownCount_ = viewState.count;
 }
 
-void TerrainPage::showVerdict(const TerrainSight& sight)
+void TerrainPage::showVerdict(const TerrainViewState& viewState)
 {
-    if (!sight.verdict)
-        return verdict_->setNothing(!sight.live           ? sight.whyNoEstimate
-                                    : flippersMove(sight) ? tr("The flippers still move")
-                                                          : tr("The estimate is being computed"));
+    if (!viewState.verdict)
+        return verdict_->setNothing(!viewState.live ? viewState.whyNoEstimate
+                                    : flippersMove(viewState)
+                                        ? tr("The flippers still move")
+                                        : tr("The estimate is being computed"));
     QString probe;
-    const ProbeProposal* const proposal = sight.proposal    ? sight.proposal
-                                        : tellsWorth(sight) ? &*sight.bestProbe
-                                                            : nullptr;
+    const ProbeProposal* const proposal = viewState.proposal    ? viewState.proposal
+                                        : tellsWorth(viewState) ? &*viewState.bestProbe
+                                                                : nullptr;
     if (proposal && proposal->worth && proposal->stepLimit == verdict_->limit())
         probe = probeTells(*proposal);
-    verdict_->setVerdict(*sight.verdict, probe);
+    verdict_->setVerdict(*viewState.verdict, probe);
 }
 
 /// Where the verdict cannot tell, always: the bin, what is expected of it, and the button that asks for it.
-void TerrainPage::showProbeToAsk(const TerrainSight& sight)
+void TerrainPage::showProbeToAsk(const TerrainViewState& viewState)
 {
-    const bool open = sight.verdict && sight.verdict->outlook == Outlook::CannotTell;
-    if (!open || !isAtRest(sight)) return atem_->setProbeToAsk(std::nullopt, {});
-    atem_->setProbeToAsk(sight.bestProbe->bin, probeTells(*sight.bestProbe));
+    const bool open = viewState.verdict && viewState.verdict->outlook == Outlook::CannotTell;
+    if (!open || !isAtRest(viewState)) return atem_->setProbeToAsk(std::nullopt, {});
+    atem_->setProbeToAsk(viewState.bestProbe->bin, probeTells(*viewState.bestProbe));
 }
 
-void TerrainPage::showProbe(const TerrainSight& sight)
+void TerrainPage::showProbe(const TerrainViewState& viewState)
 {
-    const bool asking = sight.proposal && sight.state.phase == AtemPhase::ProposingProbe;
+    const bool asking = viewState.proposal && viewState.state.phase == AtemPhase::ProposingProbe;
     // What asks or moves is shown in every layout.
-    const bool needed = asking || sight.probingBin;
-    const bool open = sight.verdict && sight.verdict->outlook == Outlook::CannotTell;
+    const bool needed = asking || viewState.probingBin;
+    const bool open = viewState.verdict && viewState.verdict->outlook == Outlook::CannotTell;
     probe_->setVisible(
-        ((layout_->layout() == Layout::Probe || (open && isAtRest(sight))) && !isTight())
+        ((layout_->layout() == Layout::Probe || (open && isAtRest(viewState))) && !isTight())
         || needed);
     drive_->setVisible(layout_->layout() != Layout::Review && !(isTight() && needed));
     // In large letters the question needs the room; the robot stands still while it is asked.
     readout_->setVisible(!asking || layout_->fontScale() <= 120 || isTight());
-    terrain_->setArmTip(armTipOf(sight, asking && firstMissing(sight.probing).isEmpty()));
+    terrain_->setArmTip(armTipOf(viewState, asking && firstMissing(viewState.probing).isEmpty()));
     if (asking) {
-        ProbeProposal proposal = *sight.proposal;
-        if (sight.verdict && proposal.stepLimit == verdict_->limit())
-            proposal.answer = sight.verdict->outlook;
+        ProbeProposal proposal = *viewState.proposal;
+        if (viewState.verdict && proposal.stepLimit == verdict_->limit())
+            proposal.answer = viewState.verdict->outlook;
         probe_->setProposal(proposal);
-        probe_->setPreconditions(sight.probing);
-        probe_->setTimeLeft(sight.time ? sight.time->seconds : 0.0);
-    } else if (sight.probingBin) {
-        probe_->setProbing(*sight.probingBin, sight.secondsInPhase, sight.probeSeconds);
-    } else if (isAtRest(sight)) {
-        probe_->setWorth(*sight.bestProbe, whyNoProbe(sight));
+        probe_->setPreconditions(viewState.probing);
+        probe_->setTimeLeft(viewState.time ? viewState.time->seconds : 0.0);
+    } else if (viewState.probingBin) {
+        probe_->setProbing(*viewState.probingBin, viewState.secondsInPhase, viewState.probeSeconds);
+    } else if (isAtRest(viewState)) {
+        probe_->setWorth(*viewState.bestProbe, whyNoProbe(viewState));
     } else {
-        probe_->setNothing(whyNoProbe(sight));
+        probe_->setNothing(whyNoProbe(viewState));
     }
 }
 

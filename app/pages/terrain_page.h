@@ -30,9 +30,9 @@ class EventList;
 class TerrainProfileView;
 class VerdictStrip;
 
-/// What there is to see of the robot and its exploration at one time.  What is pointed to is used in setSight() only;
+/// What there is to see of the robot and its exploration at one time.  What is pointed to is used in setViewState() only;
 /// null: there is none.
-struct TerrainSight {
+struct TerrainViewState {
     double now = 0.0;    ///< [s] on the clock of the telemetry
     bool ended = false;  ///< nothing more will come
 
@@ -78,13 +78,13 @@ struct TerrainSight {
 };
 
 /// The terrain under the robot, exploring it, and the arm: the cards of both the console and a review, which
-/// fill it with a TerrainSight and listen to its widgets.
+/// fill it with a TerrainViewState and listen to its widgets.
 class TerrainPage final : public QWidget {
     Q_OBJECT
 public:
     explicit TerrainPage(RobotModel robot, QWidget* parent = nullptr);
 
-    void setSight(const TerrainSight& sight);
+    void setViewState(const TerrainViewState& viewState);
     /// fontScale: [%] of the letters in force.
     void arrange(Layout layout, int fontScale);
     void setThreshold(double newtons);   ///< of contact
@@ -128,15 +128,15 @@ private:
     Card* forceCard();
     Card* robotCard();
     Card* eventCard();
-    void showRobot(const TerrainSight& sight);
-    void showAge(const TerrainSight& sight);
-    void showEstimate(const TerrainSight& sight);
-    void showPreview(const TerrainSight& sight);
-    void showPose(const TerrainSight& sight);
-    void showVerdict(const TerrainSight& sight);
-    void showProbe(const TerrainSight& sight);
-    void showProbeToAsk(const TerrainSight& sight);
-    void showForcesAge(const TerrainSight& sight);
+    void showRobot(const TerrainViewState& viewState);
+    void showAge(const TerrainViewState& viewState);
+    void showEstimate(const TerrainViewState& viewState);
+    void showPreview(const TerrainViewState& viewState);
+    void showPose(const TerrainViewState& viewState);
+    void showVerdict(const TerrainViewState& viewState);
+    void showProbe(const TerrainViewState& viewState);
+    void showProbeToAsk(const TerrainViewState& viewState);
+    void showForcesAge(const TerrainViewState& viewState);
     void showThreshold();
 
     RobotModel robot_;

@@ -109,7 +109,7 @@ QString spanWords(double first, double last)
 }
 
 /// Without an ending: among the documents, with what it is and of when, so that two exports are two files.
-QString startFile(const QString& session, const Choice& choice, const ExportSight& sight)
+QString startFile(const QString& session, const Choice& choice, const ExportViewState& viewState)
 {
     const auto seconds = [](double s) { return QString::number(s, 'f', 1); };
     QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
@@ -117,9 +117,9 @@ QString startFile(const QString& session, const Choice& choice, const ExportSigh
     QString name =
         QFileInfo(session).completeBaseName() + QLatin1Char('-') + QLatin1String(choice.part);
     if (choice.from == From::Report)
-        name += QStringLiteral("-scene%1").arg(sight.scene);
+        name += QStringLiteral("-scene%1").arg(viewState.scene);
     else if (choice.from != From::Rows)
-        name += QStringLiteral("-%1s").arg(seconds(sight.now));
+        name += QStringLiteral("-%1s").arg(seconds(viewState.now));
     return folder + QLatin1Char('/') + name;
 }
 
@@ -147,7 +147,7 @@ ReviewExportDialog::ReviewExportDialog(Sources sources, QWidget* parent)
     column->addWidget(buttons());
     offerFormats();
     connect(path_, &QLineEdit::textChanged, this, &ReviewExportDialog::showButtons);
-    connect(&look_, &QTimer::timeout, this, &ReviewExportDialog::showSight);
+    connect(&look_, &QTimer::timeout, this, &ReviewExportDialog::showViewState);
 }
 
 ReviewExportDialog::~ReviewExportDialog() = default;
@@ -243,7 +243,7 @@ QWidget* ReviewExportDialog::buttons()
 void ReviewExportDialog::ask()
 {
     if (!job_) result_->clear();
-    showSight();
+    showViewState();
     look_.start(kLookEvery);
     show();
     raise();
@@ -259,14 +259,14 @@ void ReviewExportDialog::offerFormats()
             format_->addItem(formatName(ending), ending);
     }
     takeFormat();
-    showSight();
+    showViewState();
 }
 
 /// Until the operator names a file himself.
 void ReviewExportDialog::nameFile()
 {
     if (job_ || path_->text() != named_) return;
-    named_ = startFile(sources_.session, chosen(*what_), sight_) + QLatin1Char('.')
+    named_ = startFile(sources_.session, chosen(*what_), viewState_) + QLatin1Char('.')
            + format_->currentData().toString();
     if (path_->text() != named_) path_->setText(named_);
 }
@@ -286,20 +286,20 @@ QString ReviewExportDialog::path() const
     return hasIt ? text : text + QLatin1Char('.') + ending;
 }
 
-void ReviewExportDialog::showSight()
+void ReviewExportDialog::showViewState()
 {
     if (job_) return;
-    sight_ = sources_.look();
-    const bool all = sight_.first <= sight_.begin && sight_.last >= sight_.end;
-    const QString visible = sight_.isCursors ? tr("from A to B, %1")
-                          : all              ? tr("what is visible: all, %1")
-                                             : tr("what is visible, %1");
-    visible_->setText(visible.arg(spanWords(sight_.first, sight_.last)));
-    everything_->setText(tr("everything, %1").arg(spanWords(sight_.begin, sight_.end)));
+    viewState_ = sources_.look();
+    const bool all = viewState_.first <= viewState_.begin && viewState_.last >= viewState_.end;
+    const QString visible = viewState_.isCursors ? tr("from A to B, %1")
+                          : all                  ? tr("what is visible: all, %1")
+                                                 : tr("what is visible, %1");
+    visible_->setText(visible.arg(spanWords(viewState_.first, viewState_.last)));
+    everything_->setText(tr("everything, %1").arg(spanWords(viewState_.begin, viewState_.end)));
     const From from = chosen(*what_).from;
-    moment_->setText(from != From::Report ? tr("this time, %1").arg(timeWords(sight_.now))
-                     : sight_.scene > 0   ? tr("scene %1").arg(sight_.scene)
-                                          : tr("no estimate stands at this time"));
+    moment_->setText(from != From::Report   ? tr("this time, %1").arg(timeWords(viewState_.now))
+                     : viewState_.scene > 0 ? tr("scene %1").arg(viewState_.scene)
+                                            : tr("no estimate stands at this time"));
     moment_->setVisible(from != From::Rows);
     showPayload();
     nameFile();
@@ -328,7 +328,7 @@ void ReviewExportDialog::showPayload()
 QString ReviewExportDialog::whyNotExport() const
 {
     if (job_) return tr("A file is being written");
-    if (chosen(*what_).from == From::Report && sight_.scene == 0)
+    if (chosen(*what_).from == From::Report && viewState_.scene == 0)
         return tr("No estimate stands at this time");
     return path_->text().trimmed().isEmpty() ? tr("Name the file first") : QString();
 }
@@ -379,15 +379,15 @@ void ReviewExportDialog::write()
     SessionExportJob::Wish wish{.session = sources_.session.toStdString(),
                                 .out = to_.toStdString()};
     if (choice.from == From::Report) {
-        wish.scene = sight_.scene;
+        wish.scene = viewState_.scene;
     } else {
         wish.format = exportFormatOf(wish.out);
         wish.selection.what = choice.rows;
         if (holdsSignals(choice) && payload_->isChecked())
             for (const QString& dbc : sources_.dbc()) wish.dbc.push_back(dbc.toStdString());
         if (visible_->isChecked()) {
-            wish.selection.from = sight_.first;
-            wish.selection.to = sight_.last;
+            wish.selection.from = viewState_.first;
+            wish.selection.to = viewState_.last;
         }
     }
     begin(std::move(wish));
@@ -427,7 +427,7 @@ void ReviewExportDialog::wrote(const QString& trouble, qulonglong leftOut, int d
     setTone(*result_, !trouble.isEmpty()                                 ? Tone::Bad
                       : leftOut > 0 || damaged > 0 || withoutColumns > 0 ? Tone::Doubt
                                                                          : Tone::Good);
-    showSight();
+    showViewState();
     showButtons();
     export_->setFocus();
 }

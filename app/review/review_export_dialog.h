@@ -18,7 +18,7 @@ class QRadioButton;
 namespace terratact {
 
 /// What a review shows when somebody asks for a file of it.
-struct ExportSight {
+struct ExportViewState {
     double now = 0.0;                ///< [s] of the session
     double first = 0.0, last = 0.0;  ///< [s] visible: from A to B, or of the timeline
     bool isCursors = false;          ///< it is from A to B
@@ -33,7 +33,7 @@ class ReviewExportDialog final : public QDialog {
 public:
     struct Sources {
         QString session;  ///< its file
-        std::function<ExportSight()> look;
+        std::function<ExportViewState()> look;
         std::function<QStringList()> dbc;  ///< files that the operator has chosen
         // Why it could not be written; empty: it is.
         std::function<QString(const QString&path)> savePicture, saveNumbers;
@@ -64,7 +64,7 @@ private:
     QWidget* file();
     QWidget* buttons();
     void offerFormats();
-    void showSight();
+    void showViewState();
     void showPayload();
     void showButtons();
     QString whyNotExport() const;  ///< empty: it may be written
@@ -78,7 +78,7 @@ private:
                int withoutColumns = 0);
 
     Sources sources_;
-    ExportSight sight_;
+    ExportViewState viewState_;
     std::unique_ptr<SessionExportJob> job_;  ///< null: nothing is being written
     QString to_;  ///< the file of the newest export; path() may be another one by now
     QTimer look_;

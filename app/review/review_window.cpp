@@ -56,7 +56,7 @@ ReviewWindow::ReviewWindow(Options options)
     : session_(std::move(options.session)), robot_(std::move(options.robot)),
       preferences_(options.preferences ? std::move(options.preferences)
                                        : std::make_unique<PreferenceStore>()),
-      moments_(session_, robot_), sights_(session_, robot_),
+      moments_(session_, robot_), viewStates_(session_, robot_),
       surveyor_(session_.path(), robot_, preferences_->current().forceThreshold)
 {
     setWindowTitle(tr("REVIEW — %1 — Terratact").arg(fileName(session_)));
@@ -100,12 +100,12 @@ void ReviewWindow::addPages(QStringList models)
     addPage(terrain_, tr("Terrain"), Qt::Key_F2, tr("What the operator saw at this time"));
     numbers_ = new NumbersPage(
         [this] {
-            return NumbersSight{moment_.estimate ? &moment_.estimate->estimate : nullptr,
-                                tr("No estimate stood at this time"), sights_.limit(moment_),
-                                sights_.verdict(moment_),
-                                moment_.measurement
-                                    ? std::optional(secondsOf(moment_.time - moment_.measured))
-                                    : std::nullopt};
+            return NumbersViewState{moment_.estimate ? &moment_.estimate->estimate : nullptr,
+                                    tr("No estimate stood at this time"),
+                                    viewStates_.limit(moment_), viewStates_.verdict(moment_),
+                                    moment_.measurement
+                                        ? std::optional(secondsOf(moment_.time - moment_.measured))
+                                        : std::nullopt};
         },
         this);
     addScrolledPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The scene of this time as a table"));
@@ -156,7 +156,7 @@ void ReviewWindow::connectAll()
         showMoment();
     });
     connect(terrain_->verdict(), &VerdictStrip::limitChosen, this, [this](double metres) {
-        sights_.setLimit(metres);
+        viewStates_.setLimit(metres);
         showMoment();
     });
     connect(header(), &StatusHeader::alarmsRequested, this,
@@ -233,9 +233,9 @@ void ReviewWindow::showMoment()
 void ReviewWindow::showTerrain()
 {
     const Preferences& preferences = preferences_->current();
-    terrain_->verdict()->setLimit(sights_.limit(moment_));
-    terrain_->setThreshold(ReviewSights::threshold(moment_, preferences));
-    terrain_->setSight(sights_.terrain(moment_, whatIf_->answer(), preferences));
+    terrain_->verdict()->setLimit(viewStates_.limit(moment_));
+    terrain_->setThreshold(ReviewViewState::threshold(moment_, preferences));
+    terrain_->setViewState(viewStates_.terrain(moment_, whatIf_->answer(), preferences));
     forbidCommands();
 }
 
@@ -281,21 +281,21 @@ void ReviewWindow::noteTaken()
     loadTimeline();
 }
 
-ExportSight ReviewWindow::exportSight() const
+ExportViewState ReviewWindow::exportViewState() const
 {
     const ReviewPlayer& p = player();
-    ExportSight sight{.now = p.position(),
-                      .first = timeline()->first(),
-                      .last = timeline()->last(),
-                      .isCursors = p.a() && p.b(),
-                      .begin = p.begin(),
-                      .end = p.end(),
-                      .scene = moment_.estimate ? moment_.estimate->scene : 0};
-    if (sight.isCursors) {
-        sight.first = std::min(*p.a(), *p.b());
-        sight.last = std::max(*p.a(), *p.b());
+    ExportViewState viewState{.now = p.position(),
+                              .first = timeline()->first(),
+                              .last = timeline()->last(),
+                              .isCursors = p.a() && p.b(),
+                              .begin = p.begin(),
+                              .end = p.end(),
+                              .scene = moment_.estimate ? moment_.estimate->scene : 0};
+    if (viewState.isCursors) {
+        viewState.first = std::min(*p.a(), *p.b());
+        viewState.last = std::max(*p.a(), *p.b());
     }
-    return sight;
+    return viewState;
 }
 
 void ReviewWindow::exportShown()
@@ -303,7 +303,7 @@ void ReviewWindow::exportShown()
     if (!export_)
         export_ = new ReviewExportDialog(
             {.session = QString::fromStdString(session_.path()),
-             .look = [this] { return exportSight(); },
+             .look = [this] { return exportViewState(); },
              .dbc = [this] { return preferences_->current().dbc; },
              .savePicture =
                  [this](const QString& path) { return savePicture(*terrain_->terrain(), path); },

@@ -10,7 +10,7 @@
 #include "app/review/review_display.h"
 #include "app/review/review_note_field.h"
 #include "app/review/review_player_bar.h"
-#include "app/review/review_sights.h"
+#include "app/review/review_view_state.h"
 #include "app/shell/console_window.h"
 #include "app/shell/preference_store.h"
 #include "core/log/review_moment.h"
@@ -27,7 +27,7 @@ class ReviewExportDialog;
 class ReviewSignalsPage;
 class TerrainPage;
 class WhatIfPage;
-struct ExportSight;
+struct ExportViewState;
 
 /// A recorded session as the console showed it: the console's page of the terrain at any time of the file, with a
 /// timeline to move in it.  There is no source behind it, so nothing in it can command a robot.  The file is only
@@ -92,14 +92,14 @@ private:
     void noteTaken();
     void open();
     std::function<void(const QString& why)> notOpened();
-    ExportSight exportSight() const;
+    ExportViewState exportViewState() const;
     void exportShown();
 
     SessionReader session_;
     RobotModel robot_;
     std::unique_ptr<PreferenceStore> preferences_;
     ReviewMoments moments_;
-    ReviewSights sights_;
+    ReviewViewState viewStates_;
     std::optional<ReviewDisplay> display_;  ///< since there is what it fills
     ReviewMoment moment_;
     SessionSurveyor surveyor_;

@@ -83,7 +83,7 @@ ScenesWindow::ScenesWindow(Options options)
 
     connect(page_->verdict(), &VerdictStrip::limitChosen, this, [this](double metres) {
         options_.stepLimit = metres;
-        showSight();
+        showViewState();
     });
     connect(worker_.get(), &EstimatorWorker::modelLoaded, this, [this](const QString& model) {
         header()->setModel(tr("model %1").arg(model), Tone::Plain);
@@ -92,19 +92,19 @@ ScenesWindow::ScenesWindow(Options options)
     connect(worker_.get(), &EstimatorWorker::modelFailed, this, [this](const QString& why) {
         header()->setModel(tr("no model"), Tone::Bad, why);
         trouble_ = why;
-        showSight();
+        showViewState();
     });
     connect(worker_.get(), &EstimatorWorker::estimated, this,
             [this](int job, const TerrainEstimate& estimate, double seconds) {
                 if (job != job_) return;
                 estimate_ = estimate;
                 seconds_ = seconds;
-                showSight();
+                showViewState();
             });
     connect(worker_.get(), &EstimatorWorker::failed, this, [this](int job, const QString& why) {
         if (job != job_) return;
         trouble_ = why;
-        showSight();
+        showViewState();
     });
     defineKeys();
     worker_->start();
@@ -133,33 +133,33 @@ void ScenesWindow::ask()
     estimate_.reset();
     trouble_.clear();
     job_ = worker_->request({measurement_, {}, options_.settings});
-    showSight();
+    showViewState();
 }
 
-void ScenesWindow::showSight()
+void ScenesWindow::showViewState()
 {
-    TerrainSight sight;
-    sight.count = ++shows_;
-    sight.measurement = sight.scene = &measurement_;
+    TerrainViewState viewState;
+    viewState.count = ++shows_;
+    viewState.measurement = viewState.scene = &measurement_;
     ForceArray array;
     for (std::size_t i = 0; i < kForceElements; ++i)
         array.elements[i].newtons = options_.scenes[scene_].s.force[i];
     const std::vector<ForceArray> forces{array};
-    sight.forces = &forces;
-    sight.sceneTruth = &truth_;
-    sight.whyNoEstimate =
+    viewState.forces = &forces;
+    viewState.sceneTruth = &truth_;
+    viewState.whyNoEstimate =
         trouble_.isEmpty() ? tr("Estimating …") : words::sentence(trouble_.toStdString());
     page_->verdict()->setLimit(options_.stepLimit);
     if (estimate_) {
-        sight.estimate = &*estimate_;
-        sight.estimateSeconds = seconds_;
-        sight.verdict = verdictOf(*estimate_, measurement_, {}, options_.stepLimit);
-        sight.state.phase = AtemPhase::Presenting;
+        viewState.estimate = &*estimate_;
+        viewState.estimateSeconds = seconds_;
+        viewState.verdict = verdictOf(*estimate_, measurement_, {}, options_.stepLimit);
+        viewState.state.phase = AtemPhase::Presenting;
     }
     const QString why = tr("A scene of a file commands no robot");
-    sight.preconditions << Precondition{Precondition::Level::Missing, why};
-    sight.driving = sight.preconditions;
-    page_->setSight(sight);
+    viewState.preconditions << Precondition{Precondition::Level::Missing, why};
+    viewState.driving = viewState.preconditions;
+    page_->setViewState(viewState);
     const Scene& scene = options_.scenes[scene_];
     state_->setText(tr("SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · "
                        ". and , go on and back")

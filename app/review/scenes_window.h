@@ -41,7 +41,7 @@ private:
     void defineKeys();
     void go(int by);
     void ask();
-    void showSight();
+    void showViewState();
 
     Options options_;
     Measurement measurement_;

@@ -221,7 +221,7 @@ void ConsoleWindow::addRemoteStop()
     };
     auto* remote = new RemoteStop(this);
     connect(remote, &RemoteStop::said, banner, say);
-    header_->setStop({.state = StopSight::State::Elsewhere});
+    header_->setStop({.state = StopViewState::State::Elsewhere});
     header_->stopButton()->setVisible(remote->exists());
     connect(header_, &StatusHeader::stopPressed, remote, &RemoteStop::press);
     keys_.add({.keys = kStopKeys,

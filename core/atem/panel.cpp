@@ -10,7 +10,7 @@ constexpr double kLampTime = 0.3;    ///< [s] of each lamp's test
 constexpr double kBuzzerTime = 0.1;  ///< [s]
 
 /// What is known of a contact that has just come into sight.
-ContactState firstSight(bool closed, double now)
+ContactState firstContact(bool closed, double now)
 {
     ContactState contact;
     contact.closed = closed;
@@ -86,7 +86,7 @@ PanelState nextPanel(const PanelState& state, const PanelInput& in, const PanelL
     for (const PanelContact c : kAllPanelContacts)
         next.contacts[c] = state.present ? looked(state.contacts[c], (*in.closed)[c],
                                                   in.disturbed[c], in.now, limits)
-                                         : firstSight((*in.closed)[c], in.now);
+                                         : firstContact((*in.closed)[c], in.now);
     for (const PanelContact c : kPanelButtons)
         next.pressed[c] = pressedAnew(next.contacts[c], in.now, limits);
     next.stop = !next.contacts[PanelContact::Stop].trusted;

@@ -10,7 +10,7 @@ ReviewGhost::ReviewGhost(SessionReader& reader, RobotModel robot)
 {
 }
 
-ReviewGhost::Sight ReviewGhost::at(const ReviewMoment& moment)
+ReviewGhost::ViewState ReviewGhost::at(const ReviewMoment& moment)
 {
     const AtemPhase phase = moment.state.phase;
     if (moment.estimate || phase == AtemPhase::Pressing || phase == AtemPhase::Estimating)

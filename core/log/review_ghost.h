@@ -19,14 +19,14 @@ public:
     /// The reader must outlive it.
     ReviewGhost(SessionReader& reader, RobotModel robot);
 
-    struct Sight {
+    struct ViewState {
         std::optional<Ghost> ghost{};
         std::optional<NoGhost> why{};  ///< where an estimate has one no longer
-        bool operator==(const Sight&) const = default;
+        bool operator==(const ViewState&) const = default;
     };
     /// Neither where an estimate stands or is in the making, before the first, and after the operator forgot it,
     /// another model was loaded, or kFollowed.
-    Sight at(const ReviewMoment& moment);
+    ViewState at(const ReviewMoment& moment);
 
 private:
     struct Followed {

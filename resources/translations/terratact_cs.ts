@@ -202,7 +202,7 @@
     </message>
 </context>
 <context>
-    <name>ConsoleSights</name>
+    <name>LiveViewState</name>
     <message>
         <source>The operator&apos;s panel does not answer, which means STOP</source>
         <translation>Panel operátora neodpovídá, což znamená STOP</translation>
@@ -760,7 +760,7 @@ značka K</translation>
     </message>
 </context>
 <context>
-    <name>ReviewSights</name>
+    <name>ReviewViewState</name>
     <message>
         <source>A review commands no robot</source>
         <translation>Přehrávání neřídí žádného robota</translation>

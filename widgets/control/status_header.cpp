@@ -49,49 +49,50 @@ int widthWith(const QPushButton& button, const QString& text)
          + metrics.horizontalAdvance(text);
 }
 
-QString stopText(StopSight::State state)
+QString stopText(StopViewState::State state)
 {
     switch (state) {
-    case StopSight::State::Ready:
-    case StopSight::State::Elsewhere: return StatusHeader::tr("STOP (F12)");
-    case StopSight::State::Sent: return StatusHeader::tr("STOP SENT …");
-    case StopSight::State::NotSent: return StatusHeader::tr("STOP NOT SENT");
-    case StopSight::State::Confirmed: return StatusHeader::tr("STOPPED (F12)");
-    case StopSight::State::NoEffect: return StatusHeader::tr("STOP: no commands");
+    case StopViewState::State::Ready:
+    case StopViewState::State::Elsewhere: return StatusHeader::tr("STOP (F12)");
+    case StopViewState::State::Sent: return StatusHeader::tr("STOP SENT …");
+    case StopViewState::State::NotSent: return StatusHeader::tr("STOP NOT SENT");
+    case StopViewState::State::Confirmed: return StatusHeader::tr("STOPPED (F12)");
+    case StopViewState::State::NoEffect: return StatusHeader::tr("STOP: no commands");
     }
     return {};
 }
 
 /// What a screen reader and the tip say.
-QString stopMeaning(const StopSight& sight)
+QString stopMeaning(const StopViewState& viewState)
 {
-    switch (sight.state) {
-    case StopSight::State::Ready:
+    switch (viewState.state) {
+    case StopViewState::State::Ready:
         return StatusHeader::tr(
             "Halts the robot at once and latches; F12 and Pause do the same everywhere");
-    case StopSight::State::Elsewhere:
+    case StopViewState::State::Elsewhere:
         return StatusHeader::tr("Halts the robot of the console that opened this window");
-    case StopSight::State::Sent:
+    case StopViewState::State::Sent:
         return StatusHeader::tr("STOP was sent, the robot has not confirmed it; it is sent again");
-    case StopSight::State::NotSent: return StatusHeader::tr("STOP was not sent: %1").arg(sight.why);
-    case StopSight::State::Confirmed:
+    case StopViewState::State::NotSent:
+        return StatusHeader::tr("STOP was not sent: %1").arg(viewState.why);
+    case StopViewState::State::Confirmed:
         return StatusHeader::tr("The robot says that it is stopped; another press stops it again");
-    case StopSight::State::NoEffect:
-        return StatusHeader::tr("STOP has no effect here: %1").arg(sight.why);
+    case StopViewState::State::NoEffect:
+        return StatusHeader::tr("STOP has no effect here: %1").arg(viewState.why);
     }
     return {};
 }
 
 /// Its look, see the style sheet.
-QString stopRole(StopSight::State state)
+QString stopRole(StopViewState::State state)
 {
     switch (state) {
-    case StopSight::State::Ready:
-    case StopSight::State::Elsewhere: return QStringLiteral("stop");
-    case StopSight::State::Sent: return QStringLiteral("stopSent");
-    case StopSight::State::NotSent: return QStringLiteral("stopNotSent");
-    case StopSight::State::Confirmed: return QStringLiteral("stopped");
-    case StopSight::State::NoEffect: return QStringLiteral("stopNone");
+    case StopViewState::State::Ready:
+    case StopViewState::State::Elsewhere: return QStringLiteral("stop");
+    case StopViewState::State::Sent: return QStringLiteral("stopSent");
+    case StopViewState::State::NotSent: return QStringLiteral("stopNotSent");
+    case StopViewState::State::Confirmed: return QStringLiteral("stopped");
+    case StopViewState::State::NoEffect: return QStringLiteral("stopNone");
     }
     return {};
 }
@@ -292,7 +293,7 @@ void StatusHeader::keepRoom()
     link_->setUsual({tr("link %1 Hz · ≤ %2").arg(QStringLiteral("20"), QStringLiteral("100 ms"))});
     robot_->setUsual({QString(14, QLatin1Char('n'))});
     int width = 0;
-    using State = StopSight::State;
+    using State = StopViewState::State;
     const bool takes = stopState_ != State::NoEffect;
     for (const State state : {State::Ready, State::Sent, State::NotSent, State::Confirmed})
         if (takes) width = std::max(width, widthWith(*stop_, stopText(state)));
@@ -402,17 +403,17 @@ void StatusHeader::setQualities(const QStringList& names, const QStringList& lin
     quality_->setVisible(!lines.isEmpty());
 }
 
-void StatusHeader::setStop(const StopSight& sight)
+void StatusHeader::setStop(const StopViewState& viewState)
 {
-    const QString meaning = stopMeaning(sight);
+    const QString meaning = stopMeaning(viewState);
     if (stop_->toolTip() != meaning) {
         stop_->setAccessibleDescription(meaning);
         setTip(*stop_, meaning);
     }
-    if (stopState_ == sight.state && !stop_->text().isEmpty()) return;
-    stopState_ = sight.state;
-    stop_->setText(stopText(sight.state));
-    setRole(*stop_, stopRole(sight.state));
+    if (stopState_ == viewState.state && !stop_->text().isEmpty()) return;
+    stopState_ = viewState.state;
+    stop_->setText(stopText(viewState.state));
+    setRole(*stop_, stopRole(viewState.state));
     announce(*stop_);
 }
 

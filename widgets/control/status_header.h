@@ -12,7 +12,7 @@ class ElidedLabel;
 enum class Tone;
 
 /// What is known of STOP.
-struct StopSight {
+struct StopViewState {
     enum class State {
         Ready,      ///< not asked for
         Sent,       ///< on its way: the robot has not said that it is stopped
@@ -47,7 +47,7 @@ public:
     void setModel(const QString& text, Tone tone, const QString& details = {});
     /// The menu of what an estimate may cost.  names: one word each; lines: the same with cost and error.
     void setQualities(const QStringList& names, const QStringList& lines, int chosen);
-    void setStop(const StopSight& sight);
+    void setStop(const StopViewState& viewState);
 
     QString sourceName() const;
     QString linkText() const;
@@ -90,7 +90,7 @@ private:
     int lines_ = 0;
     QString busText_, busBrief_;
     Tone busTone_{};
-    StopSight::State stopState_ = StopSight::State::Ready;
+    StopViewState::State stopState_ = StopViewState::State::Ready;
     QBoxLayout* first_ = nullptr;
     QBoxLayout* second_ = nullptr;
     ElidedLabel* source_ = nullptr;

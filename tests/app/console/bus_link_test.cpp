@@ -192,9 +192,10 @@ TEST_F(BusConsole, aReviewShowsTheGhostThatTheConsoleShowed)
     EXPECT_LT(nearest, 2e-3);
     const SessionTime gone = timeOf(EventKind::Forgotten);
     ASSERT_GT(gone, 0);
-    EXPECT_EQ(ghosts.at(moments.at(gone - sessionTimeOf(0.1))), ReviewGhost::Sight{})
+    EXPECT_EQ(ghosts.at(moments.at(gone - sessionTimeOf(0.1))), ReviewGhost::ViewState{})
         << "the estimate itself stood";
-    EXPECT_EQ(ghosts.at(moments.at(session->end())), ReviewGhost::Sight{}) << "it was forgotten";
+    EXPECT_EQ(ghosts.at(moments.at(session->end())), ReviewGhost::ViewState{})
+        << "it was forgotten";
     (void)ghosts.at(moments.at(gone + sessionTimeOf(0.1)));
     EXPECT_EQ(ghosts.at(moments.at(marked)).ghost, reviewed) << "however one came there";
 }

@@ -82,7 +82,7 @@ TEST_F(Console, nothingThatComesOrGoesMovesTheWindow)
     const int letters = lookInForce().fontScale;
     window->header()->setLink("link 20 Hz · ≤ 1234 ms · 123456 dropped", Tone::Doubt);
     window->header()->setOverridden("the robot rolls");
-    window->header()->setStop({.state = StopSight::State::NotSent, .why = "the bus is off"});
+    window->header()->setStop({.state = StopViewState::State::NotSent, .why = "the bus is off"});
     window->header()->setAlarms(3, 12);
     QTest::qWait(100);
     EXPECT_EQ(gui::overlapsWhenSettled(*window), std::vector<std::string>());

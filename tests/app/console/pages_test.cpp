@@ -365,8 +365,8 @@ TEST_F(Pages, sourceThatIsNoBusShowsItsValues)
 TEST_F(Pages, theNumbersSayWhatTheVerdictIsAndHowOldTheyAre)
 {
     const TerrainEstimate estimate = stepEstimate();
-    NumbersSight sight;
-    NumbersPage page([&] { return sight; });
+    NumbersViewState viewState;
+    NumbersPage page([&] { return viewState; });
     page.resize(1200, 600);
     gui::showActive(page);
     const QLabel* line = nullptr;
@@ -375,21 +375,21 @@ TEST_F(Pages, theNumbersSayWhatTheVerdictIsAndHowOldTheyAre)
     ASSERT_TRUE(line);
     page.refresh(0.0);
     EXPECT_FALSE(line->isVisible()) << "there is no estimate";
-    sight.estimate = &estimate;
-    sight.verdict = Verdict{.outlook = Outlook::Blocked,
-                            .step = {0.99, 0.004},
-                            .likeliest = 8,
-                            .likeliestP = 0.97,
-                            .doubts = {},
-                            .toHorizon = {}};
-    sight.age = 0.04;
+    viewState.estimate = &estimate;
+    viewState.verdict = Verdict{.outlook = Outlook::Blocked,
+                                .step = {0.99, 0.004},
+                                .likeliest = 8,
+                                .likeliestP = 0.97,
+                                .doubts = {},
+                                .toHorizon = {}};
+    viewState.age = 0.04;
     page.refresh(0.0);
     EXPECT_EQ(line->text(),
               QString::fromUtf8("✘ BLOCKED · P(step > 0.10 m ahead) = 0.99 ± < 0.01 · likeliest at "
                                 "+0.5 … +0.6 m (0.97)"));
-    sight.verdict->outlook = Outlook::CannotTell;
-    sight.verdict->doubts = {Doubt::Stale};
-    sight.age = 12.34;
+    viewState.verdict->outlook = Outlook::CannotTell;
+    viewState.verdict->doubts = {Doubt::Stale};
+    viewState.age = 12.34;
     page.refresh(0.0);
     EXPECT_EQ(
         line->text(),
@@ -397,12 +397,12 @@ TEST_F(Pages, theNumbersSayWhatTheVerdictIsAndHowOldTheyAre)
                           "no live telemetry, the robot may have moved · last heard 12.3 s "
                           "ago"));
     EXPECT_EQ(gui::cutWhenSettled(page), std::vector<std::string>());
-    sight.verdict->doubts = {Doubt::Unheard};
-    sight.age = 0.04;
+    viewState.verdict->doubts = {Doubt::Unheard};
+    viewState.age = 0.04;
     page.refresh(0.0);
     EXPECT_TRUE(line->text().endsWith("withheld: the link was lost, the robot may have moved"));
-    sight.estimate = nullptr;
-    sight.verdict.reset();
+    viewState.estimate = nullptr;
+    viewState.verdict.reset();
     page.refresh(0.0);
     EXPECT_FALSE(line->isVisible());
 }

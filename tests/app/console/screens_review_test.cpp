@@ -15,7 +15,7 @@
 #include "app/console/training_page.h"
 #include "app/review/review_events_page.h"
 #include "app/review/review_export_dialog.h"
-#include "app/review/review_sights.h"
+#include "app/review/review_view_state.h"
 #include "app/review/what_if_page.h"
 #include "app/runtime/resources.h"
 #include "app/shell/about.h"
@@ -219,7 +219,7 @@ TEST_F(Screens, review)
         const QString recordedModel = words::text(review->moment().model->details);
         picture("review",
                 {ReviewWindow::tr("closed and sealed"), ReviewWindow::tr("no command can be sent"),
-                 ReviewSights::tr("A review commands no robot")});
+                 ReviewViewState::tr("A review commands no robot")});
         press(Qt::Key_F4);
         picture("review_events", {QStringLiteral("demo.tts")});
         for (const std::string& text : gui::textsOf(*review->events()))

@@ -15,11 +15,12 @@ struct Alarming : testing::Test {
     double now = 1000.0;
     static constexpr LinkAccount kUp{.standing = LinkStanding::Up, .alive = true},
         kLost{.standing = LinkStanding::Lost, .gaps = 1};
-    AlarmSight sight{.link = kUp, .bus = CanView{}, .busName = "can0"};
+    AlarmViewState viewState{.link = kUp, .bus = CanView{}, .busName = "can0"};
 
     void pass(double seconds)
     {
-        for (const double until = now + seconds; now < until; now += 0.04) alarms.look(now, sight);
+        for (const double until = now + seconds; now < until; now += 0.04)
+            alarms.look(now, viewState);
     }
     const Alarm* find(const std::string& id) const
     {
@@ -51,16 +52,16 @@ TEST_F(Alarming, aSoundRobotMakesNone)
 
 TEST_F(Alarming, namesASensorThatMayLieAndItsKind)
 {
-    sight.suspicions = {{.sensor = Sensor::Pitch, .amount = 12.0, .way = 0.6}};
+    viewState.suspicions = {{.sensor = Sensor::Pitch, .amount = 12.0, .way = 0.6}};
     pass(0.1);
     EXPECT_TRUE(says("sensor-fault",
                      "pitch angle: not changed for 12 s while the robot drove 0.6 m, stuck?"));
     EXPECT_EQ(sounds, 1);
-    sight.suspicions.clear();
-    sight.isSceneSuspected = true;
+    viewState.suspicions.clear();
+    viewState.isSceneSuspected = true;
     pass(5.0);
     EXPECT_TRUE(stands("sensor-fault")) << "a verdict is withheld for it";
-    sight.isSceneSuspected = false;
+    viewState.isSceneSuspected = false;
     pass(2.0);
     EXPECT_FALSE(stands("sensor-fault"));
 }
@@ -68,57 +69,57 @@ TEST_F(Alarming, namesASensorThatMayLieAndItsKind)
 TEST_F(Alarming, joinsSensorsWithTheSameTrouble)
 {
     for (const Sensor sensor : {Sensor::Force1, Sensor::Force2})
-        sight.suspicions.push_back({.sensor = sensor, .trouble = SensorTrouble::NoLoad});
+        viewState.suspicions.push_back({.sensor = sensor, .trouble = SensorTrouble::NoLoad});
     pass(0.1);
     EXPECT_TRUE(says("sensor-fault", "force 1, force 2: no load while the flippers press"));
 }
 
 TEST_F(Alarming, tellsOfASteepRobotAndSoundsBeforeItTips)
 {
-    sight.measurement = Measurement{};
-    sight.measurement->pitch = 0.6;
-    sight.attitude = {.pitch = AttitudeLevel::Amber, .pitchTips = 0.9};
+    viewState.measurement = Measurement{};
+    viewState.measurement->pitch = 0.6;
+    viewState.attitude = {.pitch = AttitudeLevel::Amber, .pitchTips = 0.9};
     pass(1.0);
     EXPECT_TRUE(says("attitude", "Steep: pitch +34"));
     EXPECT_EQ(sounds, 0);
-    sight.attitude.pitch = AttitudeLevel::Red;
+    viewState.attitude.pitch = AttitudeLevel::Red;
     pass(1.0);
     EXPECT_TRUE(says("attitude", "Danger of tipping over: pitch +34"));
     EXPECT_EQ(sounds, 1);
-    sight.attitude = {};
+    viewState.attitude = {};
     pass(2.0);
     EXPECT_FALSE(stands("attitude"));
 }
 
 TEST_F(Alarming, saysWhyTheRobotHasHaltedByItself)
 {
-    sight.measurement = Measurement{};
-    sight.measurement->activity = RobotActivity::Driving;
+    viewState.measurement = Measurement{};
+    viewState.measurement->activity = RobotActivity::Driving;
     pass(1.0);
-    sight.measurement->activity = RobotActivity::Halted;
-    sight.measurement->refusal = Refusal::NoRestPose;
+    viewState.measurement->activity = RobotActivity::Halted;
+    viewState.measurement->refusal = Refusal::NoRestPose;
     pass(1.0);
     EXPECT_TRUE(says("halted", "halted by itself: the robot finds no pose to rest in there"));
-    sight.measurement->activity = RobotActivity::Driving;
-    sight.measurement->refusal = Refusal::None;
+    viewState.measurement->activity = RobotActivity::Driving;
+    viewState.measurement->refusal = Refusal::None;
     pass(2.0);
     EXPECT_FALSE(stands("halted"));
 }
 
 TEST_F(Alarming, aHaltThatWasWantedIsNone)
 {
-    sight.measurement = Measurement{};
-    sight.measurement->activity = RobotActivity::Driving;
+    viewState.measurement = Measurement{};
+    viewState.measurement->activity = RobotActivity::Driving;
     pass(1.0);
-    sight.measurement->activity = RobotActivity::Halted;
+    viewState.measurement->activity = RobotActivity::Halted;
     pass(1.0);
     EXPECT_FALSE(find("halted"));
 }
 
 TEST_F(Alarming, lostLinkSoundsOnceThenSeldomAndIsSilentOnReturn)
 {
-    sight.link = kLost;
-    sight.sourceTrouble = "can0 is down";
+    viewState.link = kLost;
+    viewState.sourceTrouble = "can0 is down";
     pass(1.0);
     EXPECT_TRUE(says("link", "can0 is down"));
     EXPECT_EQ(sounds, 1);
@@ -126,7 +127,7 @@ TEST_F(Alarming, lostLinkSoundsOnceThenSeldomAndIsSilentOnReturn)
     EXPECT_EQ(sounds, 1);
     pass(2.0);
     EXPECT_EQ(sounds, 2);
-    sight.link = kUp;
+    viewState.link = kUp;
     pass(30.0);
     EXPECT_EQ(sounds, 2);
     ASSERT_TRUE(find("link")) << "nobody has seen it";
@@ -135,27 +136,27 @@ TEST_F(Alarming, lostLinkSoundsOnceThenSeldomAndIsSilentOnReturn)
 
 TEST_F(Alarming, telemetryThatStopsAloneIsNoLostLink)
 {
-    sight.link = kLost;
-    sight.link.alone = true;
+    viewState.link = kLost;
+    viewState.link.alone = true;
     pass(1.0);
     EXPECT_TRUE(says("link", "Telemetry lost"));
 }
 
 TEST_F(Alarming, aBusWithManyErrorsIsToldBeforeItFails)
 {
-    sight.bus->bus = BusState::ErrorWarning;
+    viewState.bus->bus = BusState::ErrorWarning;
     pass(0.5);
     EXPECT_FALSE(find("bus")) << "a second of it is nothing";
     pass(1.0);
     EXPECT_TRUE(says("bus", "can0 has errors"));
     EXPECT_EQ(find("bus")->severity, Severity::Caution);
-    sight.bus->bus = BusState::ErrorPassive;
+    viewState.bus->bus = BusState::ErrorPassive;
     pass(3.0);
     EXPECT_TRUE(says("bus", "many errors"));
     QStringList told;
     QObject::connect(&alarms, &ConsoleAlarms::raised,
                      [&](const QString& text, Severity) { told << text; });
-    sight.bus->bus = BusState::BusOff;
+    viewState.bus->bus = BusState::BusOff;
     pass(1.0);
     EXPECT_EQ(find("bus")->severity, Severity::Critical);
     EXPECT_EQ(told.size(), 1) << "it has become worse";
@@ -166,14 +167,14 @@ TEST_F(Alarming, whatNothingElseTellsOfIsToldOnceItStands)
     QStringList told;
     QObject::connect(&alarms, &ConsoleAlarms::raised,
                      [&](const QString& text, Severity) { told << text; });
-    sight.bus->link.foreignSender = sight.bus->transmits = true;
-    sight.link = kLost;
+    viewState.bus->link.foreignSender = viewState.bus->transmits = true;
+    viewState.link = kLost;
     pass(3.0);
     ASSERT_EQ(told.size(), 1) << "the link has a banner";
     EXPECT_TRUE(told.first().startsWith("Another console"));
-    sight.bus->link.foreignSender = false;
+    viewState.bus->link.foreignSender = false;
     pass(30.0);
-    sight.bus->link.foreignSender = true;
+    viewState.bus->link.foreignSender = true;
     pass(1.0);
     EXPECT_EQ(told.size(), 2) << "it is back";
 }
@@ -181,10 +182,10 @@ TEST_F(Alarming, whatNothingElseTellsOfIsToldOnceItStands)
 TEST_F(Alarming, linkThatFluttersIsOneAlarm)
 {
     for (int i = 0; i < 20; ++i) {
-        sight.link.standing = i == 0 ? LinkStanding::Lost : LinkStanding::Unsteady;
-        sight.link.gaps = i / 2 + 1;
-        sight.link.longest = 0.4;
-        sight.link.alive = i % 2 == 1;
+        viewState.link.standing = i == 0 ? LinkStanding::Lost : LinkStanding::Unsteady;
+        viewState.link.gaps = i / 2 + 1;
+        viewState.link.longest = 0.4;
+        viewState.link.alive = i % 2 == 1;
         pass(0.4);
     }
     EXPECT_EQ(find("link")->raised, 1U);
@@ -194,7 +195,7 @@ TEST_F(Alarming, linkThatFluttersIsOneAlarm)
 
 TEST_F(Alarming, telemetryThatNeverCameIsOneAfterAWhile)
 {
-    sight.link = {};
+    viewState.link = {};
     pass(ConsoleAlarms::kFirstTelemetry - 0.5);
     EXPECT_TRUE(alarms.list().alarms().empty());
     pass(1.0);
@@ -203,14 +204,14 @@ TEST_F(Alarming, telemetryThatNeverCameIsOneAfterAWhile)
 
 TEST_F(Alarming, replayThatWaitsOrHasEndedMakesNone)
 {
-    sight.link = {};
-    sight.bus->waits = true;
+    viewState.link = {};
+    viewState.bus->waits = true;
     pass(2.0 * ConsoleAlarms::kFirstTelemetry);  // while its model is being loaded
-    sight.bus->waits = false;
+    viewState.bus->waits = false;
     pass(ConsoleAlarms::kFirstTelemetry - 0.5);
-    sight.link = {.standing = LinkStanding::Ended};
-    sight.bus->ended = true;
-    sight.bus->bus = BusState::Ended;
+    viewState.link = {.standing = LinkStanding::Ended};
+    viewState.bus->ended = true;
+    viewState.bus->bus = BusState::Ended;
     pass(20.0);
     for (const Alarm& alarm : alarms.list().alarms()) ADD_FAILURE() << alarm.text;
     EXPECT_EQ(sounds, 0);
@@ -218,7 +219,7 @@ TEST_F(Alarming, replayThatWaitsOrHasEndedMakesNone)
 
 TEST_F(Alarming, busThatIsNotUpSaysWhatMendsIt)
 {
-    sight.bus->bus = BusState::BusOff;
+    viewState.bus->bus = BusState::BusOff;
     pass(0.1);
     EXPECT_TRUE(says("bus", "sudo ip link set can0 type can restart"));
     EXPECT_EQ(find("bus")->severity, Severity::Critical);
@@ -226,12 +227,12 @@ TEST_F(Alarming, busThatIsNotUpSaysWhatMendsIt)
 
 TEST_F(Alarming, stalledBusIsOneOnlyWhenItStays)
 {
-    sight.bus->bus = BusState::Stalled;
+    viewState.bus->bus = BusState::Stalled;
     pass(0.5);
     EXPECT_FALSE(find("bus"));
-    sight.bus->bus = BusState::Up;
+    viewState.bus->bus = BusState::Up;
     pass(2.0);
-    sight.bus->bus = BusState::Stalled;
+    viewState.bus->bus = BusState::Stalled;
     pass(1.5);
     EXPECT_TRUE(stands("bus"));
     EXPECT_EQ(sounds, 0) << "a caution";
@@ -239,23 +240,23 @@ TEST_F(Alarming, stalledBusIsOneOnlyWhenItStays)
 
 TEST_F(Alarming, lostAndDamagedFramesAreCounted)
 {
-    sight.bus->frames.dropped = 7;
-    sight.wrongChecksums = 3;
+    viewState.bus->frames.dropped = 7;
+    viewState.wrongChecksums = 3;
     pass(0.1);
     EXPECT_TRUE(says("dropped", "7 frames"));
     EXPECT_TRUE(says("checksum", "3 with a wrong checksum"));
     alarms.acknowledgeAll();
     pass(GrowingCount::kLately + ConsoleAlarms::kGoneFor + 0.5);
     EXPECT_FALSE(find("dropped")) << "none was lost since";
-    sight.bus->frames.dropped = 8;
+    viewState.bus->frames.dropped = 8;
     pass(0.1);
     EXPECT_TRUE(stands("dropped"));
 }
 
 TEST_F(Alarming, whoeverListensOrReplaysHearsTheConsoleItFollows)
 {
-    sight.bus->link.foreignSender = true;
-    sight.bus->transmits = false;
+    viewState.bus->link.foreignSender = true;
+    viewState.bus->transmits = false;
     pass(1.0);
     EXPECT_FALSE(find("foreign"));
 }
@@ -263,7 +264,7 @@ TEST_F(Alarming, whoeverListensOrReplaysHearsTheConsoleItFollows)
 TEST_F(Alarming, aRobotThatWasDisarmedByWhatNobodyWantedIsOneUntilItIsArmedAgain)
 {
     const auto goes = [&](ArmingPhase phase, DisarmCause cause = DisarmCause::None) {
-        sight.bus->link.arming = {.phase = phase, .cause = cause};
+        viewState.bus->link.arming = {.phase = phase, .cause = cause};
         pass(0.1);
     };
     goes(ArmingPhase::Disarmed, DisarmCause::ConfirmTimeout);
@@ -292,13 +293,13 @@ TEST_F(Alarming, aRobotThatWasDisarmedByWhatNobodyWantedIsOneUntilItIsArmedAgain
 
 TEST_F(Alarming, otherCauses)
 {
-    sight.bus->link.foreignSender = true;
-    sight.bus->transmits = true;
-    sight.noModel = "no such file";
-    sight.panelTrouble = "the panel does not answer";
-    sight.failedExploration = "the estimate failed";
-    sight.isStopped = true;
-    sight.bus->forces.left[2] = ElementForce{0.0, ElementState::Open};
+    viewState.bus->link.foreignSender = true;
+    viewState.bus->transmits = true;
+    viewState.noModel = "no such file";
+    viewState.panelTrouble = "the panel does not answer";
+    viewState.failedExploration = "the estimate failed";
+    viewState.isStopped = true;
+    viewState.bus->forces.left[2] = ElementForce{0.0, ElementState::Open};
     pass(0.1);
     for (const char* id : {"foreign", "model", "panel", "exploration", "stop"})
         EXPECT_TRUE(stands(id)) << id;
@@ -311,7 +312,7 @@ TEST_F(Alarming, otherCauses)
 TEST_F(Alarming, soundCanBeSwitchedOff)
 {
     alarms.setSoundOn(false);
-    sight.link = kLost;
+    viewState.link = kLost;
     pass(30.0);
     EXPECT_EQ(sounds, 0);
     EXPECT_TRUE(stands("link"));

@@ -31,24 +31,24 @@ TEST_F(Bench, stopGoesOutAtOnceAndAgainUntilTheRobotConfirms)
 
 TEST_F(Bench, stopIsOnlySentUntilTheRobotConfirmsIt)
 {
-    using State = StopSight::State;
-    EXPECT_EQ(exploration->stopSight().state, State::Ready);
+    using State = StopViewState::State;
+    EXPECT_EQ(exploration->stopViewState().state, State::Ready);
     exploration->stop();
-    EXPECT_EQ(exploration->stopSight().state, State::Sent) << "before any tick";
+    EXPECT_EQ(exploration->stopViewState().state, State::Sent) << "before any tick";
     tick(10);
     exploration->stop();  // pressing it again makes it no younger
     tick(10);
-    EXPECT_EQ(exploration->stopSight().state, State::Sent);
-    EXPECT_NEAR(exploration->stopSight().seconds, 0.8, 1e-6);
+    EXPECT_EQ(exploration->stopViewState().state, State::Sent);
+    EXPECT_NEAR(exploration->stopViewState().seconds, 0.8, 1e-6);
     telemetry.activity = RobotActivity::Stopped;
     tick();
-    EXPECT_EQ(exploration->stopSight().state, State::Confirmed);
+    EXPECT_EQ(exploration->stopViewState().state, State::Confirmed);
     tickInSilence(20);
-    EXPECT_EQ(exploration->stopSight().state, State::Confirmed) << "silence takes nothing back";
+    EXPECT_EQ(exploration->stopViewState().state, State::Confirmed) << "silence takes nothing back";
     telemetry.activity = RobotActivity::Halted;
     tick();
-    EXPECT_EQ(exploration->stopSight().state, State::Sent) << "but telemetry does";
-    EXPECT_LT(exploration->stopSight().seconds, 0.1);
+    EXPECT_EQ(exploration->stopViewState().state, State::Sent) << "but telemetry does";
+    EXPECT_LT(exploration->stopViewState().seconds, 0.1);
 }
 
 TEST_F(Bench, stopPressedElsewhereIsOneEventForEachPress)
@@ -57,7 +57,7 @@ TEST_F(Bench, stopPressedElsewhereIsOneEventForEachPress)
     tick();
     telemetry.activity = RobotActivity::Stopped;
     tick(2);
-    ASSERT_EQ(exploration->stopSight().state, StopSight::State::Confirmed);
+    ASSERT_EQ(exploration->stopViewState().state, StopViewState::State::Confirmed);
     QStringList decided;
     int happened = 0;
     QObject::connect(exploration.get(), &Exploration::decided, exploration.get(),
@@ -80,19 +80,19 @@ TEST_F(Bench, stopPressedElsewhereIsOneEventForEachPress)
 
 TEST_F(Bench, stopThatCannotLeaveIsToldOnceAndTriedAgain)
 {
-    using State = StopSight::State;
+    using State = StopViewState::State;
     source.setDeaf(true);
     exploration->stop();
-    EXPECT_EQ(exploration->stopSight().state, State::NotSent);
-    EXPECT_EQ(exploration->stopSight().why, "the bus is off");
+    EXPECT_EQ(exploration->stopViewState().state, State::NotSent);
+    EXPECT_EQ(exploration->stopViewState().why, "the bus is off");
     tick(20);
     EXPECT_GE(sent<StopCommand>(), 3);
-    EXPECT_EQ(exploration->stopSight().state, State::NotSent);
-    EXPECT_NEAR(exploration->stopSight().seconds, 0.8, 1e-6);
+    EXPECT_EQ(exploration->stopViewState().state, State::NotSent);
+    EXPECT_NEAR(exploration->stopViewState().seconds, 0.8, 1e-6);
     EXPECT_EQ(events.filter("STOP not sent").size(), 1);
     source.setDeaf(false);
     tick(10);
-    EXPECT_EQ(exploration->stopSight().state, State::Sent);
+    EXPECT_EQ(exploration->stopViewState().state, State::Sent);
 }
 
 TEST_F(Bench, stopIsRepeatedToARobotOfWhichNothingWasEverHeard)
@@ -101,7 +101,7 @@ TEST_F(Bench, stopIsRepeatedToARobotOfWhichNothingWasEverHeard)
     another.stop();
     for (int i = 0; i < 20; ++i) another.tick(now += 0.04, std::nullopt);
     EXPECT_GE(sent<StopCommand>(), 3);
-    EXPECT_EQ(another.stopSight().state, StopSight::State::Sent);
+    EXPECT_EQ(another.stopViewState().state, StopViewState::State::Sent);
 }
 
 TEST_F(Bench, stopIsReleasedWhenTheRobotSaysSo)

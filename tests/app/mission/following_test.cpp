@@ -68,7 +68,7 @@ TEST_F(FollowingBench, estimatesAPressOnceAndSendsNothing)
     EXPECT_TRUE(source.takeCommands().empty());
     EXPECT_EQ(phase(), AtemPhase::Presenting);
     EXPECT_FALSE(stopsNothing.isEmpty());
-    EXPECT_EQ(exploration->stopSight().state, StopSight::State::NoEffect);
+    EXPECT_EQ(exploration->stopViewState().state, StopViewState::State::NoEffect);
 }
 
 TEST_F(FollowingBench, estimatesAgainWithWhatTheArmMeasuresAndScoresItOnce)

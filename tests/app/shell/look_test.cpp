@@ -534,12 +534,12 @@ TEST(TerrainPageAlone, saysNoTelemetryYoungerThanItMayBe)
     gui::showActive(page);
     const Measurement m;
     const auto says = [&](double age, bool due, double numbersFor) {
-        TerrainSight sight;
-        sight.measurement = &m;
-        sight.age = age;
-        sight.numbersDue = due;
-        sight.numbersFor = numbersFor;
-        page.setSight(sight);
+        TerrainViewState viewState;
+        viewState.measurement = &m;
+        viewState.age = age;
+        viewState.numbersDue = due;
+        viewState.numbersFor = numbersFor;
+        page.setViewState(viewState);
         for (const QLabel* label : page.findChildren<QLabel*>())
             if (label->accessibleName() == "Age of the telemetry") return label->text();
         return QString();
@@ -562,13 +562,13 @@ TEST(TerrainPageAlone, saysHowOldTheForcesAreThatItShowsNoMore)
     for (ForceElement& element : forces[0].elements) element.newtons = 3.0;
     std::uint64_t shows = 0;
     const auto says = [&](double age, std::optional<double> forcesAge) {
-        TerrainSight sight;
-        sight.measurement = &m;
-        sight.age = age;
-        sight.forces = &forces;
-        sight.forcesAge = forcesAge;
-        sight.count = ++shows;
-        page.setSight(sight);
+        TerrainViewState viewState;
+        viewState.measurement = &m;
+        viewState.age = age;
+        viewState.forces = &forces;
+        viewState.forcesAge = forcesAge;
+        viewState.count = ++shows;
+        page.setViewState(viewState);
         for (const QLabel* label : page.forces()->parentWidget()->findChildren<QLabel*>())
             if (label->isVisible() && label->text().endsWith(" old")) return label->text();
         return QString();
@@ -590,11 +590,11 @@ TEST(TerrainPageAlone, saysThatFlippersMoveOnlyWhileTheyDo)
     const Measurement m;
     const TerrainEstimate preview = stepEstimate();
     const auto says = [&](AtemPhase phase) {
-        TerrainSight sight;
-        sight.measurement = &m;
-        sight.live = &preview;
-        sight.state.phase = phase;
-        page.setSight(sight);
+        TerrainViewState viewState;
+        viewState.measurement = &m;
+        viewState.live = &preview;
+        viewState.state.phase = phase;
+        page.setViewState(viewState);
         return page.verdict()->reason() + "\n" + page.terrain()->accessibleDescription() + "\n"
              + page.strip()->headline();
     };

@@ -17,7 +17,7 @@ namespace {
 
 using At = RobotSessionTimes;
 
-const ReviewGhost::Sight kNone{}, kUnheard{{}, NoGhost::Unheard};
+const ReviewGhost::ViewState kNone{}, kUnheard{{}, NoGhost::Unheard};
 
 struct GhostOf : testing::Test {
     void record(const std::vector<std::variant<EventRow, ModelRow>>& more)
@@ -42,7 +42,7 @@ struct GhostOf : testing::Test {
             .id = 2, .time = sessionTimeOf(time), .name = "mine.ttm", .hash = std::string(64, 'd')};
     }
     /// Made anew each time, so that nothing depends on what was asked before.
-    ReviewGhost::Sight at(double time)
+    ReviewGhost::ViewState at(double time)
     {
         ReviewMoments moments(*reader, absolem());
         return ReviewGhost(*reader, absolem()).at(moments.at(sessionTimeOf(time)));

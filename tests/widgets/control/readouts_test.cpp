@@ -126,7 +126,7 @@ TEST(Header, stopActsOnThePressAndWithoutQuestion)
     EXPECT_EQ(stops, 1);
     QTest::mouseRelease(header.stopButton(), Qt::LeftButton);
     EXPECT_EQ(stops, 1);
-    header.setStop({.state = StopSight::State::Confirmed});
+    header.setStop({.state = StopViewState::State::Confirmed});
     EXPECT_TRUE(header.stopButton()->isEnabled());
     EXPECT_TRUE(header.stopButton()->isVisible());
 }
@@ -291,8 +291,8 @@ TEST(Spoken, whatMattersIsAnnouncedOnce)
     header.setLink("link 20 Hz", Tone::Good);
     EXPECT_EQ(listener.take(), QStringList{QStringLiteral("Link: link 20 Hz|")});
 
-    header.setStop({.state = StopSight::State::Sent});
-    header.setStop({.state = StopSight::State::Sent, .seconds = 0.3});
+    header.setStop({.state = StopViewState::State::Sent});
+    header.setStop({.state = StopViewState::State::Sent, .seconds = 0.3});
     const QStringList stop = listener.take();
     ASSERT_EQ(stop.size(), 1);
     EXPECT_TRUE(stop[0].startsWith("STOP|") && stop[0].contains("not confirmed"))

@@ -15,13 +15,13 @@
 
 namespace terratact {
 
-/// Reads off a moment of a session the plain values that the pages of a review show, as ConsoleSights does of what
+/// Reads off a moment of a session the plain values that the pages of a review show, as LiveViewState does of what
 /// runs.  GUI thread only.
-class ReviewSights {
-    Q_DECLARE_TR_FUNCTIONS(ReviewSights)
+class ReviewViewState {
+    Q_DECLARE_TR_FUNCTIONS(ReviewViewState)
 public:
     /// The session must outlive it.
-    ReviewSights(SessionReader& session, const RobotModel& robot);
+    ReviewViewState(SessionReader& session, const RobotModel& robot);
 
     /// Of an obstacle [m], from now on, whatever was recorded.
     void setLimit(double metres) { limit_ = metres; }
@@ -34,15 +34,16 @@ public:
 
     /// whatIf: of the same scene with other settings, shown as the second estimate.  What the sight points to is
     /// moment's, whatIf's, and this object's until the next call.
-    TerrainSight terrain(const ReviewMoment& moment, const std::optional<TerrainEstimate>& whatIf,
-                         const Preferences& preferences);
+    TerrainViewState terrain(const ReviewMoment& moment,
+                             const std::optional<TerrainEstimate>& whatIf,
+                             const Preferences& preferences);
 
 private:
-    void addMeasured(TerrainSight& sight, const ReviewMoment& moment, double threshold);
-    void addEstimates(TerrainSight& sight, const ReviewMoment& moment,
+    void addMeasured(TerrainViewState& viewState, const ReviewMoment& moment, double threshold);
+    void addEstimates(TerrainViewState& viewState, const ReviewMoment& moment,
                       const std::optional<TerrainEstimate>& whatIf) const;
-    void addGhost(TerrainSight& sight, const ReviewMoment& moment);
-    void addProbe(TerrainSight& sight, const ReviewMoment& moment, ProbePolicy policy);
+    void addGhost(TerrainViewState& viewState, const ReviewMoment& moment);
+    void addProbe(TerrainViewState& viewState, const ReviewMoment& moment, ProbePolicy policy);
     const ProbeAdvice& adviceOf(const std::shared_ptr<const EstimateRow>& estimate, double limit);
 
     RobotModel robot_;

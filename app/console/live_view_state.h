@@ -19,8 +19,8 @@
 namespace terratact {
 
 /// Reads off what runs behind a console the plain values that its pages show.  GUI thread only.
-class ConsoleSights {
-    Q_DECLARE_TR_FUNCTIONS(ConsoleSights)
+class LiveViewState {
+    Q_DECLARE_TR_FUNCTIONS(LiveViewState)
 public:
     /// What runs; null: there is none.
     struct Parts {
@@ -33,17 +33,17 @@ public:
         const PreferenceStore* preferences = nullptr;  ///< null: the defaults
     };
     /// All parts must outlive it.
-    ConsoleSights(const Parts& parts, const RobotModel& robot)
+    LiveViewState(const Parts& parts, const RobotModel& robot)
         : parts_(parts), model_(robot), robot_(robot.name), forceArrays_(robot)
     {
     }
 
     // newest: the telemetry of the exploration's last tick.  now: [s] on the steady clock.
-    LinkSight link(double now, const std::optional<Received>& newest);
+    LinkViewState link(double now, const std::optional<Received>& newest);
     /// link: of the same time.
-    AlarmSight alarms(double now, const std::optional<Received>& newest,
-                      const LinkAccount& link) const;
-    TerrainSight terrain(double now, const std::optional<Received>& newest);
+    AlarmViewState alarms(double now, const std::optional<Received>& newest,
+                          const LinkAccount& link) const;
+    TerrainViewState terrain(double now, const std::optional<Received>& newest);
     ConsoleFacts facts(double now, const QString& source, const QString& robotDetails) const;
     /// What the panel says to setting something in motion; empty: there is none.
     std::optional<Precondition> panel(double now) const;

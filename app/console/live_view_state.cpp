@@ -1,0 +1,197 @@
+#include "app/console/live_view_state.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "app/mission/bus_words.h"
+#include "app/shell/watched_application.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+template <class T>
+const T* pointer(const std::optional<T>& value)
+{
+    return value ? &*value : nullptr;
+}
+
+void addEstimation(TerrainViewState& viewState, const Estimation& estimation)
+{
+    if (const auto& scene = estimation.scene()) {
+        viewState.scene = &scene->measurement;
+        viewState.sceneTruth = &scene->truth;
+    }
+    viewState.estimate = pointer(estimation.estimate());
+    viewState.estimateSeconds = estimation.seconds();
+    viewState.second = pointer(estimation.second());
+    if (viewState.second)
+        viewState.secondName = words::text(name(viewState.second->settings.method));
+    viewState.live = pointer(estimation.live());
+    viewState.ghost = estimation.ghost();
+    viewState.whyNoGhost = estimation.whyNoGhost();
+    viewState.verdict = estimation.verdict();
+}
+
+/// Of the frames that the readout's rows come in.
+RobotReadout::Ages agesOf(const BusTap& tap, double now)
+{
+    using enum FrameKind;
+    RobotReadout::Ages ages{};
+    constexpr std::array kFrames{Attitude,   Attitude,      FrontAngles,
+                                 RearAngles, FrontCurrents, RearCurrents};
+    static_assert(kFrames.size() == RobotReadout::kRows);
+    for (std::size_t row = 0; row < ages.size(); ++row)
+        ages[row] = tap.age(kFrames[row], now).value_or(std::numeric_limits<double>::infinity());
+    return ages;
+}
+
+/// [s] of the oldest of the frames that the forces come in; empty: none has arrived.
+std::optional<double> forcesAgeOf(const BusTap& tap, double now)
+{
+    using enum FrameKind;
+    std::optional<double> oldest;
+    for (const FrameKind kind : {LeftForces1To3, LeftForces4To6, RightForces1To3, RightForces4To6})
+        if (const auto age = tap.age(kind, now)) oldest = std::max(*age, oldest.value_or(0.0));
+    return oldest;
+}
+
+}  // namespace
+
+LinkViewState LiveViewState::link(double now, const std::optional<Received>& newest)
+{
+    const bool alive = parts_.exploration.linkAlive();
+    LinkViewState viewState{.now = now, .newest = pointer(newest)};
+    std::optional<double> age;
+    if (newest) age = now - secondsOf(newest->arrived);
+    if (parts_.link && age && !alive)
+        viewState.heard = stillComes(parts_.link->tap().frames(now), *age);
+    viewState.link = link_.look({.now = now,
+                                 .age = age,
+                                 .alive = alive,
+                                 .othersCome = !viewState.heard.isEmpty(),
+                                 .ended = parts_.exploration.ended()});
+    return viewState;
+}
+
+Attitude LiveViewState::attitudeOf(const Measurement& line) const
+{
+    AttitudeLimits limits;
+    if (parts_.preferences)
+        limits = {parts_.preferences->current().tiltAmber, parts_.preferences->current().tiltRed};
+    return terratact::attitudeOf(line, model_, limits);
+}
+
+AlarmViewState LiveViewState::alarms(double now, const std::optional<Received>& newest,
+                                     const LinkAccount& link) const
+{
+    const Exploration& exploration = parts_.exploration;
+    AlarmViewState viewState{.link = link};
+    if (newest) viewState.suspicions = newest->suspicions;
+    if (newest && exploration.linkAlive()) {
+        viewState.measurement = newest->sample.measurement;
+        viewState.attitude = attitudeOf(*viewState.measurement);
+    }
+    viewState.isSceneSuspected = exploration.estimation().wasSuspected();
+    if (newest) viewState.isStopped = newest->sample.measurement.activity == RobotActivity::Stopped;
+    viewState.sourceTrouble = troubleWords(parts_.link, parts_.acquisition.trouble());
+    if (CanSource* bus = parts_.link) {
+        viewState.bus = bus->view();
+        viewState.busName = bus->busName();
+        viewState.wrongChecksums =
+            bus->tap().load().troubles[static_cast<std::size_t>(FrameTrouble::WrongChecksum)];
+    }
+    viewState.noModel = exploration.estimation().model().trouble;
+    if (parts_.recorder) viewState.notRecorded = words::sentence(parts_.recorder->state().trouble);
+    if (parts_.panel && !parts_.panel->answers(now))
+        viewState.panelTrouble = exploration.following()  // then it stops nothing
+                                   ? tr("The operator's panel does not answer")
+                                   : tr("The operator's panel does not answer, which means STOP");
+    if (exploration.state().phase == AtemPhase::Failed)
+        viewState.failedExploration = exploration.stateWords();
+    return viewState;
+}
+
+TerrainViewState LiveViewState::terrain(double now, const std::optional<Received>& newest)
+{
+    const Exploration& exploration = parts_.exploration;
+    TerrainViewState viewState{.now = now, .ended = exploration.ended()};
+    if (newest) {
+        viewState.measurement = &newest->sample.measurement;
+        viewState.age = now - secondsOf(newest->arrived);
+        if (parts_.link && !viewState.ended) {
+            viewState.ages = agesOf(parts_.link->tap(), now);
+            viewState.forcesAge = forcesAgeOf(parts_.link->tap(), now);
+        }
+        viewState.count = newest->count;
+        viewState.attitude = attitudeOf(*viewState.measurement);
+        viewState.forces = &forcesOf(*newest);
+        viewState.truth = &newest->sample.truth;
+    }
+    addEstimation(viewState, exploration.estimation());
+    viewState.whyNoEstimate = exploration.whyNoEstimate();
+    viewState.state = exploration.state();
+    viewState.stateWords = exploration.stateWords();
+    viewState.time = exploration.time();
+    viewState.secondsInPhase = exploration.secondsInPhase();
+    viewState.proposal = pointer(exploration.proposal());
+    if (!viewState.proposal) viewState.bestProbe = exploration.bestProbe();
+    viewState.whyNotOffered = exploration.whyNotOffered();
+    viewState.probingBin = exploration.probingBin();
+    viewState.probeSeconds = exploration.options().probeSeconds;
+    // A preview takes a telemetry's time: its progress would only flicker.
+    if (exploration.estimating()) viewState.progress = parts_.worker.progress();
+    viewState.preconditions = exploration.preconditions();
+    viewState.driving = exploration.toDrive();
+    viewState.probing = exploration.toProbe();
+    viewState.releasing = exploration.toReleaseStop();
+    if (parts_.link && !exploration.following())
+        viewState.arming = Preconditions::toArm(parts_.link->view());
+    if (const auto says = panel(now))
+        for (auto* list : {&viewState.preconditions, &viewState.driving, &viewState.arming,
+                           &viewState.probing, &viewState.releasing})
+            if (!list->isEmpty()) *list << *says;
+    return viewState;
+}
+
+ConsoleFacts LiveViewState::facts(double now, const QString& source,
+                                  const QString& robotDetails) const
+{
+    ConsoleFacts facts{.telemetryRate = parts_.acquisition.rate(),
+                       .estimating = parts_.worker.progress().has_value(),
+                       .source = source,
+                       .robot = QString::fromStdString(robot_),
+                       .robotDetails = robotDetails,
+                       .model = parts_.exploration.estimation().model(),
+                       .longest = WatchedApplication::longestEvents()};
+    if (const auto latest = parts_.acquisition.latest())
+        facts.telemetryAge = now - secondsOf(latest->arrived);
+    if (parts_.link) {
+        facts.bus = busWords(parts_.link->view().bus, parts_.link->busName());
+        facts.waiting = parts_.link->waiting();
+    }
+    if (const PanelControl* panel = parts_.panel)
+        facts.panel = PanelFacts{.report = panel->report(),
+                                 .answers = panel->answers(now),
+                                 .presses = panel->reader().allPresses(),
+                                 .stopLatencies = panel->reader().stopLatencies()};
+    return facts;
+}
+
+std::optional<Precondition> LiveViewState::panel(double now) const
+{
+    return parts_.panel ? std::optional(parts_.panel->precondition(now)) : std::nullopt;
+}
+
+const std::vector<ForceArray>& LiveViewState::forcesOf(const Received& newest)
+{
+    if (newest.count == forcesCount_) return forces_;
+    forcesCount_ = newest.count;
+    const auto line = parts_.link ? parts_.link->view().line : std::nullopt;
+    const double threshold = parts_.exploration.options().settings.forceThreshold;
+    forces_ = forceArrays_.of(newest.sample.measurement, line, threshold);
+    return forces_;
+}
+
+}  // namespace terratact

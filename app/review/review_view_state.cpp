@@ -1,0 +1,166 @@
+#include "app/review/review_view_state.h"
+
+#include <limits>
+
+#include "app/mission/estimation.h"
+#include "app/pages/force_arrays.h"
+#include "widgets/base/words.h"
+
+namespace terratact {
+namespace {
+
+ProbeProposal proposalOf(const ProposalRow& row)
+{
+    ProbeProposal p{.id = static_cast<quint64>(row.id),
+                    .bin = row.bin,
+                    .height = row.height,
+                    .q10 = row.q10,
+                    .q90 = row.q90,
+                    .sd = row.sd,
+                    .limit = row.limit,
+                    .armSd = row.armSd,
+                    .seconds = row.seconds,
+                    .stepLimit = row.stepLimit,
+                    .bitsBefore = row.bitsBefore,
+                    .worth = {},
+                    .others = {}};
+    for (const OfferedBin& offer : row.offers) {
+        const ProbeWorth worth{offer.bin, offer.varianceShare, offer.bitsAfter};
+        if (offer.bin == row.bin)
+            p.worth = worth;
+        else
+            p.others.push_back(worth);
+    }
+    return p;
+}
+
+bool isHeard(const ReviewMoment& moment)
+{
+    return moment.linkAlive && moment.measurement
+        && secondsOf(moment.time - moment.measured) <= kStaleAfter;
+}
+
+}  // namespace
+
+ReviewViewState::ReviewViewState(SessionReader& session, const RobotModel& robot)
+    : robot_(robot), felt_(session, robot), ghost_(session, robot)
+{
+}
+
+double ReviewViewState::limit(const ReviewMoment& moment) const
+{
+    return limit_.value_or(moment.estimate ? moment.estimate->stepLimit : kStepLimit);
+}
+
+std::optional<Verdict> ReviewViewState::verdict(const ReviewMoment& moment) const
+{
+    if (!moment.estimate || !moment.scene) return std::nullopt;
+    return verdictOf(moment.estimate->estimate, moment.scene->measurement,
+                     {.heard = isHeard(moment),
+                      .unbroken = moment.unbroken,
+                      .sensorsSound = moment.sensorsSound},
+                     limit(moment));
+}
+
+double ReviewViewState::threshold(const ReviewMoment& moment, const Preferences& preferences)
+{
+    return moment.estimate ? moment.estimate->estimate.settings.forceThreshold
+                           : preferences.forceThreshold;
+}
+
+TerrainViewState ReviewViewState::terrain(const ReviewMoment& moment,
+                                          const std::optional<TerrainEstimate>& whatIf,
+                                          const Preferences& preferences)
+{
+    TerrainViewState viewState{.now = secondsOf(moment.time)};
+    viewState.count = ++shows_;  // every moment is drawn anew
+    addMeasured(viewState, moment, threshold(moment, preferences));
+    addEstimates(viewState, moment, whatIf);
+    addGhost(viewState, moment);
+    viewState.state = moment.state;
+    viewState.secondsInPhase = viewState.now - moment.state.since;
+    addProbe(viewState, moment, preferences.probes);
+    viewState.preconditions << Precondition{Precondition::Level::Missing,
+                                            tr("A review commands no robot")};
+    viewState.driving = viewState.preconditions;
+    return viewState;
+}
+
+void ReviewViewState::addMeasured(TerrainViewState& viewState, const ReviewMoment& moment,
+                                  double threshold)
+{
+    if (moment.measurement) {
+        viewState.measurement = &*moment.measurement;
+        viewState.age = secondsOf(moment.time - moment.measured);
+        forces_ = ForceArrays(robot_).of(*moment.measurement, moment.line, threshold);
+        viewState.forces = &forces_;
+        forcesBefore_ = felt_.before(moment.time, threshold);
+        viewState.forcesBefore = &forcesBefore_;
+    }
+    if (!moment.scene) return;
+    viewState.scene = &moment.scene->measurement;
+    viewState.sceneTruth = &moment.scene->truth;
+    if (!viewState.measurement) {
+        viewState.measurement = viewState.scene;
+        viewState.age = std::numeric_limits<double>::infinity();  // nothing was heard yet
+    }
+}
+
+void ReviewViewState::addEstimates(TerrainViewState& viewState, const ReviewMoment& moment,
+                                   const std::optional<TerrainEstimate>& whatIf) const
+{
+    const EstimateRow* const row = moment.estimate.get();
+    if (row) {
+        viewState.estimate = &row->estimate;
+        viewState.estimateSeconds = row->seconds;
+        viewState.verdict = verdict(moment);
+    }
+    if (whatIf && row) {
+        viewState.second = &*whatIf;
+        viewState.secondName = tr("what if: %1").arg(words::text(name(whatIf->settings.method)));
+    } else if (moment.second) {
+        viewState.second = &moment.second->estimate;
+        viewState.secondName = words::text(name(moment.second->estimate.settings.method));
+    }
+    viewState.whyNoEstimate = moment.forgotten.empty() ? tr("No estimate stood at this time")
+                                                       : words::sentence(moment.forgotten);
+}
+
+void ReviewViewState::addGhost(TerrainViewState& viewState, const ReviewMoment& moment)
+{
+    const auto [ghost, why] = ghost_.at(moment);
+    if (!ghost && !why) return;
+    viewState.whyNoGhost = noGhostWords(why, isHeard(moment));
+    if (viewState.whyNoGhost.isEmpty()) viewState.ghost = ghost;
+}
+
+void ReviewViewState::addProbe(TerrainViewState& viewState, const ReviewMoment& moment,
+                               ProbePolicy policy)
+{
+    const ProposalRow* const row = moment.proposal;
+    const auto seconds = row ? std::optional(row->seconds) : std::nullopt;
+    viewState.time =
+        phaseTime(moment.state, viewState.now, AtemLimits{}, {.press = {}, .probe = seconds});
+    if (row) {
+        proposal_ = proposalOf(*row);
+        viewState.proposal = &*proposal_;
+        viewState.probeSeconds = row->seconds;
+        if (moment.state.phase == AtemPhase::Probing) viewState.probingBin = row->bin;
+    } else if (moment.estimate) {
+        viewState.bestProbe =
+            bestProbe({moment.estimate->estimate, adviceOf(moment.estimate, limit(moment)), robot_,
+                       ProbeProposal{}.seconds, policy});
+    }
+}
+
+const ProbeAdvice& ReviewViewState::adviceOf(const std::shared_ptr<const EstimateRow>& estimate,
+                                             double limit)
+{
+    if (advised_ != estimate || advice_.stepLimit != limit) {
+        advised_ = estimate;
+        advice_ = adviseProbe(advised_->estimate, robot_, limit);
+    }
+    return advice_;
+}
+
+}  // namespace terratact
