@@ -18,7 +18,7 @@
 #include "app/console/signals_page.h"
 #include "app/console/training_page.h"
 #include "app/mission/preset_words.h"
-#include "app/mission/session_scribe.h"
+#include "app/mission/session_event_logger.h"
 #include "app/pages/numbers_page.h"
 #include "app/shell/open_file.h"
 #include "app/shell/page.h"
@@ -76,10 +76,11 @@ MainWindow::MainWindow(Options options)
     build(options);
     connectAll();
     if (recorder_) {
-        scribe_ = std::make_unique<SessionScribe>(recorder_, *exploration_, *worker_, *events());
+        eventLogger_ =
+            std::make_unique<SessionEventLogger>(recorder_, *exploration_, *worker_, *events());
         recorder_->setOn(preferences_->current().record);
         const QString unusual = changesOf(Preferences{}, preferences_->current());
-        if (!unusual.isEmpty()) scribe_->decision("settings", unusual);
+        if (!unusual.isEmpty()) eventLogger_->decision("settings", unusual);
     }
     offerQualities();
     profileMenu_ = new ProfileMenu(*terrain(), *exploration_, viewButton());
@@ -228,7 +229,7 @@ void MainWindow::applyPreferences(const Preferences& before)
 {
     const Preferences& now = preferences_->current();
     const QString changes = changesOf(before, now);
-    if (scribe_ && !changes.isEmpty()) scribe_->decision("settings", changes);
+    if (eventLogger_ && !changes.isEmpty()) eventLogger_->decision("settings", changes);
     const Settings& set = exploration_->options().settings;
     // Only what was changed now: other settings void a question, other colours do not.
     if (const Settings wanted = withPreferences(set, now); wanted != withPreferences(set, before)) {
@@ -520,17 +521,17 @@ void MainWindow::showAlarms(double now, const LinkAccount& link)
 
 void MainWindow::showRecording(const LinkAccount& link)
 {
-    if (!scribe_) return;
-    scribe_->look(link, link_ ? std::optional(link_->view()) : std::nullopt, alarms_->list(),
-                  panel_ ? std::optional(panel_->state()) : std::nullopt);
+    if (!eventLogger_) return;
+    eventLogger_->look(link, link_ ? std::optional(link_->view()) : std::nullopt, alarms_->list(),
+                       panel_ ? std::optional(panel_->state()) : std::nullopt);
     recordingDisplay_->show(recorder_->state());
 }
 
 void MainWindow::mark()
 {
-    if (!scribe_ || !recorder_->state().recording)
+    if (!eventLogger_ || !recorder_->state().recording)
         return tell(tr("not marked: nothing is recorded"), Weight::Doubt);
-    scribe_->mark({});
+    eventLogger_->mark({});
     tell(tr("marked in the recording"), Weight::Note);
 }
 

@@ -38,7 +38,7 @@ namespace terratact {
 class AlarmsPage;
 class LogReplay;
 class ReplayBar;
-class SessionScribe;
+class SessionEventLogger;
 class ArmingControl;
 class SettingsPage;
 class SignalsPage;
@@ -170,8 +170,8 @@ private:
     std::unique_ptr<ProbeNotice> probeNotice_;
     std::unique_ptr<SharedStop> sharedStop_;
     std::unique_ptr<ConsoleAlarms> alarms_;
-    std::shared_ptr<SessionRecorder> recorder_;  ///< may be null
-    std::unique_ptr<SessionScribe> scribe_;      ///< likewise
+    std::shared_ptr<SessionRecorder> recorder_;        ///< may be null
+    std::unique_ptr<SessionEventLogger> eventLogger_;  ///< likewise
     std::unique_ptr<LiveViewState> viewStates_;
     LoopMeter meter_;
     double prepared_ = 0.0;    ///< [s] the frame that is to be painted took to prepare

@@ -11,7 +11,7 @@
 #include "app/console/demo.h"
 #include "app/console/main_window.h"
 #include "app/console/robot_connection.h"
-#include "app/console/session_housekeeping.h"
+#include "app/console/session_retention.h"
 #include "app/runtime/resources.h"
 #include "app/runtime/say.h"
 #include "app/shell/console_setup.h"
@@ -24,7 +24,7 @@ constexpr int kReopen = 1000;  // never an exit code
 /// What outlives a window that is opened anew.
 struct Lasting {
     std::optional<Preferences> inForce;  ///< in the window before; empty: there was none
-    std::optional<SessionHousekeeping> house;
+    std::optional<SessionRetention> house;
 };
 
 struct Chosen {
@@ -115,7 +115,7 @@ MainWindow::Options windowOptions(const ConsoleOptions& options, Chosen chosen)
     return window;
 }
 
-SessionRetention retentionOf(const Preferences& preferences)
+RetentionLimits retentionOf(const Preferences& preferences)
 {
     return {.days = static_cast<double>(preferences.keepDays),
             .gigabytes = static_cast<double>(preferences.keepGigabytes),
@@ -129,7 +129,7 @@ void keepHouse(Lasting& lasting, std::vector<std::string> earlier, const std::st
     const PreferenceStore& preferences = window.preferences();
     if (!lasting.house)
         lasting.house.emplace(std::move(earlier), folder, retentionOf(preferences.current()));
-    SessionHousekeeping* house = &*lasting.house;
+    SessionRetention* house = &*lasting.house;
     QObject::connect(&preferences, &PreferenceStore::changed, house, [house, &preferences] {
         house->setLimits(retentionOf(preferences.current()));
     });
@@ -137,9 +137,9 @@ void keepHouse(Lasting& lasting, std::vector<std::string> earlier, const std::st
         for (const QString& sentence : house->takeNews())
             events->add(sentence, Weight::Doubt, QTime::currentTime());
     };
-    QObject::connect(house, &SessionHousekeeping::news, &window, tell);
+    QObject::connect(house, &SessionRetention::news, &window, tell);
     tell();
-    QTimer::singleShot(0, house, &SessionHousekeeping::start);
+    QTimer::singleShot(0, house, &SessionRetention::start);
 }
 
 /// kReopen: it is to be opened anew.

@@ -471,7 +471,7 @@ std::vector<ClosedSession> closedOnes(const std::vector<std::string>& paths, std
 
 /// Those beyond the limits, in their order.
 std::vector<ClosedSession> beyond(const std::vector<ClosedSession>& sessions,
-                                  const SessionRetention& limits, std::int64_t now)
+                                  const RetentionLimits& limits, std::int64_t now)
 {
     double total = 0.0;
     for (const ClosedSession& session : sessions) total += session.bytes;
@@ -490,7 +490,7 @@ std::vector<ClosedSession> beyond(const std::vector<ClosedSession>& sessions,
 }  // namespace
 
 std::vector<std::string> applyRetention(const std::vector<std::string>& paths,
-                                        const SessionRetention& limits, std::int64_t now,
+                                        const RetentionLimits& limits, std::int64_t now,
                                         const std::function<bool()>& goesOn)
 {
     if ((limits.days <= 0.0 && limits.gigabytes <= 0.0) || now < kYear2020) return {};

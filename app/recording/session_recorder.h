@@ -139,11 +139,11 @@ std::vector<std::string> sessionsIn(const std::string& folder);
 std::vector<std::string> recoverDeadSessions(const std::vector<std::string>& paths);
 
 /// Limits a user has set; 0: none.
-struct SessionRetention {
+struct RetentionLimits {
     double days = 0.0;
     double gigabytes = 0.0;  ///< of all closed sessions together
     bool confirmed = false;  ///< the user has said once that what is beyond them may be deleted
-    bool operator==(const SessionRetention&) const = default;
+    bool operator==(const RetentionLimits&) const = default;
 };
 
 /// Deletes the oldest closed ones of these sessions, the oldest first, beyond the limits; one sentence for each.
@@ -155,7 +155,7 @@ struct SessionRetention {
 /// what is not a session, not closed, or reached through a symbolic link.
 /// now: [ns] since 1970.  goesOn: asked before each file; false ends it.
 std::vector<std::string> applyRetention(
-    const std::vector<std::string>& paths, const SessionRetention& limits, std::int64_t now,
+    const std::vector<std::string>& paths, const RetentionLimits& limits, std::int64_t now,
     const std::function<bool()>& goesOn = [] { return true; });
 
 /// [ns] since 1970, by this computer's clock.

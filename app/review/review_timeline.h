@@ -5,7 +5,7 @@
 #include <QString>
 #include <vector>
 
-#include "app/recording/session_surveyor.h"
+#include "app/recording/session_indexer.h"
 #include "app/review/review_notes.h"
 #include "core/log/session_reader.h"
 #include "widgets/signals/session_timeline.h"

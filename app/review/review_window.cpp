@@ -57,7 +57,7 @@ ReviewWindow::ReviewWindow(Options options)
       preferences_(options.preferences ? std::move(options.preferences)
                                        : std::make_unique<PreferenceStore>()),
       moments_(session_, robot_), viewStates_(session_, robot_),
-      surveyor_(session_.path(), robot_, preferences_->current().forceThreshold)
+      indexer_(session_.path(), robot_, preferences_->current().forceThreshold)
 {
     setWindowTitle(tr("REVIEW — %1 — Terratact").arg(fileName(session_)));
     buildHeader();
@@ -201,7 +201,7 @@ void ReviewWindow::followSession()
         }
     }
     if (sinceGrowth_ > kStillGrows) grows_ = false;
-    if (const auto version = surveyor_.version(); version != surveyVersion_) {
+    if (const auto version = indexer_.version(); version != surveyVersion_) {
         surveyVersion_ = version;
         news = true;
     }
@@ -211,7 +211,7 @@ void ReviewWindow::followSession()
 
 void ReviewWindow::loadTimeline()
 {
-    const Surveyed surveyed = surveyor_.found();
+    const Surveyed surveyed = indexer_.found();
     surveyedAll_ = surveyed.share >= 1.0;
     const Timeline timeline = timelineOf(session_, surveyed, notes());
     damagedPlaces_ = timeline.gaps.size();

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/recording/session_surveyor.h"
+#include "app/recording/session_indexer.h"
 #include "app/review/review_display.h"
 #include "app/review/review_note_field.h"
 #include "app/review/review_player_bar.h"
@@ -102,7 +102,7 @@ private:
     ReviewViewState viewStates_;
     std::optional<ReviewDisplay> display_;  ///< since there is what it fills
     ReviewMoment moment_;
-    SessionSurveyor surveyor_;
+    SessionIndexer indexer_;
     std::uint64_t surveyVersion_ = 0;
     bool surveyedAll_ = false;
     bool grows_ = false;  ///< something was committed within the last seconds

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "app/console/main_window.h"
-#include "app/console/session_housekeeping.h"
+#include "app/console/session_retention.h"
 #include "core/learn/model/model_file.h"
 #include "core/log/session_reader.h"
 #include "core/sim/terrain_shapes.h"
@@ -381,16 +381,16 @@ TEST(SettingsPageAlone, showsWhateverTheFileMayHold)
         << "the page does not offer it";
 }
 
-TEST(SessionHousekeeping, closesWhatADeadProgramLeftAndTellsIt)
+TEST(SessionRetention, closesWhatADeadProgramLeftAndTellsIt)
 {
     const TemporaryDirectory directory;
     const std::string folder = directory.file("sessions"), path = folder + "/dead.tts";
     std::filesystem::create_directory(folder);
     ASSERT_TRUE(someSession(path, 300));  // whose writer goes without sealing it
     ASSERT_FALSE(SessionReader::open(path)->sealed());
-    SessionHousekeeping house(sessionsIn(folder), folder, {});
+    SessionRetention house(sessionsIn(folder), folder, {});
     QStringList told;
-    QObject::connect(&house, &SessionHousekeeping::news, &house, [&] { told << house.takeNews(); });
+    QObject::connect(&house, &SessionRetention::news, &house, [&] { told << house.takeNews(); });
     QTest::qWait(100);
     EXPECT_FALSE(SessionReader::open(path)->sealed()) << "nothing before the window is there";
     house.start();
@@ -399,19 +399,19 @@ TEST(SessionHousekeeping, closesWhatADeadProgramLeftAndTellsIt)
     EXPECT_TRUE(SessionReader::open(path)->sealed());
 }
 
-TEST(SessionHousekeeping, deletesByALimitThatIsSetMeanwhileOnceItHasStoodForAWhile)
+TEST(SessionRetention, deletesByALimitThatIsSetMeanwhileOnceItHasStoodForAWhile)
 {
     const TemporaryDirectory directory;
     const std::string folder = directory.file("sessions"), path = folder + "/old.tts";
     std::filesystem::create_directory(folder);
     ASSERT_TRUE(someSession(path, 300));
     ASSERT_FALSE(recoverDeadSessions({path}).empty());  // closes it
-    const SessionRetention any{}, small{.gigabytes = 1e-9, .confirmed = true};
-    SessionHousekeeping house(sessionsIn(folder), folder, any);
+    const RetentionLimits any{}, small{.gigabytes = 1e-9, .confirmed = true};
+    SessionRetention house(sessionsIn(folder), folder, any);
     house.setGrace(300);
     house.start();
     QStringList told;
-    QObject::connect(&house, &SessionHousekeeping::news, &house, [&] { told << house.takeNews(); });
+    QObject::connect(&house, &SessionRetention::news, &house, [&] { told << house.takeNews(); });
     house.setLimits(small);
     house.setLimits(any);  // a mistake, taken back in time
     QTest::qWait(900);
@@ -422,12 +422,12 @@ TEST(SessionHousekeeping, deletesByALimitThatIsSetMeanwhileOnceItHasStoodForAWhi
     EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-TEST(SessionHousekeeping, countsAndDeletesTheSessionsOfThisRunToo)
+TEST(SessionRetention, countsAndDeletesTheSessionsOfThisRunToo)
 {
     const TemporaryDirectory directory;
     const std::string folder = directory.file("sessions");
     std::filesystem::create_directory(folder);
-    SessionHousekeeping house({}, folder, {});
+    SessionRetention house({}, folder, {});
     house.setGrace(1);
     house.start();
     auto closed = someSession(folder + "/of-this-run.tts", 300);
@@ -444,14 +444,14 @@ TEST(SessionHousekeeping, countsAndDeletesTheSessionsOfThisRunToo)
         << "another process took it over";
 }
 
-TEST(SessionHousekeeping, aLimitThatIsTakenBackDeletesNothingFromThenOn)
+TEST(SessionRetention, aLimitThatIsTakenBackDeletesNothingFromThenOn)
 {
     const TemporaryDirectory directory;
     const std::string folder = directory.file("sessions"), path = folder + "/old.tts";
     std::filesystem::create_directory(folder);
     auto session = someSession(path, 300);
     ASSERT_TRUE(session && session->seal());
-    SessionHousekeeping house(sessionsIn(folder), folder, {.gigabytes = 1e-9, .confirmed = true});
+    SessionRetention house(sessionsIn(folder), folder, {.gigabytes = 1e-9, .confirmed = true});
     house.setLimits({.days = 1.0, .confirmed = true});  // of the two, this one is stricter
     house.start();
     QTest::qWait(500);

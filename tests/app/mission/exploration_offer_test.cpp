@@ -1,5 +1,5 @@
 // When a probe is offered, for which limit and policy; and that the estimate is recorded before.
-#include "app/mission/session_scribe.h"
+#include "app/mission/session_event_logger.h"
 #include "core/log/session_reader.h"
 #include "tests/support/exploration_bench.h"
 #include "tests/support/sessions.h"
@@ -114,7 +114,7 @@ TEST_F(WaitingForAdvice, hasRecordedTheEstimateThoughSTOPEndsIt)
         const auto recorder = std::make_shared<SessionRecorder>(
             SessionRecorder::Options{.folder = folder, .start = someStart()});
         EventList list;
-        const SessionScribe scribe(recorder, *exploration, *worker, list);
+        const SessionEventLogger eventLogger(recorder, *exploration, *worker, list);
         emit worker->modelLoaded("fake.ttm", {}, {}, {});  // before, nobody wrote it down
         ASSERT_NO_FATAL_FAILURE(wait());
         exploration->stop();

@@ -414,7 +414,7 @@ TEST_F(Recorder, deletesOnlyWhatTheUsersLimitsSay)
     makeClosed(folder + "/1.tts");
     makeClosed(folder + "/2.tts", kOctober + kSecond, kOctober + kSecond);
     std::ofstream(folder + "/2019.tts") << "no session";
-    const auto told = [&](const SessionRetention& limits) {
+    const auto told = [&](const RetentionLimits& limits) {
         return applyRetention(sessionsIn(folder), limits, kLater).size();
     };
     EXPECT_EQ(told({.confirmed = true}), 0U);
@@ -479,7 +479,7 @@ TEST_F(Recorder, deletesNoMoreOnceItIsToldToEnd)
 {
     std::filesystem::create_directories(folder);
     for (int i = 0; i < 6; ++i) makeClosed(folder + "/" + std::to_string(i) + ".tts");
-    const SessionRetention none{.gigabytes = 1e-9, .confirmed = true};
+    const RetentionLimits none{.gigabytes = 1e-9, .confirmed = true};
     int asked = 0;
     const auto apply = [&](int most) {
         asked = 0;

@@ -1,4 +1,4 @@
-#include "app/recording/session_surveyor.h"
+#include "app/recording/session_indexer.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -12,25 +12,25 @@ constexpr auto kLookForMore = std::chrono::milliseconds(500);
 
 }  // namespace
 
-SessionSurveyor::SessionSurveyor(std::string path, RobotModel robot, double threshold)
+SessionIndexer::SessionIndexer(std::string path, RobotModel robot, double threshold)
     : path_(std::move(path)), robot_(std::move(robot)), threshold_(threshold),
       thread_([this](const std::stop_token& stop) { run(stop); })
 {
 }
 
-std::uint64_t SessionSurveyor::version() const
+std::uint64_t SessionIndexer::version() const
 {
     const std::scoped_lock lock(mutex_);
     return version_;
 }
 
-Surveyed SessionSurveyor::found() const
+Surveyed SessionIndexer::found() const
 {
     const std::scoped_lock lock(mutex_);
     return found_;
 }
 
-void SessionSurveyor::publish(const SessionSurvey& survey, const SessionReader& reader)
+void SessionIndexer::publish(const SessionSurvey& survey, const SessionReader& reader)
 {
     const auto all = static_cast<double>(reader.batches().size());
     const std::scoped_lock lock(mutex_);
@@ -41,7 +41,7 @@ void SessionSurveyor::publish(const SessionSurvey& survey, const SessionReader& 
     ++version_;
 }
 
-void SessionSurveyor::run(const std::stop_token& stop)
+void SessionIndexer::run(const std::stop_token& stop)
 {
     auto reader = SessionReader::open(path_);
     if (!reader) {

@@ -1,4 +1,4 @@
-#include "app/mission/session_scribe.h"
+#include "app/mission/session_event_logger.h"
 
 #include <fmt/format.h>
 
@@ -42,27 +42,28 @@ std::string inWords(const Verdict& verdict, double limit)
 
 }  // namespace
 
-SessionScribe::SessionScribe(std::shared_ptr<SessionRecorder> recorder, Exploration& exploration,
-                             EstimatorWorker& worker, EventList& events, QObject* parent)
+SessionEventLogger::SessionEventLogger(std::shared_ptr<SessionRecorder> recorder,
+                                       Exploration& exploration, EstimatorWorker& worker,
+                                       EventList& events, QObject* parent)
     : QObject(parent), recorder_(std::move(recorder)), exploration_(exploration)
 {
     connectTo(exploration);
-    connect(&worker, &EstimatorWorker::modelLoaded, this, &SessionScribe::takeModel);
+    connect(&worker, &EstimatorWorker::modelLoaded, this, &SessionEventLogger::takeModel);
     connect(&events, &EventList::added, this, [this](const QString& text, Weight weight) {
         tell(EventKind::Word, inWords(weight), text.toStdString());
     });
 }
 
-void SessionScribe::connectTo(Exploration& exploration)
+void SessionEventLogger::connectTo(Exploration& exploration)
 {
     const Estimation* estimation = &exploration.estimation();
     connect(estimation, &Estimation::captured, this, [this](const CapturedScene& scene) {
         scene_ = recorder_->record(
             SceneRow{.id = 0, .time = 0, .measurement = scene.measurement, .truth = scene.truth});
     });
-    connect(estimation, &Estimation::stands, this, &SessionScribe::takeEstimate);
-    connect(&exploration, &Exploration::proposed, this, &SessionScribe::takeProposal);
-    connect(&exploration, &Exploration::decided, this, &SessionScribe::decision);
+    connect(estimation, &Estimation::stands, this, &SessionEventLogger::takeEstimate);
+    connect(&exploration, &Exploration::proposed, this, &SessionEventLogger::takeProposal);
+    connect(&exploration, &Exploration::decided, this, &SessionEventLogger::decision);
     connect(estimation, &Estimation::unheard, this, [this] { tell(EventKind::Unheard, {}, {}); });
     connect(estimation, &Estimation::forgotten, this, [this](const QString& why) {
         tell(EventKind::Forgotten, {}, why.toStdString());
@@ -70,7 +71,7 @@ void SessionScribe::connectTo(Exploration& exploration)
     });
 }
 
-void SessionScribe::takeModel(const QString& name, const QString& details, const QString& hash)
+void SessionEventLogger::takeModel(const QString& name, const QString& details, const QString& hash)
 {
     model_ = recorder_->record(ModelRow{.id = 0,
                                         .time = 0,
@@ -79,7 +80,7 @@ void SessionScribe::takeModel(const QString& name, const QString& details, const
                                         .details = details.toStdString()});
 }
 
-void SessionScribe::takeEstimate(bool second)
+void SessionEventLogger::takeEstimate(bool second)
 {
     if (scene_ == 0 || model_ == 0) return;
     const Estimation& estimation = exploration_.estimation();
@@ -97,7 +98,7 @@ void SessionScribe::takeEstimate(bool second)
     if (!second) estimate_ = id;
 }
 
-void SessionScribe::takeProposal()
+void SessionEventLogger::takeProposal()
 {
     const auto& p = exploration_.proposal();
     if (!p || estimate_ == 0) return;
@@ -122,8 +123,8 @@ void SessionScribe::takeProposal()
     proposal_ = recorder_->record(std::move(row));
 }
 
-void SessionScribe::tell(EventKind kind, const std::string& subject, const std::string& text,
-                         std::optional<double> number)
+void SessionEventLogger::tell(EventKind kind, const std::string& subject, const std::string& text,
+                              std::optional<double> number)
 {
     const bool isDecision = kind == EventKind::Decision || kind == EventKind::Marker;
     recorder_->record(EventRow{.id = 0,
@@ -137,17 +138,17 @@ void SessionScribe::tell(EventKind kind, const std::string& subject, const std::
                                .shown = isDecision ? shown() : std::string()});
 }
 
-void SessionScribe::decision(const char* what, const QString& text)
+void SessionEventLogger::decision(const char* what, const QString& text)
 {
     tell(EventKind::Decision, what, text.toStdString());
 }
 
-void SessionScribe::mark(const QString& note)
+void SessionEventLogger::mark(const QString& note)
 {
     tell(EventKind::Marker, "operator", note.toStdString());
 }
 
-std::string SessionScribe::shown() const
+std::string SessionEventLogger::shown() const
 {
     std::string text = fmt::format("exploration: {}", describe(exploration_.state().phase));
     text += "; " + describe(link_);
@@ -162,8 +163,8 @@ std::string SessionScribe::shown() const
     return text;
 }
 
-void SessionScribe::look(const LinkAccount& link, const std::optional<CanView>& bus,
-                         const AlarmList& alarms, const std::optional<PanelState>& panel)
+void SessionEventLogger::look(const LinkAccount& link, const std::optional<CanView>& bus,
+                              const AlarmList& alarms, const std::optional<PanelState>& panel)
 {
     lookAtLink(link, bus);
     if (bus && std::exchange(arming_, bus->link.arming.phase) != bus->link.arming.phase)
@@ -180,7 +181,7 @@ void SessionScribe::look(const LinkAccount& link, const std::optional<CanView>& 
     if (panel) lookAtPanel(*panel);
 }
 
-void SessionScribe::lookAtLink(const LinkAccount& link, const std::optional<CanView>& bus)
+void SessionEventLogger::lookAtLink(const LinkAccount& link, const std::optional<CanView>& bus)
 {
     link_ = link;
     if (link.standing == LinkStanding::Silent) return;
@@ -197,7 +198,7 @@ void SessionScribe::lookAtLink(const LinkAccount& link, const std::optional<CanV
          link.gaps > 0 ? std::optional(link.longest) : std::nullopt);
 }
 
-void SessionScribe::lookAtAlarms(const AlarmList& alarms)
+void SessionEventLogger::lookAtAlarms(const AlarmList& alarms)
 {
     std::map<std::string, AlarmState> now;
     for (const Alarm& alarm : alarms.alarms()) {
@@ -211,7 +212,7 @@ void SessionScribe::lookAtAlarms(const AlarmList& alarms)
     alarms_ = std::move(now);
 }
 
-void SessionScribe::lookAtPanel(const PanelState& panel)
+void SessionEventLogger::lookAtPanel(const PanelState& panel)
 {
     PerContact<bool> closed;
     for (const PanelContact contact : kAllPanelContacts)

@@ -16,18 +16,18 @@ namespace terratact {
 /// Looks after the recordings in a thread of its own, however large they are: closes those of earlier runs whose program
 /// died, then deletes what is beyond the user's limits, never what is not closed.  Between two files it can be ended.
 /// GUI thread only.
-class SessionHousekeeping final : public QObject {
+class SessionRetention final : public QObject {
     Q_OBJECT
 public:
     /// earlier: the folder's sessions as sessionsIn() found them before this run's own recording began.
-    SessionHousekeeping(std::vector<std::string> earlier, std::string folder,
-                        const SessionRetention& limits);
-    ~SessionHousekeeping() override;
+    SessionRetention(std::vector<std::string> earlier, std::string folder,
+                     const RetentionLimits& limits);
+    ~SessionRetention() override;
 
     void start();  ///< at the first call
     /// Other limits.  A looser one is in force at once, also for a deletion that is under way.  A stricter one deletes
     /// once it has stood for the grace, so that a number that is being typed, or was mistaken, deletes nothing.
-    void setLimits(const SessionRetention& limits);
+    void setLimits(const RetentionLimits& limits);
     void setGrace(int milliseconds) { grace_.setInterval(milliseconds); }
     static constexpr int kGrace = 10'000;  ///< [ms]
 
@@ -39,16 +39,16 @@ signals:
 
 private:
     void run(const std::stop_token& stop);
-    void apply(const SessionRetention& limits);
-    bool inForce(const SessionRetention& limits);
+    void apply(const RetentionLimits& limits);
+    bool inForce(const RetentionLimits& limits);
     void tell(const std::vector<std::string>& sentences);
 
     std::vector<std::string> earlier_;
     std::string folder_;
-    SessionRetention wanted_;
+    RetentionLimits wanted_;
     QTimer grace_;
     std::mutex mutex_;  // guards what follows
-    SessionRetention limits_;
+    RetentionLimits limits_;
     bool due_ = true;  ///< they have not been applied yet
     std::condition_variable_any limitsSet_;
     std::vector<std::string> news_;

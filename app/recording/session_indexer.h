@@ -20,9 +20,9 @@ struct Surveyed {
 
 /// Surveys a session (core/log/session_survey.h) in a thread of its own, with a reader of its own, and follows one
 /// that still grows.
-class SessionSurveyor {
+class SessionIndexer {
 public:
-    SessionSurveyor(std::string path, RobotModel robot, double threshold);
+    SessionIndexer(std::string path, RobotModel robot, double threshold);
 
     std::uint64_t version() const;  ///< another where found() is
     Surveyed found() const;

@@ -19,11 +19,11 @@ namespace terratact {
 /// does with the numbers that were on the screen, and every change of link, arming, exploration, alarms and panel.
 /// What rows say of themselves is in English; words that were on the screen are as they stood there, in its language.
 /// GUI thread only.
-class SessionScribe final : public QObject {
+class SessionEventLogger final : public QObject {
     Q_OBJECT
 public:
-    SessionScribe(std::shared_ptr<SessionRecorder> recorder, Exploration& exploration,
-                  EstimatorWorker& worker, EventList& events, QObject* parent = nullptr);
+    SessionEventLogger(std::shared_ptr<SessionRecorder> recorder, Exploration& exploration,
+                       EstimatorWorker& worker, EventList& events, QObject* parent = nullptr);
 
     /// What else there is to see; to be called several times a second.
     void look(const LinkAccount& link, const std::optional<CanView>& bus, const AlarmList& alarms,

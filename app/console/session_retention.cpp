@@ -1,4 +1,4 @@
-#include "app/console/session_housekeeping.h"
+#include "app/console/session_retention.h"
 
 #include <algorithm>
 #include <utility>
@@ -15,8 +15,8 @@ double looser(double a, double b)
 
 }  // namespace
 
-SessionHousekeeping::SessionHousekeeping(std::vector<std::string> earlier, std::string folder,
-                                         const SessionRetention& limits)
+SessionRetention::SessionRetention(std::vector<std::string> earlier, std::string folder,
+                                   const RetentionLimits& limits)
     : earlier_(std::move(earlier)), folder_(std::move(folder)), wanted_(limits), limits_(limits)
 {
     grace_.setSingleShot(true);
@@ -24,22 +24,22 @@ SessionHousekeeping::SessionHousekeeping(std::vector<std::string> earlier, std::
     connect(&grace_, &QTimer::timeout, this, [this] { apply(wanted_); });
 }
 
-SessionHousekeeping::~SessionHousekeeping()
+SessionRetention::~SessionRetention()
 {
     thread_ = {};  // asks it to end, and waits
 }
 
-void SessionHousekeeping::start()
+void SessionRetention::start()
 {
     if (thread_.joinable()) return;
     thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
-void SessionHousekeeping::setLimits(const SessionRetention& limits)
+void SessionRetention::setLimits(const RetentionLimits& limits)
 {
     if (limits == wanted_) return;
     wanted_ = limits;
-    SessionRetention now;
+    RetentionLimits now;
     {
         const std::scoped_lock lock(mutex_);
         now = {.days = looser(limits_.days, wanted_.days),
@@ -53,7 +53,7 @@ void SessionHousekeeping::setLimits(const SessionRetention& limits)
         grace_.start();
 }
 
-void SessionHousekeeping::apply(const SessionRetention& limits)
+void SessionRetention::apply(const RetentionLimits& limits)
 {
     {
         const std::scoped_lock lock(mutex_);
@@ -64,13 +64,13 @@ void SessionHousekeeping::apply(const SessionRetention& limits)
     limitsSet_.notify_one();
 }
 
-bool SessionHousekeeping::inForce(const SessionRetention& limits)
+bool SessionRetention::inForce(const RetentionLimits& limits)
 {
     const std::scoped_lock lock(mutex_);
     return limits_ == limits;
 }
 
-QStringList SessionHousekeeping::takeNews()
+QStringList SessionRetention::takeNews()
 {
     std::vector<std::string> told;
     {
@@ -82,14 +82,14 @@ QStringList SessionHousekeeping::takeNews()
     return sentences;
 }
 
-void SessionHousekeeping::run(const std::stop_token& stop)
+void SessionRetention::run(const std::stop_token& stop)
 {
     for (const std::string& path : earlier_) {
         if (stop.stop_requested()) return;
         tell(recoverDeadSessions({path}));
     }
     for (;;) {
-        SessionRetention limits;
+        RetentionLimits limits;
         {
             std::unique_lock lock(mutex_);
             (void)limitsSet_.wait(lock, stop, [this] { return due_; });
@@ -102,7 +102,7 @@ void SessionHousekeeping::run(const std::stop_token& stop)
     }
 }
 
-void SessionHousekeeping::tell(const std::vector<std::string>& sentences)
+void SessionRetention::tell(const std::vector<std::string>& sentences)
 {
     if (sentences.empty()) return;
     {
