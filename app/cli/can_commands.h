@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/link/can_words.h"
+#include "app/link/can_text.h"
 #include "core/base/result.h"
 #include "drivers/can_bus.h"
 

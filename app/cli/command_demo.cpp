@@ -13,7 +13,7 @@
 #include "app/runtime/say.h"
 #include "app/runtime/time_budget.h"
 #include "core/atem/arm_choice.h"
-#include "core/infer/verdict/estimate_words.h"
+#include "core/infer/verdict/estimate_text.h"
 #include "core/sim/simulated_robot.h"
 #include "core/sim/terrain_shapes.h"
 #include "core/store/file_write.h"

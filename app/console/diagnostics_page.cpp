@@ -28,11 +28,11 @@
 #include "core/learn/kernels/likelihood_kernels.h"
 #include "drivers/can_interface.h"
 #include "widgets/base/card.h"
+#include "widgets/base/format.h"
 #include "widgets/base/look.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 namespace {
@@ -41,7 +41,7 @@ constexpr double kRefresh = 1.0;  // [s]
 
 QString milliseconds(double seconds)
 {
-    return words::number(seconds * 1000.0, 1) + QStringLiteral(" ms");
+    return format::number(seconds * 1000.0, 1) + QStringLiteral(" ms");
 }
 
 DiagnosticsSection versions()
@@ -103,7 +103,7 @@ DiagnosticsSection permissions()
 {
     const CanInterfaceFacts facts = lookAtInterface("");
     QStringList interfaces;
-    for (const std::string& name : facts.others) interfaces << words::text(name);
+    for (const std::string& name : facts.others) interfaces << format::text(name);
     return {DiagnosticsPage::tr("Permissions"),
             {{DiagnosticsPage::tr("CAN socket"), canSocketWords(canSocketError())},
              {DiagnosticsPage::tr("CAN interfaces"), interfaces.isEmpty()
@@ -117,10 +117,10 @@ DiagnosticsSection presentDiagnostics(const ConsoleFacts& facts)
 {
     DiagnosticsSection section{DiagnosticsPage::tr("Now"), {}};
     section.lines << std::pair(DiagnosticsPage::tr("age of the telemetry"),
-                               facts.telemetryAge ? words::age(*facts.telemetryAge)
-                                                  : words::kNothing)
+                               facts.telemetryAge ? format::age(*facts.telemetryAge)
+                                                  : format::kNothing)
                   << std::pair(DiagnosticsPage::tr("telemetry"),
-                               words::number(facts.telemetryRate, 0) + QStringLiteral(" Hz"));
+                               format::number(facts.telemetryRate, 0) + QStringLiteral(" Hz"));
     if (!facts.bus.isEmpty()) section.lines << std::pair(DiagnosticsPage::tr("bus"), facts.bus);
     if (facts.waiting)
         section.lines << std::pair(DiagnosticsPage::tr("CAN frames waiting"),
@@ -131,14 +131,14 @@ DiagnosticsSection presentDiagnostics(const ConsoleFacts& facts)
                                facts.estimating ? DiagnosticsPage::tr("one estimate under way")
                                                 : DiagnosticsPage::tr("idle"))
                   << std::pair(DiagnosticsPage::tr("memory"),
-                               words::number(residentMemory() / 1e6, 0) + QStringLiteral(" MB"));
+                               format::number(residentMemory() / 1e6, 0) + QStringLiteral(" MB"));
     return section;
 }
 
 DiagnosticsSection loopDiagnostics(const LoopMeter& meter)
 {
     const auto halfAndWorst = [](const NewestValues& values) {
-        if (values.count() == 0) return words::kNothing;
+        if (values.count() == 0) return format::kNothing;
         return DiagnosticsPage::tr("half ≤ %1 · 99 % ≤ %2 · worst %3")
             .arg(milliseconds(values.quantile(0.5)), milliseconds(values.quantile(0.99)),
                  milliseconds(values.most()));
@@ -157,7 +157,7 @@ DiagnosticsSection longestDiagnostics(const std::vector<LongEvent>& events)
                      .arg(milliseconds(event.seconds), event.at.toString(Qt::ISODate), event.what);
     return {DiagnosticsPage::tr("Since the start"),
             {{DiagnosticsPage::tr("longest events"),
-              lines.isEmpty() ? words::kNothing : lines.join(QLatin1Char('\n'))}}};
+              lines.isEmpty() ? format::kNothing : lines.join(QLatin1Char('\n'))}}};
 }
 
 QString contactWords(const PanelFacts& panel, PanelContact contact)
@@ -175,7 +175,7 @@ QString contactWords(const PanelFacts& panel, PanelContact contact)
 
 QString latencyWords(const std::vector<double>& seconds)
 {
-    if (seconds.empty()) return words::kNothing;
+    if (seconds.empty()) return format::kNothing;
     return DiagnosticsPage::tr("newest %1 · worst %2 of %3")
         .arg(milliseconds(seconds.back()),
              milliseconds(*std::max_element(seconds.begin(), seconds.end())))
@@ -187,17 +187,17 @@ DiagnosticsSection panelDiagnostics(const std::optional<PanelFacts>& panel)
 {
     DiagnosticsSection section{DiagnosticsPage::tr("Operator's panel"), {}};
     const auto line = [&](const QString& name, const auto& value) {
-        section.lines << std::pair(name, panel ? value(*panel) : words::kNothing);
+        section.lines << std::pair(name, panel ? value(*panel) : format::kNothing);
     };
     line(DiagnosticsPage::tr("panel"), [](const PanelFacts& p) {
         if (!p.answers)
             return DiagnosticsPage::tr("✘ does not answer: %1")
-                .arg(words::sentence(p.report.trouble));
+                .arg(format::sentence(p.report.trouble));
         return p.report.trouble.empty() ? DiagnosticsPage::tr("✔ answers")
-                                        : words::sentence(p.report.trouble);
+                                        : format::sentence(p.report.trouble);
     });
     for (const PanelContact contact : kAllPanelContacts)
-        line(DiagnosticsPage::tr("contact %1").arg(words::text(name(contact))),
+        line(DiagnosticsPage::tr("contact %1").arg(format::text(name(contact))),
              [contact](const PanelFacts& p) { return contactWords(p, contact); });
     line(DiagnosticsPage::tr("events lost"), [](const PanelFacts& p) {
         return DiagnosticsPage::tr("%1 by the kernel · panel gone %2 times")
@@ -216,7 +216,7 @@ DiagnosticsSection partsDiagnostics(const ConsoleFacts& facts)
             {{DiagnosticsPage::tr("source"), facts.source},
              {DiagnosticsPage::tr("robot"), facts.robot},
              {DiagnosticsPage::tr("facts of the robot"),
-              facts.robotDetails.isEmpty() ? words::kNothing : facts.robotDetails},
+              facts.robotDetails.isEmpty() ? format::kNothing : facts.robotDetails},
              {DiagnosticsPage::tr("model"), model.trouble.isEmpty() ? model.name : model.trouble},
              {DiagnosticsPage::tr("facts of the model"), model.details}}};
 }
@@ -237,8 +237,8 @@ QString canSocketWords(int socketError)
     if (socketError == 0) return DiagnosticsPage::tr("✔ possible");
     const CanFinding finding = socketFinding(socketError);
     const QString what =
-        DiagnosticsPage::tr("✘ not possible: %1").arg(words::sentence(finding.what));
-    return finding.cure.empty() ? what : what + QLatin1Char('\n') + words::sentence(finding.cure);
+        DiagnosticsPage::tr("✘ not possible: %1").arg(format::sentence(finding.what));
+    return finding.cure.empty() ? what : what + QLatin1Char('\n') + format::sentence(finding.cure);
 }
 
 QList<DiagnosticsSection> standingDiagnostics()

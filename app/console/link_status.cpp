@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "app/console/signals_page.h"
-#include "app/mission/bus_words.h"
+#include "app/mission/bus_text.h"
 #include "app/mission/preconditions.h"
-#include "app/mission/robot_words.h"
-#include "widgets/base/words.h"
+#include "app/mission/robot_text.h"
+#include "widgets/base/format.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/robot_readout.h"
 #include "widgets/control/status_header.h"
@@ -22,7 +22,7 @@ constexpr double kRateEvery = 0.5;  // [s] the rate of telemetry is shown anew
 
 QString sentence(const LinkAccount& link)
 {
-    return words::sentence(describe(link));
+    return format::sentence(describe(link));
 }
 
 QString capitals(const LinkAccount& link)
@@ -80,7 +80,7 @@ void LinkStatus::showLink(const LinkViewState& viewState, double age)
     case LinkStanding::Unsteady: return header_.setLink(title, Tone::Bad, bus);
     case LinkStanding::Lost:
         header_.setLink(link.alive ? tr("back, not steady yet")
-                                   : QStringLiteral("%1 · %2").arg(title, words::age(age)),
+                                   : QStringLiteral("%1 · %2").arg(title, format::age(age)),
                         Tone::Bad, bus);
     }
 }
@@ -119,9 +119,9 @@ void LinkStatus::showRate(double now)
     const std::uint64_t dropped = view ? view->frames.dropped : 0;
     // The rate is that of the last second.
     QString text = now - upSince_ < 1.0
-                     ? tr("link ≤ %1").arg(words::age(worstAge_))
+                     ? tr("link ≤ %1").arg(format::age(worstAge_))
                      : tr("link %1 Hz · ≤ %2")
-                           .arg(words::number(acquisition_.rate(), 0), words::age(worstAge_));
+                           .arg(format::number(acquisition_.rate(), 0), format::age(worstAge_));
     if (dropped > 0) text += tr(" · %1 dropped").arg(dropped);
     const bool isGood =
         worstAge_ <= kStaleAfter && (!view || view->bus == BusState::Up) && !droppedLately_;
@@ -134,7 +134,7 @@ QString LinkStatus::details(const CanView& view) const
 {
     const BusLoad load = link_->tap().load();
     return tr("%1\n%2 frames/s, %3\n%4 frames dropped by this computer, %5 error frames")
-        .arg(busWords(view.bus, link_->busName()), words::number(load.framesPerSecond, 0),
+        .arg(busWords(view.bus, link_->busName()), format::number(load.framesPerSecond, 0),
              loadWords(load, link_->bitrate()), QString::number(view.frames.dropped),
              QString::number(view.frames.errorFrames));
 }
@@ -146,16 +146,16 @@ QString LinkStatus::bannerText(const LinkViewState& viewState, double age) const
     const QString title = capitals(link);
     if (link.standing == LinkStanding::Unsteady)
         return tr("%1 — gaps: %2, the longest %3; values read -- in each of them")
-            .arg(title, QString::number(link.gaps), words::age(link.longest));
+            .arg(title, QString::number(link.gaps), format::age(link.longest));
     if (link.alive)
         return tr("BACK after %1 — measured values are live, the terrain is as it was felt before")
-            .arg(words::age(link.longest));
+            .arg(format::age(link.longest));
     const QString trouble = troubleWords(link_, acquisition_.trouble());
     const QString why = trouble.isEmpty() ? QString() : QStringLiteral(": ") + trouble;
     return link.alone
              ? tr("%1 for %2 — %3; no measured value is live%4")
-                   .arg(title, words::age(age), viewState.heard, why)
-             : tr("%1 for %2 — nothing on this screen is live%3").arg(title, words::age(age), why);
+                   .arg(title, format::age(age), viewState.heard, why)
+             : tr("%1 for %2 — nothing on this screen is live%3").arg(title, format::age(age), why);
 }
 
 void LinkStatus::showBanner(const LinkViewState& viewState, double age)
@@ -178,7 +178,7 @@ void LinkStatus::tellChange(const LinkAccount& link)
     const QString text = sentence(link);
     if (link.standing == LinkStanding::Up && link.gaps > 1)
         events_.add(tr("%1; gaps before: %2, the longest %3")
-                        .arg(text, QString::number(link.gaps), words::age(link.longest)),
+                        .arg(text, QString::number(link.gaps), format::age(link.longest)),
                     Weight::Note, QTime::currentTime());
     else if (link.standing != LinkStanding::Silent)
         events_.add(text, isDown(link) ? Weight::Bad : Weight::Note, QTime::currentTime());
@@ -214,7 +214,7 @@ void LinkStatus::showArming(const std::optional<Precondition>& panel)
         events_.add(tr("the robot is armed"), Weight::Note, QTime::currentTime());
     if (state.phase == ArmingPhase::Disarmed)
         events_.add((wasArmed ? tr("disarmed: %1") : tr("not armed: %1"))
-                        .arg(words::sentence(describe(state.cause))),
+                        .arg(format::sentence(describe(state.cause))),
                     state.cause == DisarmCause::Operator ? Weight::Note : Weight::Bad,
                     QTime::currentTime());
 }

@@ -4,9 +4,9 @@
 #include <array>
 #include <limits>
 
-#include "app/mission/bus_words.h"
+#include "app/mission/bus_text.h"
 #include "app/shell/watched_application.h"
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -27,7 +27,7 @@ void addEstimation(TerrainViewState& viewState, const Estimation& estimation)
     viewState.estimateSeconds = estimation.seconds();
     viewState.second = pointer(estimation.second());
     if (viewState.second)
-        viewState.secondName = words::text(name(viewState.second->settings.method));
+        viewState.secondName = format::text(name(viewState.second->settings.method));
     viewState.live = pointer(estimation.live());
     viewState.ghost = estimation.ghost();
     viewState.whyNoGhost = estimation.whyNoGhost();
@@ -103,7 +103,7 @@ AlarmViewState LiveViewState::alarms(double now, const std::optional<Received>& 
             bus->tap().load().troubles[static_cast<std::size_t>(FrameTrouble::WrongChecksum)];
     }
     viewState.noModel = exploration.estimation().model().trouble;
-    if (parts_.recorder) viewState.notRecorded = words::sentence(parts_.recorder->state().trouble);
+    if (parts_.recorder) viewState.notRecorded = format::sentence(parts_.recorder->state().trouble);
     if (parts_.panel && !parts_.panel->answers(now))
         viewState.panelTrouble = exploration.following()  // then it stops nothing
                                    ? tr("The operator's panel does not answer")

@@ -17,16 +17,16 @@
 #include "app/console/settings_page.h"
 #include "app/console/signals_page.h"
 #include "app/console/training_page.h"
-#include "app/mission/preset_words.h"
+#include "app/mission/preset_text.h"
 #include "app/mission/session_event_logger.h"
 #include "app/pages/numbers_page.h"
 #include "app/shell/open_file.h"
 #include "app/shell/page.h"
 #include "app/shell/view_menu.h"
 #include "widgets/base/elided_label.h"
+#include "widgets/base/format.h"
 #include "widgets/base/look.h"
 #include "widgets/base/navigation_rail.h"
-#include "widgets/base/words.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/drive_pad.h"
@@ -72,7 +72,7 @@ MainWindow::MainWindow(Options options)
         LiveViewState::Parts{*acquisition_, *exploration_, *worker_, link_, panel_.get(),
                              recorder_.get(), preferences_.get()},
         robot_);
-    setWindowTitle(tr("Terratact — %1").arg(words::sourceName(source_->name())));
+    setWindowTitle(tr("Terratact — %1").arg(format::sourceName(source_->name())));
     build(options);
     connectAll();
     if (recorder_) {
@@ -105,7 +105,7 @@ MainWindow::~MainWindow()
 
 void MainWindow::build(const Options& options)
 {
-    header()->setSource(words::sourceName(source_->name()));
+    header()->setSource(format::sourceName(source_->name()));
     header()->setModel(tr("model loading …"), Tone::Doubt);
     sharedStop_ = std::make_unique<SharedStop>(*exploration_);
     stopDisplay_ = std::make_unique<StopDisplay>(*header(), *addBanner());
@@ -162,7 +162,7 @@ void MainWindow::addPages(const Options& options)
     settings_ = new SettingsPage(*preferences_, this);
     connect(settings_, &SettingsPage::robotChosen, this, &MainWindow::takeRobot);
     addPage(settings_, tr("Settings"), Qt::Key_F7, tr("Method, limits, look, model and robot"));
-    const QString source = words::sourceName(source_->name());
+    const QString source = format::sourceName(source_->name());
     diagnosticsPage_ = new DiagnosticsPage(
         [this, source] {
             return consoleDiagnostics(viewStates_->facts(steadyNow(), source, robotDetails_),
@@ -296,7 +296,7 @@ void MainWindow::offerQualities()
     const std::vector<PresetCost> costs = measured ? presets_.costs : std::vector<PresetCost>{};
     settings_->setPresets(costs);
     QStringList names;
-    for (const Quality quality : kQualities) names << words::sentence(name(quality));
+    for (const Quality quality : kQualities) names << format::sentence(name(quality));
     header()->setQualities(names, presetLines(method, costs),
                            static_cast<int>(preferences_->current().quality));
 }
@@ -436,7 +436,7 @@ void MainWindow::tellOfStall(double seconds)
 {
     if (link_ && exploration_->armed())
         tell(tr("this window froze for %1 ms: no command could leave")
-                 .arg(words::number(seconds * 1e3, 0)),
+                 .arg(format::number(seconds * 1e3, 0)),
              Weight::Doubt);
 }
 
@@ -629,7 +629,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         const QString why =
             tr("THE ROBOT IS ARMED: close the window again within %1 s, and it is halted and "
                "disarmed; or disarm it first (M)")
-                .arg(words::number(ShortNotice::kFor, 0));
+                .arg(format::number(ShortNotice::kFor, 0));
         notice_->say(why, now);
         if (since > ShortNotice::kFor) tell(why, Weight::Doubt);
         return event->ignore();

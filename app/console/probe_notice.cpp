@@ -2,8 +2,8 @@
 
 #include <QLabel>
 
+#include "widgets/base/format.h"
 #include "widgets/base/navigation_rail.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 namespace {
@@ -32,7 +32,7 @@ QString progressWords(AtemPhase phase, const std::optional<PhaseTime>& time)
     const QString word = phaseWord(phase);
     const bool isKnown =
         phase == AtemPhase::Probing && time && time->kind == PhaseTime::Kind::Expected;
-    return isKnown ? word + QLatin1Char(' ') + words::countdown(time->seconds) : word;
+    return isKnown ? word + QLatin1Char(' ') + format::countdown(time->seconds) : word;
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ void ProbeNotice::show(const AtemState& state, const std::optional<PhaseTime>& t
     const bool asks = proposal && state.phase == AtemPhase::ProposingProbe;
     const bool expired = state.phase == AtemPhase::Presenting && state.approvalExpired;
     toldExpiry_ = expired && (toldExpiry_ || seen);
-    const QString left = words::countdown(time ? time->seconds : 0.0);
+    const QString left = format::countdown(time ? time->seconds : 0.0);
     const bool looksAway = terrain == Terrain::Elsewhere;
     rail_.tell(rail_.pageOf(Qt::Key_F2),
                asks        ? (isVoid ? tr("arm: void") : tr("arm? %1").arg(left))
@@ -63,7 +63,7 @@ void ProbeNotice::show(const AtemState& state, const std::optional<PhaseTime>& t
     else if (asks)
         text = (covered ? tr("PROBE at %1? %2 left, then no: close the window that covers it")
                         : tr("PROBE at %1? %2 left, then no: F2 shows the question"))
-                   .arg(words::binName(proposal->bin), left);
+                   .arg(format::binName(proposal->bin), left);
     else if (expired && !toldExpiry_)
         text = covered ? tr("The probe was not answered in time, which means no: close the window "
                             "that covers the result")

@@ -3,7 +3,7 @@
 #include <QActionGroup>
 
 #include "app/mission/exploration.h"
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
 namespace terratact {
@@ -32,7 +32,7 @@ void ProfileMenu::offerSecondMethods(Exploration& exploration)
     };
     offer(tr("none"), std::nullopt);
     for (const Method method : kMethods)
-        if (method != Method::Pafac) offer(words::text(name(method)), method);
+        if (method != Method::Pafac) offer(format::text(name(method)), method);
 }
 
 }  // namespace terratact

@@ -5,10 +5,10 @@
 
 #include "app/shell/key_table.h"
 #include "drivers/log_replay.h"
+#include "widgets/base/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 
@@ -68,7 +68,8 @@ void ReplayBar::look()
     pause_->setChecked(now.paused);
     pause_->setText(now.paused ? tr("Go on") : tr("Pause"));
     repeat_->setChecked(now.repeats);
-    const QString at = tr("%1 of %2 s").arg(words::number(now.at, 1), words::number(now.length, 1));
+    const QString at =
+        tr("%1 of %2 s").arg(format::number(now.at, 1), format::number(now.length, 1));
     at_->setText(now.paused ? tr("paused at %1").arg(at) : at);
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -78,7 +78,7 @@ QStringList SessionRetention::takeNews()
         told = std::exchange(news_, {});
     }
     QStringList sentences;
-    for (const std::string& sentence : told) sentences << words::sentence(sentence);
+    for (const std::string& sentence : told) sentences << format::sentence(sentence);
     return sentences;
 }
 

@@ -13,15 +13,15 @@
 #include <algorithm>
 #include <array>
 
-#include "app/mission/preset_words.h"
+#include "app/mission/preset_text.h"
 #include "app/shell/file_dialog.h"
 #include "app/shell/letters.h"
 #include "widgets/base/card.h"
+#include "widgets/base/format.h"
 #include "widgets/base/look.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 namespace {
@@ -211,8 +211,8 @@ QCheckBox* SettingsPage::flag(QFormLayout* form, const QString& text, const QStr
 void SettingsPage::buildEstimate(QFormLayout* form)
 {
     QStringList methods, qualities;
-    for (const Method method : offeredMethods()) methods << words::text(name(method));
-    for (const Quality quality : kQualities) qualities << words::sentence(name(quality));
+    for (const Method method : offeredMethods()) methods << format::text(name(method));
+    for (const Quality quality : kQualities) qualities << format::sentence(name(quality));
     method_ = choice(
         form, tr("Method"), methods,
         tr("local and joint are closed formulas; the others draw chains of samples"),

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 
@@ -22,7 +22,7 @@ void SharedStop::listen()
         line_.emplace(std::move(*line));
     else
         emit happened(tr("STOP in windows that are opened from here stops nothing: %1")
-                          .arg(words::sentence(line.error().text)),
+                          .arg(format::sentence(line.error().text)),
                       Weight::Doubt);
 }
 

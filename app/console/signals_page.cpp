@@ -9,14 +9,14 @@
 
 #include "app/link/acquisition.h"
 #include "app/link/can_source.h"
-#include "app/mission/bus_words.h"
+#include "app/mission/bus_text.h"
 #include "app/pages/dbc_files.h"
 #include "widgets/base/card.h"
+#include "widgets/base/format.h"
 #include "widgets/base/look.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 #include "widgets/control/robot_readout.h"
 #include "widgets/signals/raw_trace.h"
 
@@ -30,7 +30,7 @@ SignalRow quantity(const QString& name, double value, const QString& unit)
 {
     SignalRow row;
     row.name = name;
-    row.value = words::number(value, 3);
+    row.value = format::number(value, 3);
     row.unit = unit;
     return row;
 }
@@ -70,9 +70,9 @@ QString loadWords(const BusLoad& load, const BitRate& bitrate)
     const double rate = bitrate.bitsPerSecond.value_or(0.0);
     if (!(rate > 0.0))
         return SignalsPage::tr("load --- (bit rate not known): %1 to %2 kbit/s")
-            .arg(words::number(load.fewestBits / 1000.0, 1),
-                 words::number(load.mostBits / 1000.0, 1));
-    const auto percent = [&](double bits) { return words::number(100.0 * bits / rate, 1); };
+            .arg(format::number(load.fewestBits / 1000.0, 1),
+                 format::number(load.mostBits / 1000.0, 1));
+    const auto percent = [&](double bits) { return format::number(100.0 * bits / rate, 1); };
     const QString said =
         bitrate.nominal
             ? SignalsPage::tr("load %1 to %2 % of nominal %3 kbit/s (without stuff bits, with all "
@@ -80,7 +80,7 @@ QString loadWords(const BusLoad& load, const BitRate& bitrate)
             : SignalsPage::tr(
                 "load %1 to %2 % of %3 kbit/s (without stuff bits, with all there can be)");
     return said.arg(percent(load.fewestBits), percent(load.mostBits),
-                    words::number(rate / 1000.0, 0));
+                    format::number(rate / 1000.0, 0));
 }
 
 SignalsPage::SignalsPage(const Acquisition& acquisition, CanSource* link,
@@ -168,7 +168,7 @@ void SignalsPage::refreshBus(double now)
         tr("%1 · %2 frames/s · %3\nSince the start: %4 frames, %5 dropped, %6 error frames, %7 "
            "with "
            "a wrong checksum, %8 out of sequence, %9 not in the DBC")
-            .arg(busWords(view.bus, link_->busName()), words::number(load.framesPerSecond, 0),
+            .arg(busWords(view.bus, link_->busName()), format::number(load.framesPerSecond, 0),
                  loadWords(load, link_->bitrate()), QString::number(load.frames),
                  QString::number(view.frames.dropped), QString::number(view.frames.errorFrames),
                  of(FrameTrouble::WrongChecksum), of(FrameTrouble::WrongSequence),

@@ -2,7 +2,7 @@
 
 #include <QLabel>
 
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 
@@ -26,7 +26,7 @@ bool StopDisplay::isLate() const
 
 QString StopDisplay::late(const StopViewState& viewState)
 {
-    const QString age = words::age(viewState.seconds);
+    const QString age = format::age(viewState.seconds);
     switch (viewState.state) {
     case StopViewState::State::NotSent:
         return tr("STOP NOT SENT for %1, it is tried again: use the robot's own switch — %2")

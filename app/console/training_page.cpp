@@ -20,18 +20,18 @@
 #include <limits>
 #include <utility>
 
-#include "app/mission/comparison_words.h"
+#include "app/mission/comparison_text.h"
 #include "app/mission/exploration.h"
 #include "app/shell/file_dialog.h"
 #include "core/learn/model/model_card.h"
 #include "widgets/base/card.h"
+#include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/look.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/plain_table.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 namespace {
@@ -44,13 +44,13 @@ QString cellText(const TrainingProgress::Cell& cell, bool runs)
 {
     switch (cell.state) {
     case TrainingProgress::State::Waiting:
-        return runs ? TrainingPage::tr("waiting") : words::kNothing;
+        return runs ? TrainingPage::tr("waiting") : format::kNothing;
     case TrainingProgress::State::Running: return TrainingPage::tr("running");
     case TrainingProgress::State::Skipped: return TrainingPage::tr("too few");
     case TrainingProgress::State::Done: break;
     }
     return cell.logLikelihood
-             ? TrainingPage::tr("done %1").arg(words::number(*cell.logLikelihood, 0))
+             ? TrainingPage::tr("done %1").arg(format::number(*cell.logLikelihood, 0))
              : TrainingPage::tr("done");
 }
 
@@ -220,7 +220,7 @@ QWidget* TrainingPage::trainCard()
     };
     for (int column = 0; column < tips.size(); ++column)
         setTip(*bins_->horizontalHeaderItem(column), tips[column]);
-    for (int bin = 0; bin < kBins; ++bin) bins_->item(bin, 0)->setText(words::binName(bin));
+    for (int bin = 0; bin < kBins; ++bin) bins_->item(bin, 0)->setText(format::binName(bin));
     for (const int wide : {0, 3, 5, 6})  // whose names are
         bins_->horizontalHeader()->setSectionResizeMode(wide, QHeaderView::ResizeToContents);
     card->body()->addWidget(bins_, 1);
@@ -502,8 +502,8 @@ void TrainingPage::showProgress()
         const auto left = progress.secondsLeft();
         const QString what =
             phase_ == Phase::Comparing ? tr("comparing: %1 %") : tr("training: %1 %");
-        text = what.arg(words::percent(progress.share))
-             + (left ? tr(", about %1 left").arg(words::countdown(*left))
+        text = what.arg(format::percent(progress.share))
+             + (left ? tr(", about %1 left").arg(format::countdown(*left))
                      : tr(", time left not known yet"));
     } else if (phase_ == Phase::Trained || phase_ == Phase::Compared) {
         value = kPerMille;
@@ -555,7 +555,7 @@ void TrainingPage::clearComparison()
 {
     for (int row = 0; row < comparison_->rowCount(); ++row)
         for (const int column : {kColumnBefore, kColumnAfter, kColumnDifference})
-            comparison_->item(row, column)->setText(words::kNothing);
+            comparison_->item(row, column)->setText(format::kNothing);
     verdict_->hide();
     caution_->hide();
 }

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "app/link/can_words.h"
+#include "app/link/can_text.h"
 #include "core/wire/can_frame.h"
 
 namespace terratact {

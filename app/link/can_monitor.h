@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/link/bus_statistics.h"
-#include "app/link/can_words.h"
+#include "app/link/can_text.h"
 #include "app/link/dbc_book.h"
 #include "drivers/can_bus.h"
 

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "app/link/can_words.h"
+#include "app/link/can_text.h"
 #include "core/base/result.h"
 #include "core/wire/can_frame.h"
 #include "core/wire/dbc/dbc.h"

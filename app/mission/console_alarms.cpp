@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "app/mission/bus_words.h"
-#include "widgets/base/words.h"
+#include "app/mission/bus_text.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -37,7 +37,7 @@ QString unsoundElements(const ElementForces& forces)
                 unsound << QStringLiteral("%1 %2 %3")
                                .arg(name)
                                .arg(i + 1)
-                               .arg(words::sentence(describe(side[i]->state)));
+                               .arg(format::sentence(describe(side[i]->state)));
     };
     look(forces.left, ConsoleAlarms::tr("left"));
     look(forces.right, ConsoleAlarms::tr("right"));
@@ -50,10 +50,10 @@ QString tiltWords(const Measurement& m, const Attitude& attitude)
     QStringList angles;
     if (attitude.pitch != AttitudeLevel::Level)
         angles << ConsoleAlarms::tr("pitch %1, tips over at %2")
-                      .arg(words::degrees(m.pitch), words::degrees(attitude.pitchTips));
+                      .arg(format::degrees(m.pitch), format::degrees(attitude.pitchTips));
     if (attitude.roll != AttitudeLevel::Level)
         angles << ConsoleAlarms::tr("roll %1, tips over at %2")
-                      .arg(words::degrees(m.roll), words::degrees(attitude.rollTips));
+                      .arg(format::degrees(m.roll), format::degrees(attitude.rollTips));
     const QString all = angles.join(QStringLiteral("; "));
     return attitude.worst() == AttitudeLevel::Red
              ? ConsoleAlarms::tr("Danger of tipping over: %1").arg(all)
@@ -68,8 +68,8 @@ QString suspicionWords(const std::vector<SensorSuspicion>& suspicions)
     std::map<SensorTrouble, QStringList> sensors;
     std::map<SensorTrouble, QString> troubles;
     for (const SensorSuspicion& suspicion : suspicions) {
-        sensors[suspicion.trouble] << words::sentence(describe(suspicion.sensor));
-        troubles[suspicion.trouble] = words::sentence(describeTrouble(suspicion));
+        sensors[suspicion.trouble] << format::sentence(describe(suspicion.sensor));
+        troubles[suspicion.trouble] = format::sentence(describeTrouble(suspicion));
     }
     for (const auto& [trouble, names] : sensors)
         sentences << QStringLiteral("%1: %2").arg(names.join(QStringLiteral(", ")),
@@ -122,12 +122,12 @@ void ConsoleAlarms::lookAtLink(const AlarmViewState& viewState)
     if (waits) began_ = now_;  // nothing is due yet
     judge("silence", !came && !ended && now_ - *began_ >= kFirstTelemetry,
           tr("No telemetry has come since the start%1").arg(why), Severity::Critical);
-    QString what = words::sentence(describe(link));
+    QString what = format::sentence(describe(link));
     what.replace(0, 1, what.left(1).toUpper());
     judge("link", came && !link.alive && !ended,
           link.standing == LinkStanding::Unsteady
               ? tr("%1; gaps: %2, the longest %3")
-                    .arg(what, QString::number(link.gaps), words::age(link.longest))
+                    .arg(what, QString::number(link.gaps), format::age(link.longest))
               : what + why,
           Severity::Critical);
 }
@@ -163,7 +163,7 @@ void ConsoleAlarms::lookAtArming(const ArmingState& arming)
         disarmedBy_.reset();
     const DisarmCause cause = disarmedBy_.value_or(DisarmCause::None);
     judge("disarmed", disarmedBy_.has_value(),
-          tr("Disarmed: %1").arg(words::sentence(describe(cause))), Severity::Critical);
+          tr("Disarmed: %1").arg(format::sentence(describe(cause))), Severity::Critical);
 }
 
 void ConsoleAlarms::lookAtSensors(const ElementForces& forces)
@@ -200,7 +200,7 @@ void ConsoleAlarms::lookAtHalt(const AlarmViewState& viewState)
         const bool moved =
             activity_ != RobotActivity::Halted && activity_ != RobotActivity::Stopped;
         if (hasHalted && moved) {
-            halted_ = words::sentence(describe(m.refusal));
+            halted_ = format::sentence(describe(m.refusal));
             if (viewState.attitude.worst() != AttitudeLevel::Level)
                 halted_ += QStringLiteral(". ") + tiltWords(m, viewState.attitude);
         } else if (m.activity != RobotActivity::Halted) {

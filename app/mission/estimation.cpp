@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/infer/verdict/estimate_words.h"
-#include "widgets/base/words.h"
+#include "core/infer/verdict/estimate_text.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -154,7 +154,7 @@ void Estimation::take(const ArmReading& reading)
     const auto i = static_cast<std::size_t>(reading.bin);
     const bool inside = estimate_->q10[i] <= reading.height && reading.height <= estimate_->q90[i];
     emit happened(tr("arm at %1: %2 m, %3 the band shown before")
-                      .arg(words::binName(reading.bin), words::signedNumber(reading.height, 2),
+                      .arg(format::binName(reading.bin), format::signedNumber(reading.height, 2),
                            inside ? tr("inside") : tr("outside")),
                   inside ? Weight::Note : Weight::Doubt);
     ledger_.record(*estimate_, reading.bin, reading.height, reading.sd, Origin::Arm);
@@ -321,11 +321,11 @@ void Estimation::refuse(int job, const QString& why)
 
 void Estimation::tellOf(const TerrainEstimate& estimate)
 {
-    emit happened(tr("estimate in %1").arg(words::age(seconds_)), Weight::Note);
+    emit happened(tr("estimate in %1").arg(format::age(seconds_)), Weight::Note);
     for (const std::string& warning : estimate.warnings)
-        emit happened(words::sentence(warning), Weight::Doubt);
+        emit happened(format::sentence(warning), Weight::Doubt);
     for (const std::string& sentence : hiddenByBands(estimate, options_.stepLimit))
-        emit happened(words::sentence(sentence), Weight::Note);
+        emit happened(format::sentence(sentence), Weight::Note);
 }
 
 std::optional<Verdict> Estimation::verdict() const
@@ -349,7 +349,7 @@ QString Estimation::whyNoGhost() const
 
 QString noGhostWords(std::optional<NoGhost> why, bool heard)
 {
-    if (why) return Estimation::tr("No ghost: %1").arg(words::sentence(describe(*why)));
+    if (why) return Estimation::tr("No ghost: %1").arg(format::sentence(describe(*why)));
     return heard ? QString() : Estimation::tr("No ghost while telemetry is missing");
 }
 

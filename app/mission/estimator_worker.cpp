@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/mission/model_words.h"
+#include "app/mission/model_text.h"
 #include "app/runtime/parallel.h"
 #include "app/runtime/time_budget.h"
 #include "app/runtime/vector_registers.h"
@@ -16,7 +16,7 @@
 #include "core/learn/model/model_file.h"
 #include "core/sim/posterior_check.h"
 #include "core/store/sha256.h"
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 
@@ -139,7 +139,7 @@ void EstimatorWorker::take(const ModelLoader& load)
             emit modelLoaded(model->name, model->details, model->hash, model->content);
             return;
         }
-        why = words::sentence(model.error().text);
+        why = format::sentence(model.error().text);
     } catch (const std::exception& error) {
         why = QString::fromUtf8(error.what());
     }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/mission/bus_words.h"
-#include "widgets/base/words.h"
+#include "app/mission/bus_text.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -80,10 +80,10 @@ QString Exploration::wordsOf(NoProbe why) const
     case NoProbe::None: break;
     case NoProbe::Certain:
         return tr("Not offered: no bin in reach is less certain than ± %1 m")
-            .arg(words::number(estimation_.estimate()->settings.probeAbove, 2));
+            .arg(format::number(estimation_.estimate()->settings.probeAbove, 2));
     case NoProbe::Decided:
         return tr("Not offered, as the settings have it: %1 stands without the arm")
-            .arg(words::sentence(name(estimation_.verdict()->outlook)));
+            .arg(format::sentence(name(estimation_.verdict()->outlook)));
     case NoProbe::NoGain:
         return tr("Not offered, as the settings have it: no bin in reach tells about the step");
     }
@@ -113,7 +113,7 @@ bool Exploration::inReach(int bin) const
 QString Exploration::whyNotAsking(int bin) const
 {
     if (following()) return following_->why();
-    if (!inReach(bin)) return tr("the arm does not reach bin %1").arg(words::binName(bin));
+    if (!inReach(bin)) return tr("the arm does not reach bin %1").arg(format::binName(bin));
     if (state_.phase == AtemPhase::ProposingProbe)
         return probes_.stands() ? QString() : Preconditions::stands(false).text;
     if (exploring(state_.phase)) return tr("an exploration is running");
@@ -129,9 +129,9 @@ void Exploration::askProbe(int bin)
     if (const QString why = whyNotAsking(bin); !why.isEmpty())
         return void(emit happened(tr("no probe is asked for: %1").arg(why), Weight::Doubt));
     if (state_.phase == AtemPhase::ProposingProbe) return choose(probes_.current()->id, bin);
-    emit decided("choose", words::binName(bin));
+    emit decided("choose", format::binName(bin));
     emit happened(tr("a probe at %1 is wanted: the robot presses anew, then it is asked")
-                      .arg(words::binName(bin)),
+                      .arg(format::binName(bin)),
                   Weight::Note);
     askedBin_ = bin;
     explore();
@@ -170,7 +170,7 @@ void Exploration::abort()
 void Exploration::approve(quint64 proposal)
 {
     if (!probes_.isCurrent(proposal)) return;
-    emit decided("approve", words::binName(probes_.current()->bin));
+    emit decided("approve", format::binName(probes_.current()->bin));
     pending_.approved = true;
     pending_.approvedFor = probes_.proposedOn();
     approvedAt_ = now_;
@@ -179,17 +179,17 @@ void Exploration::approve(quint64 proposal)
 void Exploration::refuse(quint64 proposal)
 {
     if (!probes_.isCurrent(proposal)) return;
-    emit decided("refuse", words::binName(probes_.current()->bin));
+    emit decided("refuse", format::binName(probes_.current()->bin));
     pending_.refused = true;
 }
 
 void Exploration::choose(quint64 proposal, int bin)
 {
     if (!probes_.isCurrent(proposal) || !probes_.stands() || !inReach(bin)) return;
-    emit decided("choose", words::binName(bin));
+    emit decided("choose", format::binName(bin));
     probes_.propose(bin);
     emit proposed();
-    emit happened(tr("probe asked for at %1 instead").arg(words::binName(bin)), Weight::Note);
+    emit happened(tr("probe asked for at %1 instead").arg(format::binName(bin)), Weight::Note);
 }
 
 void Exploration::setStepLimit(double metres)
@@ -201,7 +201,7 @@ void Exploration::setStepLimit(double metres)
 
 void Exploration::setSecondMethod(std::optional<Method> method)
 {
-    emit decided("second method", method ? words::text(name(*method)) : QStringLiteral("none"));
+    emit decided("second method", method ? format::text(name(*method)) : QStringLiteral("none"));
     estimation_.setSecondMethod(method);
 }
 
@@ -305,9 +305,9 @@ void Exploration::setSettings(const Settings& settings)
     options_.settings = settings;
     options_.settings.seed = seed;
     emit happened(tr("the next estimate: %1, %2 draws, contacts above %3 N")
-                      .arg(words::text(name(settings.method)))
+                      .arg(format::text(name(settings.method)))
                       .arg(settings.draws)
-                      .arg(words::number(settings.forceThreshold, 1)),
+                      .arg(format::number(settings.forceThreshold, 1)),
                   Weight::Note);
 }
 
@@ -494,7 +494,7 @@ void Exploration::enter(const AtemState& before)
         break;
     case AtemPhase::ProposingProbe:
         emit proposed();
-        emit happened(tr("probe proposed at %1").arg(words::binName(probes_.current()->bin)),
+        emit happened(tr("probe proposed at %1").arg(format::binName(probes_.current()->bin)),
                       Weight::Note);
         break;
     case AtemPhase::Probing: probe(); break;
@@ -514,7 +514,7 @@ void Exploration::probe()
 {
     probing_ = probes_.current()->bin;
     probes_.withdraw();
-    emit happened(tr("probe at %1 approved").arg(words::binName(probing_)), Weight::Note);
+    emit happened(tr("probe at %1 approved").arg(format::binName(probing_)), Weight::Note);
     sawProbing_ = false;
     armBefore_ = latest_->sample.measurement.arm;
     if (link_) link_->approve(probing_);
@@ -578,11 +578,11 @@ QString Exploration::stateWords() const
 
 QString Exploration::failureWords() const
 {
-    QString what = words::sentence(describe(state_.failure));
+    QString what = format::sentence(describe(state_.failure));
     const bool refused =
         state_.failure == AtemFailure::PressRefused || state_.failure == AtemFailure::ProbeRefused;
     if (!refused || refusal_ == Refusal::None) return what;
-    return what + QStringLiteral(": ") + words::sentence(describe(refusal_));
+    return what + QStringLiteral(": ") + format::sentence(describe(refusal_));
 }
 
 std::optional<int> Exploration::probingBin() const

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 
@@ -72,7 +72,7 @@ void Following::enter(const AtemState& state, const Received& latest)
 
 void Following::fail(AtemFailure failure)
 {
-    const QString why = words::sentence(describe(failure));
+    const QString why = format::sentence(describe(failure));
     emit happened(tr("following: no estimate: %1").arg(why), Weight::Bad);
     estimation_.cancel();
     estimation_.forget(tr("No estimate: %1").arg(why));

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 
@@ -31,7 +31,7 @@ void PanelControl::tick(double now, const ViewState& viewState)
     press(viewState);
     ask(viewState);
     light();
-    const QString trouble = words::sentence(report_.trouble);
+    const QString trouble = format::sentence(report_.trouble);
     if (trouble != trouble_ && !trouble.isEmpty()) emit happened(trouble, Weight::Bad);
     trouble_ = trouble;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -92,7 +92,7 @@ QList<Precondition> Preconditions::toArm(const CanView& view)
 {
     QList<Precondition> list;
     for (const LinkNeed& need : armingNeeds(view)) {
-        const QString text = words::sentence(need.text);
+        const QString text = format::sentence(need.text);
         list << (need.met ? met(text) : missing(text));
     }
     return list;
@@ -116,9 +116,9 @@ std::array<PlanarGround::Doubt, PlanarGround::kKinds> PlanarGround::doubts(const
 {
     const double asymmetry = flipperAsymmetry(m);
     return {Doubt{std::abs(m.roll), settings.rollLimit,
-                  tr("roll %1: left and right ground differ").arg(words::degrees(m.roll))},
+                  tr("roll %1: left and right ground differ").arg(format::degrees(m.roll))},
             Doubt{asymmetry, settings.asymmetryLimit,
-                  tr("left and right flippers differ by %1").arg(words::degrees(asymmetry))}};
+                  tr("left and right flippers differ by %1").arg(format::degrees(asymmetry))}};
 }
 
 QString PlanarGround::goneWords(int kind)

@@ -3,10 +3,10 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-#include "app/link/can_words.h"
+#include "app/link/can_text.h"
 #include "core/limits.h"
 #include "core/wire/dbc/dbc_text.h"
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -25,14 +25,14 @@ std::optional<FrameKind> kindOf(const CanFrame& frame)
 /// As wordsOf() says it; names are those of the DBC in every language, and so are the words of others' DBC files.
 QString contentOf(const CanFrame& frame, const std::vector<NamedValue>& values)
 {
-    if (isNotMeasured(values)) return words::sentence("not measured");
+    if (isNotMeasured(values)) return format::sentence("not measured");
     const bool isOurs = kindOf(frame).has_value();
     QStringList parts;
     for (const NamedValue& value : values)
         parts << QStringLiteral("%1 %2 %3")
-                     .arg(words::text(value.name),
-                          isOurs ? words::sentence(value.value) : words::text(value.value),
-                          words::text(shownDbcText(value.unit)))
+                     .arg(format::text(value.name),
+                          isOurs ? format::sentence(value.value) : format::text(value.value),
+                          format::text(shownDbcText(value.unit)))
                      .trimmed();
     return parts.join(QStringLiteral(", "));
 }
@@ -53,7 +53,7 @@ QString withMinus(QString number)
 
 QString valueText(const SignalLayout& layout, const std::optional<double>& value)
 {
-    return value ? withMinus(words::sentence(wordOf(layout, *value))) : words::kNothing;
+    return value ? withMinus(format::sentence(wordOf(layout, *value))) : format::kNothing;
 }
 
 /// A number that only names something has neither least nor most.
@@ -65,8 +65,8 @@ bool isQuantity(const SignalLayout& layout)
 SignalRow rowOf(const TappedFrame& frame, const SignalLayout& layout, const TappedSignal& signal)
 {
     SignalRow row;
-    row.name = words::text(layout.name);
-    row.unit = words::text(layout.unit);
+    row.name = format::text(layout.name);
+    row.unit = format::text(layout.unit);
     row.rate = frame.rate;
     row.age = frame.age;
     row.standing = standingOf(frame);
@@ -83,16 +83,16 @@ SignalRow rowOf(const TappedFrame& frame, const SignalLayout& layout, const Tapp
 
 QString valueText(const DbcSignal& signal, const std::optional<double>& value)
 {
-    if (!value) return words::kNothing;
-    const QString text = words::text(wordOrNumber(signal, *value));
+    if (!value) return format::kNothing;
+    const QString text = format::text(wordOrNumber(signal, *value));
     return wordOf(signal, *value) ? text : withMinus(text);
 }
 
 /// Of the newest value every digit is known.
 QString newestText(const DbcSignal& signal, const TappedSignal& tapped)
 {
-    if (!tapped.last) return words::kNothing;
-    const QString text = words::text(wordOrNumber(signal, tapped.bits));
+    if (!tapped.last) return format::kNothing;
+    const QString text = format::text(wordOrNumber(signal, tapped.bits));
     return wordOfBits(signal, tapped.bits) ? text : withMinus(text);
 }
 
@@ -109,8 +109,8 @@ SignalRow rowOf(const DbcMessage& message, const DbcSignal& layout, const Tapped
                 const SignalTimes& times)
 {
     SignalRow row;
-    row.name = words::text(layout.name);
-    row.unit = words::text(shownDbcText(layout.unit));
+    row.name = format::text(layout.name);
+    row.unit = format::text(shownDbcText(layout.unit));
     row.rate = times.rate;
     row.age = times.age;
     row.standing = standingOf(times, message);
@@ -120,7 +120,7 @@ SignalRow rowOf(const DbcMessage& message, const DbcSignal& layout, const Tapped
         row.most = valueText(layout, signal.most);
     }
     row.history.assign(signal.history.begin(), signal.history.end());
-    row.meaning = words::text(layout.comment);
+    row.meaning = format::text(layout.comment);
     return row;
 }
 
@@ -133,7 +133,7 @@ void addRobots(std::vector<SignalRow>& rows, const TappedFrame& frame,
     for (std::size_t i = 0; i < layout.size(); ++i) {
         rows.push_back(rowOf(frame, layout[i], frame.payload[i]));
         if (said)
-            rows.back().meaning = words::text(said->signal(std::string(layout[i].name)).comment);
+            rows.back().meaning = format::text(said->signal(std::string(layout[i].name)).comment);
     }
 }
 
@@ -143,25 +143,25 @@ SignalRow wholeFrame(const TappedFrame& frame)
     row.rate = frame.rate;
     row.age = frame.age;
     row.standing = standingOf(frame);
-    row.value = words::text(bytesText(frame.newest));
+    row.value = format::text(bytesText(frame.newest));
     return row;
 }
 
 QString nameOf(const TappedFrame& frame)
 {
-    return frame.described ? words::text(frame.described->message.name)
+    return frame.described ? format::text(frame.described->message.name)
                            : frameName(frame.newest, nullptr);
 }
 
 QString meaningOf(const TappedFrame& frame, std::span<const DbcMessage> protocol)
 {
     if (frame.kind && !protocol.empty())
-        return words::text(protocol[static_cast<std::size_t>(*frame.kind)].comment);
+        return format::text(protocol[static_cast<std::size_t>(*frame.kind)].comment);
     if (!frame.described) return {};
     const DbcMessage& message = frame.described->message;
     return SignalSays::tr("%1, as %2 describes it; sent by %3\n%4")
-        .arg(words::text(message.name), words::text(frame.described->file),
-             words::text(message.sender), words::text(message.comment))
+        .arg(format::text(message.name), format::text(frame.described->file),
+             format::text(message.sender), format::text(message.comment))
         .trimmed();
 }
 
@@ -182,7 +182,7 @@ std::vector<SignalRow> signalRows(const std::vector<TappedFrame>& frames,
         }
         if (rows.size() == first) rows.push_back(wholeFrame(frame));
         rows[first].frame =
-            QStringLiteral("%1 %2").arg(words::text(idText(frame.newest)), nameOf(frame));
+            QStringLiteral("%1 %2").arg(format::text(idText(frame.newest)), nameOf(frame));
         rows[first].frameMeaning = meaningOf(frame, protocol);
     }
     return rows;
@@ -191,19 +191,19 @@ std::vector<SignalRow> signalRows(const std::vector<TappedFrame>& frames,
 QString frameName(const CanFrame& frame, const DbcBook* book)
 {
     if (frame.error) return SignalSays::tr("error frame");
-    if (const auto kind = kindOf(frame)) return words::text(layoutOf(*kind).name);
+    if (const auto kind = kindOf(frame)) return format::text(layoutOf(*kind).name);
     const auto described = book ? book->find(frame) : nullptr;
-    return described ? words::text(described->message.name) : SignalSays::tr("unknown");
+    return described ? format::text(described->message.name) : SignalSays::tr("unknown");
 }
 
 TraceWords traceWords(const CanFrame& frame, const std::shared_ptr<const DbcBook>& book)
 {
     // A reader of its own: what the frame says is the same whatever came before.
     const FrameWords said = frameReader(CanProtocol::Terratact, book)->read(frame, 0.0);
-    return {.id = words::text(idText(frame)),
+    return {.id = format::text(idText(frame)),
             .name = frameName(frame, book.get()),
-            .bytes = words::text(bytesText(frame)),
-            .content = said.values.empty() && frame.error ? words::text(said.verdict)
+            .bytes = format::text(bytesText(frame)),
+            .content = said.values.empty() && frame.error ? format::text(said.verdict)
                                                           : contentOf(frame, said.values)};
 }
 

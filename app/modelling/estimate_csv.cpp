@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "core/infer/verdict/bimodality.h"
-#include "core/infer/verdict/estimate_words.h"
+#include "core/infer/verdict/estimate_text.h"
 #include "core/infer/verdict/obstacle.h"
 #include "core/infer/verdict/verdict.h"
 #include "core/store/csv_text.h"

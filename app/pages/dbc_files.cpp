@@ -16,11 +16,11 @@
 #include "app/runtime/say.h"
 #include "app/shell/file_dialog.h"
 #include "app/shell/preference_store.h"
+#include "widgets/base/format.h"
 #include "widgets/base/look.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 namespace {
@@ -135,7 +135,7 @@ void DbcFiles::use(const DbcReading& reading)
     }
     for (const std::string& trouble : reading.troubles) {
         say(stderr, "terratact-console: {}\n", trouble);
-        sentences << words::sentence(trouble);
+        sentences << format::sentence(trouble);
     }
     show(files, sentences);
     emit wereRead(reading);

@@ -8,10 +8,10 @@
 
 #include "app/shell/key_table.h"
 #include "widgets/base/card.h"
+#include "widgets/base/format.h"
 #include "widgets/base/look.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 #include "widgets/terrain/numbers_table.h"
 #include "widgets/terrain/verdict_strip.h"
 
@@ -62,7 +62,7 @@ void NumbersPage::showVerdict(const NumbersViewState& viewState)
     QStringList parts{VerdictStrip::answerOf(*viewState.verdict),
                       VerdictStrip::probabilityOf(*viewState.verdict, viewState.stepLimit),
                       VerdictStrip::whyOf(*viewState.verdict)};
-    if (isOld && viewState.age) parts << tr("last heard %1 ago").arg(words::age(*viewState.age));
+    if (isOld && viewState.age) parts << tr("last heard %1 ago").arg(format::age(*viewState.age));
     const QString text = parts.join(QStringLiteral(" · "));
     if (verdict_->text() == text) return;
     verdict_->setText(text);
@@ -86,10 +86,10 @@ void NumbersPage::refresh(double /*now*/)
     summary_->setText(tr("%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m. "
                          "The verdict's P counts steps over two bins (0.2 m) anywhere ahead, the "
                          "column those to the next bin alone")
-                          .arg(words::text(name(shown_->settings.method)))
+                          .arg(format::text(name(shown_->settings.method)))
                           .arg(shown_->draws.size())
                           .arg(shown_->settings.seed)
-                          .arg(words::number(shownLimit_, 2)));
+                          .arg(format::number(shownLimit_, 2)));
 }
 
 }  // namespace terratact

@@ -10,9 +10,9 @@
 #include "core/terrain/outline.h"
 #include "widgets/base/card.h"
 #include "widgets/base/elided_label.h"
+#include "widgets/base/format.h"
 #include "widgets/base/look.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 #include "widgets/control/drive_pad.h"
 #include "widgets/signals/event_list.h"
 #include "widgets/terrain/estimate_strip.h"
@@ -59,13 +59,13 @@ bool tellsWorth(const TerrainViewState& viewState)
 /// What a probe of the bin would tell, in a line.
 QString probeTells(const ProbeProposal& probe)
 {
-    const QString bin = words::binName(probe.bin);
+    const QString bin = format::binName(probe.bin);
     if (!probe.worth)
         return TerrainPage::tr("probe at %1: its height, ± %2 m instead of ± %3 m")
-            .arg(bin, words::number(probe.armSd, 2), words::number(probe.sd, 2));
-    const QString bits = words::number(probe.bitsBefore, 2);
+            .arg(bin, format::number(probe.armSd, 2), format::number(probe.sd, 2));
+    const QString bits = format::number(probe.bitsBefore, 2);
     return probe.tellsOfStep() ? TerrainPage::tr("probe at %1: %2 → %3 bit")
-                                     .arg(bin, bits, words::number(probe.worth->bitsAfter, 2))
+                                     .arg(bin, bits, format::number(probe.worth->bitsAfter, 2))
                                : TerrainPage::tr("probe at %1: no gain").arg(bin);
 }
 
@@ -235,11 +235,11 @@ void TerrainPage::showThreshold()
 {
     forces_->setThreshold(threshold_);
     if (forcesAge_) {
-        thresholdText_->setText(tr("%1 s old").arg(words::number(*forcesAge_, 1)));
+        thresholdText_->setText(tr("%1 s old").arg(format::number(*forcesAge_, 1)));
         return setTone(*thresholdText_, Tone::Bad);
     }
     const bool raw = forces_->unit() == ForceBars::Unit::Volts;
-    const QString value = words::number(threshold_, 1);
+    const QString value = format::number(threshold_, 1);
     if (layout_->fontScale() > 100 || forces_->arrays() > 2)  // no room for a word
         thresholdText_->setText(raw ? QString() : tr("- - %1 N").arg(value));
     else
@@ -313,11 +313,11 @@ void TerrainPage::showAge(const TerrainViewState& viewState)
     else if (viewState.ended)
         text = tr("the log has ended");
     else if (!fresh)
-        text = tr("%1 s old").arg(words::number(viewState.age, 1));
+        text = tr("%1 s old").arg(format::number(viewState.age, 1));
     else if (viewState.numbersFor > 0.0)
-        text = tr("< %1 s old").arg(words::number(oldest, 1));
+        text = tr("< %1 s old").arg(format::number(oldest, 1));
     else
-        text = tr("%1 old").arg(words::age(viewState.age));
+        text = tr("%1 old").arg(format::age(viewState.age));
     robotAge_->setText(text);
     setTone(*robotAge_, fresh || viewState.ended ? Tone::Muted : Tone::Bad);
 }
@@ -332,7 +332,7 @@ void TerrainPage::showForcesAge(const TerrainViewState& viewState)
         isScene || viewState.ended || age <= kStaleAfter ? std::nullopt : std::optional(age);
     if (viewState.numbersDue || said != forcesAge_)
         setTip(*thresholdText_,
-               isScene ? QString() : tr("the forces are %1 old").arg(words::age(age)));
+               isScene ? QString() : tr("the forces are %1 old").arg(format::age(age)));
     if (said == forcesAge_) return;
     forcesAge_ = said;
     showThreshold();

@@ -22,7 +22,7 @@
 #include "core/wire/can_codec.h"
 #include "core/wire/candump_log.h"
 #include "core/wire/frame_layout.h"
-#include "core/wire/log_words.h"
+#include "core/wire/log_text.h"
 #include "core/wire/telemetry_listener.h"
 
 namespace terratact {

@@ -4,7 +4,7 @@
 #include <QLocale>
 #include <limits>
 
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 #include "widgets/signals/session_timeline.h"
 
 namespace terratact {
@@ -34,15 +34,15 @@ QString differenceWords(const ReviewMoment& a, const ReviewMoment& b)
     const auto known = [both](double value) { return both ? value : kNone; };
     QStringList forces;
     for (std::size_t i = 0; i < from.force.size(); ++i)
-        forces << words::signedNumber(
+        forces << format::signedNumber(
             known(shownFeature(to, kFirstForceFeature + i, to.force[i])
                   - shownFeature(from, kFirstForceFeature + i, from.force[i])),
             1);
     return DifferenceWords::tr("B − A: %1 s, pitch %2, front %3, rear %4, forces %5 N")
-        .arg(words::signedNumber(secondsOf(b.time - a.time), 3),
-             words::degrees(known(second.pitch - first.pitch)),
-             words::degrees(known(second.front - first.front)),
-             words::degrees(known(second.rear - first.rear)), forces.join(QLatin1Char(' ')));
+        .arg(format::signedNumber(secondsOf(b.time - a.time), 3),
+             format::degrees(known(second.pitch - first.pitch)),
+             format::degrees(known(second.front - first.front)),
+             format::degrees(known(second.rear - first.rear)), forces.join(QLatin1Char(' ')));
 }
 
 QString numbersCsv(const ReviewMoment& moment)

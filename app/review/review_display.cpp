@@ -3,10 +3,10 @@
 #include <QLabel>
 #include <algorithm>
 
-#include "app/mission/robot_words.h"
+#include "app/mission/robot_text.h"
 #include "app/review/review_timeline.h"
 #include "core/atem/link_watch.h"
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 #include "widgets/control/robot_readout.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/event_list.h"
@@ -41,15 +41,15 @@ void ReviewDisplay::showLink(const ReviewMoment& moment)
     const bool heard = moment.measurement.has_value();
     const double age = secondsOf(moment.time - (heard ? moment.measured : moment.linkSince));
     if (moment.linkAlive && heard)
-        places_.header.setLink(tr("link %1 Hz").arg(words::number(moment.linesPerSecond, 0)),
+        places_.header.setLink(tr("link %1 Hz").arg(format::number(moment.linesPerSecond, 0)),
                                Tone::Good);
     else if (!moment.linkAlive && moment.linkSince > 0)
         places_.header.setLink(
             QStringLiteral("%1 · %2").arg(
-                words::sentence(describe(LinkAccount{.standing = LinkStanding::Lost,
-                                                     .alone = moment.telemetryAlone}))
+                format::sentence(describe(LinkAccount{.standing = LinkStanding::Lost,
+                                                      .alone = moment.telemetryAlone}))
                     .toUpper(),
-                words::age(age)),
+                format::age(age)),
             Tone::Bad);
     else
         places_.header.setLink(tr("no telemetry"), Tone::Doubt);
@@ -82,7 +82,7 @@ void ReviewDisplay::showDamage(const ReviewMoment& moment)
         places_.damage.setText(tr("DAMAGED from %1 to %2, nothing of it is shown: %3")
                                    .arg(timeWords(secondsOf(moment.damage->first)),
                                         timeWords(secondsOf(moment.damage->last)),
-                                        words::sentence(moment.damage->why)));
+                                        format::sentence(moment.damage->why)));
 }
 
 /// The events up to this time, as the operator had them.

@@ -8,8 +8,8 @@
 #include "app/review/review_difference.h"
 #include "core/store/csv_text.h"
 #include "core/store/file_write.h"
+#include "widgets/base/format.h"
 #include "widgets/base/look.h"
-#include "widgets/base/words.h"
 #include "widgets/terrain/numbers_table.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
@@ -22,7 +22,7 @@ struct ExportWords {
 
 QString troubleOf(const Status& status)
 {
-    return status ? QString() : words::sentence(status.error().text);
+    return status ? QString() : format::sentence(status.error().text);
 }
 
 /// Draws it as by day, as paper is white, while it lives.

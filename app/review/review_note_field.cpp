@@ -6,8 +6,8 @@
 
 #include "app/review/review_player.h"
 #include "core/log/session_reader.h"
+#include "widgets/base/format.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 
@@ -23,7 +23,7 @@ ReviewNoteField::ReviewNoteField(const SessionReader& session, const ReviewPlaye
     if (auto notes = readNotes(session.path()))
         notes_ = std::move(*notes);
     else
-        trouble_ = words::sentence(notes.error().text);
+        trouble_ = format::sentence(notes.error().text);
     connect(this, &QLineEdit::returnPressed, this, &ReviewNoteField::take);
 }
 
@@ -37,7 +37,7 @@ void ReviewNoteField::take()
                      [](const ReviewNote& a, const ReviewNote& b) { return a.time < b.time; });
     const Status saved = writeNotes(session_.path(), notes);
     trouble_ =
-        saved ? QString() : tr("NOTE NOT SAVED: %1").arg(words::sentence(saved.error().text));
+        saved ? QString() : tr("NOTE NOT SAVED: %1").arg(format::sentence(saved.error().text));
     if (saved) {
         notes_ = std::move(notes);
         clear();

@@ -8,8 +8,8 @@
 #include "app/mission/signal_rows.h"
 #include "app/pages/dbc_files.h"
 #include "widgets/base/card.h"
+#include "widgets/base/format.h"
 #include "widgets/base/plain_label.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 
@@ -48,7 +48,7 @@ void ReviewSignalsPage::setTime(SessionTime time)
 void ReviewSignalsPage::refresh(double /*now*/)
 {
     const auto frames = payload_.at(time_);
-    const QString seconds = words::number(ReviewPayload::kWindow, 0);
+    const QString seconds = format::number(ReviewPayload::kWindow, 0);
     headline_->setText(
         frames.empty()
             ? tr("No other device had sent a frame in the %1 s before this time").arg(seconds)

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <map>
 
-#include "app/mission/bus_words.h"
+#include "app/mission/bus_text.h"
 #include "app/recording/session_text.h"
 #include "core/log/review_moment.h"
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -63,11 +63,11 @@ void addRows(Timeline& timeline, const SessionReader& session)
                             ReviewWords::tr("estimate %1 of scene %2, %3")
                                 .arg(row.id)
                                 .arg(row.scene)
-                                .arg(words::text(name(row.estimate.settings.method)))};
+                                .arg(format::text(name(row.estimate.settings.method)))};
     for (const ProposalRow& row : session.proposals())
         laneOf(timeline, ReviewLane::Probes).marks
             << TimelineMark{secondsOf(row.time), TimelineWeight::Doubt,
-                            ReviewWords::tr("probe proposed at %1").arg(words::binName(row.bin))};
+                            ReviewWords::tr("probe proposed at %1").arg(format::binName(row.bin))};
 }
 
 /// Phases, links, alarms and estimates, which last until something ends them.
@@ -170,13 +170,13 @@ void addSurvey(Timeline& timeline, const Surveyed& surveyed)
     for (const SessionDamage& damage : surveyed.damage)
         timeline.gaps << TimelineSpan{
             secondsOf(damage.first), secondsOf(damage.last), TimelineWeight::Bad,
-            ReviewWords::tr("DAMAGED, not shown: %1").arg(words::sentence(damage.why))};
+            ReviewWords::tr("DAMAGED, not shown: %1").arg(format::sentence(damage.why))};
 }
 
 QString alarmSentence(const EventRow& event)
 {
     const QString text =
-        event.text.empty() ? words::eventWord(event.subject) : words::sentence(event.text);
+        event.text.empty() ? format::eventWord(event.subject) : format::sentence(event.text);
     const double state = event.number.value_or(0.0);
     if (state == 3.0) return ReviewWords::tr("alarm: %1").arg(text);
     if (state == 2.0) return ReviewWords::tr("alarm seen: %1").arg(text);
@@ -186,20 +186,20 @@ QString alarmSentence(const EventRow& event)
 
 QString subjectOf(const EventRow& event)
 {
-    return event.kind == EventKind::Phase ? words::sentence(event.subject)
-                                          : words::eventWord(event.subject);
+    return event.kind == EventKind::Phase ? format::sentence(event.subject)
+                                          : format::eventWord(event.subject);
 }
 
 QString textOf(const EventRow& event)
 {
-    if (event.kind == EventKind::Marker) return words::text(event.text);  // somebody's own
+    if (event.kind == EventKind::Marker) return format::text(event.text);  // somebody's own
     if (event.kind == EventKind::Decision)
-        if (QString word = words::eventWord(event.text); word != words::text(event.text))
+        if (QString word = format::eventWord(event.text); word != format::text(event.text))
             return word;
     if (event.kind == EventKind::Link)
         for (const BusState state : kBusStates)
             if (event.text == describe(state, "bus")) return busWords(state, "bus");
-    return words::sentence(event.text);
+    return format::sentence(event.text);
 }
 
 }  // namespace
@@ -242,16 +242,16 @@ QString nameOf(EventKind kind)
 QString sentenceOf(const EventRow& event)
 {
     if (event.kind == EventKind::Alarm) return alarmSentence(event);
-    if (event.kind == EventKind::Word) return words::sentence(event.text);
+    if (event.kind == EventKind::Word) return format::sentence(event.text);
     if (event.kind == EventKind::Panel)
         return event.number.value_or(0.0) > 0.0
-                 ? ReviewWords::tr("contact closed: %1").arg(words::eventWord(event.subject))
-                 : ReviewWords::tr("contact open: %1").arg(words::eventWord(event.subject));
+                 ? ReviewWords::tr("contact closed: %1").arg(format::eventWord(event.subject))
+                 : ReviewWords::tr("contact open: %1").arg(format::eventWord(event.subject));
     if (event.kind == EventKind::Unheard)
         return ReviewWords::tr("the robot was not heard for a while since the scene");
     if (event.kind == EventKind::Override)
         return event.text.empty() ? ReviewWords::tr("nothing is overridden")
-                                  : ReviewWords::tr("overridden: %1").arg(words::text(event.text));
+                                  : ReviewWords::tr("overridden: %1").arg(format::text(event.text));
     QStringList parts;
     if (event.kind == EventKind::Link) parts << ReviewWords::tr("link");
     if (!event.subject.empty()) parts << subjectOf(event);

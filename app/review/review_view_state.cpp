@@ -4,7 +4,7 @@
 
 #include "app/mission/estimation.h"
 #include "app/pages/force_arrays.h"
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -117,13 +117,13 @@ void ReviewViewState::addEstimates(TerrainViewState& viewState, const ReviewMome
     }
     if (whatIf && row) {
         viewState.second = &*whatIf;
-        viewState.secondName = tr("what if: %1").arg(words::text(name(whatIf->settings.method)));
+        viewState.secondName = tr("what if: %1").arg(format::text(name(whatIf->settings.method)));
     } else if (moment.second) {
         viewState.second = &moment.second->estimate;
-        viewState.secondName = words::text(name(moment.second->estimate.settings.method));
+        viewState.secondName = format::text(name(moment.second->estimate.settings.method));
     }
     viewState.whyNoEstimate = moment.forgotten.empty() ? tr("No estimate stood at this time")
-                                                       : words::sentence(moment.forgotten);
+                                                       : format::sentence(moment.forgotten);
 }
 
 void ReviewViewState::addGhost(TerrainViewState& viewState, const ReviewMoment& moment)

@@ -23,10 +23,10 @@
 #include "app/review/what_if_page.h"
 #include "app/shell/open_file.h"
 #include "app/shell/view_menu.h"
+#include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/look.h"
 #include "widgets/base/navigation_rail.h"
-#include "widgets/base/words.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/drive_pad.h"
@@ -81,7 +81,7 @@ ReviewWindow::~ReviewWindow()
 
 void ReviewWindow::buildHeader()
 {
-    header()->setSource(tr("REVIEW · %1").arg(words::sourceName(session_.start().source)));
+    header()->setSource(tr("REVIEW · %1").arg(format::sourceName(session_.start().source)));
     header()->arming()->hide();
     header()->qualityButton()->hide();
     state_ = addStrip(QStringLiteral("reviewStrip"));

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "app/pages/terrain_page.h"
+#include "widgets/base/format.h"
 #include "widgets/base/look.h"
-#include "widgets/base/words.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/robot_readout.h"
@@ -148,7 +148,7 @@ void ScenesWindow::showViewState()
     viewState.forces = &forces;
     viewState.sceneTruth = &truth_;
     viewState.whyNoEstimate =
-        trouble_.isEmpty() ? tr("Estimating …") : words::sentence(trouble_.toStdString());
+        trouble_.isEmpty() ? tr("Estimating …") : format::sentence(trouble_.toStdString());
     page_->verdict()->setLimit(options_.stepLimit);
     if (estimate_) {
         viewState.estimate = &*estimate_;
@@ -166,7 +166,7 @@ void ScenesWindow::showViewState()
                         .arg(scene_ + 1)
                         .arg(options_.scenes.size())
                         .arg(QFileInfo(options_.path).fileName(), QString::fromStdString(scene.run),
-                             words::number(scene.time, 2)));
+                             format::number(scene.time, 2)));
 }
 
 void ScenesWindow::defineKeys()

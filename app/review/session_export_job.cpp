@@ -4,7 +4,7 @@
 
 #include "app/figures/session_report.h"
 #include "core/log/session_reader.h"
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -64,12 +64,12 @@ void SessionExportJob::run()
 {
     auto session = SessionReader::open(wish_.session);
     if (!session) {
-        emit ended(words::sentence(session.error().text), 0, 0, 0);
+        emit ended(format::sentence(session.error().text), 0, 0, 0);
         return;
     }
     const auto written = write(*session);
     const ExportCounts counts = written ? *written : ExportCounts{};
-    emit ended(written ? QString() : words::sentence(written.error().text), counts.leftOut,
+    emit ended(written ? QString() : format::sentence(written.error().text), counts.leftOut,
                static_cast<int>(session->damage().size()), static_cast<int>(counts.withoutColumns));
 }
 

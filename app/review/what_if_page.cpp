@@ -23,11 +23,11 @@
 #include "core/infer/estimate/quality.h"
 #include "core/store/sha256.h"
 #include "widgets/base/card.h"
+#include "widgets/base/format.h"
 #include "widgets/base/look.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/plain_table.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 
@@ -102,10 +102,10 @@ QWidget* WhatIfPage::form()
         return box;
     };
     method_ = combo(tr("Method"), tr("Which method estimates"));
-    for (const Method method : kMethods) method_->addItem(words::text(name(method)));
+    for (const Method method : kMethods) method_->addItem(format::text(name(method)));
     quality_ = combo(tr("Quality"), tr("Draws, chains and precision"));
     quality_->addItem(tr("as recorded"));
-    for (const Quality quality : kQualities) quality_->addItem(words::sentence(name(quality)));
+    for (const Quality quality : kQualities) quality_->addItem(format::sentence(name(quality)));
     threshold_ = new QDoubleSpinBox(form);
     threshold_->setRange(0.1, 50.0);
     threshold_->setSingleStep(0.1);
@@ -174,9 +174,9 @@ void WhatIfPage::setRecorded(const std::shared_ptr<const EstimateRow>& estimate,
                        ? tr("Estimate %1 of scene %2 at %3 s, by %4 with the model %5")
                              .arg(recorded_->id)
                              .arg(recorded_->scene)
-                             .arg(words::number(secondsOf(recorded_->time), 3),
-                                  words::text(name(recorded_->estimate.settings.method)),
-                                  recordedModel_.isEmpty() ? words::kNothing : recordedModel_)
+                             .arg(format::number(secondsOf(recorded_->time), 3),
+                                  format::text(name(recorded_->estimate.settings.method)),
+                                  recordedModel_.isEmpty() ? format::kNothing : recordedModel_)
                        : tr("No estimate stood at this time: go to one (key 4 finds the next)."));
     drop();
     if (recorded_) asRecorded();
@@ -202,7 +202,7 @@ void WhatIfPage::asRecorded()
 {
     if (!recorded_) return;
     const Settings& s = recorded_->estimate.settings;
-    method_->setCurrentText(words::text(name(s.method)));
+    method_->setCurrentText(format::text(name(s.method)));
     quality_->setCurrentIndex(0);
     threshold_->setValue(s.forceThreshold);
     seed_->setText(QString::number(s.seed));
@@ -212,7 +212,7 @@ void WhatIfPage::asRecorded()
     row.name = recordedModel_.toStdString();
     row.hash = recordedHash_.toStdString();
     const auto found = modelFileOf(row, paths);
-    if (!found) return say(words::sentence(found.error().text), Tone::Doubt);
+    if (!found) return say(format::sentence(found.error().text), Tone::Doubt);
     model_->setCurrentIndex(model_->findData(QString::fromStdString(*found)));
 }
 
@@ -263,7 +263,7 @@ void WhatIfPage::estimate()
     const QString path = model_->currentData().toString();
     if (path.isEmpty()) return say(tr("No model is chosen"), Tone::Bad);
     if (const Status modest = requireModest(settings()); !modest)
-        return say(tr("No estimate: %1").arg(words::sentence(modest.error().text)), Tone::Bad);
+        return say(tr("No estimate: %1").arg(format::sentence(modest.error().text)), Tone::Bad);
     useModel(path);
     asked_ = settings();
     EstimateRequest request{scene_->measurement, recorded_->readings, *asked_};
@@ -305,25 +305,25 @@ void WhatIfPage::showAnswer()
     } else if (asRecorded && before.ending == Ending::Time) {
         text = tr("Time ended the recorded sampling, so that it cannot be repeated bit for bit: "
                   "%1 m at most, at bin %2.")
-                   .arg(words::number(found.largest(), 3), words::binName(found.largestBin));
+                   .arg(format::number(found.largest(), 3), format::binName(found.largestBin));
         tone = Tone::Doubt;
     } else if (asRecorded) {
         text =
             tr("The recorded settings and model do NOT give the recorded estimate: %1 m at most, "
                "at bin %2.")
-                .arg(words::number(found.largest(), 6), words::binName(found.largestBin));
+                .arg(format::number(found.largest(), 6), format::binName(found.largestBin));
         tone = Tone::Bad;
     } else {
         text = tr("Differs from what was shown by %1 m at most, at bin %2.")
-                   .arg(words::number(found.largest(), 3), words::binName(found.largestBin));
+                   .arg(format::number(found.largest(), 3), format::binName(found.largestBin));
     }
     text += QLatin1Char('\n')
           + tr("Steps of more than %1 m: %2 (%3 %) then, %4 (%5 %) now.")
-                .arg(words::number(recorded_->stepLimit, 2),
-                     words::sentence(name(found.before.outlook)),
-                     words::number(100.0 * found.before.step.p, 1),
-                     words::sentence(name(found.after.outlook)),
-                     words::number(100.0 * found.after.step.p, 1));
+                .arg(format::number(recorded_->stepLimit, 2),
+                     format::sentence(name(found.before.outlook)),
+                     format::number(100.0 * found.before.step.p, 1),
+                     format::sentence(name(found.after.outlook)),
+                     format::number(100.0 * found.after.step.p, 1));
     say(text, tone);
     showBins(&found);
 }
@@ -337,14 +337,14 @@ void WhatIfPage::showBins(const Differences* found)
         const TerrainEstimate* now = found ? &*answer_ : nullptr;
         const BinDifference by =
             found ? found->bin[i] : BinDifference{nothing, nothing, nothing, nothing, nothing};
-        const QStringList cells{words::signedNumber(binCentre(bin), 1),
-                                words::signedNumber(before ? before->height[i] : nothing, 3),
-                                words::signedNumber(now ? now->height[i] : nothing, 3),
-                                words::signedNumber(by.height, 3),
-                                words::number(before ? before->sd[i] : nothing, 3),
-                                words::number(now ? now->sd[i] : nothing, 3),
-                                words::signedNumber(by.q10, 3),
-                                words::signedNumber(by.q90, 3)};
+        const QStringList cells{format::signedNumber(binCentre(bin), 1),
+                                format::signedNumber(before ? before->height[i] : nothing, 3),
+                                format::signedNumber(now ? now->height[i] : nothing, 3),
+                                format::signedNumber(by.height, 3),
+                                format::number(before ? before->sd[i] : nothing, 3),
+                                format::number(now ? now->sd[i] : nothing, 3),
+                                format::signedNumber(by.q10, 3),
+                                format::signedNumber(by.q90, 3)};
         for (int column = 0; column < cells.size(); ++column) {
             auto* item = new QTableWidgetItem(cells[column]);
             item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);

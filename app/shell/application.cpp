@@ -12,9 +12,9 @@
 #include "app/shell/console_window.h"
 #include "app/shell/language.h"
 #include "app/shell/text_sheet.h"
+#include "widgets/base/format.h"
 #include "widgets/base/look.h"
 #include "widgets/base/palette.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 namespace {
@@ -80,7 +80,7 @@ void tellRefusal(const std::string& file, const std::string& why)
     sheet.setWindowFlags(Qt::Window);  // which the desktop lists, and whose end is the program's
     sheet.setAttribute(Qt::WA_QuitOnClose);
     sheet.setText(
-        QStringLiteral("<h3>%1</h3><p>%2</p>").arg(title, words::sentence(why).toHtmlEscaped()),
+        QStringLiteral("<h3>%1</h3><p>%2</p>").arg(title, format::sentence(why).toHtmlEscaped()),
         sheet.screen()->availableSize(), scaled(kWide));
     sheet.show();
     QApplication::exec();

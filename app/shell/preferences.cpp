@@ -12,7 +12,7 @@
 #include <functional>
 #include <utility>
 
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -74,7 +74,7 @@ struct Reader {
     {
         value(key, [&](const QString& text) {
             for (const Value choice : choices) {
-                if (words::text(name(choice)) != text) continue;
+                if (format::text(name(choice)) != text) continue;
                 to = choice;
                 return true;
             }
@@ -138,7 +138,7 @@ struct Writer {
     template <class Value, class Choices>
     void oneOf(const char* key, Value value_, const Choices&)
     {
-        value(key, words::text(name(value_)));
+        value(key, format::text(name(value_)));
     }
     void flag(const char* key, bool value_) { value(key, value_ ? "true" : "false"); }
     void language(const char* key, const QString& value_) { value(key, value_); }
@@ -247,7 +247,7 @@ LateSentence robotNotUsed(const Error& why)
 {
     return [why] {
         return Says::tr("Preferences: %1; the shipped robot is used")
-            .arg(words::sentence(why.text));
+            .arg(format::sentence(why.text));
     };
 }
 

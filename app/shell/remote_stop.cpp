@@ -4,7 +4,7 @@
 #include <random>
 #include <utility>
 
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -47,7 +47,7 @@ void RemoteStop::fail(const Error& error)
 {
     emit said(error.code == ECONNREFUSED
                   ? tr("STOP HAS NO EFFECT HERE: the console that opened this window is gone")
-                  : tr("STOP NOT SENT: %1").arg(words::sentence(error.text)),
+                  : tr("STOP NOT SENT: %1").arg(format::sentence(error.text)),
               Weight::Bad);
 }
 

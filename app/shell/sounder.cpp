@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "drivers/audio_output.h"
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -50,7 +50,7 @@ private:
             const Status played = playAudio("default", samples, kRate);
             if (!played) QMetaObject::invokeMethod(qApp, [] { QApplication::beep(); });
             const std::lock_guard lock(mutex_);
-            trouble_ = played ? QString() : words::sentence(played.error().text);
+            trouble_ = played ? QString() : format::sentence(played.error().text);
         }
     }
 

@@ -12,7 +12,7 @@
 
 #include "core/base/text.h"
 #include "core/wire/log_format.h"
-#include "core/wire/log_words.h"
+#include "core/wire/log_text.h"
 
 namespace terratact {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/text.h"
-#include "core/wire/log_words.h"
+#include "core/wire/log_text.h"
 
 namespace terratact {
 namespace {

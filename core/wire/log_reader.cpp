@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/store/file_read.h"
-#include "core/wire/log_words.h"
+#include "core/wire/log_text.h"
 
 namespace terratact {
 namespace {

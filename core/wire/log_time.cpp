@@ -4,7 +4,7 @@
 #include <ctime>
 
 #include "core/base/text.h"
-#include "core/wire/log_words.h"
+#include "core/wire/log_text.h"
 
 namespace terratact {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "core/base/text.h"
 #include "core/wire/log_format.h"
+#include "core/wire/log_text.h"
 #include "core/wire/log_time.h"
-#include "core/wire/log_words.h"
 
 namespace terratact {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "widgets/base/file_sentences.h"
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -423,7 +423,7 @@ const std::vector<OpenSentence>& openSentences()
 /// What stands in a sentence's place, or before or behind ": ".
 QString part(const QString& said)
 {
-    return said.contains(QLatin1Char(' ')) ? words::sentence(said.toStdString()) : said;
+    return said.contains(QLatin1Char(' ')) ? format::sentence(said.toStdString()) : said;
 }
 
 /// As it is among those; empty: it is not.
@@ -463,7 +463,7 @@ QString translated(const QString& whole)
 
 }  // namespace
 
-QString words::sentence(std::string_view english)
+QString format::sentence(std::string_view english)
 {
     QString whole = text(english);
     if (QString known = translated(whole); !known.isEmpty()) return known;
@@ -475,12 +475,12 @@ QString words::sentence(std::string_view english)
     return part(whole.left(at)) + kJoint + part(whole.mid(at + kJoint.size()));
 }
 
-QString words::eventWord(std::string_view english)
+QString format::eventWord(std::string_view english)
 {
     return QCoreApplication::translate("event", std::string(english).c_str());
 }
 
-QString words::sourceName(std::string_view english)
+QString format::sourceName(std::string_view english)
 {
     static const std::string kReplayed =
         std::string(kReplay).substr(0, std::string(kReplay).find('%'));

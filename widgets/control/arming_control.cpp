@@ -3,10 +3,10 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 
+#include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 namespace {
@@ -60,7 +60,7 @@ void ArmingControl::setState(const ArmingState& state, const QList<Precondition>
     QString tip = possible ? tr("Asks for a second action within 5 s") : tr("Not possible now:");
     if (!preconditions.isEmpty()) tip += QLatin1Char('\n') + linesOf(preconditions);
     if (off && state.cause != DisarmCause::None)
-        tip += tr("\nLast disarmed: %1").arg(words::sentence(describe(state.cause)));
+        tip += tr("\nLast disarmed: %1").arg(format::sentence(describe(state.cause)));
     listens_ = false;
     arm_->setText(disarmedText());
     arm_->setVisible(off);

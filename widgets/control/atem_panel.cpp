@@ -10,13 +10,13 @@
 #include <utility>
 
 #include "core/atem/following.h"
+#include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/look.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/scroll_column.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 namespace {
@@ -164,11 +164,11 @@ void AtemPanel::setState(const AtemState& state, const std::optional<PhaseTime>&
 void AtemPanel::showState()
 {
     const auto is = [this](AtemPhase phase) { return state_.phase == phase; };
-    QString text = words::sentence(state_.followed ? describeFollowed(state_.phase)
-                                                   : terratact::describe(state_.phase));
+    QString text = format::sentence(state_.followed ? describeFollowed(state_.phase)
+                                                    : terratact::describe(state_.phase));
     if (is(AtemPhase::Failed))
         text += QStringLiteral(": ")
-              + (said_.isEmpty() ? words::sentence(terratact::describe(state_.failure)) : said_);
+              + (said_.isEmpty() ? format::sentence(terratact::describe(state_.failure)) : said_);
     else if (!said_.isEmpty())
         text = said_;
     else if (is(AtemPhase::Idle) && !state_.followed)
@@ -196,7 +196,7 @@ QString AtemPanel::idleWords(const QString& ready) const
 
 QString AtemPanel::timeWords(const PhaseTime& time)
 {
-    const QString seconds = words::countdown(time.seconds);
+    const QString seconds = format::countdown(time.seconds);
     switch (time.kind) {
     case PhaseTime::Kind::Answer: return tr("%1 left").arg(seconds);
     case PhaseTime::Kind::Expected: return tr("about %1 left").arg(seconds);
@@ -425,7 +425,7 @@ void AtemPanel::showButtons()
     abort_->setEnabled(busy || ended);
     abort_->setText(clears ? tr("Forget (Del)") : tr("Abort (Esc)"));
     if (asks) {
-        ask_->setText(tr("Probe at %1 (B)").arg(words::binName(*askBin_)));
+        ask_->setText(tr("Probe at %1 (B)").arg(format::binName(*askBin_)));
         ask_->setEnabled(missing.isEmpty());
         setTip(*ask_, (missing.isEmpty()
                            ? tr("The robot presses anew, then the arm is proposed; nothing moves "

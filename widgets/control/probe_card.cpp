@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/look.h"
 #include "widgets/base/palette.h"
@@ -18,7 +19,6 @@
 #include "widgets/base/scroll_column.h"
 #include "widgets/base/spoken.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 namespace {
@@ -30,12 +30,12 @@ constexpr int kProbeGap = 6;    // [px] facts and answers
 
 QString percent(double share)
 {
-    return words::number(-100.0 * share, 0);
+    return format::number(-100.0 * share, 0);
 }
 
 QString wordOf(Outlook answer)
 {
-    return words::sentence(name(answer));
+    return format::sentence(name(answer));
 }
 
 }  // namespace
@@ -275,7 +275,7 @@ void ProbeCard::setWorth(const ProbeProposal& probe, const QString& why)
 
 void ProbeCard::showFacts()
 {
-    where_->setText(tr("bin %1").arg(words::binName(told()->bin)));
+    where_->setText(tr("bin %1").arg(format::binName(told()->bin)));
     answers_->setVisible(asks());
     showAnswer();
     showWorth();
@@ -289,21 +289,21 @@ void ProbeCard::showFacts()
 void ProbeCard::showWorth()
 {
     const ProbeProposal& p = *told();
-    const QString height = words::signedNumber(p.height, 2), sd = words::number(p.sd, 2);
-    const QString q10 = words::signedNumber(p.q10, 2), q90 = words::signedNumber(p.q90, 2);
-    const QString seconds = words::number(p.seconds, 0);
-    predicted_->setText(narrow_ ? tr("at %1: %2 ± %3 m").arg(words::binName(p.bin), height, sd)
+    const QString height = format::signedNumber(p.height, 2), sd = format::number(p.sd, 2);
+    const QString q10 = format::signedNumber(p.q10, 2), q90 = format::signedNumber(p.q90, 2);
+    const QString seconds = format::number(p.seconds, 0);
+    predicted_->setText(narrow_ ? tr("at %1: %2 ± %3 m").arg(format::binName(p.bin), height, sd)
                                 : tr("%1 m ± %2 m (sd)").arg(height, sd));
     band_->setText(narrow_ ? tr("80 % in %1 … %2 m").arg(q10, q90) : tr("%1 … %2 m").arg(q10, q90));
     const QString worth = p.worth ? tr("total variance %1 %").arg(percent(p.worth->varianceShare))
-                                  : tr("this bin to ± %1 m").arg(words::number(p.armSd, 2));
+                                  : tr("this bin to ± %1 m").arg(format::number(p.armSd, 2));
     // Where the card has more to say, cost and variance share a line.
     const bool joined = narrow_ || tells() || isVoid() || p.answer != Outlook::CannotTell;
     for (QLabel* label : {cost_, costKey_}) label->setVisible(!joined);
     lines_->setRowStretch(costLine_, joined ? 0 : 1);
     variance_->setText(joined ? tr("%1 for %2 s").arg(worth, seconds) : worth);
     cost_->setText(tr("≈ %1 s, arm out in smoke").arg(seconds));
-    questionKey_->setText(tr("step > %1 m").arg(words::number(p.stepLimit, 2)));
+    questionKey_->setText(tr("step > %1 m").arg(format::number(p.stepLimit, 2)));
     question_->setText(questionText());
     showOthers();
     showRanking();
@@ -314,14 +314,14 @@ QString ProbeCard::questionText() const
     const ProbeProposal& p = *told();
     if (!p.worth)
         return narrow_ ? tr("step: not known for this method") : tr("not known for this method");
-    const QString before = words::number(p.bitsBefore, 2);
+    const QString before = format::number(p.bitsBefore, 2);
     if (!p.tellsOfStep()) {
         if (!narrow_) return tr("%1 bit, no gain").arg(before);
         return p.answer == Outlook::CannotTell ? tr("step: %1 bit, no gain").arg(before)
                                                : tr("%1 stands: no gain").arg(wordOf(p.answer));
     }
-    const QString after = words::number(p.worth->bitsAfter, 2);
-    const QString rate = words::number(60.0 * (p.bitsBefore - p.worth->bitsAfter) / p.seconds, 2);
+    const QString after = format::number(p.worth->bitsAfter, 2);
+    const QString rate = format::number(60.0 * (p.bitsBefore - p.worth->bitsAfter) / p.seconds, 2);
     return (narrow_ ? tr("step: %1 → %2 bit, %3/min") : tr("%1 → %2 bit: %3/min"))
         .arg(before, after, rate);
 }
@@ -361,13 +361,13 @@ void ProbeCard::showOthers()
         others_[i]->setEnabled(!isVoid());
         if (i >= offered.size()) continue;
         const ProbeWorth& other = offered[i];
-        const QString bin = words::binName(other.bin);
+        const QString bin = format::binName(other.bin);
         others_[i]->setText(
             narrow_ ? QStringLiteral("%1: %2").arg(i + 1).arg(bin)
                     : tr("%1: %2, %3 %").arg(i + 1).arg(bin, percent(other.varianceShare)));
         const QString all =
             tr("Ask for bin %1 instead: total variance %2 %, step ahead to %3 bit")
-                .arg(bin, percent(other.varianceShare), words::number(other.bitsAfter, 2));
+                .arg(bin, percent(other.varianceShare), format::number(other.bitsAfter, 2));
         setTip(*others_[i], isVoid() ? tr("Cannot be approved: %1").arg(whyVoid_) : all);
         others_[i]->setAccessibleName(all);
     }
@@ -379,8 +379,8 @@ void ProbeCard::showRanking()
     for (const ProbeWorth& other : told()->others) {
         if (bins.size() == static_cast<qsizetype>(kOthers)) break;
         bins << tr("or at %1: %2 %, %3 bit")
-                    .arg(words::binName(other.bin), percent(other.varianceShare),
-                         words::number(other.bitsAfter, 2));
+                    .arg(format::binName(other.bin), percent(other.varianceShare),
+                         format::number(other.bitsAfter, 2));
     }
     ranking_->setText(bins.join(QLatin1Char('\n')));
     ranking_->setVisible(tells() && !bins.isEmpty());
@@ -390,7 +390,7 @@ void ProbeCard::setTimeLeft(double seconds)
 {
     const QString left = narrow_ ? tr("%1 left") : tr("%1 left, then no");
     note()->setText(isVoid() ? tr("void")
-                    : asks() ? left.arg(words::countdown(seconds))
+                    : asks() ? left.arg(format::countdown(seconds))
                              : QString());
     setTone(*note(), isVoid() || seconds < 10.0 ? Tone::Bad : Tone::Accent);
 }
@@ -413,7 +413,7 @@ void ProbeCard::setPreconditions(const QList<Precondition>& preconditions)
 
 void ProbeCard::showApproval()
 {
-    const QString bin = words::binName(proposal_->bin);
+    const QString bin = format::binName(proposal_->bin);
     approve_->setEnabled(!isVoid());
     approve_->setText(isVoid() ? tr("approval void: probe at %1").arg(bin)
                                : tr("hold to approve probe at %1 (Space)").arg(bin));
@@ -427,13 +427,13 @@ void ProbeCard::setProbing(int bin, double elapsed, double expected)
     worth_.reset();
     setAccessibleDescription(QString());
     note()->clear();
-    probingText_->setText(tr("The arm is probing bin %1").arg(words::binName(bin)));
+    probingText_->setText(tr("The arm is probing bin %1").arg(format::binName(bin)));
     const double share =
         expected > 0.0 && std::isfinite(elapsed) ? std::clamp(elapsed / expected, 0.0, 1.0) : 0.0;
     probingBar_->setValue(static_cast<int>(share * 1000.0));
     probingBar_->setFormat(
         tr("%1 of about %2")
-            .arg(words::countdown(std::floor(elapsed)), words::countdown(expected)));
+            .arg(format::countdown(std::floor(elapsed)), format::countdown(expected)));
     showPage(kProbing);
 }
 

@@ -4,10 +4,10 @@
 #include <QLabel>
 #include <cmath>
 
+#include "widgets/base/format.h"
 #include "widgets/base/look.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 
@@ -50,7 +50,7 @@ void RobotReadout::show(Row row, const QString& text, bool known)
 
 void RobotReadout::showAngle(Row row, double angle, AttitudeLevel level)
 {
-    const QString value = words::degrees(angle);
+    const QString value = format::degrees(angle);
     if (level == AttitudeLevel::Level) return show(row, value, true);
     const bool isRed = level == AttitudeLevel::Red;
     values_[row]->setText(isRed ? tr("%1 DANGER").arg(value) : tr("%1 STEEP").arg(value));
@@ -70,24 +70,25 @@ void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& 
     const bool fresh = age <= kStaleAfter;
     const auto put = [&](Row row, const QString& text) {
         if (fresh) return show(row, text, true);
-        const QString old = tr("%1 old").arg(words::age(ages[row]));
+        const QString old = tr("%1 old").arg(format::age(ages[row]));
         const bool isKnown = std::isfinite(ages[row]);
-        show(row, isKnown ? QStringLiteral("%1   %2").arg(words::kNothing, old) : words::kNothing,
+        show(row, isKnown ? QStringLiteral("%1   %2").arg(format::kNothing, old) : format::kNothing,
              false);
     };
     const auto pair = [](const QString& left, const QString& right) {
         return RobotReadout::tr("L %1   R %2").arg(left, right);
     };
     const auto amperes = [](double value) {
-        return words::signedNumber(value, 2) + QStringLiteral(" A");
+        return format::signedNumber(value, 2) + QStringLiteral(" A");
     };
     fresh ? showAngle(Pitch, m.pitch, attitude_.pitch) : put(Pitch, {});
     // Two lines of telemetry differ by the sensor's noise, if by nothing else.
     if (captured)
-        values_[Pitch]->setText(tr("%1   captured %2").arg(text(Pitch), words::degrees(*captured)));
+        values_[Pitch]->setText(
+            tr("%1   captured %2").arg(text(Pitch), format::degrees(*captured)));
     fresh ? showAngle(Roll, m.roll, attitude_.roll) : put(Roll, {});
-    put(FrontFlippers, pair(words::degrees(m.frontLeft), words::degrees(m.frontRight)));
-    put(RearFlippers, pair(words::degrees(m.rearLeft), words::degrees(m.rearRight)));
+    put(FrontFlippers, pair(format::degrees(m.frontLeft), format::degrees(m.frontRight)));
+    put(RearFlippers, pair(format::degrees(m.rearLeft), format::degrees(m.rearRight)));
     const auto front = [&](double value) {
         return amperes(shownFeature(m, kFrontCurrentFeature, value));
     };
@@ -97,7 +98,7 @@ void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& 
     put(FrontCurrents, pair(front(m.frontLeftCurrent), front(m.frontRightCurrent)));
     put(RearCurrents, pair(rear(m.rearLeftCurrent), rear(m.rearRightCurrent)));
     for (std::size_t row = 0; row < ages.size(); ++row) {
-        ages_[row] = words::age(ages[row]);
+        ages_[row] = format::age(ages[row]);
         QString tip = tr("%1 old").arg(ages_[row]);
         if (row == Pitch && captured)
             tip +=
@@ -109,7 +110,7 @@ void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& 
 void RobotReadout::clearMeasurement()
 {
     for (std::size_t row = 0; row < values_.size(); ++row) {
-        show(static_cast<Row>(row), words::kNothing, false);
+        show(static_cast<Row>(row), format::kNothing, false);
         ages_[row].clear();
         setTip(*values_[row], {});
     }

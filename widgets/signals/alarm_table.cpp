@@ -10,12 +10,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/base/format.h"
 #include "widgets/base/look.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/plain_table.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 namespace {
@@ -44,9 +44,9 @@ QColor colourOf(const Alarm& alarm)
 
 QString sinceWords(const Alarm& alarm, double now)
 {
-    const QString ago = words::countdown(std::floor(now - alarm.since));
+    const QString ago = format::countdown(std::floor(now - alarm.since));
     if (alarm.state != AlarmState::Returned) return AlarmTable::tr("for %1").arg(ago);
-    return AlarmTable::tr("over for %1").arg(words::countdown(std::floor(now - alarm.returned)));
+    return AlarmTable::tr("over for %1").arg(format::countdown(std::floor(now - alarm.returned)));
 }
 
 /// All that the column of the states may say.
@@ -162,7 +162,7 @@ void AlarmTable::resizeToFont()
 
 void AlarmTable::put(int row, const Alarm& alarm, double now)
 {
-    const QString texts[kColumns]{stateWords(alarm.state, alarm.severity), words::text(alarm.text),
+    const QString texts[kColumns]{stateWords(alarm.state, alarm.severity), format::text(alarm.text),
                                   sinceWords(alarm, now), QString::number(alarm.raised)};
     for (int column = 0; column < kColumns; ++column) {
         QTableWidgetItem* item = table_->item(row, column);
@@ -172,7 +172,7 @@ void AlarmTable::put(int row, const Alarm& alarm, double now)
         const QColor colour = column == Since ? theme().text : colourOf(alarm);
         if (item->foreground().color() != colour) item->setForeground(colour);
     }
-    table_->item(row, State)->setData(Qt::UserRole, words::text(alarm.id));
+    table_->item(row, State)->setData(Qt::UserRole, format::text(alarm.id));
 }
 
 void AlarmTable::setAlarms(const std::vector<Alarm>& alarms, double now, double silentFor)
@@ -181,7 +181,7 @@ void AlarmTable::setAlarms(const std::vector<Alarm>& alarms, double now, double 
     const int rows = static_cast<int>(alarms.size());
     const bool isFirst = table_->rowCount() == 0;
     const bool isGone =
-        std::ranges::none_of(alarms, [&](const Alarm& a) { return words::text(a.id) == id; });
+        std::ranges::none_of(alarms, [&](const Alarm& a) { return format::text(a.id) == id; });
     if (isGone) table_->setCurrentItem(nullptr);  // or the next one in its row would be chosen
     if (table_->rowCount() != rows) table_->setRowCount(rows);
     for (int row = 0; row < rows; ++row) {
@@ -211,7 +211,7 @@ void AlarmTable::offer()
 
 void AlarmTable::say(double silentFor)
 {
-    silence_->setText(silentFor > 0.0 ? tr("silent for %1").arg(words::countdown(silentFor))
+    silence_->setText(silentFor > 0.0 ? tr("silent for %1").arg(format::countdown(silentFor))
                                       : QString());
 }
 

@@ -13,10 +13,10 @@
 #include <cmath>
 
 #include "core/robot/force_drift.h"
+#include "widgets/base/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_plot.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 #include "widgets/signals/force_chart.h"
 
 namespace terratact {
@@ -235,13 +235,13 @@ bool ForceBars::touching(int element) const
 QString ForceBars::numberText(int element, int array) const
 {
     const auto value = shown(element, array);
-    if (!value) return words::kNothing;
-    if (unit_ == Unit::Volts) return words::number(*value, 2);
+    if (!value) return format::kNothing;
+    if (unit_ == Unit::Volts) return format::number(*value, 2);
     if (at(element, array).saturated)
-        return QLatin1Char('>') + words::number(std::floor(*value), 0);
+        return QLatin1Char('>') + format::number(std::floor(*value), 0);
     const bool isLarge =
         arraysWith(element).size() > 1 && *value >= 9.95;  // two numbers share the room
-    return words::number(*value, isLarge ? 0 : 1);
+    return format::number(*value, isLarge ? 0 : 1);
 }
 
 QString ForceBars::driftText(int element) const
@@ -252,7 +252,7 @@ QString ForceBars::driftText(int element) const
         if (std::abs(drift) > std::abs(largest)) largest = drift;
     }
     if (!(std::abs(largest) > ForceDrift::kNotable)) return {};
-    return tr("bias %1 N").arg(words::signedNumber(largest, 1));
+    return tr("bias %1 N").arg(format::signedNumber(largest, 1));
 }
 
 std::optional<double> ForceBars::peak(int element, int array) const

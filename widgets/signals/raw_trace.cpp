@@ -9,12 +9,12 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "widgets/base/format.h"
 #include "widgets/base/look.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/plain_table.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 namespace {
@@ -99,7 +99,7 @@ public:
             return plainTip(data(index, Qt::DisplayRole).toString());
         if (role != Qt::DisplayRole) return {};
         if (index.column() == Number) return QString::number(traced.number);
-        if (index.column() == Time) return words::number(traced.time, 3);
+        if (index.column() == Time) return format::number(traced.time, 3);
         const TraceWords words = words_(traced.frame);
         switch (index.column()) {
         case Id: return words.id;

@@ -11,9 +11,9 @@
 #include <array>
 #include <cmath>
 
+#include "widgets/base/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 namespace {
@@ -78,7 +78,7 @@ bool isSound(const TimelineSpan& span)
 
 QString timeWords(double seconds, double step)
 {
-    if (!isTime(seconds)) return words::kNothing;
+    if (!isTime(seconds)) return format::kNothing;
     const int decimals = step >= 1.0 ? 0 : step >= 0.1 ? 1 : step >= 0.01 ? 2 : 3;
     const double unit = std::pow(10.0, decimals);
     const auto whole = static_cast<qint64>(std::llround(std::abs(seconds) * unit));

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "core/robot/measurement.h"
+#include "widgets/base/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 
@@ -99,11 +99,12 @@ private:
         case SignalTable::Frame: return row.frame;
         case SignalTable::Name: return row.name;
         case SignalTable::Value:
-            return row.standing == SignalRow::Standing::Stale ? words::kNothing : row.value;
+            return row.standing == SignalRow::Standing::Stale ? format::kNothing : row.value;
         case SignalTable::Unit: return row.unit;
         case SignalTable::Rate:
-            return row.rate ? words::number(*row.rate, 1) + QStringLiteral(" Hz") : words::kNothing;
-        case SignalTable::Age: return row.age ? words::age(*row.age) : words::kNothing;
+            return row.rate ? format::number(*row.rate, 1) + QStringLiteral(" Hz")
+                            : format::kNothing;
+        case SignalTable::Age: return row.age ? format::age(*row.age) : format::kNothing;
         case SignalTable::Least: return row.least;
         case SignalTable::Most: return row.most;
         default: return {};
@@ -142,7 +143,7 @@ QStringList activities()
     for (const RobotActivity activity :
          {RobotActivity::Halted, RobotActivity::Driving, RobotActivity::Pressing,
           RobotActivity::Pressed, RobotActivity::Probing, RobotActivity::Stopped})
-        words << words::sentence(describe(activity));
+        words << format::sentence(describe(activity));
     return words;
 }
 

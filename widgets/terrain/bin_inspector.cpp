@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "widgets/base/drawable.h"
+#include "widgets/base/format.h"
 #include "widgets/base/palette.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 namespace {

@@ -11,11 +11,11 @@
 
 #include "core/infer/estimate/estimate.h"
 #include "widgets/base/elided_label.h"
+#include "widgets/base/format.h"
 #include "widgets/base/look.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 namespace {
@@ -100,8 +100,8 @@ void EstimateStrip::setEstimate(const TerrainEstimate& estimate, double seconds)
         std::max_element(estimate.sd.begin(), estimate.sd.end()) - estimate.sd.begin();
     const auto at = static_cast<std::size_t>(widest);
     const bool doubtful = estimate.sd[at] > estimate.settings.probeAbove;
-    const QString bin = words::binName(static_cast<int>(widest));
-    const QString sd = words::number(estimate.sd[at], 2);
+    const QString bin = format::binName(static_cast<int>(widest));
+    const QString sd = format::number(estimate.sd[at], 2);
     headline_->setText(doubtful ? tr("Uncertain at %1: ± %2 m").arg(bin, sd)
                                 : tr("Known to ± %1 m, widest at %2").arg(sd, bin));
     headline_->setVisible(true);
@@ -109,7 +109,7 @@ void EstimateStrip::setEstimate(const TerrainEstimate& estimate, double seconds)
     details_->setText(tr("%1 · %2 draws · %3")
                           .arg(methodName(estimate.settings.method))
                           .arg(estimate.draws.size())
-                          .arg(words::age(seconds)));
+                          .arg(format::age(seconds)));
     const QString ended = endingWords(estimate.ending);
     const QString all =
         ended.isEmpty() ? details_->text() : details_->text() + QStringLiteral(" · ") + ended;
@@ -120,7 +120,7 @@ void EstimateStrip::setEstimate(const TerrainEstimate& estimate, double seconds)
     QStringList warnings;
     if (!estimate.converged && estimate.warnings.empty())
         warnings << tr("the chains have not converged");
-    for (const std::string& warning : estimate.warnings) warnings << words::sentence(warning);
+    for (const std::string& warning : estimate.warnings) warnings << format::sentence(warning);
     warnings_->setText(warnings.isEmpty()
                            ? QString()
                            : QStringLiteral("! ") + warnings.join(QStringLiteral(" · ")));

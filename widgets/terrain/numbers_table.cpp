@@ -7,10 +7,10 @@
 
 #include "core/infer/verdict/bimodality.h"
 #include "core/infer/verdict/obstacle.h"
+#include "widgets/base/format.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
-#include "widgets/terrain/provenance_words.h"
-#include "widgets/terrain/touch_words.h"
+#include "widgets/terrain/provenance_text.h"
+#include "widgets/terrain/touch_text.h"
 
 namespace terratact {
 
@@ -26,7 +26,7 @@ QString feltWord(Touch touch)
     case Touch::NotFelt: return NumbersTable::tr("no");
     case Touch::Unrecorded: break;
     }
-    return words::kNothing;
+    return format::kNothing;
 }
 
 }  // namespace
@@ -71,33 +71,33 @@ void NumbersTable::setEstimate(const TerrainEstimate& e, double stepLimit)
                                        : stepProbabilities(e, stepLimit);
     for (int bin = 0; bin < kBins; ++bin) {
         const auto i = static_cast<std::size_t>(bin);
-        set(bin, Height, words::signedNumber(e.height[i], 3));
-        set(bin, Sd, words::number(e.sd[i], 3));
-        set(bin, Low, words::signedNumber(e.q10[i], 3));
-        set(bin, High, words::signedNumber(e.q90[i], 3));
-        set(bin, Ceiling, words::signedNumber(e.ceiling[i], 3));
+        set(bin, Height, format::signedNumber(e.height[i], 3));
+        set(bin, Sd, format::number(e.sd[i], 3));
+        set(bin, Low, format::signedNumber(e.q10[i], 3));
+        set(bin, High, format::signedNumber(e.q90[i], 3));
+        set(bin, Ceiling, format::signedNumber(e.ceiling[i], 3));
         set(bin, From, provenanceWord(provenance(e, bin)));
         set(bin, Touched, feltWord(e.touch[i]));
         set(bin, Step,
-            bin + 1 < kBins && !e.draws.empty() ? words::number(steps[i].p, 3) : words::kNothing);
-        set(bin, Rhat, words::rhat(e.rhat[i]));
-        set(bin, Ess, words::number(e.ess[i], 0));
+            bin + 1 < kBins && !e.draws.empty() ? format::number(steps[i].p, 3) : format::kNothing);
+        set(bin, Rhat, format::rhat(e.rhat[i]));
+        set(bin, Ess, format::number(e.ess[i], 0));
         set(bin, TwoHeaps,
             modes[i] ? tr("%1 (%2 %) or %3 (%4 %)")
-                           .arg(words::signedNumber(modes[i]->lowMean, 2),
-                                words::percent(modes[i]->lowShare),
-                                words::signedNumber(modes[i]->highMean, 2),
-                                words::percent(modes[i]->highShare))
-                     : words::kNothing);
+                           .arg(format::signedNumber(modes[i]->lowMean, 2),
+                                format::percent(modes[i]->lowShare),
+                                format::signedNumber(modes[i]->highMean, 2),
+                                format::percent(modes[i]->highShare))
+                     : format::kNothing);
     }
 }
 
 void NumbersTable::clearEstimate()
 {
     for (int bin = 0; bin < kBins; ++bin) {
-        set(bin, Bin, words::signedNumber(binCentre(bin), 1));
+        set(bin, Bin, format::signedNumber(binCentre(bin), 1));
         for (int column = Height; column < kColumns; ++column)
-            set(bin, static_cast<Column>(column), words::kNothing);
+            set(bin, static_cast<Column>(column), format::kNothing);
     }
 }
 
@@ -112,7 +112,7 @@ namespace {
 /// As other programs read it: the minus of ASCII, and nothing where there is no value.
 QString plainNumber(QString cell)
 {
-    return cell == words::kNothing ? QString() : cell.replace(QChar(0x2212), QLatin1Char('-'));
+    return cell == format::kNothing ? QString() : cell.replace(QChar(0x2212), QLatin1Char('-'));
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/base/format.h"
 #include "widgets/base/palette.h"
-#include "widgets/base/words.h"
 #include "widgets/terrain/terrain_items.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
@@ -33,7 +33,7 @@ QwtText MetreScale::label(double value) const
 {
     const double rounded = std::round(value * 10.0) / 10.0;
     if (rounded == 0.0) return QStringLiteral("0.0");
-    return withPlus_ ? words::signedNumber(rounded, 1) : words::number(rounded, 1);
+    return withPlus_ ? format::signedNumber(rounded, 1) : format::number(rounded, 1);
 }
 
 ProfileAxes::ProfileAxes(QwtPlot& plot) : plot_(plot)

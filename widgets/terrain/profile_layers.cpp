@@ -12,8 +12,8 @@
 #include <functional>
 
 #include "widgets/base/drawable.h"
+#include "widgets/base/format.h"
 #include "widgets/base/palette.h"
-#include "widgets/base/words.h"
 #include "widgets/terrain/provenance_marks.h"
 
 namespace terratact {
@@ -278,7 +278,8 @@ void TwoHeights::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap
             painter->drawLine(from, to);
             const QRectF place(from.x(), from.y() + 2.0, to.x() - from.x(),
                                painter->fontMetrics().height());
-            painter->drawText(place, Qt::AlignCenter, words::percent(share) + QStringLiteral(" %"));
+            painter->drawText(place, Qt::AlignCenter,
+                              format::percent(share) + QStringLiteral(" %"));
         };
         mark(two->highMean, two->highShare);
         mark(two->lowMean, two->lowShare);

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "widgets/base/palette.h"
-#include "widgets/terrain/provenance_words.h"
+#include "widgets/terrain/provenance_text.h"
 
 namespace terratact {
 namespace {

@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/base/format.h"
 #include "widgets/base/palette.h"
-#include "widgets/base/words.h"
-#include "widgets/terrain/touch_words.h"
+#include "widgets/terrain/touch_text.h"
 
 namespace terratact {
 
@@ -150,7 +150,7 @@ void BinZones::drawHorizon(QPainter& painter, double px, const QRectF& canvas) c
     painter.drawLine(QPointF(px, canvas.top()), QPointF(px, canvas.bottom()));
     painter.setFont(sized(plot()->font(), 13));
     const QString label =
-        TerrainProfileView::tr("felt to %1 m").arg(words::signedNumber(*horizon, 2));
+        TerrainProfileView::tr("felt to %1 m").arg(format::signedNumber(*horizon, 2));
     const double width = painter.fontMetrics().horizontalAdvance(label) + 6.0;
     const QRectF place(px - width - 3.0, canvas.top() + 5.0 + 2.0 * scaled(20), width, scaled(20));
     painter.fillRect(place, theme().priorZone);

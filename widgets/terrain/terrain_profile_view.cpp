@@ -21,15 +21,15 @@
 
 #include "core/infer/verdict/verdict.h"
 #include "widgets/base/drawable.h"
+#include "widgets/base/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_plot.h"
-#include "widgets/base/words.h"
 #include "widgets/terrain/bin_inspector.h"
 #include "widgets/terrain/profile_layers.h"
 #include "widgets/terrain/provenance_marks.h"
-#include "widgets/terrain/provenance_words.h"
+#include "widgets/terrain/provenance_text.h"
 #include "widgets/terrain/terrain_items.h"
-#include "widgets/terrain/touch_words.h"
+#include "widgets/terrain/touch_text.h"
 
 namespace terratact {
 namespace {
@@ -264,8 +264,8 @@ void TerrainProfileView::setGhost(const std::optional<Ghost>& ghost, const QStri
 {
     const QString note = ghost
                            ? tr("ghost of the last estimate · %1 m driven since · heights ± %2 cm")
-                                 .arg(words::number(ghost->motion.way, 2),
-                                      words::number(100.0 * meanSd(*ghost), 0))
+                                 .arg(format::number(ghost->motion.way, 2),
+                                      format::number(100.0 * meanSd(*ghost), 0))
                            : why;
     if (ghost == ghost_->ghost && note == ghostNote_->text().text()) return;
     const bool comesOrGoes = ghost.has_value() != ghost_->ghost.has_value();
@@ -283,7 +283,7 @@ void TerrainProfileView::setGhost(const std::optional<Ghost>& ghost, const QStri
 
 void TerrainProfileView::setStale(std::optional<double> age)
 {
-    const QString words = age ? tr("as of %1 ago").arg(words::age(*age)) : QString();
+    const QString words = age ? tr("as of %1 ago").arg(format::age(*age)) : QString();
     if (words == veil_->words) return;
     const bool turns = words.isEmpty() != veil_->words.isEmpty();
     veil_->words = words;
@@ -397,23 +397,24 @@ QStringList TerrainProfileView::closeUp(int bin) const
     const TerrainEstimate& e = *estimate_;
     const auto i = static_cast<std::size_t>(bin);
     QStringList lines{
-        tr("bin %1").arg(words::binName(bin)),
+        tr("bin %1").arg(format::binName(bin)),
         tr("height %1 m ± %2 m")
-            .arg(words::signedNumber(e.height[i], 3), words::number(e.sd[i], 3)),
+            .arg(format::signedNumber(e.height[i], 3), format::number(e.sd[i], 3)),
         tr("80 % in %1 … %2 m")
-            .arg(words::signedNumber(e.q10[i], 3), words::signedNumber(e.q90[i], 3)),
-        e.ceiling[i] < kDrawableLimit ? tr("ceiling %1 m").arg(words::signedNumber(e.ceiling[i], 3))
-                                      : tr("nothing of the robot above it"),
+            .arg(format::signedNumber(e.q10[i], 3), format::signedNumber(e.q90[i], 3)),
+        e.ceiling[i] < kDrawableLimit
+            ? tr("ceiling %1 m").arg(format::signedNumber(e.ceiling[i], 3))
+            : tr("nothing of the robot above it"),
         tr("from: %1 (%2)")
             .arg(provenanceWord(provenance(e, bin)), provenanceLetter(provenance(e, bin))),
         tr("touch: %1").arg(touchWord(e.touch[i]))};
     if (const auto& two = twoHeights_->modes[i])
         lines << tr("either %1 m (%2 %)")
-                     .arg(words::signedNumber(two->lowMean, 2),
-                          words::number(100.0 * two->lowShare, 0))
+                     .arg(format::signedNumber(two->lowMean, 2),
+                          format::number(100.0 * two->lowShare, 0))
               << tr("or %1 m (%2 %)")
-                     .arg(words::signedNumber(two->highMean, 2),
-                          words::number(100.0 * two->highShare, 0));
+                     .arg(format::signedNumber(two->highMean, 2),
+                          format::number(100.0 * two->highShare, 0));
     return lines;
 }
 
@@ -540,12 +541,12 @@ QString TerrainProfileView::binText(int bin) const
     const Touch touch = estimate_->touch[i];
     const bool recorded = touch != Touch::Unrecorded;
     if (recorded && isUnfeltAhead(*estimate_, bin))
-        return tr("bin %1: %2").arg(words::binName(bin), touchWord(touch));
+        return tr("bin %1: %2").arg(format::binName(bin), touchWord(touch));
     const QString known =
         tr("bin %1: %2 m, 80 % in %3 … %4, %5")
-            .arg(words::binName(bin), words::signedNumber(estimate_->height[i], 2),
-                 words::signedNumber(estimate_->q10[i], 2),
-                 words::signedNumber(estimate_->q90[i], 2),
+            .arg(format::binName(bin), format::signedNumber(estimate_->height[i], 2),
+                 format::signedNumber(estimate_->q10[i], 2),
+                 format::signedNumber(estimate_->q90[i], 2),
                  provenanceWord(provenance(*estimate_, bin)));
     return recorded ? known + QStringLiteral(", ") + touchWord(touch) : known;
 }

@@ -12,11 +12,11 @@
 #include <cmath>
 #include <utility>
 
+#include "widgets/base/format.h"
 #include "widgets/base/look.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/spoken.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 
 namespace terratact {
 namespace {
@@ -26,15 +26,15 @@ constexpr int kBadgeFrame = 16;  // [px] beside its word
 QString likeliestText(const Verdict& verdict)
 {
     return VerdictStrip::tr("likeliest at %1 … %2 m (%3)")
-        .arg(words::signedNumber(binCentre(verdict.likeliest), 1),
-             words::signedNumber(binCentre(verdict.likeliest + 1), 1),
-             words::number(verdict.likeliestP, 2));
+        .arg(format::signedNumber(binCentre(verdict.likeliest), 1),
+             format::signedNumber(binCentre(verdict.likeliest + 1), 1),
+             format::number(verdict.likeliestP, 2));
 }
 
 QString unfeltText(const std::vector<int>& bins)
 {
     QStringList names;
-    for (const int bin : bins) names << words::binName(bin);
+    for (const int bin : bins) names << format::binName(bin);
     return names.join(QStringLiteral(", "));
 }
 
@@ -73,7 +73,7 @@ QString briefShortfall(const Verdict& verdict)
     case Shortfall::None: break;
     case Shortfall::NothingFelt: text = VerdictStrip::tr("flippers press on nothing"); break;
     case Shortfall::ShortHorizon:
-        text = VerdictStrip::tr("felt to %1 m only").arg(words::signedNumber(verdict.horizon, 2));
+        text = VerdictStrip::tr("felt to %1 m only").arg(format::signedNumber(verdict.horizon, 2));
         break;
     case Shortfall::Spanned: text = VerdictStrip::tr("not felt under the flippers"); break;
     }
@@ -85,8 +85,8 @@ QString briefShortfall(const Verdict& verdict)
 /// How far the answer goes, and what lies behind it.
 QString clearText(const Verdict& verdict)
 {
-    const QString risk = words::percent(kClearBelow);
-    const QString to = words::signedNumber(verdict.horizon, 2);
+    const QString risk = format::percent(kClearBelow);
+    const QString to = format::signedNumber(verdict.horizon, 2);
     const QString unfelt = unfeltText(verdict.unfelt);
     if (!verdict.touchRecorded)
         return unfelt.isEmpty()
@@ -103,11 +103,12 @@ QString clearText(const Verdict& verdict)
 /// What is not felt, and what would help besides a probe.
 QString shortfallText(const Verdict& verdict)
 {
-    QString text = words::sentence(describe(verdict.shortfall));
+    QString text = format::sentence(describe(verdict.shortfall));
     if (const QString unfelt = unfeltText(verdict.unfelt); !unfelt.isEmpty())
         text = VerdictStrip::tr("%1; not felt: %2").arg(text, unfelt);
     if (verdict.help != Help::Nothing)
-        text = VerdictStrip::tr("%1. Helps: %2").arg(text, words::sentence(describe(verdict.help)));
+        text =
+            VerdictStrip::tr("%1. Helps: %2").arg(text, format::sentence(describe(verdict.help)));
     return text;
 }
 
@@ -117,14 +118,14 @@ QString badgeOf(const Verdict& verdict)
     if (verdict.outlook != Outlook::Clear || !verdict.touchRecorded)
         return VerdictStrip::answerOf(verdict);
     return VerdictStrip::tr("✔ CLEAR") + QLatin1Char('\n')
-         + VerdictStrip::tr("to %1 m").arg(words::signedNumber(verdict.horizon, 2));
+         + VerdictStrip::tr("to %1 m").arg(format::signedNumber(verdict.horizon, 2));
 }
 
 QString withheldText(const std::vector<Doubt>& doubts)
 {
     QStringList reasons;
     for (const Doubt doubt : doubts)
-        reasons << (doubts.size() > 1 ? briefly(doubt) : words::sentence(describe(doubt)));
+        reasons << (doubts.size() > 1 ? briefly(doubt) : format::sentence(describe(doubt)));
     return VerdictStrip::tr("withheld: %1").arg(reasons.join(QStringLiteral(" · ")));
 }
 
@@ -143,8 +144,8 @@ VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
     setTip(*question_,
            tr("A step: two bins at most %3 m apart that differ in height by more than the limit, "
               "anywhere from %1 to %2 m ahead of the IMU")
-               .arg(words::number(binBegin(kFirstAhead), 2), words::number(binEnd(kBins - 1), 2),
-                    words::number(kStepBins * kBinWidth, 1)));
+               .arg(format::number(binBegin(kFirstAhead), 2), format::number(binEnd(kBins - 1), 2),
+                    format::number(kStepBins * kBinWidth, 1)));
     question_->setAccessibleName(tr("Probability of a step ahead"));
     reason_ = new PlainLabel(this);
     reason_->setAccessibleName(tr("Why"));
@@ -194,7 +195,7 @@ void VerdictStrip::resizeToFont()
     bold.setBold(true);
     int width = 0;
     for (const QString& word :
-         {tr("✔ CLEAR"), tr("to %1 m").arg(words::signedNumber(binEnd(kBins - 1), 2)),
+         {tr("✔ CLEAR"), tr("to %1 m").arg(format::signedNumber(binEnd(kBins - 1), 2)),
           tr("✘ BLOCKED"), tr("? CANNOT TELL"), tr("NO VERDICT")})
         width = std::max(width, QFontMetrics(bold).horizontalAdvance(word));
     badge_->setMinimumWidth(width + kBadgeFrame);
@@ -225,7 +226,7 @@ QString VerdictStrip::answerOf(const Verdict& verdict)
     switch (verdict.outlook) {
     case Outlook::Clear:
         return verdict.touchRecorded
-                 ? tr("✔ CLEAR to %1 m").arg(words::signedNumber(verdict.horizon, 2))
+                 ? tr("✔ CLEAR to %1 m").arg(format::signedNumber(verdict.horizon, 2))
                  : tr("✔ CLEAR");
     case Outlook::Blocked: return tr("✘ BLOCKED");
     case Outlook::CannotTell: return tr("? CANNOT TELL");
@@ -237,12 +238,12 @@ QString VerdictStrip::probabilityOf(const Verdict& verdict, double limit)
 {
     if (verdict.outlook == Outlook::Clear && verdict.touchRecorded)
         return tr("P(step > %1 m to %2 m) = %3 ± %4")
-            .arg(words::number(limit, 2), words::signedNumber(verdict.horizon, 2),
-                 words::number(verdict.toHorizon.p, 2),
-                 words::randomError(verdict.toHorizon.monteCarloSd, 2));
+            .arg(format::number(limit, 2), format::signedNumber(verdict.horizon, 2),
+                 format::number(verdict.toHorizon.p, 2),
+                 format::randomError(verdict.toHorizon.monteCarloSd, 2));
     return tr("P(step > %1 m ahead) = %2 ± %3")
-        .arg(words::number(limit, 2), words::number(verdict.step.p, 2),
-             words::randomError(verdict.step.monteCarloSd, 2));
+        .arg(format::number(limit, 2), format::number(verdict.step.p, 2),
+             format::randomError(verdict.step.monteCarloSd, 2));
 }
 
 QString VerdictStrip::whyOf(const Verdict& verdict)
@@ -255,7 +256,7 @@ QString VerdictStrip::whyOf(const Verdict& verdict)
     if (!verdict.doubts.empty()) return withheldText(verdict.doubts);
     if (verdict.shortfall != Shortfall::None) return shortfallText(verdict);
     return tr("undecided from %1 to %2, %3")
-        .arg(words::number(kClearBelow, 2), words::number(kBlockedAbove, 2),
+        .arg(format::number(kClearBelow, 2), format::number(kBlockedAbove, 2),
              likeliestText(verdict));
 }
 
@@ -274,7 +275,7 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
     reason_->setText(why);
     QStringList tip{why};
     if (falls) tip << whyOf(verdict);
-    for (const Doubt doubt : verdict.doubts) tip << words::sentence(describe(doubt));
+    for (const Doubt doubt : verdict.doubts) tip << format::sentence(describe(doubt));
     setTip(*reason_, tip.join(QLatin1Char('\n')));
     say(badgeOf(verdict), outlookOf(verdict), isWithheld);
 }
@@ -282,7 +283,7 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
 void VerdictStrip::setNothing(const QString& why)
 {
     question_->setText(
-        tr("Is there a step of more than %1 m ahead?").arg(words::number(limit_, 2)));
+        tr("Is there a step of more than %1 m ahead?").arg(format::number(limit_, 2)));
     setTone(*question_, Tone::Strong);
     setTone(*reason_, Tone::Muted);
     reason_->setText(why);
@@ -311,11 +312,11 @@ void VerdictStrip::setLimit(double metres)
     lower_->setEnabled(!lowest);
     raise_->setEnabled(!highest);
     setTip(*lower_,
-           lowest ? tr("No lower limit can be set than %1 m").arg(words::number(kLeastLimit, 2))
+           lowest ? tr("No lower limit can be set than %1 m").arg(format::number(kLeastLimit, 2))
                   : tr("A lower step counts as an obstacle, too (PgDown)"));
     setTip(*raise_,
            highest
-               ? tr("No higher limit can be set than %1 m").arg(words::number(kGreatestLimit, 2))
+               ? tr("No higher limit can be set than %1 m").arg(format::number(kGreatestLimit, 2))
                : tr("Only a higher step counts as an obstacle (PgUp)"));
 }
 

@@ -16,10 +16,10 @@
 #include "tests/support/console_bench.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/look.h"
 #include "widgets/base/navigation_rail.h"
-#include "widgets/base/words.h"
 #include "widgets/control/probe_card.h"
 #include "widgets/terrain/verdict_strip.h"
 
@@ -134,7 +134,7 @@ TEST_F(Console, theVerdictFollowsTheLimitAndTheProbeThatIsChosen)
     EXPECT_NE(chosen->id, first->id) << "an answer to the first must not count for the second";
     EXPECT_EQ(chosen->worth, first->others[0]);
     ASSERT_TRUE(eventually([&] {
-        return window->probeCard()->approveButton()->text().contains(words::binName(chosen->bin));
+        return window->probeCard()->approveButton()->text().contains(format::binName(chosen->bin));
     }));
 
     ASSERT_TRUE(eventually([&] { return window->probeCard()->shown() == chosen->id; }));

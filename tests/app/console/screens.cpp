@@ -24,9 +24,9 @@
 #include "tests/support/gui.h"
 #include "tests/support/sessions.h"
 #include "tests/support/toy_model.h"
+#include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/look.h"
-#include "widgets/base/words.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/probe_card.h"
@@ -58,8 +58,8 @@ const QRegularExpression& namesOfTheBus()
     static const QRegularExpression kNames = [] {
         QStringList names;
         for (const FrameLayout& layout : frameLayouts()) {
-            names << words::text(layout.name);
-            for (const SignalLayout& signal : layout.payload) names << words::text(signal.name);
+            names << format::text(layout.name);
+            for (const SignalLayout& signal : layout.payload) names << format::text(signal.name);
         }
         names.replaceInStrings(QRegularExpression("[0-9]+"), "#");
         std::sort(names.begin(), names.end(),  // the longest first
@@ -149,7 +149,7 @@ QString pictureFile(std::string_view name)
         return QStringLiteral("%1-%2_%3")
             .arg(c + 1, 2, 10, QLatin1Char('0'))
             .arg(found - pictures.begin() + 1, 2, 10, QLatin1Char('0'))
-            .arg(words::text(name));
+            .arg(format::text(name));
     }
     return {};
 }

@@ -27,10 +27,10 @@
 #include "tests/app/console/screens.h"
 #include "tests/support/gui.h"
 #include "tests/support/toy_model.h"
+#include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/look.h"
 #include "widgets/base/navigation_rail.h"
-#include "widgets/base/words.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/drive_pad.h"
@@ -66,7 +66,7 @@ TEST_F(Screens, result)
         }
         press(Qt::Key_F2);
 
-        const QString stands = words::sentence(describe(AtemPhase::Presenting));
+        const QString stands = format::sentence(describe(AtemPhase::Presenting));
         press(Qt::Key_1, Qt::ControlModifier);
         picture("layout_drive", {stands});
         EXPECT_EQ(console->preferences().current().layout, Layout::Drive);
@@ -216,7 +216,7 @@ TEST_F(Screens, review)
         review->goTo(66.0);
         ASSERT_TRUE(eventually([&] { return review->surveyed(); }));
         ASSERT_TRUE(review->moment().model);
-        const QString recordedModel = words::text(review->moment().model->details);
+        const QString recordedModel = format::text(review->moment().model->details);
         picture("review",
                 {ReviewWindow::tr("closed and sealed"), ReviewWindow::tr("no command can be sent"),
                  ReviewViewState::tr("A review commands no robot")});
@@ -228,7 +228,7 @@ TEST_F(Screens, review)
         picture("what_if", {WhatIfPage::tr("Estimate %1 of scene %2 at %3 s, by %4 with the model "
                                            "%5")});
         WhatIfPage& whatIf = *review->whatIf();
-        whatIf.method()->setCurrentText(words::text(name(Method::Joint)));
+        whatIf.method()->setCurrentText(format::text(name(Method::Joint)));
         press(Qt::Key_E);
         ASSERT_TRUE(eventually([&] { return whatIf.answer().has_value(); }, 60000));
         picture("what_if_by_another_method",

@@ -11,13 +11,13 @@
 #include <thread>
 
 #include "app/mission/preconditions.h"
-#include "app/mission/robot_words.h"
+#include "app/mission/robot_text.h"
 #include "app/pages/terrain_page.h"
 #include "app/runtime/resources.h"
 #include "tests/app/console/screens.h"
 #include "tests/support/gui.h"
+#include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
-#include "widgets/base/words.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/probe_card.h"
@@ -103,7 +103,7 @@ namespace {
 
 QString told(std::string_view english)
 {
-    return words::sentence(english);
+    return format::sentence(english);
 }
 
 QString notReady()

@@ -3,7 +3,7 @@
 
 #include "app/console/link_status.h"
 #include "tests/app/console/screens.h"
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/probe_card.h"
 #include "widgets/control/status_header.h"
@@ -33,7 +33,7 @@ TEST_F(Screens, themes)
             robot->stage({.isMute = true});
             picture(names.lost, {LinkStatus::tr("%1 for %2 — nothing on this screen is live%3")});
             press(Qt::Key_F4);
-            picture(names.alarms, {words::sentence("link lost")});
+            picture(names.alarms, {format::sentence("link lost")});
         }
 
         open({});

@@ -7,15 +7,15 @@
 #include "app/console/recording_display.h"
 #include "app/console/shared_stop.h"
 #include "app/console/stop_display.h"
-#include "app/mission/bus_words.h"
-#include "app/mission/robot_words.h"
+#include "app/mission/bus_text.h"
+#include "app/mission/robot_text.h"
 #include "app/pages/terrain_page.h"
 #include "core/atem/following.h"
 #include "core/wire/can_codec.h"
 #include "tests/app/console/screens.h"
 #include "tests/support/gui.h"
+#include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
-#include "widgets/base/words.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/status_header.h"
@@ -46,7 +46,7 @@ TEST_F(Screens, stop)
                                  "is sent again")});
         robot->stage({});
         picture("stopped", {StatusHeader::tr("STOPPED (F12)"), glance(RobotActivity::Stopped),
-                            words::sentence(describe(AtemPhase::Stopped))});
+                            format::sentence(describe(AtemPhase::Stopped))});
         holdAtHalf(*console->atemPanel()->releaseButton(), Qt::Key_R,
                    "hold_to_release_stop_at_half", {AtemPanel::tr("hold to release STOP (R)")});
         ASSERT_TRUE(reaches(AtemPhase::Idle));
@@ -66,14 +66,14 @@ TEST_F(Screens, trouble)
     const Staging mute{.isMute = true};
     inEveryLanguage([&] {
         open({.linkLostAfter = 0.8, .staging = mute});
-        picture("no_telemetry_yet", {words::sentence("no telemetry yet")});
+        picture("no_telemetry_yet", {format::sentence("no telemetry yet")});
         robot->stage({});
         ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
         robot->stage(mute);
         const QString lost = LinkStatus::tr("%1 for %2 — nothing on this screen is live%3");
-        picture("link_lost", {words::sentence("link lost"), lost});
+        picture("link_lost", {format::sentence("link lost"), lost});
         press(Qt::Key_F4);
-        picture("alarms_of_a_lost_link", {lost, words::sentence("link lost")});
+        picture("alarms_of_a_lost_link", {lost, format::sentence("link lost")});
         press(Qt::Key_F2);
         bus.setState(BusState::BusOff, "can0");
         picture("bus_off", {lost, busWords(BusState::BusOff, "can0")});
@@ -90,7 +90,7 @@ TEST_F(Screens, trouble)
 
         open({.sessions = "/proc/terratact"});
         picture("not_recorded", {RecordingDisplay::tr("NOT RECORDED: %1"),
-                                 words::sentence("the directory cannot be made"),
+                                 format::sentence("the directory cannot be made"),
                                  RecordingDisplay::tr("✕ NOT\nRECORDED")});
     });
 }
@@ -101,7 +101,7 @@ TEST_F(Screens, doubtful_link)
         open({.linkLostAfter = 0.8});
         ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
         robot->stage({.isNumb = true});
-        picture("telemetry_lost", {words::sentence("telemetry lost"),
+        picture("telemetry_lost", {format::sentence("telemetry lost"),
                                    LinkStatus::tr("%1 for %2 — %3; no measured value is live%4")});
         robot->stage({});
 
@@ -115,7 +115,7 @@ TEST_F(Screens, doubtful_link)
         });
         comesAndGoes.start(500);
         picture("telemetry_unsteady",
-                {words::sentence("telemetry unsteady"),
+                {format::sentence("telemetry unsteady"),
                  LinkStatus::tr("%1 — gaps: %2, the longest %3; values read -- in each of them")});
         comesAndGoes.stop();
 
@@ -159,7 +159,7 @@ TEST_F(Screens, following)
 {
     inEveryLanguage([&] {
         const auto follows = [](AtemPhase phase) {
-            return words::sentence(describeFollowed(phase));
+            return format::sentence(describeFollowed(phase));
         };
         open({.before = 0.5,
               .isPressed = true,
@@ -186,7 +186,7 @@ TEST_F(Screens, following)
         bus.setState(BusState::Ended, "REPLAY mission.log");
         robot->stage({.isMute = true});
         picture("end_of_the_log",
-                {words::sentence("end of the log"), TerrainPage::tr("the log has ended")});
+                {format::sentence("end of the log"), TerrainPage::tr("the log has ended")});
     });
 }
 

@@ -10,7 +10,7 @@
 #include "app/shell/language.h"
 #include "tests/support/gui.h"
 #include "tests/support/temporary_directory.h"
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 #include "widgets/signals/raw_trace.h"
 #include "widgets/signals/signal_table.h"
 
@@ -141,7 +141,7 @@ TEST(Trace, wordsOfSomebodysDbcFileAreNotTranslated)
                                                   " SG_ Gear : 0|8@1+ (1,0) [0|1] \"\" D\n"
                                                   "VAL_ 1200 Gear 0 \"stopped\" 1 \"no\" ;\n")));
     EXPECT_EQ(traceWords({.id = 1200, .length = 1}, book).content, "Gear stopped");
-    EXPECT_NE(words::sentence("stopped"), "stopped") << "a word of the robot's, elsewhere";
+    EXPECT_NE(format::sentence("stopped"), "stopped") << "a word of the robot's, elsewhere";
     installLanguage(*qApp, "en");
 }
 

@@ -35,11 +35,11 @@
 #include "tests/support/robot_session.h"
 #include "tests/support/scripted_source.h"
 #include "tests/support/temporary_directory.h"
+#include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/look.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/base/tips.h"
-#include "widgets/base/words.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/event_list.h"
 
@@ -407,7 +407,7 @@ TEST(CoreSentences, withNamesInThemAreTranslatedWithWhatStandsThere)
     const GpioChip chip{.path = "/dev/gpiochip0", .name = "gpiochip0", .label = "box", .lines = 4};
     const auto missing = chooseGpioChip({chip}, "", "gpiochip7");
     ASSERT_FALSE(missing);
-    EXPECT_EQ(words::sentence("the panel is absent: " + missing.error().text),
+    EXPECT_EQ(format::sentence("the panel is absent: " + missing.error().text),
               QString::fromUtf8("panel chybí: žádný čip GPIO jménem 'gpiochip7': je tu gpiochip0 "
                                 "[box]"));
     GpioFound found;
@@ -416,21 +416,22 @@ TEST(CoreSentences, withNamesInThemAreTranslatedWithWhatStandsThere)
     found.inputs = {{.offset = 2, .name = ""}};
     const Error busy =
         gpioRefused(EBUSY, found, {{}, {}, {.name = "", .used = true, .holder = ""}});
-    EXPECT_TRUE(words::sentence(busy.text).contains(QString::fromUtf8("jiný program nebo jádro")))
-        << busy.text << " -> " << words::sentence(busy.text).toStdString();
-    EXPECT_FALSE(words::sentence(busy.text).contains("in use"));
+    EXPECT_TRUE(format::sentence(busy.text).contains(QString::fromUtf8("jiný program nebo jádro")))
+        << busy.text << " -> " << format::sentence(busy.text).toStdString();
+    EXPECT_FALSE(format::sentence(busy.text).contains("in use"));
     for (const Result<GpioChip>& none :
          {chooseGpioChip({}, "box", ""), chooseGpioChip({chip, chip}, "box", "")}) {
         ASSERT_FALSE(none);
-        EXPECT_FALSE(words::sentence(none.error().text).contains("GPIO chip")) << none.error().text;
+        EXPECT_FALSE(format::sentence(none.error().text).contains("GPIO chip"))
+            << none.error().text;
     }
     for (const std::string& trouble :
          {buttonTrouble(PanelContact::Approve, ButtonPhase::Stuck),
           buttonTrouble(PanelContact::Approve, ButtonPhase::HeldAtStart)})
-        EXPECT_TRUE(words::sentence(trouble).startsWith(QString::fromUtf8("tlačítko"))) << trouble;
+        EXPECT_TRUE(format::sentence(trouble).startsWith(QString::fromUtf8("tlačítko"))) << trouble;
     EXPECT_FALSE(
-        words::sentence("chains not converged: R-hat > 100 (limit 1.01), effective draws 4 "
-                        "(limit 400)")
+        format::sentence("chains not converged: R-hat > 100 (limit 1.01), effective draws 4 "
+                         "(limit 400)")
             .contains("chains"));
 }
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "app/mission/comparison_words.h"
+#include "app/mission/comparison_text.h"
 #include "app/modelling/model_comparison.h"
 #include "core/infer/sampling/watch.h"
 #include "core/learn/data/scene_file.h"

@@ -27,7 +27,7 @@
 #include "tests/support/random_model.h"
 #include "tests/support/sessions.h"
 #include "tests/support/temporary_directory.h"
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -50,7 +50,7 @@ QString withoutForeign(const std::string& english)
 {
     static const QRegularExpression kHead(QStringLiteral(
         "^.*?(is not TOML|its structure is damaged|malformed database schema \\(\\w+\\))"));
-    const QString whole = words::text(english);
+    const QString whole = format::text(english);
     const QRegularExpressionMatch head = kHead.match(whole);
     return head.hasMatch() ? head.captured() : whole;
 }
@@ -81,7 +81,7 @@ public:
             if (installLanguage(*qApp, language) != QLatin1String(language))
                 GTEST_SKIP() << "built without translations";
             for (const auto& [form, english] : forms_) {
-                const QString translated = words::sentence(english.toStdString());
+                const QString translated = format::sentence(english.toStdString());
                 EXPECT_NE(translated, english) << language;
                 for (const QString& word : englishIn(english, translated))
                     ADD_FAILURE() << language << ": \"" << word.toStdString() << "\" is left in \""
@@ -249,7 +249,7 @@ TEST(Refusals, ofModels)
     ASSERT_TRUE(writeModel(path, randomModel(3)));
     QSet<QString> names;
     for (const auto& [table, column] : columnsOf(path))
-        names << words::text(table) << words::text(column);
+        names << format::text(table) << format::text(column);
     names << "pa"
           << "paf"
           << "command"
@@ -554,7 +554,7 @@ TEST(Refusals, ofSessions)
     QSet<QString> names{"meta",      "bus",   "program", "robot", "source",
                         "transmits", "batch", "chain",   "base",  "note"};
     for (const auto& [table, column] : columnsOf(path))
-        names << words::text(table) << words::text(column);
+        names << format::text(table) << format::text(column);
     Refusals refusals(names);
     breakTables(
         dir, path,

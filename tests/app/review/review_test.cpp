@@ -21,10 +21,10 @@
 #include "tests/support/review_bench.h"
 #include "tests/support/robot_session.h"
 #include "tests/support/temporary_directory.h"
+#include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/look.h"
 #include "widgets/base/navigation_rail.h"
-#include "widgets/base/words.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/drive_pad.h"
 #include "widgets/control/probe_card.h"
@@ -149,7 +149,7 @@ TEST_F(ReviewOf, anotherLimitIsThatOfEveryTimeFromThenOn)
     EXPECT_NEAR(verdict.limit(), other, 1e-9);
     window->goTo(At::kAgain + 0.1);
     EXPECT_NEAR(verdict.limit(), other, 1e-9);
-    EXPECT_TRUE(verdict.question().contains(words::number(other, 2)))
+    EXPECT_TRUE(verdict.question().contains(format::number(other, 2)))
         << verdict.question().toStdString();
 }
 

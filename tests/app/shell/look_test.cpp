@@ -12,14 +12,14 @@
 
 #include "app/console/main_window.h"
 #include "app/console/settings_page.h"
-#include "app/mission/bus_words.h"
+#include "app/mission/bus_text.h"
 #include "app/review/review_timeline.h"
 #include "app/shell/about.h"
 #include "app/shell/language.h"
 #include "app/shell/letters.h"
 #include "app/shell/view_menu.h"
 #include "core/atem/following.h"
-#include "core/infer/verdict/estimate_words.h"
+#include "core/infer/verdict/estimate_text.h"
 #include "core/infer/verdict/verdict.h"
 #include "core/robot/force_sensor.h"
 #include "core/robot/watch/sensor_suspicion.h"
@@ -28,10 +28,10 @@
 #include "tests/support/gui.h"
 #include "tests/support/look_bench.h"
 #include "tests/support/temporary_directory.h"
+#include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/look.h"
 #include "widgets/base/navigation_rail.h"
-#include "widgets/base/words.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/drive_pad.h"
 #include "widgets/control/probe_card.h"
@@ -159,7 +159,7 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
         "the estimate contradicts the readings: pitch +3° measured, -1° on its ground; "
         "front flippers -2° measured, +4° on its ground");
     for (const Outlook outlook : {Outlook::Clear, Outlook::Blocked, Outlook::CannotTell})
-        said << words::text(name(outlook));
+        said << format::text(name(outlook));
     for (const char* language : {"cs", "de"}) {
         if (installLanguage(*qApp, language) != QLatin1String(language))
             GTEST_SKIP() << "built without translations";
@@ -173,20 +173,20 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
                 << translated.toStdString();
         }
         for (const QString& english : said)
-            EXPECT_NE(words::sentence(english.toStdString()), english) << language;
+            EXPECT_NE(format::sentence(english.toStdString()), english) << language;
         const QString roll =
-            words::sentence("roll -5.2°: the ground is not the same left and right");
+            format::sentence("roll -5.2°: the ground is not the same left and right");
         EXPECT_TRUE(roll.contains("-5.2°") && !roll.contains("ground")) << roll.toStdString();
-        EXPECT_EQ(words::sentence("nobody knows 3 of these"), "nobody knows 3 of these");
-        const QStringList trouble = words::sentence(kTrouble).split(": ");
+        EXPECT_EQ(format::sentence("nobody knows 3 of these"), "nobody knows 3 of these");
+        const QStringList trouble = format::sentence(kTrouble).split(": ");
         ASSERT_EQ(trouble.size(), 3) << language;
         EXPECT_EQ(trouble[0], "/home/no 2/mine.ttm");
         EXPECT_NE(trouble[1], "cannot be opened");
         EXPECT_NE(trouble[2], "No such file or directory");
     }
     EXPECT_EQ(installLanguage(*qApp, "tlh"), "en");
-    EXPECT_EQ(words::sentence("ready"), "ready");
-    EXPECT_EQ(words::sentence(kTrouble), kTrouble);
+    EXPECT_EQ(format::sentence("ready"), "ready");
+    EXPECT_EQ(format::sentence(kTrouble), kTrouble);
 }
 
 TEST(Languages, numbersAreWrittenAndReadTheSameInEach)
@@ -222,7 +222,7 @@ TEST(Languages, whatIsWrongWithAFileIsTranslatedBetweenWhatItNames)
         if (installLanguage(*qApp, language) != QLatin1String(language))
             GTEST_SKIP() << "built without translations";
         for (const std::string& sentence : english) {
-            const QString translated = words::sentence(sentence);
+            const QString translated = format::sentence(sentence);
             EXPECT_NE(translated.toStdString(), sentence) << language;
             for (const char* word : {" is ", " not ", "expected", "since", "line "})
                 EXPECT_FALSE(translated.contains(QLatin1String(word))) << translated.toStdString();
@@ -245,30 +245,30 @@ TEST(Languages, namesOfFilesColumnsAndSourcesStayWhatTheyAre)
                                  "settings", "ready", "stopped", "driving", "fast", "no", "none"}) {
             const QString whose = QString::fromUtf8(name);
             const std::string file =
-                words::sentence(std::string(name) + ": cannot be opened").toStdString();
+                format::sentence(std::string(name) + ": cannot be opened").toStdString();
             EXPECT_TRUE(file.starts_with(std::string(name) + ": ")) << file;
             EXPECT_EQ(file.find("opened"), std::string::npos) << file;
             const std::string behind = "session deleted, since it is older than you have set: ";
-            EXPECT_TRUE(words::sentence(behind + name).endsWith(": " + whose)) << name;
+            EXPECT_TRUE(format::sentence(behind + name).endsWith(": " + whose)) << name;
             const QString column =
-                words::sentence(std::string("the column ") + name + " appears twice");
+                format::sentence(std::string("the column ") + name + " appears twice");
             EXPECT_TRUE(column.split(' ').contains(whose)) << column.toStdString();
             EXPECT_FALSE(column.contains("twice")) << column.toStdString();
-            EXPECT_EQ(words::sourceName(name), whose);
-            const QString replay = words::sourceName(std::string("REPLAY ") + name);
+            EXPECT_EQ(format::sourceName(name), whose);
+            const QString replay = format::sourceName(std::string("REPLAY ") + name);
             EXPECT_TRUE(replay.endsWith(' ' + whose) && !replay.startsWith("REPLAY"))
                 << replay.toStdString();
         }
         for (const char* word :
              {"up", "lost", "approve", "drive", "back", "stop", "halt", "settings"}) {
-            EXPECT_EQ(words::sentence(word), word) << "a word of events is no sentence";
-            EXPECT_NE(words::eventWord(word), word) << language;
+            EXPECT_EQ(format::sentence(word), word) << "a word of events is no sentence";
+            EXPECT_NE(format::eventWord(word), word) << language;
         }
-        EXPECT_NE(words::sourceName("SIMULATED ROBOT"), "SIMULATED ROBOT") << language;
+        EXPECT_NE(format::sourceName("SIMULATED ROBOT"), "SIMULATED ROBOT") << language;
     }
     installLanguage(*qApp, "en");
-    EXPECT_EQ(words::sourceName("REPLAY drive"), "REPLAY drive");
-    EXPECT_EQ(words::eventWord("drive"), "drive");
+    EXPECT_EQ(format::sourceName("REPLAY drive"), "REPLAY drive");
+    EXPECT_EQ(format::eventWord("drive"), "drive");
 }
 
 TEST(Languages, whatASessionTellsIsTranslatedButForWhatPeopleWrote)

@@ -10,7 +10,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "core/wire/absolem_words.h"
+#include "core/wire/absolem_text.h"
 
 namespace terratact {
 namespace {

@@ -12,10 +12,10 @@
 
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "widgets/base/format.h"
 #include "widgets/base/look.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/spoken.h"
-#include "widgets/base/words.h"
 #include "widgets/control/probe_card.h"
 #include "widgets/control/robot_readout.h"
 #include "widgets/control/status_header.h"
@@ -28,18 +28,18 @@ namespace {
 
 TEST(Words, numbersReadAsOperatorsWriteThem)
 {
-    EXPECT_EQ(words::signedNumber(-0.254, 2), QStringLiteral("−0.25"));
-    EXPECT_EQ(words::signedNumber(0.254, 2), "+0.25");
-    EXPECT_EQ(words::degrees(0.1), QStringLiteral("+5.7°"));
-    EXPECT_EQ(words::countdown(83.2), "1:24");
-    EXPECT_EQ(words::countdown(-3.0), "0:00");
-    EXPECT_EQ(words::age(0.041), "41 ms");
-    EXPECT_EQ(words::age(2.44), "2.4 s");
+    EXPECT_EQ(format::signedNumber(-0.254, 2), QStringLiteral("−0.25"));
+    EXPECT_EQ(format::signedNumber(0.254, 2), "+0.25");
+    EXPECT_EQ(format::degrees(0.1), QStringLiteral("+5.7°"));
+    EXPECT_EQ(format::countdown(83.2), "1:24");
+    EXPECT_EQ(format::countdown(-3.0), "0:00");
+    EXPECT_EQ(format::age(0.041), "41 ms");
+    EXPECT_EQ(format::age(2.44), "2.4 s");
     for (const double bad : {gui::kHostile[0], gui::kHostile[1]}) {
-        EXPECT_EQ(words::signedNumber(bad, 2), "--");
-        EXPECT_EQ(words::degrees(bad), QStringLiteral("--°"));
-        EXPECT_EQ(words::countdown(bad), "--");
-        EXPECT_EQ(words::age(bad), "--");
+        EXPECT_EQ(format::signedNumber(bad, 2), "--");
+        EXPECT_EQ(format::degrees(bad), QStringLiteral("--°"));
+        EXPECT_EQ(format::countdown(bad), "--");
+        EXPECT_EQ(format::age(bad), "--");
     }
 }
 
@@ -388,10 +388,10 @@ TEST(Events, theNewestStandsOnTopAndTheListIsBounded)
 
 TEST(Number, hasNoMinusBeforeAZero)
 {
-    EXPECT_EQ(words::number(-0.004, 2), QStringLiteral("0.00"));
-    EXPECT_EQ(words::number(-0.0, 0), QStringLiteral("0"));
-    EXPECT_EQ(words::number(-0.006, 2), QStringLiteral("−0.01"));
-    EXPECT_EQ(words::signedNumber(-0.004, 2), QStringLiteral("+0.00"));
+    EXPECT_EQ(format::number(-0.004, 2), QStringLiteral("0.00"));
+    EXPECT_EQ(format::number(-0.0, 0), QStringLiteral("0"));
+    EXPECT_EQ(format::number(-0.006, 2), QStringLiteral("−0.01"));
+    EXPECT_EQ(format::signedNumber(-0.004, 2), QStringLiteral("+0.00"));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include "widgets/base/look.h"
 #include "widgets/base/palette.h"
 #include "widgets/terrain/provenance_marks.h"
-#include "widgets/terrain/provenance_words.h"
+#include "widgets/terrain/provenance_text.h"
 
 namespace terratact {
 namespace {

@@ -1,8 +1,8 @@
-#include "app/mission/comparison_words.h"
+#include "app/mission/comparison_text.h"
 
 #include <cmath>
 
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -11,19 +11,19 @@ constexpr double kAlike = 0.005;  // relative: shown as 0 %
 
 QString millimetres(double metres)
 {
-    return words::number(1000.0 * metres, 1);
+    return format::number(1000.0 * metres, 1);
 }
 
 ComparisonWords::Row inMillimetres(const QString& what, double before, double after)
 {
     return {what, millimetres(before), millimetres(after),
-            words::signedNumber(1000.0 * (after - before), 1)};
+            format::signedNumber(1000.0 * (after - before), 1)};
 }
 
 ComparisonWords::Row inPercent(const QString& what, double before, double after)
 {
-    return {what, words::percent(before), words::percent(after),
-            words::signedNumber(100.0 * (after - before), 0)};
+    return {what, format::percent(before), format::percent(after),
+            format::signedNumber(100.0 * (after - before), 0)};
 }
 
 }  // namespace
@@ -54,11 +54,11 @@ QString ComparisonWords::sentence(const ModelComparison& c)
             ? tr("The new model errs as much as the old one near the robot on %1 scenes")
                   .arg(scenes)
         : change < 0.0 ? tr("The new model errs %1 % less near the robot on %2 scenes")
-                             .arg(words::percent(-change), scenes)
+                             .arg(format::percent(-change), scenes)
                        : tr("The new model errs %1 % more near the robot on %2 scenes")
-                             .arg(words::percent(change), scenes);
+                             .arg(format::percent(change), scenes);
     return tr("%1; its 80 % bands there hold %2 % of the truths, the old one's %3 %.")
-        .arg(errs, words::percent(c.after.near.coverage), words::percent(c.before.near.coverage));
+        .arg(errs, format::percent(c.after.near.coverage), format::percent(c.before.near.coverage));
 }
 
 QString ComparisonWords::caution(const ModelComparison& c)
@@ -73,8 +73,8 @@ QString ComparisonWords::caution(const ModelComparison& c)
         cautions << tr("Too few drives to tell whether the difference is chance.");
     else if (c.nearDifference->low <= 0.0 && c.nearDifference->high >= 0.0)
         cautions << tr("The difference may be chance: 95 % interval %1 … %2 mm.")
-                        .arg(words::signedNumber(1000.0 * c.nearDifference->low, 1),
-                             words::signedNumber(1000.0 * c.nearDifference->high, 1));
+                        .arg(format::signedNumber(1000.0 * c.nearDifference->low, 1),
+                             format::signedNumber(1000.0 * c.nearDifference->high, 1));
     if (c.tried < c.inFile)
         cautions << tr("%1 of the file's %2 scenes, evenly picked.").arg(c.tried).arg(c.inFile);
     if (c.scenes < c.tried)
@@ -83,7 +83,7 @@ QString ComparisonWords::caution(const ModelComparison& c)
                         .arg(c.tried - c.scenes)
                         .arg(c.onlyBefore)
                         .arg(c.onlyAfter)
-                        .arg(words::sentence(c.whyNot));
+                        .arg(format::sentence(c.whyNot));
     return cautions.join(QLatin1Char(' '));
 }
 

@@ -1,4 +1,4 @@
-#include "core/wire/absolem_words.h"
+#include "core/wire/absolem_text.h"
 
 #include <fmt/format.h>
 

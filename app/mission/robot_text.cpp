@@ -1,4 +1,4 @@
-#include "app/mission/robot_words.h"
+#include "app/mission/robot_text.h"
 
 #include <QCoreApplication>
 

@@ -1,10 +1,10 @@
-#include "app/mission/model_words.h"
+#include "app/mission/model_text.h"
 
 #include <QStringList>
 #include <algorithm>
 
 #include "core/infer/verdict/obstacle.h"
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -15,12 +15,12 @@ constexpr int kShownHash = 16;              // digits
 
 QString day(const std::string& date)
 {
-    return words::text(date).left(kDay);
+    return format::text(date).left(kDay);
 }
 
 QString shortHash(const std::string& hash)
 {
-    return words::text(hash).left(kShownHash);
+    return format::text(hash).left(kShownHash);
 }
 
 }  // namespace
@@ -29,19 +29,19 @@ QString ModelWords::card(const ModelFacts& facts)
 {
     const ModelCard& card = facts.card;
     const QString unknown = tr("unknown");
-    QStringList lines{words::text(facts.path)};
+    QStringList lines{format::text(facts.path)};
     lines << tr("trained %1; ground: %2")
                  .arg(card.trained.empty() ? unknown : day(card.trained),
-                      card.terrain.empty() ? unknown : words::text(card.terrain));
+                      card.terrain.empty() ? unknown : format::text(card.terrain));
     lines << tr("%1 scenes, %2 % of them with a step above %3 m; median relief %4 m")
-                 .arg(QString::number(facts.scenes), words::percent(facts.ground.stepShare),
-                      words::number(kStepLimit, 2), words::number(facts.ground.relief, 2));
+                 .arg(QString::number(facts.scenes), format::percent(facts.ground.stepShare),
+                      format::number(kStepLimit, 2), format::number(facts.ground.relief, 2));
     const auto shown = std::min<std::ptrdiff_t>(kShownScores, std::ssize(card.scores));
     for (auto s = card.scores.end() - shown; s != card.scores.end(); ++s) {
         lines << tr("%1: mean error %2 mm, the 80 % band holds %3 % – %4 scenes of %5, %6")
-                     .arg(words::text(s->method), words::number(1000.0 * s->meanError, 1),
-                          words::percent(s->coverage), QString::number(s->scenes),
-                          words::text(s->data), day(s->date));
+                     .arg(format::text(s->method), format::number(1000.0 * s->meanError, 1),
+                          format::percent(s->coverage), QString::number(s->scenes),
+                          format::text(s->data), day(s->date));
         if (s->trainingScenes > 0)
             lines.back() +=
                 tr(" – %1 of them are training scenes").arg(QString::number(s->trainingScenes));
@@ -50,10 +50,10 @@ QString ModelWords::card(const ModelFacts& facts)
     }
     if (shown == 0) lines << tr("never evaluated: its errors are unknown");
     if (!facts.trouble.empty())
-        lines << tr("its card is not used: %1").arg(words::sentence(facts.trouble));
+        lines << tr("its card is not used: %1").arg(format::sentence(facts.trouble));
     lines
         << tr("content %1; scenes %2").arg(shortHash(facts.contentHash), shortHash(facts.dataHash));
-    lines << tr("made by: %1").arg(words::text(facts.command));
+    lines << tr("made by: %1").arg(format::text(facts.command));
     return lines.join(QLatin1Char('\n'));
 }
 

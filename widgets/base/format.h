@@ -10,7 +10,7 @@
 #include "core/terrain/bins.h"
 
 /// Numbers as an operator reads them.  A value that is not finite reads "--".
-namespace terratact::words {
+namespace terratact::format {
 
 inline const QString kNothing = QStringLiteral("--");
 
@@ -89,4 +89,4 @@ inline QString age(double seconds)
                          : number(seconds, 1) + QStringLiteral(" s");
 }
 
-}  // namespace terratact::words
+}  // namespace terratact::format

@@ -1,4 +1,4 @@
-#include "core/infer/verdict/estimate_words.h"
+#include "core/infer/verdict/estimate_text.h"
 
 #include <fmt/format.h>
 

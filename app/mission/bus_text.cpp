@@ -1,4 +1,4 @@
-#include "app/mission/bus_words.h"
+#include "app/mission/bus_text.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 #include "core/limits.h"
 #include "core/wire/frame_layout.h"
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -44,7 +44,7 @@ QString busWords(BusState state, const std::string& bus)
     const QString sentence = matter(state).arg(QString::fromStdString(bus));
     const std::string command = cureOf(state, bus);
     return command.empty() ? sentence
-                           : sentence + QStringLiteral(" (%1)").arg(words::text(command));
+                           : sentence + QStringLiteral(" (%1)").arg(format::text(command));
 }
 
 QString glance(BusState state)
@@ -81,15 +81,15 @@ QString loadGlance(const BusLoad& load, const BitRate& bitrate)
 {
     const double rate = bitrate.bitsPerSecond.value_or(0.0);
     if (!(rate > 0.0)) return QStringLiteral("--- %");
-    return QStringLiteral("≤ %1 %").arg(words::percent(load.mostBits / rate));
+    return QStringLiteral("≤ %1 %").arg(format::percent(load.mostBits / rate));
 }
 
 QString troubleWords(const CanSource* link, const std::string& said)
 {
-    if (said.empty() || !link) return words::sentence(said);
+    if (said.empty() || !link) return format::sentence(said);
     const CanView view = link->view();
     const bool works = view.bus == BusState::Up || view.bus == BusState::ErrorWarning;
-    return works ? words::sentence(said) : busWords(view.bus, link->busName());
+    return works ? format::sentence(said) : busWords(view.bus, link->busName());
 }
 
 QString stillComes(const std::vector<TappedFrame>& frames, double silence)
@@ -103,16 +103,16 @@ QString stillComes(const std::vector<TappedFrame>& frames, double silence)
     }
     if (!youngest || *youngest > std::min(kLinkLostAfter, 0.5 * silence)) return {};
     if (heartbeat)
-        return BusWords::tr("frames still come, heartbeat %1 old").arg(words::age(*heartbeat));
+        return BusWords::tr("frames still come, heartbeat %1 old").arg(format::age(*heartbeat));
     // A robot's heart answers that of a console that commands; who listens has only this.
-    if (status) return BusWords::tr("frames still come, status %1 old").arg(words::age(*status));
+    if (status) return BusWords::tr("frames still come, status %1 old").arg(format::age(*status));
     return BusWords::tr("frames still come");
 }
 
 QString whyFollowing(const CanSource* link)
 {
     if (!link) return {};
-    const QString name = words::text(link->name());
+    const QString name = format::text(link->name());
     switch (link->mode()) {
     case CanSource::Mode::Transmit: return {};
     case CanSource::Mode::Listen:

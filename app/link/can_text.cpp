@@ -1,4 +1,4 @@
-#include "app/link/can_words.h"
+#include "app/link/can_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,7 @@
 
 #include "app/link/frame_judge.h"
 #include "core/wire/absolem.h"
-#include "core/wire/absolem_words.h"
+#include "core/wire/absolem_text.h"
 #include "core/wire/can_codec.h"
 #include "core/wire/can_error.h"
 #include "core/wire/dbc/dbc_text.h"

@@ -1,9 +1,9 @@
-#include "app/mission/preset_words.h"
+#include "app/mission/preset_text.h"
 
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "widgets/base/words.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -19,9 +19,9 @@ struct CostWords {
 
 CostWords inWords(const PresetCost& cost)
 {
-    return {words::sentence(name(cost.quality)), words::number(cost.milliseconds, 1),
-            words::number(cost.errorMm, 0), words::number(cost.offMm, 1),
-            words::number(100.0 * cost.converged, 0)};
+    return {format::sentence(name(cost.quality)), format::number(cost.milliseconds, 1),
+            format::number(cost.errorMm, 0), format::number(cost.offMm, 1),
+            format::number(100.0 * cost.converged, 0)};
 }
 
 template <class Say>
@@ -33,7 +33,7 @@ QStringList ofEach(Method method, std::span<const PresetCost> costs, const QStri
         const auto cost = std::find_if(costs.begin(), costs.end(), [&](const PresetCost& c) {
             return c.method == method && c.quality == quality;
         });
-        lines << (cost == costs.end() ? unmeasured.arg(words::sentence(name(quality)))
+        lines << (cost == costs.end() ? unmeasured.arg(format::sentence(name(quality)))
                                       : say(inWords(*cost)));
     }
     return lines;

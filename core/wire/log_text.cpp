@@ -1,4 +1,4 @@
-#include "core/wire/log_words.h"
+#include "core/wire/log_text.h"
 
 #include <fmt/format.h>
 
