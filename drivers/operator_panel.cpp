@@ -73,7 +73,7 @@ PanelReport OperatorPanel::poll(const LampState& lamps, std::chrono::millisecond
     patience = std::clamp(patience, std::chrono::milliseconds(0), kPeriod);
     if (!lines_) open();
     if (lines_)
-        look(patience);
+        poll(patience);
     else
         std::this_thread::sleep_for(patience);
     if (lines_)
@@ -109,7 +109,7 @@ void OperatorPanel::open()
     nextOpening_ = now + backOff_;
 }
 
-void OperatorPanel::look(std::chrono::milliseconds patience)
+void OperatorPanel::poll(std::chrono::milliseconds patience)
 {
     const auto edges = lines_->readEdges(patience);
     if (!edges) return lose(edges.error());

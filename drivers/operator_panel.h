@@ -61,7 +61,7 @@ public:
 
 private:
     void open();
-    void look(std::chrono::milliseconds patience);
+    void poll(std::chrono::milliseconds patience);
     void count(const GpioEdges& edges);
     void lose(const Error& why);
     void light(const LampState& lamps);

@@ -87,7 +87,7 @@ Result<std::size_t> SocketCan::receive(std::span<BusFrame> frames,
     if (frames.empty()) throw std::invalid_argument("SocketCan: no room for a frame");
     const double deadline = system_.steadyTime() + std::chrono::duration<double>(patience).count();
     for (;;) {
-        look();
+        poll();
         const double left = std::max(0.0, deadline - system_.steadyTime());
         const double nap = std::min(left, untilLook());
         if (!socket_) {
@@ -181,7 +181,7 @@ Status SocketCan::connect()
 
 /// Looks at the interface, when it is time to: a socket alone does not tell that it is up again, or that
 /// another one has its name now.
-void SocketCan::look()
+void SocketCan::poll()
 {
     const double now = system_.steadyTime();
     const std::scoped_lock lock(mutex_);

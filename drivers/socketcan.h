@@ -72,7 +72,7 @@ private:
     };
 
     Status connect();
-    void look();
+    void poll();
     double untilLook() const;
     void became(BusState link);
     void failed(int code);

@@ -67,7 +67,7 @@ LinkViewState LiveViewState::link(double now, const std::optional<Received>& new
     if (newest) age = now - secondsOf(newest->arrived);
     if (parts_.link && age && !alive)
         viewState.heard = stillComes(parts_.link->tap().frames(now), *age);
-    viewState.link = link_.look({.now = now,
+    viewState.link = link_.poll({.now = now,
                                  .age = age,
                                  .alive = alive,
                                  .othersCome = !viewState.heard.isEmpty(),

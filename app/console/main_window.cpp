@@ -25,8 +25,8 @@
 #include "app/shell/view_menu.h"
 #include "widgets/base/elided_label.h"
 #include "widgets/base/format.h"
-#include "widgets/base/look.h"
 #include "widgets/base/navigation_rail.h"
+#include "widgets/base/theme.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/drive_pad.h"
@@ -90,12 +90,12 @@ MainWindow::MainWindow(Options options)
     look_.setInterval(kLook);
     connect(&look_, &QTimer::timeout, this, [this] {
         meter_.beat(steadyNow());
-        look();
+        poll();
     });
     setFocus();
     look_.start();
     worker_->start();
-    look();
+    poll();
 }
 
 MainWindow::~MainWindow()
@@ -376,9 +376,9 @@ void MainWindow::notice(const QString& text, Weight weight)
 void MainWindow::connectWorker()
 {
     // Queued, for it is told while the rest of what made it stand is still being done.
-    connect(&exploration_->estimation(), &Estimation::stands, this, &MainWindow::look,
+    connect(&exploration_->estimation(), &Estimation::stands, this, &MainWindow::poll,
             Qt::QueuedConnection);
-    connect(worker_.get(), &EstimatorWorker::advised, this, &MainWindow::look);
+    connect(worker_.get(), &EstimatorWorker::advised, this, &MainWindow::poll);
     connect(worker_.get(), &EstimatorWorker::modelLoaded, this,
             [this](const QString& name, const QString& details) {
                 header()->setModel(tr("model %1").arg(name), Tone::Plain, details);
@@ -405,15 +405,15 @@ void MainWindow::connectStop()
 void MainWindow::lookSoon()
 {
     if (!lookComes_.exchange(true))
-        QMetaObject::invokeMethod(this, &MainWindow::look, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(this, &MainWindow::poll, Qt::QueuedConnection);
 }
 
-void MainWindow::look()
+void MainWindow::poll()
 {
     lookComes_ = false;
     const double now = steadyNow();
-    if (const auto frozen = stalls_.look(now)) tellOfStall(*frozen);
-    sharedStop_->look();
+    if (const auto frozen = stalls_.poll(now)) tellOfStall(*frozen);
+    sharedStop_->poll();
     tickPanel(now);
     if (link_ && (!panel_ || panel_->answers(now))) link_->operatorAlive();
     latest_ = acquisition_->latest();
@@ -459,8 +459,8 @@ void MainWindow::redraw(double now)
     const bool elsewhere = stop.state == StopViewState::State::NoEffect && sharedStop_->hasOther();
     stopDisplay_->show(elsewhere ? StopViewState{.state = StopViewState::State::Elsewhere} : stop);
     showPanelLost();
-    if (replayBar_) replayBar_->look();
-    notice_->look(now, !stopDisplay_->isLate());
+    if (replayBar_) replayBar_->poll();
+    notice_->poll(now, !stopDisplay_->isLate());
     header()->setOverridden(exploration_->overridden());
     if (settings_->isVisible()) showCards();
     if (auto* page = qobject_cast<Page*>(currentPage())) page->refresh(now);
@@ -512,7 +512,7 @@ void MainWindow::restartMeter()
 
 void MainWindow::showAlarms(double now, const LinkAccount& link)
 {
-    alarms_->look(now, viewStates_->alarms(now, latest_, link));
+    alarms_->poll(now, viewStates_->alarms(now, latest_, link));
     const AlarmList& list = alarms_->list();
     const auto all = list.alarms().size();
     header()->setAlarms(static_cast<int>(all - list.count(AlarmState::Acknowledged)),
@@ -522,7 +522,7 @@ void MainWindow::showAlarms(double now, const LinkAccount& link)
 void MainWindow::showRecording(const LinkAccount& link)
 {
     if (!eventLogger_) return;
-    eventLogger_->look(link, link_ ? std::optional(link_->view()) : std::nullopt, alarms_->list(),
+    eventLogger_->poll(link, link_ ? std::optional(link_->view()) : std::nullopt, alarms_->list(),
                        panel_ ? std::optional(panel_->state()) : std::nullopt);
     recordingDisplay_->show(recorder_->state());
 }

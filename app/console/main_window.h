@@ -127,7 +127,7 @@ private:
     void tell(const QString& text, Weight weight);  ///< among the events
     void connectWorker();
     /// At telemetry, panel and estimator: as telemetry and estimates come, and every 10 ms.  Draws at 25 Hz at most.
-    void look();
+    void poll();
     void lookSoon();  ///< from any thread
     void tellOfStall(double seconds);
     void redraw(double now);
@@ -179,7 +179,7 @@ private:
     std::uint64_t drawn_ = 0;  ///< Received::count of the telemetry that was drawn last
     QTimer look_;
     std::optional<Received> latest_;
-    StallWatch stalls_;           ///< of look()
+    StallWatch stalls_;           ///< of poll()
     double redrawn_ = 0.0;        ///< [s] steady clock
     double numbersShown_ = 0.0;   ///< [s] those of the robot
     double closeRefused_ = -1e9;  ///< [s] the armed robot's window was to be closed, and asked

@@ -42,7 +42,7 @@ ReplayBar::ReplayBar(LogReplay& replay, QWidget* parent) : QWidget(parent), repl
             [this](bool repeats) { replay_.setRepeats(repeats); });
     connect(back_, &QPushButton::clicked, this, [this] { step(-kStep); });
     connect(on_, &QPushButton::clicked, this, [this] { step(kStep); });
-    look();
+    poll();
 }
 
 void ReplayBar::step(double seconds)
@@ -62,7 +62,7 @@ void ReplayBar::addKeys(KeyTable& keys)
     add(Qt::Key_R, tr("begin again at the end of the log, or not"), repeat_);
 }
 
-void ReplayBar::look()
+void ReplayBar::poll()
 {
     const LogReplay::Progress now = replay_.progress();
     pause_->setChecked(now.paused);

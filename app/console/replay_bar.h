@@ -19,7 +19,7 @@ public:
     explicit ReplayBar(LogReplay& replay, QWidget* parent);  ///< which must outlive it
 
     void addKeys(KeyTable& keys);
-    void look();  ///< several times a second
+    void poll();  ///< several times a second
 
     QPushButton* pauseButton() const { return pause_; }
     QPushButton* repeatButton() const { return repeat_; }

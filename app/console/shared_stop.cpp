@@ -26,7 +26,7 @@ void SharedStop::listen()
                       Weight::Doubt);
 }
 
-void SharedStop::look()
+void SharedStop::poll()
 {
     if (!line_ || !line_->take()) return;
     const QString where = tr("STOP was pressed in a window that was opened from here");

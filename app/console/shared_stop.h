@@ -21,7 +21,7 @@ public:
     /// Begins to take it; happened() may tell at once that it cannot.
     void listen();
     /// To be called often: takes what was pressed elsewhere.
-    void look();
+    void poll();
     /// Where windows that are opened from here send theirs; empty: here it stops nothing.
     std::string line() const;
     /// Where this console stops nothing, another does.

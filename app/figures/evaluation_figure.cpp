@@ -9,7 +9,7 @@
 
 #include "app/figures/canvas.h"
 #include "app/figures/figure_colours.h"
-#include "app/figures/method_look.h"
+#include "app/figures/method_style.h"
 
 namespace terratact {
 namespace {
@@ -74,7 +74,7 @@ public:
     {
         std::vector<KeyEntry> entries;
         for (const std::string& label : labels) {
-            const MethodLook look = lookOf(label);
+            const MethodStyle look = styleOf(label);
             entries.push_back({look.words, [look, bars](Canvas& canvas, Point at) {
                                    if (bars)
                                        canvas.fillRectangle({at.x - 12.0, at.y - 7.0},
@@ -121,7 +121,7 @@ void drawHistograms(Canvas& canvas, std::span<const ErrorHistogram> histograms)
         double x = chart.classBegin(k) + 0.08 * chart.classWidth();
         for (const ErrorHistogram& h : histograms) {
             canvas.fillRectangle({x, chart.y(percentOf(h, k))}, {x + bar - 1.0, kBottom},
-                                 lookOf(h.label).colour);
+                                 styleOf(h.label).colour);
             x += bar;
         }
     }
@@ -150,7 +150,7 @@ void drawQuartiles(Canvas& canvas, std::span<const MethodSummary> summaries)
                          signedNumber(binCentre(static_cast<int>(i)), 1));
         double x = chart.classBegin(i) + 0.1 * chart.classWidth() + 0.5 * apart;
         for (const MethodSummary& m : summaries) {
-            const MethodLook look = lookOf(m.label);
+            const MethodStyle look = styleOf(m.label);
             const ErrorStatistics& s = m.bin[i];
             const auto y = [&](double metres) { return chart.y(1000.0 * metres); };
             if (s.n > 0) {
@@ -186,7 +186,7 @@ public:
         left_ = kPanelLeft + kApart * static_cast<double>(place % kPerRow);
         const std::size_t row = place / kPerRow;
         floor_ = kHead + 20.0 + kPanelHeight + kRowHeight * static_cast<double>(row);
-        const MethodLook look = lookOf(h.label);
+        const MethodStyle look = styleOf(h.label);
         canvas_.text({left_, floor_ - kPanelHeight - 8.0}, look.words,
                      {.colour = kFigureText, .size = 15.0, .bold = true});
         scale();

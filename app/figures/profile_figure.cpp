@@ -34,7 +34,7 @@ struct Look {
 };
 
 /// As on the screen, with its pattern.
-Look lookOf(Provenance provenance)
+Look styleOf(Provenance provenance)
 {
     switch (provenance) {
     case Provenance::Arm: return {Shape::Triangle, 16.0, kArm};
@@ -49,7 +49,7 @@ Look lookOf(Provenance provenance)
 Stroke barStroke(Provenance provenance)
 {
     const BarPattern pattern = barPattern(provenance);
-    Stroke stroke{lookOf(provenance).colour, pattern.width, pattern.dashes};
+    Stroke stroke{styleOf(provenance).colour, pattern.width, pattern.dashes};
     for (double& dash : stroke.dashes) dash *= pattern.width;
     return stroke;
 }
@@ -260,7 +260,7 @@ private:
         const Point at = axes_.at(binCentre(bin), input_.estimate.height[i]);
         if (!isUnfeltAhead(input_.estimate, bin))
             drawBar(at.x, input_.estimate.q10[i], input_.estimate.q90[i], 7.0, barStroke(known));
-        drawMark(canvas_, lookOf(known), at);
+        drawMark(canvas_, styleOf(known), at);
     }
 
     static void drawMark(Canvas& canvas, const Look& look, Point at)
@@ -292,7 +292,7 @@ private:
             if (!present(known)) continue;
             entries.push_back(
                 {std::string(name(known)), [known](Canvas& canvas, Point at) {
-                     const Look look = lookOf(known);
+                     const Look look = styleOf(known);
                      if (look.open)
                          canvas.fillRectangle({at.x - 15.0, at.y - 11.0},
                                               {at.x + 15.0, at.y + 11.0}, kPriorZone);

@@ -9,7 +9,7 @@
 
 #include "app/figures/canvas.h"
 #include "app/figures/figure_colours.h"
-#include "app/figures/method_look.h"
+#include "app/figures/method_style.h"
 
 namespace terratact {
 namespace {
@@ -112,7 +112,7 @@ public:
     {
         for (std::size_t k = 0; k < all.size(); ++k) {
             const TradeSetting& setting = all[k].setting;
-            const MethodLook look = lookOf(setting.settings.method);
+            const MethodStyle look = styleOf(setting.settings.method);
             drawMarker(canvas_, look, at(k), setting.preset ? 1.3 : 0.75);
             if (setting.preset)
                 canvas_.text({at(k).x + 10.0, at(k).y - 9.0}, setting.varied,
@@ -158,7 +158,7 @@ void draw(Canvas& canvas, std::span<const TradePoint> points)
         std::vector<bool> own = fronts.reference;
         for (std::size_t k = 0; k < own.size(); ++k)
             if (points[k].setting.settings.method != method) own[k] = false;
-        left.front(own, lookOf(method).colour);
+        left.front(own, styleOf(method).colour);
     }
     right.front(fronts.truth, kFront);
     left.points(points);
@@ -166,7 +166,7 @@ void draw(Canvas& canvas, std::span<const TradePoint> points)
     std::vector<KeyEntry> entries;
     entries.reserve(methods.size());
     for (const Method method : methods)
-        entries.push_back({lookOf(method).words, [look = lookOf(method)](Canvas& c, Point at) {
+        entries.push_back({styleOf(method).words, [look = styleOf(method)](Canvas& c, Point at) {
                                drawMarker(c, look, at, 1.0);
                            }});
     drawKey(canvas, {kFirstLeft, kBottom + 68.0}, kSecondLeft + kPanelWidth, entries);

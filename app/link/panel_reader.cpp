@@ -28,14 +28,14 @@ void PanelReader::read(const std::stop_token& stop)
             const std::scoped_lock lock(mutex_);
             lamps = lamps_;
         }
-        const PanelReport report = look(lamps);
+        const PanelReport report = poll(lamps);
         if (report.state.stop && !stopped) stopRobot(report);
         stopped = report.state.stop;
         take(report);
     }
 }
 
-PanelReport PanelReader::look(const LampState& lamps)
+PanelReport PanelReader::poll(const LampState& lamps)
 {
     try {
         return panel_->poll(lamps, OperatorPanel::kPeriod);

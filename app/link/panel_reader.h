@@ -38,7 +38,7 @@ public:
 
 private:
     void read(const std::stop_token& stop);
-    PanelReport look(const LampState& lamps);
+    PanelReport poll(const LampState& lamps);
     void take(const PanelReport& report);
     void stopRobot(const PanelReport& report);
 

@@ -6,7 +6,7 @@
 #include "app/link/bus_tap.h"
 #include "app/link/can_source.h"
 #include "drivers/can_bus.h"
-#include "widgets/base/look.h"
+#include "widgets/base/theme.h"
 
 namespace terratact {
 

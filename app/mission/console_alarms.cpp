@@ -30,7 +30,7 @@ bool comesAndGoes(BusState state)
 QString unsoundElements(const ElementForces& forces)
 {
     QStringList unsound;
-    const auto look = [&](const auto& side, const QString& name) {
+    const auto poll = [&](const auto& side, const QString& name) {
         for (std::size_t i = 0; i < side.size(); ++i)
             if (side[i]
                 && (side[i]->state == ElementState::Open || side[i]->state == ElementState::Short))
@@ -39,8 +39,8 @@ QString unsoundElements(const ElementForces& forces)
                                .arg(i + 1)
                                .arg(format::sentence(describe(side[i]->state)));
     };
-    look(forces.left, ConsoleAlarms::tr("left"));
-    look(forces.right, ConsoleAlarms::tr("right"));
+    poll(forces.left, ConsoleAlarms::tr("left"));
+    poll(forces.right, ConsoleAlarms::tr("right"));
     return unsound.join(QStringLiteral(", "));
 }
 
@@ -82,7 +82,7 @@ ConsoleAlarms::ConsoleAlarms(std::unique_ptr<Sounder> sounder, QObject* parent)
 {
 }
 
-void ConsoleAlarms::look(double now, const AlarmViewState& viewState)
+void ConsoleAlarms::poll(double now, const AlarmViewState& viewState)
 {
     now_ = now;
     if (!began_) began_ = now;

@@ -48,7 +48,7 @@ public:
     explicit ConsoleAlarms(std::unique_ptr<Sounder> sounder, QObject* parent = nullptr);
 
     /// now: [s] on the steady clock.  To be called several times a second.
-    void look(double now, const AlarmViewState& viewState);
+    void poll(double now, const AlarmViewState& viewState);
 
     const AlarmList& list() const { return list_; }
     void acknowledge(const std::string& id) { list_.acknowledge(id); }

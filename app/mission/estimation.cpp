@@ -65,14 +65,14 @@ void Estimation::listenToModels()
     });
 }
 
-void Estimation::look(const std::optional<Received>& latest, bool heard)
+void Estimation::poll(const std::optional<Received>& latest, bool heard)
 {
     heard_ = heard;
     if (!latest) return;
     const Measurement& newest = latest->sample.measurement;
-    if (pose_) pose_->look(newest, latest->count);
+    if (pose_) pose_->poll(newest, latest->count);
     if (aside_) {
-        aside_->pose.look(newest, latest->count);
+        aside_->pose.poll(newest, latest->count);
         aside_->wasUnheard = aside_->wasUnheard || latest->unbrokenFrom > aside_->capturedAt;
     }
     if (scene_ && latest->unbrokenFrom > capturedAt_ && !std::exchange(wasUnheard_, true))

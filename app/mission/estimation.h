@@ -47,7 +47,7 @@ public:
 
     // What to estimate.
     /// The newest telemetry and whether it is fresh, every tick, before all else.
-    void look(const std::optional<Received>& latest, bool heard);
+    void poll(const std::optional<Received>& latest, bool heard);
     /// What an exploration will need of the model, made while nothing else is under way.
     void prepare();
     /// A preview by the local method, as often as the estimator keeps up with the telemetry; stays until one fails, an

@@ -363,7 +363,7 @@ void Exploration::repeatStop(AtemInput& in)
     command(ReleaseStopCommand{});
 }
 
-void Exploration::look(AtemInput& in)
+void Exploration::poll(AtemInput& in)
 {
     in.linkAlive = linkAlive_;
     repeatStop(in);  // to a robot of which nothing is heard, too
@@ -406,7 +406,7 @@ void Exploration::tick(double now, const std::optional<Received>& latest)
     };
     linkAlive_ = heardWithin(options_.linkLostAfter);
     ended_ = following() && link_->view().ended;
-    estimation_.look(latest_, heardWithin(options_.staleAfter));
+    estimation_.poll(latest_, heardWithin(options_.staleAfter));
     if (following())
         follow();
     else
@@ -436,7 +436,7 @@ void Exploration::advance()
         in.approvalAge = now_ - approvedAt_;
         in.grounds = probes_.grounds();
     }
-    look(in);
+    poll(in);
     endOverrides();
     if (in.aborted && !exploring(state_.phase)) {
         estimation_.forgetGhost();
@@ -455,7 +455,7 @@ void Exploration::advance()
 /// A drive that gets nowhere is told of: at the end of the built-in ground nothing else tells.
 void Exploration::watchDrive()
 {
-    if (!latest_ || !linkAlive_ || !driveWatch_.look(latest_->sample.measurement, now_)) return;
+    if (!latest_ || !linkAlive_ || !driveWatch_.poll(latest_->sample.measurement, now_)) return;
     emit happened(
         source_.name() == "SIMULATED ROBOT"
             ? tr("the built-in ground ends here: drive back, or start with another --terrain")

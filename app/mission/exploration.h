@@ -132,7 +132,7 @@ private:
     // The state by one tick.
     void advance();
     void follow();
-    void look(AtemInput& in);
+    void poll(AtemInput& in);
     void repeatStop(AtemInput& in);
     void sendStop();
     void confirmStop(bool latched);

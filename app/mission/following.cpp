@@ -12,7 +12,7 @@ Following::Following(QString why, Estimation& estimation, const AtemLimits& limi
 {
 }
 
-void Following::look(FollowInput& in, const Received& latest) const
+void Following::poll(FollowInput& in, const Received& latest) const
 {
     const Measurement& m = latest.sample.measurement;
     const auto& readings = estimation_.readings();
@@ -26,7 +26,7 @@ void Following::look(FollowInput& in, const Received& latest) const
 
 void Following::tick(AtemState& state, FollowInput in, const Received& latest)
 {
-    look(in, latest);
+    poll(in, latest);
     if (in.aborted) estimation_.forgetGhost();
     if (in.linkLost) {  // who knows what the robot did meanwhile
         captured_ = 0;

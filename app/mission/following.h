@@ -26,7 +26,7 @@ signals:
     void happened(const QString& text, terratact::Weight weight);
 
 private:
-    void look(FollowInput& in, const Received& latest) const;
+    void poll(FollowInput& in, const Received& latest) const;
     void enter(const AtemState& state, const Received& latest);
     void fail(AtemFailure failure);
     static QString whyMoved();

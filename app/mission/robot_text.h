@@ -3,7 +3,7 @@
 #include <QString>
 
 #include "core/robot/measurement.h"
-#include "widgets/base/look.h"
+#include "widgets/base/theme.h"
 
 namespace terratact {
 

@@ -163,7 +163,7 @@ std::string SessionEventLogger::shown() const
     return text;
 }
 
-void SessionEventLogger::look(const LinkAccount& link, const std::optional<CanView>& bus,
+void SessionEventLogger::poll(const LinkAccount& link, const std::optional<CanView>& bus,
                               const AlarmList& alarms, const std::optional<PanelState>& panel)
 {
     lookAtLink(link, bus);

@@ -26,7 +26,7 @@ public:
                        EstimatorWorker& worker, EventList& events, QObject* parent = nullptr);
 
     /// What else there is to see; to be called several times a second.
-    void look(const LinkAccount& link, const std::optional<CanView>& bus, const AlarmList& alarms,
+    void poll(const LinkAccount& link, const std::optional<CanView>& bus, const AlarmList& alarms,
               const std::optional<PanelState>& panel);
 
     /// A marker of the operator's.

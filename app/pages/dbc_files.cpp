@@ -17,9 +17,9 @@
 #include "app/shell/file_dialog.h"
 #include "app/shell/preference_store.h"
 #include "widgets/base/format.h"
-#include "widgets/base/look.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
+#include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
 
 namespace terratact {

@@ -11,7 +11,7 @@
 #include "widgets/base/card.h"
 #include "widgets/base/elided_label.h"
 #include "widgets/base/format.h"
-#include "widgets/base/look.h"
+#include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
 #include "widgets/control/drive_pad.h"
 #include "widgets/signals/event_list.h"

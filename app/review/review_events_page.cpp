@@ -12,9 +12,9 @@
 #include "app/review/review_timeline.h"
 #include "core/log/review_moment.h"
 #include "widgets/base/card.h"
-#include "widgets/base/look.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/plain_table.h"
+#include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
 
 namespace terratact {

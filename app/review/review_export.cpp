@@ -9,7 +9,7 @@
 #include "core/store/csv_text.h"
 #include "core/store/file_write.h"
 #include "widgets/base/format.h"
-#include "widgets/base/look.h"
+#include "widgets/base/theme.h"
 #include "widgets/terrain/numbers_table.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
@@ -30,14 +30,14 @@ class AsOnPaper {
 public:
     explicit AsOnPaper(TerrainProfileView& terrain) : terrain_(terrain), before_(lookInForce())
     {
-        look(ThemeName::Day);
+        poll(ThemeName::Day);
     }
-    ~AsOnPaper() { look(before_.theme); }
+    ~AsOnPaper() { poll(before_.theme); }
     AsOnPaper(const AsOnPaper&) = delete;
     AsOnPaper& operator=(const AsOnPaper&) = delete;
 
 private:
-    void look(ThemeName theme)
+    void poll(ThemeName theme)
     {
         if (before_.theme == ThemeName::Day) return;
         applyLook(*qApp, theme, before_.fontScale);
@@ -72,7 +72,7 @@ QString savePicture(TerrainProfileView& terrain, const QString& path)
     auto file = NewFile::begin(path.toStdString());
     if (!file) return troubleOf(file.error());
     const QString temporary = QString::fromStdString(file->temporaryPath());
-    const AsOnPaper look(terrain);
+    const AsOnPaper poll(terrain);
     QwtPlotRenderer renderer;
     renderer.setDiscardFlag(QwtPlotRenderer::DiscardBackground);
     constexpr double kWidth = 240.0;  // [mm]

@@ -19,8 +19,8 @@
 #include <utility>
 
 #include "app/shell/file_dialog.h"
-#include "widgets/base/look.h"
 #include "widgets/base/plain_label.h"
+#include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
 #include "widgets/signals/session_timeline.h"
 
@@ -289,7 +289,7 @@ QString ReviewExportDialog::path() const
 void ReviewExportDialog::showViewState()
 {
     if (job_) return;
-    viewState_ = sources_.look();
+    viewState_ = sources_.poll();
     const bool all = viewState_.first <= viewState_.begin && viewState_.last >= viewState_.end;
     const QString visible = viewState_.isCursors ? tr("from A to B, %1")
                           : all                  ? tr("what is visible: all, %1")

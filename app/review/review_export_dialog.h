@@ -33,7 +33,7 @@ class ReviewExportDialog final : public QDialog {
 public:
     struct Sources {
         QString session;  ///< its file
-        std::function<ExportViewState()> look;
+        std::function<ExportViewState()> poll;
         std::function<QStringList()> dbc;  ///< files that the operator has chosen
         // Why it could not be written; empty: it is.
         std::function<QString(const QString&path)> savePicture, saveNumbers;

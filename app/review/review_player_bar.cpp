@@ -14,8 +14,8 @@
 #include "app/review/review_difference.h"
 #include "app/review/review_timeline.h"
 #include "app/shell/key_table.h"
-#include "widgets/base/look.h"
 #include "widgets/base/plain_label.h"
+#include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
 
 namespace terratact {

@@ -25,8 +25,8 @@
 #include "app/shell/view_menu.h"
 #include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
-#include "widgets/base/look.h"
 #include "widgets/base/navigation_rail.h"
+#include "widgets/base/theme.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/drive_pad.h"
@@ -170,10 +170,10 @@ void ReviewWindow::connectAll()
     connect(player_, &ReviewPlayerBar::started, this, [this] { sinceLook_.restart(); });
     connect(preferences_.get(), &PreferenceStore::changed, this, &ReviewWindow::applyPreferences);
     connect(&look_, &QTimer::timeout, this,
-            [this] { look(static_cast<double>(sinceLook_.restart()) * 1e-3); });
+            [this] { poll(static_cast<double>(sinceLook_.restart()) * 1e-3); });
 }
 
-void ReviewWindow::look(double elapsed)
+void ReviewWindow::poll(double elapsed)
 {
     sinceRefresh_ += elapsed;
     sinceGrowth_ += elapsed;
@@ -303,7 +303,7 @@ void ReviewWindow::exportShown()
     if (!export_)
         export_ = new ReviewExportDialog(
             {.session = QString::fromStdString(session_.path()),
-             .look = [this] { return exportViewState(); },
+             .poll = [this] { return exportViewState(); },
              .dbc = [this] { return preferences_->current().dbc; },
              .savePicture =
                  [this](const QString& path) { return savePicture(*terrain_->terrain(), path); },

@@ -47,7 +47,7 @@ public:
 
     void goTo(double seconds) { player_->goTo(seconds); }  ///< of the session
     /// Lets time pass: plays, and looks whether the session has grown.  elapsed: [s]
-    void look(double elapsed);
+    void poll(double elapsed);
 
     PreferenceStore& preferences() { return *preferences_; }
     const ReviewPlayer& player() const { return player_->player(); }

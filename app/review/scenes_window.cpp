@@ -9,7 +9,7 @@
 
 #include "app/pages/terrain_page.h"
 #include "widgets/base/format.h"
-#include "widgets/base/look.h"
+#include "widgets/base/theme.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/robot_readout.h"

@@ -24,9 +24,9 @@
 #include "core/store/sha256.h"
 #include "widgets/base/card.h"
 #include "widgets/base/format.h"
-#include "widgets/base/look.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/plain_table.h"
+#include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
 
 namespace terratact {

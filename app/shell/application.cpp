@@ -13,8 +13,8 @@
 #include "app/shell/language.h"
 #include "app/shell/text_sheet.h"
 #include "widgets/base/format.h"
-#include "widgets/base/look.h"
 #include "widgets/base/palette.h"
+#include "widgets/base/theme.h"
 
 namespace terratact {
 namespace {

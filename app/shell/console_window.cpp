@@ -27,9 +27,9 @@
 #include "app/shell/view_menu.h"
 #include "widgets/base/calm_wheel.h"
 #include "widgets/base/elided_label.h"
-#include "widgets/base/look.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/base/plain_label.h"
+#include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
 #include "widgets/control/status_header.h"
 

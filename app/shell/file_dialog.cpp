@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/shell/console_window.h"
-#include "widgets/base/look.h"
+#include "widgets/base/theme.h"
 
 namespace terratact {
 namespace {

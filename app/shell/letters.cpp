@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "app/shell/preferences.h"
-#include "widgets/base/look.h"
+#include "widgets/base/theme.h"
 
 namespace terratact {
 namespace {

@@ -26,7 +26,7 @@ RemoteStop::RemoteStop(QObject* parent)
     : QObject(parent), line_(qgetenv(kStopLineVariable).toStdString())
 {
     look_.setInterval(kPollAnswer);
-    connect(&look_, &QTimer::timeout, this, &RemoteStop::look);
+    connect(&look_, &QTimer::timeout, this, &RemoteStop::poll);
 }
 
 void RemoteStop::press()
@@ -51,7 +51,7 @@ void RemoteStop::fail(const Error& error)
               Weight::Bad);
 }
 
-void RemoteStop::look()
+void RemoteStop::poll()
 {
     if (caller_->isTaken()) {
         look_.stop();

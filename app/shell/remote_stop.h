@@ -36,7 +36,7 @@ signals:
 
 private:
     void fail(const Error& error);
-    void look();
+    void poll();
 
     std::string line_;
     std::optional<StopCaller> caller_;

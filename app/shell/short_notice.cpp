@@ -18,7 +18,7 @@ void ShortNotice::say(const QString& text, double now)
     announce(banner_);
 }
 
-void ShortNotice::look(double now, bool hasRoom)
+void ShortNotice::poll(double now, bool hasRoom)
 {
     banner_.setVisible(hasRoom && now < until_);
 }

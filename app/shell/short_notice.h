@@ -16,7 +16,7 @@ public:
     /// now: [s] any monotonic clock.  What was said before gives way.
     void say(const QString& text, double now);
     /// To be called several times a second.  hasRoom: nothing that matters more stands in its place.
-    void look(double now, bool hasRoom);
+    void poll(double now, bool hasRoom);
 
 private:
     QLabel& banner_;

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/shell/letters.h"
-#include "widgets/base/look.h"
+#include "widgets/base/theme.h"
 
 namespace terratact {
 namespace {

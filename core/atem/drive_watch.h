@@ -17,7 +17,7 @@ public:
         0.02;  ///< [rad] of a front flipper, which comes up before the tracks move
 
     /// The newest telemetry; true once for each drive that has stood for so long.  Never without odometry.
-    bool look(const Measurement& m, double now)
+    bool poll(const Measurement& m, double now)
     {
         if (m.activity != RobotActivity::Driving || !m.travelled) {
             since_.reset();

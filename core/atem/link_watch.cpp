@@ -18,7 +18,7 @@ std::string describe(const LinkAccount& link)
     throw std::invalid_argument("describe: no such LinkStanding");
 }
 
-const LinkAccount& LinkWatch::look(const LinkGlimpse& seen)
+const LinkAccount& LinkWatch::poll(const LinkGlimpse& seen)
 {
     if (!std::isfinite(seen.now) || !std::isfinite(seen.age.value_or(0.0)))
         throw std::invalid_argument("LinkWatch: the times must be finite");

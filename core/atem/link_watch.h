@@ -45,7 +45,7 @@ public:
     static constexpr double kLongestGap = 1.0;   ///< [s] a longer silence is a loss
 
     /// To be called several times a second.  Throws std::invalid_argument for times that are not finite.
-    const LinkAccount& look(const LinkGlimpse& seen);
+    const LinkAccount& poll(const LinkGlimpse& seen);
     const LinkAccount& account() const { return account_; }
 
 private:

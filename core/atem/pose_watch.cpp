@@ -20,7 +20,7 @@ bool confirmed(bool says, std::uint64_t count, std::uint64_t& since)
 
 }  // namespace
 
-void PoseWatch::look(const Measurement& newest, std::uint64_t count)
+void PoseWatch::poll(const Measurement& newest, std::uint64_t count)
 {
     moved_ = moved_ || confirmed(differs(newest), count, suspectedAt_);
     left_ = left_ || confirmed(bodyMoved(newest), count, suspectedLeftAt_);

@@ -22,7 +22,7 @@ public:
 
     /// The newest telemetry, the count-th since the source was opened (1 for the first); the same may be looked at
     /// again.  Two that differ have to say so in a row: one outlier of the IMU ends nothing.
-    void look(const Measurement& newest, std::uint64_t count);
+    void poll(const Measurement& newest, std::uint64_t count);
 
     bool hasMoved() const { return moved_; }
     /// The body has moved, so that heights of the scene are of another place: by tilt or tracks, or it drives and says

@@ -10,7 +10,7 @@ public:
     static constexpr double kStall = 0.1;  ///< [s] the operator's window counts as frozen beyond
 
     /// Told at every look; how long [s] it was frozen before this one, where that is more than kStall.
-    std::optional<double> look(double now)
+    std::optional<double> poll(double now)
     {
         const std::optional<double> before = last_;
         last_ = now;

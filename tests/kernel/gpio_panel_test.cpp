@@ -394,7 +394,7 @@ TEST_F(PanelKernel, aPanelThatIsInUseComesUpOnceItIsFree)
 TEST_F(PanelKernel, lampsAreTestedLitAndLeftDark)
 {
     std::array<bool, kPanelOutputs> seen{};
-    const auto look = [&](const PanelReport&) {
+    const auto poll = [&](const PanelReport&) {
         for (std::size_t i = 0; i < kPanelOutputs; ++i) seen[i] |= chip->level(kLinkLamp + i);
         return seen == std::array<bool, kPanelOutputs>{true, true, true, true};
     };

@@ -18,7 +18,7 @@
 #include "tests/support/staged_robot.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/base/held_button.h"
-#include "widgets/base/look.h"
+#include "widgets/base/theme.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/drive_pad.h"

@@ -19,7 +19,7 @@
 #include "tests/support/scripted_source.h"
 #include "tests/support/sim_source.h"
 #include "widgets/base/held_button.h"
-#include "widgets/base/look.h"
+#include "widgets/base/theme.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/probe_card.h"
 #include "widgets/control/status_header.h"

@@ -121,7 +121,7 @@ inline QStringList readableTexts(const QWidget& window)
 class TipsOfButtons {
 public:
     /// Takes those of the buttons that are seen now.
-    void look(const QWidget& window)
+    void poll(const QWidget& window)
     {
         for (const QAbstractButton* button : window.findChildren<QAbstractButton*>()) {
             if (!button->isVisible() || button->objectName().startsWith(QLatin1String("qt_")))
@@ -192,21 +192,21 @@ inline std::vector<std::string> cutCells(const QTableView& table)
 inline std::vector<std::string> cutText(const QWidget& window)
 {
     std::vector<std::string> cut;
-    const auto look = [&](const QWidget& widget, const QString& text, const QSize& needed) {
+    const auto poll = [&](const QWidget& widget, const QString& text, const QSize& needed) {
         if (!widget.isVisible() || text.isEmpty()) return;
         if (widget.width() + 1 < needed.width() || widget.height() + 1 < needed.height())
             cut.push_back(text.toStdString());
     };
     for (const QLabel* label : window.findChildren<QLabel*>())
         if (!label->inherits("terratact::ElidedLabel"))  // its tip says all
-            look(*label, label->text(),
+            poll(*label, label->text(),
                  label->wordWrap() ? QSize(0, label->heightForWidth(label->width()))
                                    : label->sizeHint());
     for (const QPushButton* button : window.findChildren<QPushButton*>())
-        look(*button, button->text(), button->minimumSizeHint());
+        poll(*button, button->text(), button->minimumSizeHint());
     for (const QProgressBar* bar : window.findChildren<QProgressBar*>())
         if (bar->isTextVisible())
-            look(*bar, bar->text(), {bar->fontMetrics().horizontalAdvance(bar->text()), 0});
+            poll(*bar, bar->text(), {bar->fontMetrics().horizontalAdvance(bar->text()), 0});
     for (const QTableView* table : window.findChildren<QTableView*>()) {
         const QHeaderView& header = *table->horizontalHeader();
         for (int column = 0; table->isVisible() && column < header.count(); ++column) {

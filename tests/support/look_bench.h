@@ -9,8 +9,8 @@
 #include "tests/support/gui.h"
 #include "tests/support/sim_source.h"
 #include "tests/support/temporary_directory.h"
-#include "widgets/base/look.h"
 #include "widgets/base/navigation_rail.h"
+#include "widgets/base/theme.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/probe_card.h"
 
@@ -71,7 +71,7 @@ struct Look : testing::Test {
         for (int page = 0; page < window->rail()->pages(); ++page) {
             window->rail()->choose(page);
             QTest::qWait(80);
-            look();
+            poll();
         }
         window->rail()->choose(0);
     }

@@ -54,51 +54,51 @@ private:
         using QPaintEngine::drawRects;
         void drawRects(const QRectF* rects, int count) override
         {
-            std::for_each_n(rects, count, [this](const QRectF& rect) { look(rect); });
+            std::for_each_n(rects, count, [this](const QRectF& rect) { poll(rect); });
         }
-        void drawEllipse(const QRectF& rect) override { look(rect); }
+        void drawEllipse(const QRectF& rect) override { poll(rect); }
         void drawLines(const QLineF* lines, int count) override
         {
             std::for_each_n(lines, count, [this](const QLineF& line) {
-                look(line.p1());
-                look(line.p2());
+                poll(line.p1());
+                poll(line.p2());
             });
         }
-        void drawPoints(const QPointF* points, int count) override { look(points, count); }
+        void drawPoints(const QPointF* points, int count) override { poll(points, count); }
         void drawPolygon(const QPointF* points, int count, PolygonDrawMode /*mode*/) override
         {
-            look(points, count);
+            poll(points, count);
         }
         void drawPath(const QPainterPath& path) override
         {
-            for (int i = 0; i < path.elementCount(); ++i) look(path.elementAt(i));
+            for (int i = 0; i < path.elementCount(); ++i) poll(path.elementAt(i));
         }
         void drawPixmap(const QRectF& to, const QPixmap& /*map*/, const QRectF& /*from*/) override
         {
-            look(to);
+            poll(to);
         }
         void drawTiledPixmap(const QRectF& to, const QPixmap& /*map*/, const QPointF& from) override
         {
-            look(to);
-            look(from);
+            poll(to);
+            poll(from);
         }
         void drawImage(const QRectF& to, const QImage& /*image*/, const QRectF& /*from*/,
                        Qt::ImageConversionFlags /*flags*/) override
         {
-            look(to);
+            poll(to);
         }
-        void drawTextItem(const QPointF& at, const QTextItem& /*item*/) override { look(at); }
+        void drawTextItem(const QPointF& at, const QTextItem& /*item*/) override { poll(at); }
 
-        void look(const QPointF* points, int count)
+        void poll(const QPointF* points, int count)
         {
-            std::for_each_n(points, count, [this](const QPointF& point) { look(point); });
+            std::for_each_n(points, count, [this](const QPointF& point) { poll(point); });
         }
-        void look(const QRectF& rect)
+        void poll(const QRectF& rect)
         {
-            look(rect.topLeft());
-            look(rect.bottomRight());
+            poll(rect.topLeft());
+            poll(rect.bottomRight());
         }
-        void look(const QPointF& logical)
+        void poll(const QPointF& logical)
         {
             const QPointF point = state->transform().map(logical);
             const bool near = std::abs(point.x()) <= kFar && std::abs(point.y()) <= kFar;

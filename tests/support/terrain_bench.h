@@ -4,8 +4,8 @@
 
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
-#include "widgets/base/look.h"
 #include "widgets/base/palette.h"
+#include "widgets/base/theme.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
 namespace terratact {

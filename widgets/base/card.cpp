@@ -4,8 +4,8 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "widgets/base/look.h"
 #include "widgets/base/plain_label.h"
+#include "widgets/base/theme.h"
 
 namespace terratact {
 

@@ -76,10 +76,10 @@ struct Theme {
 
 Theme themeOf(ThemeName name);
 
-/// The theme the console is drawn in; look.h sets it.  GUI thread only.
+/// The theme the console is drawn in; theme.h sets it.  GUI thread only.
 const Theme& theme();
 
-/// A length or a font's size at the font scale now in use; look.h sets it.  pixels: at 100 %.  GUI thread only.
+/// A length or a font's size at the font scale now in use; theme.h sets it.  pixels: at 100 %.  GUI thread only.
 int scaled(int pixels);
 
 inline constexpr int kTarget = 34;  ///< [px] least height of what can be pressed, at 100 %

@@ -12,10 +12,10 @@
 #include "core/atem/following.h"
 #include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
-#include "widgets/base/look.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/scroll_column.h"
+#include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
 
 namespace terratact {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "widgets/base/format.h"
-#include "widgets/base/look.h"
 #include "widgets/base/plain_label.h"
+#include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
 
 namespace terratact {

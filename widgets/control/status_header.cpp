@@ -12,8 +12,8 @@
 #include <algorithm>
 
 #include "widgets/base/elided_label.h"
-#include "widgets/base/look.h"
 #include "widgets/base/spoken.h"
+#include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
 #include "widgets/control/arming_control.h"
 

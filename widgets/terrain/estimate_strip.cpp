@@ -12,9 +12,9 @@
 #include "core/infer/estimate/estimate.h"
 #include "widgets/base/elided_label.h"
 #include "widgets/base/format.h"
-#include "widgets/base/look.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
+#include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
 
 namespace terratact {

@@ -13,9 +13,9 @@
 #include <utility>
 
 #include "widgets/base/format.h"
-#include "widgets/base/look.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/spoken.h"
+#include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
 
 namespace terratact {

@@ -339,7 +339,7 @@ struct TerrainLook {
     bool operator==(const TerrainLook&) const = default;
 };
 
-TerrainLook lookOf(const MainWindow& console)
+TerrainLook styleOf(const MainWindow& console)
 {
     TerrainLook look;
     const auto place = [&](const QWidget* part) {
@@ -381,11 +381,11 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimatesAndSeesThemTheS
         return console.terrain()->accessibleDescription().contains(", arm");
     };
     ASSERT_TRUE(eventually([&] { return isDrawn(*window) && isDrawn(*listener); }));
-    (void)eventually([&] { return lookOf(*listener) == lookOf(*window); }, 5000);
-    EXPECT_EQ(lookOf(*listener).says.join('\n').toStdString(),
-              lookOf(*window).says.join('\n').toStdString());
-    EXPECT_EQ(lookOf(*listener).places, lookOf(*window).places);
-    const TerrainLook look = lookOf(*window);
+    (void)eventually([&] { return styleOf(*listener) == styleOf(*window); }, 5000);
+    EXPECT_EQ(styleOf(*listener).says.join('\n').toStdString(),
+              styleOf(*window).says.join('\n').toStdString());
+    EXPECT_EQ(styleOf(*listener).places, styleOf(*window).places);
+    const TerrainLook look = styleOf(*window);
     EXPECT_NE(look.says.first(), VerdictStrip::tr("NO VERDICT"));
     const TemporaryDirectory directory;
     const std::string log = directory.write("atem.log", candumpOf(*recorder));
@@ -411,8 +411,8 @@ TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimatesAndSeesThemTheS
         << "what a probe would buy is known here, too";
     EXPECT_FALSE(window->probeCard()->asks());
     ASSERT_TRUE(eventually([&] { return isDrawn(*window); }));
-    EXPECT_EQ(lookOf(*window).says.join('\n').toStdString(), look.says.join('\n').toStdString());
-    EXPECT_EQ(lookOf(*window).places, look.places);
+    EXPECT_EQ(styleOf(*window).says.join('\n').toStdString(), look.says.join('\n').toStdString());
+    EXPECT_EQ(styleOf(*window).places, look.places);
     EXPECT_EQ(window->exploration().estimation().ledger().entries(), ledger);
     EXPECT_EQ(listener->link()->view().frames.sent, 0U);
 }

@@ -18,8 +18,8 @@
 #include "tests/support/gui.h"
 #include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
-#include "widgets/base/look.h"
 #include "widgets/base/navigation_rail.h"
+#include "widgets/base/theme.h"
 #include "widgets/control/probe_card.h"
 #include "widgets/terrain/verdict_strip.h"
 

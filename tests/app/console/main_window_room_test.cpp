@@ -11,8 +11,8 @@
 #include "tests/support/console_bench.h"
 #include "tests/support/gui.h"
 #include "tests/support/scripted_source.h"
-#include "widgets/base/look.h"
 #include "widgets/base/navigation_rail.h"
+#include "widgets/base/theme.h"
 #include "widgets/control/drive_pad.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/force_bars.h"
@@ -132,7 +132,7 @@ TEST_F(Console, aBannerMovesNoCard)
                 window->resize(size);
                 QTest::qWait(60);
                 EXPECT_EQ(window->size(), size);
-                look(std::to_string(size.width()) + " px, layout "
+                poll(std::to_string(size.width()) + " px, layout "
                      + std::to_string(static_cast<int>(layout)));
             }
     };

@@ -16,8 +16,8 @@
 #include "tests/support/gui.h"
 #include "tests/support/robot_on_bench.h"
 #include "tests/support/temporary_directory.h"
-#include "widgets/base/look.h"
 #include "widgets/base/navigation_rail.h"
+#include "widgets/base/theme.h"
 #include "widgets/control/status_header.h"
 
 namespace terratact {
@@ -28,10 +28,10 @@ class ModalWatch final : public QObject {
 public:
     ModalWatch()
     {
-        connect(&timer_, &QTimer::timeout, this, &ModalWatch::look);
+        connect(&timer_, &QTimer::timeout, this, &ModalWatch::poll);
         timer_.start(5);
     }
-    void look()
+    void poll()
     {
         if (QWidget* menu = QApplication::activePopupWidget()) menu->close();  // would wait, too
         QWidget* const modal = QApplication::activeModalWidget();
@@ -93,7 +93,7 @@ struct Modeless : testing::Test, RobotOnBench {
     void settle(const std::string& what)
     {
         watch.after = what;
-        watch.look();
+        watch.poll();
         QApplication::processEvents();
         for (const QPointer<QWidget>& opened : guarded(QApplication::topLevelWidgets())) {
             if (!opened || opened == window.get() || !opened->isVisible()) continue;
@@ -106,10 +106,10 @@ struct Modeless : testing::Test, RobotOnBench {
                 QTest::keyClick(name, Qt::Key_Return);
                 QApplication::processEvents();
             }
-            watch.look();
+            watch.poll();
             if (opened) opened->close();
         }
-        watch.look();
+        watch.poll();
     }
     void press(QAbstractButton& button)
     {

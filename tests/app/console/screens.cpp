@@ -26,7 +26,7 @@
 #include "tests/support/toy_model.h"
 #include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
-#include "widgets/base/look.h"
+#include "widgets/base/theme.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/probe_card.h"
@@ -230,13 +230,13 @@ bool Screens::reads(const QString& text) const
 
 void Screens::picture(std::string_view name, const QStringList& says)
 {
-    look(name, says);
+    poll(name, says);
     save(gui::painted(window()), name);
 }
 
 void Screens::pictureWith(QWidget& above, std::string_view name, const QStringList& says)
 {
-    look(name, says, &above);
+    poll(name, says, &above);
     QImage image = gui::painted(window());
     if (above.isWindow()) {
         const QImage sheet = gui::painted(above);
@@ -267,11 +267,11 @@ void Screens::pictureOfMenu(QPushButton& button, std::string_view name, const QS
     EXPECT_TRUE(image.rect().contains(place)) << name << " has no room";
     QPainter(&image).drawImage(place.topLeft(), gui::painted(menu));
     menu.close();
-    look(name, {button.text()});
+    poll(name, {button.text()});
     save(image, name);
 }
 
-void Screens::look(std::string_view name, const QStringList& says, QWidget* above)
+void Screens::poll(std::string_view name, const QStringList& says, QWidget* above)
 {
     const auto untidy = [&] {
         auto found = gui::cutText(window());

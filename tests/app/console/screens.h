@@ -108,7 +108,7 @@ struct Screens : testing::Test {
 private:
     ModelLoader altered();
     void close();
-    void look(std::string_view name, const QStringList& says, QWidget* above = nullptr);
+    void poll(std::string_view name, const QStringList& says, QWidget* above = nullptr);
     void show(ConsoleWindow& opened);
     void save(const QImage& image, std::string_view name);
     void compareWithEnglish();

@@ -26,7 +26,7 @@
 #include "tests/support/sim_source.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/toy_model.h"
-#include "widgets/base/look.h"
+#include "widgets/base/theme.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/signals/event_list.h"
 #include "widgets/terrain/verdict_strip.h"

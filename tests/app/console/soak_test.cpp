@@ -29,8 +29,8 @@
 #include "tests/support/loop_beat.h"
 #include "tests/support/robot_on_bench.h"
 #include "tests/support/temporary_directory.h"
-#include "widgets/base/look.h"
 #include "widgets/base/navigation_rail.h"
+#include "widgets/base/theme.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
 namespace terratact {

@@ -12,7 +12,7 @@
 #include "tests/support/gui.h"
 #include "tests/support/sim_source.h"
 #include "widgets/base/card.h"
-#include "widgets/base/look.h"
+#include "widgets/base/theme.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
 namespace terratact {

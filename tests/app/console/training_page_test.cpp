@@ -28,8 +28,8 @@
 #include "tests/support/temporary_directory.h"
 #include "tests/support/toy_model.h"
 #include "widgets/base/held_button.h"
-#include "widgets/base/look.h"
 #include "widgets/base/navigation_rail.h"
+#include "widgets/base/theme.h"
 #include "widgets/control/status_header.h"
 
 namespace terratact {
@@ -161,16 +161,16 @@ TEST_F(TrainingConsole, trainsComparesAndAdopts)
     EXPECT_FALSE(page->compareButton()->isEnabled());
     EXPECT_FALSE(page->adoptButton()->isEnabled());
     gui::TipsOfButtons tips;
-    tips.look(*page);
+    tips.poll(*page);
     train(files->file("learn.csv"));
     EXPECT_TRUE(
         eventually([&] { return page->bins()->item(0, 1)->text().startsWith("done"); }, kPatience));
     EXPECT_EQ(page->bins()->item(10, 6)->text(), "waiting");
     EXPECT_TRUE(page->bar()->format().contains("left")) << page->bar()->format().toStdString();
     EXPECT_FALSE(page->startButton()->isEnabled());
-    tips.look(*page);
+    tips.poll(*page);
     ASSERT_TRUE(ends());
-    tips.look(*page);
+    tips.poll(*page);
     for (int bin = 0; bin < kBins; ++bin)
         for (int kind = 1; kind <= 6; ++kind) {
             const QString text = page->bins()->item(bin, kind)->text();
@@ -180,9 +180,9 @@ TEST_F(TrainingConsole, trainsComparesAndAdopts)
     EXPECT_EQ(page->nameField()->text(), "trained-2");
 
     type(page->testField(), files->file("test.csv"));
-    tips.look(*page);
+    tips.poll(*page);
     click(page->compareButton());
-    tips.look(*page);
+    tips.poll(*page);
     ASSERT_TRUE(ends());
     EXPECT_TRUE(page->verdict()->isVisible());
     EXPECT_TRUE(page->verdict()->text().contains("near the robot on "));
@@ -198,7 +198,7 @@ TEST_F(TrainingConsole, trainsComparesAndAdopts)
     window->exploration().request();
     ASSERT_TRUE(eventually([&] { return !page->adoptButton()->isEnabled(); }));
     EXPECT_TRUE(page->reason()->text().contains("exploration is running"));
-    tips.look(*page);
+    tips.poll(*page);
     QTest::mousePress(page->adoptButton(), Qt::LeftButton);
     QTest::qWait(300);
     QTest::mouseRelease(page->adoptButton(), Qt::LeftButton);
@@ -206,7 +206,7 @@ TEST_F(TrainingConsole, trainsComparesAndAdopts)
     page->setFocus();
     QTest::keyClick(window.get(), Qt::Key_Escape);
     ASSERT_TRUE(eventually([&] { return page->adoptButton()->isEnabled(); }));
-    tips.look(*page);
+    tips.poll(*page);
     EXPECT_EQ(tips.silent(), std::vector<std::string>());
     for (const char* name :
          {"Start", "Cancel", "Compare", "Use the new model from now on", "Discard the new model",

@@ -37,8 +37,8 @@
 #include "tests/support/temporary_directory.h"
 #include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
-#include "widgets/base/look.h"
 #include "widgets/base/navigation_rail.h"
+#include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/event_list.h"
@@ -138,7 +138,7 @@ struct Windows : testing::Test {
                 if (other->isVisible() && other != &window) return other;
             return nullptr;
         };
-        const auto look = [&](const std::string& by) {
+        const auto poll = [&](const std::string& by) {
             while (const QPointer<QWidget> other = opened()) {
                 const std::string name = other->windowTitle().toStdString();
                 names.insert(name);
@@ -169,7 +169,7 @@ struct Windows : testing::Test {
                 if (!button || !button->isVisible() || !button->isEnabled()) continue;
                 const std::string name = button->text().toStdString();
                 QTest::mouseClick(button, Qt::LeftButton);
-                look(name);
+                poll(name);
             }
         }
         QPushButton* const help = window.findChild<QPushButton*>(QStringLiteral("help"));
@@ -182,7 +182,7 @@ struct Windows : testing::Test {
             }
             help->menu()->close();
             action->trigger();
-            look(action->text().toStdString());
+            poll(action->text().toStdString());
         }
         return names;
     }

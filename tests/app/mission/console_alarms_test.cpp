@@ -20,7 +20,7 @@ struct Alarming : testing::Test {
     void pass(double seconds)
     {
         for (const double until = now + seconds; now < until; now += 0.04)
-            alarms.look(now, viewState);
+            alarms.poll(now, viewState);
     }
     const Alarm* find(const std::string& id) const
     {

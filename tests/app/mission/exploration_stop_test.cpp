@@ -267,7 +267,7 @@ struct LinkBench : Bench {
         exploration->tick(time, latest);
         display.show({.now = time,
                       .newest = &*latest,
-                      .link = watch.look({.now = time,
+                      .link = watch.poll({.now = time,
                                           .age = time - secondsOf(latest->arrived),
                                           .alive = exploration->linkAlive()})});
     }

@@ -101,7 +101,7 @@ TEST(PresetsCsv, refusesWhatItIsNot)
                         {"line 3", "another model"}));
 }
 
-// app/figures/tradeoff_figure.cpp and app/figures/method_look.cpp.
+// app/figures/tradeoff_figure.cpp and app/figures/method_style.cpp.
 constexpr int kLeft = 96, kRight = 856, kTop = 110, kBottom = 620, kSecondLeft = 990;
 constexpr unsigned kPafc = 0x12804a, kJoint = 0x0b7f8c, kLocal = 0xb01e4f;
 

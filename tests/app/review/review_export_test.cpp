@@ -21,8 +21,8 @@
 #include "tests/support/review_bench.h"
 #include "tests/support/robot_session.h"
 #include "tests/support/temporary_directory.h"
-#include "widgets/base/look.h"
 #include "widgets/base/navigation_rail.h"
+#include "widgets/base/theme.h"
 #include "widgets/signals/signal_table.h"
 #include "widgets/terrain/numbers_table.h"
 #include "widgets/terrain/terrain_profile_view.h"
@@ -290,22 +290,22 @@ TEST_F(ExportOf, aButtonThatCannotBePressedSaysWhyNot)
     window->rail()->choose(window->rail()->pageOf(Qt::Key_F6));
     for (const double time : {0.0, At::kMarker}) {
         window->goTo(time);
-        tips.look(*window);
+        tips.poll(*window);
     }
     window->goTo(0.0);
     choose("Report", ".html", "report.html");
     ReviewExportDialog& dialog = *window->exportDialog();
-    tips.look(dialog);
+    tips.poll(dialog);
     EXPECT_EQ(dialog.exportButton()->toolTip(), "No estimate stands at this time");
     choose("Frames, signals", ".mcap", "");
     dialog.pathEdit()->clear();
-    tips.look(dialog);
+    tips.poll(dialog);
     EXPECT_EQ(dialog.exportButton()->toolTip(), "Name the file first");
     choose("Frames, signals", ".mcap", "big.mcap");
-    tips.look(dialog);
+    tips.poll(dialog);
     QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
     ASSERT_TRUE(dialog.writes());
-    tips.look(dialog);
+    tips.poll(dialog);
     QTest::keyClick(&dialog, Qt::Key_Escape);
     ASSERT_TRUE(eventually([&] { return !dialog.writes(); }));
     EXPECT_EQ(tips.silent(), std::vector<std::string>());

@@ -79,12 +79,12 @@ TEST_F(ReviewOf, aSessionPlaysAndPausesByKeys)
     press(Qt::Key_Space);
     EXPECT_TRUE(window->player().playing());
     const double began = now();
-    window->look(0.2);
+    window->poll(0.2);
     EXPECT_NEAR(now() - began, 0.2, 0.15);  // its own timer may have ticked
     press(Qt::Key_Space);
     EXPECT_FALSE(window->player().playing());
     const double stood = now();
-    window->look(0.2);
+    window->poll(0.2);
     EXPECT_EQ(now(), stood);
     press(Qt::Key_F);
     press(Qt::Key_F);
@@ -93,7 +93,7 @@ TEST_F(ReviewOf, aSessionPlaysAndPausesByKeys)
     window->goTo(2.0);
     press(Qt::Key_J);
     EXPECT_TRUE(window->player().backwards());
-    window->look(0.1);
+    window->poll(0.1);
     EXPECT_LT(now(), 2.0);
     press(Qt::Key_K);
     EXPECT_FALSE(window->player().playing());
@@ -155,7 +155,7 @@ TEST_F(ReviewOf, twoCursorsLoopAndTellTheDifference)
     EXPECT_TRUE(window->player().loops());
     press(Qt::Key_L);
     for (int n = 0; n < 10; ++n) {
-        window->look(0.2);
+        window->poll(0.2);
         EXPECT_GE(now(), 1.0);
         EXPECT_LE(now(), 1.5);
     }
@@ -177,7 +177,7 @@ TEST_F(ReviewOf, aSessionThatIsStillRecordedIsFollowed)
     ASSERT_TRUE(writer->add(EventRow{
         .id = 100, .time = sessionTimeOf(7.0), .kind = EventKind::Marker, .text = "later"}));
     ASSERT_TRUE(writer->commit());
-    window->look(0.6);
+    window->poll(0.6);
     EXPECT_NEAR(window->player().end(), 7.0, 1e-6);
     EXPECT_NEAR(now(), 7.0, 1e-6);
     EXPECT_TRUE(window->stateLabel()->text().contains("BEING RECORDED"));

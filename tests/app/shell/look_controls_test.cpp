@@ -99,11 +99,11 @@ TEST_F(Look, everyControlHasANameAndASize)
 TEST_F(Look, aButtonThatCannotBePressedSaysWhyNot)
 {
     gui::TipsOfButtons tips;
-    const auto lookEverywhere = [&] { eachPage([&] { tips.look(*window); }); };
+    const auto lookEverywhere = [&] { eachPage([&] { tips.poll(*window); }); };
     lookEverywhere();
     for (const double limit : {VerdictStrip::kLeastLimit, VerdictStrip::kGreatestLimit}) {
         window->preferences().change([limit](Preferences& p) { p.obstacleLimit = limit; });
-        tips.look(*window);
+        tips.poll(*window);
     }
     window->preferences().change([](Preferences& p) { p.model = "/nowhere/none.ttm"; });
     explore();

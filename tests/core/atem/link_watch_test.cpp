@@ -15,11 +15,11 @@ struct Watching : testing::Test {
     bool othersCome = false;
     std::vector<std::string> said;  ///< each that was other than the one before
 
-    void look(bool comes)
+    void poll(bool comes)
     {
         now += 0.04;
         if (comes) heard = now;
-        const LinkAccount& link = watch.look({.now = now,
+        const LinkAccount& link = watch.poll({.now = now,
                                               .age = now - heard,
                                               .alive = now - heard <= 0.25,
                                               .othersCome = othersCome});
@@ -27,7 +27,7 @@ struct Watching : testing::Test {
     }
     void pass(double seconds, bool comes)
     {
-        for (const double until = now + seconds; now < until;) look(comes);
+        for (const double until = now + seconds; now < until;) poll(comes);
     }
 };
 
@@ -35,8 +35,8 @@ using Said = std::vector<std::string>;
 
 TEST_F(Watching, isSilentUntilTheFirstTelemetryAndUpWithIt)
 {
-    EXPECT_EQ(describe(watch.look({.now = 1.0})), "no telemetry yet");
-    look(true);
+    EXPECT_EQ(describe(watch.poll({.now = 1.0})), "no telemetry yet");
+    poll(true);
     EXPECT_EQ(watch.account(), (LinkAccount{.standing = LinkStanding::Up, .alive = true}));
 }
 
@@ -102,14 +102,14 @@ TEST_F(Watching, aLogEnds)
 {
     pass(1.0, true);
     pass(0.5, false);
-    EXPECT_EQ(describe(watch.look({.now = now, .age = 0.5, .ended = true})), "end of the log");
+    EXPECT_EQ(describe(watch.poll({.now = now, .age = 0.5, .ended = true})), "end of the log");
     EXPECT_EQ(watch.account().gaps, 0);
 }
 
 TEST_F(Watching, refusesTimesThatAreNone)
 {
-    EXPECT_THROW((void)watch.look({.now = std::nan("")}), std::invalid_argument);
-    EXPECT_THROW((void)watch.look({.now = 1.0, .age = INFINITY}), std::invalid_argument);
+    EXPECT_THROW((void)watch.poll({.now = std::nan("")}), std::invalid_argument);
+    EXPECT_THROW((void)watch.poll({.now = 1.0, .age = INFINITY}), std::invalid_argument);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ PerContact<bool> only(std::initializer_list<PanelContact> contacts)
 
 /// A panel that is looked at every 10 ms.
 struct Panel {
-    PanelState look(const PerContact<bool>& closed, const PerContact<bool>& disturbed = {})
+    PanelState poll(const PerContact<bool>& closed, const PerContact<bool>& disturbed = {})
     {
         now += kPeriod;
         state = nextPanel(state, {.now = now, .closed = closed, .disturbed = disturbed});
@@ -41,7 +41,7 @@ struct Panel {
     /// The same levels without an edge for that long.
     PanelState rest(const PerContact<bool>& closed, double seconds)
     {
-        for (double end = now + seconds - kPeriod / 2; now < end;) look(closed);
+        for (double end = now + seconds - kPeriod / 2; now < end;) poll(closed);
         return state;
     }
     /// Up, every button open and STOP closed for long enough.
@@ -60,11 +60,11 @@ TEST(Panel, assertsStopUntilItsContactHasBeenSeenClosedFor30Ms)
 {
     EXPECT_TRUE(PanelState{}.stop) << "before anything is known";
     Panel panel;
-    EXPECT_TRUE(panel.look(only({kStop})).stop) << "at 0 ms";
-    EXPECT_TRUE(panel.look(only({kStop})).stop) << "at 10 ms";
-    EXPECT_TRUE(panel.look(only({kStop})).stop) << "at 20 ms";
-    panel.look(only({kStop}));
-    EXPECT_FALSE(panel.look(only({kStop})).stop);
+    EXPECT_TRUE(panel.poll(only({kStop})).stop) << "at 0 ms";
+    EXPECT_TRUE(panel.poll(only({kStop})).stop) << "at 10 ms";
+    EXPECT_TRUE(panel.poll(only({kStop})).stop) << "at 20 ms";
+    panel.poll(only({kStop}));
+    EXPECT_FALSE(panel.poll(only({kStop})).stop);
     EXPECT_TRUE(panel.state.present);
 }
 
@@ -72,29 +72,29 @@ TEST(Panel, assertsStopInTheVeryTickItsContactIsOpen)
 {
     Panel panel = Panel().ready();
     ASSERT_FALSE(panel.state.stop);
-    EXPECT_TRUE(panel.look(only({})).stop);
+    EXPECT_TRUE(panel.poll(only({})).stop);
 }
 
 TEST(Panel, assertsStopForAnOpeningThatIsOverBeforeItIsLookedAt)
 {
     Panel panel = Panel().ready();
-    EXPECT_TRUE(panel.look(only({kStop}), only({kStop})).stop);
-    EXPECT_TRUE(panel.look(only({kStop})).stop);
-    EXPECT_TRUE(panel.look(only({kStop})).stop);
-    panel.look(only({kStop}));
-    EXPECT_FALSE(panel.look(only({kStop})).stop) << "closed and quiet for 30 ms";
+    EXPECT_TRUE(panel.poll(only({kStop}), only({kStop})).stop);
+    EXPECT_TRUE(panel.poll(only({kStop})).stop);
+    EXPECT_TRUE(panel.poll(only({kStop})).stop);
+    panel.poll(only({kStop}));
+    EXPECT_FALSE(panel.poll(only({kStop})).stop) << "closed and quiet for 30 ms";
 }
 
 TEST(Panel, assertsStopWhileItsContactBouncesForEver)
 {
     Panel panel = Panel().ready();
-    for (int i = 0; i < 1000; ++i) ASSERT_TRUE(panel.look(only({kStop}), only({kStop})).stop) << i;
+    for (int i = 0; i < 1000; ++i) ASSERT_TRUE(panel.poll(only({kStop}), only({kStop})).stop) << i;
 }
 
 TEST(Panel, takesABrokenWireForAPressedStop)
 {
     Panel panel;
-    for (int i = 0; i < 1000; ++i) ASSERT_TRUE(panel.look(only({})).stop) << i;
+    for (int i = 0; i < 1000; ++i) ASSERT_TRUE(panel.poll(only({})).stop) << i;
 }
 
 TEST(Panel, countsOnePressPerClosing)
@@ -117,7 +117,7 @@ TEST(Panel, saysPressedInOneTickOnly)
 {
     Panel panel = Panel().ready();
     int ticks = 0;
-    for (int i = 0; i < 100; ++i) ticks += panel.look(only({kStop, kAtem})).pressed[kAtem];
+    for (int i = 0; i < 100; ++i) ticks += panel.poll(only({kStop, kAtem})).pressed[kAtem];
     EXPECT_EQ(ticks, 1);
 }
 
@@ -126,7 +126,7 @@ TEST(Panel, takesNoPressBefore30MsWithoutAnEdge)
     Panel panel = Panel().ready();
     panel.rest(only({kStop, kApprove}), 0.03);
     EXPECT_EQ(panel.presses[kApprove], 0) << "seen closed at 0, 10 and 20 ms";
-    panel.look(only({kStop, kApprove}), only({kApprove}));
+    panel.poll(only({kStop, kApprove}), only({kApprove}));
     panel.rest(only({kStop, kApprove}), 0.02);
     EXPECT_EQ(panel.presses[kApprove], 0) << "an edge began the wait anew";
     panel.rest(only({kStop, kApprove}), 0.02);
@@ -146,14 +146,14 @@ TEST(Panel, letsGoWithTheFirstEdge)
     Panel panel = Panel().ready();
     panel.rest(only({kStop, kApprove}), 0.1);
     ASSERT_TRUE(panel.state.held(kApprove));
-    EXPECT_FALSE(panel.look(only({kStop, kApprove}), only({kApprove})).held(kApprove));
+    EXPECT_FALSE(panel.poll(only({kStop, kApprove}), only({kApprove})).held(kApprove));
 }
 
 TEST(Panel, takesAGlitchOfAHeldButtonForNoNewPress)
 {
     Panel panel = Panel().ready();
     panel.rest(only({kStop, kApprove}), 0.1);
-    panel.look(only({kStop}), only({kApprove}));
+    panel.poll(only({kStop}), only({kApprove}));
     panel.rest(only({kStop, kApprove}), 0.1);
     EXPECT_EQ(panel.presses[kApprove], 1);
     EXPECT_TRUE(panel.state.held(kApprove)) << "the same press goes on";
@@ -177,7 +177,7 @@ TEST(Panel, doesNotCountAButtonHeldAtStartUntilItIsLetGo)
 TEST(Panel, takesAButtonThatOpensForAnInstantAtStartForHeld)
 {
     Panel panel;
-    panel.look(only({kStop}));
+    panel.poll(only({kStop}));
     panel.rest(only({kStop, kAtem}), 1.0);
     EXPECT_EQ(panel.presses[kAtem], 0);
     EXPECT_EQ(panel.state.contacts[kAtem].phase, ButtonPhase::HeldAtStart);
@@ -191,7 +191,7 @@ TEST(Panel, takesAButtonHeldForTenMinutesForStuck)
     panel.rest(only({kStop, kApprove}), 0.1);
     EXPECT_FALSE(panel.state.held(kApprove));
     EXPECT_EQ(panel.state.contacts[kApprove].phase, ButtonPhase::Stuck);
-    panel.look(only({kStop}), only({kApprove}));
+    panel.poll(only({kStop}), only({kApprove}));
     panel.rest(only({kStop, kApprove}), 1.0);
     EXPECT_FALSE(panel.state.held(kApprove)) << "a glitch is no letting go";
     panel.rest(only({kStop}), 0.1);
@@ -216,7 +216,7 @@ TEST(Panel, startsAnewWhenItReturns)
 {
     Panel panel = Panel().ready();
     panel.lose();
-    EXPECT_TRUE(panel.look(only({kStop, kApprove})).stop);
+    EXPECT_TRUE(panel.poll(only({kStop, kApprove})).stop);
     EXPECT_TRUE(panel.state.present);
     panel.rest(only({kStop, kApprove}), 1.0);
     EXPECT_FALSE(panel.state.stop);
@@ -322,12 +322,12 @@ TEST(BouncingContacts, endInTheRightStateIn100000RandomTraces)
         bool wasOpen = false;
         while (panel.now <= end) {
             const double from = panel.now;
-            panel.now += period(rng) - kPeriod;  // look() adds the period
+            panel.now += period(rng) - kPeriod;  // poll() adds the period
             const double now = panel.now + kPeriod;
             closed[contact] = levelAt(first, edges, now);
             PerContact<bool> disturbed;
             disturbed[contact] = edgeBetween(edges, from, now);
-            panel.look(closed, disturbed);
+            panel.poll(closed, disturbed);
             if (disturbed[contact] || !closed[contact]) {
                 wasOpen = true;
                 ASSERT_FALSE(panel.state.contacts[contact].trusted) << "trace " << trace;

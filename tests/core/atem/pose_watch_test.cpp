@@ -44,12 +44,12 @@ TEST_P(PoseChange, isAMoveBeyondItsLimit)
         PoseWatch watch(scene());
         Measurement m = scene();
         GetParam().by(m, sign * (GetParam().limit - 1e-6));
-        watch.look(m, 1);
-        watch.look(m, 2);
+        watch.poll(m, 1);
+        watch.poll(m, 2);
         EXPECT_FALSE(watch.hasMoved());
         GetParam().by(m, sign * 2e-6);
-        watch.look(m, 3);
-        watch.look(m, 4);
+        watch.poll(m, 3);
+        watch.poll(m, 4);
         EXPECT_TRUE(watch.hasMoved());
     }
 }
@@ -96,8 +96,8 @@ TEST(PoseWatch, seesALittleMoreThanWhatGivesWithoutAMove)
         PoseWatch watch(scene());
         Measurement m = scene();
         move(m);
-        watch.look(m, 1);
-        watch.look(m, 2);
+        watch.poll(m, 1);
+        watch.poll(m, 2);
         EXPECT_TRUE(watch.hasMoved()) << name;
     }
 }
@@ -109,8 +109,8 @@ TEST(PoseWatch, comparesTheTracksOnlyWhereBothLinesTellOfThem)
     without.turned.reset();
     for (const auto& [first, then] : {std::pair(without, scene()), std::pair(scene(), without)}) {
         PoseWatch watch(first);
-        watch.look(then, 1);
-        watch.look(then, 2);
+        watch.poll(then, 1);
+        watch.poll(then, 2);
         EXPECT_FALSE(watch.hasMoved());
     }
 }
@@ -132,7 +132,7 @@ TEST(PoseWatch, isNotTrippedByTheNoiseOfTheSensorsForTenMinutes)
     };
     for (int run = 0; run < 20; ++run) {
         PoseWatch watch(measured());
-        for (std::uint64_t line = 1; line <= 12000; ++line) watch.look(measured(), line);  // 20 Hz
+        for (std::uint64_t line = 1; line <= 12000; ++line) watch.poll(measured(), line);  // 20 Hz
         EXPECT_FALSE(watch.hasMoved()) << "run " << run;
     }
 }
@@ -142,8 +142,8 @@ TEST(PoseWatch, takesDrivingForAMove)
     PoseWatch watch(scene());
     Measurement m = scene();
     m.activity = RobotActivity::Driving;
-    watch.look(m, 7);
-    watch.look(m, 8);
+    watch.poll(m, 7);
+    watch.poll(m, 8);
     EXPECT_TRUE(watch.hasMoved());
 }
 
@@ -152,16 +152,16 @@ TEST(PoseWatch, believesTwoLinesInARow)
     PoseWatch watch(scene());
     Measurement away = scene();
     away.pitch += 0.1;
-    watch.look(away, 1);
-    watch.look(away, 1);
+    watch.poll(away, 1);
+    watch.poll(away, 1);
     EXPECT_FALSE(watch.hasMoved()) << "the same line again";
-    watch.look(scene(), 2);
-    watch.look(away, 3);
+    watch.poll(scene(), 2);
+    watch.poll(away, 3);
     EXPECT_FALSE(watch.hasMoved()) << "an outlier each";
-    watch.look(away, 4);
+    watch.poll(away, 4);
     EXPECT_TRUE(watch.hasMoved());
-    watch.look(scene(), 5);
-    watch.look(scene(), 6);
+    watch.poll(scene(), 5);
+    watch.poll(scene(), 6);
     EXPECT_TRUE(watch.hasMoved()) << "the scene is not the same any more";
 }
 
@@ -174,15 +174,15 @@ TEST(PoseWatch, aDriveThatMovesNothingLeavesNoPlace)
     Measurement m = scene;
     m.activity = RobotActivity::Driving;
     m.frontLeft += 0.5;  // it comes up first
-    for (std::uint64_t count = 1; count <= 20; ++count) watch.look(m, count);
+    for (std::uint64_t count = 1; count <= 20; ++count) watch.poll(m, count);
     EXPECT_TRUE(watch.hasMoved()) << "another pose to rest on";
     EXPECT_FALSE(watch.hasLeft());
     *m.travelled += PoseWatch::kTravelled + 0.001;
-    watch.look(m, 21);
+    watch.poll(m, 21);
     EXPECT_FALSE(watch.hasLeft()) << "one outlier";
-    watch.look(m, 22);
+    watch.poll(m, 22);
     EXPECT_TRUE(watch.hasLeft());
-    watch.look(scene, 23);
+    watch.poll(scene, 23);
     EXPECT_TRUE(watch.hasLeft()) << "once left it stays left";
 }
 
@@ -191,8 +191,8 @@ TEST(PoseWatch, aDriveWithoutOdometryLeavesThePlace)
     PoseWatch watch(Measurement{});
     Measurement m;
     m.activity = RobotActivity::Driving;
-    watch.look(m, 1);
-    watch.look(m, 2);
+    watch.poll(m, 1);
+    watch.poll(m, 2);
     EXPECT_TRUE(watch.hasLeft());
 }
 
@@ -207,7 +207,7 @@ TEST(DriveWatch, tellsOnceOfADriveThatGetsNowhere)
         int told = 0;
         for (int i = 0; i < static_cast<int>(seconds / 0.05 + 0.5); ++i) {
             *m.travelled += speed * 0.05;
-            told += watch.look(m, now += 0.05);
+            told += watch.poll(m, now += 0.05);
         }
         return told;
     };
@@ -222,13 +222,13 @@ TEST(DriveWatch, tellsOnceOfADriveThatGetsNowhere)
 TEST(StallWatch, tellsForHowLongNobodyLooked)
 {
     StallWatch watch;
-    EXPECT_FALSE(watch.look(5.0)) << "nothing came before";
-    EXPECT_FALSE(watch.look(5.01));
-    EXPECT_FALSE(watch.look(5.1));
-    const auto frozen = watch.look(5.41);
+    EXPECT_FALSE(watch.poll(5.0)) << "nothing came before";
+    EXPECT_FALSE(watch.poll(5.01));
+    EXPECT_FALSE(watch.poll(5.1));
+    const auto frozen = watch.poll(5.41);
     ASSERT_TRUE(frozen);
     EXPECT_NEAR(*frozen, 0.31, 1e-12);
-    EXPECT_FALSE(watch.look(5.43));
+    EXPECT_FALSE(watch.poll(5.43));
 }
 
 }  // namespace

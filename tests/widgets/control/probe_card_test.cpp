@@ -10,7 +10,7 @@
 
 #include "tests/support/gui.h"
 #include "widgets/base/held_button.h"
-#include "widgets/base/look.h"
+#include "widgets/base/theme.h"
 
 namespace terratact {
 namespace {

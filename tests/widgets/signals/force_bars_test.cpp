@@ -7,8 +7,8 @@
 #include <QApplication>
 
 #include "tests/support/gui.h"
-#include "widgets/base/look.h"
 #include "widgets/base/palette.h"
+#include "widgets/base/theme.h"
 
 namespace terratact {
 namespace {

@@ -8,8 +8,8 @@
 #include "tests/support/gui.h"
 #include "tests/support/terrain_bench.h"
 #include "widgets/base/drawable.h"
-#include "widgets/base/look.h"
 #include "widgets/base/palette.h"
+#include "widgets/base/theme.h"
 
 namespace terratact {
 namespace {

@@ -6,8 +6,8 @@
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "tests/support/terrain_bench.h"
-#include "widgets/base/look.h"
 #include "widgets/base/palette.h"
+#include "widgets/base/theme.h"
 #include "widgets/terrain/provenance_marks.h"
 #include "widgets/terrain/provenance_text.h"
 

@@ -5,8 +5,8 @@
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "tests/support/terrain_bench.h"
-#include "widgets/base/look.h"
 #include "widgets/base/palette.h"
+#include "widgets/base/theme.h"
 #include "widgets/terrain/bin_inspector.h"
 
 namespace terratact {

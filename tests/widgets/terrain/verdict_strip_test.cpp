@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "tests/support/gui.h"
-#include "widgets/base/look.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/spoken.h"
+#include "widgets/base/theme.h"
 
 namespace terratact {
 namespace {

@@ -1,8 +1,8 @@
-#include "app/figures/method_look.h"
+#include "app/figures/method_style.h"
 
 namespace terratact {
 
-MethodLook lookOf(Method method)
+MethodStyle styleOf(Method method)
 {
     switch (method) {
     case Method::Pa: return {{0x7b8794}, Shape::Circle, 12.0, "PA"};
@@ -16,11 +16,11 @@ MethodLook lookOf(Method method)
     return {};
 }
 
-MethodLook lookOf(const std::string& label)
+MethodStyle styleOf(const std::string& label)
 {
     const std::size_t slash = label.find('/');
     if (const auto method = methodFromName(label.substr(0, slash))) {
-        MethodLook look = lookOf(*method);
+        MethodStyle look = styleOf(*method);
         if (slash == std::string::npos) return look;
         look.words += label.substr(slash);
         look.shape = label.size() % 2 == 0 ? Shape::Triangle : Shape::Square;
@@ -32,7 +32,7 @@ MethodLook lookOf(const std::string& label)
     return {{0x5f6b66}, Shape::Diamond, 12.0, label, true};
 }
 
-void drawMarker(Canvas& canvas, const MethodLook& look, Point at, double scale)
+void drawMarker(Canvas& canvas, const MethodStyle& look, Point at, double scale)
 {
     const Colour white{0xffffff};
     canvas.marker(look.shape, at, scale * look.size, look.hollow ? white : look.colour,

@@ -8,7 +8,7 @@
 namespace terratact {
 
 /// How figures draw a method's results.
-struct MethodLook {
+struct MethodStyle {
     Colour colour{0x8e3fbf};
     Shape shape = Shape::Circle;
     double size = 12.0;   ///< [px]
@@ -16,11 +16,11 @@ struct MethodLook {
     bool hollow = false;  ///< a baseline
 };
 
-MethodLook lookOf(Method method);
+MethodStyle styleOf(Method method);
 
 /// By label: a method, "method/what tells it apart", or a baseline.
-MethodLook lookOf(const std::string& label);
+MethodStyle styleOf(const std::string& label);
 
-void drawMarker(Canvas& canvas, const MethodLook& look, Point at, double scale);
+void drawMarker(Canvas& canvas, const MethodStyle& look, Point at, double scale);
 
 }  // namespace terratact

@@ -1,4 +1,4 @@
-#include "widgets/base/look.h"
+#include "widgets/base/theme.h"
 
 #include <QApplication>
 #include <QFont>
