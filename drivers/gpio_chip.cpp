@@ -73,13 +73,13 @@ std::string placeName(const GpioPlace& place)
 /// Names of the chip's lines, for somebody who has asked for one that is not there.
 std::string lineNames(const std::vector<GpioLineInfo>& lines)
 {
-    constexpr std::size_t kMost = 60;
+    constexpr std::size_t kMax = 60;
     std::vector<std::string> names;
     for (const GpioLineInfo& line : lines)
         if (!line.name.empty()) names.push_back(line.name);
     if (names.empty()) return "its lines have no names: say offset instead";
-    const bool more = names.size() > kMost;
-    if (more) names.resize(kMost);
+    const bool more = names.size() > kMax;
+    if (more) names.resize(kMax);
     return fmt::format("it has {}{}", fmt::join(names, ", "), more ? " and more" : "");
 }
 

@@ -13,7 +13,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMostEdges = 256;  ///< that the kernel keeps, and hands out at once
+constexpr std::size_t kMaxEdges = 256;  ///< that the kernel keeps, and hands out at once
 
 template <auto release>
 struct Release {
@@ -91,7 +91,7 @@ LinesPointer take(gpiod_chip* chip, const GpioRequest& request, const GpioFound&
     for (std::size_t i = 0; i < request.outputs.size(); ++i)
         if (!add(config.get(), found.outputs[i].offset, request.outputs[i])) return nullptr;
     gpiod_request_config_set_consumer(how.get(), request.consumer.c_str());
-    gpiod_request_config_set_event_buffer_size(how.get(), kMostEdges);
+    gpiod_request_config_set_event_buffer_size(how.get(), kMaxEdges);
     return LinesPointer(gpiod_chip_request_lines(chip, how.get(), config.get()));
 }
 
@@ -114,7 +114,7 @@ public:
         GpioEdges edges;
         if (!ready->front()) return edges;
         const int count =
-            gpiod_line_request_read_edge_events(lines_.get(), buffer_.get(), kMostEdges);
+            gpiod_line_request_read_edge_events(lines_.get(), buffer_.get(), kMaxEdges);
         if (count < 0 && errno != EINTR && errno != EAGAIN)
             return gpioFailed(found_, "reading an edge", errno);
         for (int i = 0; i < count; ++i) append(static_cast<unsigned long>(i), edges);
@@ -182,7 +182,7 @@ Result<std::unique_ptr<GpioLines>> openGpioLines(const GpioRequest& request)
     if (!found) return found.error();
     LinesPointer taken = take(opened.get(), request, *found);
     if (!taken) return gpioRefused(errno, *found, infos);
-    BufferPointer buffer(gpiod_edge_event_buffer_new(kMostEdges));
+    BufferPointer buffer(gpiod_edge_event_buffer_new(kMaxEdges));
     if (!buffer) return gpioRefused(errno, *found, infos);
     return std::unique_ptr<GpioLines>(
         std::make_unique<Lines>(std::move(opened), std::move(taken), std::move(buffer), *found));

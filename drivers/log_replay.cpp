@@ -15,7 +15,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMostNames = 16;  // of interfaces that are remembered
+constexpr std::size_t kMaxNames = 16;  // of interfaces that are remembered
 
 Error fileError(const std::string& path, const std::string& cause)
 {
@@ -63,7 +63,7 @@ private:
             const Result<std::size_t> got = (*bytes)(block);
             if (!got) return fileError(path_, got.error().text);
             if (*got == 0) break;
-            if (kept->size() + *got > LogReplay::kMostPiped)
+            if (kept->size() + *got > LogReplay::kMaxPiped)
                 return fileError(path_, "is no file, and too long to be kept: copy it to one");
             kept->append(block.data(), *got);
         }
@@ -95,7 +95,7 @@ std::string silenceText(const LogReader& log, double seconds)
 
 Result<LogScan> scan(const LogSource& source, double speed)
 {
-    constexpr std::size_t kMostSilences = 10;  // that are said of one interface
+    constexpr std::size_t kMaxSilences = 10;  // that are said of one interface
     Result<LogReader> log = source.read();
     if (!log) return log.error();
     LogScan found;
@@ -106,13 +106,13 @@ Result<LogScan> scan(const LogSource& source, double speed)
         if (!(*frame)->time) return log->error("has no time; record with candump -L");
         const auto known = found.interfaces.find((*frame)->interface);
         if (known == found.interfaces.end()) {
-            if (found.interfaces.size() < kMostNames)
+            if (found.interfaces.size() < kMaxNames)
                 found.interfaces[(*frame)->interface].last = log->elapsed();
             continue;
         }
         LogScan::Interface& of = known->second;
         const double silence = log->elapsed() - std::exchange(of.last, log->elapsed());
-        if (silence / speed > LogReplay::kLongestWait && of.silences.size() < kMostSilences)
+        if (silence / speed > LogReplay::kMaxWait && of.silences.size() < kMaxSilences)
             of.silences.push_back(silenceText(*log, silence));
     }
     found.remarks = log->takeRemarks();
@@ -203,7 +203,7 @@ Status LogReplay::fetch()
     } while (next_ && next_->interface != options_.interface);
     logTime_ = log_.elapsed();
     const double wait = (logTime_ - before) / options_.speed;
-    if (due_) *due_ += wait > kLongestWait ? kShortWait : wait;
+    if (due_) *due_ += wait > kMaxWait ? kShortWait : wait;
     const std::lock_guard lock(mutex_);
     told_.at = next_ ? logTime_ - firstTime_ : told_.length;
     counters_.dropped = log_.dropped();

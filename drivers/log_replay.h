@@ -15,7 +15,7 @@ namespace terratact {
 
 /// A log of CAN traffic (core/wire/log_reader.h) as if it were a bus: its frames come at the pace at which
 /// they were recorded.  Takes no commands.  Time that runs backwards in the log is no time at all, and a silence of the
-/// log that would last longer than kLongestWait takes kShortWait.
+/// log that would last longer than kMaxWait takes kShortWait.
 ///
 /// A frame's `time` is when it was due on the steady clock, so that ages and time limits hold as on a bus; at
 /// another speed than 1 they are off by that factor.  Its `wallTime` is the log's own time.
@@ -36,9 +36,9 @@ public:
         std::function<void(double)> sleep;  ///< [s]
     };
 
-    static constexpr double kLongestWait = 60.0, kShortWait = 2.0;  ///< [s]
-    static constexpr std::size_t kMostPiped = std::size_t{512}
-                                           << 20U;  ///< bytes of a log that is no file
+    static constexpr double kMaxWait = 60.0, kShortWait = 2.0;  ///< [s]
+    static constexpr std::size_t kMaxPiped = std::size_t{512}
+                                          << 20U;  ///< bytes of a log that is no file
 
     /// Reads the log once from end to end, so that nothing surprises later; one that is no file (a pipe; "-" for
     /// standard input) is kept in memory.  Errors name the log: it is no log, holds no frame or one without a time, none

@@ -7,7 +7,7 @@
 namespace terratact {
 namespace {
 
-constexpr double kFirstBackOff = 0.1, kLongestBackOff = 1.0;  ///< [s]
+constexpr double kFirstBackOff = 0.1, kMaxBackOff = 1.0;  ///< [s]
 
 double steadySeconds()
 {
@@ -105,7 +105,7 @@ void OperatorPanel::open()
         return;
     }
     absence_ = lines.error().text;
-    backOff_ = std::clamp(2.0 * backOff_, kFirstBackOff, kLongestBackOff);
+    backOff_ = std::clamp(2.0 * backOff_, kFirstBackOff, kMaxBackOff);
     nextOpening_ = now + backOff_;
 }
 

@@ -13,7 +13,7 @@ namespace terratact {
 namespace {
 
 constexpr double kFirstBackOff = 0.1,
-                 kLongestBackOff = 1.0;    // [s] between looks for what is not there
+                 kMaxBackOff = 1.0;        // [s] between looks for what is not there
 constexpr double kLookEvery = 0.1;         // [s] at what is there
 constexpr double kFullCounts = 0.5;        // [s] that a full queue is remembered
 constexpr double kPauseAfterError = 0.01;  // [s] so that no error can spin
@@ -207,7 +207,7 @@ void SocketCan::poll()
         nextLook_ = now + kLookEvery;
     } else {
         nextLook_ = now + backOff_;
-        backOff_ = std::min(2.0 * backOff_, kLongestBackOff);
+        backOff_ = std::min(2.0 * backOff_, kMaxBackOff);
     }
 }
 

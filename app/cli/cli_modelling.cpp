@@ -74,7 +74,7 @@ void addSimulate(CLI::App& app, Job& job)
     addTextOutput(*c, "--out", o->out, "Scenes CSV to write")->required();
     addNumber(*c, "--seed", o->seed, "Seed of terrain and noise");
     c->add_option("--count", o->count, "Scenes (default: 1400, or every stop over a file)")
-        ->check(CLI::Range(1, static_cast<int>(kMostScenes)));
+        ->check(CLI::Range(1, static_cast<int>(kMaxScenes)));
     addNumber(*c, "--step", o->step, "Distance of a file's heights [m]")
         ->check(CLI::Range(0.001, 1.0));
     c->add_flag("--blocks", o->blocks,

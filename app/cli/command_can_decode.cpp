@@ -17,7 +17,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMostBuses = 64;
+constexpr std::size_t kMaxBuses = 64;
 
 /// One interface of the log.
 struct Bus {
@@ -105,9 +105,9 @@ private:
     Status take(const LoggedFrame& logged)
     {
         if (!options_.interface.empty() && logged.interface != options_.interface) return Done{};
-        if (buses_.size() >= kMostBuses && !buses_.contains(logged.interface))
+        if (buses_.size() >= kMaxBuses && !buses_.contains(logged.interface))
             return log_.error(
-                fmt::format("is of the {}th interface: so many are not believed", kMostBuses + 1));
+                fmt::format("is of the {}th interface: so many are not believed", kMaxBuses + 1));
         Bus& bus = buses_[logged.interface];
         if (!bus.reader) bus.reader = frameReader(options_.protocol, book_);
         if (logged.time && !begin_) begin_ = logged.time;

@@ -26,13 +26,13 @@ namespace {
 constexpr double kTick = 0.05;         // [s] telemetry period
 constexpr double kStopBefore = 0.47;   // [m] base to step when the operator stops
 constexpr double kPressTorque = 18.0;  // [N m]
-constexpr int kLongest = 20 * 120;     // [ticks] nothing here takes two minutes
+constexpr int kMaxLength = 20 * 120;   // [ticks] nothing here takes two minutes
 
 /// Lets time pass until the robot does `wanted`; false if it refuses or takes too long.
 template <class Condition>
 bool waitFor(SimulatedRobot& robot, Condition wanted)
 {
-    for (int tick = 0; tick < kLongest; ++tick) {
+    for (int tick = 0; tick < kMaxLength; ++tick) {
         robot.step(kTick);
         const Measurement m = robot.measure();
         if (wanted(m)) return true;

@@ -246,7 +246,7 @@ void printGain(const std::string& where, const std::vector<BinError>& before,
 {
     const PairedGain gain = pairedGain(before, after, found.scenes, seed);
     if (!gain.intervals) {
-        say("  {}: not decided, fewer than {} drives\n", where, kLeastRuns);
+        say("  {}: not decided, fewer than {} drives\n", where, kMinRuns);
         return;
     }
     const auto& i = *gain.intervals;

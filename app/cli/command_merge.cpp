@@ -20,7 +20,7 @@ namespace terratact {
 
 namespace {
 
-constexpr std::size_t kMostRobotFile = std::size_t{1} << 20U;
+constexpr std::size_t kMaxRobotFile = std::size_t{1} << 20U;
 
 template <class Named, class Read>
 Result<std::vector<Named>> readParts(const std::vector<std::string>& paths, Read read)
@@ -36,7 +36,7 @@ Result<std::vector<Named>> readParts(const std::vector<std::string>& paths, Read
 
 Status mergeTraining(const MergeOptions& options)
 {
-    const auto bytes = readFile(options.robot, kMostRobotFile);
+    const auto bytes = readFile(options.robot, kMaxRobotFile);
     if (!bytes) return bytes.error();
     const auto robot = robotModelFrom(options.robot, *bytes);
     if (!robot) return robot.error();

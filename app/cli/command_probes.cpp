@@ -10,12 +10,12 @@ namespace terratact {
 
 namespace {
 
-constexpr double kLeastSd = 0.5e-4;  ///< [m] that a robot file's four decimals can tell
+constexpr double kMinSd = 0.5e-4;  ///< [m] that a robot file's four decimals can tell
 
 /// Why the readings tell no sd.
 std::string whyNoSd(const ProbeAccuracy& accuracy)
 {
-    if (accuracy.repeated.freedom > 0 && accuracy.repeated.sd < kLeastSd)
+    if (accuracy.repeated.freedom > 0 && accuracy.repeated.sd < kMinSd)
         return "all readings of a place are the same: are they rounded, or copied? nothing tells "
                "the sd";
     if (accuracy.fromTruth.n > 1)
@@ -40,7 +40,7 @@ Status showProbes(const std::string& path)
             "{} readings\n",
             1e3 * s.mean, 1e3 * s.sd, 1e3 * s.robustSd, s.n);
     const double sd = readingSd(accuracy);
-    if (!(sd >= kLeastSd)) return fileError(path, whyNoSd(accuracy));
+    if (!(sd >= kMinSd)) return fileError(path, whyNoSd(accuracy));
     say("\nfor the robot file:\n[arm]\nreading_sd_m = {:.4f}\n", sd);
     return Done{};
 }

@@ -223,7 +223,7 @@ Status exportSession(const SessionExportOptions& options)
         say(stderr,
             "terratact: {}: {} messages of --dbc are left out: their signals and "
             "those before are more than {}\n",
-            options.out, counts->withoutColumns, PayloadSignals::kMostSignals);
+            options.out, counts->withoutColumns, PayloadSignals::kMaxSignals);
     say(messagesBeside(options.out), "{} written\n", options.out);
     if (counts->leftOut > 0)
         say(stderr, "terratact: {}: {} frames left out, which the format cannot hold\n",

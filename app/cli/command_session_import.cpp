@@ -18,7 +18,7 @@ namespace terratact {
 namespace {
 
 constexpr int kBatch = 250;  // frames
-constexpr std::size_t kMostRobot = std::size_t{64} * 1024;
+constexpr std::size_t kMaxRobot = std::size_t{64} * 1024;
 
 /// The frames of one interface of a log into a session that is begun with the first.
 class Importer {
@@ -86,9 +86,9 @@ private:
     /// Remembers a step of the log's clock until the next frame of the session.
     void stepped(const LogReader& log)
     {
-        constexpr std::size_t kMost = 200;  // that are told one by one
+        constexpr std::size_t kMax = 200;  // that are told one by one
         if (!writer_) return;
-        if (told_ + steps_.size() >= kMost) {
+        if (told_ + steps_.size() >= kMax) {
             ++untold_;
             return;
         }
@@ -170,7 +170,7 @@ private:
 
 Status importLog(const SessionImportOptions& options)
 {
-    auto robot = readFile(options.robot, kMostRobot);
+    auto robot = readFile(options.robot, kMaxRobot);
     if (!robot) return robot.error();
     auto log = LogReader::open(options.log);
     if (!log) return log.error();

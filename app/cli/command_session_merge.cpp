@@ -16,7 +16,7 @@ namespace terratact {
 
 namespace {
 
-constexpr std::int64_t kMostApart = std::int64_t{86'400} * 31 * 1'000'000'000;  // [ns]
+constexpr std::int64_t kMaxApart = std::int64_t{86'400} * 31 * 1'000'000'000;  // [ns]
 
 /// [ns] since 1970, of the first and the last frame; of the first row where there is none.
 std::pair<std::int64_t, std::int64_t> frameSpan(SessionReader& session)
@@ -91,8 +91,8 @@ Status mergeSessions(const SessionMergeOptions& options)
                 fmt::format("begins at {}, before {} ends at {}: sessions that overlap "
                             "are not one drive",
                             utcText(part.first), before.reader.path(), utcText(before.last)));
-        if (part.first - before.last > kMostApart
-            || std::abs(part.reader.start().wallTime - before.reader.start().wallTime) > kMostApart)
+        if (part.first - before.last > kMaxApart
+            || std::abs(part.reader.start().wallTime - before.reader.start().wallTime) > kMaxApart)
             return fileError(part.reader.path(),
                              "was recorded more than a month apart from " + before.reader.path());
         start.transmits = start.transmits || part.reader.start().transmits;

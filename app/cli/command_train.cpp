@@ -20,7 +20,7 @@ namespace terratact {
 
 namespace {
 
-constexpr std::size_t kMostTrainedRobot = std::size_t{1} << 20U;
+constexpr std::size_t kMaxTrainedRobot = std::size_t{1} << 20U;
 
 void printBins(const ModelData& model, const BinSet& bins)
 {
@@ -97,7 +97,7 @@ void printModel(const ModelData& model, const std::string& path)
 
 Status train(const TrainOptions& options)
 {
-    const auto bytes = readFile(options.robot, kMostTrainedRobot);
+    const auto bytes = readFile(options.robot, kMaxTrainedRobot);
     if (!bytes) return bytes.error();
     const auto robot = robotModelFrom(options.robot, *bytes);
     if (!robot) return robot.error();

@@ -224,7 +224,7 @@ void SettingsPage::buildEstimate(QFormLayout* form)
            "quantiles are from a long run's"),
         [](const Preferences& p) { return indexOf(kQualities, p.quality); },
         [](Preferences& p, std::size_t i) { p.quality = kQualities.at(i); });
-    seconds_ = whole(form, tr("An estimate may take at most"), 0, kMostEstimateSeconds, tr("s"),
+    seconds_ = whole(form, tr("An estimate may take at most"), 0, kMaxEstimateSeconds, tr("s"),
                      tr("Then sampling ends with the draws there are, and the result says so"),
                      &Preferences::estimateSeconds);
     seconds_->setSpecialValueText(tr("no limit"));
@@ -294,11 +294,11 @@ void SettingsPage::buildRecording(QFormLayout* form)
         flag(form, tr("Everything is recorded"),
              tr("Frames, scenes, estimates, what was shown and decided, in one file per session"),
              &Preferences::record);
-    whole(form, tr("Delete a session after"), 0, kMostDays, tr("days"),
+    whole(form, tr("Delete a session after"), 0, kMaxDays, tr("days"),
           tr("Once it has stood for ten seconds; never: nothing is deleted"),
           &Preferences::keepDays)
         ->setSpecialValueText(tr("never"));
-    whole(form, tr("Delete the oldest beyond"), 0, kMostGigabytes, tr("GB"),
+    whole(form, tr("Delete the oldest beyond"), 0, kMaxGigabytes, tr("GB"),
           tr("Of all closed sessions together, once it has stood for ten seconds"),
           &Preferences::keepGigabytes)
         ->setSpecialValueText(tr("never"));

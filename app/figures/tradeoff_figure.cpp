@@ -19,7 +19,7 @@ constexpr double kTop = 110.0, kBottom = 620.0, kPanelWidth = 760.0, kFirstLeft 
                  kSecondLeft = 990.0;
 constexpr Colour kFront{0x16222e, 0.55};
 
-constexpr double kLeast = 1e-9, kMost = 1e9;  // on a scale
+constexpr double kMin = 1e-9, kMax = 1e9;  // on a scale
 
 /// 1, 2 or 5 of every decade: the one so many steps above 1.
 double oneTwoFive(int step)
@@ -34,10 +34,10 @@ class LogScale {
 public:
     LogScale(const std::vector<double>& values, double from, double to) : from_(from), to_(to)
     {
-        double least = kMost, most = kLeast;
+        double least = kMax, most = kMin;
         for (const double value : values) {
-            if (value > 0.0) least = std::min(least, std::max(value, kLeast));
-            most = std::max(most, std::min(value, kMost));
+            if (value > 0.0) least = std::min(least, std::max(value, kMin));
+            most = std::max(most, std::min(value, kMax));
         }
         least = std::min(least, most);
         first_ = static_cast<int>(std::floor(3.0 * std::log10(least))) - 1;
@@ -48,7 +48,7 @@ public:
     double operator()(double value) const
     {
         const double first = std::log10(oneTwoFive(first_)), last = std::log10(oneTwoFive(last_));
-        const double share = (std::log10(std::max(value, kLeast)) - first) / (last - first);
+        const double share = (std::log10(std::max(value, kMin)) - first) / (last - first);
         return from_ + (to_ - from_) * std::clamp(share, 0.0, 1.0);
     }
     std::vector<double> ticks() const

@@ -26,7 +26,7 @@ Received received(const std::optional<Received>& before, Sample sample, const Ar
                  .count = 1};
     if (before) {
         now.count = before->count + 1;
-        const bool isBroken = silenceBetween(*before, now) > kLongestSilence;
+        const bool isBroken = silenceBetween(*before, now) > kMaxSilence;
         now.unbrokenFrom = isBroken ? now.count : before->unbrokenFrom;
         now.press = before->press;
     }

@@ -37,7 +37,7 @@ struct Received {
     SteadyTime arrived;
     double arrivedSleepless = 0.0;  ///< [s], see sleeplessNow()
     std::uint64_t count = 0;        ///< 1 for the first
-    /// Count of the first since the last silence of more than kLongestSilence; a computer that slept has heard nothing.
+    /// Count of the first since the last silence of more than kMaxSilence; a computer that slept has heard nothing.
     std::uint64_t unbrokenFrom = 1;
     std::vector<SensorSuspicion> suspicions{};  ///< of sensors, at that line
     std::optional<Press> press{};  ///< how the present press began; the arm may probe during one

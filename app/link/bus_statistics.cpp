@@ -66,7 +66,7 @@ void BusStatistics::take(const CanFrame& frame, const FrameWords& words, double 
     fewestBits_ += static_cast<std::uint64_t>(bits.fewest);
     mostBits_ += static_cast<std::uint64_t>(bits.most);
     const FrameKey key = keyOf(frame, words);
-    if (counts_.size() >= kMostKeys && !counts_.contains(key)) {
+    if (counts_.size() >= kMaxKeys && !counts_.contains(key)) {
         ++beyond_;
         return;
     }
@@ -101,7 +101,7 @@ std::string summaryText(const BusStatistics& statistics, std::optional<double> s
         sums.checksum, sums.sequence, sums.gaps, sums.other, sums.unknown, sums.unknownKinds);
     if (statistics.beyond() > 0)
         text += fmt::format("{} more frames of kinds beyond the first {}\n", statistics.beyond(),
-                            BusStatistics::kMostKeys);
+                            BusStatistics::kMaxKeys);
     return text;
 }
 

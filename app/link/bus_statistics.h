@@ -47,7 +47,7 @@ struct FrameCount {
 /// Counts the frames of one bus.
 class BusStatistics {
 public:
-    static constexpr std::size_t kMostKeys =
+    static constexpr std::size_t kMaxKeys =
         4096;  ///< frames beyond so many kinds are counted together
 
     void take(const CanFrame& frame, const FrameWords& words, double now);

@@ -19,7 +19,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMostNamed = 4;  // in a sentence about many
+constexpr std::size_t kMaxNamed = 4;  // in a sentence about many
 
 std::uint32_t keyOf(std::uint32_t id, bool extended)
 {
@@ -45,14 +45,14 @@ class SomeIds {
 public:
     void add(const CanFrame& frame)
     {
-        if (++count_ <= kMostNamed) ids_ += (ids_.empty() ? "" : ", ") + idText(frame);
+        if (++count_ <= kMaxNamed) ids_ += (ids_.empty() ? "" : ", ") + idText(frame);
     }
     std::size_t count() const { return count_; }
     /// "frame 022", "7 frames (022, 023, 024, 025 …)"
     std::string text() const
     {
         if (count_ == 1) return "frame " + ids_;
-        return fmt::format("{} frames ({}{})", count_, ids_, count_ > kMostNamed ? " …" : "");
+        return fmt::format("{} frames ({}{})", count_, ids_, count_ > kMaxNamed ? " …" : "");
     }
 
 private:
@@ -67,12 +67,12 @@ std::string missingText(const DbcMessage& message, const CanFrame& frame)
     std::size_t count = 0;
     for (const DbcSignal& signal : message.payload) {
         if (bitsOf(signal, frame) || !signal.selectedBy.empty()) continue;
-        if (++count <= kMostNamed) names += (names.empty() ? "" : ", ") + signal.name;
+        if (++count <= kMaxNamed) names += (names.empty() ? "" : ", ") + signal.name;
     }
     if (count == 0) return {};
     return fmt::format(", {} for {}{}",
                        frame.isCut ? "cut before it was stored, too short" : "too short", names,
-                       count > kMostNamed ? " …" : "");
+                       count > kMaxNamed ? " …" : "");
 }
 
 /// "by engine.dbc, source address 0x00"

@@ -14,9 +14,9 @@ constexpr float kNoPoint = std::numeric_limits<float>::quiet_NaN();
 
 float pointOf(double value)
 {
-    constexpr double kMost = std::numeric_limits<float>::max();
+    constexpr double kMax = std::numeric_limits<float>::max();
     if (!std::isfinite(value)) return kNoPoint;
-    return static_cast<float>(std::clamp(value, -kMost, kMost));
+    return static_cast<float>(std::clamp(value, -kMax, kMax));
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ void UsualInterval::take(double seconds)
         silence_ = taken_;
         if (isAlone) return;
     }
-    last_[counted_++ % last_.size()] = std::clamp(seconds, 0.0, kMost);
+    last_[counted_++ % last_.size()] = std::clamp(seconds, 0.0, kMax);
 }
 
 double UsualInterval::seconds() const
@@ -80,8 +80,8 @@ ForeignFrames::Kept* ForeignFrames::begin(const Key& key,
                                           std::shared_ptr<const DescribedFrame> described)
 {
     const std::size_t signals = described ? described->message.payload.size() : 0;
-    if (!described || described_.size() >= kMostDescribed || signals_ + signals > kMostSignals)
-        return unknown_.size() < kMostUnknown ? &unknown_[key] : nullptr;
+    if (!described || described_.size() >= kMaxDescribed || signals_ + signals > kMaxSignals)
+        return unknown_.size() < kMaxUnknown ? &unknown_[key] : nullptr;
     signals_ += signals;
     Kept& kept = described_[key];
     kept.payload.resize(signals);

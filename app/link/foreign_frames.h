@@ -17,9 +17,9 @@ namespace terratact {
 class UsualInterval {
 public:
     void take(double seconds);
-    double seconds() const;  ///< the longest of the last few, at most kMost; 0: there was none yet
+    double seconds() const;  ///< the longest of the last few, at most kMax; 0: there was none yet
 
-    static constexpr double kMost = 60.0;
+    static constexpr double kMax = 60.0;
 
 private:
     static constexpr double kSilence = 5.0;  ///< times the usual
@@ -33,9 +33,9 @@ private:
 /// them.  Bounded whatever comes.  A part of BusTap, which guards it.
 class ForeignFrames {
 public:
-    static constexpr std::size_t kMostUnknown = 64;     ///< kinds of which only the bytes are known
-    static constexpr std::size_t kMostDescribed = 256;  ///< kinds that a file describes
-    static constexpr std::size_t kMostSignals = 2000;   ///< of those; beyond, only the bytes count
+    static constexpr std::size_t kMaxUnknown = 64;     ///< kinds of which only the bytes are known
+    static constexpr std::size_t kMaxDescribed = 256;  ///< kinds that a file describes
+    static constexpr std::size_t kMaxSignals = 2000;   ///< of those; beyond, only the bytes count
 
     /// From now on; what came so far is forgotten.  book: null: none.  The one before, which may be large to free.
     std::shared_ptr<const DbcBook> describe(std::shared_ptr<const DbcBook> book);

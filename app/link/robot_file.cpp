@@ -6,13 +6,13 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMostRobotBytes = 1U << 20U;  // as many as a session keeps
+constexpr std::size_t kMaxRobotBytes = 1U << 20U;  // as many as a session keeps
 
 }  // namespace
 
 Result<RobotFile> readRobotFile(const std::string& path)
 {
-    auto text = readFile(path, kMostRobotBytes);
+    auto text = readFile(path, kMaxRobotBytes);
     if (!text) return text.error();
     auto model = robotModelFrom(path, *text);
     if (!model) return model.error();

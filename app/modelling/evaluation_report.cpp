@@ -119,8 +119,8 @@ std::string claimLine(const ClaimResult& r)
     const std::string medians =
         fmt::format("{}\n   median |error| {} {:.1f} mm, {} {:.1f} mm", head, name(r.claim.base),
                     millimetres(r.baseMedian), name(r.claim.better), millimetres(r.betterMedian));
-    if (r.runs < kLeastRuns)
-        return fmt::format("{}; {} of at least {} drives", medians, r.runs, kLeastRuns);
+    if (r.runs < kMinRuns)
+        return fmt::format("{}; {} of at least {} drives", medians, r.runs, kMinRuns);
     return fmt::format(
         "{}; difference {:+.1f} mm, 95 % interval {:+.1f} … {:+.1f}; {} bins of {} drives", medians,
         millimetres(r.betterMedian - r.baseMedian), millimetres(r.low), millimetres(r.high), r.n,

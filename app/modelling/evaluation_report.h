@@ -42,7 +42,7 @@ std::string pitCsv(std::span<const ErrorHistogram> histograms);
 /// One row per method and bin, and one for "all": method,bin_m,n,in_50,in_80,in_95,width_m.
 std::string coverageCsv(std::span<const MethodSummary> summaries);
 
-/// One row per method over all bins, intervals of 95 %, empty for fewer than kLeastRuns drives:
+/// One row per method over all bins, intervals of 95 %, empty for fewer than kMinRuns drives:
 ///   method,n,drives,near_median_m,near_median_low_m,near_median_high_m,median_m,…,mean_m,…,crps_m,…,
 ///   coverage,…,coverage_50,coverage_95,width_m,scene_s
 std::string scoresCsv(std::span<const MethodSummary> summaries,

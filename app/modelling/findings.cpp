@@ -10,12 +10,12 @@
 namespace terratact {
 namespace {
 
-constexpr int kMostShards = 10'000;
+constexpr int kMaxShards = 10'000;
 
 std::optional<int> countFrom(std::string_view text)
 {
     const auto count = integerFrom<int>(text);
-    return count && *count >= 1 && *count <= kMostShards ? count : std::nullopt;
+    return count && *count >= 1 && *count <= kMaxShards ? count : std::nullopt;
 }
 
 std::vector<std::string> labels(const Findings& findings)

@@ -18,11 +18,11 @@ namespace {
 
 constexpr std::int64_t kApplicationId = 0x54544531;  // "TTE1"
 constexpr std::int64_t kUserVersion = 2;
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30U;
-constexpr std::int64_t kMostCount = 10'000'000;
-constexpr double kMostNumber = 1e9;
-constexpr std::size_t kMostText = 10'000;  // bytes, of what an evaluation says of itself
-constexpr std::size_t kMostLabel = 200;    // which every row of a run gets a copy of
+constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 30U;
+constexpr std::int64_t kMaxCount = 10'000'000;
+constexpr double kMaxNumber = 1e9;
+constexpr std::size_t kMaxText = 10'000;  // bytes, of what an evaluation says of itself
+constexpr std::size_t kMaxLabel = 200;    // which every row of a run gets a copy of
 
 /// Sorted by name.
 std::span<const SqliteTable> tables()
@@ -259,14 +259,14 @@ public:
         return static_cast<std::size_t>(integer(0, static_cast<std::int64_t>(most)));
     }
     bool flag() { return integer(0, 1) == 1; }
-    double real(double least = -kMostNumber, double most = kMostNumber)
+    double real(double least = -kMaxNumber, double most = kMaxNumber)
     {
         const double value = statement_->real(column_++);
         require(value >= least && value <= most, "a number is out of range in its table " + table_);
         addTo(bytes_, value);
         return value;
     }
-    std::string text(std::size_t longest = kMostText)
+    std::string text(std::size_t longest = kMaxText)
     {
         std::string value = statement_->text(column_++);
         require(value.size() <= longest && printable(value) == value,
@@ -317,9 +317,9 @@ void readPart(Reader& reader, Findings& f)
 {
     int rows = 0;
     reader.read("part", [&] {
-        f.shard.number = static_cast<int>(reader.integer(1, kMostCount));
-        f.shard.count = static_cast<int>(reader.integer(f.shard.number, kMostCount));
-        f.total = reader.count(kMostCount);
+        f.shard.number = static_cast<int>(reader.integer(1, kMaxCount));
+        f.shard.count = static_cast<int>(reader.integer(f.shard.number, kMaxCount));
+        f.total = reader.count(kMaxCount);
         f.options.seed = seedFrom(reader.text());
         f.options.stepLimit = reader.real(0.0);
         f.options.sdLimit = reader.real(0.0);
@@ -348,7 +348,7 @@ void readShared(Reader& reader, Findings& f)
             "does not hold the scenes of its part");
     reader.read("method_run", [&] {
         MethodRun& run = f.runs.emplace_back();
-        run.label = reader.text(kMostLabel);
+        run.label = reader.text(kMaxLabel);
         run.scenes = reader.count(f.scenes.size());
         run.converged = reader.count(f.scenes.size());
         run.endedBySweeps = reader.count(f.scenes.size());
@@ -402,7 +402,7 @@ void readProbes(Reader& reader, Findings& f)
 {
     reader.read("probe_run", [&] {
         ProbeRun& run = f.probes.emplace_back();
-        run.label = reader.text(kMostLabel);
+        run.label = reader.text(kMaxLabel);
         run.rule = reader.text();
     });
     reader.read("probe_trial", [&] {
@@ -413,7 +413,7 @@ void readProbes(Reader& reader, Findings& f)
         t.before.all = reader.real(0.0);
         t.after.ahead = reader.real(0.0);
         t.after.all = reader.real(0.0);
-        t.probes = static_cast<int>(reader.integer(0, kMostCount));
+        t.probes = static_cast<int>(reader.integer(0, kMaxCount));
         t.settled = reader.flag();
     });
 }
@@ -461,7 +461,7 @@ bool isFindingsFile(const std::string& path)
 Result<Findings> readFindings(const std::string& path)
 {
     try {
-        SqliteFile file = SqliteFile::openUntrusted(path, kMostBytes);
+        SqliteFile file = SqliteFile::openUntrusted(path, kMaxBytes);
         return readStored(file);
     } catch (const SqliteError& error) {
         return fileError(path, error.what());

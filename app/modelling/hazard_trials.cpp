@@ -53,7 +53,7 @@ std::vector<Scene> driveOnce(const RobotModel& robot, const Ground& ground,
 
 int reachOf(const TerrainEstimate& estimate)
 {
-    int last = kLeastHorizonBin;
+    int last = kMinHorizonBin;
     for (int bin = kFirstAhead; bin < kBins; ++bin)
         if (std::isfinite(estimate.ceiling[static_cast<std::size_t>(bin)]))
             last = std::max(last, bin);

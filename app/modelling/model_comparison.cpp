@@ -81,7 +81,7 @@ std::optional<Interval> differenceOf(const Errors& before, const Errors& after,
         seen[drive] = true;
         differences.emplace_back(std::abs(after[k].error) - std::abs(before[k].error), drive);
     }
-    if (static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true)) < kLeastRuns)
+    if (static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true)) < kMinRuns)
         return std::nullopt;
     const ClusteredValues values(std::move(differences));
     return interval95(

@@ -34,7 +34,7 @@ struct ModelComparison {
     std::size_t onlyAfter = 0;
     std::string whyNot;  ///< of the first scene that one of them could not
     /// 95 % of the difference new − old of the mean |error| near the robot [m], by bootstrap over drives; empty
-    /// for fewer than kLeastRuns drives.
+    /// for fewer than kMinRuns drives.
     std::optional<Interval> nearDifference;
     std::string newContent;       ///< contentHash() of the new model
     std::string dataHash;         ///< of the file with the scenes, as they were read

@@ -81,7 +81,7 @@ private:
         case TrainingKind::SurfaceOpen: return searchCost(model_.heights.rows(), surface_);
         case TrainingKind::ClearanceCovered:
         case TrainingKind::ClearanceOpen:
-            return searchCost(std::min<Eigen::Index>(model_.heights.rows(), kMostClearanceRows),
+            return searchCost(std::min<Eigen::Index>(model_.heights.rows(), kMaxClearanceRows),
                               clearance_);
         }
         return 0.0;
@@ -157,7 +157,7 @@ private:
                  [&](int /*job*/, TrainingKind kind, int bin) {
                      const Regime regime =
                          kind == TrainingKind::ClearanceCovered ? Regime::Covered : Regime::Open;
-                     if (data.at(bin, regime).rows < kFewestTrainingRows)
+                     if (data.at(bin, regime).rows < kMinTrainingRows)
                          return Outcome{.event = TrainingEvent::Skipped};
                      ClearanceData& clearance = model_.clearance;
                      auto& hypers = regime == Regime::Covered ? clearance.conditionalCovered

@@ -42,7 +42,7 @@ Result<PresetCost> presetFrom(CsvReader& csv)
     }
     const auto [draws, chains, burnIn, inducing, milliseconds, offMm, errorMm, converged] = values;
     for (const double count : {draws, chains, burnIn, inducing})
-        if (!(count >= 0.0 && count <= kMostDraws && count == std::floor(count)))
+        if (!(count >= 0.0 && count <= kMaxDraws && count == std::floor(count)))
             return csv.error("has draws, chains, burn_in or inducing that are no count");
     if (!(milliseconds >= 0.0 && offMm >= 0.0 && errorMm >= 0.0))
         return csv.error("has a time or a distance below 0");

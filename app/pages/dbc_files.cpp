@@ -143,20 +143,20 @@ void DbcFiles::use(const DbcReading& reading)
 
 void DbcFiles::show(const QStringList& files, const QStringList& troubles)
 {
-    constexpr qsizetype kMostLines = 3;
+    constexpr qsizetype kMaxLines = 3;
     files_->setText(DbcSays::tr("DBC files: %1").arg(files.join(QStringLiteral(", "))));
     files_->setVisible(!files.isEmpty());
     QStringList shown;
-    for (const QString& trouble : troubles.mid(0, kMostLines))
+    for (const QString& trouble : troubles.mid(0, kMaxLines))
         shown << QStringLiteral("▲ ") + breakable(trouble);
-    if (troubles.size() > kMostLines)
+    if (troubles.size() > kMaxLines)
         shown << DbcSays::tr("… and %1 more, all of them in the tip here")
-                     .arg(troubles.size() - kMostLines);
+                     .arg(troubles.size() - kMaxLines);
     troubles_->setText(shown.join(QLatin1Char('\n')));
     troubles_->setVisible(!troubles.isEmpty());
     setTip(*troubles_, plainTip(troubles.join(QLatin1Char('\n'))));
 
-    add_->setEnabled(files.size() < kMostDbcFiles);
+    add_->setEnabled(files.size() < kMaxDbcFiles);
     remove_->setVisible(!files.isEmpty());
     remove_->menu()->clear();
     for (const QString& path : preferences_.current().dbc) {

@@ -28,7 +28,7 @@ QString nameOf(const ForceArrayLayout& layout)
 
 }  // namespace
 
-static_assert(kMostForceArrays <= ForceBars::kArrays);
+static_assert(kMaxForceArrays <= ForceBars::kArrays);
 
 ForceArray ForceArrays::arrayOf(const ForceArrayLayout& layout, const SensorLine& line,
                                 const ElementForces& felt, ForceDrift::Forces& beyondBias) const

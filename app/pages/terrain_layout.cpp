@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kBetween = 10;                       // [px] cards
 constexpr int kToSpare = 10;                       // [px] before cards have to leave
-constexpr QSize kLeastTerrain{420, 230};           // [px]
+constexpr QSize kMinTerrain{420, 230};             // [px]
 constexpr int kColumn = 404, kNarrowColumn = 281;  // [px] of the decisions, at 100 %
 // [px] of the terrain beside them, likewise: it is the largest part
 constexpr int kRoomyTerrain = 540, kTightTerrain = 324;
@@ -171,8 +171,8 @@ void TerrainLayout::setTight(bool tight)
     parts_.drive->setNarrow(tight);
     // A banner's line is the terrain's and the question's, where it would else make the cards leave.
     if (window_)
-        parts_.terrain->setMinimumSize(tight ? QSize(0, kLeastTerrain.height())
-                                             : kLeastTerrain - QSize(0, window_->bannerLine()));
+        parts_.terrain->setMinimumSize(tight ? QSize(0, kMinTerrain.height())
+                                             : kMinTerrain - QSize(0, window_->bannerLine()));
     if (window_) parts_.terrainCard->setMinimumWidth(scaled(tight ? kTightTerrain : kRoomyTerrain));
     // Driving is needed at any time; the rest of its card is looked up.
     if (tight)

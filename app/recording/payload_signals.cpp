@@ -17,7 +17,7 @@ void PayloadSignals::note(const CanFrame& frame)
     auto described = book_->find(frame);
     if (!described) return;
     const std::size_t signals = described->message.payload.size();
-    if (signals_ + signals > kMostSignals) {
+    if (signals_ + signals > kMaxSignals) {
         leftOut_.insert(key);
         return;
     }

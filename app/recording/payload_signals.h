@@ -18,7 +18,7 @@ namespace terratact {
 /// The signals of a recording that DBC files describe: those of every message that comes in it.
 class PayloadSignals {
 public:
-    static constexpr std::size_t kMostSignals = 2000;  ///< messages beyond have none
+    static constexpr std::size_t kMaxSignals = 2000;  ///< messages beyond have none
 
     /// A message that comes.
     struct Message {
@@ -38,7 +38,7 @@ public:
 
     const std::vector<Message>& messages() const { return messages_; }
     std::size_t signals() const { return signals_; }         ///< of all messages
-    std::size_t leftOut() const { return leftOut_.size(); }  ///< messages beyond kMostSignals
+    std::size_t leftOut() const { return leftOut_.size(); }  ///< messages beyond kMaxSignals
 
     /// Which of messages() a frame is; empty: none.
     std::optional<std::size_t> find(const CanFrame& frame) const;

@@ -47,9 +47,9 @@ public:
         std::size_t mostRows = 10'000;         ///< likewise, of the other rows
         std::chrono::milliseconds batch{200};  ///< between two commits
         std::int64_t mostBytes = std::int64_t{4}
-                              << 30U;             ///< of a file; then it goes on in the next
-        std::int64_t mostBatches = kMostBatches;  ///< likewise
-        double patience = 0.6;  ///< [s] that writing may take before it is trouble
+                              << 30U;            ///< of a file; then it goes on in the next
+        std::int64_t mostBatches = kMaxBatches;  ///< likewise
+        double patience = 0.6;                   ///< [s] that writing may take before it is trouble
         std::uint64_t leastFree = std::uint64_t{50}
                                << 20U;  ///< bytes of the disk that are left alone
     };

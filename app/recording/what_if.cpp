@@ -87,14 +87,14 @@ Result<TerrainEstimate> recordedEstimate(SessionReader& session, const EstimateR
 
 Status requireModest(const Settings& settings)
 {
-    if (settings.chains > kMostChainsAgain)
+    if (settings.chains > kMaxChainsAgain)
         return Error{fmt::format("its settings ask for {} chains, and at most {} are computed",
-                                 settings.chains, kMostChainsAgain)};
+                                 settings.chains, kMaxChainsAgain)};
     const std::int64_t thrownAway = std::int64_t{settings.chains} * settings.burnIn;
-    if (thrownAway + settings.draws > kMostSweepsAgain)
+    if (thrownAway + settings.draws > kMaxSweepsAgain)
         return Error{fmt::format("its settings ask for {} sweeps to be kept and {} to be thrown "
                                  "away, and at most {} are computed",
-                                 settings.draws, thrownAway, kMostSweepsAgain)};
+                                 settings.draws, thrownAway, kMaxSweepsAgain)};
     return Done{};
 }
 

@@ -36,9 +36,8 @@ Result<TerrainEstimate> estimateAgain(const SessionReader& session, const Estima
 /// Whether these settings may be computed: a file can ask for days of computing.  Far more than the console has ever
 /// recorded is refused with a sentence that names the setting.
 Status requireModest(const Settings& settings);
-inline constexpr int kMostChainsAgain = 4096;
-inline constexpr std::int64_t kMostSweepsAgain =
-    2'000'000;  ///< kept and thrown away, of all chains
+inline constexpr int kMaxChainsAgain = 4096;
+inline constexpr std::int64_t kMaxSweepsAgain = 2'000'000;  ///< kept and thrown away, of all chains
 
 /// How far one bin moved, after − before [m].
 struct BinDifference {

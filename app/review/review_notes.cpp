@@ -13,7 +13,7 @@ namespace terratact {
 namespace {
 
 constexpr const char* kHeader = "t_s,note";
-constexpr std::size_t kMostNotes = 100'000;
+constexpr std::size_t kMaxNotes = 100'000;
 
 }  // namespace
 
@@ -39,7 +39,7 @@ Result<std::vector<ReviewNote>> readNotes(const std::string& session)
         const Result<bool> more = csv->next();
         if (!more) return more.error();
         if (!*more) return notes;
-        if (notes.size() >= kMostNotes) return csv->error("too many notes");
+        if (notes.size() >= kMaxNotes) return csv->error("too many notes");
         const Result<double> time = csv->number(0, "t_s");
         if (!time) return time.error();
         notes.push_back({*time, std::string(csvText(csv->fields()[1]))});

@@ -33,7 +33,7 @@ void ReviewPlayer::setSpeed(double speed)
 void ReviewPlayer::advance(double elapsed)
 {
     if (!playing_ || !(elapsed > 0.0)) return;
-    const double way = std::min(elapsed, kLongestStep) * speed_;
+    const double way = std::min(elapsed, kMaxStepTime) * speed_;
     double next = position_ + (backwards_ ? -way : way);
     if (loops()) {
         const double from = std::min(*a_, *b_), to = std::max(*a_, *b_);

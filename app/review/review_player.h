@@ -9,7 +9,7 @@ namespace terratact {
 class ReviewPlayer {
 public:
     static constexpr double kSlowest = 0.05, kFastest = 50.0;
-    static constexpr double kLongestStep =
+    static constexpr double kMaxStepTime =
         0.25;  ///< [s] of the caller's time that one step may catch up with
 
     void setRange(double begin, double end);  ///< the position stays within it

@@ -23,7 +23,7 @@ QSize sizeFrom(const std::string& text)
 std::string whyNoSize(const std::string& text)
 {
     const QSize size = sizeFrom(text);
-    const bool good = size.expandedTo(ConsoleWindow::kLeast) == size && size.width() <= 10000
+    const bool good = size.expandedTo(ConsoleWindow::kMin) == size && size.width() <= 10000
                    && size.height() <= 10000;
     return good ? std::string()
                 : "expected WIDTHxHEIGHT, from 1200x680 to 10000x10000, not " + text;

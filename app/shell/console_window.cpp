@@ -47,7 +47,7 @@ ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForc
 {
     setFocusPolicy(Qt::StrongFocus);  // so that no button has the focus before somebody tabs to it
     resize(1440, 900);
-    setMinimumSize(kLeast);
+    setMinimumSize(kMin);
     header_ = new StatusHeader(this);
     rail_ = new NavigationRail(this);
     pages_ = new QStackedWidget(this);
@@ -306,7 +306,7 @@ QSize ConsoleWindow::needs() const
 
 void ConsoleWindow::setLeast(QSize needed)
 {
-    setMinimumSize(needed.expandedTo(kLeast).boundedTo(room()));
+    setMinimumSize(needed.expandedTo(kMin).boundedTo(room()));
     letScroll(needed.expandedTo(room()) != room());
 }
 

@@ -53,7 +53,7 @@ public:
     /// As a signal wants it, and the end of the application (QEvent::Quit), which wait for no answer.
     void closeUnasked();
     /// [px] of any window, where its screen has that much.
-    static constexpr QSize kLeast{1200, 680};
+    static constexpr QSize kMin{1200, 680};
 
 protected:
     ConsoleWindow();

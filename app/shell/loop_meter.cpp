@@ -7,7 +7,7 @@
 namespace terratact {
 namespace {
 
-constexpr double kMostFrames = 25.0;  // [Hz]
+constexpr double kMaxFrames = 25.0;  // [Hz]
 
 std::size_t beatsPerMinute(double period)
 {
@@ -30,8 +30,8 @@ double NewestValues::quantile(double p) const
 
 LoopMeter::LoopMeter(double period)
     : period_(period), lateness_(beatsPerMinute(period)),
-      frames_(static_cast<std::size_t>(kMinute * kMostFrames)),
-      latencies_(static_cast<std::size_t>(kMinute * kMostFrames))
+      frames_(static_cast<std::size_t>(kMinute * kMaxFrames)),
+      latencies_(static_cast<std::size_t>(kMinute * kMaxFrames))
 {
 }
 

@@ -28,8 +28,8 @@ struct Says {
 
 bool isPath(const QString& text)
 {
-    constexpr int kLongest = 4096;
-    return text.size() <= kLongest && !text.contains(QChar(0));
+    constexpr int kMaxLength = 4096;
+    return text.size() <= kMaxLength && !text.contains(QChar(0));
 }
 
 /// Reads and writes one value each under its key; every value is kept as text.
@@ -109,7 +109,7 @@ struct Reader {
         value(key, [&](const QString& text) {
             QStringList found = text.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
             const bool good =
-                found.size() <= kMostDbcFiles && std::all_of(found.begin(), found.end(), isPath);
+                found.size() <= kMaxDbcFiles && std::all_of(found.begin(), found.end(), isPath);
             if (good) to = std::move(found);
             return good;
         });
@@ -117,10 +117,10 @@ struct Reader {
     void bytes(const char* key, QByteArray& to)
     {
         value(key, [&](const QString& text) {
-            constexpr int kLongest = 4096;
+            constexpr int kMaxLength = 4096;
             const auto decoded = QByteArray::fromBase64Encoding(
                 text.toLatin1(), QByteArray::AbortOnBase64DecodingErrors);
-            if (!decoded || decoded.decoded.size() > kLongest) return false;
+            if (!decoded || decoded.decoded.size() > kMaxLength) return false;
             to = decoded.decoded;
             return true;
         });
@@ -165,7 +165,7 @@ void visit(Visitor visitor, Values& p)
     visitor.number("obstacle-limit", p.obstacleLimit, kObstacleRange);
     visitor.oneOf("method", p.method, offeredMethods());
     visitor.oneOf("quality", p.quality, kQualities);
-    visitor.number("estimate-seconds", p.estimateSeconds, 0, kMostEstimateSeconds);
+    visitor.number("estimate-seconds", p.estimateSeconds, 0, kMaxEstimateSeconds);
     visitor.number("force-threshold", p.forceThreshold, kForceRange);
     visitor.oneOf("probe-policy", p.probes, kProbePolicies);
     visitor.number("probe-above", p.probeAbove, kProbeAboveRange);
@@ -175,8 +175,8 @@ void visit(Visitor visitor, Values& p)
     visitor.number("tilt-amber", p.tiltAmber, kTiltRange);
     visitor.number("tilt-red", p.tiltRed, kTiltRange);
     visitor.flag("record", p.record);
-    visitor.number("keep-days", p.keepDays, 0, kMostDays);
-    visitor.number("keep-gigabytes", p.keepGigabytes, 0, kMostGigabytes);
+    visitor.number("keep-days", p.keepDays, 0, kMaxDays);
+    visitor.number("keep-gigabytes", p.keepGigabytes, 0, kMaxGigabytes);
     visitor.flag("may-delete", p.mayDelete);
     visitor.path("model", p.model);
     visitor.path("robot", p.robot);

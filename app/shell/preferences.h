@@ -38,7 +38,7 @@ struct Preferences {
     double asymmetryLimit = Settings{}.asymmetryLimit;                          ///< [rad]
     double tiltAmber = AttitudeLimits{}.amber, tiltRed = AttitudeLimits{}.red;  ///< [rad]
     QString model, robot;                 ///< files; empty: the shipped ones
-    QStringList dbc;                      ///< files, at most kMostDbcFiles
+    QStringList dbc;                      ///< files, at most kMaxDbcFiles
     bool record = true;                   ///< what happens at the console
     int keepDays = 0, keepGigabytes = 0;  ///< of recordings; 0: nothing is ever deleted
     bool mayDelete = false;               ///< recordings beyond them; else they are only told of
@@ -60,9 +60,9 @@ inline constexpr PreferenceRange kRollRange{1.0 * kDegree, 45.0 * kDegree};     
 inline constexpr PreferenceRange kAsymmetryRange{1.0 * kDegree, 90.0 * kDegree};  ///< [rad]
 inline constexpr PreferenceRange kTiltRange{5.0 * kDegree, 80.0 * kDegree};       ///< [rad]
 inline constexpr int kSmallestFont = 80, kLargestFont = 200;                      ///< [%]
-inline constexpr int kMostEstimateSeconds = 25;  ///< an exploration waits for 30 s
-inline constexpr int kMostDays = 10'000, kMostGigabytes = 100'000;
-inline constexpr qsizetype kMostDbcFiles = 32;
+inline constexpr int kMaxEstimateSeconds = 25;  ///< an exploration waits for 30 s
+inline constexpr int kMaxDays = 10'000, kMaxGigabytes = 100'000;
+inline constexpr qsizetype kMaxDbcFiles = 32;
 inline constexpr int kPreferencesSchema = 1;
 
 /// The methods an operator chooses from; PAFAc is what PAFc becomes once the arm has measured.

@@ -46,7 +46,7 @@ void AlarmList::sort()
     std::stable_sort(alarms_.begin(), alarms_.end(), [](const Alarm& a, const Alarm& b) {
         return std::tuple(a.state, b.severity, b.since) < std::tuple(b.state, a.severity, a.since);
     });
-    if (alarms_.size() > kMost) alarms_.resize(kMost);
+    if (alarms_.size() > kMax) alarms_.resize(kMax);
 }
 
 void AlarmList::announce(const std::string& id, double now)
@@ -54,7 +54,7 @@ void AlarmList::announce(const std::string& id, double now)
     std::erase_if(heard_, [now](const Heard& heard) { return now - heard.at >= kSoundPeriod; });
     const bool known = std::any_of(heard_.begin(), heard_.end(),
                                    [&](const Heard& heard) { return heard.id == id; });
-    if (known || heard_.size() >= kMost) return;
+    if (known || heard_.size() >= kMax) return;
     heard_.push_back({id, now});
     isNew_ = true;
     silentUntil_ = now;

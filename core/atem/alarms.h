@@ -49,7 +49,7 @@ struct Alarm {
 /// infinite times throw std::invalid_argument.
 class AlarmList {
 public:
-    static constexpr std::size_t kMost = 64;  ///< beyond it the least urgent is forgotten
+    static constexpr std::size_t kMax = 64;  ///< beyond it the least urgent is forgotten
     static constexpr double kSoundPeriod =
         10.0;                                 ///< [s] between two sounds for what is known already
     static constexpr double kSoundGap = 2.0;  ///< [s] alarms that come together sound once

@@ -55,7 +55,7 @@ void LinkWatch::miss(const LinkGlimpse& seen)
     account_.alive = false;
     account_.alone = seen.othersCome;
     account_.longest = std::max(account_.longest, *seen.age);
-    if (*seen.age > kLongestGap) account_.standing = LinkStanding::Lost;
+    if (*seen.age > kMaxGap) account_.standing = LinkStanding::Lost;
 }
 
 }  // namespace terratact

@@ -42,7 +42,7 @@ struct LinkGlimpse {
 class LinkWatch {
 public:
     static constexpr double kSteadyAfter = 1.0;  ///< [s] it is up again after so long without a gap
-    static constexpr double kLongestGap = 1.0;   ///< [s] a longer silence is a loss
+    static constexpr double kMaxGap = 1.0;       ///< [s] a longer silence is a loss
 
     /// To be called several times a second.  Throws std::invalid_argument for times that are not finite.
     const LinkAccount& poll(const LinkGlimpse& seen);

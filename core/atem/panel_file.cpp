@@ -9,7 +9,7 @@
 namespace terratact {
 namespace {
 
-constexpr double kMostOffset = 1023.0;
+constexpr double kMaxOffset = 1023.0;
 
 /// The line's name or offset, once in the whole file.
 class Lines {
@@ -33,7 +33,7 @@ public:
 private:
     static unsigned offsetOf(TomlSection& section)
     {
-        const double offset = section.number("offset", {0.0, kMostOffset});
+        const double offset = section.number("offset", {0.0, kMaxOffset});
         if (offset != std::floor(offset))
             throw TomlRefused{tomlLine(section.node("offset")) + ": " + section.path("offset")
                               + " is not a whole number"};

@@ -18,7 +18,7 @@ struct ProbeGain {
 };
 
 /// [bit] of entropyReduction: less reads 0.00, and is no gain.
-inline constexpr double kLeastBits = 0.005;
+inline constexpr double kMinBits = 0.005;
 
 /// What an estimate leaves open, in the units of ProbeGain: V and H below with equal weights.
 struct Uncertainty {

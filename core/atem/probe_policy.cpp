@@ -30,7 +30,7 @@ ProbeOffer offerProbe(const ProbeAdvice& advice, Outlook verdict, ProbePolicy po
         return {.bin = {}, .why = NoProbe::Decided};
     if (policy == ProbePolicy::Question && !advice.gains.empty()) {
         const ProbeGain best = ranked(advice, policy).front();
-        if (best.entropyReduction < kLeastBits * std::numbers::ln2)
+        if (best.entropyReduction < kMinBits * std::numbers::ln2)
             return {.bin = {}, .why = NoProbe::NoGain};
         return {.bin = best.bin, .why = NoProbe::None};
     }

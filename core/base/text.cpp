@@ -25,8 +25,8 @@ std::string randomErrorText(double sd, int decimals)
 
 std::string rhatText(double rhat)
 {
-    constexpr double kMost = 100.0;
-    return rhat > kMost ? fmt::format("> {:.0f}", kMost) : fmt::format("{:.3f}", rhat);
+    constexpr double kMax = 100.0;
+    return rhat > kMax ? fmt::format("> {:.0f}", kMax) : fmt::format("{:.3f}", rhat);
 }
 
 std::optional<double> numberFrom(std::string_view text)
@@ -57,8 +57,8 @@ std::optional<char32_t> nextCharacter(std::string_view& text)
         if ((byte(i) & 0xC0U) != 0x80U) return std::nullopt;
         value = value << 6U | (byte(i) & 0x3FU);
     }
-    constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
-    if (value < kLeast.at(length) || value > 0x10FFFF || (value >= 0xD800 && value <= 0xDFFF))
+    constexpr std::array<char32_t, 5> kMin{0, 0, 0x80, 0x800, 0x10000};
+    if (value < kMin.at(length) || value > 0x10FFFF || (value >= 0xD800 && value <= 0xDFFF))
         return std::nullopt;
     text.remove_prefix(length);
     return value;
@@ -76,26 +76,26 @@ bool hidesOrMoves(char32_t c)
 
 bool isReadableName(std::string_view text)
 {
-    constexpr int kMost = 100;
+    constexpr int kMax = 100;
     int characters = 0;
     while (!text.empty()) {
         const auto next = nextCharacter(text);
-        if (!next || hidesOrMoves(*next) || ++characters > kMost) return false;
+        if (!next || hidesOrMoves(*next) || ++characters > kMax) return false;
     }
     return characters > 0;
 }
 
 std::string shown(std::string_view text)
 {
-    constexpr std::size_t kLongest = 40;
+    constexpr std::size_t kMaxLength = 40;
     std::string line = "'";
-    for (const char c : text.substr(0, kLongest)) {
+    for (const char c : text.substr(0, kMaxLength)) {
         if (c == '\t')
             line += "<tab>";
         else
             line += c >= ' ' && c <= '~' ? c : '?';
     }
-    line += text.size() > kLongest ? "…'" : "'";
+    line += text.size() > kMaxLength ? "…'" : "'";
     return line;
 }
 

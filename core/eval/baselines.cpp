@@ -17,17 +17,17 @@
 namespace terratact {
 namespace {
 
-constexpr Eigen::Index kFewestRows = 30;
+constexpr Eigen::Index kMinRows = 30;
 constexpr Eigen::Index kNeighbours = 20;
 constexpr Eigen::Index kSearchRows = 400;
 constexpr Eigen::Index kPredictRows = 1000;
-constexpr double kLeastSd = 0.001;                 // [m]
+constexpr double kMinSd = 0.001;                   // [m]
 constexpr double kNormalQ90 = 1.2815515655446004;  // Φ⁻¹(0.9)
 
 Heights atLeast(const Heights& sd)
 {
     Heights result = sd;
-    for (double& x : result) x = std::max(x, kLeastSd);
+    for (double& x : result) x = std::max(x, kMinSd);
     return result;
 }
 
@@ -219,7 +219,7 @@ private:
 std::vector<std::unique_ptr<Baseline>> fitBaselines(const RobotModel& robot, const ModelData& model,
                                                     const ForEach& forEach)
 {
-    if (model.heights.rows() < kFewestRows || model.features.rows() != model.heights.rows())
+    if (model.heights.rows() < kMinRows || model.features.rows() != model.heights.rows())
         throw std::invalid_argument("fitBaselines: at least 30 training rows");
     std::vector<std::unique_ptr<Baseline>> baselines;
     baselines.push_back(std::make_unique<Flat>(robot, model));

@@ -28,7 +28,7 @@ double pitOf(const TerrainEstimate& shown, std::size_t bin, double measured, dou
 
 Calibration verdictOf(std::size_t n, const Coverage& in80)
 {
-    if (n < kLeastEntries) return Calibration::TooFew;
+    if (n < kMinEntries) return Calibration::TooFew;
     if (in80.high < kPromised) return Calibration::TooNarrow;
     if (in80.low > kPromised) return Calibration::TooWide;
     return Calibration::Honest;

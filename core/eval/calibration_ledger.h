@@ -33,11 +33,11 @@ struct Coverage {
 Coverage wilson(std::size_t k, std::size_t n);
 
 /// Whether 80 % bands hold 80 % of the measurements: decided by the Wilson interval, once there are
-/// kLeastEntries.  An honest forecaster is called something else by chance in 4 to 7 %.
+/// kMinEntries.  An honest forecaster is called something else by chance in 4 to 7 %.
 enum class Calibration : std::uint8_t { TooFew, TooNarrow, Honest, TooWide };
 
 /// With fewer not even n hits of n would exclude 80 %: n > 4 c².
-inline constexpr std::size_t kLeastEntries = 16;
+inline constexpr std::size_t kMinEntries = 16;
 
 /// "too few", "too narrow", "honest", "too wide".
 std::string_view name(Calibration calibration);

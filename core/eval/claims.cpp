@@ -67,7 +67,7 @@ ClaimResult judge(const Claim& claim, std::span<const BinError> errors,
     const DriveWeights once(result.runs, 1);
     result.baseMedian = comparison.base.median(once);
     result.betterMedian = comparison.better.median(once);
-    if (result.runs < kLeastRuns) return result;
+    if (result.runs < kMinRuns) return result;
 
     const auto difference = [&](const DriveWeights& weight) {
         return comparison.better.median(weight) - comparison.base.median(weight);

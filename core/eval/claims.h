@@ -44,7 +44,7 @@ struct ClaimResult {
 
 /// Judges a claim by the difference of the two medians of |error|.  Its 95 % interval is the percentile
 /// bootstrap over whole drives (Scene::run), the same drives for both methods.  Interval below 0: holds;
-/// above 0: does not hold; else, or with fewer than kLeastRuns drives: not decided.
+/// above 0: does not hold; else, or with fewer than kMinRuns drives: not decided.
 /// A method's errors are those labelled with its name.  Same errors, scenes and seed: the same result.
 /// Throws std::invalid_argument where an error's scene is not among the scenes or resamples < 1.
 /// Source: see core/eval/cluster_bootstrap.h.

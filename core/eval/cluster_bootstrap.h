@@ -15,7 +15,7 @@ namespace terratact {
 // Source: Efron & Tibshirani (1993), ch. 8 and 13; Field & Welsh, J. R. Stat. Soc. B 69 (2007).
 
 /// Below so many drives nothing is decided, and no interval is given.
-inline constexpr std::size_t kLeastRuns = 5;
+inline constexpr std::size_t kMinRuns = 5;
 
 /// How often each drive was drawn.
 using DriveWeights = std::vector<std::size_t>;

@@ -70,7 +70,7 @@ std::vector<Confidence> confidence(std::span<const BinError> errors, std::span<c
     for (const std::string& label : labelsOf(errors)) {
         const Clusters clusters(errorsOf(label, errors), driveOfScene);
         Confidence own{.label = label, .drives = clusters.drives(), .intervals = {}};
-        if (own.drives >= kLeastRuns) own.intervals = intervalsOf(clusters, seed, resamples);
+        if (own.drives >= kMinRuns) own.intervals = intervalsOf(clusters, seed, resamples);
         result.push_back(std::move(own));
     }
     return result;

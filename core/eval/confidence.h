@@ -20,7 +20,7 @@ struct ScoreIntervals {
 struct Confidence {
     std::string label;
     std::size_t drives = 0;                   ///< with an estimate
-    std::optional<ScoreIntervals> intervals;  ///< empty for fewer than kLeastRuns drives
+    std::optional<ScoreIntervals> intervals;  ///< empty for fewer than kMinRuns drives
 };
 
 /// Bootstrap over the drives of each label's scenes, one entry per label in the order of labelsOf.

@@ -46,7 +46,7 @@ PairedGain pairedGain(std::span<const BinError> before, std::span<const BinError
     std::ranges::sort(drives);
     drives.erase(std::unique(drives.begin(), drives.end()), drives.end());
     gain.drives = drives.size();
-    if (gain.drives < kLeastRuns) return gain;
+    if (gain.drives < kMinRuns) return gain;
 
     const auto interval = [&](const auto& number) {
         std::vector<std::pair<double, std::size_t>> change;

@@ -17,7 +17,7 @@ struct PairedGain {
         Interval mean, crps;  ///< [m] of after − before
         Interval coverage;    ///< of after − before, 80 % band
     };
-    std::optional<Intervals> intervals;  ///< 95 %; empty for fewer than kLeastRuns drives
+    std::optional<Intervals> intervals;  ///< 95 %; empty for fewer than kMinRuns drives
 
     /// Shown to help, in error and in coverage: both intervals of the errors lie below 0, and the coverage of the
     /// 80 % band is at most kCoverageLoss further from 0.8 than it was.

@@ -66,8 +66,8 @@ Result<Classes> readClasses(CsvReader csv, const std::string& column)
         const std::string name(csvText(csv.fields()[*row]));
         if (!classes.try_emplace(name, csvText(csv.fields()[*wanted])).second)
             return csv.error("row " + shown(name) + " appears twice");
-        if (classes.size() > kMostClassRows)
-            return csv.error("is one row more than the " + std::to_string(kMostClassRows)
+        if (classes.size() > kMaxClassRows)
+            return csv.error("is one row more than the " + std::to_string(kMaxClassRows)
                              + " allowed in a file");
     }
 }

@@ -25,11 +25,11 @@ std::vector<GroupSummary> byNovelty(std::span<const BinError> errors);
 
 /// Which class each row of an index file belongs to.
 using Classes = std::map<std::string, std::string>;
-inline constexpr std::size_t kMostClassRows = 200'000;  ///< of an index file
+inline constexpr std::size_t kMaxClassRows = 200'000;  ///< of an index file
 
 /// Reads the columns `row` and `column` of a CSV index (core/store/csv_reader.h).
 /// Errors name the file, the line and the cause: those of CsvReader; a column is missing, a row appears twice; over
-/// kMostClassRows rows.
+/// kMaxClassRows rows.
 Result<Classes> readClasses(const std::string& path, const std::string& column);
 
 /// The same from its first line on.

@@ -80,7 +80,7 @@ std::optional<Interval> scoreInterval(std::span<const StepForecast> forecasts,
         values.emplace_back(squaredError(f),
                             number.try_emplace(driveOfScene[f.scene], number.size()).first->second);
     }
-    if (number.size() < kLeastRuns) return std::nullopt;
+    if (number.size() < kMinRuns) return std::nullopt;
     const ClusteredValues clustered(std::move(values));
     return interval95(
         bootstrapDrives(number.size(), seed, resamples,

@@ -55,8 +55,7 @@ struct BrierSummary {
     double observedShare = 0.0;  ///< ō
     double score = 0.0;
     double reliability = 0.0, resolution = 0.0, uncertainty = 0.0;
-    std::optional<Interval>
-        interval;  ///< 95 % of the score; empty for fewer than kLeastRuns drives
+    std::optional<Interval> interval;  ///< 95 % of the score; empty for fewer than kMinRuns drives
     std::array<ReliabilityClass, kReliabilityClasses> classes{};
 };
 

@@ -23,8 +23,8 @@ void check(const Settings& settings)
     if (!isClosedForm(settings.method))
         throw std::invalid_argument(
             fmt::format("method {} has no closed form", name(settings.method)));
-    if (settings.draws < 1 || settings.draws > kMostDraws)
-        throw std::invalid_argument(fmt::format("an estimate needs 1 to {} draws", kMostDraws));
+    if (settings.draws < 1 || settings.draws > kMaxDraws)
+        throw std::invalid_argument(fmt::format("an estimate needs 1 to {} draws", kMaxDraws));
     if (!(settings.forceThreshold >= 0.0))
         throw std::invalid_argument("the force threshold must be 0 or more");
 }

@@ -38,11 +38,11 @@ public:
         return value;
     }
     int small(int least, int most) { return static_cast<int>(integer(least, most)); }
-    std::int64_t id() { return integer(1, kMostCount); }
-    std::int64_t idOrNone() { return integer(0, kMostCount); }
-    SessionTime time() { return integer(-kMostTime, kMostTime); }
+    std::int64_t id() { return integer(1, kMaxCount); }
+    std::int64_t idOrNone() { return integer(0, kMaxCount); }
+    SessionTime time() { return integer(-kMaxTime, kMaxTime); }
     bool flag() { return integer(0, 1) == 1; }
-    double real(double least = -kMostNumber, double most = kMostNumber)
+    double real(double least = -kMaxNumber, double most = kMaxNumber)
     {
         const double value = statement_.real(at_++);
         require(value >= least && value <= most, "a number is out of range");
@@ -68,7 +68,7 @@ public:
     std::string text()
     {
         std::string value = statement_.text(at_++);
-        require(value.size() <= kMostTextBytes, "a text is too long");
+        require(value.size() <= kMaxTextBytes, "a text is too long");
         return value;
     }
     std::string blob() { return statement_.blob(at_++); }
@@ -87,9 +87,9 @@ public:
     }
 
 private:
-    static constexpr double kMostNumber = 1e12;
-    static constexpr SessionTime kMostTime = std::int64_t{1} << 60;  // 36 years
-    static constexpr std::int64_t kMostCount = std::int64_t{1} << 48;
+    static constexpr double kMaxNumber = 1e12;
+    static constexpr SessionTime kMaxTime = std::int64_t{1} << 60;  // 36 years
+    static constexpr std::int64_t kMaxCount = std::int64_t{1} << 48;
 
     const SqliteStatement& statement_;
     int at_;

@@ -9,7 +9,7 @@ namespace terratact {
 namespace {
 
 constexpr std::size_t kFileHeader = 100, kJournalHeader = 32, kFrameHeader = 24;  // bytes
-constexpr std::size_t kMostColumns = 100;
+constexpr std::size_t kMaxColumns = 100;
 
 std::uint64_t bigEndianAt(std::string_view bytes, std::size_t at, std::size_t count)
 {
@@ -207,7 +207,7 @@ bool PageRows::decode()
     while (at < header.size()) {
         const auto type = variableInteger(header, at);
         const auto size = type ? sizeOfSerial(*type) : std::nullopt;
-        if (!size || *size > body.size() || values_.size() == kMostColumns) return false;
+        if (!size || *size > body.size() || values_.size() == kMaxColumns) return false;
         values_.push_back(valueOf(*type, body.substr(0, *size)));
         body.remove_prefix(*size);
     }

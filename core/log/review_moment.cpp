@@ -170,7 +170,7 @@ void ReviewMoments::takeEvents(ReviewMoment& moment)
     // Of sessions without EventKind::Unheard.
     const auto endsSilence = [&](const EventRow& up) {
         return lost && moment.scene && *lost > moment.scene->time
-            && silenceBefore(up, *lost) > kLongestSilence;
+            && silenceBefore(up, *lost) > kMaxSilence;
     };
     for (const EventRow& event : reader_.events()) {
         if (event.time > moment.time) {

@@ -27,7 +27,7 @@ struct ReviewMoment {
     bool linkAlive = false;                    ///< as it was told; before it was, as heard now
     bool telemetryAlone = false;               ///< where it is not: other frames of the robot came
     SessionTime linkSince = 0;                 ///< it has been so
-    bool unbroken = true;  ///< no silence of more than kLongestSilence has ended since the scene
+    bool unbroken = true;      ///< no silence of more than kMaxSilence has ended since the scene
     bool sensorsSound = true;  ///< kSensorAlarm did not stand at the scene, nor since
     std::string overridden{};  ///< what the operator had overridden, in words; empty: nothing
     std::optional<SessionDamage> damage{};  ///< in which this time lies

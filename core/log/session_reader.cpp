@@ -17,11 +17,11 @@
 namespace terratact {
 namespace {
 
-constexpr int kLongest = 64 << 20;          // bytes of one value: draws
-constexpr std::size_t kMostRows = 500'000;  // of one table but the frames
+constexpr int kMaxLength = 64 << 20;       // bytes of one value: draws
+constexpr std::size_t kMaxRows = 500'000;  // of one table but the frames
 constexpr int kPasses = 3;  // over the rows: their hash, their values, and the one that ends a part
-constexpr std::size_t kMostScenes = 100'000;  // and estimates, whose rows are large in memory
-constexpr std::size_t kMostDamage = 10'000;   // places that are told one by one
+constexpr std::size_t kMaxScenes = 100'000;  // and estimates, whose rows are large in memory
+constexpr std::size_t kMaxDamage = 10'000;   // places that are told one by one
 
 using Hash = std::array<char, Sha256::kBytes>;
 
@@ -117,10 +117,10 @@ void SessionReader::Impl::loseJournal()
 
 void SessionReader::Impl::addDamage(const SessionBatch& batch, const std::string& why)
 {
-    if (damage.size() >= kMostDamage) {
+    if (damage.size() >= kMaxDamage) {
         SessionDamage& rest = damage.back();
         rest = {std::min(rest.first, batch.first), std::max(rest.last, batch.last),
-                "more than " + std::to_string(kMostDamage) + " places are damaged"};
+                "more than " + std::to_string(kMaxDamage) + " places are damaged"};
         return;
     }
     const SessionDamage found{batch.first, batch.last, why};
@@ -129,11 +129,11 @@ void SessionReader::Impl::addDamage(const SessionBatch& batch, const std::string
 
 SessionReader::Impl::Part SessionReader::Impl::nextPart()
 {
-    constexpr auto kLeast = std::numeric_limits<std::int64_t>::min();
-    constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
+    constexpr auto kMin = std::numeric_limits<std::int64_t>::min();
+    constexpr auto kMax = std::numeric_limits<std::int64_t>::max();
     Part part{.batches = {},
-              .from = batches.empty() ? kLeast : batches.back().id + 1,
-              .to = kMost};  // rows of no batch come in the first or the last part
+              .from = batches.empty() ? kMin : batches.back().id + 1,
+              .to = kMax};  // rows of no batch come in the first or the last part
     SqliteStatement select = file.prepare("SELECT * FROM batch WHERE id > ? ORDER BY id");
     select.bind(0, batches.empty() ? 0 : batches.back().id);
     while (select.step()) {
@@ -142,7 +142,7 @@ SessionReader::Impl::Part SessionReader::Impl::nextPart()
             break;
         }
         if (part.batches.size() % 1024 == 0) file.grantSteps();
-        require(batches.size() + part.batches.size() < static_cast<std::size_t>(kMostBatches),
+        require(batches.size() + part.batches.size() < static_cast<std::size_t>(kMaxBatches),
                 "has more batches than a session can have");
         part.batches.push_back(batchFrom(select));
         const auto& all = part.batches;
@@ -258,7 +258,7 @@ void SessionReader::Impl::readRows(const Part& part)
 {
     for (std::size_t table = 0; table < kSessionRowTables.size(); ++table) {
         const std::string_view name = kSessionRowTables.at(table);
-        const std::size_t most = name == "scene" || name == "estimate" ? kMostScenes : kMostRows;
+        const std::size_t most = name == "scene" || name == "estimate" ? kMaxScenes : kMaxRows;
         lastRow.at(
             table) = forRows(table, part, [&](const SqliteStatement& select, std::int64_t batch) {
             require(++rowCount.at(table) <= most, "a table has more rows than a session can have");
@@ -359,14 +359,14 @@ Result<SessionReader> SessionReader::open(const std::string& path, std::size_t a
     try {
         const bool sealed = !SqliteFile::isJournaled(path);
         const bool lacksJournal = SqliteFile::lacksJournal(path);
-        auto impl = std::make_unique<Impl>(path, SqliteFile::openLog(path, kLongest), sealed,
+        auto impl = std::make_unique<Impl>(path, SqliteFile::openLog(path, kMaxLength), sealed,
                                            std::max<std::size_t>(atATime, 1));
         requireSessionSchema(impl->file, lacksJournal ? nameOf(path) : std::string());
         impl->stored = readSessionStart(impl->file);
         impl->chain = impl->proven = impl->stored.hash;
         impl->chainCounts = chainCounts;
         static_cast<void>(impl->readMore());
-        if (impl->file.size() <= kMostChecked) impl->checkStructure();
+        if (impl->file.size() <= kMaxChecked) impl->checkStructure();
         if (lacksJournal) impl->missJournal();
         if (SqliteFile::journalIsDamaged(path)) impl->loseJournal();
         return SessionReader(std::move(impl));

@@ -31,7 +31,7 @@ struct SessionVerification {
 /// Reads a session file that may come from anyone (docs/sessions.md): read-only, nothing in it is executed,
 /// every value is checked.  A row is handed out only if its batch's hash holds, so that what is shown is a part
 /// of what was recorded; what is not is damage().  Memory does not grow with the frames but with the batches, of
-/// which there are at most kMostBatches.  All values that are read in one go are together at most as large as the
+/// which there are at most kMaxBatches.  All values that are read in one go are together at most as large as the
 /// file, whatever rows share.
 ///
 /// A session that nobody closed is read with its journal, also where its folder cannot be written.  Where the journal
@@ -40,10 +40,10 @@ struct SessionVerification {
 /// A file that is still written can be read at the same time: refresh().  Not to be shared between threads.
 class SessionReader {
 public:
-    static constexpr std::int64_t kMostChecked = std::int64_t{64} << 20U;  ///< bytes: 0.3 s
+    static constexpr std::int64_t kMaxChecked = std::int64_t{64} << 20U;  ///< bytes: 0.3 s
 
     /// Errors name the file: no session, of another version, truncated, damaged where its tables are.  Damage of the
-    /// structure elsewhere is damage(); it is looked for in files of at most kMostChecked bytes, and by verify().
+    /// structure elsewhere is damage(); it is looked for in files of at most kMaxChecked bytes, and by verify().
     /// atATime: batches whose rows are judged together; what is held of them meanwhile comes on top of 72 bytes
     /// for every batch of the file.
     static Result<SessionReader> open(const std::string& path, std::size_t atATime = kAtATime);

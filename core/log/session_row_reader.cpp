@@ -13,7 +13,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::int64_t kMostPerBatch = 200'000;  // frames
+constexpr std::int64_t kMaxPerBatch = 200'000;  // frames
 
 std::optional<Origin> originFromName(std::string_view text)
 {
@@ -246,7 +246,7 @@ StoredBatch batchFrom(const SqliteStatement& select)
     batch.last = row.time();
     require(batch.first <= batch.last, "a batch ends before it begins");
     batch.frameFirst = row.id();
-    batch.frameCount = row.integer(0, kMostPerBatch);
+    batch.frameCount = row.integer(0, kMaxPerBatch);
     stored.hashes.frames = row.hash();
     stored.hashes.rows = row.hash();
     stored.link = row.hash();

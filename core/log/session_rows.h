@@ -124,7 +124,7 @@ enum class EventKind : std::uint8_t {
     Arming,    ///< subject: phase
     Link,  ///< subject: kLinkUp, kLinkLost, kTelemetryLost; number: of kLinkUp, the longest silence [s]
     Forgotten,  ///< the estimate no longer stands; text: why
-    Unheard,  ///< since the scene, or the estimate that was left last, a silence of more than kLongestSilence
+    Unheard,  ///< since the scene, or the estimate that was left last, a silence of more than kMaxSilence
     Override,  ///< text: what the operator has overridden from now on; empty: nothing
     Alarm,  ///< subject: its identifier; text; number: 0 gone, 1 returned, 2 acknowledged, 3 raised
     Panel,  ///< a contact of the operator's panel; subject: which; number: 1 closed, 0 open

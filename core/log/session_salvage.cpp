@@ -156,7 +156,7 @@ private:
     {
         using Type = StoredValue::Type;
         if (row.values.size() != 2 || row.values[0].type != Type::Text
-            || row.values[1].type != Type::Text || row.values[1].bytes.size() > kMostMetaBytes)
+            || row.values[1].type != Type::Text || row.values[1].bytes.size() > kMaxMetaBytes)
             return;
         meta_.emplace(row.values[0].bytes, row.values[1].bytes);
     }
@@ -185,7 +185,7 @@ private:
                            .robot = meta("robot", whole),
                            .robotHash = meta("robot_sha256", whole)};
         const auto wallTime = writtenIntegerFrom<std::int64_t>(meta("wall_time_ns", whole));
-        whole = whole && wallTime && *wallTime >= 0 && *wallTime <= kMostWallTime;
+        whole = whole && wallTime && *wallTime >= 0 && *wallTime <= kMaxWallTime;
         if (whole) start.wallTime = *wallTime;
         return start;
     }

@@ -40,14 +40,14 @@ inline constexpr std::array<std::string_view, 10> kSessionRowTables{
     "reading",  "estimate_bin", "proposal", "proposal_offer", "event"};
 
 /// Of one file: readers hold an index of them.  At five per second they are four days and a half.
-inline constexpr std::int64_t kMostBatches = 2'000'000;
+inline constexpr std::int64_t kMaxBatches = 2'000'000;
 
 /// Bytes of one text of a row; the writer cuts longer ones, readers refuse them.
-inline constexpr std::size_t kMostTextBytes = 65'536;
+inline constexpr std::size_t kMaxTextBytes = 65'536;
 /// [ns] since 1970 of the start: the year 2116; times are added to it.
-inline constexpr std::int64_t kMostWallTime = std::int64_t{1} << 62U;
+inline constexpr std::int64_t kMaxWallTime = std::int64_t{1} << 62U;
 /// Bytes of one value of meta, the robot file among them.
-inline constexpr std::size_t kMostMetaBytes = 1U << 20U;
+inline constexpr std::size_t kMaxMetaBytes = 1U << 20U;
 
 /// Bits of can_frame.flags; the length of the data stands above them.
 inline constexpr std::int64_t kExtendedFlag = 1, kRemoteFlag = 2, kErrorFlag = 4, kFdFlag = 8,

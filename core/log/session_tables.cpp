@@ -48,8 +48,7 @@ std::string hashOf(const SessionStart& start)
 std::int64_t wallTimeFrom(const std::string& text)
 {
     const auto value = writtenIntegerFrom<std::int64_t>(text);
-    require(value && *value >= 0 && *value <= kMostWallTime,
-            "its start is no time: " + shown(text));
+    require(value && *value >= 0 && *value <= kMaxWallTime, "its start is no time: " + shown(text));
     return *value;
 }
 
@@ -99,7 +98,7 @@ StoredStart readSessionStart(SqliteFile& file)
         require(select.step() && select.text(0) == keys[i].first,
                 std::string("does not say its ") + keys[i].first);
         values[i] = select.text(1);
-        require(values[i].size() <= kMostMetaBytes,
+        require(values[i].size() <= kMaxMetaBytes,
                 std::string("says too much of its ") + keys[i].first);
     }
     require(!select.step(), "says more of its start than a session does");

@@ -61,7 +61,7 @@ private:
     }
     void put(int column, const std::string& value)
     {
-        put(column, beginningOf(value, kMostTextBytes));
+        put(column, beginningOf(value, kMaxTextBytes));
     }
     template <class Value>
     void put(int column, const std::optional<Value>& value)
@@ -253,7 +253,7 @@ void SessionWriter::Impl::addProposal(const ProposalRow& r)
 void SessionWriter::Impl::commit()
 {
     if (!open) return;
-    if (batch.id > kMostBatches) throw SqliteError("it has as many batches as a session can have");
+    if (batch.id > kMaxBatches) throw SqliteError("it has as many batches as a session can have");
     const BatchHashes hashes{.frames = frameHash.take(), .rows = rows.take()};
     std::string next = chained(chain, batch, hashes);
     int column = 0;
@@ -498,8 +498,8 @@ void SessionWriter::Impl::goOn()
 {
     chain = readSessionStart(file).hash;
     const auto counted = [](std::int64_t value) {
-        constexpr std::int64_t kMost = std::int64_t{1} << 48U;
-        if (value < 0 || value > kMost) throw SqliteError("a number is out of range");
+        constexpr std::int64_t kMax = std::int64_t{1} << 48U;
+        if (value < 0 || value > kMax) throw SqliteError("a number is out of range");
         return value;
     };
     SqliteStatement newest = file.prepare(

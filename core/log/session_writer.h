@@ -34,7 +34,7 @@ public:
     static constexpr int kCheckpointBatches = 25;  ///< 5 s of a console
     static constexpr std::size_t kCheckpointBytes = 1'000'000;
 
-    // Texts of rows are cut after kMostTextBytes.  The id of a model, scene, estimate or proposal is larger than any before of its kind, and what they refer to
+    // Texts of rows are cut after kMaxTextBytes.  The id of a model, scene, estimate or proposal is larger than any before of its kind, and what they refer to
     // has been added, and every number is finite; throw std::invalid_argument otherwise, and nothing has happened.
     // Events are numbered here.
     Status add(const FrameRow& row);

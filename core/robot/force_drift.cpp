@@ -31,14 +31,14 @@ void ForceDrift::take(double time, const Forces& forces)
     for (std::size_t e = 0; e < forces.size(); ++e) {
         if (!forces[e] || !std::isfinite(*forces[e])) continue;
         readings_[e].push_back(*forces[e]);
-        if (readings_[e].size() > kMost) readings_[e].pop_front();
+        if (readings_[e].size() > kMax) readings_[e].pop_front();
     }
 }
 
 std::optional<double> ForceDrift::drift(int element) const
 {
     const auto& readings = readings_.at(static_cast<std::size_t>(element));
-    if (readings.size() < kLeast) return std::nullopt;
+    if (readings.size() < kMin) return std::nullopt;
     std::vector<double> sorted(readings.begin(), readings.end());
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
     std::nth_element(sorted.begin(), middle, sorted.end());

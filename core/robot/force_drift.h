@@ -16,10 +16,10 @@ bool isUnloaded(const Measurement& measurement, double limit);
 /// felt during the last 10 s without load.  It stands while there is load; no clock, bounded memory.
 class ForceDrift {
 public:
-    static constexpr double kSpacing = 0.1;    ///< [s] readings that come sooner are left out
-    static constexpr std::size_t kMost = 100;  ///< readings: 10 s
-    static constexpr std::size_t kLeast = 20;  ///< fewer say nothing
-    static constexpr double kNotable = 0.3;    ///< [N] the operator should hear of
+    static constexpr double kSpacing = 0.1;   ///< [s] readings that come sooner are left out
+    static constexpr std::size_t kMax = 100;  ///< readings: 10 s
+    static constexpr std::size_t kMin = 20;   ///< fewer say nothing
+    static constexpr double kNotable = 0.3;   ///< [N] the operator should hear of
 
     using Forces =
         std::array<std::optional<double>, kForceElements>;  ///< [N] signed, beyond the bias

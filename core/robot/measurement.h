@@ -79,7 +79,7 @@ struct Measurement {
 };
 
 /// Longer without telemetry [s], and the robot may have moved meanwhile without being seen.
-inline constexpr double kLongestSilence = 1.0;
+inline constexpr double kMaxSilence = 1.0;
 
 /// Averages left and right.  What the measurement lacks is empty.
 Proprioception proprioception(const Measurement& measurement);

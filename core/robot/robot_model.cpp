@@ -11,7 +11,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMostPoints = 64;  ///< of a polygon, and polygons of a body
+constexpr std::size_t kMaxPoints = 64;  ///< of a polygon, and polygons of a body
 
 using Range = TomlRange;
 constexpr Range kPosition{-2.0, 2.0};   ///< [m]
@@ -58,7 +58,7 @@ bool isConvex(const std::vector<Vec2>& polygon)
 std::vector<Vec2> polygonOf(const toml::node& node, const std::string& key)
 {
     std::vector<Vec2> polygon;
-    for (const toml::node& point : tomlArray(node, key, 3, kMostPoints))
+    for (const toml::node& point : tomlArray(node, key, 3, kMaxPoints))
         polygon.push_back(pointOf(point, key));
     if (!isConvex(polygon))
         throw TomlRefused{tomlLine(node) + ": " + key + " holds a polygon that is not convex"};
@@ -70,7 +70,7 @@ void readBody(TomlSection& section, RobotModel& robot)
     robot.bodyMass = section.number("mass_kg", kMass);
     robot.bodyCom = pointOf(section, "com_m");
     const std::string key = section.path("polygons_m");
-    for (const toml::node& polygon : tomlArray(section.node("polygons_m"), key, 1, kMostPoints))
+    for (const toml::node& polygon : tomlArray(section.node("polygons_m"), key, 1, kMaxPoints))
         robot.body.push_back(polygonOf(polygon, key));
 }
 
@@ -96,7 +96,7 @@ std::array<double, kForceElements> biasOf(TomlSection& section, std::string_view
 std::vector<ForcePoint> curveOf(const toml::node& node, const std::string& key)
 {
     std::vector<ForcePoint> curve;
-    for (const toml::node& point : tomlArray(node, key, 2, kMostPoints)) {
+    for (const toml::node& point : tomlArray(node, key, 2, kMaxPoints)) {
         const toml::array& pair = tomlArray(point, key, 2, 2);
         curve.push_back({tomlNumber(pair[0], key, kForce), tomlNumber(pair[1], key, kResistance)});
         const std::size_t n = curve.size();
@@ -161,10 +161,10 @@ ForceArrayLayout forceArrayOf(TomlSection& section,
 {
     ForceArrayLayout array;
     array.name = section.text("name");
-    if (array.name.size() > kLongestForceArrayName)
+    if (array.name.size() > kMaxForceArrayNameLength)
         throw TomlRefused{tomlLine(section.node("name")) + ": " + section.path("name") + " is "
                           + shown(array.name) + ", expected at most "
-                          + std::to_string(kLongestForceArrayName) + " bytes"};
+                          + std::to_string(kMaxForceArrayNameLength) + " bytes"};
     array.side = section.choice("side", {"left", "right"}) == 0 ? Side::Left : Side::Right;
     readElements(section, array, taken[array.side == Side::Left ? 0 : 1]);
     return array;
@@ -189,10 +189,10 @@ void readForceArrays(TomlSection& file, RobotModel& robot)
     if (!tables || tables->empty())
         throw TomlRefused{tomlLine(node)
                           + ": force_array is no list of tables, expected [[force_array]]"};
-    if (tables->size() > kMostForceArrays)
-        throw TomlRefused{tomlLine((*tables)[kMostForceArrays])
-                          + ": one [[force_array]] more than the "
-                          + std::to_string(kMostForceArrays) + " expected at most"};
+    if (tables->size() > kMaxForceArrays)
+        throw TomlRefused{tomlLine((*tables)[kMaxForceArrays])
+                          + ": one [[force_array]] more than the " + std::to_string(kMaxForceArrays)
+                          + " expected at most"};
     robot.forceArrays.clear();
     std::array<std::array<bool, kForceElements>, 2> taken{};
     for (const toml::node& entry : *tables) {

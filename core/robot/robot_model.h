@@ -78,8 +78,8 @@ struct RobotModel {
     bool armReaches(int bin) const;
 };
 
-inline constexpr std::size_t kMostForceArrays = 4;        ///< that a console can show
-inline constexpr std::size_t kLongestForceArrayName = 6;  ///< [bytes]
+inline constexpr std::size_t kMaxForceArrays = 4;           ///< that a console can show
+inline constexpr std::size_t kMaxForceArrayNameLength = 6;  ///< [bytes]
 
 /// Reads a robot file (TOML; resources/robots/absolem.toml shows every key with its unit).  Every key is
 /// required and no other allowed but these: one to four tables

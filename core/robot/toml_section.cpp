@@ -10,7 +10,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{64} * 1024;
+constexpr std::size_t kMaxBytes = std::size_t{64} * 1024;
 constexpr int kDeepest = 16;
 
 std::string expectedNumber(TomlRange range)
@@ -104,9 +104,9 @@ Status readToml(const std::string& name, const std::string& text,
                 const std::function<void(TomlSection&)>& read)
 {
     if (text.empty()) return fileError(name, "is empty");
-    if (text.size() > kMostBytes)
-        return fileError(name, "is larger than the " + std::to_string(kMostBytes)
-                                   + " bytes allowed here");
+    if (text.size() > kMaxBytes)
+        return fileError(name,
+                         "is larger than the " + std::to_string(kMaxBytes) + " bytes allowed here");
     if (nestingDepth(text) > kDeepest)
         return fileError(name, "nests deeper than " + std::to_string(kDeepest) + " levels");
     try {
@@ -125,7 +125,7 @@ Status readToml(const std::string& name, const std::string& text,
 
 Status readTomlFile(const std::string& path, const std::function<void(TomlSection&)>& read)
 {
-    const Result<std::string> text = readFile(path, kMostBytes);
+    const Result<std::string> text = readFile(path, kMaxBytes);
     if (!text) return text.error();
     return readToml(path, *text, read);
 }

@@ -12,10 +12,10 @@ namespace terratact {
 
 namespace {
 
-constexpr double kGravity = 9.81;     // [m/s²]
-constexpr double kLeastReach = 0.75;  // [m] of ground that is looked at on either side of the base
-constexpr double kMaxPitch = 1.2;     // [rad]
-constexpr double kMaxFlipper = 2.5;   // [rad] further up a flipper lies on the robot
+constexpr double kGravity = 9.81;    // [m/s²]
+constexpr double kMinReach = 0.75;   // [m] of ground that is looked at on either side of the base
+constexpr double kMaxPitch = 1.2;    // [rad]
+constexpr double kMaxFlipper = 2.5;  // [rad] further up a flipper lies on the robot
 constexpr int kSoftIterations = 60;
 constexpr int kFinalIterations = 300;
 constexpr int kHalvings = 14;       // of a step that does not go down far enough
@@ -94,7 +94,7 @@ private:
     static std::vector<Vec2> lineUnder(const RobotModel& robot, const TerrainProfile& terrain,
                                        double x, const GroundOptions& ground)
     {
-        const double reach = std::max(kLeastReach, reachOf(robot) + ground.skin);
+        const double reach = std::max(kMinReach, reachOf(robot) + ground.skin);
         return terrain.sampled(x - reach, x + reach, ground.spacing);
     }
 

@@ -11,7 +11,7 @@
 namespace terratact {
 namespace {
 
-constexpr double kLongestStep = 0.05;  // [s] of simulated time, at most
+constexpr double kMaxStepTime = 0.05;  // [s] of simulated time, at most
 constexpr double kSlowArm = 3.0;
 
 bool moves(const Command& command)
@@ -121,7 +121,7 @@ std::vector<CanFrame> RobotOnBus::tick(double now)
     last_ = std::max(now, *last_);
     haltForSilence(receiver_.tick(now));
     if (faulty(RobotFault::Reboot) && !std::exchange(rebooted_, true)) reboot();
-    live(std::min(dt, kLongestTick) * options_.speed);
+    live(std::min(dt, kMaxTick) * options_.speed);
     if (*last_ < due_) return {};
     due_ = std::max(due_ + kPeriod, *last_);  // late ones are not made up for
     return mute() ? std::vector<CanFrame>{} : telemetry();
@@ -141,7 +141,7 @@ void RobotOnBus::haltForSilence(CommandReceiver::Silence silence)
 void RobotOnBus::live(double dt)
 {
     if (faulty(RobotFault::SlowArm) && robot_.activity() == RobotActivity::Probing) dt /= kSlowArm;
-    const int steps = static_cast<int>(std::ceil(dt / kLongestStep - 1e-9));
+    const int steps = static_cast<int>(std::ceil(dt / kMaxStepTime - 1e-9));
     for (int i = 0; i < steps; ++i) robot_.step(dt / steps);
 }
 

@@ -51,9 +51,9 @@ public:
         double faultAt = 0.0;                      ///< [s] after the first tick
         std::optional<SensorFault> sensorFault{};  ///< from faultAt on, too
     };
-    static constexpr double kPeriod = 0.05;      ///< [s] of telemetry
-    static constexpr double kRebootTime = 1.0;   ///< [s]
-    static constexpr double kLongestTick = 0.2;  ///< [s] of time that a late tick catches up with
+    static constexpr double kPeriod = 0.05;     ///< [s] of telemetry
+    static constexpr double kRebootTime = 1.0;  ///< [s]
+    static constexpr double kMaxTick = 0.2;     ///< [s] of time that a late tick catches up with
 
     /// Throws std::invalid_argument for epoch or challenge 0, or unless 0 < speed ≤ 1000 and faultAt ≥ 0.
     RobotOnBus(RobotModel model, SimulatedRobot robot, const Options& options);

@@ -11,10 +11,10 @@ namespace terratact {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kDelay = 0.5;          // [s]
-constexpr double kLongestDelay = 10.0;  // [s]
-constexpr double kMinute = 60.0;        // [s]
-constexpr double kSpikeShare = 0.25;    // of the lines
+constexpr double kDelay = 0.5;        // [s]
+constexpr double kMaxDelay = 10.0;    // [s]
+constexpr double kMinute = 60.0;      // [s]
+constexpr double kSpikeShare = 0.25;  // of the lines
 
 struct NamedKind {
     std::string_view name;
@@ -161,7 +161,7 @@ std::optional<SensorFault> sensorFaultFrom(std::string_view text)
     if (second == std::string_view::npos) return fault;
     const auto amount = numberIn(text.substr(second + 1));
     if (!amount || std::abs(*amount) > 1000.0) return std::nullopt;
-    if (fault.kind == FaultKind::Late && !(*amount >= 0.0 && *amount <= kLongestDelay))
+    if (fault.kind == FaultKind::Late && !(*amount >= 0.0 && *amount <= kMaxDelay))
         return std::nullopt;
     fault.amount = *amount;
     return fault;
@@ -273,7 +273,7 @@ Measurement FaultySensors::take(const Measurement& truth)
     keepScene(truth);
     if (fault_.kind == FaultKind::Late) {
         past_.push_back(truth);
-        while (past_.front().time < truth.time - kLongestDelay) past_.pop_front();
+        while (past_.front().time < truth.time - kMaxDelay) past_.pop_front();
     }
     Measurement m = truth;
     if (fault_.kind == FaultKind::Swapped || fault_.kind == FaultKind::SwappedAxles) {

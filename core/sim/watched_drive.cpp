@@ -8,10 +8,10 @@
 namespace terratact {
 namespace {
 
-constexpr double kRoomBehind = 0.7;    // [m]
-constexpr double kLongestPress = 5.0;  // [s]
-constexpr double kLongestWay = 10.0;   // [s] without getting on
-constexpr double kAtAngle = 1e-6;      // [rad]
+constexpr double kRoomBehind = 0.7;  // [m]
+constexpr double kMaxPress = 5.0;    // [s]
+constexpr double kMaxWay = 10.0;     // [s] without getting on
+constexpr double kAtAngle = 1e-6;    // [rad]
 
 /// Runs one drive and keeps what the robot sends.
 class Drive {
@@ -40,7 +40,7 @@ public:
     {
         robot_.command(DriveCommand{0.0});
         const double high = style_.flippers.drivingAngle - kAtAngle;
-        for (double waited = 0.0; robot_.rest().pose.front < high && waited <= kLongestWay;
+        for (double waited = 0.0; robot_.rest().pose.front < high && waited <= kMaxWay;
              waited += style_.period)
             if (!step()) break;
         return std::exchange(lines_, {});
@@ -69,7 +69,7 @@ private:
         const double from = x();
         robot_.command(DriveCommand{style_.speed});
         for (double waited = 0.0; x() - from < style_.spacing; waited += style_.period) {
-            if (waited > kLongestWay || x() >= end_ - 1e-6 || !step()) return false;
+            if (waited > kMaxWay || x() >= end_ - 1e-6 || !step()) return false;
         }
         return true;
     }
@@ -79,7 +79,7 @@ private:
         robot_.command(PressCommand{style_.flippers.pressTorque});
         for (double waited = 0.0; robot_.activity() != RobotActivity::Pressed;
              waited += style_.period)
-            if (waited > kLongestPress || !step()) return false;
+            if (waited > kMaxPress || !step()) return false;
         const long steps = std::lround(std::ceil(style_.standing / style_.period - 1e-9));
         for (long k = 0; k < steps; ++k)
             if (!step()) return false;

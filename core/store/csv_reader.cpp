@@ -13,7 +13,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{64} * 1024 * 1024;
+constexpr std::size_t kMaxBytes = std::size_t{64} * 1024 * 1024;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kBlanks = " \t";
 constexpr std::string_view kLineEnds = "\r\n";
@@ -150,7 +150,7 @@ CsvReader::CsvReader(std::string name, std::string text)
 
 Result<std::string> CsvReader::textOf(const std::string& path)
 {
-    return readFile(path, kMostBytes);
+    return readFile(path, kMaxBytes);
 }
 
 Result<CsvReader> CsvReader::open(const std::string& path)
@@ -292,8 +292,8 @@ Result<std::string_view> CsvReader::takeQuoted()
 // False: it was the last of its record.
 Result<bool> CsvReader::takeField()
 {
-    if (fields_.size() == kMostFields)
-        return error("has more than " + std::to_string(kMostFields) + " fields");
+    if (fields_.size() == kMaxFields)
+        return error("has more than " + std::to_string(kMaxFields) + " fields");
     const auto skipBlanks = [this] {
         while (!rest_.empty() && rest_.front() != separator_
                && kBlanks.find(rest_.front()) != std::string_view::npos)
@@ -308,8 +308,8 @@ Result<bool> CsvReader::takeField()
     } else {
         fields_.push_back(takePlain());
     }
-    if (fields_.back().size() > kLongestField)
-        return error("has a field of more than " + std::to_string(kLongestField) + " bytes");
+    if (fields_.back().size() > kMaxFieldLength)
+        return error("has a field of more than " + std::to_string(kMaxFieldLength) + " bytes");
     if (rest_.starts_with(separator_)) {
         rest_.remove_prefix(1);
         return true;

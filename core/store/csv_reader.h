@@ -30,8 +30,8 @@ namespace terratact {
 ///     }
 class CsvReader {
 public:
-    static constexpr std::size_t kMostFields = 100'000;   ///< of a record
-    static constexpr std::size_t kLongestField = 65'536;  ///< bytes
+    static constexpr std::size_t kMaxFields = 100'000;      ///< of a record
+    static constexpr std::size_t kMaxFieldLength = 65'536;  ///< bytes
 
     /// The bytes of a file or pipe.  Errors: it cannot be read, or is larger than 64 MiB.
     static Result<std::string> textOf(const std::string& path);

@@ -59,8 +59,8 @@ Result<std::string> sha256OfFile(const std::string& path)
     if (std::filesystem::is_fifo(there) || std::filesystem::is_character_file(there))
         return fileError(path, "is a pipe or a device, which is read only once, and this is read "
                                "twice: save it as a file first");
-    constexpr std::size_t kMostHashed = std::size_t{1} << 30U;
-    const auto bytes = readFile(path, kMostHashed);
+    constexpr std::size_t kMaxHashed = std::size_t{1} << 30U;
+    const auto bytes = readFile(path, kMaxHashed);
     if (!bytes) return bytes.error();
     return sha256Hex(*bytes);
 }

@@ -137,7 +137,7 @@ void SqliteStatement::bindBlob(int parameter, std::string_view bytes)
 }
 
 /// No cell of a page takes less room than this (sqlite.org/fileformat2.html §1.6).
-constexpr std::int64_t kLeastCell = 6;
+constexpr std::int64_t kMinCell = 6;
 
 void SqliteStatement::take(std::int64_t bytes) const
 {
@@ -150,7 +150,7 @@ void SqliteStatement::take(std::int64_t bytes) const
 bool SqliteStatement::step()
 {
     const int code = sqlite3_step(statement_.get());
-    if (code == SQLITE_ROW) take(kLeastCell);
+    if (code == SQLITE_ROW) take(kMinCell);
     if (code == SQLITE_ROW) return true;
     if (code != SQLITE_DONE) throw SqliteError(sqlite3_errmsg(sqlite3_db_handle(statement_.get())));
     return false;

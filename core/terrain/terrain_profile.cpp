@@ -8,7 +8,7 @@ namespace terratact {
 
 namespace {
 
-constexpr double kMostSamples = 1e7;
+constexpr double kMaxSamples = 1e7;
 
 double between(Vec2 p, Vec2 q, double x)
 {
@@ -99,7 +99,7 @@ std::vector<Vec2> TerrainProfile::sampled(double a, double b, double spacing) co
         if (longest == 0.0) continue;
         const double wanted = std::max(1.0, std::ceil(longest / spacing - 1e-9));
         count += wanted;
-        if (!(count <= kMostSamples))
+        if (!(count <= kMaxSamples))
             throw std::invalid_argument("a terrain sampled this finely would have too many points");
         const int pieces = static_cast<int>(wanted);
         for (int k = 1; k <= pieces; ++k) {

@@ -15,9 +15,9 @@ using Mnemonic = std::array<char, 2>;
 
 constexpr std::uint32_t kStatusBase = 0x180, kReplyBase = 0x280, kRequestBase = 0x300;
 constexpr std::uint8_t kIndexBits = 0x3F, kFlagBit = 0x40, kFloatBit = 0x80;
-constexpr double kPatience = 0.1;          // [s] for a reply; the robot itself waits 0.01 s
-constexpr double kMostCounts = 1'000'000;  // the modulus that the driver sets (XM)
-constexpr double kMostCurrent = 50.0;      // [A] peak limit: 16 A
+constexpr double kPatience = 0.1;         // [s] for a reply; the robot itself waits 0.01 s
+constexpr double kMaxCounts = 1'000'000;  // the modulus that the driver sets (XM)
+constexpr double kMaxCurrent = 50.0;      // [A] peak limit: 16 A
 constexpr std::uint16_t kEmergencyInput = 16;
 
 constexpr Mnemonic kPosition{'P', 'X'}, kCurrent{'I', 'Q'}, kStatus{'S', 'R'}, kFault{'M', 'F'},
@@ -125,7 +125,7 @@ AbsolemState::Flipper* flipperOf(AbsolemState& state, AbsolemNode node)
 AbsolemVerdict keepAngle(AbsolemState& state, const AbsolemFrame& reply, double now)
 {
     const double counts = reply.asInt();
-    if (std::abs(counts) > kMostCounts) return AbsolemVerdict::OutOfRange;
+    if (std::abs(counts) > kMaxCounts) return AbsolemVerdict::OutOfRange;
     AbsolemState::Flipper* flipper = flipperOf(state, reply.node);
     if (!flipper) return AbsolemVerdict::Passed;
     constexpr double kTurn = 2.0 * std::numbers::pi;
@@ -137,7 +137,7 @@ AbsolemVerdict keepAngle(AbsolemState& state, const AbsolemFrame& reply, double 
 AbsolemVerdict keepCurrent(AbsolemState& state, const AbsolemFrame& reply, double now)
 {
     const double current = reply.asFloat();
-    if (!(std::abs(current) <= kMostCurrent)) return AbsolemVerdict::OutOfRange;  // NaN, too
+    if (!(std::abs(current) <= kMaxCurrent)) return AbsolemVerdict::OutOfRange;  // NaN, too
     AbsolemState::Flipper* flipper = flipperOf(state, reply.node);
     if (!flipper) return AbsolemVerdict::Passed;
     flipper->current = {-*upwards(reply.node) * current, now};

@@ -20,7 +20,7 @@
 namespace terratact {
 namespace {
 
-constexpr unsigned kMostChannels = 999;
+constexpr unsigned kMaxChannels = 999;
 constexpr std::uint32_t kBusError = 0x80;  // the class that Linux gives to an error frame
 
 /// By its first letters, in English, German or the other way a month is spelt there; 0: none.
@@ -81,7 +81,7 @@ public:
         const Result<double> moment = logSeconds(first);
         if (!moment) return moment.error();
         const double time = isRelative_ ? last_ + *moment : *moment;
-        if (!(base_ + time <= kMostLogSeconds)) return expectedInLog("a time", first);
+        if (!(base_ + time <= kMaxLogSeconds)) return expectedInLog("a time", first);
         last_ = time;
         LoggedFrame logged;
         logged.time = base_ + time;
@@ -135,7 +135,7 @@ private:
     static Status setChannel(LoggedFrame& logged, std::string_view digits)
     {
         const auto channel = isDigits(digits) ? integerFrom<unsigned>(digits) : std::nullopt;
-        if (!channel || *channel > kMostChannels)
+        if (!channel || *channel > kMaxChannels)
             return expectedInLog("the number of a channel", digits);
         logged.interface = interfaceOfBus(*channel);
         return Done{};

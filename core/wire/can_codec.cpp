@@ -17,7 +17,7 @@ constexpr std::uint8_t kLength = 8;
 constexpr FrameKind kFirstSensor = FrameKind::Attitude;  // of those that every line has
 constexpr std::size_t kNeededFrames = kSensorFrames - 1;
 
-using Values = std::array<double, kMostSignals>;
+using Values = std::array<double, kMaxSignals>;
 
 // The frame as one little-endian word: bit i of the DBC is bit i of the word.
 std::uint64_t wordOf(const CanFrame& frame)

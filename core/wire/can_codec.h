@@ -33,7 +33,7 @@ std::string describe(FrameFault fault);
 struct Unpacked {
     FrameKind kind = FrameKind::Stop;
     std::uint8_t counter = 0;
-    std::array<double, kMostSignals> values{};
+    std::array<double, kMaxSignals> values{};
     bool operator==(const Unpacked&) const = default;
 };
 

@@ -17,7 +17,7 @@ namespace terratact {
 namespace {
 
 constexpr std::uint32_t kErrorBit = 0x2000'0000;
-constexpr std::size_t kLongestName = 15;  // of an interface
+constexpr std::size_t kMaxNameLength = 15;  // of an interface
 
 Error expectedTime(std::string_view found)
 {
@@ -35,7 +35,7 @@ Result<double> timeFrom(std::string_view word)
     const std::string_view seconds = text.substr(0, point), fraction = text.substr(point + 1);
     const bool fits = isDigits(seconds) && isDigits(fraction) && fraction.size() <= 9;
     const std::optional<double> time = fits ? numberFrom(text) : std::nullopt;
-    if (!time || *time > kMostLogSeconds) return wrong();
+    if (!time || *time > kMaxLogSeconds) return wrong();
     return *time;
 }
 
@@ -59,7 +59,7 @@ Result<double> timeOfDate(std::string_view date, std::string_view clock)
 bool isName(std::string_view text)
 {
     const auto isPlain = [](char c) { return c > ' ' && c <= '~' && c != '/' && c != '#'; };
-    return !text.empty() && text.size() <= kLongestName
+    return !text.empty() && text.size() <= kMaxNameLength
         && std::all_of(text.begin(), text.end(), isPlain);
 }
 
@@ -72,9 +72,9 @@ Result<CanFrame> frameWithId(std::string_view digits)
     frame.error = digits.size() == 8 && (*id & kErrorBit) != 0;
     frame.extended = digits.size() == 8 && !frame.error;
     frame.id = frame.error ? *id & ~kErrorBit : *id;
-    if (digits.size() == 3 && frame.id > kMostStandardId)
+    if (digits.size() == 3 && frame.id > kMaxStandardId)
         return expectedInLog("a standard identifier up to 7FF", digits);
-    if (frame.id > kMostExtendedId) return expectedInLog("an identifier up to 3FFFFFFF", digits);
+    if (frame.id > kMaxExtendedId) return expectedInLog("an identifier up to 3FFFFFFF", digits);
     return frame;
 }
 
@@ -190,7 +190,7 @@ std::string_view shortcoming(const CanFrame& frame)
 {
     if (frame.error && (frame.extended || frame.remote || frame.fd)) return "two kinds in one";
     if (frame.remote && frame.fd) return "two kinds in one";
-    if (frame.id > (frame.extended || frame.error ? kMostExtendedId : kMostStandardId))
+    if (frame.id > (frame.extended || frame.error ? kMaxExtendedId : kMaxStandardId))
         return "the identifier is too large";
     if (!isFrameLength(frame.length, frame.fd)) return "a length that no such frame has";
     if (frame.isCut) return "more bytes than are known";
@@ -235,7 +235,7 @@ Result<LoggedFrame> frameFromCandump(std::string_view line)
 
 std::string candumpLine(double time, std::string_view interface, const CanFrame& frame)
 {
-    if (!(time >= 0.0 && time <= kMostLogSeconds))
+    if (!(time >= 0.0 && time <= kMaxLogSeconds))
         throw std::invalid_argument("candumpLine: the time has no place in a log");
     if (!isName(interface)) throw std::invalid_argument("candumpLine: no name of an interface");
     if (const std::string_view why = shortcoming(frame); !why.empty())

@@ -17,7 +17,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMostColumns = 80;  // 64 of them bytes
+constexpr std::size_t kMaxColumns = 80;  // 64 of them bytes
 
 std::string_view withoutBlanks(std::string_view field)
 {
@@ -232,7 +232,7 @@ char logCsvSeparator(std::string_view line)
 std::vector<std::string_view> logCsvFields(std::string_view line, char separator)
 {
     std::vector<std::string_view> fields;
-    while (fields.size() < kMostColumns) {
+    while (fields.size() < kMaxColumns) {
         const std::size_t end = line.find(separator);
         std::string_view field = withoutBlanks(line.substr(0, end));
         const bool isQuoted = field.size() > 1 && field.starts_with('"') && field.ends_with('"');

@@ -38,7 +38,7 @@ enum class FrameKind : std::uint8_t {
 };
 
 inline constexpr std::size_t kFrameKinds = 25;
-inline constexpr std::size_t kMostSignals = 7;  ///< of one frame
+inline constexpr std::size_t kMaxSignals = 7;  ///< of one frame
 
 /// A signal behind the E2E header: `length` bits from bit `start` on, little-endian, bit 0 being the
 /// lowest of byte 0.  Its value is raw · scale, in SI units.

@@ -15,7 +15,7 @@ std::optional<double> LogClock::take(double time, const std::string& interface)
     }
     const auto known = lastOf_.find(interface);
     const double back = last_ - time;
-    const bool isSet = std::abs(back) > kMostSilence || back > kDisorder
+    const bool isSet = std::abs(back) > kMaxSilence || back > kDisorder
                     || (known != lastOf_.end() && known->second - time > kJitter);
     if (time <= last_) ++notLater_;
     std::optional<double> step;
@@ -26,7 +26,7 @@ std::optional<double> LogClock::take(double time, const std::string& interface)
     }
     elapsed_ = std::max(elapsed_, time - base_);
     last_ = isSet ? time : std::max(last_, time);
-    if (lastOf_.size() < kMostInterfaces || lastOf_.contains(interface)) lastOf_[interface] = time;
+    if (lastOf_.size() < kMaxInterfaces || lastOf_.contains(interface)) lastOf_[interface] = time;
     return step;
 }
 

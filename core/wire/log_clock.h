@@ -8,13 +8,13 @@
 namespace terratact {
 
 /// Makes an even clock of the times of a log, which jump where the recording machine's clock was set: back, or forward
-/// by more than kMostSilence (a machine without a clock of its own begins in 1970).  Frames of
+/// by more than kMaxSilence (a machine without a clock of its own begins in 1970).  Frames of
 /// different interfaces may come up to kDisorder out of order, those of one up to kJitter.
 class LogClock {
 public:
-    static constexpr double kMostSilence = 3660.0 * 86'400.0;  ///< [s]
-    static constexpr double kDisorder = 0.1, kJitter = 1e-3;   ///< [s]
-    static constexpr std::size_t kMostInterfaces = 64;         ///< whose order is watched
+    static constexpr double kMaxSilence = 3660.0 * 86'400.0;  ///< [s]
+    static constexpr double kDisorder = 0.1, kJitter = 1e-3;  ///< [s]
+    static constexpr std::size_t kMaxInterfaces = 64;         ///< whose order is watched
 
     /// The next frame's time [s].  By how much it lies before the one before it, negative for a jump forward; empty: it
     /// goes on.

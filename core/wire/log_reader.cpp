@@ -86,18 +86,18 @@ Result<LogReader::Line> LogReader::readLine()
             if (const std::string kind = binaryKindOf(*got); !kind.empty())
                 return fileError(name_, kind);
         const std::size_t end = got->find(lineEnd_, looked);
-        if (end <= kLongestLine) {  // npos is larger
+        if (end <= kMaxLineLength) {  // npos is larger
             ++line_;
             text_ = got->substr(0, end);
             bytes_.take(end + 1);
             return Line::Whole;
         }
-        if (endsLinesWithCr(*got) && (got->size() > kLongestLine || got->size() == looked)) {
+        if (endsLinesWithCr(*got) && (got->size() > kMaxLineLength || got->size() == looked)) {
             lineEnd_ = '\r';
             looked = 0;
             continue;
         }
-        if (got->size() > kLongestLine) return endOfLongLine();
+        if (got->size() > kMaxLineLength) return endOfLongLine();
         if (got->size() == looked) {  // there is no more
             if (looked == 0) return Line::None;
             ++line_;
@@ -121,10 +121,10 @@ Result<LogReader::Line> LogReader::endOfLongLine()
 {
     ++line_;
     const Error tooLong =
-        error(fmt::format("is longer than {} bytes{}", kLongestLine,
+        error(fmt::format("is longer than {} bytes{}", kMaxLineLength,
                           format_ ? "" : ": this is no log of CAN frames as text"));
     const Result<std::string_view> begin = bytes_.peek(1);
-    text_ = begin ? begin->substr(0, kLongestLine) : std::string_view();
+    text_ = begin ? begin->substr(0, kMaxLineLength) : std::string_view();
     bytes_.take(text_.size());
     const std::size_t zeros = std::min(text_.find('\0'), text_.size());
     if (zeros == text_.size() || !isZeros(std::string_view(text_).substr(zeros))) return tooLong;
@@ -166,9 +166,9 @@ std::optional<LoggedFrame> LogReader::end()
     }
     if (bytes_.isFollowed())
         remark("bytes that are not gzip stand behind the packed log and are left out");
-    if (steps_ > kMostSteps)
+    if (steps_ > kMaxSteps)
         remarks_.push_back(
-            fileError(name_, fmt::format("the clock is set {} more times", steps_ - kMostSteps))
+            fileError(name_, fmt::format("the clock is set {} more times", steps_ - kMaxSteps))
                 .text);
     const std::size_t steps = clock_.frames() > 0 ? clock_.frames() - 1 : 0;
     // Of candump -td every time is that since the line before.
@@ -199,7 +199,7 @@ void LogReader::watchClock(const LoggedFrame& logged)
     step_.reset();
     if (!logged.time) return;
     step_ = clock_.take(*logged.time, logged.interface);
-    if (!step_ || ++steps_ > kMostSteps) return;
+    if (!step_ || ++steps_ > kMaxSteps) return;
     const bool isCandump = format_->name() == "candump";
     if (*step_ < 0.0)
         return remark(fmt::format("{:.10g} s later than the line before: was the clock set? The "

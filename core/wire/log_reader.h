@@ -24,7 +24,7 @@ namespace terratact {
 /// A last line that is torn ends the log, which is said in a remark.
 class LogReader {
 public:
-    static constexpr std::size_t kLongestLine = 1000;  ///< bytes
+    static constexpr std::size_t kMaxLineLength = 1000;  ///< bytes
 
     /// path: "-" for standard input.  Errors name the file.
     static Result<LogReader> open(const std::string& path);
@@ -45,15 +45,15 @@ public:
     /// [s] since the first frame on an even clock (LogClock); of the last frame that has a time.
     double elapsed() const { return clock_.elapsed(); }
     /// [s] by which the last frame's time lies before that of the frame before, negative where it lies more than
-    /// LogClock::kMostSilence behind it; empty: neither.
+    /// LogClock::kMaxSilence behind it; empty: neither.
     const std::optional<double>& stepBack() const { return step_; }
     std::uint64_t stepsBack() const { return steps_; }  ///< how many frames had a stepBack()
     bool isTorn() const { return isTorn_; }
 
     /// What is to be said of the log since the last call, each a sentence that names file and line: clock steps
-    /// (the first kMostSteps), a torn end, lines that hold no frame.  In full after the last frame.
+    /// (the first kMaxSteps), a torn end, lines that hold no frame.  In full after the last frame.
     std::vector<std::string> takeRemarks();
-    static constexpr std::uint64_t kMostSteps = 5;
+    static constexpr std::uint64_t kMaxSteps = 5;
 
     /// "file: line 7: cause".
     Error error(std::string_view cause) const;

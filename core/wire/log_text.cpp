@@ -51,7 +51,7 @@ Result<double> logSeconds(std::string_view text, double perSecond)
 {
     const bool isPlain = text.find_first_not_of("0123456789.") == std::string_view::npos;
     const std::optional<double> number = isPlain ? numberFrom(text) : std::nullopt;
-    if (!number || !(*number / perSecond <= kMostLogSeconds))
+    if (!number || !(*number / perSecond <= kMaxLogSeconds))
         return expectedInLog("a time, a number that is not negative", text);
     return *number / perSecond;
 }
@@ -92,7 +92,7 @@ Status setFrameByte(CanFrame& frame, std::size_t i, std::string_view digits, int
 
 Status setFrameId(CanFrame& frame, std::string_view digits, int base)
 {
-    const std::uint32_t most = frame.extended ? kMostExtendedId : kMostStandardId;
+    const std::uint32_t most = frame.extended ? kMaxExtendedId : kMaxStandardId;
     const auto id = integerFrom<std::uint32_t>(digits, base);
     if (!id || *id > most)
         return expectedInLog(frame.extended ? "an identifier up to 1FFFFFFF"

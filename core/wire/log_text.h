@@ -13,9 +13,9 @@ namespace terratact {
 // What the formats of logs have in common: words between blanks, identifiers, lengths and bytes.
 
 inline constexpr std::string_view kLogBlanks = " \t\r";
-inline constexpr std::uint32_t kMostStandardId = 0x7FF;
-inline constexpr std::uint32_t kMostExtendedId = 0x1FFF'FFFF;
-inline constexpr double kMostLogSeconds = 9'999'999'999.0;  ///< a later time is not believed
+inline constexpr std::uint32_t kMaxStandardId = 0x7FF;
+inline constexpr std::uint32_t kMaxExtendedId = 0x1FFF'FFFF;
+inline constexpr double kMaxLogSeconds = 9'999'999'999.0;  ///< a later time is not believed
 
 /// "expected WHAT, found 'FOUND'"
 Error expectedInLog(std::string_view what, std::string_view found);
@@ -36,7 +36,7 @@ private:
 bool isDigits(std::string_view text);
 
 /// [s] from a text such as "12.345", of seconds that `perSecond` units make; refused: negative, not finite, beyond
-/// kMostLogSeconds.
+/// kMaxLogSeconds.
 Result<double> logSeconds(std::string_view text, double perSecond = 1.0);
 
 /// A length that a frame of its kind (`fd`) can have.

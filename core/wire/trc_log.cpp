@@ -24,9 +24,9 @@ constexpr std::string_view kColumns20 = "NOTIdlD", kColumns21 = "NOTBIdRLD";
 /// [s] since 1970 of days since 30 December 1899.
 std::optional<double> secondsOfDays(std::string_view text)
 {
-    constexpr double kDaysTo1970 = 25569.0, kDay = 86400.0, kMostDays = 130'000.0;
+    constexpr double kDaysTo1970 = 25569.0, kDay = 86400.0, kMaxDays = 130'000.0;
     const std::optional<double> days = numberFrom(text);
-    if (!days || !(*days >= kDaysTo1970 && *days <= kMostDays)) return std::nullopt;
+    if (!days || !(*days >= kDaysTo1970 && *days <= kMaxDays)) return std::nullopt;
     return (*days - kDaysTo1970) * kDay;
 }
 

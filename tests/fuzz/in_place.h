@@ -20,9 +20,9 @@ inline std::size_t mutateInPlace(const std::string& real, std::uint8_t* data, st
     }
     if (size == 0) return LLVMFuzzerMutate(data, size, most);
     std::minstd_rand rng(seed);
-    constexpr std::size_t kMostChanged = 64;  // bytes
+    constexpr std::size_t kMaxChanged = 64;  // bytes
     const std::size_t at = std::uniform_int_distribution<std::size_t>(0, size - 1)(rng);
-    const std::size_t length = std::min(kMostChanged, size - at);
+    const std::size_t length = std::min(kMaxChanged, size - at);
     LLVMFuzzerMutate(data + at, std::uniform_int_distribution<std::size_t>(1, length)(rng), length);
     return size;
 }

@@ -145,8 +145,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     constexpr std::array kTried{Method::Joint, Method::Local, Method::Pafc, Method::Clearance};
     if (size == 0) return 0;
     const Method method = kTried[data[0] / 64U];
-    ModelData model =
-        realModel(method == Method::Clearance ? kFewestTrainingRows : 1 + data[0] % 4);
+    ModelData model = realModel(method == Method::Clearance ? kMinTrainingRows : 1 + data[0] % 4);
     change(model, data + 1, size - 1);
     try {
         promise(!contentHash(model).empty(), "an accepted model has a hash");

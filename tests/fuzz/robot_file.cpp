@@ -57,7 +57,7 @@ void promiseShape(const RobotModel& robot)
 
 void promiseForces(const RobotModel& robot)
 {
-    promise(!robot.forceArrays.empty() && robot.forceArrays.size() <= kMostForceArrays,
+    promise(!robot.forceArrays.empty() && robot.forceArrays.size() <= kMaxForceArrays,
             "a console can show the arrays");
     for (int e = 0; e < kForceElements; ++e)
         promise(haveElement(robot.forceArrays, Side::Left, e)

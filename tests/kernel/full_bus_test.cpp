@@ -25,7 +25,7 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t kRate = 9'009;  // [1/s]
-constexpr int kMostTurns = 10;
+constexpr int kMaxTurns = 10;
 
 /// TERRATACT_FULL_BUS_SECONDS, or 8.
 std::uint64_t seconds()
@@ -79,7 +79,7 @@ TEST(FullBus, noFrameIsLostWhileEstimatesAreComputed)
     // However slow the guest is: until an exploration was whole beside the full bus.
     std::uint64_t next = 0, frames = 0;
     std::size_t explorations = 0;
-    for (int turn = 0; turn < kMostTurns && (turn == 0 || explorations == 0); ++turn) {
+    for (int turn = 0; turn < kMaxTurns && (turn == 0 || explorations == 0); ++turn) {
         const pid_t sender = startSender(frames, seconds() * kRate);
         frames += seconds() * kRate;
         std::array<BusFrame, 64> some;

@@ -323,10 +323,10 @@ inline QImage painted(QWidget& widget)
     if (watch.hostile() > 0) return {};
     QImage image(widget.size(), QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
-    constexpr double kLongest = 1000.0;  // [ms]; some 20 is usual
+    constexpr double kMaxLength = 1000.0;  // [ms]; some 20 is usual
     const double began = threadMilliseconds();
     widget.render(&image);
-    return threadMilliseconds() - began < kLongest ? image : QImage();
+    return threadMilliseconds() - began < kMaxLength ? image : QImage();
 }
 
 /// Until a widget looks the same in ten rounds of the event loop: laid out, and drawn in the colours in force.  Not for

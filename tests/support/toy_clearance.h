@@ -34,7 +34,7 @@ inline ClearanceConditionalData plausibleConditionals(const ClearanceTraining& t
     for (int i = 0; i < kBins; ++i)
         for (const Regime regime : kRegimes) {
             ClearanceRegimeData& own = data.at(i, regime);
-            if (own.rows < kFewestTrainingRows) continue;
+            if (own.rows < kMinTrainingRows) continue;
             own.hyper = {Eigen::VectorXd::Constant(21, 6.0), own.sd, 0.3 * own.sd};
         }
     return data;

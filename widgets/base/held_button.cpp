@@ -151,9 +151,9 @@ double HoldToConfirmButton::share() const
 void HoldToConfirmButton::advance()
 {
     // After a freeze the release may still wait in the queue behind this timer.
-    constexpr qint64 kLongestFrame = 50;
+    constexpr qint64 kMaxFrameLength = 50;
     if (!mayHold()) return letGo();
-    heldFor_ += std::min(lastFrame_.restart(), kLongestFrame);
+    heldFor_ += std::min(lastFrame_.restart(), kMaxFrameLength);
     update();
     if (share() < 1.0) return;
     letGo();

@@ -24,9 +24,9 @@ namespace terratact {
 namespace {
 
 enum Page { kNothing, kQuestion, kProbing };
-constexpr int kFacts = 6;       // lines
-constexpr int kLeastFacts = 4;  // seen in any case
-constexpr int kProbeGap = 6;    // [px] facts and answers
+constexpr int kFacts = 6;     // lines
+constexpr int kMinFacts = 4;  // seen in any case
+constexpr int kProbeGap = 6;  // [px] facts and answers
 
 QString percent(double share)
 {
@@ -85,7 +85,7 @@ QLabel* ProbeCard::fact(QGridLayout& rows, const QString& name, Tone tone)
 QWidget* ProbeCard::questionPage()
 {
     auto* question = new QWidget(this);
-    facts_ = new ScrollColumn(kLeastFacts, question);
+    facts_ = new ScrollColumn(kMinFacts, question);
     facts_->setAccessibleName(tr("What the probe is expected to buy"));
     auto* rows = new QGridLayout;
     rows->setHorizontalSpacing(14);
@@ -188,7 +188,7 @@ int ProbeCard::leastHeight() const
 
 int ProbeCard::givenHeight() const
 {
-    const int lines = kFacts - kLeastFacts;
+    const int lines = kFacts - kMinFacts;
     return lines * (facts_->fontMetrics().lineSpacing() + facts_->column()->spacing());
 }
 

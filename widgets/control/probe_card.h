@@ -46,7 +46,7 @@ struct ProbeProposal {
     Outlook answer = Outlook::CannotTell;  ///< that the estimate gives without the probe
 
     /// The probe says something about the question; else, where its worth is known, only about the terrain's shape.
-    bool tellsOfStep() const { return worth && bitsBefore - worth->bitsAfter >= kLeastBits; }
+    bool tellsOfStep() const { return worth && bitsBefore - worth->bitsAfter >= kMinBits; }
     bool operator==(const ProbeProposal&) const = default;
 };
 

@@ -38,7 +38,7 @@ void EventList::add(const QString& text, Weight weight, QTime at)
 
 void EventList::tell(const QString& text, Weight weight, QTime at)
 {
-    constexpr int kMost = 500;
+    constexpr int kMax = 500;
     static const QString kMarks[]{QString(), QStringLiteral("! "), QStringLiteral("✘ ")};
     const auto level = static_cast<std::size_t>(weight);
     auto* item =
@@ -46,7 +46,7 @@ void EventList::tell(const QString& text, Weight weight, QTime at)
     item->setData(Qt::UserRole, static_cast<int>(weight));
     item->setForeground(colourOf(weight));
     insertItem(0, item);
-    while (count() > kMost) delete takeItem(count() - 1);
+    while (count() > kMax) delete takeItem(count() - 1);
 }
 
 void EventList::changeEvent(QEvent* event)

@@ -36,8 +36,8 @@ void PeakHold::take(double time, double value)
     if (!falling_.empty() && time < falling_.back().first) falling_.clear();
     while (!falling_.empty() && falling_.back().second <= value) falling_.pop_back();
     falling_.emplace_back(time, value);
-    constexpr std::size_t kMost = 512;  // of a fast source only the largest stand
-    if (falling_.size() > kMost) falling_.pop_back();
+    constexpr std::size_t kMax = 512;  // of a fast source only the largest stand
+    if (falling_.size() > kMax) falling_.pop_back();
     forget(time);
 }
 

@@ -118,8 +118,8 @@ void SessionTimeline::setTimeline(const Timeline& timeline)
     const bool sameLanes = timeline_.lanes.size() == timeline.lanes.size();
     timeline_ = timeline;
     if (!isTime(timeline_.begin)) timeline_.begin = 0.0;
-    if (!isTime(timeline_.end) || timeline_.end < timeline_.begin + kShortest)
-        timeline_.end = timeline_.begin + kShortest;
+    if (!isTime(timeline_.end) || timeline_.end < timeline_.begin + kMinSpan)
+        timeline_.end = timeline_.begin + kMinSpan;
     measureNames();
     if (all) showAll();
     if (!sameLanes) updateGeometry();
@@ -163,7 +163,7 @@ void SessionTimeline::showSpan(double first, double last)
 {
     if (!isTime(first) || !isTime(last)) return;
     const double all = timeline_.end - timeline_.begin;
-    const double span = std::min(std::max(last - first, kShortest), all);
+    const double span = std::min(std::max(last - first, kMinSpan), all);
     first_ = std::clamp(first, timeline_.begin, timeline_.end - span);
     last_ = first_ + span;
     emit zoomed();
@@ -179,8 +179,8 @@ void SessionTimeline::zoom(double factor, double at)
 {
     if (!(factor > 0.0 && factor < 1e12) || !isTime(at)) return;
     const double where = std::clamp(at, first_, last_);
-    const double span = std::clamp((last_ - first_) / factor, kShortest,
-                                   std::max(kShortest, timeline_.end - timeline_.begin));
+    const double span = std::clamp((last_ - first_) / factor, kMinSpan,
+                                   std::max(kMinSpan, timeline_.end - timeline_.begin));
     const double share = (where - first_) / (last_ - first_);
     showSpan(where - share * span, where + (1.0 - share) * span);
 }

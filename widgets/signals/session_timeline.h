@@ -54,7 +54,7 @@ public:
     void setDense(bool dense);         ///< lower lanes, where there is little room
     void setPlayhead(double seconds);  ///< kept in view where it was so before
     void setCursors(std::optional<double> a, std::optional<double> b);
-    void showSpan(double first, double last);  ///< at least kShortest of it, no more than there is
+    void showSpan(double first, double last);  ///< at least kMinSpan of it, no more than there is
     void showAll();
     void zoom(double factor, double at);  ///< factor above 1: closer; at: [s] stays where it is
 
@@ -67,7 +67,7 @@ public:
     /// What is to be read under a point; empty: nothing.
     QString textAt(QPointF point) const;
 
-    static constexpr double kShortest = 0.02;  ///< [s] that can be shown
+    static constexpr double kMinSpan = 0.02;  ///< [s] that can be shown
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;

@@ -11,7 +11,7 @@
 namespace terratact {
 namespace {
 
-constexpr int kMargin = 10, kPlotWidth = 96, kLeastPlotHeight = 120;
+constexpr int kMargin = 10, kPlotWidth = 96, kMinPlotHeight = 120;
 
 }  // namespace
 
@@ -68,7 +68,7 @@ QSize BinInspector::sizeHint() const
     int width = 0;
     for (const QString& line : words_) width = std::max(width, metrics.horizontalAdvance(line));
     const int text = static_cast<int>(words_.size()) * metrics.lineSpacing();
-    return {width + kPlotWidth + 3 * kMargin, std::max(text, kLeastPlotHeight) + 2 * kMargin};
+    return {width + kPlotWidth + 3 * kMargin, std::max(text, kMinPlotHeight) + 2 * kMargin};
 }
 
 void BinInspector::paintEvent(QPaintEvent* /*event*/)

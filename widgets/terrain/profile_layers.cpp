@@ -119,7 +119,7 @@ void SampleLines::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMa
 {
     painter->setPen(sampleLinePen());
     painter->setBrush(Qt::NoBrush);
-    const std::size_t count = std::min(kMost, draws.size());
+    const std::size_t count = std::min(kMax, draws.size());
     for (std::size_t k = 0; k < count; ++k)
         painter->drawPath(profile(draws[k * draws.size() / count], 0.0, x, y));
 }

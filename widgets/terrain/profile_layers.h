@@ -16,8 +16,8 @@ namespace terratact {
 class SampleLines final : public QwtPlotItem {
 public:
     SampleLines();
-    static constexpr std::size_t kMost = 60;
-    std::vector<Heights> draws;  ///< at most kMost of them are drawn, evenly picked
+    static constexpr std::size_t kMax = 60;
+    std::vector<Heights> draws;  ///< at most kMax of them are drawn, evenly picked
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
               const QRectF& canvas) const override;

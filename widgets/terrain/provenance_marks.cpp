@@ -110,19 +110,19 @@ double MarkLetters::height(const QFont& ofPlot)
 
 double MarkLetters::reserved(const QFont& ofPlot, double canvasHeight)
 {
-    constexpr double kMost = 1.0 / 16.0;  // of the canvas
+    constexpr double kMax = 1.0 / 16.0;  // of the canvas
     const double strip = height(ofPlot);
-    return strip <= kMost * canvasHeight ? strip : 0.0;
+    return strip <= kMax * canvasHeight ? strip : 0.0;
 }
 
 void MarkLetters::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& /*y*/,
                        const QRectF& canvas) const
 {
-    constexpr int kLeast = 10;  // [px]
+    constexpr int kMin = 10;  // [px]
     const double width = x.transform(binEnd(0)) - x.transform(binBegin(0));
     const int largest = scaled(kLargestLetter);
     painter->setFont(letterFont(
-        plot()->font(), std::clamp(static_cast<int>(width), std::min(kLeast, largest), largest)));
+        plot()->font(), std::clamp(static_cast<int>(width), std::min(kMin, largest), largest)));
     const double height = MarkLetters::height(plot()->font());
     QColor behind = theme().card;
     behind.setAlpha(0xd0);

@@ -43,8 +43,8 @@ QwtGraphic LineItem::legendIcon(int /*index*/, const QSizeF& /*size*/) const
 bool Key::isEmpty() const
 {
     constexpr int kLow = 160;  // [px] at 100 %
-    constexpr int kMost = 6;   // of its parts
-    return view_.height() < scaled(kLow) || heightForWidth(view_.width()) * kMost > view_.height()
+    constexpr int kMax = 6;    // of its parts
+    return view_.height() < scaled(kLow) || heightForWidth(view_.width()) * kMax > view_.height()
         || QwtLegend::isEmpty();
 }
 

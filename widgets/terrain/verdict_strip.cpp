@@ -307,12 +307,12 @@ void VerdictStrip::say(const QString& answer, const QString& outlook, bool withh
 
 void VerdictStrip::setLimit(double metres)
 {
-    limit_ = std::isfinite(metres) ? std::clamp(metres, kLeastLimit, kGreatestLimit) : kStepLimit;
-    const bool lowest = limit_ <= kLeastLimit + 1e-9, highest = limit_ >= kGreatestLimit - 1e-9;
+    limit_ = std::isfinite(metres) ? std::clamp(metres, kMinLimit, kGreatestLimit) : kStepLimit;
+    const bool lowest = limit_ <= kMinLimit + 1e-9, highest = limit_ >= kGreatestLimit - 1e-9;
     lower_->setEnabled(!lowest);
     raise_->setEnabled(!highest);
     setTip(*lower_,
-           lowest ? tr("No lower limit can be set than %1 m").arg(format::number(kLeastLimit, 2))
+           lowest ? tr("No lower limit can be set than %1 m").arg(format::number(kMinLimit, 2))
                   : tr("A lower step counts as an obstacle, too (PgDown)"));
     setTip(*raise_,
            highest
@@ -323,7 +323,7 @@ void VerdictStrip::setLimit(double metres)
 void VerdictStrip::choose(double metres)
 {
     const double rounded = std::round(metres / kLimitStep) * kLimitStep;
-    if (rounded < kLeastLimit - 1e-9 || rounded > kGreatestLimit + 1e-9) return;
+    if (rounded < kMinLimit - 1e-9 || rounded > kGreatestLimit + 1e-9) return;
     setLimit(rounded);
     emit limitChosen(limit_);
 }

@@ -20,7 +20,7 @@ public:
     /// probe: what a probe would buy, in words; empty where none is proposed.  limit(): of this verdict.
     void setVerdict(const Verdict& verdict, const QString& probe = {});
     void setNothing(const QString& why);  ///< no estimate, so no verdict
-    void setLimit(double metres);         ///< clamped to kLeastLimit … kGreatestLimit
+    void setLimit(double metres);         ///< clamped to kMinLimit … kGreatestLimit
     void setStacked(bool stacked);        ///< the words below the badge, for a narrow column
 
     // Of a verdict, in words.
@@ -35,7 +35,7 @@ public:
     QPushButton* lowerButton() const { return lower_; }
     QPushButton* raiseButton() const { return raise_; }
 
-    static constexpr double kLeastLimit = 0.02, kGreatestLimit = 0.60, kLimitStep = 0.01;  ///< [m]
+    static constexpr double kMinLimit = 0.02, kGreatestLimit = 0.60, kLimitStep = 0.01;  ///< [m]
 
 signals:
     void limitChosen(double metres);

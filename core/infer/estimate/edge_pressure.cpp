@@ -112,7 +112,7 @@ bool EdgePressure::hasItsShare(std::size_t element) const
     if (others.count < 2) return false;
     const double c = constant_[element], l = linear_[element];
     const double whole = predicted(others, element);
-    if (element == 0 && whole > kMostSaturation * saturation_) return false;
+    if (element == 0 && whole > kMaxSaturation * saturation_) return false;
     const double expected = std::min(whole, saturation_);
     const double ofFit =
         c * c * others.varA + 2.0 * c * l * others.covariance + l * l * others.varB;

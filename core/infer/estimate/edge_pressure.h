@@ -19,7 +19,7 @@ inline constexpr double kFirstElementSd = 0.85;
 inline constexpr double kOtherElementSd = 3.0;
 
 /// A saturated element 1 shows nothing where the others predict more than this multiple of saturation.
-inline constexpr double kMostSaturation = 2.0;
+inline constexpr double kMaxSaturation = 2.0;
 
 /// The pressure along the lower edge of the front flippers, as far as six elements tell it.
 /// A flipper is stiff, and its skin is equally soft along the edge. On even ground the pressure is therefore linear:
@@ -41,7 +41,7 @@ public:
 
     /// Whether the element carries what a fit to the other loaded elements predicts, within the noise of both
     /// (kFirstElementSd, kOtherElementSd). A prediction above saturation counts as saturation, for element 1 up to
-    /// kMostSaturation.
+    /// kMaxSaturation.
     /// true without a force; false where fewer than two others are loaded.
     bool hasItsShare(std::size_t element) const;
 

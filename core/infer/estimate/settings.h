@@ -9,9 +9,9 @@
 namespace terratact {
 
 /// More than a program can hold or anybody waits for.
-inline constexpr int kMostDraws = 10'000'000;
-inline constexpr int kMostChains = 100'000;
-inline constexpr int kMostBurnIn = 10'000'000;
+inline constexpr int kMaxDraws = 10'000'000;
+inline constexpr int kMaxChains = 100'000;
+inline constexpr int kMaxBurnIn = 10'000'000;
 
 /// Independent draws after which a closed form that may stop early does: a probability is then within 0.8 % (one sd).
 inline constexpr int kEnoughDraws = 4000;
@@ -27,10 +27,10 @@ struct Settings {
     ContactRule contacts = ContactRule::Isolated;
     double forceThreshold = 2.0;  ///< [N] an element above it touches the ground (paper: 2 units)
     double contactSd = 0.02;      ///< [m] sd of a contact height
-    int draws = 1000;             ///< K: kept sweeps, all chains together, at most; 1 to kMostDraws
+    int draws = 1000;             ///< K: kept sweeps, all chains together, at most; 1 to kMaxDraws
     bool stopEarly = true;  ///< ends once the chains have converged; closed forms: at kEnoughDraws
-    int chains = 16;        ///< independent chains, run side by side; 1 to kMostChains
-    int burnIn = 50;        ///< sweeps thrown away at the start of every chain; 0 to kMostBurnIn
+    int chains = 16;        ///< independent chains, run side by side; 1 to kMaxChains
+    int burnIn = 50;        ///< sweeps thrown away at the start of every chain; 0 to kMaxBurnIn
     ScanOrder scan = ScanOrder::Forward;      ///< in which a sweep visits the bins
     Precision precision = Precision::Single;  ///< of sampled variances; means are double
     /// Rows of the training set that a sampling method's predictions go through, at most; 0: as trained.  Fewer

@@ -14,7 +14,7 @@ namespace {
 
 constexpr auto kElements = static_cast<std::size_t>(kForceElements);
 
-constexpr double kShortestEdge = 0.01;  // [m] along x: a steeper flipper covers no bin
+constexpr double kMinEdge = 0.01;  // [m] along x: a steeper flipper covers no bin
 
 /// Places and loads of the front flippers' elements, pivot to tip.
 struct ElementLoads {
@@ -85,7 +85,7 @@ bool elementsPress(const ElementLoads& loads, int bin)
 
 bool isPressedThrough(const ElementLoads& loads, const EdgePressure& pressure, int bin)
 {
-    if (loads.edgeEnd - loads.edgeBegin < kShortestEdge) return false;
+    if (loads.edgeEnd - loads.edgeBegin < kMinEdge) return false;
     if (binBegin(bin) < loads.edgeBegin - kUnsensedWithin) return false;
     const double least = std::min(pressure.at(shareAt(loads, binBegin(bin))),
                                   pressure.at(shareAt(loads, binEnd(bin))));

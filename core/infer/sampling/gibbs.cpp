@@ -84,11 +84,11 @@ private:
 
 void checkSettings(const Settings& settings)
 {
-    if (settings.draws < 1 || settings.draws > kMostDraws || settings.chains < 1
-        || settings.chains > kMostChains || settings.burnIn < 0 || settings.burnIn > kMostBurnIn)
+    if (settings.draws < 1 || settings.draws > kMaxDraws || settings.chains < 1
+        || settings.chains > kMaxChains || settings.burnIn < 0 || settings.burnIn > kMaxBurnIn)
         throw std::invalid_argument(fmt::format(
             "an estimate needs 1 to {} draws, 1 to {} chains and a burn-in of 0 to {} sweeps",
-            kMostDraws, kMostChains, kMostBurnIn));
+            kMaxDraws, kMaxChains, kMaxBurnIn));
     if (settings.inducing < 0)
         throw std::invalid_argument("the number of inducing rows must be 0 or more");
     if (!(settings.contactSd > 0.0) || !(settings.forceThreshold >= 0.0))
@@ -190,7 +190,7 @@ struct GibbsRun::Chains {
             if (done == problem.keptPerChain) return end(Ending::Sweeps);
             goOnTo(check + (check + 1) / 2);
         }
-        if (done >= std::min(kLeastKept, problem.keptPerChain) && outOfTime()) end(Ending::Time);
+        if (done >= std::min(kMinKept, problem.keptPerChain) && outOfTime()) end(Ending::Time);
     }
 
     /// The next few sweeps are kept, and the last.
@@ -198,7 +198,7 @@ struct GibbsRun::Chains {
     {
         result.burnInLeftOut = -done;
         done = 0;
-        goOnTo(kLeastKept);
+        goOnTo(kMinKept);
     }
 
     void end(Ending why)

@@ -39,7 +39,7 @@ void checkSettings(const Settings& settings);
 /// Kept sweeps per chain after which chains are first judged; again after half as many more, and so on.
 inline constexpr int kFirstCheck = 25;
 /// Kept sweeps per chain that there are at least, however little time there is: R-hat needs as many.
-inline constexpr int kLeastKept = 4;
+inline constexpr int kMinKept = 4;
 
 /// Scan order, chains, sweeps, precision and seed from the settings; everything else is left to fill in.
 GibbsProblem problemFor(const Settings& settings);
@@ -61,8 +61,8 @@ struct GibbsDraws {
 ///   - with stopEarly, where the heights of every bin have R-hat ≤ kRhatLimit and ESS ≥ kEssLimit, judged after 25,
 ///     38, 57 … and after the last kept sweep (Ending::Converged): numbers of sweeps that do not depend on the
 ///     machine, so the same seed gives the same draws;
-///   - when watch.outOfTime says so, but not before kLeastKept kept sweeps (Ending::Time): the draws are the first
-///     of those that more time would have given.  Said during the burn-in, the next kLeastKept sweeps are kept and
+///   - when watch.outOfTime says so, but not before kMinKept kept sweeps (Ending::Time): the draws are the first
+///     of those that more time would have given.  Said during the burn-in, the next kMinKept sweeps are kept and
 ///     the rest of the burn-in is left out: draws that still depend on where the chains started.
 /// Throws std::invalid_argument unless chains ≥ 1, firstChain ≥ 0, burnIn ≥ 0, keptPerChain ≥ 1; Cancelled.
 GibbsDraws sampleStates(const Conditionals& conditionals, const GibbsProblem& problem,

@@ -36,7 +36,7 @@ template <class Bits>
 double gaussian(Bits& rng)
 {
     double u = 0.0;
-    for (int proposal = 0; proposal < kMostProposals; ++proposal) {
+    for (int proposal = 0; proposal < kMaxProposals; ++proposal) {
         u = 2.0 * uniform(rng) - 1.0;
         const double v = 2.0 * uniform(rng) - 1.0;
         const double r2 = u * u + v * v;
@@ -67,7 +67,7 @@ template <class Bits>
 double drawWideAroundMean(const Interval& i, Bits& rng)
 {
     double h = i.mean;
-    for (int proposal = 0; proposal < kMostProposals; ++proposal) {
+    for (int proposal = 0; proposal < kMaxProposals; ++proposal) {
         h = i.mean - i.sigma * gaussian(rng);
         if (h <= i.ceiling && h >= i.floor) break;
     }
@@ -79,7 +79,7 @@ template <class Bits>
 double drawNarrowAroundMean(const Interval& i, Bits& rng)
 {
     double h = i.mean;
-    for (int proposal = 0; proposal < kMostProposals; ++proposal) {
+    for (int proposal = 0; proposal < kMaxProposals; ++proposal) {
         h = i.at(uniform(rng));
         const double z = deviations(h, i.mean, i.sigma);
         if (2.0 * exponential(rng) >= z * z) break;
@@ -98,7 +98,7 @@ double drawExcess(double a, Bits& rng)
     const double lambda = 0.5 * (a + root);
     const double lambdaMinusA = 2.0 / (a + root);
     double excess = 0.0;
-    for (int proposal = 0; proposal < kMostProposals; ++proposal) {
+    for (int proposal = 0; proposal < kMaxProposals; ++proposal) {
         excess = exponential(rng) / lambda;
         const double d = excess - lambdaMinusA;
         if (2.0 * exponential(rng) >= d * d) break;
@@ -116,7 +116,7 @@ double drawShareOfExcess(double a, double width, Bits& rng)
     const double m = plain ? 0.0 : std::min(2.0 / (a + std::sqrt(a * a + 4.0)), width);
     const double fall = (a + m) * width;  // of the log density over the interval
     double share = 0.0;
-    for (int proposal = 0; proposal < kMostProposals; ++proposal) {
+    for (int proposal = 0; proposal < kMaxProposals; ++proposal) {
         const double u = uniform(rng);
         share = fall > 0.0 ? std::min(-std::log1p(u * std::expm1(-fall)) / fall, 1.0) : u;
         const double d = share * width - m;
@@ -134,7 +134,7 @@ double drawBelowMean(const Interval& i, Bits& rng)
     const double width = i.width();
     if (std::isfinite(a * width) && width < kWide) return i.at(drawShareOfExcess(a, width, rng));
     double h = i.ceiling;
-    for (int proposal = 0; proposal < kMostProposals; ++proposal) {
+    for (int proposal = 0; proposal < kMaxProposals; ++proposal) {
         h = std::max(i.ceiling - i.sigma * drawExcess(a, rng), Limits::lowest());
         if (h >= i.floor) break;
     }

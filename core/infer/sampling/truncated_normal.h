@@ -7,7 +7,7 @@
 namespace terratact {
 
 /// Of one draw.
-inline constexpr int kMostProposals = 1000;
+inline constexpr int kMaxProposals = 1000;
 
 /// Draws one bin height from N(mean, sigma²) cut off above `ceiling`:
 ///   p(h) ∝ exp(-(h - mean)² / 2σ²) for h ≤ ceiling, and 0 above it.
@@ -22,7 +22,7 @@ inline constexpr int kMostProposals = 1000;
 ///
 /// Effort: every proposal is accepted with probability ≥ 0.38, whatever the arguments, and takes two
 /// numbers of the generator: more than n are used with probability ≤ 0.62^⌊n/2⌋ (n = 100: 5e-11).  After
-/// kMostProposals the last one is taken, moved inside the bounds: no generator but a broken one, and no
+/// kMaxProposals the last one is taken, moved inside the bounds: no generator but a broken one, and no
 /// distribution, shows it (0.62^1000 = 1e-208), and a draw ends with every one.
 ///
 /// Throws std::invalid_argument unless sigma > 0, mean and sigma are finite, ceiling > −infinity.

@@ -48,9 +48,9 @@ std::optional<TwoModes> twoModes(std::vector<double> draws)
     for (double& x : draws) x -= mean;
 
     TwoModes modes = bestSplit(draws);
-    if (!(modes.betweenShare > kLeastBetweenShare)) return std::nullopt;
-    if (std::min(modes.lowShare, modes.highShare) < kLeastModeShare) return std::nullopt;
-    if (!(modes.highMean - modes.lowMean > kLeastModeDistance)) return std::nullopt;
+    if (!(modes.betweenShare > kMinBetweenShare)) return std::nullopt;
+    if (std::min(modes.lowShare, modes.highShare) < kMinModeShare) return std::nullopt;
+    if (!(modes.highMean - modes.lowMean > kMinModeDistance)) return std::nullopt;
     for (double* const height : {&modes.split, &modes.lowMean, &modes.highMean}) *height += mean;
     return modes;
 }

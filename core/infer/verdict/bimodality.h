@@ -18,15 +18,15 @@ struct TwoModes {
 };
 
 /// What makes two heaps.  The best split of a normal explains 2/π = 0.637 of its variance, of a uniform 0.75.
-inline constexpr double kLeastBetweenShare = 0.85;
-inline constexpr double kLeastModeShare = 0.10;
-inline constexpr double kLeastModeDistance = 0.06;  ///< [m]
+inline constexpr double kMinBetweenShare = 0.85;
+inline constexpr double kMinModeShare = 0.10;
+inline constexpr double kMinModeDistance = 0.06;  ///< [m]
 
 /// The split of the sorted draws into x ≤ split < y that explains most of their variance (2-means in one
 /// dimension, exact),
 ///   betweenShare = max_k n_low n_high (highMean − lowMean)² / (n Σ (x − mean)²),
-/// if it exceeds kLeastBetweenShare, both classes hold at least kLeastModeShare, and their means are
-/// more than kLeastModeDistance apart; else, and for draws that are all equal or none, empty.
+/// if it exceeds kMinBetweenShare, both classes hold at least kMinModeShare, and their means are
+/// more than kMinModeDistance apart; else, and for draws that are all equal or none, empty.
 /// draws: [m], any order.  Throws std::invalid_argument for one that is not finite.
 /// Source: Fisher, "On grouping for maximum homogeneity", J. Am. Stat. Assoc. 53 (1958).
 std::optional<TwoModes> twoModes(std::vector<double> draws);

@@ -35,11 +35,11 @@ private:
 
 /// Beyond these there is no ghost.
 struct GhostLimits {
-    double way = 1.0;                  ///< [m]
-    double sd = 0.15;                  ///< [m] of its most certain bin
-    double tilt = 0.35;                ///< [rad] change of pitch or roll
-    double turn = 0.10;                ///< [rad]
-    double silence = kLongestSilence;  ///< [s] between two lines of telemetry
+    double way = 1.0;              ///< [m]
+    double sd = 0.15;              ///< [m] of its most certain bin
+    double tilt = 0.35;            ///< [rad] change of pitch or roll
+    double turn = 0.10;            ///< [rad]
+    double silence = kMaxSilence;  ///< [s] between two lines of telemetry
 };
 
 /// Follows one estimate along the telemetry after its scene.  What has ended stays ended.

@@ -68,7 +68,7 @@ Shortfall shortfallOf(const TerrainEstimate& estimate, int horizon)
 {
     if (!isTouchRecorded(estimate)) return Shortfall::None;
     if (horizon < kFirstAhead) return Shortfall::NothingFelt;
-    if (horizon < std::max(reachBin(estimate), kLeastHorizonBin)) return Shortfall::ShortHorizon;
+    if (horizon < std::max(reachBin(estimate), kMinHorizonBin)) return Shortfall::ShortHorizon;
     return isFeltThrough(estimate, horizon) ? Shortfall::None : Shortfall::Spanned;
 }
 
@@ -89,7 +89,7 @@ void writeHorizon(Verdict& verdict, const TerrainEstimate& estimate, const Measu
     verdict.shortfall = shortfallOf(estimate, last);
     verdict.help = helpFor(verdict.shortfall, scene);
     verdict.toHorizon = {1.0, 0.0};
-    if (last >= kLeastHorizonBin && !estimate.draws.empty())
+    if (last >= kMinHorizonBin && !estimate.draws.empty())
         verdict.toHorizon = anyStep(estimate, limit, kFirstAhead, last);
 }
 

@@ -90,7 +90,7 @@ inline constexpr double kClearBelow = 0.05;
 inline constexpr double kBlockedAbove = 0.95;
 
 /// A step takes two bins: a horizon before the second bin ahead gives no CLEAR.
-inline constexpr int kLeastHorizonBin = kFirstAhead + 1;
+inline constexpr int kMinHorizonBin = kFirstAhead + 1;
 
 /// The foremost loaded element may end this much behind a bin's front border [m].
 inline constexpr double kHorizonSlack = 0.01;
@@ -101,7 +101,7 @@ inline constexpr double kSteepFlipper = 0.35;
 /// What came after the scene; by itself: nothing, as of a scene in a file.
 struct Aftermath {
     bool heard = true;     ///< its telemetry is live
-    bool unbroken = true;  ///< and there was no silence of more than kLongestSilence
+    bool unbroken = true;  ///< and there was no silence of more than kMaxSilence
     bool sensorsSound =
         true;  ///< no sensor was suspected, in the scene or since, while the robot stood there
 };
@@ -110,7 +110,7 @@ struct Aftermath {
 /// (kHorizonSlack). The reach is the last bin ahead with a finite ceiling. With p(a, b) = P(a step of more than
 /// `limit` within bins a … b) as anyStep() has it, its Monte-Carlo sd m, and h the horizon's bin:
 ///   Blocked     p(kFirstAhead, 10) − 2 m > kBlockedAbove
-///   Clear       p(kFirstAhead, h) + 2 m < kClearBelow, h ≥ the reach, h ≥ kLeastHorizonBin
+///   Clear       p(kFirstAhead, h) + 2 m < kClearBelow, h ≥ the reach, h ≥ kMinHorizonBin
 ///   CannotTell  else, or with any doubt, or without draws.
 /// Where the touch is not recorded, h is the last bin.
 /// scene: what the estimate rests on; its settings' limits say when roll or asymmetry are doubts.

@@ -8,12 +8,12 @@
 namespace terratact {
 namespace {
 
-constexpr double kMostHeight = 5.0;  // [m]
+constexpr double kMaxHeight = 5.0;  // [m]
 
 Result<double> height(CsvReader& csv, std::size_t field, std::string_view name)
 {
     Result<double> value = csv.number(field, name);
-    if (value && std::abs(*value) > kMostHeight)
+    if (value && std::abs(*value) > kMaxHeight)
         return csv.error(std::string(name) + " is " + numberText(*value)
                          + ", beyond ±5 m (is it in mm?)");
     return value;
@@ -55,8 +55,8 @@ Result<std::vector<ProbeReading>> readProbeReadings(CsvReader csv)
         const Result<bool> more = csv.next();
         if (!more) return more.error();
         if (!*more) break;
-        if (readings.size() == kMostProbeReadings)
-            return csv.error("is one reading more than the " + std::to_string(kMostProbeReadings)
+        if (readings.size() == kMaxProbeReadings)
+            return csv.error("is one reading more than the " + std::to_string(kMaxProbeReadings)
                              + " allowed in a file");
         const Result<ProbeReading> next = reading(csv);
         if (!next) return next.error();

@@ -10,7 +10,7 @@
 namespace terratact {
 
 /// No file holds more.
-inline constexpr std::size_t kMostProbeReadings = 100'000;
+inline constexpr std::size_t kMaxProbeReadings = 100'000;
 
 /// One reading of the arm, taken to learn how well it measures.
 struct ProbeReading {
@@ -22,7 +22,7 @@ struct ProbeReading {
 
 /// Reads a CSV (core/store/csv_reader.h) with the header place,height_m,truth_m; truth_m may be missing in a line, or NaN.
 /// Errors name file, line and cause: another header, wrong numbers or units, heights beyond ±5 m, a place without a
-/// name, no reading at all, more than kMostProbeReadings.
+/// name, no reading at all, more than kMaxProbeReadings.
 Result<std::vector<ProbeReading>> readProbeReadings(const std::string& path);
 
 /// The same from its first line on.

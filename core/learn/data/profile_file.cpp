@@ -10,8 +10,8 @@
 namespace terratact {
 namespace {
 
-constexpr double kMostHeight = 5.0;  ///< [m] from the profile's first
-constexpr double kMostX = 1000.0;    ///< [m]
+constexpr double kMaxHeight = 5.0;  ///< [m] from the profile's first
+constexpr double kMaxX = 1000.0;    ///< [m]
 
 bool isHeader(const CsvReader& csv)
 {
@@ -58,7 +58,7 @@ Result<std::vector<double>> numbers(CsvReader& csv)
 /// Done where a height is believable beside the profile's first.
 Status checkHeight(const CsvReader& csv, double height, double first)
 {
-    if (std::abs(height - first) <= kMostHeight) return Done{};
+    if (std::abs(height - first) <= kMaxHeight) return Done{};
     return csv.error("the height " + numberText(height)
                      + " is more than 5 m from the profile's first, " + numberText(first)
                      + " (is it in mm?)");
@@ -101,7 +101,7 @@ public:
                              + " fields where the lines before have x,z");
         commas_.take(csv);
         const Vec2 point{line[0], line[1]};
-        if (std::abs(point.x) > kMostX)
+        if (std::abs(point.x) > kMaxX)
             return csv.error("x is " + numberText(point.x) + ", beyond ±1000 m (is it in mm?)");
         if (!points_.empty() && point.x < points_.back().x)
             return csv.error("x decreases from " + numberText(points_.back().x) + " to "
@@ -187,8 +187,8 @@ Result<ProfileFile> readLines(CsvReader& csv, Reader reader)
     std::size_t count = 0;
     for (;;) {
         count += csv.fields().size();
-        if (count > kMostProfileNumbers)
-            return csv.error("goes beyond the " + std::to_string(kMostProfileNumbers)
+        if (count > kMaxProfileNumbers)
+            return csv.error("goes beyond the " + std::to_string(kMaxProfileNumbers)
                              + " numbers allowed in a file");
         const Result<std::vector<double>> line = numbers(csv);
         if (!line) return line.error();

@@ -10,7 +10,7 @@
 namespace terratact {
 
 /// Of all profiles of a file together.
-inline constexpr std::size_t kMostProfileNumbers = 2'000'000;
+inline constexpr std::size_t kMaxProfileNumbers = 2'000'000;
 
 struct ProfileFile {
     std::vector<TerrainProfile> profiles;  ///< at least one
@@ -26,7 +26,7 @@ struct ProfileFile {
 ///
 /// Errors name file, line and cause: x that decreases or does not advance, a line of another form, wrong numbers, NaN or
 /// infinity, heights beyond ±5 m of the profile's first, |x| beyond 1000 m, an empty file,
-/// more than kMostProfileNumbers numbers; whole numbers alone that are likely heights with decimal commas.
+/// more than kMaxProfileNumbers numbers; whole numbers alone that are likely heights with decimal commas.
 /// Throws std::invalid_argument unless step is finite and above 0.
 Result<ProfileFile> readProfiles(const std::string& path, double step, bool blocks);
 

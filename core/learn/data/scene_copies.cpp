@@ -16,7 +16,7 @@ constexpr double kPitchSd = 0.0087, kAngleSd = 0.0017;   // [rad]
 constexpr double kCurrentSd = 0.05;                      // [A]
 constexpr double kForceShare = 0.10, kForceFloor = 0.3;  // share, [N]
 constexpr std::size_t kFrontFeature = 1;
-constexpr double kMostHeightDifference = 0.026;  // [m] root mean square
+constexpr double kMaxHeightDifference = 0.026;  // [m] root mean square
 
 double noiseOf(std::size_t feature, double value)
 {
@@ -92,7 +92,7 @@ bool isNearCopy(const Scene& a, const Scene& b)
     double sum = 0.0;
     for (std::size_t i = 0; i < kBins; ++i)
         sum += std::pow(a.truth[i].value_or(0.0) - b.truth[i].value_or(0.0), 2.0);
-    return std::sqrt(sum / kBins) <= kMostHeightDifference;
+    return std::sqrt(sum / kBins) <= kMaxHeightDifference;
 }
 
 SceneCopies withoutCopies(const std::vector<const Scene*>& scenes)

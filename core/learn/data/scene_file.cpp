@@ -28,8 +28,8 @@ constexpr int kFirstFeature = 2;
 constexpr int kFirstHeight = kFirstFeature + static_cast<int>(kFeatures);
 constexpr int kSlots = kFirstHeight + kBins;
 constexpr int kNeverEmpty = kFirstFeature + 3;  ///< run, time, pitch and flipper angles
-constexpr std::size_t kMostColumns = 200;
-constexpr std::size_t kLongestRunName = 4096;  ///< bytes
+constexpr std::size_t kMaxColumns = 200;
+constexpr std::size_t kMaxRunNameLength = 4096;  ///< bytes
 
 std::size_t index(int slot, int first)
 {
@@ -70,7 +70,7 @@ bool looksLikeHeight(std::string_view name)
 
 bool isRunName(std::string_view text)
 {
-    return !text.empty() && text.size() <= kLongestRunName
+    return !text.empty() && text.size() <= kMaxRunNameLength
         && std::none_of(text.begin(), text.end(),
                         [](char c) { return isControl(c) || c == ',' || c == '"'; });
 }
@@ -92,8 +92,8 @@ struct Layout {
 
 Result<Layout> layoutOf(CsvReader& csv)
 {
-    if (csv.fields().size() > kMostColumns)
-        return csv.error("has more than " + std::to_string(kMostColumns) + " columns");
+    if (csv.fields().size() > kMaxColumns)
+        return csv.error("has more than " + std::to_string(kMaxColumns) + " columns");
     Layout layout;
     std::vector<std::string> units;
     std::string unknown;
@@ -142,8 +142,8 @@ Status readField(CsvReader& csv, std::size_t field, int slot, Draft& draft)
     if (slot == kRun) {
         const std::string_view text = csvText(csv.fields()[field]);
         if (text.empty()) return csv.error("run is empty");
-        if (text.size() > kLongestRunName)
-            return csv.error("run is longer than " + std::to_string(kLongestRunName)
+        if (text.size() > kMaxRunNameLength)
+            return csv.error("run is longer than " + std::to_string(kMaxRunNameLength)
                              + " bytes: " + shown(text));
         if (!isUtf8(text))
             return csv.error("run is not text in UTF-8: " + shown(text)
@@ -223,8 +223,8 @@ Result<SceneFile> readScenes(CsvReader csv)
         const Result<bool> more = csv.next();
         if (!more) return more.error();
         if (!*more) break;
-        if (file.scenes.size() == kMostScenes)
-            return csv.error("is one scene more than the " + std::to_string(kMostScenes)
+        if (file.scenes.size() == kMaxScenes)
+            return csv.error("is one scene more than the " + std::to_string(kMaxScenes)
                              + " allowed in a file");
         Result<Scene> scene = readScene(csv, *layout);
         if (!scene) return scene.error();
@@ -253,8 +253,8 @@ Result<SceneFile> readScenesWithTruth(const std::string& path)
 
 std::string scenesText(const std::vector<Scene>& scenes)
 {
-    if (scenes.size() > kMostScenes)
-        throw std::invalid_argument("writeScenes: more than " + std::to_string(kMostScenes)
+    if (scenes.size() > kMaxScenes)
+        throw std::invalid_argument("writeScenes: more than " + std::to_string(kMaxScenes)
                                     + " scenes, which is what a file may hold");
     std::string content = header();
     for (const Scene& scene : scenes) content += lineOf(scene);

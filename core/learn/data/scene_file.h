@@ -10,7 +10,7 @@
 namespace terratact {
 
 /// No file holds more; it would take a day's drive at two scenes a second.
-inline constexpr std::size_t kMostScenes = 200'000;
+inline constexpr std::size_t kMaxScenes = 200'000;
 
 struct SceneFile {
     std::vector<Scene> scenes;
@@ -27,7 +27,7 @@ struct SceneFile {
 /// units below the header is passed over if they are these.
 /// Errors name file, line and cause: missing, doubled or misspelt columns, wrong numbers, NaN or
 /// infinity, heights beyond ±5 m, angles beyond ±π, forces below 0 or above 1000 N, currents beyond
-/// ±100 A, other units, a wrong number of fields, an empty file, more than kMostScenes scenes, what CsvReader refuses.
+/// ±100 A, other units, a wrong number of fields, an empty file, more than kMaxScenes scenes, what CsvReader refuses.
 /// The file is read once, so that it may be a pipe.
 Result<SceneFile> readScenes(const std::string& path);
 

@@ -12,7 +12,7 @@ namespace terratact {
 namespace {
 
 constexpr int kBlock = 128;
-constexpr int kVectorBlock = 1024;  // its square is kMostRead
+constexpr int kVectorBlock = 1024;  // its square is kMaxRead
 
 int size(const Eigen::MatrixXd& A)
 {
@@ -22,7 +22,7 @@ int size(const Eigen::MatrixXd& A)
 /// Columns that lie between two polls where each takes a product of kBlock × inner and a triangle of kBlock rows.
 int columnsAtOnce(int inner)
 {
-    return std::max(1, static_cast<int>(kMostMultiplications / (kBlock * (0.5 * kBlock + inner))));
+    return std::max(1, static_cast<int>(kMaxMultiplications / (kBlock * (0.5 * kBlock + inner))));
 }
 
 /// Rows first … first + rows of R right of the diagonal block, from the rows above them.

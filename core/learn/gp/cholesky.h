@@ -7,14 +7,14 @@
 namespace terratact {
 
 /// What lies between two polls at most, here and below: some milliseconds of arithmetic, or of memory's.
-inline constexpr double kMostMultiplications = 2e7;
-inline constexpr long kMostRead = 1L << 20;  ///< numbers, each read once
+inline constexpr double kMaxMultiplications = 2e7;
+inline constexpr long kMaxRead = 1L << 20;  ///< numbers, each read once
 
 /// Rows or columns of a product with so many multiplications each that lie between two polls.
 inline Eigen::Index linesAtOnce(Eigen::Index each)
 {
     const auto multiplications = static_cast<double>(each > 0 ? each : 1);
-    const auto lines = static_cast<Eigen::Index>(kMostMultiplications / multiplications);
+    const auto lines = static_cast<Eigen::Index>(kMaxMultiplications / multiplications);
     return lines > 0 ? lines : 1;
 }
 

@@ -78,13 +78,13 @@ Factor factorWithJitter(const Eigen::MatrixXd& X, const Hyperparameters& hyper, 
 {
     for (const double jitter : {0.0, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6}) {
         Factor factor = tryFactor(X, hyper, jitter, poll);
-        if (factor.rcond >= kLeastRcond) return factor;
+        if (factor.rcond >= kMinRcond) return factor;
     }
     throw std::invalid_argument(
         fmt::format("Gaussian process: the covariance of {} rows is singular (reciprocal condition "
                     "number below "
                     "{:.0e}) with every jitter up to 1e-6; signal sd {:.3g} m, noise sd {:.3g} m",
-                    X.rows(), kLeastRcond, hyper.signalSd, hyper.noiseSd));
+                    X.rows(), kMinRcond, hyper.signalSd, hyper.noiseSd));
 }
 
 /// Covariances with InverseFactor::kProbes of those rows, from the first to the last: with every other one as it is, with the
@@ -122,7 +122,7 @@ Eigen::MatrixXd transposed(const Eigen::MatrixXd& F, const Poll& poll)
 
 double errorBoundAt(double rcond)
 {
-    constexpr double kPerCondition = 1e-2 * kLeastRcond;
+    constexpr double kPerCondition = 1e-2 * kMinRcond;
     return std::max(1e-9, kPerCondition / rcond);
 }
 

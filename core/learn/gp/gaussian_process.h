@@ -20,12 +20,12 @@ struct Normal {
 };
 
 /// A covariance whose reciprocal condition number is below this is not trusted.
-inline constexpr double kLeastRcond = 1e-12;
+inline constexpr double kMinRcond = 1e-12;
 /// max(1e-9, 1e-14 / rcond): how right results are that come from a matrix of that reciprocal condition number, as
-/// a share of what each of them states.  At most 1e-2 where rcond is at least kLeastRcond.
+/// a share of what each of them states.  At most 1e-2 where rcond is at least kMinRcond.
 double errorBoundAt(double rcond);
 /// Share of the prior's variance below which rounding leaves nothing of a predicted one.
-inline constexpr double kLeastVariance = 1e-15;
+inline constexpr double kMinVariance = 1e-15;
 
 /// By how much a variance in single precision, through all rows, may be further off than where that is measured.
 inline constexpr double kSingleErrorElsewhere = 5.0;
@@ -37,14 +37,14 @@ inline constexpr double kSingleVarianceError = 1e-2;
 ///   mean = ȳ + k★ᵀ α,  variance = σ_f² + σ_n² − |L⁻¹ k★|²     (eq. 2.25, 2.26; of the height, not of f)
 /// Where K is singular to working precision (doubled rows without noise, length scales beyond the data),
 /// K + jitter (σ_f² + σ_n²) I takes its place, with the least jitter of 1e-10, 1e-9 … 1e-6 that mends it.
-/// Mean and variance (in double precision) are right to meanErrorBound() and to errorBound() of σ_f² + σ_n².  The variance is at least σ_n² and never below kLeastVariance (σ_f² + σ_n²).
+/// Mean and variance (in double precision) are right to meanErrorBound() and to errorBound() of σ_f² + σ_n².  The variance is at least σ_n² and never below kMinVariance (σ_f² + σ_n²).
 /// Immutable once built; safe to share between threads.  What variances need of it is made at the first prediction in a precision (InverseFactor).
 class GaussianProcess {
 public:
     /// X: U × d standardised inputs; y: U outputs, centred; outputMean: ȳ, added to every prediction.
     /// poll: as in cholesky.h; what it throws comes out of here, and nothing is built.
     /// Throws std::invalid_argument if sizes disagree, a number is not finite, a length scale is not
-    /// positive, or rcond() would be below kLeastRcond with every jitter.
+    /// positive, or rcond() would be below kMinRcond with every jitter.
     GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hyperparameters hyper,
                     double outputMean, const Poll& poll = {});
 

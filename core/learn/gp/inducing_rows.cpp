@@ -15,7 +15,7 @@ namespace terratact {
 
 namespace {
 
-constexpr int kMostAhead = 48;
+constexpr int kMaxAhead = 48;
 
 /// What the rows chosen so far leave of covariances, and the columns of the rows that are likely to be next: of them
 /// all at once, for one column at a time would read the whole of V for each.
@@ -23,7 +23,7 @@ class Choice {
 public:
     Choice(const ScaledRows& X, double signal2, Eigen::Index most)
         : covariances_(X, signal2), variance_(Eigen::VectorXd::Constant(X.X.rows(), signal2)),
-          V_(X.X.rows(), most), columns_(X.X.rows(), std::min<Eigen::Index>(kMostAhead, most))
+          V_(X.X.rows(), most), columns_(X.X.rows(), std::min<Eigen::Index>(kMaxAhead, most))
     {
     }
 
@@ -77,7 +77,7 @@ private:
     void lookAhead(const Poll& poll)
     {
         const Eigen::Index count =
-            std::min<Eigen::Index>({taken_ + taken_ / 4 + 2, kMostAhead, V_.cols() - chosen_});
+            std::min<Eigen::Index>({taken_ + taken_ / 4 + 2, kMaxAhead, V_.cols() - chosen_});
         ahead_.resize(static_cast<std::size_t>(variance_.size()));
         std::iota(ahead_.begin(), ahead_.end(), 0);
         const auto larger = [this](int a, int b) {

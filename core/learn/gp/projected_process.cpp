@@ -54,11 +54,11 @@ double factorise(Eigen::MatrixXd& K)
     double rcond = 0.0;
     if (blas(LAPACKE_dpotrf, LAPACK_COL_MAJOR, 'L', n, K.data(), n) == 0)
         blas(LAPACKE_dpocon, LAPACK_COL_MAJOR, 'L', n, K.data(), n, norm, &rcond);
-    if (!(rcond >= kLeastRcond))
+    if (!(rcond >= kMinRcond))
         throw std::invalid_argument(
             fmt::format("projected process: a covariance of {} inducing rows is singular "
                         "(reciprocal condition number below {:.0e})",
-                        n, kLeastRcond));
+                        n, kMinRcond));
     return rcond;
 }
 
@@ -116,7 +116,7 @@ ProjectedProcess projectProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd&
     // V = L⁻¹ K_mn / σ_n, so that A = L (1 + V Vᵀ) Lᵀ is well conditioned.
     Eigen::MatrixXd V = covariance(Z, X, hyper.signalSd, poll);
     const Eigen::Index onePass =
-        V.rows() * static_cast<Eigen::Index>(kMostMultiplications / kMostRead);
+        V.rows() * static_cast<Eigen::Index>(kMaxMultiplications / kMaxRead);
     forColumns(V, onePass, poll, [&](Eigen::Index first, Eigen::Index count) {
         V.middleCols(first, count) /= hyper.noiseSd;
     });
@@ -136,7 +136,7 @@ ProjectedProcess projectProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd&
         fit.segment(first, count) = hyper.noiseSd * (some.transpose() * c).array();
         hat.segment(first, count) = some.colwise().squaredNorm().transpose().array();
     });
-    process.leaveOneOut = (y.array() - fit) / (1.0 - hat).max(kLeastFreedom);
+    process.leaveOneOut = (y.array() - fit) / (1.0 - hat).max(kMinFreedom);
     process.weights = inner.triangularView<Eigen::Lower>().transpose().solve(c);
     outer.triangularView<Eigen::Lower>().transpose().solveInPlace(process.weights);
     return process;

@@ -16,7 +16,7 @@ namespace terratact {
 struct ProjectedProcess {
     Eigen::VectorXd weights;  ///< w, one per inducing row
     /// yᵤ minus the mean predicted for row u without row u:
-    ///   (yᵤ − mean(xᵤ)) / max(1 − H_uu, kLeastFreedom),  H = σ_n⁻² K_nm A⁻¹ K_mn   (Z stays)
+    ///   (yᵤ − mean(xᵤ)) / max(1 − H_uu, kMinFreedom),  H = σ_n⁻² K_nm A⁻¹ K_mn   (Z stays)
     Eigen::VectorXd leaveOneOut;
     double rcond =
         1.0;  ///< the lesser reciprocal condition number of K_mm and of L⁻¹ A L⁻ᵀ, K_mm = L Lᵀ; 1-norm
@@ -29,12 +29,12 @@ struct ProjectedProcess {
 /// Share of σ_f² on K_mm's diagonal.
 inline constexpr double kProjectionJitter = 1e-6;
 /// Of 1 − H_uu: a row that the others leave less to say has no residual but rounding.
-inline constexpr double kLeastFreedom = 1e-9;
+inline constexpr double kMinFreedom = 1e-9;
 
 /// X: n × d standardised inputs; y: n outputs, centred; inducing: rows of X.
 /// Cost: n m² multiplications; memory: 2 n m doubles.
 /// Throws std::invalid_argument if sizes disagree, a number is not finite, σ_n is 0, a row does not exist
-/// or rcond would be below kLeastRcond (gaussian_process.h).  poll: every few milliseconds; what it throws comes out.
+/// or rcond would be below kMinRcond (gaussian_process.h).  poll: every few milliseconds; what it throws comes out.
 ProjectedProcess projectProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
                                 const std::vector<int>& inducing, const Hyperparameters& hyper,
                                 const Poll& poll = {});

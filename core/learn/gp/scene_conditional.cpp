@@ -219,7 +219,7 @@ void SceneConditional::finish(const PredictionRoom& room, int first, Eigen::Vect
     const double noise2 = gp_.hyper_.noiseSd * gp_.hyper_.noiseSd;
     const double prior = gp_.hyper_.signalSd * gp_.hyper_.signalSd + noise2;
     // Rounding must not go below the noise, nor to 0 where there is none.
-    const double least = std::max(noise2, kLeastVariance * prior);
+    const double least = std::max(noise2, kMinVariance * prior);
     const Eigen::Index n = mean.size();
     mean = Eigen::Map<const Eigen::ArrayXd>(room.means.data() + first, n) + gp_.outputMean_;
     variance = (prior - Eigen::Map<const Eigen::ArrayXd>(room.squares.data() + first, n))

@@ -21,13 +21,13 @@ namespace terratact {
 namespace {
 
 /// Of σ_f²: a row that adds less is not worth inducing.  Where those that add more make K_mm singular, the next.
-constexpr double kLeastPivots[] = {1e-8, 1e-7, 1e-6};
-constexpr double kLeastLambda = 1e-9;  // of σ_f²
+constexpr double kMinPivots[] = {1e-8, 1e-7, 1e-6};
+constexpr double kMinLambda = 1e-9;  // of σ_f²
 constexpr int kCandidatesPerRow = 4;
 constexpr long kWorkOfACovariance = 4;  // units of PolledWork
 constexpr int kColumnsAtOnce = 64;      // of a product at once: enough that a factor is read seldom
 constexpr double kShare = 0.3;          // of the largest variance, for rows of a reduction
-constexpr double kMostReduced = 0.92;   // of the rows: more would save little
+constexpr double kMaxReduced = 0.92;    // of the rows: more would save little
 constexpr int kPowerSteps = 32;  // enough for an eigenvalue that is too low by a tenth at most
 constexpr double kPowerLow = 1.1;
 
@@ -83,14 +83,14 @@ Eigen::MatrixXd projection(const ScaledRows& X, const std::vector<int>& rows,
 Inducing chooseAmong(const ScaledRows& X, const std::vector<int>& candidates, int count,
                      double signal2, const Poll& poll)
 {
-    for (const double least : kLeastPivots) {
+    for (const double least : kMinPivots) {
         InducingRows among = chooseInducingRows(
             X.some(candidates), signal2, {.most = count, .leastVariance = least * signal2}, poll);
         Inducing inducing{{}, factorOf(among, poll)};
         for (const int p : among.rows)
             inducing.rows.push_back(candidates[static_cast<std::size_t>(p)]);
         inducing.rcond = conditionOf(inducing.L, X.some(inducing.rows), signal2, poll);
-        if (!(inducing.rcond >= kLeastRcond)) continue;
+        if (!(inducing.rcond >= kMinRcond)) continue;
         inducing.V = among.V.rows() == X.X.rows()  // then candidates are all rows, in order
                        ? std::move(among.V)
                        : projection(X, inducing.rows, inducing.L, signal2, poll);
@@ -99,7 +99,7 @@ Inducing chooseAmong(const ScaledRows& X, const std::vector<int>& candidates, in
     throw std::invalid_argument(
         fmt::format("sparse Gaussian process: the covariance of its inducing rows is singular "
                     "(reciprocal condition number below {:.0e})",
-                    kLeastRcond));
+                    kMinRcond));
 }
 
 /// work(j) for every column of `each` numbers.
@@ -282,7 +282,7 @@ SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, 
     if (!(signal2 >= std::numeric_limits<double>::min()) || !std::isfinite(signal2 + noise))
         throw std::invalid_argument(
             "sparse Gaussian process: the signal's variance underflows, or a variance overflows");
-    const double noise2 = std::max(noise, kLeastLambda * signal2);
+    const double noise2 = std::max(noise, kMinLambda * signal2);
     const ScaledRows scaled = inLengthScales(X, hyper);
     Inducing inducing = chooseAmong(
         scaled, evenlySpread(X.rows(), kCandidatesPerRow * static_cast<Eigen::Index>(count)), count,
@@ -295,11 +295,11 @@ SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, 
     sparse.rcond = std::min(
         {inducing.rcond, explained.rcond, explained.lambda.minCoeff() / (signal2 + noise)});
     const int m = blasSize(inducing.L.rows());
-    if (!(sparse.rcond >= kLeastRcond))
+    if (!(sparse.rcond >= kMinRcond))
         throw std::invalid_argument(fmt::format(
             "sparse Gaussian process: a covariance through {} inducing rows is singular "
             "(reciprocal condition number below {:.0e})",
-            m, kLeastRcond));
+            m, kMinRcond));
     blas(LAPACKE_dpotrs, LAPACK_COL_MAJOR, 'U', m, 1, explained.R.data(), m, sparse.weights.data(),
          m);
     blas(cblas_dtrsv, CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, m, inducing.L.data(), m,
@@ -318,8 +318,8 @@ std::optional<ReducedVariance> reducedVariance(const Eigen::MatrixXd& X,
     const double signal2 = hyper.signalSd * hyper.signalSd;
     const double noise2 = hyper.noiseSd * hyper.noiseSd;
     const double unexplained = kUnexplainedOfNoise * noise2;
-    if (!(unexplained > kLeastPivots[0] * signal2) || !std::isnormal(signal2)) return std::nullopt;
-    const auto most = static_cast<Eigen::Index>(kMostReduced * static_cast<double>(X.rows()));
+    if (!(unexplained > kMinPivots[0] * signal2) || !std::isnormal(signal2)) return std::nullopt;
+    const auto most = static_cast<Eigen::Index>(kMaxReduced * static_cast<double>(X.rows()));
     const ScaledRows scaled = inLengthScales(X, hyper);
     InducingRows chosen = chooseInducingRows(scaled, signal2,
                                              {.most = most,
@@ -332,7 +332,7 @@ std::optional<ReducedVariance> reducedVariance(const Eigen::MatrixXd& X,
     if (!(kPowerLow * together <= kLeftTogether * noise2)) return std::nullopt;
     const Eigen::MatrixXd L = factorOf(chosen, poll);
     Explained explained = explain(chosen.V, signal2, noise2, poll);
-    if (!(explained.rcond >= kLeastRcond)) return std::nullopt;
+    if (!(explained.rcond >= kMinRcond)) return std::nullopt;
     chosen.V.resize(0, 0);
     std::optional<Eigen::MatrixXd> F = explainedFactor(std::move(explained), L, poll);
     if (!F) return std::nullopt;

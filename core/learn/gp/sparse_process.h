@@ -31,7 +31,7 @@ struct SparseProcess {
 ///   X: n × d standardised, y: n centred.  Cost: n m² + 2 m³ multiplications; memory: 2 n m doubles.
 /// poll: as in cholesky.h; what it throws comes out of here.
 /// Throws std::invalid_argument as requireTrainable, for count < 1, for numbers that overflow, and where rcond would
-/// be below kLeastRcond (gaussian_process.h).
+/// be below kMinRcond (gaussian_process.h).
 SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, int count,
                             const Hyperparameters& hyper, const Poll& poll = {});
 

@@ -16,7 +16,7 @@ template <class T>
 inline constexpr int kPanelRows = 192 / static_cast<int>(sizeof(T));
 
 /// In units of signal²: what is less counts as 0 in single precision, lest it were subnormal.
-inline constexpr double kLeastSingleCovariance = 1e-30;
+inline constexpr double kMinSingleCovariance = 1e-30;
 
 /// Covariances with the training rows at one setting of 8 columns, and what they are multiplied with.
 struct CovarianceInput {

@@ -156,7 +156,7 @@ inline void covarianceRows(const CovarianceInput& in, const double* Z, int u, T*
     for (int r = 0; r < kRows; ++r) {
         const Doubles k = spread(in.signal2) * distance2[r];
         if constexpr (kKept)
-            storeRounded(K + static_cast<long>(u + r) * kGroup, k, in.signal2 * kLeastSingleCovariance);
+            storeRounded(K + static_cast<long>(u + r) * kGroup, k, in.signal2 * kMinSingleCovariance);
         mean = fma(k, spread(in.alpha[u + r]), mean);
     }
 }
@@ -287,7 +287,7 @@ inline Fetch nextPanel(const T* panel, int first, int U, int groups)
     return {next, ((columns + kPanelRows<T>) * kColumnBytes + passes * first - 1) / (passes * first)};
 }
 
-constexpr int kMostGroups = 8;  // whose partial sums lie on the stack
+constexpr int kMaxGroups = 8;  // whose partial sums lie on the stack
 
 /// Counts multiplications and polls.
 struct Meter {
@@ -306,7 +306,7 @@ struct Meter {
 template <class T>
 void sumsOfSquaresOf(const T* panels, const T* K, int U, int groups, double* out, Meter& meter)
 {
-    alignas(64) T squares[kMostGroups * kGroup * kSquareLanes] = {};
+    alignas(64) T squares[kMaxGroups * kGroup * kSquareLanes] = {};
     const long block = static_cast<long>(paddedRows(U)) * kGroup;
     for (int first = 0; first < U; first += kPanelRows<T>) {  // a panel stays in the cache for all groups
         const T* panel = panels + panelStart<T>(first);
@@ -328,8 +328,8 @@ void sumsOfSquares(const T* panels, const T* K, int U, int groups, double* out, 
 {
     Meter meter{poll};
     const long block = static_cast<long>(paddedRows(U)) * kGroup;
-    for (int g = 0; g < groups; g += kMostGroups)
-        sumsOfSquaresOf(panels, K + g * block, U, groups - g < kMostGroups ? groups - g : kMostGroups,
+    for (int g = 0; g < groups; g += kMaxGroups)
+        sumsOfSquaresOf(panels, K + g * block, U, groups - g < kMaxGroups ? groups - g : kMaxGroups,
                         out + g * kGroup, meter);
 }
 

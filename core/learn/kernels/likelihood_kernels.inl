@@ -101,11 +101,11 @@ inline void addSquares(const double* G, int columns, const double* x, const doub
 void addWeightedSquares(const double* N, const double* S, double alphaOfRow, const double* alpha, int columns,
                         const double* x, const double* Z, long stride, int m, double* sums)
 {
-    constexpr int kMostColumns = 512;
+    constexpr int kMaxColumns = 512;
     constexpr int kInputs = 4;
-    alignas(64) double G[kMostColumns];
-    for (int first = 0; first < columns; first += kMostColumns) {
-        const int count = columns - first < kMostColumns ? columns - first : kMostColumns;
+    alignas(64) double G[kMaxColumns];
+    for (int first = 0; first < columns; first += kMaxColumns) {
+        const int count = columns - first < kMaxColumns ? columns - first : kMaxColumns;
         Vec total = load(sums + m * 8);
         for (int c = 0; c < count; c += kLanes) {
             const Vec g = (-load(N + first + c) - spread(alphaOfRow) * load(alpha + first + c)) * load(S + first + c);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kForceScale =
     3.0;  // [N] forces are told apart by ratio above it, by difference below
-constexpr double kLeastSd = 1e-12;
+constexpr double kMinSd = 1e-12;
 constexpr SearchBounds kBounds{1e-3, 10.0, 5e-4,
                                3.0};  // log clearances: noise may exceed a factor e
 
@@ -38,13 +38,13 @@ std::string_view words(Regime regime)
 void requireShapes(const ClearanceTraining& t)
 {
     const Eigen::Index U = t.heights.rows();
-    if (U < kFewestTrainingRows || t.heights.cols() != kBins || t.ceilings.rows() != U
+    if (U < kMinTrainingRows || t.heights.cols() != kBins || t.ceilings.rows() != U
         || t.ceilings.cols() != kBins || t.features.rows() != U
         || t.features.cols() != kFeatureCount)
         throw std::invalid_argument(
             fmt::format("conditionals over clearances need at least {} rows with 11 heights, 11 "
                         "ceilings and {} features each",
-                        kFewestTrainingRows, kFeatures));
+                        kMinTrainingRows, kFeatures));
 }
 
 void requireNumbers(const ClearanceTraining& t)
@@ -102,7 +102,7 @@ ClearanceRegimeData standardisation(const ClearanceTraining& t, int bin, Regime 
         values[static_cast<Eigen::Index>(k)] = y(t, rows[k], bin);
     result.mean = values.mean();
     const double sd = std::sqrt((values.array() - result.mean).square().mean());
-    if (sd > kLeastSd) result.sd = sd;
+    if (sd > kMinSd) result.sd = sd;
     return result;
 }
 
@@ -121,7 +121,7 @@ void setFeatureStandardisation(ClearanceConditionalData& data, const Eigen::Matr
                          .matrix()
                          .transpose();
     for (std::size_t d = 0; d < kFeatures; ++d)
-        if (!(data.featureSd[static_cast<Eigen::Index>(d)] > kLeastSd))
+        if (!(data.featureSd[static_cast<Eigen::Index>(d)] > kMinSd))
             throw std::invalid_argument(fmt::format("{} never varies", featureColumns()[d].name));
 }
 
@@ -151,7 +151,7 @@ Rows rowsFor(const ClearanceTraining& t, const ClearanceConditionalData& data, i
              Regime regime)
 {
     std::vector<Eigen::Index> rows = rowsIn(t, bin, regime);
-    rows.resize(std::min(rows.size(), static_cast<std::size_t>(kMostClearanceRows)));
+    rows.resize(std::min(rows.size(), static_cast<std::size_t>(kMaxClearanceRows)));
     const auto n = static_cast<Eigen::Index>(rows.size());
     Rows result{Eigen::MatrixXd(n, kBins - 1 + kFeatureCount), Eigen::VectorXd(n)};
     for (Eigen::Index k = 0; k < n; ++k) {
@@ -169,10 +169,10 @@ Rows rowsFor(const ClearanceTraining& t, const ClearanceConditionalData& data, i
 void requireEnoughRows(const ClearanceConditionalData& data, int bin, Regime regime)
 {
     const int rows = data.at(bin, regime).rows;
-    if (rows < kFewestTrainingRows)
+    if (rows < kMinTrainingRows)
         throw NotLearnt(
             fmt::format("bin {:+.1f} m {} was seen in {} training scenes, and {} are needed",
-                        binCentre(bin), words(regime), rows, kFewestTrainingRows));
+                        binCentre(bin), words(regime), rows, kMinTrainingRows));
 }
 
 void requireBin(int bin)
@@ -260,7 +260,7 @@ ClearanceConditionals::ClearanceConditionals(ClearanceTraining training,
 bool ClearanceConditionals::isTrained(int bin, Regime regime) const
 {
     const ClearanceRegimeData& own = data_.at(bin, regime);
-    return own.rows >= kFewestTrainingRows && own.hyper.lengthScale.size() > 0;
+    return own.rows >= kMinTrainingRows && own.hyper.lengthScale.size() > 0;
 }
 
 const GaussianProcess& ClearanceConditionals::gp(int bin, Regime regime, int inducing,
@@ -271,7 +271,7 @@ const GaussianProcess& ClearanceConditionals::gp(int bin, Regime regime, int ind
     if (own.hyper.lengthScale.size() == 0)
         throw std::invalid_argument(
             fmt::format("bin {:+.1f} m {} has not been trained", binCentre(bin), words(regime)));
-    const int rows = rowsToInduce(inducing, 0, std::min(own.rows, kMostClearanceRows));
+    const int rows = rowsToInduce(inducing, 0, std::min(own.rows, kMaxClearanceRows));
     return lazy_[static_cast<std::size_t>(bin)][static_cast<std::size_t>(regime)].get(
         rows,
         [&] {

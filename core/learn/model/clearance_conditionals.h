@@ -66,7 +66,7 @@ struct ClearanceConditionalData {
 };
 
 /// At most this many rows, the first ones, go into one Gaussian process.
-inline constexpr int kMostClearanceRows = 1400;
+inline constexpr int kMaxClearanceRows = 1400;
 
 /// The training rows of a model that the conditionals learn from: the first kClearanceScenes.
 inline constexpr int kClearanceScenes = 2000;
@@ -78,12 +78,12 @@ ClearanceConditionalData clearanceConditionalData(const ModelData& model,
 
 /// Standardisation; hyper-parameters still unset.
 /// Throws std::invalid_argument where sizes disagree, a height or feature is not finite, a ceiling is NaN or
-/// −infinity, there are fewer than kFewestTrainingRows rows or a feature never varies.
+/// −infinity, there are fewer than kMinTrainingRows rows or a feature never varies.
 ClearanceConditionalData prepareClearanceConditionals(const ClearanceTraining& training);
 
 /// Maximises the likelihood of one bin in one regime: maximiseLikelihood, σ_f and σ_n up to 10 and 3 in the unit
 /// of y.  The seed of the subset is options.seed + 2 bin + regime.
-/// Throws std::invalid_argument for fewer than kFewestTrainingRows rows in that regime.
+/// Throws std::invalid_argument for fewer than kMinTrainingRows rows in that regime.
 TrainedBin trainClearanceConditional(const ClearanceTraining& training,
                                      const ClearanceConditionalData& data, int bin, Regime regime,
                                      const TrainingOptions& options, const Poll& poll = {});
@@ -102,7 +102,7 @@ public:
     bool isTrained(int bin, Regime regime) const;
 
     /// Of y of one bin in one regime; factorises it at the first call.  Throws std::invalid_argument, a sentence,
-    /// unless isTrained: where the regime has fewer than kFewestTrainingRows training rows or was not trained.
+    /// unless isTrained: where the regime has fewer than kMinTrainingRows training rows or was not trained.
     /// inducing: predicts through at most so many rows; 0: all.  poll: as BinModels::bin.
     const GaussianProcess& gp(int bin, Regime regime, int inducing = 0,
                               const Poll& poll = {}) const;

@@ -15,7 +15,7 @@ namespace terratact {
 
 namespace {
 
-constexpr double kMostNoise = 3.0;  // of surface coordinates, no metres
+constexpr double kMaxNoise = 3.0;  // of surface coordinates, no metres
 
 /// Standardised surface features of those rows: n × 11.
 Eigen::MatrixXd inputs(const ModelData& model, const std::vector<int>& rows,
@@ -132,7 +132,7 @@ ContactErrors contactErrors(const ModelData& model, const Eigen::MatrixXd& ceili
                             const RobotModel& robot, const Poll& poll)
 {
     constexpr double kThreshold = 2.0;  // [N] as in Settings
-    constexpr double kMost = 0.1;       // [m]
+    constexpr double kMax = 0.1;        // [m]
     ContactErrors errors;
     for (Eigen::Index u = 0; u < model.heights.rows(); ++u) {
         callPoll(poll);
@@ -143,7 +143,7 @@ ContactErrors contactErrors(const ModelData& model, const Eigen::MatrixXd& ceili
             if (!z) continue;
             const double y = surfaceOf(model, ceilings, u, bin) - model.clearance.residuals(u, bin);
             const double m = toHeight(y, ceilings(u, bin));
-            if (std::abs(*z - m) > kMost) continue;
+            if (std::abs(*z - m) > kMax) continue;
             errors.contact.push_back(*z - m);
             errors.height.push_back(model.heights(u, bin) - m);
         }
@@ -154,13 +154,13 @@ ContactErrors contactErrors(const ModelData& model, const Eigen::MatrixXd& ceili
 void calibrateContacts(ModelData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot,
                        const Poll& poll)
 {
-    constexpr double kLeast = 0.005, kMost = 10.0;  // [m]
-    constexpr std::size_t kFewest = 30;
+    constexpr double kMin = 0.005, kMax = 10.0;  // [m]
+    constexpr std::size_t kMinCount = 30;
     ClearanceData& data = model.clearance;
     data.contactBias = 0.0;
-    data.contactSd = kMost;
+    data.contactSd = kMax;
     const ContactErrors errors = contactErrors(model, ceilings, robot, poll);
-    if (errors.contact.size() < kFewest) return;
+    if (errors.contact.size() < kMinCount) return;
     const Eigen::Map<const Eigen::ArrayXd> z(errors.contact.data(), std::ssize(errors.contact));
     const Eigen::Map<const Eigen::ArrayXd> h(errors.height.data(), std::ssize(errors.height));
     const Eigen::ArrayXd fromMean = z - z.mean();
@@ -168,7 +168,7 @@ void calibrateContacts(ModelData& model, const Eigen::MatrixXd& ceilings, const 
     if (!(gain > 0.0)) return;
     const double variance = (h - h.mean()).square().mean();
     const double sd = std::sqrt(variance * std::max(1.0 - gain, 0.0) / gain);
-    data.contactSd = std::clamp(sd, kLeast, kMost);
+    data.contactSd = std::clamp(sd, kMin, kMax);
     data.contactBias = std::clamp(h.mean() / gain - z.mean(), -0.1, 0.1);
 }
 
@@ -216,7 +216,7 @@ TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceili
                             bool covered, const TrainingOptions& options, const Poll& poll)
 {
     std::vector<int> rows = rowsOf(model.clearance.coveredBins, bin, covered);
-    if (std::ssize(rows) < kFewestTrainingRows)
+    if (std::ssize(rows) < kMinTrainingRows)
         return constantSurface(model, ceilings, bin, covered, std::move(rows));
 
     SurfaceRows own = surfaceRows(model, ceilings, bin, std::move(rows), {});
@@ -225,7 +225,7 @@ TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceili
     search.fullEvaluations = 0;
     Hyperparameters hyper =
         maximiseLikelihood(own.X, own.y, searchStart(own.X.cols(), rootMeanSquare(own.y)), search,
-                           {.mostNoise = kMostNoise}, poll)
+                           {.mostNoise = kMaxNoise}, poll)
             .hyper;
     return fitted(std::move(own), std::move(hyper), poll);
 }
@@ -235,7 +235,7 @@ TrainedSurface refitSurface(const ModelData& model, const Eigen::MatrixXd& ceili
                             const Poll& poll)
 {
     std::vector<int> rows = rowsOf(model.clearance.coveredBins, bin, covered);
-    if (std::ssize(rows) < kFewestTrainingRows || known.lengthScale.size() == 0)
+    if (std::ssize(rows) < kMinTrainingRows || known.lengthScale.size() == 0)
         return constantSurface(model, ceilings, bin, covered, std::move(rows));
     return fitted(surfaceRows(model, ceilings, bin, std::move(rows), without), known, poll);
 }

@@ -28,7 +28,7 @@ struct TrainedSurface {
 };
 
 /// Hyper-parameters from at most options.subset rows (log marginal likelihood), the weights from all.
-/// With fewer than kFewestTrainingRows rows: mean and sd of the bin's height (open) or of every covered bin's y (covered).
+/// With fewer than kMinTrainingRows rows: mean and sd of the bin's height (open) or of every covered bin's y (covered).
 TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
                             bool covered, const TrainingOptions& options, const Poll& poll = {});
 

@@ -14,9 +14,9 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMostWords = 100;
-constexpr double kMostEvaluated = 1e9;
-constexpr double kMostError = 10.0;  // [m]: heights are within ±5 m
+constexpr std::size_t kMaxWords = 100;
+constexpr double kMaxEvaluated = 1e9;
+constexpr double kMaxError = 10.0;  // [m]: heights are within ±5 m
 
 /// "0000-00-00T00:00:00Z", digits anywhere else than that refused.
 bool isDate(const std::string& text)
@@ -53,11 +53,11 @@ CardScores scoresFrom(TomlSection& section)
     scores.date = checked(section, "date", isDate, "a date such as 2026-11-22T07:05:00Z");
     scores.data = section.text("data");
     scores.dataHash = checked(section, "data_sha256", isHash, "a SHA-256");
-    scores.scenes = static_cast<std::size_t>(section.number("scenes", {1.0, kMostEvaluated}));
+    scores.scenes = static_cast<std::size_t>(section.number("scenes", {1.0, kMaxEvaluated}));
     if (section.has("training_scenes"))
         scores.trainingScenes =
-            static_cast<std::size_t>(section.number("training_scenes", {1.0, kMostEvaluated}));
-    scores.meanError = section.number("mean_error_m", {0.0, kMostError});
+            static_cast<std::size_t>(section.number("training_scenes", {1.0, kMaxEvaluated}));
+    scores.meanError = section.number("mean_error_m", {0.0, kMaxError});
     scores.coverage = section.number("coverage_80", {0.0, 1.0});
     return scores;
 }
@@ -70,7 +70,7 @@ void readCard(TomlSection& file, ModelCard& card)
     if (file.has("terrain")) card.terrain = file.text("terrain");
     if (!file.has("evaluation")) return;
     for (const toml::node& node :
-         tomlArray(file.node("evaluation"), "evaluation", 1, kMostCardScores)) {
+         tomlArray(file.node("evaluation"), "evaluation", 1, kMaxCardScores)) {
         const toml::table* const table = node.as_table();
         if (!table) throw TomlRefused{tomlLine(node) + ": evaluation is not a table"};
         TomlSection section(*table, "evaluation.");
@@ -159,12 +159,12 @@ void addScores(ModelCard& card, CardScores scores)
         return old.method == scores.method && old.dataHash == scores.dataHash;
     });
     card.scores.push_back(std::move(scores));
-    if (card.scores.size() > kMostCardScores) card.scores.erase(card.scores.begin());
+    if (card.scores.size() > kMaxCardScores) card.scores.erase(card.scores.begin());
 }
 
 std::string cardWords(std::string_view words)
 {
-    std::string out(words.substr(0, kMostWords));
+    std::string out(words.substr(0, kMaxWords));
     std::replace_if(
         out.begin(), out.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
     return out.empty() ? "unnamed" : out;

@@ -34,13 +34,13 @@ struct ModelCard {
     bool operator==(const ModelCard&) const = default;
 };
 
-inline constexpr std::size_t kMostCardScores = 32;
+inline constexpr std::size_t kMaxCardScores = 32;
 
 /// "models/default.ttm": "models/default.card.toml".
 std::string cardPath(const std::string& modelPath);
 
 /// The card beside a model; empty where there is none.  Errors name the card and what is wrong: no TOML, a
-/// key missing, unknown or doubled, a date, hash, method or number that is none, over kMostCardScores scores, or the
+/// key missing, unknown or doubled, a date, hash, method or number that is none, over kMaxCardScores scores, or the
 /// card of a model with other content than `contentHash`.
 Result<std::optional<ModelCard>> readModelCard(const std::string& modelPath,
                                                const std::string& contentHash);

@@ -11,22 +11,22 @@
 namespace terratact::model_file {
 namespace {
 
-constexpr std::size_t kMostText = 100'000;
-constexpr double kLeastScale = 1e-9, kMostScale = 1e9;  // what squares and quotients survive
-constexpr double kMostWeight = 1e15;
+constexpr std::size_t kMaxText = 100'000;
+constexpr double kMinScale = 1e-9, kMaxScale = 1e9;  // what squares and quotients survive
+constexpr double kMaxWeight = 1e15;
 
 void requireScale(double value, const std::string& what)
 {
-    require(value >= kLeastScale && value <= kMostScale,
+    require(value >= kMinScale && value <= kMaxScale,
             what + " is " + numberText(value) + ", expected 1e-9 to 1e9");
 }
 
 void requireRows(const ModelData& model)
 {
     const Eigen::Index rows = model.heights.rows();
-    require(rows >= 1 && rows <= kMostRows && model.features.rows() == rows,
+    require(rows >= 1 && rows <= kMaxRows && model.features.rows() == rows,
             "has " + std::to_string(rows) + " training rows, expected 1 to "
-                + std::to_string(kMostRows));
+                + std::to_string(kMaxRows));
     require(model.heights.cols() == kBins && model.features.cols() == Eigen::Index{kFeatures},
             "its training rows have the wrong number of columns");
     for (Eigen::Index row = 0; row < rows; ++row)
@@ -40,7 +40,7 @@ void requireRows(const ModelData& model)
 
 void requireSurface(const SurfaceProcess& p, std::size_t rows, const std::string& what)
 {
-    require(std::isfinite(p.mean) && std::abs(p.mean) <= kMostScale,
+    require(std::isfinite(p.mean) && std::abs(p.mean) <= kMaxScale,
             "mean of " + what + " is out of range");
     requireScale(p.residualSd, "residual_sd of " + what);
     if (p.weights.size() == 0) return;
@@ -53,7 +53,7 @@ void requireSurface(const SurfaceProcess& p, std::size_t rows, const std::string
                     == std::min(rows, static_cast<std::size_t>(kInducing))
                 && p.weights.allFinite(),
             what + " has not one weight per inducing row");
-    require(p.weights.cwiseAbs().maxCoeff() <= kMostWeight,
+    require(p.weights.cwiseAbs().maxCoeff() <= kMaxWeight,
             "a weight of " + what + " is out of range");
 }
 
@@ -93,12 +93,12 @@ void requireClearance(const ModelData& model, const BinSet& bins)
     const Eigen::Index rows = model.heights.rows();
     const auto features = Eigen::Index{kFeatures};
     require(data.featureMean.size() == features && data.featureMean.allFinite()
-                && data.featureMean.cwiseAbs().maxCoeff() <= kMostScale
+                && data.featureMean.cwiseAbs().maxCoeff() <= kMaxScale
                 && data.featureSd.size() == features,
             "its clearances lack the features' standardisation");
     for (const double sd : data.featureSd) requireScale(sd, "a standard deviation of clearances");
     require(data.residuals.rows() == rows && data.residuals.cols() == kBins
-                && data.residuals.allFinite() && data.residuals.cwiseAbs().maxCoeff() <= kMostScale
+                && data.residuals.allFinite() && data.residuals.cwiseAbs().maxCoeff() <= kMaxScale
                 && data.coveredBins.size() == static_cast<std::size_t>(rows),
             "it has not one residual per training row and bin");
     for (const unsigned mask : data.coveredBins)
@@ -125,7 +125,7 @@ void requireBin(const Hyperparameters& bin, double logLikelihood, Eigen::Index s
     require(bin.lengthScale.size() == size, what + " has the wrong number of length scales");
     for (const double scale : bin.lengthScale) requireScale(scale, "a length scale of " + what);
     requireScale(bin.signalSd, "signal_sd of " + what);
-    require(bin.noiseSd >= 0.0 && bin.noiseSd <= kMostScale,
+    require(bin.noiseSd >= 0.0 && bin.noiseSd <= kMaxScale,
             "noise_sd of " + what + " is out of range");
     require(std::isfinite(logLikelihood), "log_likelihood of " + what + " is not finite");
 }
@@ -136,7 +136,7 @@ void requireSet(const BinModelData& data, FeatureSet set, const BinSet& bins)
     const std::string what = "feature set " + std::string(name(set));
     require(data.set == set && data.mean.size() == size && data.sd.size() == size,
             what + " has the wrong number of inputs");
-    require(data.mean.allFinite() && data.mean.cwiseAbs().maxCoeff() <= kMostScale,
+    require(data.mean.allFinite() && data.mean.cwiseAbs().maxCoeff() <= kMaxScale,
             "a mean of " + what + " is out of range");
     for (const double sd : data.sd) requireScale(sd, "a standard deviation of " + what);
     for (const int bin : binsOf(bins)) {
@@ -167,8 +167,8 @@ void requireNoMore(const ModelData& model, const BinSet& bins)
 void requirePortion(const Portion& portion)
 {
     require(portion.bins.any(), "its list of bins is empty");
-    require(portion.robotHash.size() <= kMostText && portion.commandBeforeOut.size() <= kMostText
-                && portion.commandAfterOut.size() <= kMostText,
+    require(portion.robotHash.size() <= kMaxText && portion.commandBeforeOut.size() <= kMaxText
+                && portion.commandAfterOut.size() <= kMaxText,
             "its texts are too long");
 }
 
@@ -193,9 +193,9 @@ void requireModel(const ModelData& model, const Portion* portion)
     } else {
         requireWholeClearance(model.clearance);
     }
-    require(model.inducing >= 0 && model.inducing <= kMostRows,
+    require(model.inducing >= 0 && model.inducing <= kMaxRows,
             "its number of inducing rows is out of range");
-    require(model.command.size() <= kMostText && model.dataHash.size() <= kMostText,
+    require(model.command.size() <= kMaxText && model.dataHash.size() <= kMaxText,
             "its texts are too long");
 }
 

@@ -47,7 +47,7 @@ Status writeModel(const std::string& path, const ModelData& model)
 Result<StoredModel> readModel(const std::string& path)
 {
     try {
-        SqliteFile file = SqliteFile::openUntrusted(path, model_file::kMostBytes);
+        SqliteFile file = SqliteFile::openUntrusted(path, model_file::kMaxBytes);
         return model_file::readStored(file);
     } catch (const SqliteError& error) {
         return fileError(path, error.what());

@@ -18,8 +18,8 @@ namespace terratact::model_file {
 inline constexpr std::int64_t kApplicationId = 0x54544D31;      // "TTM1"
 inline constexpr std::int64_t kPartApplicationId = 0x54545031;  // "TTP1"
 inline constexpr std::int64_t kUserVersion = 3;
-inline constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} * 1024 * 1024;
-inline constexpr Eigen::Index kMostRows = 20'000;
+inline constexpr std::uintmax_t kMaxBytes = std::uintmax_t{16} * 1024 * 1024;
+inline constexpr Eigen::Index kMaxRows = 20'000;
 inline constexpr std::array kSets{FeatureSet::Pa,
                                   FeatureSet::Paf};  ///< in the order of their names
 

@@ -129,7 +129,7 @@ Status writeModelPart(const std::string& path, const ModelPart& part)
 Result<ModelPart> readModelPart(const std::string& path)
 {
     try {
-        SqliteFile file = SqliteFile::openUntrusted(path, model_file::kMostBytes);
+        SqliteFile file = SqliteFile::openUntrusted(path, model_file::kMaxBytes);
         return model_file::readStoredPart(file);
     } catch (const SqliteError& error) {
         return fileError(path, error.what());

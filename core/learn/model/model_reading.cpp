@@ -173,9 +173,9 @@ void readLengthScales(SqliteFile& file, BinModelData& data, const BinSet& bins)
 Eigen::MatrixXd readMatrix(SqliteFile& file, const std::string& table, Eigen::Index columns)
 {
     const std::int64_t rows = file.integer("SELECT count(*) FROM " + table);
-    require(rows >= 1 && rows <= kMostRows, "has " + std::to_string(rows) + " rows in its table "
-                                                + table + ", expected 1 to "
-                                                + std::to_string(kMostRows));
+    require(rows >= 1 && rows <= kMaxRows, "has " + std::to_string(rows) + " rows in its table "
+                                               + table + ", expected 1 to "
+                                               + std::to_string(kMaxRows));
     Eigen::MatrixXd values(rows, columns);
     SqliteStatement found = file.prepare("SELECT * FROM " + table + " ORDER BY row");
     for (Eigen::Index row = 0; row < rows; ++row) {

@@ -18,9 +18,9 @@ constexpr std::size_t kFewRows = 800;  ///< a regime with fewer rows keeps all
 /// has a length scale of hundreds: it must speak again.
 Hyperparameters withoutNeedless(const Hyperparameters& known)
 {
-    constexpr double kLeastLength = 0.5, kMostLength = 6.0;
+    constexpr double kMinLength = 0.5, kMaxTotalLength = 6.0;
     Hyperparameters hyper = known;
-    hyper.lengthScale = known.lengthScale.cwiseMax(kLeastLength).cwiseMin(kMostLength);
+    hyper.lengthScale = known.lengthScale.cwiseMax(kMinLength).cwiseMin(kMaxTotalLength);
     return hyper;
 }
 

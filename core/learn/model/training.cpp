@@ -160,11 +160,11 @@ TrainingSet prepareTraining(const std::vector<Scene>& scenes, const RowOptions& 
     set.nearCopies = static_cast<int>(copies.near);
     set.runsWithCopies = std::move(copies.runs);
     set.used = static_cast<int>(rows.size());
-    if (set.used < kFewestTrainingRows)
+    if (set.used < kMinTrainingRows)
         throw std::invalid_argument(
             fmt::format("training needs at least {} scenes with all heights, currents and "
                         "forces known, each other than the rest, found {}",
-                        kFewestTrainingRows, set.used));
+                        kMinTrainingRows, set.used));
     ModelData& model = set.model;
     model.heights.resize(set.used, kBins);
     model.features.resize(set.used,

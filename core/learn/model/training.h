@@ -12,7 +12,7 @@
 namespace terratact {
 
 /// A Gaussian process is not trained on fewer rows.
-inline constexpr int kFewestTrainingRows = 30;
+inline constexpr int kMinTrainingRows = 30;
 
 /// All eleven heights and all features of s are known.
 bool isComplete(const Scene& scene);

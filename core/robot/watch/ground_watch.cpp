@@ -17,7 +17,7 @@ constexpr double kSdOfPitch = 0.13;  // [m/rad] of the robot's turning in betwee
 constexpr double kPassed =
     0.1;  // [m] a point is behind the tracks' front end, when so far before the base origin
 constexpr double kCutContact = 2.5;   // of a contact, in its sd
-constexpr double kMostShift = 2.0;    // of kOffset, in that sd
+constexpr double kMaxShift = 2.0;     // of kOffset, in that sd
 constexpr double kOneEnd = 2.5;       // log-likelihood of a press that loads one end alone
 constexpr double kFirstAlone = 0.05;  // share beyond the outermost element
 constexpr double kPerMetre = 30.0;    // log-likelihood of a point that fits better
@@ -25,10 +25,10 @@ constexpr double kCutOrder = 0.04;    // [m]
 
 constexpr double kRearStep = 0.1;  // [m] between two looks
 constexpr std::size_t kRearCells = 5;
-constexpr double kCutRear = 0.05;       // [m]
-constexpr double kDrain = 0.005;        // [m]
-constexpr double kWeightShare = 0.5;    // of the weight that the rear flippers carry at most
-constexpr double kLongestLever = 0.15;  // [m]
+constexpr double kCutRear = 0.05;     // [m]
+constexpr double kDrain = 0.005;      // [m]
+constexpr double kWeightShare = 0.5;  // of the weight that the rear flippers carry at most
+constexpr double kMaxLever = 0.15;    // [m]
 constexpr double kEarthGravity = 9.81;
 
 Measurement withRearFlipped(Measurement line)
@@ -149,7 +149,7 @@ void GroundWatch::judgeContact(const Contact& contact, double now)
     const double room = *highest - contact.felt.z;
     const double sd = std::hypot(kSd, kSdOfPitch * contact.pitchChange);
     const double shift =
-        std::min(kMostShift, kOffset * contact.share * robot_.front.edgeLength() / sd);
+        std::min(kMaxShift, kOffset * contact.share * robot_.front.edgeLength() / sd);
     const double z = std::clamp(-room / sd, -kCutContact, kCutContact);
     tooHigh_ = std::clamp(tooHigh_ + shift * (z - shift / 2.0), 0.0, 2.0 * kFrontLimit);
     if (tooHigh_ > kFrontLimit)
@@ -169,7 +169,7 @@ std::optional<double> GroundWatch::rearGap(const DrivenGround& ground) const
     const double torque = 2.0 * robot_.torquePerAmpere * rear_.current();
     const double lever =
         rear_.isLoaded()
-            ? std::min(kLongestLever, torque / (kWeightShare * robot_.totalMass() * kEarthGravity))
+            ? std::min(kMaxLever, torque / (kWeightShare * robot_.totalMass() * kEarthGravity))
             : 0.0;
     const double until = ground.pose().base.x + robot_.rear.pivot.x - lever;
     std::size_t cells = 0;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kReferenceLines = 4;
 constexpr int kEarlyLines = 3;
-constexpr int kLeastSettled = 3;
+constexpr int kMinSettled = 3;
 constexpr double kMoved = 0.1;          // [rad] a flipper, for certain
 constexpr double kUnmoved = 0.03;       // [rad]
 constexpr double kLateAngle = 0.06;     // [rad]
@@ -19,7 +19,7 @@ constexpr double kNoCurrent = 0.2;      // [A]
 constexpr double kWrongCurrent = -0.4;  // [A] in front
 constexpr double kWrongRear = -0.9;     // [A] a flipper's own weight needs a tenth of it
 constexpr double kLowest = -1.0;        // [rad] there the flippers may hang free
-constexpr double kLeastMoment = 3.0;    // [N m] of one motor
+constexpr double kMinMoment = 3.0;      // [N m] of one motor
 constexpr double kForceShare = 0.1;     // of the motor's moment
 constexpr double kNearEnd = 0.9;        // of an element's range
 constexpr int kSwappedPresses = 2;      // once, a rear flipper may have given way
@@ -188,7 +188,7 @@ void PressWatch::judgeForces(double now)
         most = std::max(most, force);
     }
     const bool isAtEnd = most > kNearEnd * robot_.forceSaturation;
-    if (foundGround() && motor >= kLeastMoment && !isAtEnd && moment < kForceShare * motor)
+    if (foundGround() && motor >= kMinMoment && !isAtEnd && moment < kForceShare * motor)
         for (const Sensor sensor : kForces) suspect(sensor, SensorTrouble::NoLoad, now, moment);
 }
 
@@ -197,7 +197,7 @@ void PressWatch::judgeSettled(double now)
     Press& press = *press_;
     press.wasJudged = true;
     const auto change = [&press](Sensor s) { return press.settled.of(s) - press.first.of(s); };
-    if (press.settled.count(Sensor::Pitch) >= kLeastSettled) {
+    if (press.settled.count(Sensor::Pitch) >= kMinSettled) {
         for (const auto& axle : {kFront, kRear})
             for (const Sensor s : axle)
                 if (std::abs(change(s)) > kLateAngle)
@@ -238,7 +238,7 @@ void PressWatch::judgePitch(double now)
 
 void PressWatch::judgeSides(double now)
 {
-    constexpr std::array kLeast{0.05, 0.05, 0.4, 0.4};  // [rad], [A]
+    constexpr std::array kMin{0.05, 0.05, 0.4, 0.4};  // [rad], [A]
     constexpr std::array kSpread{0.03, 0.03, 0.3, 0.3};
     const std::array axles{kFront, kRear, kFrontCurrents, kRearCurrents};
     for (std::size_t a = 0; a < axles.size(); ++a) {
@@ -248,7 +248,7 @@ void PressWatch::judgeSides(double now)
         if (last.size() < kSidePresses) continue;
         const auto [low, high] = std::minmax_element(last.begin(), last.end());
         const double least = std::min(std::abs(*low), std::abs(*high));
-        if (*low * *high > 0.0 && least > kLeast[a] && *high - *low < kSpread[a])
+        if (*low * *high > 0.0 && least > kMin[a] && *high - *low < kSpread[a])
             for (const Sensor s : axles[a]) suspect(s, SensorTrouble::SidesDiffer, now, least);
     }
 }

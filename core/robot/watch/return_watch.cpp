@@ -7,8 +7,8 @@ namespace terratact {
 namespace {
 
 constexpr std::size_t kSteps = 500;
-constexpr double kFrontLoad = 0.5;   // [A] front flippers that lean on something change the slope
-constexpr double kLongestWay = 0.5;  // [m] between two lines
+constexpr double kFrontLoad = 0.5;  // [A] front flippers that lean on something change the slope
+constexpr double kMaxWay = 0.5;     // [m] between two lines
 
 bool isFrontLoaded(const Measurement& m)
 {
@@ -31,7 +31,7 @@ void ReturnWatch::take(const Measurement& line)
     if (!line.travelled || !line.turned) return;
     const double ds = travelled_ ? *line.travelled - *travelled_ : 0.0;
     travelled_ = line.travelled;
-    if (std::abs(ds) > kLongestWay) return reset();
+    if (std::abs(ds) > kMaxWay) return reset();
     const double rear = (line.rearLeft + line.rearRight) / 2.0;
     const double pitch = line.pitch + (rear_.isLoaded() ? supportAngle(robot_, rear) : 0.0);
     const Vec2 ahead = rotated({ds * std::cos(pitch), 0.0}, *line.turned);
@@ -61,7 +61,7 @@ std::optional<double> ReturnWatch::shiftNow() const
 {
     const std::size_t turned = turnedAt();
     const std::size_t back = steps_.size() - turned;
-    if (wayBack() < kLeastWay) return std::nullopt;
+    if (wayBack() < kMinWay) return std::nullopt;
     const auto isOut = [this](const Step& s) {
         return std::abs(turnBetween(s.heading, steps_.back().heading))
              > std::numbers::pi - kOpposite;

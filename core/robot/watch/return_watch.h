@@ -26,7 +26,7 @@ public:
     static constexpr double kNear =
         0.3;  ///< [m] from a place on the way out that counts as the same
     static constexpr double kOpposite = 0.3;  ///< [rad] of the headings, from half a turn
-    static constexpr double kLeastWay = 2.5;  ///< [m] back
+    static constexpr double kMinWay = 2.5;    ///< [m] back
     static constexpr double kNoseUp = 0.0115, kNoseDown = 0.0537;  ///< [rad]
     static constexpr double kLimit =
         0.05;  ///< [rad] of a shift over kLimitWay; over another way times √(kLimitWay / way)

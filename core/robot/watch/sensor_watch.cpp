@@ -37,7 +37,7 @@ void SensorWatch::take(const Measurement& line)
     if (!std::isfinite(line.time))
         throw std::invalid_argument("SensorWatch: the time must be finite");
     if (last_ && line.time < *last_) standing_.clear();
-    if (last_ && (line.time < *last_ || line.time - *last_ > kLongestSilence)) reset();
+    if (last_ && (line.time < *last_ || line.time - *last_ > kMaxSilence)) reset();
     last_ = line.time;
     stuck_.take(line);
     spikes_.take(line);

@@ -20,7 +20,7 @@
 namespace terratact {
 
 /// Looks for sensors that lie, in lines of telemetry at any rate.  No clock: times are those of the lines; a time
-/// that goes back, or a silence of more than kLongestSilence, begins anew but for what already is suspected.
+/// that goes back, or a silence of more than kMaxSilence, begins anew but for what already is suspected.
 /// Memory is bounded.  Rules and limits: core/README.md, "Sensors that lie".
 class SensorWatch {
 public:

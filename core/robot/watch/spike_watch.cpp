@@ -6,11 +6,11 @@
 namespace terratact {
 namespace {
 
-constexpr double kTilt = 1.5;        // [rad]
-constexpr double kSpeed = 1.5;       // [m/s]
-constexpr double kJump = 0.3;        // [m] a robot that tips over an edge rolls less at once
-constexpr double kLongestGap = 0.2;  // [s] between lines that are neighbours
-constexpr double kAnew = 0.05;       // [m] odometry of a robot that began anew
+constexpr double kTilt = 1.5;    // [rad]
+constexpr double kSpeed = 1.5;   // [m/s]
+constexpr double kJump = 0.3;    // [m] a robot that tips over an edge rolls less at once
+constexpr double kMaxGap = 0.2;  // [s] between lines that are neighbours
+constexpr double kAnew = 0.05;   // [m] odometry of a robot that began anew
 
 double spikeLimit(SensorKind kind)
 {
@@ -106,8 +106,8 @@ void SpikeWatch::take(const Measurement& line)
     found_.clear();
     const SensorReadings readings = readingsOf(line);
     lookAtRange(line, readings);
-    const bool neighbours = beforeThat_ && line.time - before_->time <= kLongestGap
-                         && before_->time - beforeThat_->time <= kLongestGap;
+    const bool neighbours = beforeThat_ && line.time - before_->time <= kMaxGap
+                         && before_->time - beforeThat_->time <= kMaxGap;
     if (neighbours)
         for (std::size_t i = 0; i < kSensors; ++i) lookForSpike(i, line, readings);
     beforeThat_ = before_;

@@ -65,7 +65,7 @@ bool StuckWatch::otherForceMoved(Sensor sensor, const Run& run) const
 
 bool StuckWatch::isStuck(Sensor sensor, const Run& run) const
 {
-    if (run.lines < kLeastLines) return false;
+    if (run.lines < kMinLines) return false;
     switch (kindOf(sensor)) {
     case SensorKind::Attitude:
         if (sensor == Sensor::Roll && !rollMeasured_) return false;

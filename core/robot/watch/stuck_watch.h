@@ -10,7 +10,7 @@
 namespace terratact {
 
 /// Sensors that have not changed by one count, although they should have:
-///   attitude  for kLeastLines lines and 1 s, in which the tracks moved 0.1 m or a flipper 0.2 rad
+///   attitude  for kMinLines lines and 1 s, in which the tracks moved 0.1 m or a flipper 0.2 rad
 ///   angles    for 3 s of standing in which another angle changed in every second line, by noise; or, in front,
 ///             through 0.6 s of pressing
 ///   currents  for 3 s of standing in which another current did; or from the drive to the press
@@ -20,7 +20,7 @@ namespace terratact {
 /// A roll that has been exactly 0 since the first line is one that the robot does not measure.
 class StuckWatch {
 public:
-    static constexpr int kLeastLines = 20;
+    static constexpr int kMinLines = 20;
     static constexpr double kHold = 10.0;  ///< [s] suspected for, once it changes again
 
     void take(const Measurement& line);

@@ -6,7 +6,7 @@
 namespace terratact {
 namespace {
 
-constexpr int kLeastLines = 20;
+constexpr int kMinLines = 20;
 constexpr int kTogether = 4;  // elements
 
 }  // namespace
@@ -45,13 +45,13 @@ void UnloadedWatch::take(const Measurement& line)
         element.free += isFree ? 1 : 0;
         element.way += way;
         if (!isFree) element.least = std::min(element.least, force);
-        if (10 * element.free > std::max(element.lines, kLeastLines / 2)) element = {};
-        if (element.lines >= kLeastLines && element.way >= kWay) ++together;
+        if (10 * element.free > std::max(element.lines, kMinLines / 2)) element = {};
+        if (element.lines >= kMinLines && element.way >= kWay) ++together;
     }
     for (std::size_t e = 0; e < elements_.size(); ++e) {
         const Element& element = elements_[e];
         const bool isLong = element.way >= kLongWay;
-        if (element.lines >= kLeastLines
+        if (element.lines >= kMinLines
             && (isLong || (together >= kTogether && element.way >= kWay)))
             suspect(e, line.time);
     }

@@ -62,7 +62,7 @@ bool isSelected(const DbcMessage& message, const DbcSignal& signal, const CanFra
 {
     const DbcSignal* below = &signal;
     for (int depth = 0; !below->selectedBy.empty(); ++depth) {
-        if (!below->selector || depth > DbcSignal::kMostNesting) return false;
+        if (!below->selector || depth > DbcSignal::kMaxNesting) return false;
         const DbcSignal& multiplexor = message.payload[*below->selector];
         const std::optional<std::uint64_t> selected = bitsOf(multiplexor, frame);
         const auto isIn = [&](const DbcSignal::Selection& range) {
@@ -163,10 +163,10 @@ const std::string* wordOfBits(const DbcSignal& signal, std::uint64_t bits)
 
 const std::string* wordOf(const DbcSignal& signal, double value)
 {
-    constexpr double kMostExact = 9007199254740992.0;  // 2⁵³
+    constexpr double kMaxExact = 9007199254740992.0;  // 2⁵³
     if (signal.words.empty()) return nullptr;
     const double raw = std::round((value - signal.offset) / signal.scale);
-    if (!(std::abs(raw) <= kMostExact)) return nullptr;
+    if (!(std::abs(raw) <= kMaxExact)) return nullptr;
     const auto found = signal.words.find(static_cast<std::int64_t>(raw));
     return found == signal.words.end() ? nullptr : &found->second;
 }

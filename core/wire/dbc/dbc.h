@@ -35,9 +35,9 @@ struct DbcSignal {
     std::map<std::int64_t, std::string> words;  ///< of raw values
     std::vector<Selection> selectedBy;          ///< empty: it is in every frame of its message
     /// The multiplexor of those: an index of its message's payload.  Multiplexors may stand below others, at most
-    /// kMostNesting deep.
+    /// kMaxNesting deep.
     std::optional<std::size_t> selector;
-    static constexpr int kMostNesting = 8;
+    static constexpr int kMaxNesting = 8;
 
     /// How many bits a frame must have for it.
     int end() const;

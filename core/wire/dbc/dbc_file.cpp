@@ -246,7 +246,7 @@ private:
 
 Result<DbcFile> readDbc(const std::string& path)
 {
-    const auto content = readFile(path, kMostDbcBytes);
+    const auto content = readFile(path, kMaxDbcBytes);
     if (!content) return content.error();
     return dbcFrom(path, *content);
 }

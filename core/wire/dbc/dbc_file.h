@@ -9,7 +9,7 @@
 
 namespace terratact {
 
-inline constexpr std::size_t kMostDbcBytes = 8U << 20U;
+inline constexpr std::size_t kMaxDbcBytes = 8U << 20U;
 
 /// What a DBC file describes.
 struct DbcFile {

@@ -15,11 +15,11 @@ namespace terratact {
 namespace {
 
 constexpr std::uint64_t kExtendedId = 0x8000'0000;  // the bit that tells 29 bits from 11
-constexpr std::uint64_t kMost29Bits = 0x1FFF'FFFF, kMost11Bits = 0x7FF;
+constexpr std::uint64_t kMax29Bits = 0x1FFF'FFFF, kMax11Bits = 0x7FF;
 // A message of Vector's that holds the signals of no frame, under one of several identifiers.
 constexpr std::string_view kSignalsOfNoFrame = "VECTOR__INDEPENDENT_SIG_MSG";
-constexpr int kLongestFrame = 64;  // [bytes]
-constexpr std::size_t kMostWarnings = 20;
+constexpr int kMaxFrameLength = 64;  // [bytes]
+constexpr std::size_t kMaxWarnings = 20;
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void DbcWarnings::add(int line, const std::string& what)
 
 void DbcWarnings::add(const std::string& what)
 {
-    if (file_.warnings.size() >= kMostWarnings) {
+    if (file_.warnings.size() >= kMaxWarnings) {
         ++unsaid_;
         return;
     }
@@ -57,7 +57,7 @@ void DbcMessages::message(int line)
     keeps_ = scan_.failure().empty() && m.name != kSignalsOfNoFrame && mayBe(id, m, length, line);
     if (!keeps_) return;
     m.extended = id >= kExtendedId;
-    m.id = static_cast<std::uint32_t>(id & kMost29Bits);
+    m.id = static_cast<std::uint32_t>(id & kMax29Bits);
     m.length = length;
     byId_.emplace(id, file_.messages.size());
     file_.messages.push_back(std::move(m));
@@ -66,15 +66,15 @@ void DbcMessages::message(int line)
 
 bool DbcMessages::mayBe(std::uint64_t id, const DbcMessage& m, int length, int line)
 {
-    if (length > kLongestFrame) {
+    if (length > kMaxFrameLength) {
         warnings_.add(line,
                       fmt::format("the message {} is left out: it has {} bytes, no frame more "
                                   "than {}",
-                                  m.name, length, kLongestFrame));
+                                  m.name, length, kMaxFrameLength));
         return false;
     }
     const bool isExtended = id >= kExtendedId;
-    if ((isExtended ? id - kExtendedId : id) > (isExtended ? kMost29Bits : kMost11Bits)) {
+    if ((isExtended ? id - kExtendedId : id) > (isExtended ? kMax29Bits : kMax11Bits)) {
         warnings_.add(line, fmt::format("the message {} is left out: its identifier {} is none of "
                                         "CAN; expected at most 2047, or 2147483648 and 29 bits",
                                         m.name, id));
@@ -261,7 +261,7 @@ std::vector<bool> DbcMessages::unselectable(std::size_t message) const
             const DbcSignal& s = m.payload[*at];
             const bool isLeft = out != leftOut_.end() && out->second.contains(*at);
             isOut[i] =
-                isLeft || depth > DbcSignal::kMostNesting || (!s.selectedBy.empty() && !s.selector);
+                isLeft || depth > DbcSignal::kMaxNesting || (!s.selectedBy.empty() && !s.selector);
             at = s.selectedBy.empty() ? std::nullopt : s.selector;
         }
     }
@@ -293,7 +293,7 @@ void DbcMessages::finish(std::size_t message, std::vector<bool> isOut)
                       fmt::format("{} multiplexed signals of {} are left out: expected one signal "
                                   "marked M, or what selects them (SG_MUL_VAL_), at most {} below "
                                   "each other",
-                                  dropped, m.name, DbcSignal::kMostNesting));
+                                  dropped, m.name, DbcSignal::kMaxNesting));
 }
 
 DbcMessage* DbcMessages::messageNext(std::size_t* index)

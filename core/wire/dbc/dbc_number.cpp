@@ -13,20 +13,20 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-constexpr int kMostDecimals = 12;  // of a scale that is taken for a decimal number
-constexpr int kMostShown = 9;      // digits behind the point that people read
-constexpr double kMostUnits =
+constexpr int kMaxDecimals = 12;  // of a scale that is taken for a decimal number
+constexpr int kMaxShown = 9;      // digits behind the point that people read
+constexpr double kMaxUnits =
     1e15;  // of a scale in those decimals: exact in a double, and 64 bits times it in Wide
-constexpr double kMostOffset = 1e30;     // of an offset in the same
+constexpr double kMaxOffset = 1e30;      // of an offset in the same
 constexpr double kLargestInFull = 1e25;  // beyond, an exponent is read more easily
 
 /// How many digits behind the point show every step of a scale; of one that never ends, so many as tell its steps
 /// apart.
 int digitsOf(double scale)
 {
-    constexpr int kMostDigits = 6;
+    constexpr int kMaxDigits = 6;
     const double size = std::abs(scale);
-    for (int digits = 0; digits <= kMostDigits; ++digits) {
+    for (int digits = 0; digits <= kMaxDigits; ++digits) {
         const double steps = size * std::pow(10.0, digits);
         if (std::abs(steps - std::round(steps)) <= 1e-9 * steps) return digits;
     }
@@ -73,8 +73,8 @@ std::optional<std::string> decimalText(const DbcSignal& signal, std::uint64_t bi
 {
     if (isFloating(signal)) return std::nullopt;
     for (int digits = 0; digits <= most; ++digits) {
-        const auto scale = unitsOf(signal.scale, digits, kMostUnits);
-        const auto offset = unitsOf(signal.offset, digits, kMostOffset);
+        const auto scale = unitsOf(signal.scale, digits, kMaxUnits);
+        const auto offset = unitsOf(signal.offset, digits, kMaxOffset);
         if (!scale || !offset) continue;
         const Wide raw = signal.type == DbcSignal::Type::Signed ? Wide{rawOf(signal, bits)}
                                                                 : static_cast<Wide>(bits);
@@ -88,7 +88,7 @@ std::optional<std::string> decimalText(const DbcSignal& signal, std::uint64_t bi
 std::string exactText(const DbcSignal& signal, std::uint64_t bits)
 {
     if (const auto text = decimalText(signal, bits, shownDigits(signal))) return *text;
-    if (auto text = decimalText(signal, bits, kMostDecimals)) {
+    if (auto text = decimalText(signal, bits, kMaxDecimals)) {
         text->erase(text->find_last_not_of('0') + 1);
         if (text->ends_with('.')) text->pop_back();
         return *text;
@@ -101,9 +101,9 @@ std::string exactText(const DbcSignal& signal, std::uint64_t bits)
 
 std::string shownText(const DbcSignal& signal, std::uint64_t bits)
 {
-    constexpr std::size_t kLongest = 25;
-    const auto text = decimalText(signal, bits, std::min(shownDigits(signal), kMostShown));
-    return text && text->size() <= kLongest ? *text : shownText(signal, physicalOf(signal, bits));
+    constexpr std::size_t kMaxLength = 25;
+    const auto text = decimalText(signal, bits, std::min(shownDigits(signal), kMaxShown));
+    return text && text->size() <= kMaxLength ? *text : shownText(signal, physicalOf(signal, bits));
 }
 
 std::string shownText(const DbcSignal& signal, double value)
@@ -111,7 +111,7 @@ std::string shownText(const DbcSignal& signal, double value)
     if (std::isnan(value)) return "nan";
     if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
     const int digits = shownDigits(signal);
-    if (isFloating(signal) || std::abs(value) >= kLargestInFull || digits > kMostShown)
+    if (isFloating(signal) || std::abs(value) >= kLargestInFull || digits > kMaxShown)
         return fmt::format("{:.7g}", value + 0.0);
     return fmt::format("{:.{}f}", value + 0.0, digits);
 }

@@ -111,7 +111,7 @@ TEST_F(BusConsole, aReviewKnowsWhatWasOverriddenAndThatTheRobotWasNotHeard)
     exploration.overrideDoubts();
     ASSERT_TRUE(inSomeGo([&] { return armsOnce() && exploresAndProbes(); }));
     tilted.stage({.roll = 0.2, .isMute = true});
-    QTest::qWait(static_cast<int>(1000.0 * kLongestSilence) + 300);
+    QTest::qWait(static_cast<int>(1000.0 * kMaxSilence) + 300);
     tilted.stage({.roll = 0.2});
     const auto isWithheld = [&] {
         const auto verdict = exploration.estimation().verdict();

@@ -315,7 +315,7 @@ TEST_F(Screens, verdict)
         picture("blocked", {VerdictStrip::tr("✘ BLOCKED")});
         robot->stage({.isMute = true});
         picture("withheld_stale", withheld(Doubt::Stale));
-        QTest::qWait(static_cast<int>(1000.0 * kLongestSilence) + 200);
+        QTest::qWait(static_cast<int>(1000.0 * kMaxSilence) + 200);
         robot->stage({});
         picture("withheld_unheard", withheld(Doubt::Unheard));
 

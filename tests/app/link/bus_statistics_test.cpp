@@ -56,8 +56,8 @@ TEST(CountingABus, isBoundedByTheKindsItTells)
     for (std::uint32_t id = 0; id < 5000; ++id)
         statistics.take({.id = id, .extended = true}, {.trouble = FrameTrouble::Unknown}, 0.0);
     statistics.take({.id = 0, .extended = true}, {.trouble = FrameTrouble::Unknown}, 0.0);
-    EXPECT_EQ(statistics.counts().size(), BusStatistics::kMostKeys);
-    EXPECT_EQ(statistics.beyond(), 5000 - BusStatistics::kMostKeys);
+    EXPECT_EQ(statistics.counts().size(), BusStatistics::kMaxKeys);
+    EXPECT_EQ(statistics.beyond(), 5000 - BusStatistics::kMaxKeys);
     EXPECT_EQ(statistics.frames(), 5001U);
     const std::string text = summaryText(statistics, std::nullopt);
     EXPECT_NE(text.find("904 more frames of kinds beyond the first 4096"), std::string::npos);

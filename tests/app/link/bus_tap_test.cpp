@@ -149,9 +149,9 @@ TEST_F(Tapping, isBoundedWhateverComes)
 {
     for (std::uint32_t id = 0; id < 100'000; ++id)
         take({.frame = {.id = id, .extended = true, .length = 8}, .time = 0.0});
-    EXPECT_EQ(tap.frames(0.0).size(), ForeignFrames::kMostUnknown);
+    EXPECT_EQ(tap.frames(0.0).size(), ForeignFrames::kMaxUnknown);
     EXPECT_EQ(tap.load().frames, 100'000U);
-    EXPECT_EQ(tap.load().beyond, 100'000U - ForeignFrames::kMostUnknown);
+    EXPECT_EQ(tap.load().beyond, 100'000U - ForeignFrames::kMaxUnknown);
     take({.frame = {.id = 4, .error = true, .length = 8}, .time = 0.0});
     EXPECT_EQ(tap.trace().back().trouble, FrameTrouble::Other);
 }
@@ -301,7 +301,7 @@ TEST_F(Described, anOutageIsNoPeriod)
     EXPECT_NEAR(fresh(), 12.0, 1e-9) << "it has become rarer";
     run(1, 21.0);
     run(1, 900.0);
-    EXPECT_NEAR(fresh(), 3.0 * UsualInterval::kMost, 1e-9) << "whatever comes";
+    EXPECT_NEAR(fresh(), 3.0 * UsualInterval::kMax, 1e-9) << "whatever comes";
 }
 
 TEST_F(Described, anOutageBeforeThereWasAnyPeriodIsNoneEither)
@@ -362,14 +362,14 @@ TEST_F(Tapping, isBoundedWhateverFilesDescribe)
 {
     tap.describe(wideBook(1000, 1));
     for (std::uint32_t id = 256; id < 1256; ++id) take({.frame = {.id = id, .length = 8}});
-    constexpr std::size_t kRoom = ForeignFrames::kMostDescribed + ForeignFrames::kMostUnknown;
+    constexpr std::size_t kRoom = ForeignFrames::kMaxDescribed + ForeignFrames::kMaxUnknown;
     EXPECT_EQ(tap.frames(0.0).size(), kRoom);
     EXPECT_EQ(tap.load().beyond, 1000 - kRoom);
     tap.describe(wideBook(10, 900));
     for (std::uint32_t id = 256; id < 266; ++id) take({.frame = {.id = id, .length = 8}});
     std::size_t described = 0;
     for (const TappedFrame& frame : tap.frames(0.0)) described += frame.described != nullptr;
-    EXPECT_EQ(described, ForeignFrames::kMostSignals / 900);
+    EXPECT_EQ(described, ForeignFrames::kMaxSignals / 900);
     EXPECT_EQ(tap.frames(0.0).size(), 10U) << "of the others the bytes";
 }
 

@@ -205,11 +205,11 @@ TEST_F(Outage, ofMoreThanASecondWithholdsTheVerdictUntilTheTerrainIsExploredAnew
     exploration->refuse(exploration->proposal()->id);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
     ASSERT_EQ(exploration->estimation().verdict()->outlook, Outlook::Blocked);
-    linkIsLostFor(kLongestSilence - 0.04);
+    linkIsLostFor(kMaxSilence - 0.04);
     EXPECT_EQ(doubts(), std::vector<Doubt>());
     EXPECT_EQ(exploration->estimation().verdict()->outlook, Outlook::Blocked);
 
-    linkIsLostFor(kLongestSilence + 0.04);
+    linkIsLostFor(kMaxSilence + 0.04);
     EXPECT_TRUE(exploration->linkAlive());
     ASSERT_TRUE(exploration->estimation().estimate()) << "it stays to be seen";
     EXPECT_EQ(doubts(), std::vector{Doubt::Unheard});
@@ -227,7 +227,7 @@ TEST_F(Outage, thatNobodyLookedAtWithholdsItToo)
 {
     exploration->refuse(exploration->proposal()->id);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    now += kLongestSilence + 0.04;  // the window stands still meanwhile
+    now += kMaxSilence + 0.04;  // the window stands still meanwhile
     line();
     line();
     tick();
@@ -247,7 +247,7 @@ TEST_F(Outage, voidsAnOpenQuestion)
 {
     const quint64 question = exploration->proposal()->id;
     EXPECT_EQ(firstMissing(exploration->toProbe()), "");
-    now += kLongestSilence + 0.04;  // unseen: else the exploration has failed long before
+    now += kMaxSilence + 0.04;  // unseen: else the exploration has failed long before
     line();
     tick();
     ASSERT_EQ(phase(), AtemPhase::ProposingProbe);

@@ -31,7 +31,7 @@ TEST(ReviewPlayer, goesOnByDataTimeAndAPauseLeavesNothingToCatchUpWith)
     player.advance(0.1);
     EXPECT_NEAR(player.position(), 5.1, 1e-12);
     player.advance(3600.0);  // the machine slept
-    EXPECT_NEAR(player.position(), 5.1 + 50.0 * ReviewPlayer::kLongestStep, 1e-9);
+    EXPECT_NEAR(player.position(), 5.1 + 50.0 * ReviewPlayer::kMaxStepTime, 1e-9);
     player.pause();
     const double stood = player.position();
     player.advance(1.0);

@@ -101,7 +101,7 @@ TEST_F(Look, aButtonThatCannotBePressedSaysWhyNot)
     gui::TipsOfButtons tips;
     const auto lookEverywhere = [&] { eachPage([&] { tips.poll(*window); }); };
     lookEverywhere();
-    for (const double limit : {VerdictStrip::kLeastLimit, VerdictStrip::kGreatestLimit}) {
+    for (const double limit : {VerdictStrip::kMinLimit, VerdictStrip::kGreatestLimit}) {
         window->preferences().change([limit](Preferences& p) { p.obstacleLimit = limit; });
         tips.poll(*window);
     }

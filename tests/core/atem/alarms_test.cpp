@@ -160,9 +160,9 @@ TEST(AlarmList, forgetsTheLeastUrgentBeyondItsRoom)
     AlarmList list;
     list.raise("returned", "", Severity::Critical, 0.0);
     list.clear("returned", 0.0);
-    for (std::size_t i = 0; i < AlarmList::kMost; ++i)
+    for (std::size_t i = 0; i < AlarmList::kMax; ++i)
         list.raise(std::to_string(i), "", Severity::Critical, 1.0 + static_cast<double>(i));
-    ASSERT_EQ(list.alarms().size(), AlarmList::kMost);
+    ASSERT_EQ(list.alarms().size(), AlarmList::kMax);
     for (const Alarm& alarm : list.alarms()) EXPECT_NE(alarm.id, "returned");
 }
 

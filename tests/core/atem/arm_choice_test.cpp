@@ -165,7 +165,7 @@ TEST(OfferProbe, asksForTheQuestionWhateverTheSdButNotForNothing)
               (ProbeOffer{{}, NoProbe::Certain}));
     EXPECT_EQ(offerProbe(certain, Outlook::CannotTell, Question),
               (ProbeOffer{kBin07, NoProbe::None}));
-    for (ProbeGain& gain : certain.gains) gain.entropyReduction = 0.9 * kLeastBits * std::log(2.0);
+    for (ProbeGain& gain : certain.gains) gain.entropyReduction = 0.9 * kMinBits * std::log(2.0);
     EXPECT_EQ(offerProbe(certain, Outlook::CannotTell, Question),
               (ProbeOffer{{}, NoProbe::NoGain}));
     certain.gains.clear();  // no draws: what the question would gain is not known

@@ -80,7 +80,7 @@ TEST_F(ClassIndex, isBoundedAndQuotedInPlainCharacters)
 {
     EXPECT_EQ(complaint("row,class\n\x1b[1m,a\n\x1b[1m,b\n").find('\x1b'), std::string::npos);
     std::string rows = "row,class\n";
-    for (std::size_t i = 0; i < kMostClassRows; ++i) rows += std::to_string(i) + ",a\n";
+    for (std::size_t i = 0; i < kMaxClassRows; ++i) rows += std::to_string(i) + ",a\n";
     EXPECT_TRUE(readClasses(*CsvReader::over("text", rows), "class"));
     EXPECT_NE(complaint(rows + "x,a\n").find("one row more than the 200000"), std::string::npos);
 }

@@ -200,7 +200,7 @@ TEST(TimeOut, afterTheBurnInLeavesFourKeptSweeps)
     watch.outOfTime = [&] { return ++asked >= problem.burnIn; };
     const GibbsDraws draws = sampleStates(stuck(), problem, watch);
     EXPECT_EQ(draws.ending, Ending::Time);
-    EXPECT_EQ(draws.draws[0].rows(), kLeastKept);
+    EXPECT_EQ(draws.draws[0].rows(), kMinKept);
     expectFirstRows(draws, all);
     EXPECT_EQ(draws.burnInLeftOut, 0);
     problem.keptPerChain = 2;
@@ -220,7 +220,7 @@ TEST(TimeOut, duringTheBurnInLeavesTheRestOfItOut)
             watch.outOfTime = [&] { return ++asked >= 3; };
             const GibbsDraws draws = sampleStates(independent(), problem, watch);
             EXPECT_EQ(draws.ending, Ending::Time);
-            EXPECT_EQ(draws.draws[0].rows(), std::min(kept, kLeastKept));
+            EXPECT_EQ(draws.draws[0].rows(), std::min(kept, kMinKept));
             EXPECT_GE(draws.burnInLeftOut, problem.burnIn - 12);
             EXPECT_LE(draws.burnInLeftOut, problem.burnIn - 3);
             EXPECT_EQ(asked, 3);
@@ -231,7 +231,7 @@ TEST(TimeOut, duringTheBurnInIsNeverCalledConverged)
 {
     GibbsDraws draws;
     draws.bins = {0};
-    draws.draws = {Eigen::MatrixXd::Zero(kLeastKept, 1000)};
+    draws.draws = {Eigen::MatrixXd::Zero(kMinKept, 1000)};
     draws.ending = Ending::Time;
     for (const int leftOut : {0, 7}) {
         draws.burnInLeftOut = leftOut;
@@ -260,7 +260,7 @@ TEST(TimeOut, isNoReasonToMissAConvergence)
     const GibbsDraws draws = sampleStates(independent(), twoUnknown(), watch);
     EXPECT_EQ(draws.ending, Ending::Converged);
     // Between all sweeps of the burn-in, and of all that may be last.
-    EXPECT_EQ(asked, draws.draws[0].rows() - kLeastKept + twoUnknown().burnIn - 1);
+    EXPECT_EQ(asked, draws.draws[0].rows() - kMinKept + twoUnknown().burnIn - 1);
 }
 
 TEST(Ending, ofAProblemWithoutUnknownsIsNotSampled)

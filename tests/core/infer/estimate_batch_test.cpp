@@ -216,7 +216,7 @@ TEST(EstimateBatch, endsASceneByItsOwnTime)
     ASSERT_EQ(first.size(), 1U);
     EXPECT_EQ(first[0].number, 0U);
     EXPECT_EQ(first[0].estimate.ending, Ending::Time);
-    EXPECT_EQ(first[0].estimate.draws.size(), 4U * (kLeastKept + 5));
+    EXPECT_EQ(first[0].estimate.draws.size(), 4U * (kMinKept + 5));
     EXPECT_EQ(batch.next().at(0).estimate, alone({scenes[1]}).front());
 }
 

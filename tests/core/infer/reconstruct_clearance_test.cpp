@@ -47,7 +47,7 @@ bool isTrained(const Scene& scene)
     const Heights ceiling = bodyCeiling(bench().robot, scene.s.pitch, scene.s.front, scene.s.rear);
     for (int i = 0; i < kBins; ++i)
         if (bench().models.data().at(i, regimeOf(ceiling[static_cast<std::size_t>(i)])).rows
-            < kFewestTrainingRows)
+            < kMinTrainingRows)
             return false;
     return true;
 }
@@ -208,7 +208,7 @@ struct KnownWorld {
         options.fullEvaluations = 30;
         for (int i = 0; i < kBins; ++i)
             for (const Regime regime : kRegimes)
-                if (data.at(i, regime).rows >= kFewestTrainingRows)
+                if (data.at(i, regime).rows >= kMinTrainingRows)
                     data.at(i, regime).hyper =
                         trainClearanceConditional(training, data, i, regime, options).hyper;
         return data;

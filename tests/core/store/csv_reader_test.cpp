@@ -192,10 +192,10 @@ TEST(CsvReader, boundsFieldsAndTheirLength)
     const auto first = [](const std::string& line) {
         return CsvReader::over("text", line + "\n")->next();
     };
-    EXPECT_TRUE(first(std::string(CsvReader::kMostFields - 1, ',')));
-    EXPECT_TRUE(refused(first(std::string(CsvReader::kMostFields, ',')), "text",
+    EXPECT_TRUE(first(std::string(CsvReader::kMaxFields - 1, ',')));
+    EXPECT_TRUE(refused(first(std::string(CsvReader::kMaxFields, ',')), "text",
                         {"line 1", "more than 100000 fields"}));
-    const std::string longest(CsvReader::kLongestField, 'a');
+    const std::string longest(CsvReader::kMaxFieldLength, 'a');
     EXPECT_TRUE(first("b," + longest + "," + longest));
     for (const std::string& line :
          {"b," + longest + "a", longest + "a,b", "b,\"" + longest + "a\""})

@@ -172,7 +172,7 @@ TEST(Logs, whoseClockGoesBackOftenAreToldShortly)
     for (int i = 0; i < 50; ++i) text += i % 2 == 0 ? "(5.0) can0 500#\n" : "(4.0) can0 500#\n";
     const Log log = read(text);
     EXPECT_EQ(log.frames.size(), 50U);
-    ASSERT_EQ(log.remarks.size(), LogReader::kMostSteps + 1);
+    ASSERT_EQ(log.remarks.size(), LogReader::kMaxSteps + 1);
     EXPECT_EQ(log.remarks.back(), "a.log: the clock is set 20 more times");
     for (const double elapsed : log.elapsed) EXPECT_GE(elapsed, 0.0);
 }

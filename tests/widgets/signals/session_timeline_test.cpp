@@ -54,7 +54,7 @@ TEST_F(TheTimeline, zoomKeepsTheTimeUnderTheMouseAndStaysInTheSession)
     EXPECT_DOUBLE_EQ(timeline.first(), 10.0);
     EXPECT_DOUBLE_EQ(timeline.last(), 110.0);
     timeline.zoom(1e9, at);
-    EXPECT_GE(timeline.last() - timeline.first(), SessionTimeline::kShortest * 0.999);
+    EXPECT_GE(timeline.last() - timeline.first(), SessionTimeline::kMinSpan * 0.999);
     for (const double hostile : kHostile) timeline.zoom(hostile, hostile);
     EXPECT_LT(timeline.first(), timeline.last());
 }

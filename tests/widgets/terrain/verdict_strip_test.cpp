@@ -197,11 +197,11 @@ TEST_F(Strip, theLimitMovesByACentimetreWithinItsRange)
     EXPECT_NEAR(chosen[1], 0.12, 1e-12);
     EXPECT_NEAR(strip.limit(), 0.11, 1e-12);
     for (int i = 0; i < 100; ++i) QTest::mouseClick(strip.lowerButton(), Qt::LeftButton);
-    EXPECT_NEAR(strip.limit(), VerdictStrip::kLeastLimit, 1e-12);
+    EXPECT_NEAR(strip.limit(), VerdictStrip::kMinLimit, 1e-12);
     EXPECT_FALSE(strip.lowerButton()->isEnabled());
     for (const double hostile : gui::kHostile) {
         strip.setLimit(hostile);
-        EXPECT_GE(strip.limit(), VerdictStrip::kLeastLimit);
+        EXPECT_GE(strip.limit(), VerdictStrip::kMinLimit);
         EXPECT_LE(strip.limit(), VerdictStrip::kGreatestLimit);
     }
 }

@@ -19,7 +19,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+constexpr double kMin = std::numeric_limits<double>::denorm_min();
 
 struct Case {
     double ceiling, mean, sigma;
@@ -217,7 +217,7 @@ TEST(DrawBetween, besideTheMeanIsUniformWhereTheDensityDoesNotFallThatFar)
     // The log density falls by 1e-300, by some of the least doubles, by 0 after rounding.
     std::vector<double> h = sampleBetween({0.0, 1e-300, -1.0, 1.0}, 20000);
     EXPECT_LT(kolmogorov(h, [](double x) { return x / 1e-300; }), 2.23);
-    for (const double width : {kLeast, 2.0 * kLeast, 5.0 * kLeast}) {
+    for (const double width : {kMin, 2.0 * kMin, 5.0 * kMin}) {
         h = sampleBetween({0.0, width, -1.0, 1.0}, 2000);
         EXPECT_LE(*std::max_element(h.begin(), h.end()), width);
         EXPECT_GE(*std::min_element(h.begin(), h.end()), 0.0);
@@ -255,13 +255,13 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(DrawBetween, isFiniteAndInsideItsBoundsAtEveryCornerOfTheDoubles)
 {
-    const std::vector<double> corners{-kLargest, -1e300, -1e154, -1.0,  -1e-300, -kLeast, 0.0,
-                                      kLeast,    1e-300, 1.0,    1e154, 1e300,   kLargest};
+    const std::vector<double> corners{-kLargest, -1e300, -1e154, -1.0,  -1e-300, -kMin,   0.0,
+                                      kMin,      1e-300, 1.0,    1e154, 1e300,   kLargest};
     std::mt19937_64 rng(1);
     for (const double a : corners)
         for (const double b : corners)
             for (const double mean : corners)
-                for (const double sigma : {kLeast, 1e-300, 1e-8, 1.0, 1e300, kLargest})
+                for (const double sigma : {kMin, 1e-300, 1e-8, 1.0, 1e300, kLargest})
                     for (int k = 0; k < 3; ++k) {
                         const double floor = k == 2 ? -kInfinity : std::min(a, b);
                         const double h = drawBetween(floor, std::max(a, b), mean, sigma, rng);
@@ -358,7 +358,7 @@ TEST(DrawBetweenEffort, endsWithEveryGenerator)
                     });
                     EXPECT_TRUE(std::isfinite(h) && h >= i.floor && h <= i.ceiling)
                         << ceiling << ", width " << width;
-                    EXPECT_LE(numbers, 2L * kMostProposals * (kMostProposals + 1));
+                    EXPECT_LE(numbers, 2L * kMaxProposals * (kMaxProposals + 1));
                 }
             }
         }

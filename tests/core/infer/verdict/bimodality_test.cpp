@@ -112,7 +112,7 @@ TEST(TwoModes, areTheBestOfAllSplits)
         if (modes)
             EXPECT_NEAR(modes->betweenShare, 1.0 - least / total, 1e-12) << seed;
         else
-            EXPECT_LE(1.0 - least / total, kLeastBetweenShare) << seed;
+            EXPECT_LE(1.0 - least / total, kMinBetweenShare) << seed;
     }
 }
 

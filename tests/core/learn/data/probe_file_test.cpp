@@ -49,7 +49,7 @@ TEST_F(ProbeFileTest, refusesWhatItCannotRead)
 TEST_F(ProbeFileTest, boundsTheNumberOfReadings)
 {
     std::string lines;
-    for (std::size_t i = 0; i < kMostProbeReadings; ++i) lines += "a,0,\n";
+    for (std::size_t i = 0; i < kMaxProbeReadings; ++i) lines += "a,0,\n";
     EXPECT_TRUE(read(lines));
     EXPECT_TRUE(refuses(lines + "a,0,\n", {"line 100002", "one reading more"}));
 }

@@ -284,10 +284,10 @@ TEST_F(SceneFileTest, refusesAHeaderOfManyColumns)
 TEST_F(SceneFileTest, boundsTheNumberOfScenes)
 {
     std::string content = kHeader.substr(0, kHeader.find(",h_-0.3_m")) + "\n";
-    for (std::size_t i = 0; i < kMostScenes; ++i) content += "r,0,0,0,0,,,,,,,,\n";
+    for (std::size_t i = 0; i < kMaxScenes; ++i) content += "r,0,0,0,0,,,,,,,,\n";
     const auto most = readScenes(*CsvReader::over("text", content));
     ASSERT_TRUE(most) << most.error().text;
-    EXPECT_EQ(most->scenes.size(), kMostScenes);
+    EXPECT_EQ(most->scenes.size(), kMaxScenes);
     const auto more = readScenes(*CsvReader::over("text", content + "r,0,0,0,0,,,,,,,,\n"));
     EXPECT_TRUE(refused(more, "text", {"line 200002", "one scene more than the 200000"}));
     std::vector<Scene> scenes = most->scenes;

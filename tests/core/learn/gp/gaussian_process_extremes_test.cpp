@@ -177,7 +177,7 @@ struct Tally {
         single += gp.usable(Precision::Single) == Precision::Single;
         reduced += isReduced(gp);
         EXPECT_LE(gp.jitter(), 1e-6) << what;
-        EXPECT_GE(gp.rcond(), kLeastRcond) << what;
+        EXPECT_GE(gp.rcond(), kMinRcond) << what;
         if (data.hyper.noiseSd >= 1e-3 * data.hyper.signalSd) {
             EXPECT_EQ(gp.jitter(), 0.0) << what;
         }

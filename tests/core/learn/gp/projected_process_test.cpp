@@ -99,7 +99,7 @@ TEST(ProjectedProcess, ofDoubledRowsIsThatOfTheirMeansWithHalfTheNoiseVariance)
     std::vector<int> all(120);
     std::iota(all.begin(), all.end(), 0);
     const ProjectedProcess p = projectProcess(twice.X, twice.y, all, twice.hyper);
-    EXPECT_GE(p.rcond, kLeastRcond);
+    EXPECT_GE(p.rcond, kMinRcond);
     EXPECT_LE(p.rcond, 1e-6);  // the inducing rows repeat: the jitter is all that tells them apart
     const GaussianProcess exact(once.X, once.y, once.hyper, 0.0);
     for (const double at : {-1.0, 0.0, 0.7}) {
@@ -129,7 +129,7 @@ LongProjection inLongDouble(const ExtremeData& data, const std::vector<int>& ind
     const LongMatrix solved = inner.solve(V);
     const LongVector mean = V.transpose() * (solved * y);
     const LongVector freedom = 1.0L - V.cwiseProduct(solved).colwise().sum().transpose().array();
-    const LongVector least = freedom.cwiseMax(static_cast<Long>(kLeastFreedom));
+    const LongVector least = freedom.cwiseMax(static_cast<Long>(kMinFreedom));
     return {mean.cast<double>(), (y - mean).cwiseQuotient(least).cast<double>(),
             freedom.cast<double>()};
 }
@@ -159,7 +159,7 @@ struct Tally {
         ++right;
         exact += p.errorBound() == 1e-9;
         ASSERT_TRUE(p.weights.allFinite() && p.leaveOneOut.allFinite()) << what;
-        EXPECT_GE(p.rcond, kLeastRcond) << what;
+        EXPECT_GE(p.rcond, kMinRcond) << what;
         EXPECT_LE(p.errorBound(), 1.0001e-2) << what;
         const LongProjection expected = inLongDouble(data, inducing);
         const double share = p.errorBound();
@@ -167,7 +167,7 @@ struct Tally {
         for (Eigen::Index u = 0; u < data.X.rows(); ++u) {
             const double mean = meanAt(data, inducing, p, data.X.row(u).transpose());
             EXPECT_NEAR(mean, expected.mean[u], bound) << what;
-            const double least = std::max(expected.freedom[u] - share, kLeastFreedom);
+            const double least = std::max(expected.freedom[u] - share, kMinFreedom);
             const double ofResidual = (bound + share * std::abs(expected.leaveOneOut[u])) / least;
             EXPECT_NEAR(p.leaveOneOut[u], expected.leaveOneOut[u], ofResidual) << what;
             if (share == 1e-9) continue;

@@ -98,7 +98,7 @@ TEST_P(CovarianceKernelsOf, allInstructionSetsGiveTheFormulasCovariancesAndMeans
                 EXPECT_NEAR(K.data()[u * kGroup + c], expected, 4e-14 * expected + 1e-120)
                     << kernels->name << " row " << u << " column " << c;
                 EXPECT_EQ(single.data()[u * kGroup + c],
-                          expected > 2.5 * kLeastSingleCovariance
+                          expected > 2.5 * kMinSingleCovariance
                               ? static_cast<float>(K.data()[u * kGroup + c])
                               : 0.0F);
             }

@@ -118,7 +118,7 @@ TEST(ClearanceConditionals, usesTheFirst1400RowsAtMost)
     many.features = few.features.replicate(15, 1);
     const ClearanceConditionals models(many, plausibleConditionals(many));
     EXPECT_EQ(models.data().at(4, Regime::Covered).rows, 1500);
-    EXPECT_EQ(models.gp(4, Regime::Covered).rows(), kMostClearanceRows);
+    EXPECT_EQ(models.gp(4, Regime::Covered).rows(), kMaxClearanceRows);
 }
 
 TEST(ClearanceConditionals, areTrainedByTheirLikelihood)

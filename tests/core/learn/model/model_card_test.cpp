@@ -42,7 +42,7 @@ struct ModelCardFile : testing::Test {
 TEST_F(ModelCardFile, everyCardSurvivesARoundTrip)
 {
     ModelCard sent = card();
-    for (std::size_t k = 0; k < kMostCardScores; ++k) {
+    for (std::size_t k = 0; k < kMaxCardScores; ++k) {
         ASSERT_TRUE(writeModelCard(model, sent));
         const auto got = readModelCard(model, kContent);
         ASSERT_TRUE(got);
@@ -118,12 +118,12 @@ TEST(ModelCard, newScoresTakeThePlaceOfOldOnesOfTheSameMethodAndScenes)
 TEST(ModelCard, theOldestScoresMakeRoom)
 {
     ModelCard full = card();
-    for (std::size_t k = 0; k < kMostCardScores; ++k) {
+    for (std::size_t k = 0; k < kMaxCardScores; ++k) {
         CardScores more = card().scores.front();
         more.dataHash[k] = 'c';
         addScores(full, more);
     }
-    ASSERT_EQ(full.scores.size(), kMostCardScores);
+    ASSERT_EQ(full.scores.size(), kMaxCardScores);
     EXPECT_EQ(full.scores.front().dataHash.front(), 'c');
 }
 

@@ -558,7 +558,7 @@ TEST(DbcFiles, thatCannotBeReadNameTheFile)
     EXPECT_TRUE(refused(readDbc(directory.file("none.dbc")), directory.file("none.dbc"),
                         {"cannot be opened"}));
     EXPECT_TRUE(refused(readDbc(directory.file("")), directory.file(""), {"cannot be read"}));
-    const std::string big = directory.write("big.dbc", std::string(kMostDbcBytes + 1, ' '));
+    const std::string big = directory.write("big.dbc", std::string(kMaxDbcBytes + 1, ' '));
     EXPECT_TRUE(refused(readDbc(big), big, {"larger"}));
 }
 
