@@ -112,15 +112,15 @@ std::vector<std::string> demoFiles()
 
 Status demo(const DemoOptions& options)
 {
-    const auto toolbox = openToolbox(options.robot, options.model);
-    if (!toolbox) return toolbox.error();
+    const auto bundle = openEstimatorBundle(options.robot, options.model);
+    if (!bundle) return bundle.error();
     if (Status made = makeDirectory(options.out); !made) return made;
     const std::filesystem::path out(options.out);
 
     SimulatedRobot::Options start;
     start.startX = 1.2;
     start.seed = options.settings.seed;
-    SimulatedRobot robot((*toolbox)->robot, demoTerrain(), start);
+    SimulatedRobot robot((*bundle)->robot, demoTerrain(), start);
     say("SIMULATED ROBOT, method {}, seed {}\n", name(options.settings.method),
         options.settings.seed);
     if (Status s = driveToStep(robot); !s) return s;
@@ -135,13 +135,13 @@ Status demo(const DemoOptions& options)
     const auto estimateWith = [&](std::span<const ArmReading> arm) {
         Watch watch = endingAfter(options.seconds);
         lendProcessors(watch);
-        return estimateTerrain(scene.s, arm, (*toolbox)->robot, (*toolbox)->models,
-                               options.settings, watch);
+        return estimateTerrain(scene.s, arm, (*bundle)->robot, (*bundle)->models, options.settings,
+                               watch);
     };
     const TerrainEstimate first = estimateWith({});
-    const std::optional<int> bin = chooseProbe(first, (*toolbox)->robot);
-    if (Status s = present(first, scene, (*toolbox)->robot, bin,
-                           "First estimate, by flippers alone", out / "first");
+    const std::optional<int> bin = chooseProbe(first, (*bundle)->robot);
+    if (Status s = present(first, scene, (*bundle)->robot, bin, "First estimate, by flippers alone",
+                           out / "first");
         !s)
         return s;
     if (!bin) {
@@ -155,7 +155,7 @@ Status demo(const DemoOptions& options)
     const ArmReading reading = *robot.measure().arm;
     say("{:6.1f} s  arm measured {:+.3f} m\n", robot.measure().time, reading.height);
     const TerrainEstimate second = estimateWith({&reading, 1});
-    if (Status s = present(second, scene, (*toolbox)->robot, std::nullopt,
+    if (Status s = present(second, scene, (*bundle)->robot, std::nullopt,
                            "Second estimate, with the probe", out / "second");
         !s)
         return s;

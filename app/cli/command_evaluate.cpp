@@ -35,7 +35,7 @@ namespace {
 struct Workload {
     std::vector<Scene> scenes;
     std::size_t first = 0;  ///< number of the first among all
-    const Toolbox& toolbox;
+    const EstimatorBundle& bundle;
     const EvaluateOptions& options;
 };
 
@@ -89,11 +89,11 @@ void judgeMethod(Method method, const Workload& work, Findings& findings)
     Settings ofFirst = settings;
     ofFirst.seed += work.first;
     const Stopwatch watch;
-    const auto estimates = estimateScenes(work.scenes, work.toolbox, ofFirst, work.options.seconds);
+    const auto estimates = estimateScenes(work.scenes, work.bundle, ofFirst, work.options.seconds);
     judgeEstimates(label, work, estimates, watch.seconds(), findings);
     if (work.options.probes && !usesArm(method))
         append(findings.probes,
-               tryProbeRules(label, work.scenes, estimates, work.first, work.toolbox, settings,
+               tryProbeRules(label, work.scenes, estimates, work.first, work.bundle, settings,
                              work.options.stepLimit, work.options.seconds));
 }
 
@@ -108,16 +108,16 @@ SceneEstimate estimateBaseline(const Baseline& baseline, const RobotModel& robot
 
 void judgeBaselines(const Workload& work, Findings& findings)
 {
-    const Toolbox& toolbox = work.toolbox;
+    const EstimatorBundle& bundle = work.bundle;
     const auto sideBySide = [](int count, const std::function<void(int)>& each) {
         parallelFor(count, each);
     };
-    for (const auto& baseline : fitBaselines(toolbox.robot, toolbox.model.data, sideBySide)) {
+    for (const auto& baseline : fitBaselines(bundle.robot, bundle.model.data, sideBySide)) {
         std::vector<SceneEstimate> estimates(work.scenes.size());
         const Stopwatch watch;
         parallelFor(static_cast<int>(work.scenes.size()), [&](int n) {
             const auto k = static_cast<std::size_t>(n);
-            estimates[k] = estimateBaseline(*baseline, toolbox.robot, work.scenes[k],
+            estimates[k] = estimateBaseline(*baseline, bundle.robot, work.scenes[k],
                                             work.options.settings.seed + work.first + k);
         });
         judgeEstimates(std::string(baseline->name()), work, estimates, watch.seconds(), findings);
@@ -133,9 +133,9 @@ Result<SceneFile> scenesWithTruth(const std::string& path)
 }
 
 /// How many of the scenes the model was trained on; says so where there are some.
-std::size_t tellTrainingScenes(const std::vector<Scene>& scenes, const Toolbox& toolbox)
+std::size_t tellTrainingScenes(const std::vector<Scene>& scenes, const EstimatorBundle& bundle)
 {
-    const std::size_t trained = trainingScenes(scenes, toolbox.model.data.features);
+    const std::size_t trained = trainingScenes(scenes, bundle.model.data.features);
     if (trained > 0)
         say(stderr,
             "terratact: {} of {} scenes are training scenes of this model: errors look "
@@ -159,7 +159,7 @@ std::vector<EvaluatedScene> evaluatedScenes(const Workload& work,
     std::vector<EvaluatedScene> scenes;
     for (const Scene& scene : work.scenes) {
         EvaluatedScene known{scene.run, scene.time + 0.0,
-                             binsUnderFrontFlipper(work.toolbox.robot, scene.s), ""};
+                             binsUnderFrontFlipper(work.bundle.robot, scene.s), ""};
         if (classes) {
             const auto found = classes->find(scene.run);
             known.kind = found == classes->end() ? std::string(kNoClass) : found->second;
@@ -255,15 +255,15 @@ std::string shardFile(const Shard& shard)
 
 Status evaluate(const EvaluateOptions& options)
 {
-    const auto toolbox = openToolbox(options.robot, options.model);
-    if (!toolbox) return toolbox.error();
+    const auto bundle = openEstimatorBundle(options.robot, options.model);
+    if (!bundle) return bundle.error();
     const auto classes = classesOf(options);
     if (!classes) return classes.error();
     auto all = scenesWithTruth(options.data);
     if (!all) return all.error();
-    const std::size_t trained = tellTrainingScenes(all->scenes, **toolbox);
+    const std::size_t trained = tellTrainingScenes(all->scenes, **bundle);
     if (Status s = makeDirectory(options.out); !s) return s;
-    if (options.missing) return printMissingSensors(all->scenes, **toolbox, options);
+    if (options.missing) return printMissingSensors(all->scenes, **bundle, options);
 
     Findings findings{.origin = {},
                       .options = {options.methods, options.settings.seed, options.stepLimit,
@@ -277,14 +277,14 @@ Status evaluate(const EvaluateOptions& options)
                       .probes = {}};
     auto scenes = scenesOf(findings.shard, std::move(all->scenes), options.data);
     if (!scenes) return scenes.error();
-    const Workload work{*std::move(scenes), findings.shard.begin(findings.total), **toolbox,
+    const Workload work{*std::move(scenes), findings.shard.begin(findings.total), **bundle,
                         options};
     findings.scenes = evaluatedScenes(work, *classes);
     if (Status s = judgeAll(work, findings); !s) return s;
     if (options.shard)
-        return writeShard(options, (*toolbox)->model.contentHash, all->hash, findings);
+        return writeShard(options, (*bundle)->model.contentHash, all->hash, findings);
     if (Status s = reportFindings(findings, options.out); !s || !options.card) return s;
-    return keepInCard(options, (*toolbox)->model.contentHash, all->hash, findings, trained);
+    return keepInCard(options, (*bundle)->model.contentHash, all->hash, findings, trained);
 }
 
 }  // namespace terratact

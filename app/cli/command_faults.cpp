@@ -83,13 +83,13 @@ std::string medianWords(std::vector<double> values, std::size_t drives, const ch
 }
 
 void judgeScenes(const std::vector<WatchedScene>& watched, const FaultsOptions& options,
-                 const Toolbox& toolbox, FaultRow& row)
+                 const EstimatorBundle& bundle, FaultRow& row)
 {
     std::vector<Scene> scenes;
     scenes.reserve(watched.size());
     for (const WatchedScene& scene : watched) scenes.push_back(scene.scene);
-    auto estimates = estimateScenes(scenes, toolbox, options.settings, 0.0);
-    row.contradicting += checkEstimates(scenes, toolbox.robot, estimates);
+    auto estimates = estimateScenes(scenes, bundle, options.settings, 0.0);
+    row.contradicting += checkEstimates(scenes, bundle.robot, estimates);
     for (std::size_t k = 0; k < scenes.size(); ++k) {
         const auto& estimate = estimates[k].estimate;
         ++row.scenes;
@@ -105,13 +105,13 @@ void judgeScenes(const std::vector<WatchedScene>& watched, const FaultsOptions& 
     }
 }
 
-FaultRow tryFault(const TriedFault& fault, const FaultsOptions& options, const Toolbox& toolbox,
-                  const WatchedDrives& drives)
+FaultRow tryFault(const TriedFault& fault, const FaultsOptions& options,
+                  const EstimatorBundle& bundle, const WatchedDrives& drives)
 {
     std::vector<WatchedFault> watched(drives.size());
     parallelFor(static_cast<int>(drives.size()), [&](int n) {
         const auto k = static_cast<std::size_t>(n);
-        watched[k] = watchFault(drives[k], toolbox.robot, fault.fault, k);
+        watched[k] = watchFault(drives[k], bundle.robot, fault.fault, k);
     });
     FaultRow row;
     row.drives = drives.size();
@@ -122,7 +122,7 @@ FaultRow tryFault(const TriedFault& fault, const FaultsOptions& options, const T
         row.seconds.push_back(*drive.noticed);
         row.until.push_back(static_cast<double>(drive.scenesUntilNoticed));
     }
-    judgeScenes(scenes, options, toolbox, row);
+    judgeScenes(scenes, options, bundle, row);
     return row;
 }
 
@@ -201,13 +201,13 @@ void printMatrix(const RobotModel& robot, const WatchedDrives& drives)
 
 Status judgeFaults(const FaultsOptions& options)
 {
-    const auto toolbox = openToolbox(options.robot, options.model);
-    if (!toolbox) return toolbox.error();
+    const auto bundle = openEstimatorBundle(options.robot, options.model);
+    if (!bundle) return bundle.error();
     const auto grounds = watchedGrounds(options);
     if (!grounds) return grounds.error();
-    const WatchedDrives drives = driveWatched(options, (*toolbox)->robot, *grounds);
+    const WatchedDrives drives = driveWatched(options, (*bundle)->robot, *grounds);
     if (options.matrix) {
-        printMatrix((*toolbox)->robot, drives);
+        printMatrix((*bundle)->robot, drives);
         return Done{};
     }
     printHead(options, drives.size());
@@ -215,7 +215,7 @@ Status judgeFaults(const FaultsOptions& options)
     std::size_t harmful = 0, flagged = 0;
     std::string missed;
     for (const TriedFault& fault : triedFaults()) {
-        FaultRow row = tryFault(fault, options, **toolbox, drives);
+        FaultRow row = tryFault(fault, options, **bundle, drives);
         printFault(fault, row);
         if (fault.fault.empty()) {
             sound = std::move(row);

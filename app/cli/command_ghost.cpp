@@ -138,8 +138,8 @@ std::vector<BinError> where(const std::vector<BinError>& ghost, const std::vecto
 /// One drive's scenes one after another, estimated without a ghost and, each on the ghost of the last, with one.
 class DriveTrial {
 public:
-    DriveTrial(const Toolbox& toolbox, const GhostOptions& options, Settings settings)
-        : toolbox_(toolbox), options_(options), settings_(settings)
+    DriveTrial(const EstimatorBundle& bundle, const GhostOptions& options, Settings settings)
+        : bundle_(bundle), options_(options), settings_(settings)
     {
     }
 
@@ -151,8 +151,8 @@ public:
             ++settings_.seed;
             std::optional<Ghost> drawn, weak;
             if (lastWithout && lastWith) {
-                drawn = ghostAfter(*lastWithout, toolbox_.robot, at, driven.way);
-                weak = ghostAfter(*lastWith, toolbox_.robot, at, driven.way);
+                drawn = ghostAfter(*lastWithout, bundle_.robot, at, driven.way);
+                weak = ghostAfter(*lastWith, bundle_.robot, at, driven.way);
                 found_.ended += drawn && weak ? 0 : 1;
             }
             lastWithout = estimate(driven.scene, {});
@@ -170,8 +170,7 @@ private:
     std::optional<TerrainEstimate> estimate(const Scene& scene, const WeakHeights& weak) const
     {
         try {
-            return estimateTerrain(scene.s, {}, toolbox_.robot, toolbox_.models, settings_, {},
-                                   weak);
+            return estimateTerrain(scene.s, {}, bundle_.robot, bundle_.models, settings_, {}, weak);
         } catch (const NotLearnt&) {
             return std::nullopt;
         }
@@ -192,7 +191,7 @@ private:
         append(found_.withThere, where(alone, after));
     }
 
-    const Toolbox& toolbox_;
+    const EstimatorBundle& bundle_;
     const GhostOptions& options_;
     Settings settings_;
     GhostFindings found_;
@@ -215,8 +214,8 @@ void append(GhostFindings& all, GhostFindings some)
     all.ended += some.ended;
 }
 
-GhostFindings tryMethod(const GhostOptions& options, const Toolbox& toolbox, const Drives& drives,
-                        Method method)
+GhostFindings tryMethod(const GhostOptions& options, const EstimatorBundle& bundle,
+                        const Drives& drives, Method method)
 {
     std::vector<GhostFindings> each(drives.size());
     Progress progress(fmt::format("{}: drive", name(method)), static_cast<int>(drives.size()));
@@ -225,7 +224,7 @@ GhostFindings tryMethod(const GhostOptions& options, const Toolbox& toolbox, con
         Settings settings = options.settings;
         settings.method = method;
         settings.seed += 1000 * k;
-        each[k] = DriveTrial(toolbox, options, settings).run(drives[k]);
+        each[k] = DriveTrial(bundle, options, settings).run(drives[k]);
         progress.tick();
     });
     GhostFindings all;
@@ -280,19 +279,19 @@ void printFindings(Method method, const GhostFindings& found, std::uint64_t seed
 
 Status judgeGhost(const GhostOptions& options)
 {
-    const auto toolbox = openToolbox(options.robot, options.model);
-    if (!toolbox) return toolbox.error();
+    const auto bundle = openEstimatorBundle(options.robot, options.model);
+    if (!bundle) return bundle.error();
     const auto grounds = groundsOf(options);
     if (!grounds) return grounds.error();
-    const Drives drives = driveAll(options, (*toolbox)->robot, *grounds);
+    const Drives drives = driveAll(options, (*bundle)->robot, *grounds);
     std::size_t scenes = 0;
     for (const auto& drive : drives) scenes += drive.size();
     say("{} drives over {}, {} scenes every {:.2f} m; odometry's sd {:.0f} % of the way; the "
         "ghost's sd times {:g} as a measurement\n",
         drives.size(), options.terrain, scenes, options.spacing,
-        100.0 * (*toolbox)->robot.travelledSdShare, options.sdFactor);
+        100.0 * (*bundle)->robot.travelledSdShare, options.sdFactor);
     for (const Method method : options.methods)
-        printFindings(method, tryMethod(options, **toolbox, drives, method), options.settings.seed);
+        printFindings(method, tryMethod(options, **bundle, drives, method), options.settings.seed);
     return Done{};
 }
 

@@ -6,15 +6,15 @@ namespace terratact {
 
 Status judgeHazards(const HazardsOptions& options)
 {
-    const auto toolbox = openToolbox(options.robot, options.model);
-    if (!toolbox) return toolbox.error();
+    const auto bundle = openEstimatorBundle(options.robot, options.model);
+    if (!bundle) return bundle.error();
     HazardTrial trial;
     trial.drives = options.drives;
     trial.seed = options.settings.seed;
     trial.stepLimit = options.stepLimit;
     trial.settings = options.settings;
     if (!options.rates.empty()) trial.rates = options.rates;
-    const auto lines = tryHazards(**toolbox, trial);
+    const auto lines = tryHazards(**bundle, trial);
     const std::string table = hazardTable(lines, trial.rates.back());
     say("{}", Lines(table));
     return Done{};

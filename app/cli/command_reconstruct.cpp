@@ -13,14 +13,14 @@ namespace terratact {
 
 Status reconstructScenes(const ReconstructOptions& options)
 {
-    const auto toolbox = openToolbox(options.robot, options.model);
-    if (!toolbox) return toolbox.error();
+    const auto bundle = openEstimatorBundle(options.robot, options.model);
+    if (!bundle) return bundle.error();
     const auto file = readScenes(options.data);
     if (!file) return file.error();
     for (const std::string& notice : file->notices) say(stderr, "terratact: {}\n", notice);
 
-    auto estimates = estimateScenes(file->scenes, **toolbox, options.settings, options.seconds);
-    const std::size_t contradicting = checkEstimates(file->scenes, (*toolbox)->robot, estimates);
+    auto estimates = estimateScenes(file->scenes, **bundle, options.settings, options.seconds);
+    const std::size_t contradicting = checkEstimates(file->scenes, (*bundle)->robot, estimates);
     const std::string csv = estimateCsv(file->scenes, estimates);
     if (Status written = writeText(options.out, csv); !written) return written;
     const auto noted = std::count_if(estimates.begin(), estimates.end(),

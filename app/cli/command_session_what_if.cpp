@@ -43,20 +43,20 @@ Settings changed(Settings settings, const WhatIfOptions& options)
 /// The models that were asked for so far, by robot and file.
 class Toolboxes {
 public:
-    Result<const Toolbox*> get(const RobotModel& robot, const std::string& robotText,
-                               const std::string& path)
+    Result<const EstimatorBundle*> get(const RobotModel& robot, const std::string& robotText,
+                                       const std::string& path)
     {
-        auto& toolbox = open_[{robotText, path}];
-        if (!toolbox) {
+        auto& bundle = open_[{robotText, path}];
+        if (!bundle) {
             auto model = readModel(path);
             if (!model) return model.error();
-            toolbox = std::make_unique<Toolbox>(robot, std::move(*model));
+            bundle = std::make_unique<EstimatorBundle>(robot, std::move(*model));
         }
-        return static_cast<const Toolbox*>(toolbox.get());
+        return static_cast<const EstimatorBundle*>(bundle.get());
     }
 
 private:
-    std::map<std::pair<std::string, std::string>, std::unique_ptr<Toolbox>> open_;
+    std::map<std::pair<std::string, std::string>, std::unique_ptr<EstimatorBundle>> open_;
 };
 
 /// One estimate, as it was and computed again.
@@ -123,7 +123,7 @@ public:
         if (!options_.out.empty())
             if (Status written = writeText(options_.out, csv()); !written) return written;
         const auto failed = std::count_if(reruns_.begin(), reruns_.end(), [](const Rerun& r) {
-            return r.asRecorded && r.differences.likeness == Likeness::Other && !endedByTime(r);
+            return r.asRecorded && r.differences.likeness == Match::Other && !endedByTime(r);
         });
         if (failed == 0) return Done{};
         return Error{fmt::format("{} of {} estimates do not come out as they were recorded", failed,
@@ -162,8 +162,8 @@ private:
         bool recordedModel = false;
         const auto path = modelPath(session, row, recordedModel);
         if (!path) return path.error();
-        const auto toolbox = toolboxes_.get(*robot, session.start().robot, *path);
-        if (!toolbox) return toolbox.error();
+        const auto bundle = toolboxes_.get(*robot, session.start().robot, *path);
+        if (!bundle) return bundle.error();
         auto before = recordedEstimate(session, row);
         if (!before) return before.error();
         Watch watch;
@@ -172,7 +172,7 @@ private:
         watch.progress = [&](double share) { progress.reach(static_cast<int>(100.0 * share)); };
         watch.cancelled = [this] { return interrupt_.came(); };
         const Settings settings = changed(row.estimate.settings, options_);
-        auto again = estimateAgain(session, row, (*toolbox)->models, settings, watch);
+        auto again = estimateAgain(session, row, (*bundle)->models, settings, watch);
         if (!again) return again.error();
         Rerun rerun{.session = &session, .row = row, .again = std::move(*again), .differences = {}};
         rerun.row.estimate = std::move(*before);
@@ -185,7 +185,7 @@ private:
 
     static std::string words(const Verdict& verdict)
     {
-        return fmt::format("{} (step ahead {:.0f} %)", describeOutlook(verdict),
+        return fmt::format("{} (step ahead {:.0f} %)", describeStepVerdict(verdict),
                            100.0 * verdict.step.p);
     }
 
@@ -194,12 +194,12 @@ private:
         const Differences& d = r.differences;
         say(messages_, "{}: estimate {} of scene {} at {}, {}: ", r.session->path(), r.row.id,
             r.row.scene, momentText(r.row.time), name(r.row.estimate.settings.method));
-        const bool identical = d.likeness == Likeness::Identical;
+        const bool identical = d.likeness == Match::Identical;
         if (r.asRecorded && identical) {
             say(messages_, "reproduced bit for bit\n");
             return;
         }
-        if (r.asRecorded && d.likeness == Likeness::LastBits) {
+        if (r.asRecorded && d.likeness == Match::LastBits) {
             say(messages_,
                 "reproduced but for the last bits of another processor or version, "
                 "heights within {:.1g} m\n",
@@ -233,9 +233,9 @@ private:
         std::size_t same = 0, lastBits = 0, other = 0;
         std::vector<double> moved;
         for (const Rerun& r : reruns_) {
-            same += r.differences.likeness == Likeness::Identical;
-            lastBits += r.differences.likeness == Likeness::LastBits;
-            other += r.differences.before.outlook != r.differences.after.outlook;
+            same += r.differences.likeness == Match::Identical;
+            lastBits += r.differences.likeness == Match::LastBits;
+            other += r.differences.before.stepVerdict != r.differences.after.stepVerdict;
             moved.push_back(r.differences.largest());
         }
         std::sort(moved.begin(), moved.end());
@@ -377,8 +377,8 @@ private:
                     name(b.settings.method), binCentre(static_cast<int>(i)), a.height[i],
                     b.height[i], a.sd[i], b.sd[i], a.q10[i], b.q10[i], a.q90[i], b.q90[i],
                     scene->truth ? numberText(scene->truth->at(i)) : "",
-                    r.differences.likeness == Likeness::Identical,
-                    name(r.differences.before.outlook), name(r.differences.after.outlook));
+                    r.differences.likeness == Match::Identical,
+                    name(r.differences.before.stepVerdict), name(r.differences.after.stepVerdict));
         }
         return text;
     }

@@ -45,15 +45,16 @@ Result<std::vector<Scene>> usableScenes(const std::string& path)
 }
 
 /// One estimate per scene, empty where the method has none; the seed of scene k is settings.seed + k.
-std::vector<SceneEstimate> estimates(const std::vector<Scene>& scenes, const Toolbox& toolbox,
-                                     const Settings& settings, Progress& progress)
+std::vector<SceneEstimate> estimates(const std::vector<Scene>& scenes,
+                                     const EstimatorBundle& bundle, const Settings& settings,
+                                     Progress& progress)
 {
     std::vector<SceneEstimate> all(scenes.size());
     parallelFor(static_cast<int>(scenes.size()), [&](int n) {
         const auto k = static_cast<std::size_t>(n);
         Settings own = settings;
         own.seed += k;
-        all[k] = estimateScene(scenes[k], toolbox, own);
+        all[k] = estimateScene(scenes[k], bundle, own);
         progress.tick();
     });
     return all;
@@ -99,32 +100,32 @@ private:
 
 /// An estimate, and its processor time.  A method that simulates the arm makes two, and each is waited for by itself:
 /// timed is the second, made again.
-std::pair<SceneEstimate, double> timedEstimate(const Scene& scene, const Toolbox& toolbox,
+std::pair<SceneEstimate, double> timedEstimate(const Scene& scene, const EstimatorBundle& bundle,
                                                const Settings& settings)
 {
     ProcessorStopwatch watch;
-    SceneEstimate estimate = estimateScene(scene, toolbox, settings);
+    SceneEstimate estimate = estimateScene(scene, bundle, settings);
     if (estimate.arm.empty()) return {std::move(estimate), watch.seconds()};
     watch = {};
-    (void)estimateWith(scene, estimate.arm, toolbox, settings);
+    (void)estimateWith(scene, estimate.arm, bundle, settings);
     return {std::move(estimate), watch.seconds()};
 }
 
 /// Times one setting, scene after scene in this thread.
 Tally timed(const TradeSetting& trade, const std::vector<Scene>& scenes,
-            const std::vector<SceneEstimate>& reference, const Toolbox& toolbox)
+            const std::vector<SceneEstimate>& reference, const EstimatorBundle& bundle)
 {
     // Models are factorised when first needed: not in the time of the first scene.
     Settings once = trade.settings;
     once.draws = once.chains = 1;
     once.burnIn = 0;
-    for (const Scene& scene : scenes) (void)estimateScene(scene, toolbox, once);
+    for (const Scene& scene : scenes) (void)estimateScene(scene, bundle, once);
     Tally tally;
     for (std::size_t k = 0; k < scenes.size(); ++k) {
         if (!reference[k].estimate) continue;
         Settings own = trade.settings;
         own.seed += k;
-        const auto [estimate, seconds] = timedEstimate(scenes[k], toolbox, own);
+        const auto [estimate, seconds] = timedEstimate(scenes[k], bundle, own);
         if (estimate.estimate)
             tally.add(k, scenes[k], *estimate.estimate, *reference[k].estimate, seconds);
     }
@@ -137,20 +138,20 @@ struct Measured {
     ReferenceQuality reference;
 };
 
-Measured measure(Method method, const std::vector<Scene>& scenes, const Toolbox& toolbox,
+Measured measure(Method method, const std::vector<Scene>& scenes, const EstimatorBundle& bundle,
                  const TradeoffOptions& options)
 {
     const auto settings = tradeSettings(method, options.seed);
     Progress progress(fmt::format("{}: setting", name(method)),
                       static_cast<int>(scenes.size() + settings.size()));
     const auto reference = estimates(
-        scenes, toolbox,
+        scenes, bundle,
         referenceSettings(method, options.referenceDraws, options.seed + kReferenceSeed), progress);
     Measured measured{{}, {.method = method}};
     for (const SceneEstimate& scene : reference)
         if (scene.estimate) measured.reference.add(*scene.estimate);
     for (const TradeSetting& trade : settings) {
-        const Tally tally = timed(trade, scenes, reference, toolbox);
+        const Tally tally = timed(trade, scenes, reference, bundle);
         if (!tally.empty()) measured.points.push_back(tally.point(trade));
         progress.tick();
     }
@@ -188,8 +189,8 @@ std::vector<std::string> tradeoffFiles()
 
 Status tradeoff(const TradeoffOptions& options)
 {
-    const auto toolbox = openToolbox(options.robot, options.model);
-    if (!toolbox) return toolbox.error();
+    const auto bundle = openEstimatorBundle(options.robot, options.model);
+    if (!bundle) return bundle.error();
     const auto scenes = usableScenes(options.data);
     if (!scenes) return scenes.error();
     const std::filesystem::path out(options.out);
@@ -198,7 +199,7 @@ Status tradeoff(const TradeoffOptions& options)
     std::vector<TradePoint> points;
     std::string references;
     for (const Method method : options.methods) {
-        const Measured more = measure(method, *scenes, **toolbox, options);
+        const Measured more = measure(method, *scenes, **bundle, options);
         points.insert(points.end(), more.points.begin(), more.points.end());
         references += referenceText(more);
     }
@@ -206,7 +207,7 @@ Status tradeoff(const TradeoffOptions& options)
     if (Status s = writeFileAtomically((out / "tradeoff.csv").string(), tradeoffCsv(points)); !s)
         return s;
     if (Status s = writeFileAtomically((out / "presets.csv").string(),
-                                       presetsCsv((*toolbox)->model.contentHash, points));
+                                       presetsCsv((*bundle)->model.contentHash, points));
         !s)
         return s;
     for (const char* file : {"tradeoff.png", "tradeoff.svg"})

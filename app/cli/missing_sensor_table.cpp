@@ -62,7 +62,7 @@ std::string judgeCase(const MissingCase& lacks, const std::vector<Scene>& scenes
 
 }  // namespace
 
-Status printMissingSensors(const std::vector<Scene>& scenes, const Toolbox& toolbox,
+Status printMissingSensors(const std::vector<Scene>& scenes, const EstimatorBundle& bundle,
                            const EvaluateOptions& options)
 {
     say("|error| and width of the 80 % band [mm]\n{:<20}  {:<9}  {:>7}  {:>8}  {:>6}  {:>8}  "
@@ -74,7 +74,7 @@ Status printMissingSensors(const std::vector<Scene>& scenes, const Toolbox& tool
             Settings settings = options.settings;
             settings.method = method;
             const std::vector<Scene> left = without(lacks, scenes);
-            csv += judgeCase(lacks, left, estimateScenes(left, toolbox, settings, options.seconds),
+            csv += judgeCase(lacks, left, estimateScenes(left, bundle, settings, options.seconds),
                              labelOf(settings));
         }
     return writeFileAtomically((std::filesystem::path(options.out) / "missing.csv").string(), csv);

@@ -57,7 +57,7 @@ std::string verdictText(const EstimateRow& row, const SceneRow& scene)
     const Verdict v = verdictOf(row.estimate, scene.measurement, {}, row.stepLimit);
     std::string text =
         fmt::format("{}: a step ahead of more than {:.2f} m has probability {:.0f} %",
-                    describeOutlook(v), row.stepLimit, 100.0 * v.step.p);
+                    describeStepVerdict(v), row.stepLimit, 100.0 * v.step.p);
     if (v.shortfall != Shortfall::None) text += "; " + describe(v.shortfall);
     if (!v.unfelt.empty()) text += "; " + describeUnfelt(v);
     for (const Doubt doubt : v.doubts) text += "; " + describe(doubt);

@@ -83,7 +83,7 @@ QString Exploration::wordsOf(NoProbe why) const
             .arg(format::number(estimation_.estimate()->settings.probeAbove, 2));
     case NoProbe::Decided:
         return tr("Not offered, as the settings have it: %1 stands without the arm")
-            .arg(format::sentence(name(estimation_.verdict()->outlook)));
+            .arg(format::sentence(name(estimation_.verdict()->stepVerdict)));
     case NoProbe::NoGain:
         return tr("Not offered, as the settings have it: no bin in reach tells about the step");
     }

@@ -77,7 +77,7 @@ ProbeProposals::ProbeProposals(const Estimation& estimation, const RobotModel& r
 
 ProbeOffer ProbeProposals::offer() const
 {
-    return offerProbe(estimation_.advice(), estimation_.verdict()->outlook, policy_);
+    return offerProbe(estimation_.advice(), estimation_.verdict()->stepVerdict, policy_);
 }
 
 ProbeBasis ProbeProposals::basis() const

@@ -33,7 +33,7 @@ double numberOf(AlarmState state)
 std::string inWords(const Verdict& verdict, double limit)
 {
     std::string text =
-        fmt::format("{}, P(step > {:.2f} m) = {:.1f} % ± {}", name(verdict.outlook), limit,
+        fmt::format("{}, P(step > {:.2f} m) = {:.1f} % ± {}", name(verdict.stepVerdict), limit,
                     100.0 * verdict.step.p, randomErrorText(100.0 * verdict.step.monteCarloSd, 1));
     if (!verdict.unfelt.empty()) text += "; " + describeUnfelt(verdict);
     for (const Doubt doubt : verdict.doubts) text += fmt::format("; {}", describe(doubt));

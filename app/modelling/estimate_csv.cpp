@@ -53,7 +53,7 @@ std::string answerTo(const Scene& scene, const SceneEstimate& result)
 {
     if (!result.estimate) return ",,";
     const Verdict verdict = verdictOf(*result.estimate, scene.s, kStepLimit);
-    return fmt::format(",{:.2f},{}", verdict.horizon, name(verdict.outlook));
+    return fmt::format(",{:.2f},{}", verdict.horizon, name(verdict.stepVerdict));
 }
 
 void addRows(std::string& csv, const Scene& scene, const SceneEstimate& result)

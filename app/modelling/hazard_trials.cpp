@@ -91,7 +91,7 @@ VerdictCounts judge(const Scene& scene, const TerrainEstimate& estimate, double 
     const auto horizon =
         static_cast<int>(std::lround((verdict.horizon - binBegin(0)) / kBinWidth)) - 1;
     const int reach = reachOf(estimate);
-    const bool clear = verdict.outlook == Outlook::Clear;
+    const bool clear = verdict.stepVerdict == StepVerdict::Clear;
     const bool stepAhead = hasStep(truth, stepLimit, kFirstAhead, kBins - 1);
     const bool stepBefore = clear && hasStep(truth, stepLimit, kFirstAhead, horizon);
     const bool flat = !hasStep(truth, stepLimit, kFirstAhead, reach);
@@ -100,7 +100,7 @@ VerdictCounts judge(const Scene& scene, const TerrainEstimate& estimate, double 
     c.scenes = 1;
     c.withStep = stepAhead ? 1 : 0;
     c.clear = clear ? 1 : 0;
-    c.blocked = verdict.outlook == Outlook::Blocked ? 1 : 0;
+    c.blocked = verdict.stepVerdict == StepVerdict::Blocked ? 1 : 0;
     c.falseClear = stepBefore ? 1 : 0;
     c.overlooked = clear && stepAhead && !stepBefore ? 1 : 0;
     c.flat = flat ? 1 : 0;
@@ -112,17 +112,17 @@ VerdictCounts judge(const Scene& scene, const TerrainEstimate& estimate, double 
 }
 
 /// One drive's counts for each rate.
-std::vector<VerdictCounts> judgeDrive(const Toolbox& toolbox, const HazardTrial& trial,
+std::vector<VerdictCounts> judgeDrive(const EstimatorBundle& bundle, const HazardTrial& trial,
                                       const Ground& ground, std::optional<Hazard> hazard,
                                       std::uint64_t seed)
 {
     std::mt19937_64 rng(seed);
     std::vector<VerdictCounts> counts(trial.rates.size());
-    for (const Scene& scene : driveOnce(toolbox.robot, ground, hazard, rng))
+    for (const Scene& scene : driveOnce(bundle.robot, ground, hazard, rng))
         for (std::size_t r = 0; r < trial.rates.size(); ++r) {
             Settings settings = trial.settings;
             settings.hazardRate = trial.rates[r];
-            const SceneEstimate result = estimateScene(scene, toolbox, settings);
+            const SceneEstimate result = estimateScene(scene, bundle, settings);
             if (!result.estimate) {
                 ++counts[r].failed;
                 continue;
@@ -132,7 +132,7 @@ std::vector<VerdictCounts> judgeDrive(const Toolbox& toolbox, const HazardTrial&
     return counts;
 }
 
-void addLines(const Toolbox& toolbox, const HazardTrial& trial, std::size_t ground,
+void addLines(const EstimatorBundle& bundle, const HazardTrial& trial, std::size_t ground,
               std::optional<Hazard> hazard, std::vector<HazardLine>& lines)
 {
     const std::size_t kind = hazard ? static_cast<std::size_t>(*hazard) + 1 : 0;
@@ -141,7 +141,7 @@ void addLines(const Toolbox& toolbox, const HazardTrial& trial, std::size_t grou
         const auto drive = static_cast<std::size_t>(k);
         const std::uint64_t seed =
             trial.seed * 1'000'003 + (kind * kGrounds.size() + ground) * 10'007 + drive;
-        drives[drive] = judgeDrive(toolbox, trial, kGrounds[ground], hazard, seed);
+        drives[drive] = judgeDrive(bundle, trial, kGrounds[ground], hazard, seed);
     });
     for (std::size_t r = 0; r < trial.rates.size(); ++r) {
         HazardLine line{std::string(kGrounds[ground].name),
@@ -209,12 +209,12 @@ VerdictCounts& VerdictCounts::operator+=(const VerdictCounts& o)
     return *this;
 }
 
-std::vector<HazardLine> tryHazards(const Toolbox& toolbox, const HazardTrial& trial)
+std::vector<HazardLine> tryHazards(const EstimatorBundle& bundle, const HazardTrial& trial)
 {
     std::vector<HazardLine> lines;
     for (std::size_t ground = 0; ground < kGrounds.size(); ++ground) {
-        addLines(toolbox, trial, ground, std::nullopt, lines);
-        for (const Hazard hazard : kHazards) addLines(toolbox, trial, ground, hazard, lines);
+        addLines(bundle, trial, ground, std::nullopt, lines);
+        for (const Hazard hazard : kHazards) addLines(bundle, trial, ground, hazard, lines);
     }
     return lines;
 }

@@ -45,7 +45,7 @@ struct HazardLine {
 /// Drives the simulated robot every 0.1 m over ground that no model is trained on (core/sim/hazard_terrain.h), estimates
 /// every scene and judges its verdict. Level ground, and roughness of ISO 8608 classes A and C.
 /// Lines by ground, hazard and rate.
-std::vector<HazardLine> tryHazards(const Toolbox& toolbox, const HazardTrial& trial);
+std::vector<HazardLine> tryHazards(const EstimatorBundle& bundle, const HazardTrial& trial);
 
 /// The lines of one rate by ground and hazard, a total per rate, and what other rates give, as a table to read.
 std::string hazardTable(std::span<const HazardLine> lines, double rate);

@@ -22,11 +22,12 @@ namespace {
 
 constexpr int kResamples = 2000;
 
-Result<std::unique_ptr<Toolbox>> toolboxFrom(const RobotModel& robot, const std::string& path)
+Result<std::unique_ptr<EstimatorBundle>> toolboxFrom(const RobotModel& robot,
+                                                     const std::string& path)
 {
     auto model = readModel(path);
     if (!model) return model.error();
-    return std::make_unique<Toolbox>(robot, std::move(*model));
+    return std::make_unique<EstimatorBundle>(robot, std::move(*model));
 }
 
 /// What both models made of one scene.
@@ -35,9 +36,9 @@ struct EstimatePair {
     bool both() const { return before.estimate && after.estimate; }
 };
 
-std::vector<EstimatePair> estimatePairs(const std::vector<Scene>& scenes, const Toolbox& before,
-                                        const Toolbox& after, const ComparisonPlan& plan,
-                                        const ComparisonWatch& watch)
+std::vector<EstimatePair> estimatePairs(const std::vector<Scene>& scenes,
+                                        const EstimatorBundle& before, const EstimatorBundle& after,
+                                        const ComparisonPlan& plan, const ComparisonWatch& watch)
 {
     std::vector<EstimatePair> pairs(scenes.size());
     std::mutex mutex;

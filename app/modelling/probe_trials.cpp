@@ -50,22 +50,22 @@ std::vector<NamedRule> probeRules(const RobotModel& robot, double stepLimit)
 
 std::vector<ProbeRun> tryProbeRules(const std::string& label, const std::vector<Scene>& scenes,
                                     const std::vector<SceneEstimate>& estimates, std::size_t first,
-                                    const Toolbox& toolbox, const Settings& settings,
+                                    const EstimatorBundle& bundle, const Settings& settings,
                                     double stepLimit, double seconds)
 {
     std::vector<std::size_t> chosen;
     for (std::size_t k = 0; k < scenes.size(); ++k)
         if (hasTruthAhead(scenes[k]) && estimates[k].estimate) chosen.push_back(k);
-    const ProbeLimits limits = limitsOf(toolbox.robot, settings);
+    const ProbeLimits limits = limitsOf(bundle.robot, settings);
     std::vector<ProbeRun> runs;
-    for (const NamedRule& rule : probeRules(toolbox.robot, stepLimit)) {
+    for (const NamedRule& rule : probeRules(bundle.robot, stepLimit)) {
         std::vector<ProbeTrial> trials(chosen.size());
         parallelFor(static_cast<int>(chosen.size()), [&](int n) {
             const std::size_t k = chosen[static_cast<std::size_t>(n)];
             Settings own = settings;
             own.seed += first + k;
             const auto estimate = [&](const Scene& scene, std::span<const ArmReading> readings) {
-                return estimateWith(scene, readings, toolbox, own, seconds);
+                return estimateWith(scene, readings, bundle, own, seconds);
             };
             trials[static_cast<std::size_t>(n)] = tryProbes(
                 first + k, scenes[k], *estimates[k].estimate, estimate, rule.choose, limits);

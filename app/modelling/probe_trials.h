@@ -26,7 +26,7 @@ std::vector<NamedRule> probeRules(const RobotModel& robot, double stepLimit);
 /// of scene k of all is settings.seed + k.  seconds: as estimateWith.
 std::vector<ProbeRun> tryProbeRules(const std::string& label, const std::vector<Scene>& scenes,
                                     const std::vector<SceneEstimate>& estimates, std::size_t first,
-                                    const Toolbox& toolbox, const Settings& settings,
+                                    const EstimatorBundle& bundle, const Settings& settings,
                                     double stepLimit, double seconds = 0.0);
 
 }  // namespace terratact

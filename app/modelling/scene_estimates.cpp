@@ -44,7 +44,7 @@ double armNoise(std::uint64_t seed)
 /// What a thread takes scenes from, and where estimates go.
 struct Work {
     std::span<const Scene> scenes;
-    const Toolbox& toolbox;
+    const EstimatorBundle& bundle;
     const Settings& settings;
     double seconds;
     std::size_t atOnce;  ///< scenes that a thread has in work, at most
@@ -56,9 +56,7 @@ struct Work {
 /// One thread's part.
 class Estimating {
 public:
-    explicit Estimating(Work& work) : work_(work), batch_(work.toolbox.robot, work.toolbox.models)
-    {
-    }
+    explicit Estimating(Work& work) : work_(work), batch_(work.bundle.robot, work.bundle.models) {}
 
     void run()
     {
@@ -102,10 +100,10 @@ private:
     /// The simulated arm, where it is worth it.
     void touch(std::size_t k, TerrainEstimate first)
     {
-        const std::optional<int> bin = proposeProbe(first, work_.toolbox.robot);
+        const std::optional<int> bin = proposeProbe(first, work_.bundle.robot);
         if (!bin) return leave(k, noted(std::move(first)));
         if (const auto truth = work_.scenes[k].truth[static_cast<std::size_t>(*bin)]) {
-            const double sd = work_.toolbox.robot.armSd;
+            const double sd = work_.bundle.robot.armSd;
             touched_[k] = {{*bin, *truth + sd * armNoise(work_.settings.seed + k), sd}};
             return add(k, touched_[k]);
         }
@@ -140,39 +138,41 @@ std::size_t scenesAtOnce(std::size_t scenes, int threads, double seconds)
 
 }  // namespace
 
-Result<std::unique_ptr<Toolbox>> openToolbox(const std::string& robotPath,
-                                             const std::string& modelPath)
+Result<std::unique_ptr<EstimatorBundle>> openEstimatorBundle(const std::string& robotPath,
+                                                             const std::string& modelPath)
 {
     auto robot = readRobotModel(robotPath);
     if (!robot) return robot.error();
     auto model = readModel(modelPath);
     if (!model) return model.error();
-    return std::make_unique<Toolbox>(std::move(*robot), std::move(*model));
+    return std::make_unique<EstimatorBundle>(std::move(*robot), std::move(*model));
 }
 
 TerrainEstimate estimateWith(const Scene& scene, std::span<const ArmReading> arm,
-                             const Toolbox& toolbox, const Settings& settings, double seconds)
+                             const EstimatorBundle& bundle, const Settings& settings,
+                             double seconds)
 {
-    return estimateTerrain(scene.s, arm, toolbox.robot, toolbox.models, settings,
+    return estimateTerrain(scene.s, arm, bundle.robot, bundle.models, settings,
                            endingAfter(seconds));
 }
 
-SceneEstimate estimateScene(const Scene& scene, const Toolbox& toolbox, const Settings& settings,
-                            double seconds)
+SceneEstimate estimateScene(const Scene& scene, const EstimatorBundle& bundle,
+                            const Settings& settings, double seconds)
 {
-    Work work{{&scene, 1}, toolbox, settings, seconds, 1, {}};
+    Work work{{&scene, 1}, bundle, settings, seconds, 1, {}};
     Estimating(work).run();
     return std::move(work.estimates.front());
 }
 
-std::vector<SceneEstimate> estimateScenes(const std::vector<Scene>& scenes, const Toolbox& toolbox,
-                                          const Settings& settings, double seconds)
+std::vector<SceneEstimate> estimateScenes(const std::vector<Scene>& scenes,
+                                          const EstimatorBundle& bundle, const Settings& settings,
+                                          double seconds)
 {
     Progress progress(fmt::format("{}: scene", name(settings.method)),
                       static_cast<int>(scenes.size()));
     const int threads = processors();
     Work work{scenes,
-              toolbox,
+              bundle,
               settings,
               seconds,
               scenesAtOnce(scenes.size(), threads, seconds),

@@ -411,7 +411,8 @@ void TerrainPage::showVerdict(const TerrainViewState& viewState)
 /// Where the verdict cannot tell, always: the bin, what is expected of it, and the button that asks for it.
 void TerrainPage::showProbeToAsk(const TerrainViewState& viewState)
 {
-    const bool open = viewState.verdict && viewState.verdict->outlook == Outlook::CannotTell;
+    const bool open =
+        viewState.verdict && viewState.verdict->stepVerdict == StepVerdict::CannotTell;
     if (!open || !isAtRest(viewState)) return atem_->setProbeToAsk(std::nullopt, {});
     atem_->setProbeToAsk(viewState.bestProbe->bin, probeTells(*viewState.bestProbe));
 }
@@ -421,7 +422,8 @@ void TerrainPage::showProbe(const TerrainViewState& viewState)
     const bool asking = viewState.proposal && viewState.state.phase == AtemPhase::ProposingProbe;
     // What asks or moves is shown in every layout.
     const bool needed = asking || viewState.probingBin;
-    const bool open = viewState.verdict && viewState.verdict->outlook == Outlook::CannotTell;
+    const bool open =
+        viewState.verdict && viewState.verdict->stepVerdict == StepVerdict::CannotTell;
     probe_->setVisible(
         ((layout_->layout() == Layout::Probe || (open && isAtRest(viewState))) && !isTight())
         || needed);
@@ -432,7 +434,7 @@ void TerrainPage::showProbe(const TerrainViewState& viewState)
     if (asking) {
         ProbeProposal proposal = *viewState.proposal;
         if (viewState.verdict && proposal.stepLimit == verdict_->limit())
-            proposal.answer = viewState.verdict->outlook;
+            proposal.answer = viewState.verdict->stepVerdict;
         probe_->setProposal(proposal);
         probe_->setPreconditions(viewState.probing);
         probe_->setTimeLeft(viewState.time ? viewState.time->seconds : 0.0);

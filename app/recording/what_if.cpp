@@ -51,10 +51,10 @@ bool alike(const TerrainEstimate& a, const TerrainEstimate& b, Same same)
         && a.warnings == b.warnings;
 }
 
-Likeness likenessOf(const TerrainEstimate& a, const TerrainEstimate& b)
+Match likenessOf(const TerrainEstimate& a, const TerrainEstimate& b)
 {
-    if (alike(a, b, Alike<sameBits>{})) return Likeness::Identical;
-    return alike(a, b, Alike<nearly>{}) ? Likeness::LastBits : Likeness::Other;
+    if (alike(a, b, Alike<sameBits>{})) return Match::Identical;
+    return alike(a, b, Alike<nearly>{}) ? Match::LastBits : Match::Other;
 }
 
 }  // namespace

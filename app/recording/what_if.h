@@ -49,7 +49,7 @@ struct BinDifference {
 /// may leave between two estimates that are otherwise computed alike.
 inline constexpr double kLastBits = 1e-6;
 
-enum class Likeness {
+enum class Match {
     Identical,  ///< every number, bit for bit, the draws among them, and every word
     LastBits,   ///< every number within kLastBits, and every word
     Other
@@ -59,7 +59,7 @@ struct Differences {
     std::array<BinDifference, kBins> bin{};
     int largestBin = 0;     ///< where the height moved most
     Verdict before, after;  ///< as if the robot were heard
-    Likeness likeness = Likeness::Other;
+    Match likeness = Match::Other;
     double largest() const;  ///< [m] |height| of largestBin
 };
 

@@ -294,10 +294,10 @@ void WhatIfPage::showAnswer()
     const bool asRecorded = *asked_ == before.settings && isRecordedModel();
     QString text;
     Tone tone = Tone::Plain;
-    if (asRecorded && found.likeness == Likeness::Identical) {
+    if (asRecorded && found.likeness == Match::Identical) {
         text = tr("The recorded settings and model give the recorded estimate again, bit for bit.");
         tone = Tone::Good;
-    } else if (asRecorded && found.likeness == Likeness::LastBits) {
+    } else if (asRecorded && found.likeness == Match::LastBits) {
         text = tr("The recorded settings and model give the recorded estimate again, but for the "
                   "last bits, which another processor or version rounds otherwise: no number "
                   "moves by more than a millionth.");
@@ -320,9 +320,9 @@ void WhatIfPage::showAnswer()
     text += QLatin1Char('\n')
           + tr("Steps of more than %1 m: %2 (%3 %) then, %4 (%5 %) now.")
                 .arg(format::number(recorded_->stepLimit, 2),
-                     format::sentence(name(found.before.outlook)),
+                     format::sentence(name(found.before.stepVerdict)),
                      format::number(100.0 * found.before.step.p, 1),
-                     format::sentence(name(found.after.outlook)),
+                     format::sentence(name(found.after.stepVerdict)),
                      format::number(100.0 * found.after.step.p, 1));
     say(text, tone);
     showBins(&found);

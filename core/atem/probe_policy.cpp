@@ -24,9 +24,9 @@ std::vector<ProbeGain> ranked(const ProbeAdvice& advice, ProbePolicy policy)
     return gains;
 }
 
-ProbeOffer offerProbe(const ProbeAdvice& advice, Outlook verdict, ProbePolicy policy)
+ProbeOffer offerProbe(const ProbeAdvice& advice, StepVerdict verdict, ProbePolicy policy)
 {
-    if (policy != ProbePolicy::Variance && verdict != Outlook::CannotTell)
+    if (policy != ProbePolicy::Variance && verdict != StepVerdict::CannotTell)
         return {.bin = {}, .why = NoProbe::Decided};
     if (policy == ProbePolicy::Question && !advice.gains.empty()) {
         const ProbeGain best = ranked(advice, policy).front();

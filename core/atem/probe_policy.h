@@ -44,6 +44,6 @@ std::vector<ProbeGain> ranked(const ProbeAdvice& advice, ProbePolicy policy);
 /// What is put to the operator.  verdict: the answer without the arm; a verdict withheld is CannotTell, which leaves the
 /// question open.  Question asks whatever the sds are, where a bin is expected to gain kMinBits or more; without
 /// gains (no draws) it asks for what VarianceOpen does.
-ProbeOffer offerProbe(const ProbeAdvice& advice, Outlook verdict, ProbePolicy policy);
+ProbeOffer offerProbe(const ProbeAdvice& advice, StepVerdict verdict, ProbePolicy policy);
 
 }  // namespace terratact

@@ -33,7 +33,7 @@ QString percent(double share)
     return format::number(-100.0 * share, 0);
 }
 
-QString wordOf(Outlook answer)
+QString wordOf(StepVerdict answer)
 {
     return format::sentence(name(answer));
 }
@@ -298,7 +298,7 @@ void ProbeCard::showWorth()
     const QString worth = p.worth ? tr("total variance %1 %").arg(percent(p.worth->varianceShare))
                                   : tr("this bin to ± %1 m").arg(format::number(p.armSd, 2));
     // Where the card has more to say, cost and variance share a line.
-    const bool joined = narrow_ || tells() || isVoid() || p.answer != Outlook::CannotTell;
+    const bool joined = narrow_ || tells() || isVoid() || p.answer != StepVerdict::CannotTell;
     for (QLabel* label : {cost_, costKey_}) label->setVisible(!joined);
     lines_->setRowStretch(costLine_, joined ? 0 : 1);
     variance_->setText(joined ? tr("%1 for %2 s").arg(worth, seconds) : worth);
@@ -317,8 +317,8 @@ QString ProbeCard::questionText() const
     const QString before = format::number(p.bitsBefore, 2);
     if (!p.tellsOfStep()) {
         if (!narrow_) return tr("%1 bit, no gain").arg(before);
-        return p.answer == Outlook::CannotTell ? tr("step: %1 bit, no gain").arg(before)
-                                               : tr("%1 stands: no gain").arg(wordOf(p.answer));
+        return p.answer == StepVerdict::CannotTell ? tr("step: %1 bit, no gain").arg(before)
+                                                   : tr("%1 stands: no gain").arg(wordOf(p.answer));
     }
     const QString after = format::number(p.worth->bitsAfter, 2);
     const QString rate = format::number(60.0 * (p.bitsBefore - p.worth->bitsAfter) / p.seconds, 2);
@@ -334,7 +334,7 @@ void ProbeCard::showAnswer()
         decided_->setVisible(!whyNotAsked_.isEmpty());
         return;
     }
-    const bool decided = proposal_ && proposal_->answer != Outlook::CannotTell;
+    const bool decided = proposal_ && proposal_->answer != StepVerdict::CannotTell;
     const QString answer = decided ? wordOf(proposal_->answer) : QString();
     decided_->setVisible(isVoid() || (decided && !narrow_ && proposal_->worth));
     if (isVoid())

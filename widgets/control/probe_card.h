@@ -43,7 +43,7 @@ struct ProbeProposal {
     double bitsBefore = 0.0;          ///< its entropy now [bit]
     std::optional<ProbeWorth> worth;  ///< of this bin; empty: the method cannot tell
     std::vector<ProbeWorth> others;   ///< the bins the operator may choose instead, the best first
-    Outlook answer = Outlook::CannotTell;  ///< that the estimate gives without the probe
+    StepVerdict answer = StepVerdict::CannotTell;  ///< that the estimate gives without the probe
 
     /// The probe says something about the question; else, where its worth is known, only about the terrain's shape.
     bool tellsOfStep() const { return worth && bitsBefore - worth->bitsAfter >= kMinBits; }

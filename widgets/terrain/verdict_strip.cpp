@@ -57,10 +57,10 @@ QString briefly(Doubt doubt)
 /// As the style sheet has it.
 QString outlookOf(const Verdict& verdict)
 {
-    switch (verdict.outlook) {
-    case Outlook::Clear: return QStringLiteral("clear");
-    case Outlook::Blocked: return QStringLiteral("blocked");
-    case Outlook::CannotTell: return QStringLiteral("open");
+    switch (verdict.stepVerdict) {
+    case StepVerdict::Clear: return QStringLiteral("clear");
+    case StepVerdict::Blocked: return QStringLiteral("blocked");
+    case StepVerdict::CannotTell: return QStringLiteral("open");
     }
     return {};
 }
@@ -115,7 +115,7 @@ QString shortfallText(const Verdict& verdict)
 /// The answer on the badge: the horizon on a line of its own, so that the badge stays as wide.
 QString badgeOf(const Verdict& verdict)
 {
-    if (verdict.outlook != Outlook::Clear || !verdict.touchRecorded)
+    if (verdict.stepVerdict != StepVerdict::Clear || !verdict.touchRecorded)
         return VerdictStrip::answerOf(verdict);
     return VerdictStrip::tr("✔ CLEAR") + QLatin1Char('\n')
          + VerdictStrip::tr("to %1 m").arg(format::signedNumber(verdict.horizon, 2));
@@ -223,20 +223,20 @@ void VerdictStrip::changeEvent(QEvent* event)
 
 QString VerdictStrip::answerOf(const Verdict& verdict)
 {
-    switch (verdict.outlook) {
-    case Outlook::Clear:
+    switch (verdict.stepVerdict) {
+    case StepVerdict::Clear:
         return verdict.touchRecorded
                  ? tr("✔ CLEAR to %1 m").arg(format::signedNumber(verdict.horizon, 2))
                  : tr("✔ CLEAR");
-    case Outlook::Blocked: return tr("✘ BLOCKED");
-    case Outlook::CannotTell: return tr("? CANNOT TELL");
+    case StepVerdict::Blocked: return tr("✘ BLOCKED");
+    case StepVerdict::CannotTell: return tr("? CANNOT TELL");
     }
     return {};
 }
 
 QString VerdictStrip::probabilityOf(const Verdict& verdict, double limit)
 {
-    if (verdict.outlook == Outlook::Clear && verdict.touchRecorded)
+    if (verdict.stepVerdict == StepVerdict::Clear && verdict.touchRecorded)
         return tr("P(step > %1 m to %2 m) = %3 ± %4")
             .arg(format::number(limit, 2), format::signedNumber(verdict.horizon, 2),
                  format::number(verdict.toHorizon.p, 2),
@@ -248,10 +248,10 @@ QString VerdictStrip::probabilityOf(const Verdict& verdict, double limit)
 
 QString VerdictStrip::whyOf(const Verdict& verdict)
 {
-    switch (verdict.outlook) {
-    case Outlook::Clear: return clearText(verdict);
-    case Outlook::Blocked: return likeliestText(verdict);
-    case Outlook::CannotTell: break;
+    switch (verdict.stepVerdict) {
+    case StepVerdict::Clear: return clearText(verdict);
+    case StepVerdict::Blocked: return likeliestText(verdict);
+    case StepVerdict::CannotTell: break;
     }
     if (!verdict.doubts.empty()) return withheldText(verdict.doubts);
     if (verdict.shortfall != Shortfall::None) return shortfallText(verdict);
@@ -268,7 +268,7 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
     question_->setText(isWithheld ? QStringLiteral("(%1)").arg(probability) : probability);
     setTone(*question_, isWithheld ? Tone::Muted : Tone::Strong);
     setTone(*reason_, isWithheld ? Tone::Doubt : Tone::Muted);
-    const bool falls = verdict.outlook == Outlook::CannotTell && !isWithheld
+    const bool falls = verdict.stepVerdict == StepVerdict::CannotTell && !isWithheld
                     && verdict.shortfall != Shortfall::None;
     QString why = falls ? briefShortfall(verdict) : whyOf(verdict);
     if (!probe.isEmpty() && !isWithheld) why += QStringLiteral(" — ") + probe;
@@ -292,11 +292,11 @@ void VerdictStrip::setNothing(const QString& why)
 }
 
 /// Once all else is said.
-void VerdictStrip::say(const QString& answer, const QString& outlook, bool withheld)
+void VerdictStrip::say(const QString& answer, const QString& stepVerdict, bool withheld)
 {
     badge_->setText(answer);
-    if (badge_->property("outlook").toString() != outlook) {
-        badge_->setProperty("outlook", outlook);
+    if (badge_->property("outlook").toString() != stepVerdict) {
+        badge_->setProperty("outlook", stepVerdict);
         badge_->style()->unpolish(badge_);
         badge_->style()->polish(badge_);
         announce(*badge_);

@@ -46,7 +46,7 @@ protected:
 private:
     void resizeToFont();
     void choose(double metres);
-    void say(const QString& answer, const QString& outlook, bool withheld);
+    void say(const QString& answer, const QString& stepVerdict, bool withheld);
 
     double limit_ = kStepLimit;
     bool stacked_ = false;

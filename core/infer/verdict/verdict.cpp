@@ -12,7 +12,7 @@ namespace terratact {
 namespace {
 
 std::vector<Doubt> doubtsOf(const TerrainEstimate& estimate, const Measurement& scene,
-                            const Aftermath& since)
+                            const LinkSinceScene& since)
 {
     const Settings& settings = estimate.settings;
     std::vector<Doubt> doubts;
@@ -103,12 +103,12 @@ bool isClear(const Verdict& verdict)
 
 }  // namespace
 
-std::string_view name(Outlook outlook)
+std::string_view name(StepVerdict stepVerdict)
 {
-    switch (outlook) {
-    case Outlook::Clear: return "CLEAR";
-    case Outlook::Blocked: return "BLOCKED";
-    case Outlook::CannotTell: return "CANNOT TELL";
+    switch (stepVerdict) {
+    case StepVerdict::Clear: return "CLEAR";
+    case StepVerdict::Blocked: return "BLOCKED";
+    case StepVerdict::CannotTell: return "CANNOT TELL";
     }
     return {};
 }
@@ -163,11 +163,11 @@ std::string describe(Help help)
     throw std::invalid_argument("describe: no such Help");
 }
 
-std::string describeOutlook(const Verdict& verdict)
+std::string describeStepVerdict(const Verdict& verdict)
 {
-    if (verdict.outlook != Outlook::Clear || !verdict.touchRecorded)
-        return std::string(name(verdict.outlook));
-    return fmt::format("{} to {:+.2f} m", name(verdict.outlook), verdict.horizon);
+    if (verdict.stepVerdict != StepVerdict::Clear || !verdict.touchRecorded)
+        return std::string(name(verdict.stepVerdict));
+    return fmt::format("{} to {:+.2f} m", name(verdict.stepVerdict), verdict.horizon);
 }
 
 std::string describeUnfelt(const Verdict& verdict)
@@ -178,8 +178,8 @@ std::string describeUnfelt(const Verdict& verdict)
     return text;
 }
 
-Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene, const Aftermath& since,
-                  double limit)
+Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene,
+                  const LinkSinceScene& since, double limit)
 {
     if (!(limit >= 0.0) || !std::isfinite(limit))
         throw std::invalid_argument("verdictOf: the limit must be finite and 0 m or more");
@@ -201,8 +201,8 @@ Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene, con
     verdict.likeliestP = likeliest->p;
     const double margin = 2.0 * verdict.step.monteCarloSd;
     if (!verdict.doubts.empty()) return verdict;
-    if (isClear(verdict)) verdict.outlook = Outlook::Clear;
-    if (verdict.step.p - margin > kBlockedAbove) verdict.outlook = Outlook::Blocked;
+    if (isClear(verdict)) verdict.stepVerdict = StepVerdict::Clear;
+    if (verdict.step.p - margin > kBlockedAbove) verdict.stepVerdict = StepVerdict::Blocked;
     return verdict;
 }
 

@@ -12,10 +12,10 @@
 namespace terratact {
 
 /// The answer to "can I drive on?".
-enum class Outlook : std::uint8_t { Clear, Blocked, CannotTell };
+enum class StepVerdict : std::uint8_t { Clear, Blocked, CannotTell };
 
 /// "CLEAR", "BLOCKED", "CANNOT TELL".
-std::string_view name(Outlook outlook);
+std::string_view name(StepVerdict stepVerdict);
 
 /// Why an estimate gives no answer although its draws have one.
 enum class Doubt : std::uint8_t {
@@ -55,7 +55,7 @@ enum class Help : std::uint8_t {
 std::string describe(Help help);
 
 struct Verdict {
-    Outlook outlook = Outlook::CannotTell;
+    StepVerdict stepVerdict = StepVerdict::CannotTell;
     StepProbability step;  ///< of some step ahead; {0, 1} where there are no draws
     int likeliest = 0;  ///< rear bin of the pair of neighbours ahead that likeliest differs so much
     double likeliestP = 0.0;    ///< and its probability
@@ -76,7 +76,7 @@ struct Verdict {
 std::string describeUnfelt(const Verdict& verdict);
 
 /// "CLEAR to +0.55 m", "BLOCKED", "CANNOT TELL".
-std::string describeOutlook(const Verdict& verdict);
+std::string describeStepVerdict(const Verdict& verdict);
 
 /// Whether a bin ahead is bounded or not felt; where the touch is not recorded, whether nothing but the training set
 /// speaks for it (TerrainEstimate::priorOnly).  bin: 0 … 10.
@@ -99,7 +99,7 @@ inline constexpr double kHorizonSlack = 0.01;
 inline constexpr double kSteepFlipper = 0.35;
 
 /// What came after the scene; by itself: nothing, as of a scene in a file.
-struct Aftermath {
+struct LinkSinceScene {
     bool heard = true;     ///< its telemetry is live
     bool unbroken = true;  ///< and there was no silence of more than kMaxSilence
     bool sensorsSound =
@@ -115,8 +115,8 @@ struct Aftermath {
 /// Where the touch is not recorded, h is the last bin.
 /// scene: what the estimate rests on; its settings' limits say when roll or asymmetry are doubts.
 /// limit: [m].  Throws std::invalid_argument for a limit below 0 or not finite.
-Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene, const Aftermath& since,
-                  double limit);
+Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene,
+                  const LinkSinceScene& since, double limit);
 
 /// The same of a scene in a file: left and right are alike, the robot is level sideways.
 Verdict verdictOf(const TerrainEstimate& estimate, const Proprioception& scene, double limit);

@@ -376,7 +376,7 @@ TEST_F(Pages, theNumbersSayWhatTheVerdictIsAndHowOldTheyAre)
     page.refresh(0.0);
     EXPECT_FALSE(line->isVisible()) << "there is no estimate";
     viewState.estimate = &estimate;
-    viewState.verdict = Verdict{.outlook = Outlook::Blocked,
+    viewState.verdict = Verdict{.stepVerdict = StepVerdict::Blocked,
                                 .step = {0.99, 0.004},
                                 .likeliest = 8,
                                 .likeliestP = 0.97,
@@ -387,7 +387,7 @@ TEST_F(Pages, theNumbersSayWhatTheVerdictIsAndHowOldTheyAre)
     EXPECT_EQ(line->text(),
               QString::fromUtf8("✘ BLOCKED · P(step > 0.10 m ahead) = 0.99 ± < 0.01 · likeliest at "
                                 "+0.5 … +0.6 m (0.97)"));
-    viewState.verdict->outlook = Outlook::CannotTell;
+    viewState.verdict->stepVerdict = StepVerdict::CannotTell;
     viewState.verdict->doubts = {Doubt::Stale};
     viewState.age = 12.34;
     page.refresh(0.0);

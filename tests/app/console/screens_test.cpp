@@ -244,14 +244,14 @@ TEST_F(Screens, exploring)
 namespace {
 
 /// The limit next to the usual one for which the estimate that stands gives that answer [m]; empty: none does.
-std::optional<double> limitFor(const Estimation& estimation, Outlook outlook)
+std::optional<double> limitFor(const Estimation& estimation, StepVerdict stepVerdict)
 {
     std::optional<double> found;
     for (int centimetres = 2; centimetres <= 50; ++centimetres) {
         const double limit = 0.01 * centimetres;
         const Measurement& scene = estimation.scene()->measurement;
         const Verdict verdict = verdictOf(*estimation.estimate(), scene, {}, limit);
-        if (verdict.outlook == outlook
+        if (verdict.stepVerdict == stepVerdict
             && (!found || std::abs(limit - kStepLimit) < std::abs(*found - kStepLimit)))
             found = limit;
     }
@@ -262,10 +262,10 @@ std::optional<double> limitFor(const Estimation& estimation, Outlook outlook)
 
 TEST_F(Screens, verdict)
 {
-    const auto withLimit = [&](Outlook outlook) {
+    const auto withLimit = [&](StepVerdict stepVerdict) {
         const Estimation& estimation = console->exploration().estimation();
-        const std::optional<double> limit = limitFor(estimation, outlook);
-        ASSERT_TRUE(limit) << name(outlook);
+        const std::optional<double> limit = limitFor(estimation, stepVerdict);
+        ASSERT_TRUE(limit) << name(stepVerdict);
         console->preferences().change([&](Preferences& p) { p.obstacleLimit = *limit; });
         const auto isAsked = [&] {
             const auto& proposal = console->exploration().proposal();
@@ -306,12 +306,12 @@ TEST_F(Screens, verdict)
             [](Preferences& p) { p.hazardRate = kHazardRateRange.least; });
         alterEstimates(halved);
         ASSERT_NO_FATAL_FAILURE(explore());
-        ASSERT_NO_FATAL_FAILURE(withLimit(Outlook::Clear));
+        ASSERT_NO_FATAL_FAILURE(withLimit(StepVerdict::Clear));
         picture("clear", {VerdictStrip::tr("✔ CLEAR")});
-        withLimit(Outlook::CannotTell);
+        withLimit(StepVerdict::CannotTell);
         picture("undecided", {VerdictStrip::tr("? CANNOT TELL"),
                               VerdictStrip::tr("undecided from %1 to %2, %3")});
-        withLimit(Outlook::Blocked);
+        withLimit(StepVerdict::Blocked);
         picture("blocked", {VerdictStrip::tr("✘ BLOCKED")});
         robot->stage({.isMute = true});
         picture("withheld_stale", withheld(Doubt::Stale));

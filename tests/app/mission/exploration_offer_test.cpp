@@ -21,7 +21,7 @@ TEST_F(Bench, whyNoProbeWasOfferedIsOfTheLimitOfNow)
     EXPECT_TRUE(exploration->whyNotOffered().contains("CLEAR stands"))
         << exploration->whyNotOffered().toStdString();
     tickInSilence(10);
-    ASSERT_EQ(exploration->estimation().verdict()->outlook, Outlook::CannotTell);
+    ASSERT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::CannotTell);
     EXPECT_TRUE(exploration->whyNotOffered().contains("explore again to be asked"))
         << exploration->whyNotOffered().toStdString();
     exploration->setProbePolicy(ProbePolicy::Variance);

@@ -204,23 +204,23 @@ TEST_F(Outage, ofMoreThanASecondWithholdsTheVerdictUntilTheTerrainIsExploredAnew
 {
     exploration->refuse(exploration->proposal()->id);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    ASSERT_EQ(exploration->estimation().verdict()->outlook, Outlook::Blocked);
+    ASSERT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::Blocked);
     linkIsLostFor(kMaxSilence - 0.04);
     EXPECT_EQ(doubts(), std::vector<Doubt>());
-    EXPECT_EQ(exploration->estimation().verdict()->outlook, Outlook::Blocked);
+    EXPECT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::Blocked);
 
     linkIsLostFor(kMaxSilence + 0.04);
     EXPECT_TRUE(exploration->linkAlive());
     ASSERT_TRUE(exploration->estimation().estimate()) << "it stays to be seen";
     EXPECT_EQ(doubts(), std::vector{Doubt::Unheard});
-    EXPECT_EQ(exploration->estimation().verdict()->outlook, Outlook::CannotTell);
+    EXPECT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::CannotTell);
     tick(100);
     EXPECT_EQ(doubts(), std::vector{Doubt::Unheard}) << "however long telemetry comes again";
 
     telemetry.activity = RobotActivity::Halted;
     propose();
     EXPECT_EQ(doubts(), std::vector<Doubt>());
-    EXPECT_EQ(exploration->estimation().verdict()->outlook, Outlook::Blocked);
+    EXPECT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::Blocked);
 }
 
 TEST_F(Outage, thatNobodyLookedAtWithholdsItToo)

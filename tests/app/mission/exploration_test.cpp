@@ -392,7 +392,7 @@ TEST_F(Bench, aVerdictThatStandsIsAskedForNoProbeWhereThePolicyHasItSo)
 {
     withDraws = true;
     propose();
-    EXPECT_EQ(exploration->estimation().verdict()->outlook, Outlook::Blocked);
+    EXPECT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::Blocked);
     EXPECT_EQ(exploration->whyNotOffered(), "");
     exploration->abort();
     ASSERT_TRUE(reaches(AtemPhase::Idle));

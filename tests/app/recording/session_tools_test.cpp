@@ -103,7 +103,7 @@ TEST_F(Drive, estimatesComeOutAgainBitForBit)
         ASSERT_TRUE(again) << again.error().text;
         const Measurement& scene = reader.scene(row.scene)->measurement;
         const Differences same = differencesBetween(*before, *again, scene, row.stepLimit);
-        EXPECT_EQ(same.likeness, Likeness::Identical) << row.id;
+        EXPECT_EQ(same.likeness, Match::Identical) << row.id;
         EXPECT_EQ(same.largest(), 0.0);
         EXPECT_EQ(same.before, same.after);
 
@@ -111,8 +111,7 @@ TEST_F(Drive, estimatesComeOutAgainBitForBit)
         other.seed += 1;
         const auto moved = estimateAgain(reader, row, *models, other);
         ASSERT_TRUE(moved);
-        EXPECT_EQ(differencesBetween(*before, *moved, scene, row.stepLimit).likeness,
-                  Likeness::Other);
+        EXPECT_EQ(differencesBetween(*before, *moved, scene, row.stepLimit).likeness, Match::Other);
     }
 }
 
@@ -223,8 +222,8 @@ TEST(Differences, tellsBitsApartThatCompareEqual)
     const auto likeness = [&](const TerrainEstimate& other) {
         return differencesBetween(zero, other, {}, 0.1).likeness;
     };
-    EXPECT_EQ(likeness(zero), Likeness::Identical);
-    EXPECT_EQ(likeness(minus), Likeness::LastBits);
+    EXPECT_EQ(likeness(zero), Match::Identical);
+    EXPECT_EQ(likeness(minus), Match::LastBits);
     TerrainEstimate moved = zero;
     moved.height[8] += 0.02;
     moved.height[2] -= 0.05;
@@ -232,7 +231,7 @@ TEST(Differences, tellsBitsApartThatCompareEqual)
     EXPECT_EQ(d.largestBin, 2);
     EXPECT_NEAR(d.largest(), 0.05, 1e-12);
     EXPECT_NEAR(d.bin[8].height, 0.02, 1e-12);
-    EXPECT_EQ(d.likeness, Likeness::Other);
+    EXPECT_EQ(d.likeness, Match::Other);
 }
 
 TEST(Differences, areOfLastBitsWhereEveryNumberIsNearAndEveryWordTheSame)
@@ -246,16 +245,15 @@ TEST(Differences, areOfLastBitsWhereEveryNumberIsNearAndEveryWordTheSame)
         return differencesBetween(recorded, other, {}, 0.1).likeness;
     };
     using Estimate = TerrainEstimate;
-    EXPECT_EQ(likenessAfter([](Estimate& e) { e.q90[2] += 0.9e-6; }), Likeness::LastBits);
-    EXPECT_EQ(likenessAfter([](Estimate& e) { e.draws[2][5] -= 0.9e-6; }), Likeness::LastBits);
-    EXPECT_EQ(likenessAfter([](Estimate& e) { e.ess[2] += 3e-4; }), Likeness::LastBits);
-    EXPECT_EQ(likenessAfter([](Estimate& e) { e.q90[2] += 1.1e-6; }), Likeness::Other);
-    EXPECT_EQ(likenessAfter([](Estimate& e) { e.draws[2][5] -= 1.1e-6; }), Likeness::Other);
-    EXPECT_EQ(likenessAfter([](Estimate& e) { e.ess[2] += 5e-4; }), Likeness::Other);
-    EXPECT_EQ(likenessAfter([](Estimate& e) { e.sd[2] = std::nan(""); }), Likeness::Other);
-    EXPECT_EQ(likenessAfter([](Estimate& e) { e.draws.pop_back(); }), Likeness::Other);
-    EXPECT_EQ(likenessAfter([](Estimate& e) { e.warnings.emplace_back("other"); }),
-              Likeness::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.q90[2] += 0.9e-6; }), Match::LastBits);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.draws[2][5] -= 0.9e-6; }), Match::LastBits);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.ess[2] += 3e-4; }), Match::LastBits);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.q90[2] += 1.1e-6; }), Match::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.draws[2][5] -= 1.1e-6; }), Match::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.ess[2] += 5e-4; }), Match::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.sd[2] = std::nan(""); }), Match::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.draws.pop_back(); }), Match::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.warnings.emplace_back("other"); }), Match::Other);
 }
 
 TEST_F(Tools, logsHaveEveryKindOfFrameThatTheyCan)

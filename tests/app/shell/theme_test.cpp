@@ -158,8 +158,9 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
     said << QString::fromUtf8(
         "the estimate contradicts the readings: pitch +3° measured, -1° on its ground; "
         "front flippers -2° measured, +4° on its ground");
-    for (const Outlook outlook : {Outlook::Clear, Outlook::Blocked, Outlook::CannotTell})
-        said << format::text(name(outlook));
+    for (const StepVerdict stepVerdict :
+         {StepVerdict::Clear, StepVerdict::Blocked, StepVerdict::CannotTell})
+        said << format::text(name(stepVerdict));
     for (const char* language : {"cs", "de"}) {
         if (installLanguage(*qApp, language) != QLatin1String(language))
             GTEST_SKIP() << "built without translations";

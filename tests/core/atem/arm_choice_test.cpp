@@ -136,10 +136,10 @@ TEST(OfferProbe, asksByThePolicyAndSaysWhyNot)
 {
     struct Case {
         ProbePolicy policy;
-        Outlook verdict;
+        StepVerdict verdict;
         ProbeOffer offer;
     };
-    using enum Outlook;
+    using enum StepVerdict;
     using enum ProbePolicy;
     for (const auto& [policy, verdict, offer] :
          {Case{Variance, CannotTell, {kBin06, NoProbe::None}},
@@ -161,18 +161,18 @@ TEST(OfferProbe, asksForTheQuestionWhateverTheSdButNotForNothing)
     using enum ProbePolicy;
     ProbeAdvice certain = kTwoAims;
     certain.bin.reset();
-    EXPECT_EQ(offerProbe(certain, Outlook::CannotTell, Variance),
+    EXPECT_EQ(offerProbe(certain, StepVerdict::CannotTell, Variance),
               (ProbeOffer{{}, NoProbe::Certain}));
-    EXPECT_EQ(offerProbe(certain, Outlook::CannotTell, Question),
+    EXPECT_EQ(offerProbe(certain, StepVerdict::CannotTell, Question),
               (ProbeOffer{kBin07, NoProbe::None}));
     for (ProbeGain& gain : certain.gains) gain.entropyReduction = 0.9 * kMinBits * std::log(2.0);
-    EXPECT_EQ(offerProbe(certain, Outlook::CannotTell, Question),
+    EXPECT_EQ(offerProbe(certain, StepVerdict::CannotTell, Question),
               (ProbeOffer{{}, NoProbe::NoGain}));
     certain.gains.clear();  // no draws: what the question would gain is not known
-    EXPECT_EQ(offerProbe(certain, Outlook::CannotTell, Question),
+    EXPECT_EQ(offerProbe(certain, StepVerdict::CannotTell, Question),
               (ProbeOffer{{}, NoProbe::Certain}));
     certain.bin = kBin05;
-    EXPECT_EQ(offerProbe(certain, Outlook::CannotTell, Question),
+    EXPECT_EQ(offerProbe(certain, StepVerdict::CannotTell, Question),
               (ProbeOffer{kBin05, NoProbe::None}));
 }
 

@@ -127,7 +127,7 @@ TEST_F(Probe, theNarrowFormSaysAllOfItInFewerWords)
 TEST_F(Probe, needsNoScrollingWhereAWindowOf1280By720LeavesItsRoom)
 {
     ProbeProposal decided = kProposal;
-    decided.answer = Outlook::Blocked;
+    decided.answer = StepVerdict::Blocked;
     card.setFixedSize(404, 273);
     for (const ProbeProposal& proposal : {kProposal, decided}) {
         card.setProposal(proposal);
@@ -139,7 +139,7 @@ TEST_F(Probe, needsNoScrollingWhereAWindowOf1280By720LeavesItsRoom)
 TEST_F(Probe, saysWhereTheAnswerStandsWithoutIt)
 {
     ProbeProposal decided = kProposal;
-    decided.answer = Outlook::Blocked;
+    decided.answer = StepVerdict::Blocked;
     decided.bitsBefore = 0.003;
     decided.worth->bitsAfter = 0.001;
     for (const bool narrow : {false, true}) {
@@ -310,7 +310,7 @@ TEST_F(Probe, theSameQuestionAgainDoesNotDisturbTheHold)
     card.setTimeLeft(3.0);
     EXPECT_TRUE(card.approveButton()->isHeld());
     ProbeProposal decided = kProposal;
-    decided.answer = Outlook::Clear;
+    decided.answer = StepVerdict::Clear;
     card.setProposal(decided);
     EXPECT_TRUE(card.approveButton()->isHeld()) << "it is still the same question";
 }

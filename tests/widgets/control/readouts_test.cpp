@@ -299,7 +299,7 @@ TEST(Spoken, whatMattersIsAnnouncedOnce)
         << stop[0].toStdString();
 
     Verdict blocked;
-    blocked.outlook = Outlook::Blocked;
+    blocked.stepVerdict = StepVerdict::Blocked;
     verdict.setVerdict(blocked);
     verdict.setVerdict(blocked);
     EXPECT_EQ(listener.take(), QStringList{QStringLiteral("Verdict: ✘ BLOCKED|")});
@@ -307,7 +307,7 @@ TEST(Spoken, whatMattersIsAnnouncedOnce)
     ProbeCard card;
     ProbeProposal probe{.id = 3, .bin = 9, .height = 0.02, .worth = {}, .others = {}};
     card.setProposal(probe);
-    probe.answer = Outlook::Blocked;
+    probe.answer = StepVerdict::Blocked;
     card.setProposal(probe);
     const QStringList question = listener.take();
     ASSERT_EQ(question.size(), 1);

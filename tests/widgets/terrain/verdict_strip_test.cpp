@@ -30,9 +30,9 @@ struct Strip : testing::Test {
     QList<double> chosen;
 };
 
-Verdict verdict(Outlook outlook, double p)
+Verdict verdict(StepVerdict stepVerdict, double p)
 {
-    return {.outlook = outlook,
+    return {.stepVerdict = stepVerdict,
             .step = {p, 0.013},
             .likeliest = 8,
             .likeliestP = 0.5,
@@ -42,9 +42,9 @@ Verdict verdict(Outlook outlook, double p)
 
 TEST_F(Strip, answersInAWordWithAShape)
 {
-    strip.setVerdict(verdict(Outlook::Clear, 0.01));
+    strip.setVerdict(verdict(StepVerdict::Clear, 0.01));
     EXPECT_EQ(strip.badge(), QStringLiteral("✔ CLEAR"));
-    strip.setVerdict(verdict(Outlook::Blocked, 0.99));
+    strip.setVerdict(verdict(StepVerdict::Blocked, 0.99));
     EXPECT_EQ(strip.badge(), QStringLiteral("✘ BLOCKED"));
     EXPECT_EQ(strip.question(), QStringLiteral("P(step > 0.10 m ahead) = 0.99 ± 0.01"));
     EXPECT_TRUE(strip.reason().contains(QStringLiteral("at +0.5 … +0.6 m (0.50)")));
@@ -55,7 +55,7 @@ TEST_F(Strip, answersInAWordWithAShape)
 
 TEST_F(Strip, aClearWayIsSaidToBeUnfeltWhereItIs)
 {
-    Verdict v = verdict(Outlook::Clear, 0.01);
+    Verdict v = verdict(StepVerdict::Clear, 0.01);
     strip.setVerdict(v);
     EXPECT_FALSE(strip.reason().contains("not felt"));
     v.unfelt = {9, 10};
@@ -68,7 +68,7 @@ TEST_F(Strip, aClearWayIsSaidToBeUnfeltWhereItIs)
 
 TEST_F(Strip, theNumberOfAVerdictThatIsWithheldDoesNotComeFirst)
 {
-    Verdict v = verdict(Outlook::CannotTell, 0.99);
+    Verdict v = verdict(StepVerdict::CannotTell, 0.99);
     const auto isBold = [this] {
         return strip.findChild<QLabel*>("verdictQuestion")->fontInfo().bold();
     };
@@ -96,11 +96,11 @@ TEST_F(Strip, theBadgeHasTheColoursOfItsAnswerInEveryTheme)
     };
     for (const ThemeName name : {ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast}) {
         applyLook(*qApp, name);
-        strip.setVerdict(verdict(Outlook::Clear, 0.01));
+        strip.setVerdict(verdict(StepVerdict::Clear, 0.01));
         expectColours(theme().clear);
-        strip.setVerdict(verdict(Outlook::Blocked, 0.99));
+        strip.setVerdict(verdict(StepVerdict::Blocked, 0.99));
         expectColours(theme().blocked);
-        strip.setVerdict(verdict(Outlook::CannotTell, 0.5));
+        strip.setVerdict(verdict(StepVerdict::CannotTell, 0.5));
         expectColours(theme().open);
         strip.setNothing("the robot has moved");
         expectColours(theme().off);
@@ -110,14 +110,14 @@ TEST_F(Strip, theBadgeHasTheColoursOfItsAnswerInEveryTheme)
 
 TEST_F(Strip, saysWhatIsMissingForAnAnswer)
 {
-    strip.setVerdict(verdict(Outlook::CannotTell, 0.95));
+    strip.setVerdict(verdict(StepVerdict::CannotTell, 0.95));
     EXPECT_TRUE(strip.reason().contains("undecided from 0.05 to 0.95, likeliest at"))
         << strip.reason().toStdString();
 }
 
 TEST_F(Strip, neverClaimsToBeWithoutError)
 {
-    Verdict v = verdict(Outlook::Clear, 0.01);
+    Verdict v = verdict(StepVerdict::Clear, 0.01);
     v.step.monteCarloSd = 0.0049;
     strip.setVerdict(v);
     EXPECT_EQ(strip.question(), QStringLiteral("P(step > 0.10 m ahead) = 0.01 ± < 0.01"));
@@ -128,7 +128,7 @@ TEST_F(Strip, neverClaimsToBeWithoutError)
 
 TEST_F(Strip, saysWhyAVerdictIsWithheld)
 {
-    Verdict v = verdict(Outlook::CannotTell, 0.99);
+    Verdict v = verdict(StepVerdict::CannotTell, 0.99);
     v.doubts = {Doubt::NotConverged, Doubt::Roll};
     strip.setVerdict(v, "a probe at 0.6 m: 0.98 → 0.31 bit");
     EXPECT_EQ(strip.badge(), QStringLiteral("? CANNOT TELL"));
@@ -139,7 +139,7 @@ TEST_F(Strip, saysWhyAVerdictIsWithheld)
 
 TEST_F(Strip, withNothingToSayHasNoTipOfTheVerdictBefore)
 {
-    Verdict v = verdict(Outlook::CannotTell, 0.99);
+    Verdict v = verdict(StepVerdict::CannotTell, 0.99);
     v.doubts = {Doubt::Stale};
     strip.setVerdict(v);
     const QLabel* reason = nullptr;
@@ -172,7 +172,7 @@ private:
 TEST_F(Strip, isAnnouncedWhereTheSameWordComesToStandForAnotherReason)
 {
     Announcements announcements(strip);
-    const Verdict undecided = verdict(Outlook::CannotTell, 0.5);
+    const Verdict undecided = verdict(StepVerdict::CannotTell, 0.5);
     Verdict withheld = undecided;
     withheld.doubts = {Doubt::Unheard};
     strip.setVerdict(undecided);
@@ -208,7 +208,7 @@ TEST_F(Strip, theLimitMovesByACentimetreWithinItsRange)
 
 TEST_F(Strip, nothingIsCutInTheNarrowestWindow)
 {
-    strip.setVerdict(verdict(Outlook::CannotTell, 0.71), "probe at 0.4 m: 0.87 → 0.53 bit");
+    strip.setVerdict(verdict(StepVerdict::CannotTell, 0.71), "probe at 0.4 m: 0.87 → 0.53 bit");
     QCoreApplication::processEvents();
     for (const std::string& text : gui::cutText(strip)) ADD_FAILURE() << text;
 }
@@ -216,7 +216,7 @@ TEST_F(Strip, nothingIsCutInTheNarrowestWindow)
 TEST_F(Strip, survivesHostileNumbers)
 {
     for (const double hostile : gui::kHostile) {
-        strip.setVerdict(verdict(Outlook::CannotTell, hostile));
+        strip.setVerdict(verdict(StepVerdict::CannotTell, hostile));
         EXPECT_FALSE(gui::painted(strip).isNull());
     }
 }

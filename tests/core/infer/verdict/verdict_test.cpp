@@ -25,21 +25,21 @@ TerrainEstimate estimateWith(int steps)
     return e;
 }
 
-Outlook outlook(int steps)
+StepVerdict stepVerdict(int steps)
 {
-    return verdictOf(estimateWith(steps), Measurement{}, {}, kLimit).outlook;
+    return verdictOf(estimateWith(steps), Measurement{}, {}, kLimit).stepVerdict;
 }
 
 TEST(Verdict, isClearOrBlockedTwoMonteCarloSdFromTheLimit)
 {
     // sd of p = 0.038: 0.0060, so that p + 2 sd is 0.0501; of 0.037: 0.0490
-    EXPECT_EQ(outlook(0), Outlook::Clear);
-    EXPECT_EQ(outlook(37), Outlook::Clear);
-    EXPECT_EQ(outlook(38), Outlook::CannotTell);
-    EXPECT_EQ(outlook(500), Outlook::CannotTell);
-    EXPECT_EQ(outlook(962), Outlook::CannotTell);
-    EXPECT_EQ(outlook(963), Outlook::Blocked);
-    EXPECT_EQ(outlook(1000), Outlook::Blocked);
+    EXPECT_EQ(stepVerdict(0), StepVerdict::Clear);
+    EXPECT_EQ(stepVerdict(37), StepVerdict::Clear);
+    EXPECT_EQ(stepVerdict(38), StepVerdict::CannotTell);
+    EXPECT_EQ(stepVerdict(500), StepVerdict::CannotTell);
+    EXPECT_EQ(stepVerdict(962), StepVerdict::CannotTell);
+    EXPECT_EQ(stepVerdict(963), StepVerdict::Blocked);
+    EXPECT_EQ(stepVerdict(1000), StepVerdict::Blocked);
 }
 
 TEST(Verdict, namesTheLikeliestPairAhead)
@@ -80,9 +80,9 @@ TerrainEstimate estimateFeltTo(int last)
 TEST(Verdict, clearEndsAtTheFeltHorizon)
 {
     const Verdict v = verdictOf(estimateFeltTo(8), Measurement{}, {}, kLimit);
-    EXPECT_EQ(v.outlook, Outlook::Clear);
+    EXPECT_EQ(v.stepVerdict, StepVerdict::Clear);
     EXPECT_NEAR(v.horizon, 0.55, 1e-9);
-    EXPECT_EQ(describeOutlook(v), "CLEAR to +0.55 m");
+    EXPECT_EQ(describeStepVerdict(v), "CLEAR to +0.55 m");
     EXPECT_EQ(v.unfelt, (std::vector<int>{9, 10}));
     EXPECT_GE(v.step.p, 1.0 - 0.95 * 0.95 - 1e-9);  // two bins that nobody felt
     EXPECT_DOUBLE_EQ(v.toHorizon.p, 0.0);
@@ -93,7 +93,7 @@ TEST(Verdict, hoveringFlipperIsNeverClear)
     TerrainEstimate e = estimateFeltTo(8);
     for (const std::size_t bin : {7U, 8U}) e.touch[bin] = Touch::Bounded;
     const Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
-    EXPECT_EQ(v.outlook, Outlook::CannotTell);
+    EXPECT_EQ(v.stepVerdict, StepVerdict::CannotTell);
     EXPECT_EQ(v.shortfall, Shortfall::ShortHorizon);
     EXPECT_NEAR(v.horizon, 0.35, 1e-9);
     e.touch[6] = Touch::Bounded;
@@ -107,12 +107,12 @@ TEST(Verdict, spannedGroundNeedsALowRate)
     e.touch[8] = Touch::FeltInPart;
     e.feltTo = 0.563;
     Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
-    EXPECT_EQ(v.outlook, Outlook::CannotTell);
+    EXPECT_EQ(v.stepVerdict, StepVerdict::CannotTell);
     EXPECT_EQ(v.shortfall, Shortfall::Spanned);
     EXPECT_EQ(v.help, Help::DriveOn);
     e.settings.hazardRate = 0.01;
     v = verdictOf(e, Measurement{}, {}, kLimit);
-    EXPECT_EQ(v.outlook, Outlook::Clear);
+    EXPECT_EQ(v.stepVerdict, StepVerdict::Clear);
     EXPECT_NEAR(v.toHorizon.p, 1.0 - 0.99 * 0.99 * 0.99, 1e-9);
 }
 
@@ -122,7 +122,7 @@ TEST(Verdict, steepFlippersAreToldToLieFlatter)
     Measurement m;
     m.frontLeft = m.frontRight = -0.9;
     const Verdict v = verdictOf(e, m, {}, kLimit);
-    EXPECT_EQ(v.outlook, Outlook::CannotTell);
+    EXPECT_EQ(v.stepVerdict, StepVerdict::CannotTell);
     EXPECT_EQ(v.help, Help::Flatten);
 }
 
@@ -131,38 +131,39 @@ TEST(Verdict, oldRecordingHasNoHorizon)
     TerrainEstimate e = estimateFeltTo(6);
     e.touch = unrecordedTouch();
     const Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
-    EXPECT_EQ(v.outlook, Outlook::Clear);
+    EXPECT_EQ(v.stepVerdict, StepVerdict::Clear);
     EXPECT_FALSE(v.touchRecorded);
-    EXPECT_EQ(describeOutlook(v), "CLEAR");
+    EXPECT_EQ(describeStepVerdict(v), "CLEAR");
 }
 
 TEST(Verdict, isWithheldForEachDoubtByItself)
 {
     struct Case {
         Doubt doubt;
-        void (*make)(TerrainEstimate&, Measurement&, Aftermath&);
+        void (*make)(TerrainEstimate&, Measurement&, LinkSinceScene&);
     };
     const Case cases[]{
-        {Doubt::Stale, [](TerrainEstimate&, Measurement&, Aftermath& a) { a.heard = false; }},
+        {Doubt::Stale, [](TerrainEstimate&, Measurement&, LinkSinceScene& a) { a.heard = false; }},
         {Doubt::SensorFault,
-         [](TerrainEstimate&, Measurement&, Aftermath& a) { a.sensorsSound = false; }},
+         [](TerrainEstimate&, Measurement&, LinkSinceScene& a) { a.sensorsSound = false; }},
         {Doubt::Contradiction,
-         [](TerrainEstimate& e, Measurement&, Aftermath&) { e.contradicts = true; }},
-        {Doubt::Unheard, [](TerrainEstimate&, Measurement&, Aftermath& a) { a.unbroken = false; }},
+         [](TerrainEstimate& e, Measurement&, LinkSinceScene&) { e.contradicts = true; }},
+        {Doubt::Unheard,
+         [](TerrainEstimate&, Measurement&, LinkSinceScene& a) { a.unbroken = false; }},
         {Doubt::NotConverged,
-         [](TerrainEstimate& e, Measurement&, Aftermath&) { e.converged = false; }},
+         [](TerrainEstimate& e, Measurement&, LinkSinceScene&) { e.converged = false; }},
         {Doubt::UnlikeTraining,
-         [](TerrainEstimate& e, Measurement&, Aftermath&) { e.novelty = 1.01; }},
-        {Doubt::Roll, [](TerrainEstimate&, Measurement& m, Aftermath&) { m.roll = -0.11; }},
+         [](TerrainEstimate& e, Measurement&, LinkSinceScene&) { e.novelty = 1.01; }},
+        {Doubt::Roll, [](TerrainEstimate&, Measurement& m, LinkSinceScene&) { m.roll = -0.11; }},
         {Doubt::Asymmetry,
-         [](TerrainEstimate&, Measurement& m, Aftermath&) { m.rearLeft = 0.11; }}};
+         [](TerrainEstimate&, Measurement& m, LinkSinceScene&) { m.rearLeft = 0.11; }}};
     for (const Case& c : cases) {
         TerrainEstimate e = estimateWith(1000);
         Measurement m;
-        Aftermath since;
+        LinkSinceScene since;
         c.make(e, m, since);
         const Verdict v = verdictOf(e, m, since, kLimit);
-        EXPECT_EQ(v.outlook, Outlook::CannotTell) << describe(c.doubt);
+        EXPECT_EQ(v.stepVerdict, StepVerdict::CannotTell) << describe(c.doubt);
         EXPECT_EQ(v.doubts, std::vector{c.doubt});
         EXPECT_DOUBLE_EQ(v.step.p, 1.0);  // still told
         EXPECT_FALSE(describe(c.doubt).empty());
@@ -174,7 +175,7 @@ TEST(Verdict, saysNothingWithoutDraws)
     TerrainEstimate e = estimateWith(0);
     e.draws.clear();
     const Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
-    EXPECT_EQ(v.outlook, Outlook::CannotTell);
+    EXPECT_EQ(v.stepVerdict, StepVerdict::CannotTell);
     EXPECT_EQ(v.step.monteCarloSd, 1.0);
 }
 
