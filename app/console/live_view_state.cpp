@@ -35,7 +35,7 @@ void addEstimation(TerrainViewState& viewState, const Estimation& estimation)
 }
 
 /// Of the frames that the readout's rows come in.
-RobotReadout::Ages agesOf(const BusTap& tap, double now)
+RobotReadout::Ages agesOf(const FrameHistory& tap, double now)
 {
     using enum FrameKind;
     RobotReadout::Ages ages{};
@@ -48,7 +48,7 @@ RobotReadout::Ages agesOf(const BusTap& tap, double now)
 }
 
 /// [s] of the oldest of the frames that the forces come in; empty: none has arrived.
-std::optional<double> forcesAgeOf(const BusTap& tap, double now)
+std::optional<double> forcesAgeOf(const FrameHistory& tap, double now)
 {
     using enum FrameKind;
     std::optional<double> oldest;

@@ -62,7 +62,7 @@ MainWindow::MainWindow(Options options)
       worker_(std::make_unique<EstimatorWorker>(std::move(options.model))),
       exploration_(
           std::make_unique<Exploration>(*source_, robot_, *worker_, options.exploration, link_)),
-      alarms_(std::make_unique<ConsoleAlarms>(std::move(options.sounder))),
+      alarms_(std::make_unique<ConsoleAlarms>(std::move(options.alarmSound))),
       recorder_(std::move(options.recorder)), meter_(std::chrono::duration<double>(kLook).count()),
       robotDetails_(std::move(options.robotDetails))
 {

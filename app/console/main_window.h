@@ -62,7 +62,7 @@ public:
         std::string modelPath;  ///< what `model` loads, for the page that compares models
         TrainingLoad training = politeLoad();
         Exploration::Options exploration;
-        std::unique_ptr<Sounder> sounder = desktopBeep();
+        std::unique_ptr<AlarmSound> alarmSound = desktopBeep();
         std::unique_ptr<PreferenceStore> preferences;  ///< null: the defaults, and nothing is saved
         std::shared_ptr<SessionRecorder> recorder{};   ///< null: nothing is recorded
         PresetTable presets{};                         ///< as `terratact tradeoff` measured them

@@ -109,7 +109,7 @@ MainWindow::Options windowOptions(const ConsoleOptions& options, Chosen chosen)
     window.model = modelFileLoader(chosen.model, robot);
     window.exploration = explorationFor(options, chosen.inForce);
     window.presets = shippedPresets();
-    window.sounder = alarmTone();
+    window.alarmSound = alarmTone();
     window.preferences =
         std::make_unique<PreferenceStore>(std::move(chosen.loaded), chosen.inForce);
     return window;

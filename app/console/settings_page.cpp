@@ -15,7 +15,7 @@
 
 #include "app/mission/preset_text.h"
 #include "app/shell/file_dialog.h"
-#include "app/shell/letters.h"
+#include "app/shell/font_fit.h"
 #include "widgets/base/card.h"
 #include "widgets/base/format.h"
 #include "widgets/base/palette.h"

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "app/link/bus_tap.h"
 #include "app/link/can_source.h"
+#include "app/link/frame_history.h"
 #include "app/mission/signal_rows.h"
 #include "app/shell/page.h"
 

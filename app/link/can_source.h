@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "app/link/bus_tap.h"
+#include "app/link/frame_history.h"
 #include "core/atem/console_link.h"
 #include "drivers/can_bus.h"
 #include "drivers/measurement_source.h"
@@ -76,7 +76,7 @@ public:
 
     CanView view() const;
     /// Everything that was received, for the pages that show the bus itself.
-    BusTap& tap() { return tap_; }
+    FrameHistory& tap() { return tap_; }
     BitRate bitrate() const { return {options_.bitrate, options_.nominal}; }
     Mode mode() const { return options_.mode; }
     std::string busName() const { return bus_->name(); }
@@ -99,7 +99,7 @@ private:
     std::array<BusFrame, 64> frames_;
     std::deque<BusFrame> pending_;  // only next() touches these two
     std::atomic<bool> waits_;
-    BusTap tap_;
+    FrameHistory tap_;
     std::atomic<std::size_t> waiting_ = 0, mostWaiting_ = 0;
 
     mutable std::mutex mutex_;  // guards what follows

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <variant>
 
-#include "app/link/frame_judge.h"
+#include "app/link/frame_validator.h"
 #include "core/wire/absolem.h"
 #include "core/wire/absolem_text.h"
 #include "core/wire/can_codec.h"
@@ -93,7 +93,7 @@ private:
         return describe(FrameFault::WrongCrc);
     }
 
-    FrameJudge judge_;
+    FrameValidator judge_;
 };
 
 std::string joined(const std::vector<std::string>& phrases)

@@ -30,7 +30,7 @@ private:
 };
 
 /// The frames of a bus that the robot's protocol does not know: counted, and decoded where a DBC file describes
-/// them.  Bounded whatever comes.  A part of BusTap, which guards it.
+/// them.  Bounded whatever comes.  A part of FrameHistory, which guards it.
 class ForeignFrames {
 public:
     static constexpr std::size_t kMaxUnknown = 64;     ///< kinds of which only the bytes are known

@@ -3,8 +3,8 @@
 #include <QString>
 #include <vector>
 
-#include "app/link/bus_tap.h"
 #include "app/link/can_source.h"
+#include "app/link/frame_history.h"
 #include "drivers/can_bus.h"
 #include "widgets/base/theme.h"
 

@@ -77,8 +77,8 @@ QString suspicionWords(const std::vector<SensorSuspicion>& suspicions)
     return sentences.join(QStringLiteral("; "));
 }
 
-ConsoleAlarms::ConsoleAlarms(std::unique_ptr<Sounder> sounder, QObject* parent)
-    : QObject(parent), sounder_(std::move(sounder))
+ConsoleAlarms::ConsoleAlarms(std::unique_ptr<AlarmSound> alarmSound, QObject* parent)
+    : QObject(parent), alarmSound_(std::move(alarmSound))
 {
 }
 
@@ -106,7 +106,7 @@ void ConsoleAlarms::poll(double now, const AlarmViewState& viewState)
 
 void ConsoleAlarms::trySound()
 {
-    sounder_->sound();
+    alarmSound_->sound();
     emit sounded();
 }
 

@@ -11,7 +11,7 @@
 
 #include "app/link/can_source.h"
 #include "app/runtime/growing_count.h"
-#include "app/shell/sounder.h"
+#include "app/shell/alarm_sound.h"
 #include "core/atem/alarms.h"
 #include "core/atem/link_watch.h"
 #include "core/robot/attitude.h"
@@ -45,7 +45,7 @@ public:
     static constexpr double kFirstTelemetry = 3.0;  ///< [s] may pass before there is any
     static constexpr double kGoneFor = 1.0;  ///< [s] a cause is away before its alarm returns
 
-    explicit ConsoleAlarms(std::unique_ptr<Sounder> sounder, QObject* parent = nullptr);
+    explicit ConsoleAlarms(std::unique_ptr<AlarmSound> alarmSound, QObject* parent = nullptr);
 
     /// now: [s] on the steady clock.  To be called several times a second.
     void poll(double now, const AlarmViewState& viewState);
@@ -57,7 +57,7 @@ public:
     void setSoundOn(bool on) { soundOn_ = on; }
     bool soundOn() const { return soundOn_; }
     void trySound();  ///< sounds, wanted or not
-    QString soundTrouble() const { return sounder_->trouble(); }
+    QString soundTrouble() const { return alarmSound_->trouble(); }
 
 signals:
     /// It stands now, or is graver now, and no other part of the window tells of it.
@@ -80,7 +80,7 @@ private:
     void lookAtAttitude(const AlarmViewState& viewState);
     void lookAtHalt(const AlarmViewState& viewState);
 
-    std::unique_ptr<Sounder> sounder_;
+    std::unique_ptr<AlarmSound> alarmSound_;
     AlarmList list_;
     std::map<std::string, Cause> causes_;
     std::map<std::string, GrowingCount> counted_;

@@ -22,8 +22,8 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
       probes_(estimation_, robot_, options_.probeSeconds, options_.probes)
 {
     if (const QString why = whyFollowing(link); !why.isEmpty()) {
-        following_ = std::make_unique<Following>(why, estimation_, options_.limits);
-        connect(following_.get(), &Following::happened, this, &Exploration::happened);
+        following_ = std::make_unique<PassiveExploration>(why, estimation_, options_.limits);
+        connect(following_.get(), &PassiveExploration::happened, this, &Exploration::happened);
     }
     state_.followed = following();
     connect(&estimation_, &Estimation::happened, this, &Exploration::happened);

@@ -8,7 +8,7 @@
 #include "app/link/acquisition.h"
 #include "app/link/can_source.h"
 #include "app/mission/estimation.h"
-#include "app/mission/following.h"
+#include "app/mission/passive_exploration.h"
 #include "app/mission/preconditions.h"
 #include "app/mission/probe_proposals.h"
 #include "core/atem/atem_machine.h"
@@ -163,7 +163,7 @@ private:
     bool offered_ = false;  ///< a probe, when the estimate that stands came
     std::optional<int>
         askedBin_;  ///< of the operator, before the estimate that it is to be asked with
-    std::unique_ptr<Following> following_;  ///< null: commands leave
+    std::unique_ptr<PassiveExploration> following_;  ///< null: commands leave
 
     AtemState state_;
     AtemInput pending_;  ///< what the operator and the worker did since the last tick

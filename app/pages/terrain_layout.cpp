@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/shell/console_window.h"
-#include "app/shell/letters.h"
+#include "app/shell/font_fit.h"
 #include "widgets/base/card.h"
 #include "widgets/base/palette.h"
 #include "widgets/control/atem_panel.h"

@@ -16,7 +16,7 @@ bool isForeign(const CanFrame& frame)
     return !mayBeOurs || !kindOfId(frame.id);
 }
 
-/// Ticks a bus's clock as BusTap does, for rates and histories.
+/// Ticks a bus's clock as FrameHistory does, for rates and histories.
 class Ticks {
 public:
     Ticks(ForeignFrames& frames, double begin) : frames_(frames), begin_(begin) {}

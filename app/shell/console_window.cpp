@@ -20,7 +20,7 @@
 
 #include "app/runtime/vector_registers.h"
 #include "app/shell/about.h"
-#include "app/shell/letters.h"
+#include "app/shell/font_fit.h"
 #include "app/shell/preferences.h"
 #include "app/shell/remote_stop.h"
 #include "app/shell/text_sheet.h"

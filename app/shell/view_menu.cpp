@@ -4,7 +4,7 @@
 #include <QKeySequence>
 #include <algorithm>
 
-#include "app/shell/letters.h"
+#include "app/shell/font_fit.h"
 #include "widgets/base/theme.h"
 
 namespace terratact {

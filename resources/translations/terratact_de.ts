@@ -4737,7 +4737,7 @@ F1</translation>
     </message>
 </context>
 <context>
-    <name>terratact::Following</name>
+    <name>terratact::PassiveExploration</name>
     <message>
         <source>Following: the front flippers press down</source>
         <translation>Mitverfolgt: die vorderen Flipper drücken an</translation>

@@ -168,14 +168,14 @@ QwtGraphic SecondEstimate::legendIcon(int /*index*/, const QSizeF& /*size*/) con
     });
 }
 
-Veil::Veil()
+StaleOverlay::StaleOverlay()
 {
     setZ(35.0);
     setItemAttribute(QwtPlotItem::Legend, false);
 }
 
-void Veil::draw(QPainter* painter, const QwtScaleMap& /*x*/, const QwtScaleMap& /*y*/,
-                const QRectF& canvas) const
+void StaleOverlay::draw(QPainter* painter, const QwtScaleMap& /*x*/, const QwtScaleMap& /*y*/,
+                        const QRectF& canvas) const
 {
     if (words.isEmpty()) return;
     QColor veil = theme().card;

@@ -47,9 +47,9 @@ public:
 };
 
 /// Mutes and hatches all that lies below it, and says why; nothing where `words` is empty.
-class Veil final : public QwtPlotItem {
+class StaleOverlay final : public QwtPlotItem {
 public:
-    Veil();
+    StaleOverlay();
     QString words;
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,

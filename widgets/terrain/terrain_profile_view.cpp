@@ -152,8 +152,8 @@ TerrainProfileView::TerrainProfileView(QWidget* parent)
     twoHeights_->attach(this);
     ghost_ = new GhostLayer;
     ghost_->attach(this);
-    veil_ = new Veil;
-    veil_->attach(this);
+    staleOverlay_ = new StaleOverlay;
+    staleOverlay_->attach(this);
     for (QwtPlotItem* layer : std::initializer_list<QwtPlotItem*>{draws_, second_, ghost_})
         layer->setItemAttribute(QwtPlotItem::Legend, false);  // until there is something to see
     inspector_ = new BinInspector(this);
@@ -284,9 +284,9 @@ void TerrainProfileView::setGhost(const std::optional<Ghost>& ghost, const QStri
 void TerrainProfileView::setStale(std::optional<double> age)
 {
     const QString words = age ? tr("as of %1 ago").arg(format::age(*age)) : QString();
-    if (words == veil_->words) return;
-    const bool turns = words.isEmpty() != veil_->words.isEmpty();
-    veil_->words = words;
+    if (words == staleOverlay_->words) return;
+    const bool turns = words.isEmpty() != staleOverlay_->words.isEmpty();
+    staleOverlay_->words = words;
     if (turns) describe();
     replot();
 }
@@ -556,7 +556,8 @@ void TerrainProfileView::describe()
     QStringList lines;
     for (int bin = 0; bin < kBins && estimate_; ++bin) lines << binText(bin);
     if (const QString note = note_->text().text(); !note.isEmpty()) lines.prepend(note);
-    if (!veil_->words.isEmpty()) lines.prepend(tr("not live: nothing is heard of the robot"));
+    if (!staleOverlay_->words.isEmpty())
+        lines.prepend(tr("not live: nothing is heard of the robot"));
     if (!ghostNote_->text().text().isEmpty()) lines << ghostNote_->text().text();
     setAccessibleDescription(lines.join(QLatin1Char('\n')));
 }

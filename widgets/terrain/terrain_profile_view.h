@@ -30,7 +30,7 @@ class MarkLetters;
 class SampleLines;
 class SecondEstimate;
 class TwoHeights;
-class Veil;
+class StaleOverlay;
 
 /// Where the tip of the arm is, or would be.
 struct ArmTip {
@@ -138,7 +138,7 @@ private:
     GhostLayer* ghost_ = nullptr;
     QwtPlotTextLabel* ghostNote_ = nullptr;
     TwoHeights* twoHeights_ = nullptr;
-    Veil* veil_ = nullptr;
+    StaleOverlay* staleOverlay_ = nullptr;
     BinInspector* inspector_ = nullptr;
     bool drawsShown_ = false;
     QwtPlotTextLabel* note_ = nullptr;

@@ -24,7 +24,7 @@
 #include "app/pages/numbers_page.h"
 #include "app/runtime/steady_now.h"
 #include "app/shell/preference_store.h"
-#include "tests/support/counting_sounder.h"
+#include "tests/support/counting_alarm_sound.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "tests/support/robot_on_bench.h"
@@ -74,7 +74,7 @@ struct Pages : testing::Test, RobotOnBench {
                 .name = "fake.ttm",
                 .details = "made up"});
         };
-        options.sounder = std::make_unique<CountingSounder>(sounds);
+        options.alarmSound = std::make_unique<CountingAlarmSound>(sounds);
         window = std::make_unique<MainWindow>(std::move(options));
         window->resize(1280, 720);
         gui::showActive(*window);

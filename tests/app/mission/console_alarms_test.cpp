@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/mission/console_alarms.h"
-#include "tests/support/counting_sounder.h"
+#include "tests/support/counting_alarm_sound.h"
 #include "tests/support/gui.h"
 #include "widgets/signals/alarm_table.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 struct Alarming : testing::Test {
     int sounds = 0;
-    ConsoleAlarms alarms{std::make_unique<CountingSounder>(sounds)};
+    ConsoleAlarms alarms{std::make_unique<CountingAlarmSound>(sounds)};
     double now = 1000.0;
     static constexpr LinkAccount kUp{.standing = LinkStanding::Up, .alive = true},
         kLost{.standing = LinkStanding::Lost, .gaps = 1};

@@ -15,7 +15,7 @@ using Activity = RobotActivity;
 constexpr AtemLimits kLimits{
     .halt = 3.0, .press = 15.0, .estimate = 30.0, .approval = 20.0, .probe = 90.0};
 
-/// One arrow of the drawing in following.h, or one that must not be there.
+/// One arrow of the drawing in passive_exploration.h, or one that must not be there.
 struct Arrow {
     std::string name;
     AtemPhase from;
@@ -178,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(
               {.now = 1, .activity = Activity::Pressing},
               Pressing}));
 
-TEST(Following, remembersThatTheArmHasMeasuredUntilTheNextPress)
+TEST(PassiveExploration, remembersThatTheArmHasMeasuredUntilTheNextPress)
 {
     AtemState state = nextFollowed(
         at(Probing), {.now = 101, .activity = Activity::Pressed, .newReading = true}, kLimits);
@@ -192,7 +192,7 @@ TEST(Following, remembersThatTheArmHasMeasuredUntilTheNextPress)
     EXPECT_FALSE(state.probed);
 }
 
-TEST(Following, onlyAnEstimateHasATimeLimit)
+TEST(PassiveExploration, onlyAnEstimateHasATimeLimit)
 {
     for (const AtemPhase phase : {Idle, Pressing, Probing, Presenting, Stopped, Failed})
         EXPECT_FALSE(deadline(at(phase), kLimits)) << describeFollowed(phase);
@@ -200,7 +200,7 @@ TEST(Following, onlyAnEstimateHasATimeLimit)
         EXPECT_EQ(deadline(at(phase), kLimits), 130.0) << describeFollowed(phase);
 }
 
-TEST(Following, refusesATimeThatIsNone)
+TEST(PassiveExploration, refusesATimeThatIsNone)
 {
     EXPECT_THROW(nextFollowed({}, {.now = std::numeric_limits<double>::quiet_NaN()}, kLimits),
                  std::invalid_argument);

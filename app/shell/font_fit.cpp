@@ -1,4 +1,4 @@
-#include "app/shell/letters.h"
+#include "app/shell/font_fit.h"
 
 #include <QCoreApplication>
 #include <QLayout>

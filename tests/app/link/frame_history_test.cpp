@@ -1,4 +1,4 @@
-#include "app/link/bus_tap.h"
+#include "app/link/frame_history.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ namespace terratact {
 namespace {
 
 struct Tapping : testing::Test {
-    BusTap tap;
+    FrameHistory tap;
     std::uint8_t counter = 0;
 
     BusFrame attitude(double pitch, double time)
@@ -92,7 +92,7 @@ TEST_F(Tapping, historyHasGapsWhereNothingCame)
     const auto history = of(FrameKind::Attitude, 6.0).payload[0].history;
     const auto back = [&](double seconds) {
         return history[TappedSignal::kPoints - 1
-                       - static_cast<std::size_t>(std::lround(seconds / BusTap::kTick))];
+                       - static_cast<std::size_t>(std::lround(seconds / FrameHistory::kTick))];
     };
     EXPECT_NEAR(back(0.0), -0.5, 1e-4) << "the newest is last";
     EXPECT_NEAR(back(1.5), -0.5, 1e-4);
@@ -134,11 +134,11 @@ TEST_F(Tapping, whatWasNotMeasuredHasNoExtremes)
 
 TEST_F(Tapping, traceIsTheNewestFramesInTheirOrder)
 {
-    const auto total = static_cast<std::uint32_t>(BusTap::kTrace + 123);
+    const auto total = static_cast<std::uint32_t>(FrameHistory::kTrace + 123);
     for (std::uint32_t i = 0; i < total; ++i)
         take({.frame = {.id = i % 2048, .length = 0}, .time = 0.001 * i});
     const auto trace = tap.trace();
-    ASSERT_EQ(trace.size(), BusTap::kTrace);
+    ASSERT_EQ(trace.size(), FrameHistory::kTrace);
     for (std::size_t i = 0; i < trace.size(); ++i) {
         ASSERT_EQ(trace[i].number, i + 124);
         ASSERT_EQ(trace[i].frame.id, (i + 123) % 2048);
@@ -408,13 +408,13 @@ double secondsPerMillion(const std::vector<BusFrame>& frames, Take&& take)
     return (cpuSeconds() - began) / (5.0 * static_cast<double>(frames.size())) * 1e6;
 }
 
-TEST(BusTapCost, isLessThanThatOfWordsForEveryFrame)
+TEST(FrameHistoryCost, isLessThanThatOfWordsForEveryFrame)
 {
     const std::vector<BusFrame> frames = fullBus(40'000);
-    BusTap tap;
-    BusTap describing;
+    FrameHistory tap;
+    FrameHistory describing;
     describing.describe(wideBook(32, 8));
-    const auto costOf = [&](BusTap& some) {
+    const auto costOf = [&](FrameHistory& some) {
         return secondsPerMillion(frames, [&](const std::vector<BusFrame>& all) {
             for (std::size_t i = 0; i + 10 <= all.size(); i += 10) {
                 some.take(std::span(all).subspan(i, 10));
@@ -446,10 +446,10 @@ TEST(BusTapCost, isLessThanThatOfWordsForEveryFrame)
     EXPECT_LT(tapped, 20.0) << "a fifth of a core at 9000 frames/s";
 }
 
-TEST(BusTapThreads, mayBeLookedAtWhileItTakes)
+TEST(FrameHistoryThreads, mayBeLookedAtWhileItTakes)
 {
     const std::vector<BusFrame> frames = fullBus(9000);
-    BusTap tap;
+    FrameHistory tap;
     std::atomic<bool> done = false;
     std::jthread receiver([&] {
         for (int round = 0; round < 3; ++round)

@@ -1,4 +1,4 @@
-#include "app/link/frame_judge.h"
+#include "app/link/frame_validator.h"
 
 #include <variant>
 
@@ -28,12 +28,12 @@ FrameTrouble troubleOf(FrameCheck check)
 
 }  // namespace
 
-FrameJudge::FrameJudge()
+FrameValidator::FrameValidator()
 {
     for (const FrameLayout& layout : frameLayouts()) receivers_.emplace_back(layout.dataId);
 }
 
-JudgedFrame FrameJudge::judge(const CanFrame& frame, double now)
+JudgedFrame FrameValidator::judge(const CanFrame& frame, double now)
 {
     JudgedFrame judged;
     if (frame.error) {

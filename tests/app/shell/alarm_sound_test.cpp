@@ -1,4 +1,4 @@
-#include "app/shell/sounder.h"
+#include "app/shell/alarm_sound.h"
 
 #include <alsa/asoundlib.h>
 #include <dlfcn.h>
@@ -16,7 +16,7 @@
 #include "app/mission/console_alarms.h"
 #include "core/store/file_read.h"
 #include "drivers/audio_output.h"
-#include "tests/support/counting_sounder.h"
+#include "tests/support/counting_alarm_sound.h"
 #include "tests/support/gui.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/signals/alarm_table.h"
@@ -140,7 +140,7 @@ TEST_F(SoundCard, thatIsNotThereIsSaidOnThePage)
 TEST(AlarmsPageTest, theSoundIsTriedWantedOrNot)
 {
     int sounds = 0;
-    ConsoleAlarms alarms(std::make_unique<CountingSounder>(sounds));
+    ConsoleAlarms alarms(std::make_unique<CountingAlarmSound>(sounds));
     alarms.setSoundOn(false);
     AlarmsPage page(alarms);
     page.table()->trySoundButton()->click();

@@ -5,9 +5,9 @@
 namespace terratact {
 
 /// Counts instead of sounding.
-class CountingSounder final : public Sounder {
+class CountingAlarmSound final : public AlarmSound {
 public:
-    explicit CountingSounder(int& sounds) : sounds_(sounds) {}
+    explicit CountingAlarmSound(int& sounds) : sounds_(sounds) {}
     void sound() override { ++sounds_; }
 
 private:

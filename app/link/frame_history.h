@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/link/foreign_frames.h"
-#include "app/link/frame_judge.h"
+#include "app/link/frame_validator.h"
 #include "app/link/tapped_frame.h"
 #include "core/limits.h"
 #include "drivers/can_bus.h"
@@ -29,13 +29,13 @@ struct BusLoad {
 /// Looks at every frame in the thread that receives them and keeps what pages show: the newest value, extremes
 /// and history of each signal, rates, and the newest frames as they were.  Bounded in everything.  take() and
 /// tick() belong to one thread; all else may be called from any.
-class BusTap {
+class FrameHistory {
 public:
     static constexpr std::size_t kTrace = 2000;    ///< frames
     static constexpr double kTick = kBusTick;      ///< [s]
     static constexpr double kFresh = kStaleAfter;  ///< [s] an older value is none of now
 
-    BusTap();
+    FrameHistory();
 
     void take(std::span<const BusFrame> frames);
     /// Histories and rates go on; to be called a few times per kTick.  now: [s] on the bus's clock.
@@ -64,7 +64,7 @@ private:
     void keep(Kept& kept, const JudgedFrame& judged, const BusFrame& received);
     void step(double now);
 
-    FrameJudge judge_;
+    FrameValidator judge_;
 
     mutable std::mutex mutex_;  // guards what follows
     std::vector<Kept> known_;   // in the order of FrameKind

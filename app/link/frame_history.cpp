@@ -1,4 +1,4 @@
-#include "app/link/bus_tap.h"
+#include "app/link/frame_history.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ bool isMeasured(const JudgedFrame& judged)
 
 }  // namespace
 
-BusTap::BusTap()
+FrameHistory::FrameHistory()
 {
     const auto layouts = frameLayouts();
     for (std::size_t i = 0; i < layouts.size(); ++i)
@@ -40,14 +40,14 @@ BusTap::BusTap()
     trace_.reserve(kTrace);
 }
 
-void BusTap::take(std::span<const BusFrame> frames)
+void FrameHistory::take(std::span<const BusFrame> frames)
 {
     if (frames.empty()) return;
     const std::scoped_lock lock(mutex_);
     for (const BusFrame& frame : frames) take(frame);
 }
 
-void BusTap::take(const BusFrame& received)
+void FrameHistory::take(const BusFrame& received)
 {
     const CanFrame& frame = received.frame;
     const JudgedFrame judged = judge_.judge(frame, received.time);
@@ -67,7 +67,7 @@ void BusTap::take(const BusFrame& received)
     if (judged.kind) keep(known_[static_cast<std::size_t>(*judged.kind)], judged, received);
 }
 
-void BusTap::keep(Kept& kept, const JudgedFrame& judged, const BusFrame& received)
+void FrameHistory::keep(Kept& kept, const JudgedFrame& judged, const BusFrame& received)
 {
     TappedFrame& frame = kept.frame;
     ++frame.frames;
@@ -83,7 +83,7 @@ void BusTap::keep(Kept& kept, const JudgedFrame& judged, const BusFrame& receive
     }
 }
 
-void BusTap::tick(double now)
+void FrameHistory::tick(double now)
 {
     if (nextTick_ && now < *nextTick_) return;
     const std::scoped_lock lock(mutex_);
@@ -91,7 +91,7 @@ void BusTap::tick(double now)
     for (; *nextTick_ <= now; *nextTick_ += kTick) step(*nextTick_);
 }
 
-void BusTap::describe(std::shared_ptr<const DbcBook> book)
+void FrameHistory::describe(std::shared_ptr<const DbcBook> book)
 {
     // The bus's thread waits for the lock: the book before is freed after it.
     std::shared_ptr<const DbcBook> before;
@@ -99,7 +99,7 @@ void BusTap::describe(std::shared_ptr<const DbcBook> book)
     before = foreign_.describe(std::move(book));
 }
 
-void BusTap::step(double now)
+void FrameHistory::step(double now)
 {
     const std::size_t place = ticks_ % totals_.size();
     totals_[place] = {now, frames_, fewestBits_, mostBits_};
@@ -114,7 +114,7 @@ void BusTap::step(double now)
     ++ticks_;
 }
 
-BusLoad BusTap::load() const
+BusLoad FrameHistory::load() const
 {
     const std::scoped_lock lock(mutex_);
     BusLoad load{.frames = frames_, .troubles = troubles_, .beyond = foreign_.beyond()};
@@ -129,7 +129,7 @@ BusLoad BusTap::load() const
     return load;
 }
 
-std::vector<TappedFrame> BusTap::frames(double now) const
+std::vector<TappedFrame> FrameHistory::frames(double now) const
 {
     std::vector<TappedFrame> frames;
     const std::scoped_lock lock(mutex_);
@@ -145,14 +145,14 @@ std::vector<TappedFrame> BusTap::frames(double now) const
     return frames;
 }
 
-std::optional<double> BusTap::age(FrameKind kind, double now) const
+std::optional<double> FrameHistory::age(FrameKind kind, double now) const
 {
     const std::scoped_lock lock(mutex_);
     const auto& usedAt = known_[static_cast<std::size_t>(kind)].usedAt;
     return usedAt ? std::optional(std::max(0.0, now - *usedAt)) : std::nullopt;
 }
 
-std::vector<TracedFrame> BusTap::trace() const
+std::vector<TracedFrame> FrameHistory::trace() const
 {
     const std::scoped_lock lock(mutex_);
     std::vector<TracedFrame> frames = trace_;
@@ -162,7 +162,7 @@ std::vector<TracedFrame> BusTap::trace() const
     return frames;
 }
 
-void BusTap::forgetExtremes()
+void FrameHistory::forgetExtremes()
 {
     const std::scoped_lock lock(mutex_);
     for (Kept& kept : known_)

@@ -11,11 +11,11 @@ namespace terratact {
 
 /// What an exploration is over a link that takes no commands: the robot does it for somebody else.  Every press is
 /// captured and estimated, every reading of the arm estimated again and scored.  GUI thread only.
-class Following final : public QObject {
+class PassiveExploration final : public QObject {
     Q_OBJECT
 public:
     /// why: no command leaves, in words.  The others must outlive it.
-    Following(QString why, Estimation& estimation, const AtemLimits& limits);
+    PassiveExploration(QString why, Estimation& estimation, const AtemLimits& limits);
 
     const QString& why() const { return why_; }
     /// Takes `state` one tick on.  in: what the console knows by itself (now, linkLost, aborted, estimateReady,

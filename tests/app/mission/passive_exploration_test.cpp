@@ -11,8 +11,8 @@ struct SilentBus {
 };
 
 /// An exploration that follows what the telemetry says.
-struct FollowingBench : SilentBus, Bench {
-    FollowingBench() : Bench(&link) {}
+struct PassiveExplorationBench : SilentBus, Bench {
+    PassiveExplorationBench() : Bench(&link) {}
 
     void robotPresses()
     {
@@ -31,7 +31,7 @@ struct FollowingBench : SilentBus, Bench {
     }
 };
 
-TEST_F(FollowingBench, estimatesAPressOnceAndSendsNothing)
+TEST_F(PassiveExplorationBench, estimatesAPressOnceAndSendsNothing)
 {
     EXPECT_TRUE(exploration->whyNoEstimate().contains("when the robot presses"));
     telemetry.activity = RobotActivity::Pressing;
@@ -71,7 +71,7 @@ TEST_F(FollowingBench, estimatesAPressOnceAndSendsNothing)
     EXPECT_EQ(exploration->stopViewState().state, StopViewState::State::NoEffect);
 }
 
-TEST_F(FollowingBench, estimatesAgainWithWhatTheArmMeasuresAndScoresItOnce)
+TEST_F(PassiveExplorationBench, estimatesAgainWithWhatTheArmMeasuresAndScoresItOnce)
 {
     robotPresses();
     const ArmReading reading{.bin = kBin06, .height = -0.04, .sd = 0.03};
@@ -87,7 +87,7 @@ TEST_F(FollowingBench, estimatesAgainWithWhatTheArmMeasuresAndScoresItOnce)
     EXPECT_EQ(exploration->estimation().ledger().entries().size(), 2U);
 }
 
-TEST_F(FollowingBench, secondMethodChosenDuringAnEstimateDoesNotOvertakeIt)
+TEST_F(PassiveExplorationBench, secondMethodChosenDuringAnEstimateDoesNotOvertakeIt)
 {
     robotPresses();
     blocked = true;
@@ -106,7 +106,7 @@ TEST_F(FollowingBench, secondMethodChosenDuringAnEstimateDoesNotOvertakeIt)
     }));
 }
 
-TEST_F(FollowingBench, answerToAForgottenSceneIsNone)
+TEST_F(PassiveExplorationBench, answerToAForgottenSceneIsNone)
 {
     blocked = true;
     telemetry.activity = RobotActivity::Pressed;
@@ -120,7 +120,7 @@ TEST_F(FollowingBench, answerToAForgottenSceneIsNone)
     EXPECT_FALSE(exploration->estimation().estimate());
 }
 
-TEST_F(FollowingBench, readingThatOvertakesTheEstimateWaitsForIt)
+TEST_F(PassiveExplorationBench, readingThatOvertakesTheEstimateWaitsForIt)
 {
     blocked = true;
     telemetry.activity = RobotActivity::Pressed;
@@ -138,7 +138,7 @@ TEST_F(FollowingBench, readingThatOvertakesTheEstimateWaitsForIt)
         << "scored against the first";
 }
 
-TEST_F(FollowingBench, forgetsWhenTheRobotDrivesOnAndCapturesTheNextPress)
+TEST_F(PassiveExplorationBench, forgetsWhenTheRobotDrivesOnAndCapturesTheNextPress)
 {
     robotPresses();
     telemetry.activity = RobotActivity::Driving;
@@ -151,7 +151,7 @@ TEST_F(FollowingBench, forgetsWhenTheRobotDrivesOnAndCapturesTheNextPress)
     EXPECT_EQ(exploration->estimation().scene()->measurement.pitch, 0.05);
 }
 
-TEST_F(FollowingBench, clearsWhatItShowsUntilTheNextPress)
+TEST_F(PassiveExplorationBench, clearsWhatItShowsUntilTheNextPress)
 {
     robotPresses();
     exploration->abort();
@@ -165,7 +165,7 @@ TEST_F(FollowingBench, clearsWhatItShowsUntilTheNextPress)
     EXPECT_TRUE(exploration->estimation().estimate());
 }
 
-TEST_F(FollowingBench, trustsNothingFromBeforeALostLink)
+TEST_F(PassiveExplorationBench, trustsNothingFromBeforeALostLink)
 {
     robotPresses();
     tickInSilence(10);
@@ -177,7 +177,7 @@ TEST_F(FollowingBench, trustsNothingFromBeforeALostLink)
         << "not a line from before";
 }
 
-TEST_F(FollowingBench, showsAStopOfSomebodyElse)
+TEST_F(PassiveExplorationBench, showsAStopOfSomebodyElse)
 {
     robotPresses();
     telemetry.activity = RobotActivity::Stopped;

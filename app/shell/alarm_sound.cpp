@@ -1,4 +1,4 @@
-#include "app/shell/sounder.h"
+#include "app/shell/alarm_sound.h"
 
 #include <QApplication>
 #include <algorithm>
@@ -18,12 +18,12 @@ namespace {
 constexpr unsigned kRate = 48'000;                            // [Hz]
 constexpr double kTone = 0.16, kPause = 0.06, kFade = 0.005;  // [s]
 
-class DesktopBeep final : public Sounder {
+class DesktopBeep final : public AlarmSound {
 public:
     void sound() override { QApplication::beep(); }
 };
 
-class AlarmTone final : public Sounder {
+class AlarmTone final : public AlarmSound {
 public:
     void sound() override
     {
@@ -63,12 +63,12 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Sounder> desktopBeep()
+std::unique_ptr<AlarmSound> desktopBeep()
 {
     return std::make_unique<DesktopBeep>();
 }
 
-std::unique_ptr<Sounder> alarmTone()
+std::unique_ptr<AlarmSound> alarmTone()
 {
     return std::make_unique<AlarmTone>();
 }

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "app/shell/font_fit.h"
 #include "app/shell/language.h"
-#include "app/shell/letters.h"
 #include "tests/support/bus_console_bench.h"
 #include "tests/support/review_bench.h"
 #include "widgets/base/navigation_rail.h"

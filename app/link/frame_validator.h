@@ -24,9 +24,9 @@ struct JudgedFrame {
 };
 
 /// Judges the frames of one bus in the order in which they came.
-class FrameJudge {
+class FrameValidator {
 public:
-    FrameJudge();
+    FrameValidator();
     /// now: [s] on any clock.
     JudgedFrame judge(const CanFrame& frame, double now);
 

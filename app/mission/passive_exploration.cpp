@@ -1,4 +1,4 @@
-#include "app/mission/following.h"
+#include "app/mission/passive_exploration.h"
 
 #include <algorithm>
 #include <utility>
@@ -7,12 +7,13 @@
 
 namespace terratact {
 
-Following::Following(QString why, Estimation& estimation, const AtemLimits& limits)
+PassiveExploration::PassiveExploration(QString why, Estimation& estimation,
+                                       const AtemLimits& limits)
     : why_(std::move(why)), estimation_(estimation), limits_(limits)
 {
 }
 
-void Following::poll(FollowInput& in, const Received& latest) const
+void PassiveExploration::poll(FollowInput& in, const Received& latest) const
 {
     const Measurement& m = latest.sample.measurement;
     const auto& readings = estimation_.readings();
@@ -24,7 +25,7 @@ void Following::poll(FollowInput& in, const Received& latest) const
     in.poseChanged = estimation_.hasMoved();
 }
 
-void Following::tick(AtemState& state, FollowInput in, const Received& latest)
+void PassiveExploration::tick(AtemState& state, FollowInput in, const Received& latest)
 {
     poll(in, latest);
     if (in.aborted) estimation_.forgetGhost();
@@ -38,7 +39,7 @@ void Following::tick(AtemState& state, FollowInput in, const Received& latest)
     if (estimation_.hasLeft() && estimation_.estimate()) estimation_.forget(whyMoved());
 }
 
-void Following::enter(const AtemState& state, const Received& latest)
+void PassiveExploration::enter(const AtemState& state, const Received& latest)
 {
     switch (state.phase) {
     case AtemPhase::Pressing:
@@ -70,7 +71,7 @@ void Following::enter(const AtemState& state, const Received& latest)
     }
 }
 
-void Following::fail(AtemFailure failure)
+void PassiveExploration::fail(AtemFailure failure)
 {
     const QString why = format::sentence(describe(failure));
     emit happened(tr("following: no estimate: %1").arg(why), Weight::Bad);
@@ -78,7 +79,7 @@ void Following::fail(AtemFailure failure)
     estimation_.forget(tr("No estimate: %1").arg(why));
 }
 
-QString Following::whyMoved()
+QString PassiveExploration::whyMoved()
 {
     return tr("The robot has moved: the next press brings the next estimate");
 }
