@@ -66,7 +66,7 @@ struct Look : testing::Test {
         QTest::qWait(100);
     }
     void press(Qt::Key key) { QTest::keyClick(window.get(), key, Qt::ControlModifier); }
-    void eachPage(const std::function<void()>& look)
+    void eachPage(const std::function<void()>& poll)
     {
         for (int page = 0; page < window->rail()->pages(); ++page) {
             window->rail()->choose(page);

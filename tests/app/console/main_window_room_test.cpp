@@ -125,7 +125,7 @@ TEST_F(Console, aBannerMovesNoCard)
     ScriptedSource* source = openScripted();
     ASSERT_TRUE(readyToExplore());
     const int page = window->rail()->pageOf(Qt::Key_F9);
-    const auto eachLayout = [&](const std::function<void(const std::string&)>& look) {
+    const auto eachLayout = [&](const std::function<void(const std::string&)>& poll) {
         for (const QSize size : {QSize(1200, 680), QSize(1280, 720), QSize(1440, 900)})
             for (const Layout layout : {Layout::Drive, Layout::Probe, Layout::Review}) {
                 window->preferences().change([layout](Preferences& p) { p.layout = layout; });
