@@ -398,7 +398,7 @@ TEST_F(PanelKernel, lampsAreTestedLitAndLeftDark)
         for (std::size_t i = 0; i < kPanelOutputs; ++i) seen[i] |= chip->level(kLinkLamp + i);
         return seen == std::array<bool, kPanelOutputs>{true, true, true, true};
     };
-    EXPECT_TRUE(until(look)) << "the test lights each";
+    EXPECT_TRUE(until(poll)) << "the test lights each";
     lamps = {.link = true, .buzzer = true};
     EXPECT_TRUE(until([&](const PanelReport& r) { return r.lamps == lamps; }));
     EXPECT_TRUE(chip->level(kLinkLamp));
