@@ -109,11 +109,15 @@ Result<LogReader::Line> LogReader::readLine()
     }
 }
 
-/// The first line holds a CR that no LF follows.
+/// The first line is text, and holds a CR that no LF follows.
 bool LogReader::endsLinesWithCr(std::string_view atHand) const
 {
     const std::size_t cr = std::min(atHand.find('\r'), atHand.size());
-    return line_ == 0 && lineEnd_ == '\n' && cr + 1 < atHand.size();
+    const std::string_view first = atHand.substr(0, cr);
+    const bool isText = std::none_of(first.begin(), first.end(), [](char c) {
+        return static_cast<unsigned char>(c) < 0x20 && c != '\t';
+    });
+    return line_ == 0 && lineEnd_ == '\n' && cr + 1 < atHand.size() && isText;
 }
 
 /// Where power was lost, file systems leave zeros: they end a log.
