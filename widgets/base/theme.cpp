@@ -69,10 +69,10 @@ QPushButton[role="stopNone"], QPushButton[role="stopNone"]:pressed { background:
   border: 2px dashed @chipBorder; font-size: @16px; font-weight: normal; }
 
 QLabel#verdictBadge { border-radius: 6px; padding: 6px 2px; font-size: @19px; font-weight: bold; }
-QLabel#verdictBadge[stepVerdict="clear"] { background: @clearArea; color: @clearText; }
-QLabel#verdictBadge[stepVerdict="blocked"] { background: @blockedArea; color: @blockedText; }
-QLabel#verdictBadge[stepVerdict="open"] { background: @openArea; color: @openText; }
-QLabel#verdictBadge[stepVerdict="none"] { background: @offArea; color: @offText; }
+QLabel#verdictBadge[answer="clear"] { background: @clearArea; color: @clearText; }
+QLabel#verdictBadge[answer="blocked"] { background: @blockedArea; color: @blockedText; }
+QLabel#verdictBadge[answer="open"] { background: @openArea; color: @openText; }
+QLabel#verdictBadge[answer="none"] { background: @offArea; color: @offText; }
 QLabel#verdictQuestion { font-size: @16px; font-weight: bold; }
 QLabel#verdictQuestion[tone="muted"] { font-weight: normal; }
 QPushButton[role="compact"] { padding: 3px 3px; font-size: @13px; }

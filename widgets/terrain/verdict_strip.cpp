@@ -55,7 +55,7 @@ QString briefly(Doubt doubt)
 }
 
 /// As the style sheet has it.
-QString outlookOf(const Verdict& verdict)
+QString wordOf(const Verdict& verdict)
 {
     switch (verdict.stepVerdict) {
     case StepVerdict::Clear: return QStringLiteral("clear");
@@ -277,7 +277,7 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
     if (falls) tip << whyOf(verdict);
     for (const Doubt doubt : verdict.doubts) tip << format::sentence(describe(doubt));
     setTip(*reason_, tip.join(QLatin1Char('\n')));
-    say(badgeOf(verdict), outlookOf(verdict), isWithheld);
+    say(badgeOf(verdict), wordOf(verdict), isWithheld);
 }
 
 void VerdictStrip::setNothing(const QString& why)
@@ -295,8 +295,8 @@ void VerdictStrip::setNothing(const QString& why)
 void VerdictStrip::say(const QString& answer, const QString& stepVerdict, bool withheld)
 {
     badge_->setText(answer);
-    if (badge_->property("outlook").toString() != stepVerdict) {
-        badge_->setProperty("outlook", stepVerdict);
+    if (badge_->property("answer").toString() != stepVerdict) {
+        badge_->setProperty("answer", stepVerdict);
         badge_->style()->unpolish(badge_);
         badge_->style()->polish(badge_);
         announce(*badge_);
