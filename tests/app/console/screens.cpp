@@ -78,6 +78,7 @@ bool isSameEverywhere(const std::string& text)
         "REPLAY|English|Deutsch|Eigen|Qwt|OpenBLAS.*|Linux.*|R-hat|ESS|AVX|rad|STOP|Token|"
         "terratact (simulate|train) .*|[Mm]odel|[Pp]anel|[Rr]obot|Bus|Start|Status|Name|Training|"
         "Signal|Rate|Bytes|REC|Export|Format)\\b|can#|"
+        "\\b(Ctrl|PgUp|PgDown|Home|End|Esc|Del)\\b|"  // as the keys of these languages read
         "/usr/share/doc/terratact/copyright|candump|Vector|Foxglove|Čeština|\\bbit\\b|UTC|/min\\b|"
         "[^ ]*\\.(ttm|toml|csv|log|tts|png|svg|pdf|html|mcap|asc)\\b|"
         // what the system says, and drivers in its place
