@@ -17,7 +17,7 @@ constexpr std::string_view kPasses = "the tracks must first pass ground that sev
 constexpr std::string_view kTooLow =
     "an angle that is too small looks like hollow ground: lay the flippers flat on a floor";
 constexpr std::string_view kNearTracks =
-    "within 7° of the tracks both signs fit the ground: lay the flippers flat on a floor";
+    "within 11° of the tracks both signs fit the ground: lay the flippers flat on a floor";
 constexpr std::string_view kAlike =
     "left and right are moved together, and the estimate uses their mean";
 constexpr std::string_view kElement =

@@ -14,6 +14,12 @@ long cellOf(double x)
     return std::lround(x / DrivenGround::kCell);
 }
 
+/// Of the tracks, to both sides of the base origin [m].
+double trackReach(const RobotModel& r)
+{
+    return r.trackAxle / 2.0 + r.trackRadius;
+}
+
 double centreOfMass(const RobotModel& r)
 {
     return (r.bodyMass * r.bodyCom.x + r.front.mass * r.front.pivot.x
@@ -66,8 +72,9 @@ void DrivenGround::take(const Measurement& line, bool isRearLoaded)
     const Vec2 along = rotated({1.0, 0.0}, (before + pitch_) / 2.0 + support);
     point_ = {point_.x + way * along.x, point_.z + way * along.z};
     way_ += std::abs(ds);
-    travelled_ = line.travelled;
     pose_ = poseWith(pitch_, (line.frontLeft + line.frontRight) / 2.0);
+    if (!travelled_) passedFrom_ = pose_.base.x + trackReach(robot_);
+    travelled_ = line.travelled;
     moved_ = line.activity == RobotActivity::Driving && ds > 0.0;
     if (moved_) lower();
 }
@@ -75,7 +82,7 @@ void DrivenGround::take(const Measurement& line, bool isRearLoaded)
 void DrivenGround::lower()
 {
     const TaperedHull track = shapeAt(robot_, pose_).track;
-    const double reach = robot_.trackAxle / 2.0 + robot_.trackRadius;
+    const double reach = trackReach(robot_);
     for (long cell = cellOf(pose_.base.x - reach); cell <= cellOf(pose_.base.x + reach); ++cell) {
         const double edge = lowerBoundary(track, static_cast<double>(cell) * kCell);
         if (!std::isfinite(edge)) continue;

@@ -48,6 +48,9 @@ public:
     bool hasMoved() const { return moved_; }       ///< forwards, at the last line
     double smoothPitch() const { return pitch_; }  ///< [rad]
     double way() const { return way_; }            ///< [m] since the first line
+    /// From there on [m] the tracks have passed over the ground from end to end.  Behind it, their first pose alone
+    /// bounds the ground, and hollows under it are unknown.
+    double passedFrom() const { return passedFrom_; }
     /// The highest that the ground can be there [m]; empty where the tracks have not been.
     std::optional<double> highestAt(double x) const;
 
@@ -57,7 +60,7 @@ private:
     RobotModel robot_;
     double turnsAt_;  ///< [m] before the base origin
     std::optional<double> travelled_;
-    double pitch_ = 0.0, way_ = 0.0;
+    double pitch_ = 0.0, way_ = 0.0, passedFrom_ = 0.0;
     Vec2 point_;  ///< of the tracks' lower edge, about which the robot turns
     Pose pose_;
     bool moved_ = false;

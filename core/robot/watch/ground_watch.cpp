@@ -174,7 +174,8 @@ std::optional<double> GroundWatch::rearGap(const DrivenGround& ground) const
     const double until = ground.pose().base.x + robot_.rear.pivot.x - lever;
     std::size_t cells = 0;
     double gap = 0.0;
-    for (double x = flipper.b.x - flipper.rb; x < until; x += DrivenGround::kCell) {
+    const double from = std::max(flipper.b.x - flipper.rb, ground.passedFrom());
+    for (double x = from; x < until; x += DrivenGround::kCell) {
         const double edge = lowerBoundary(flipper, x);
         const auto highest = ground.highestAt(x);
         if (!highest || !std::isfinite(edge)) continue;
@@ -188,6 +189,7 @@ void GroundWatch::judgeRear(double now)
 {
     if (ground_.way() - judgedAt_ < kRearStep) return;
     judgedAt_ = ground_.way();
+    if (std::abs(ground_.pose().rear) < kLeastRear) return;
     const auto asRead = rearGap(ground_), asFlipped = rearGap(flipped_);
     if (!asRead || !asFlipped) return;
     const auto misfit = [this](double gap) {

@@ -16,15 +16,18 @@ namespace terratact {
 ///                 like hollow ground, and are not suspected.
 ///   forces        that point fits the ground worse than the same point counted from the other end; and a press that
 ///                 loads the first element alone, where one that loads the last alone is far more common
-///   rear angles   lie under the ground, or carry a load above it, while angles of the other sign would fit
+///   rear angles   lie under the ground, or carry a load above it, while angles of the other sign would fit; only over
+///                 ground that the tracks have passed from end to end, and of kLeastRear or more: the map errs by
+///                 5 cm, and angles nearer to 0 differ by less from those of the other sign
 /// A sum that has fallen to half its limit clears its sensors.  Needs odometry; forces for the first two.  Begins a new map where
 /// the robot turns by more than kTurn.  No clock.
 class GroundWatch {
 public:
     static constexpr double kOffset = 0.17;     ///< [rad]
-    static constexpr double kFrontLimit = 3.4;  ///< of the sums
+    static constexpr double kFrontLimit = 3.8;  ///< of the sums
     static constexpr double kOrderLimit = 6.0;
-    static constexpr double kRearLimit = 0.75;  ///< [m]
+    static constexpr double kRearLimit = 0.85;  ///< [m]
+    static constexpr double kLeastRear = 0.2;   ///< [rad]
     static constexpr double kTurn = 0.15;       ///< [rad]
     static constexpr double kHold = 600.0;      ///< [s] suspected for, unless cleared
 

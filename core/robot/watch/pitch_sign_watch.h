@@ -17,7 +17,7 @@ namespace terratact {
 class PitchSignWatch {
 public:
     static constexpr double kCut = 7.0;
-    static constexpr double kLimit = 15.0;
+    static constexpr double kLimit = 18.0;
     static constexpr double kHold =
         600.0;  ///< [s] suspected for, unless the CUSUM falls to half of kLimit
 

@@ -97,7 +97,8 @@ void ReturnWatch::end(double heading, double now)
     const auto shift = shiftNow();
     if (!shift) return;
     shift_ = shift;
-    if (std::abs(*shift) < kLimit * std::sqrt(kLimitWay / wayBack())) return;
+    limit_ = kLimit * std::sqrt(kLimitWay / wayBack());
+    if (isCleared()) return;
     found_.push_back({.sensor = Sensor::Pitch,
                       .trouble = SensorTrouble::BothWays,
                       .since = now,

@@ -29,15 +29,15 @@ public:
     static constexpr double kMinWay = 2.5;    ///< [m] back
     static constexpr double kNoseUp = 0.0115, kNoseDown = 0.0537;  ///< [rad]
     static constexpr double kLimit =
-        0.05;  ///< [rad] of a shift over kLimitWay; over another way times √(kLimitWay / way)
+        0.075;  ///< [rad] of a shift over kLimitWay; over another way times √(kLimitWay / way)
     static constexpr double kLimitWay = 4.0;  ///< [m] back
     static constexpr double kHold = 600.0;    ///< [s] suspected for, unless cleared
 
     explicit ReturnWatch(const RobotModel& robot) : robot_(robot) {}
     void take(const Measurement& line);
     const std::vector<SensorSuspicion>& found() const { return found_; }  ///< by the last line
-    /// The last look says that the zero is where it should be.
-    bool isCleared() const { return shift_ && std::abs(*shift_) < kLimit / 2.0; }
+    /// The last look is within its limit.
+    bool isCleared() const { return shift_ && std::abs(*shift_) < limit_; }
     void reset();
 
 private:
@@ -60,6 +60,7 @@ private:
     double way_ = 0.0, pitchWay_ = 0.0, loadedWay_ = 0.0;  ///< of the step under way
     std::deque<Step> steps_;
     std::optional<double> shift_;  ///< [rad] at the last look
+    double limit_ = 0.0;           ///< [rad] of that look
     std::vector<SensorSuspicion> found_;
 };
 

@@ -108,6 +108,48 @@ TEST(GroundWatch, SuspectsTheSignOfRearAngles)
     }
 }
 
+TEST(GroundWatch, SaysNothingOfRearAnglesNearTheTracks)
+{
+    const auto drive = driveOverRough(0.15, false);
+    for (const std::string_view fault : {"", "flipped:rear"})
+        EXPECT_FALSE(
+            suspects<GroundWatch>(drive, fault, Sensor::RearLeft, SensorTrouble::OffGround))
+            << fault;
+}
+
+TEST(DrivenGround, HasPassedWhatTheWholeTracksWentOver)
+{
+    DrivenGround ground(absolem());
+    Measurement line;
+    line.activity = RobotActivity::Driving;
+    line.travelled = 0.0;
+    ground.take(line, false);
+    const double reach = absolem().trackAxle / 2.0 + absolem().trackRadius;
+    EXPECT_NEAR(ground.passedFrom(), ground.pose().base.x + reach, 1e-12);
+    const double from = ground.passedFrom();
+    line.travelled = 0.5;
+    ground.take(line, false);
+    EXPECT_EQ(ground.passedFrom(), from);
+}
+
+TEST(ReturnWatch, ClearsWhenALookIsWithinItsLimit)
+{
+    const auto drive = driveOverRough(0.5, true);
+    ReturnWatch watch(absolem());
+    FaultySensors faulty(*sensorFaultFrom("offset:pitch:0.1"), absolem(), 1);
+    bool wasSuspected = false;
+    for (const WatchedLine& line : drive) {
+        watch.take(faulty.take(line.measurement));
+        if (watch.found().empty()) continue;
+        wasSuspected = true;
+        EXPECT_FALSE(watch.isCleared());
+    }
+    EXPECT_TRUE(wasSuspected);
+    ReturnWatch sound(absolem());
+    for (const WatchedLine& line : drive) sound.take(line.measurement);
+    EXPECT_TRUE(sound.isCleared());
+}
+
 TEST(ReturnWatch, SuspectsAPitchThatIsShifted)
 {
     const auto drive = driveOverRough(0.5, true);
@@ -115,8 +157,8 @@ TEST(ReturnWatch, SuspectsAPitchThatIsShifted)
         return suspects<ReturnWatch>(drive, fault, Sensor::Pitch, SensorTrouble::BothWays);
     };
     EXPECT_FALSE(shifted(""));
-    EXPECT_TRUE(shifted("offset:pitch:0.07"));
-    EXPECT_TRUE(shifted("offset:pitch:-0.07"));
+    EXPECT_TRUE(shifted("offset:pitch:0.1"));
+    EXPECT_TRUE(shifted("offset:pitch:-0.1"));
     EXPECT_TRUE(shifted("drift:pitch:0.1"));
 }
 
