@@ -17,9 +17,9 @@ namespace terratact {
 namespace {
 
 using namespace std::chrono_literals;
-using Clock = std::chrono::steady_clock;
+using MonitorClock = std::chrono::steady_clock;
 
-double seconds(Clock::time_point time)
+double seconds(MonitorClock::time_point time)
 {
     return std::chrono::duration<double>(time.time_since_epoch()).count();
 }
@@ -70,11 +70,11 @@ private:
 };
 
 /// Reads the bus until `until`, a replay to its end at most.
-Status takeUntil(CanBus& bus, bool isReplay, CanMonitor& monitor, Clock::time_point until)
+Status takeUntil(CanBus& bus, bool isReplay, CanMonitor& monitor, MonitorClock::time_point until)
 {
     std::array<BusFrame, 64> frames;
     for (;;) {
-        const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - MonitorClock::now());
         if (left <= 0ms || (isReplay && bus.state() == BusState::Ended)) return Done{};
         const Result<std::size_t> count = bus.receive(frames, left);
         if (!count) return count.error();
@@ -140,23 +140,23 @@ Status monitorCan(const CanMonitorOptions& options)
     if (!screen.isRedrawn())
         for (const std::string& remark : remarks) say(stderr, "terratact: {}\n", remark);
     screen.clear();
-    const Clock::time_point begin = Clock::now();
+    const MonitorClock::time_point begin = MonitorClock::now();
     monitor.mark(seconds(begin));
-    for (Clock::time_point next = begin;;) {
+    for (MonitorClock::time_point next = begin;;) {
         next += screen.period();
         const auto end = options.seconds ? begin
-                                               + std::chrono::duration_cast<Clock::duration>(
+                                               + std::chrono::duration_cast<MonitorClock::duration>(
                                                    std::chrono::duration<double>(*options.seconds))
-                                         : Clock::time_point::max();
+                                         : MonitorClock::time_point::max();
         if (Status done = takeUntil(bus, isReplay, monitor, std::min(next, end)); !done)
             return done;
-        const double now = seconds(Clock::now());
+        const double now = seconds(MonitorClock::now());
         monitor.mark(now);
         const bool ended = isReplay && bus.state() == BusState::Ended;
         std::vector<std::string> lines = monitor.table(now);
         if (screen.isRedrawn()) lines.insert(lines.end(), remarks.begin(), remarks.end());
         screen.show(monitor.headline(stateText(*opened), bus.counters()), lines);
-        if (ended || Clock::now() >= end) return Done{};
+        if (ended || MonitorClock::now() >= end) return Done{};
     }
 }
 

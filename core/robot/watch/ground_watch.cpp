@@ -101,7 +101,7 @@ void GroundWatch::follow(const Measurement& line)
         press_.reset();
         return;
     }
-    if (!press_) press_.emplace();
+    if (!press_) press_ = Press{};
     if (press_->lines++ >= kPressLines) return;
     press_->pitch += line.pitch / kPressLines;
     press_->front += (line.frontLeft + line.frontRight) / (2.0 * kPressLines);
