@@ -94,9 +94,7 @@ void LinkStatus::showBus(const CanView& view, double now)
     // Of a log the state says only whether it goes on.
     const bool isLog = link_->mode() == CanSource::Mode::Replay;
     const bool isOurs = link_->bitrate().nominal;  // a robot in this program
-    QStringList parts{isLog    ? tr("log")
-                      : isOurs ? tr("bus")
-                               : QString::fromStdString(link_->busName())};
+    QStringList parts{isLog ? tr("log") : isOurs ? tr("bus") : format::shownName(link_->busName())};
     QStringList brief = parts;
     if (!isLog || view.bus != BusState::Up) parts << glance(view.bus);
     if (view.bus != BusState::Up) brief << glance(view.bus);

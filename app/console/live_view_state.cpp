@@ -161,7 +161,7 @@ ConsoleFacts LiveViewState::facts(double now, const QString& source,
     ConsoleFacts facts{.telemetryRate = parts_.acquisition.rate(),
                        .estimating = parts_.worker.progress().has_value(),
                        .source = source,
-                       .robot = QString::fromStdString(robot_),
+                       .robot = format::shownName(robot_),
                        .robotDetails = robotDetails,
                        .model = parts_.exploration.estimation().model(),
                        .longest = WatchedApplication::longestEvents()};

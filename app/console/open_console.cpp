@@ -15,6 +15,7 @@
 #include "app/runtime/resources.h"
 #include "app/runtime/say.h"
 #include "app/shell/console_setup.h"
+#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {
@@ -80,7 +81,7 @@ QString fileDetails(const RobotFile& robot)
 {
     const QFileInfo file(QString::fromStdString(robot.path));
     return QCoreApplication::translate("RobotCard", "%1: %2\nfile of %3, %4 bytes; content %5")
-        .arg(QString::fromStdString(robot.model.name), QString::fromStdString(robot.path),
+        .arg(format::shownName(robot.model.name), format::line(robot.path),
              file.lastModified().toUTC().date().toString(Qt::ISODate),
              QString::number(robot.text.size()), QString::fromStdString(robot.hash.substr(0, 16)));
 }
@@ -93,6 +94,7 @@ Exploration::Options explorationFor(const ConsoleOptions& options, const Prefere
     exploration.stepLimit = preferences.obstacleLimit;
     exploration.probes = preferences.probes;
     exploration.seconds = preferences.estimateSeconds;
+    if (options.terrain != "varied") exploration.groundFile = options.terrain;
     if (options.isPicture())  // must not fail on a busy machine
         exploration.linkLostAfter = exploration.staleAfter = 5.0;
     return exploration;

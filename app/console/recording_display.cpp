@@ -24,7 +24,7 @@ void RecordingDisplay::show(const RecordingState& state)
     setTip(button_, state.recording
                         ? tr("Recorded: %1\n%2 frames, %3 MB; %4 frames found no room\nA "
                              "click marks this moment (K)")
-                              .arg(QString::fromStdString(state.path))
+                              .arg(format::line(state.path))
                               .arg(state.frames)
                               .arg(format::number(static_cast<double>(state.bytes) / 1e6, 1))
                               .arg(state.missing)

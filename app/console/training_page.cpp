@@ -403,7 +403,7 @@ void TrainingPage::adoptionDone()
     if (phase_ != Phase::Adopting) return;
     options_.model = std::exchange(trained_, QString());
     clearComparison();
-    say(tr("%1 is in use now").arg(QFileInfo(options_.model).fileName()));
+    say(tr("%1 is in use now").arg(format::fileName(options_.model)));
     enter(Phase::Idle);
     emit adoptionFinished(options_.model);
 }
@@ -420,7 +420,7 @@ void TrainingPage::discard()
     if (!QFile::remove(trained_) && QFile::exists(trained_))
         return say(tr("%1 could not be deleted: delete it by hand").arg(trained_), true);
     QFile::remove(QString::fromStdString(cardPath(trained_.toStdString())));
-    say(tr("%1 discarded").arg(QFileInfo(trained_).fileName()));
+    say(tr("%1 discarded").arg(format::fileName(trained_)));
     trained_.clear();
     clearComparison();
     name_->setText(freeName(options_.directory));
@@ -442,10 +442,10 @@ void TrainingPage::say(const QString& text, bool bad)
 void TrainingPage::enter(Phase phase)
 {
     phase_ = phase;
-    const QString old = QFileInfo(options_.model).fileName();
+    const QString old = format::fileName(options_.model);
     newModel_->setText(trained_.isEmpty()
                            ? tr("in use: %1; no new model yet").arg(old)
-                           : tr("in use: %1; new: %2").arg(old, QFileInfo(trained_).fileName()));
+                           : tr("in use: %1; new: %2").arg(old, format::fileName(trained_)));
     showProgress();
     showButtons();
 }

@@ -41,7 +41,7 @@ QString matter(BusState state)
 
 QString busWords(BusState state, const std::string& bus)
 {
-    const QString sentence = matter(state).arg(QString::fromStdString(bus));
+    const QString sentence = matter(state).arg(format::shownName(bus));
     const std::string command = cureOf(state, bus);
     return command.empty() ? sentence
                            : sentence + QStringLiteral(" (%1)").arg(format::text(command));

@@ -29,7 +29,7 @@ ModelLoader modelFileLoader(std::string path, RobotModel robot)
         const auto models = std::make_shared<const Models>(stored->data, robot);
 
         LoadedModel model;
-        model.name = QFileInfo(QString::fromStdString(path)).fileName();
+        model.name = format::fileName(QString::fromStdString(path));
         model.content = QString::fromStdString(stored->contentHash);
         model.details = ModelWords::card(factsOf(path, *stored));
         if (const auto hash = sha256OfFile(path)) model.hash = QString::fromStdString(*hash);
@@ -141,7 +141,7 @@ void EstimatorWorker::take(const ModelLoader& load)
         }
         why = format::sentence(model.error().text);
     } catch (const std::exception& error) {
-        why = QString::fromUtf8(error.what());
+        why = format::text(error.what());
     }
     if (estimate_) {
         emit modelKept(why);
@@ -186,7 +186,7 @@ std::optional<TerrainEstimate> EstimatorWorker::estimateFor(int job, const Estim
     } catch (const Cancelled&) {
         return std::nullopt;
     } catch (const std::exception& error) {
-        why = QString::fromUtf8(error.what());
+        why = format::text(error.what());
     } catch (...) {
         why = QStringLiteral("unknown error");
     }

@@ -40,6 +40,7 @@ public:
         double staleAfter =
             kStaleAfter;             ///< [s] older telemetry is none of now: no verdict, no ghost
         double probeSeconds = 45.0;  ///< what a probe costs, as told to the operator
+        std::string groundFile;      ///< of the built-in robot; empty: its ground is from no file
     };
 
     /// link: the source again where its robot has to be armed; else null.

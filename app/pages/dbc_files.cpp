@@ -129,8 +129,8 @@ void DbcFiles::use(const DbcReading& reading)
 {
     QStringList files, sentences;
     for (const auto& [path, frames] : reading.files) {
-        const QString name = QFileInfo(path).fileName();
-        files << (frames ? DbcSays::tr("%1 (frames: %2)").arg(name).arg(*frames)
+        const QString name = format::fileName(path);
+        files << (frames ? DbcSays::tr("%1 (frames: %2)").arg(name, QString::number(*frames))
                          : DbcSays::tr("%1 (not used)").arg(name));
     }
     for (const std::string& trouble : reading.troubles) {

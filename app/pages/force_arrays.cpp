@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "widgets/base/format.h"
+
 namespace terratact {
 namespace {
 
@@ -21,7 +23,7 @@ bool hasVoltages(const SensorLine& line)
 
 QString nameOf(const ForceArrayLayout& layout)
 {
-    if (!layout.name.empty()) return QString::fromStdString(layout.name);
+    if (!layout.name.empty()) return format::shownName(layout.name);
     return layout.side == Side::Left ? QCoreApplication::translate("terratact::ForceArrays", "L")
                                      : QCoreApplication::translate("terratact::ForceArrays", "R");
 }

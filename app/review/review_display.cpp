@@ -64,11 +64,11 @@ void ReviewDisplay::showHeader(const ReviewMoment& moment)
     else
         header.setRobot(tr("robot: --"), Tone::Plain);
     if (moment.model)
-        header.setModel(tr("model %1").arg(QString::fromStdString(moment.model->name)), Tone::Plain,
-                        QString::fromStdString(moment.model->details));
+        header.setModel(tr("model %1").arg(format::shownName(moment.model->name)), Tone::Plain,
+                        format::text(moment.model->details));
     else
         header.setModel(tr("no model"), Tone::Doubt);
-    header.setOverridden(QString::fromStdString(moment.overridden));
+    header.setOverridden(format::line(moment.overridden));
     const auto unseen =
         std::count_if(moment.alarms.begin(), moment.alarms.end(),
                       [](const Alarm& alarm) { return alarm.state != AlarmState::Acknowledged; });

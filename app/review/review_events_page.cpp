@@ -12,6 +12,7 @@
 #include "app/review/review_timeline.h"
 #include "core/log/review_moment.h"
 #include "widgets/base/card.h"
+#include "widgets/base/format.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/plain_table.h"
 #include "widgets/base/theme.h"
@@ -72,13 +73,15 @@ public:
     }
     QVariant data(const QModelIndex& index, int role) const override
     {
-        if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
+        if (role == Qt::ToolTipRole)  // there may be no room for all of it
+            return plainTip(data(index, Qt::DisplayRole).toString());
+        if (role != Qt::DisplayRole) return {};
         const EventRow& row = rowOf(index.row());
         switch (index.column()) {
         case Time: return timeWords(secondsOf(row.time));
         case Kind: return nameOf(row.kind);
         case What: return sentenceOf(row);
-        case Shown: return QString::fromStdString(row.shown);
+        case Shown: return format::line(row.shown);
         default: return {};
         }
     }
@@ -163,7 +166,7 @@ void ReviewEventsPage::reload()
 void ReviewEventsPage::setMoment(const ReviewMoment& moment)
 {
     QStringList alarms;
-    for (const Alarm& alarm : moment.alarms) alarms << QString::fromStdString(alarm.text);
+    for (const Alarm& alarm : moment.alarms) alarms << format::line(alarm.text);
     alarms_->setText(alarms.isEmpty() ? tr("No alarm stood at this time.")
                                       : tr("Alarms at this time: %1").arg(alarms.join("; ")));
     setTone(*alarms_, alarms.isEmpty() ? Tone::Muted : Tone::Bad);

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "app/shell/file_dialog.h"
+#include "widgets/base/format.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
@@ -114,8 +115,9 @@ QString startFile(const QString& session, const Choice& choice, const ExportView
     const auto seconds = [](double s) { return QString::number(s, 'f', 1); };
     QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     if (!QFileInfo(folder).isDir() || !QFileInfo(folder).isWritable()) folder = QDir::homePath();
-    QString name =
-        QFileInfo(session).completeBaseName() + QLatin1Char('-') + QLatin1String(choice.part);
+    // A long name and what is added to it has to stay a name of a file.
+    QString name = format::fileName(QFileInfo(session).completeBaseName()) + QLatin1Char('-')
+                 + QLatin1String(choice.part);
     if (choice.from == From::Report)
         name += QStringLiteral("-scene%1").arg(viewState.scene);
     else if (choice.from != From::Rows)
@@ -128,7 +130,7 @@ QString startFile(const QString& session, const Choice& choice, const ExportView
 ReviewExportDialog::ReviewExportDialog(Sources sources, QWidget* parent)
     : QDialog(parent), sources_(std::move(sources))
 {
-    setWindowTitle(tr("Export — %1").arg(QFileInfo(sources_.session).fileName()));
+    setWindowTitle(tr("Export — %1").arg(format::fileName(sources_.session)));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(16, 14, 16, 14);
     column->setSpacing(10);
@@ -311,7 +313,7 @@ void ReviewExportDialog::showViewState()
 void ReviewExportDialog::showPayload()
 {
     QStringList names;
-    for (const QString& file : sources_.dbc()) names << QFileInfo(file).fileName();
+    for (const QString& file : sources_.dbc()) names << format::fileName(file);
     const bool holds = holdsSignals(chosen(*what_));
     const QString with = tr("with the signals of %1").arg(names.join(QStringLiteral(", ")));
     const QString seen =

@@ -17,9 +17,8 @@ ReviewNoteField::ReviewNoteField(const SessionReader& session, const ReviewPlaye
 {
     setPlaceholderText(tr("note (M)"));
     setAccessibleName(tr("Note at this time"));
-    setTip(*this,
-           tr("Kept beside the session, in %1; Enter saves it")
-               .arg(QFileInfo(QString::fromStdString(notesPath(session.path()))).fileName()));
+    setTip(*this, tr("Kept beside the session, in %1; Enter saves it")
+                      .arg(format::fileName(QString::fromStdString(notesPath(session.path())))));
     if (auto notes = readNotes(session.path()))
         notes_ = std::move(*notes);
     else

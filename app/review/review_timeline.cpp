@@ -192,9 +192,9 @@ QString subjectOf(const EventRow& event)
 
 QString textOf(const EventRow& event)
 {
-    if (event.kind == EventKind::Marker) return format::text(event.text);  // somebody's own
+    if (event.kind == EventKind::Marker) return format::line(event.text);  // somebody's own
     if (event.kind == EventKind::Decision)
-        if (QString word = format::eventWord(event.text); word != format::text(event.text))
+        if (QString word = format::eventWord(event.text); word != format::line(event.text))
             return word;
     if (event.kind == EventKind::Link)
         for (const BusState state : kBusStates)
@@ -239,7 +239,9 @@ QString nameOf(EventKind kind)
     return {};
 }
 
-QString sentenceOf(const EventRow& event)
+namespace {
+
+QString wordsOf(const EventRow& event)
 {
     if (event.kind == EventKind::Alarm) return alarmSentence(event);
     if (event.kind == EventKind::Word) return format::sentence(event.text);
@@ -259,6 +261,14 @@ QString sentenceOf(const EventRow& event)
     return parts.join(QStringLiteral(": "));
 }
 
+}  // namespace
+
+QString sentenceOf(const EventRow& event)
+{
+    // One event is one line: a text with a line end could pass for another event.
+    return wordsOf(event).replace(QLatin1Char('\n'), QLatin1Char(' '));
+}
+
 Timeline timelineOf(const SessionReader& session, const Surveyed& surveyed,
                     const std::vector<ReviewNote>& notes)
 {
@@ -270,7 +280,7 @@ Timeline timelineOf(const SessionReader& session, const Surveyed& surveyed,
     addSurvey(timeline, surveyed);
     for (const ReviewNote& note : notes)
         laneOf(timeline, ReviewLane::Markers).marks
-            << TimelineMark{note.time, TimelineWeight::Good, QString::fromStdString(note.text)};
+            << TimelineMark{note.time, TimelineWeight::Good, format::line(note.text)};
     return timeline;
 }
 

@@ -47,7 +47,7 @@ constexpr double kStillGrows = 3.0;  // [s] after the last growth
 
 QString fileName(const SessionReader& session)
 {
-    return QFileInfo(QString::fromStdString(session.path())).fileName();
+    return format::fileName(QString::fromStdString(session.path()));
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "app/review/scenes_window.h"
 
-#include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
@@ -53,7 +52,7 @@ std::optional<Heights> truthOf(const Scene& scene)
 ScenesWindow::ScenesWindow(Options options)
     : options_(std::move(options)), worker_(std::make_unique<EstimatorWorker>(options_.model))
 {
-    const QString name = QFileInfo(options_.path).fileName();
+    const QString name = format::fileName(options_.path);
     setWindowTitle(tr("SCENES — %1 — Terratact").arg(name));
     header()->setSource(tr("SCENES OF A FILE"));
     header()->setModel(tr("model loading …"), Tone::Doubt);
@@ -165,7 +164,7 @@ void ScenesWindow::showViewState()
                        ". and , go on and back")
                         .arg(scene_ + 1)
                         .arg(options_.scenes.size())
-                        .arg(QFileInfo(options_.path).fileName(), QString::fromStdString(scene.run),
+                        .arg(format::fileName(options_.path), format::shownName(scene.run),
                              format::number(scene.time, 2)));
 }
 

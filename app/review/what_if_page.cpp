@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QEvent>
-#include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -122,14 +121,14 @@ QWidget* WhatIfPage::form()
     addField(*rows, tr("Seed"), seed_);
     model_ = combo(tr("Model"), tr("File of the model"));
     for (const QString& path : std::as_const(models_))
-        model_->addItem(QFileInfo(path).fileName(), path);
+        model_->addItem(format::fileName(path), path);
     model_->addItem(tr("another file …"), QString());
     connect(model_, &QComboBox::activated, this, [this](int index) {
         if (!model_->itemData(index).toString().isEmpty()) return;
         model_->setCurrentIndex(0);
         askForFile(*this, {.title = tr("Model"), .filter = tr("Models (*.ttm)")},
                    [this](const QString& path) {
-                       model_->insertItem(0, QFileInfo(path).fileName(), path);
+                       model_->insertItem(0, format::fileName(path), path);
                        model_->setCurrentIndex(0);
                    });
     });
@@ -158,7 +157,7 @@ void WhatIfPage::setRecorded(const std::shared_ptr<const EstimateRow>& estimate,
                              const SceneRow* scene, const ModelRow* model)
 {
     if (model) {
-        recordedModel_ = QString::fromStdString(model->name);
+        recordedModel_ = format::shownName(model->name);
         recordedHash_ = QString::fromStdString(model->hash);
     }
     const bool same = estimate && recorded_ && estimate->id == recorded_->id;

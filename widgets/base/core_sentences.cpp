@@ -477,7 +477,7 @@ QString format::sentence(std::string_view english)
 
 QString format::eventWord(std::string_view english)
 {
-    return QCoreApplication::translate("event", std::string(english).c_str());
+    return line(QCoreApplication::translate("event", std::string(english).c_str()).toStdString());
 }
 
 QString format::sourceName(std::string_view english)
@@ -485,9 +485,9 @@ QString format::sourceName(std::string_view english)
     static const std::string kReplayed =
         std::string(kReplay).substr(0, std::string(kReplay).find('%'));
     if (english == kSimulated) return QCoreApplication::translate("source", kSimulated);
-    if (!english.starts_with(kReplayed)) return text(english);
+    if (!english.starts_with(kReplayed)) return shownName(english);
     return QCoreApplication::translate("source", kReplay)
-        .arg(text(english.substr(kReplayed.size())));
+        .arg(shownName(english.substr(kReplayed.size())));
 }
 
 }  // namespace terratact

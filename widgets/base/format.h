@@ -14,9 +14,33 @@ namespace terratact::format {
 
 inline const QString kNothing = QStringLiteral("--");
 
+/// A text in UTF-8 that may come from a file: control characters and marks of direction as '?', but for line ends.
 inline QString text(std::string_view utf8)
 {
-    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
+    return QString::fromStdString(printableLines(utf8));
+}
+
+/// Likewise, on one line: a line end is '?', too.
+inline QString line(std::string_view utf8)
+{
+    return QString::fromStdString(printable(utf8));
+}
+
+/// A name that may come from a file: one line of at most 100 characters, "…" for what is beyond.
+inline QString shownName(std::string_view utf8)
+{
+    constexpr qsizetype kMax = 100;
+    QString name = line(utf8);
+    if (name.size() <= kMax) return name;
+    name.truncate(kMax - 1);
+    if (name.back().isHighSurrogate()) name.chop(1);
+    return name + QChar(0x2026);
+}
+
+/// The name of a file without its folders, as shownName() has it.
+inline QString fileName(const QString& path)
+{
+    return shownName(path.mid(path.lastIndexOf(QLatin1Char('/')) + 1).toStdString());
 }
 
 /// A sentence of the core, in the operator's language where it is among those of core_sentences.cpp; else what of it
