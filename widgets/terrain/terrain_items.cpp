@@ -109,6 +109,7 @@ bool BinZones::isShown() const
 void BinZones::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& /*y*/,
                     const QRectF& canvas) const
 {
+    words_.clear();
     for (std::size_t i = 0; i < kBins; ++i) {
         const auto goesOn = [&](std::size_t k) { return shown[k] && touch[k] == touch[i]; };
         if (!shown[i] || (i > 0 && goesOn(i - 1))) continue;
@@ -142,6 +143,7 @@ void BinZones::drawZone(QPainter& painter, Touch kind, const QRectF& zone,
     place.moveLeft(std::min(place.left(), canvas.right() - place.width()));
     painter.fillRect(place, theme().priorZone);
     painter.drawText(place, Qt::AlignCenter, label);
+    words_.push_back(place);
 }
 
 void BinZones::drawHorizon(QPainter& painter, double px, const QRectF& canvas) const
@@ -156,9 +158,10 @@ void BinZones::drawHorizon(QPainter& painter, double px, const QRectF& canvas) c
     painter.fillRect(place, theme().priorZone);
     painter.setPen(theme().doubt);
     painter.drawText(place, Qt::AlignCenter, label);
+    words_.push_back(place);
 }
 
-ArmMark::ArmMark() : QwtPlotItem(QwtText("arm"))
+ArmMark::ArmMark(const BinZones& zones) : QwtPlotItem(QwtText("arm")), zones_(zones)
 {
     setZ(28.0);
     setItemAttribute(QwtPlotItem::Legend, false);
@@ -175,12 +178,17 @@ void ArmMark::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y
     const double top = state == ArmTip::State::Touched
                          ? std::max(tip - scaled(64), least - scaled(44))
                          : canvas.top() + scaled(28);
-    drawLabel(*painter, px, top, canvas);
+    painter->setFont(sized(plot()->font(), 14, true));
+    painter->setPen(theme().accent);
+    const double width = painter->fontMetrics().horizontalAdvance(words()) + 4.0;
+    word_ = placeOfWord({px - width / 2.0, top, width, static_cast<double>(scaled(20))}, px, tip,
+                        canvas);
+    painter->drawText(word_, Qt::AlignCenter, words());
     QPen pen(theme().accent, open ? 2.0 : scaled(5), open ? Qt::CustomDashLine : Qt::SolidLine,
              Qt::FlatCap);
     if (open) pen.setDashPattern({4.0, 3.0});
     painter->setPen(pen);
-    painter->drawLine(QPointF(px, top + scaled(21)), QPointF(px, tip - scaled(14)));
+    painter->drawLine(QPointF(px, beginOfLine(px, top)), QPointF(px, tip - scaled(14)));
     const double half = scaled(7);
     painter->setPen(QPen(theme().accent, 2.0, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
     painter->setBrush(open ? theme().card : theme().accent);
@@ -192,15 +200,39 @@ void ArmMark::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y
                                     {px - half, tip - scaled(8)}}));
 }
 
-void ArmMark::drawLabel(QPainter& painter, double px, double top, const QRectF& canvas) const
+/// Above the line; where a word of the zones stands there beside it, and else a row lower.
+QRectF ArmMark::placeOfWord(const QRectF& above, double px, double tip, const QRectF& canvas) const
 {
-    painter.setFont(sized(plot()->font(), 14, true));
-    painter.setPen(theme().accent);
-    const QString label = words();
-    const double width = painter.fontMetrics().horizontalAdvance(label) + 4.0;
-    QRectF place(px - width / 2.0, top, width, scaled(20));
-    place.moveLeft(std::min(place.left(), canvas.right() - width));
-    painter.drawText(place, Qt::AlignCenter, label);
+    constexpr int kRows = 4;  // of which the zones' words take three
+    const double beside = scaled(12);
+    const auto isFree = [&](const QRectF& place) {
+        return place.left() >= canvas.left() && place.right() <= canvas.right()
+            && std::ranges::none_of(zones_.words(),
+                                    [&](const QRectF& word) { return word.intersects(place); });
+    };
+    QRectF first = above;
+    first.moveLeft(std::max(canvas.left(), std::min(above.left(), canvas.right() - above.width())));
+    for (int row = 0; row < kRows; ++row)
+        for (const double left : {first.left(), px + beside, px - beside - above.width()}) {
+            const QRectF place(left, above.top() + row * above.height(), above.width(),
+                               above.height());
+            const bool isUponLine = place.left() < px && place.right() > px;
+            if (isFree(place) && !(isUponLine && row > 0 && place.bottom() > tip - scaled(24)))
+                return place;
+        }
+    return first;
+}
+
+/// Below every word that stands where the line comes down.
+double ArmMark::beginOfLine(double px, double top) const
+{
+    double begin = top;
+    const auto below = [&](const QRectF& word) {
+        if (word.left() < px && word.right() > px) begin = std::max(begin, word.bottom() + 1.0);
+    };
+    for (const QRectF& word : zones_.words()) below(word);
+    below(word_);
+    return begin;
 }
 
 QString ArmMark::words() const

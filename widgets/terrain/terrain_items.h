@@ -9,6 +9,7 @@
 #include <QFont>
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "core/infer/estimate/touch.h"
 #include "widgets/terrain/terrain_profile_view.h"
@@ -68,6 +69,8 @@ public:
     TouchMap touch = unrecordedTouch();
     std::optional<double> horizon;  ///< [m]; empty: nothing ahead is felt, or it is not recorded
     bool isShown() const;
+    /// Where its words stand, as it was drawn last [px].
+    const std::vector<QRectF>& words() const { return words_; }
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
               const QRectF& canvas) const override;
@@ -75,12 +78,16 @@ public:
 private:
     void drawZone(QPainter& painter, Touch kind, const QRectF& zone, const QRectF& canvas) const;
     void drawHorizon(QPainter& painter, double px, const QRectF& canvas) const;
+
+    mutable std::vector<QRectF> words_;
 };
 
-/// The arm's last link, upright, and its tip on the bin: dashed and open where nobody has approved it.
+/// The arm's last link, upright, and its tip on the bin: dashed and open where nobody has approved it.  Its word stands
+/// where no word of the zones does, which are drawn before it and have to outlive it.
 class ArmMark final : public QwtPlotItem {
 public:
-    ArmMark();
+    explicit ArmMark(const BinZones& zones);
+    const QRectF& word() const { return word_; }  ///< where it stands, as it was drawn last [px]
     ArmTip::State state = ArmTip::State::Proposed;
     double at = 0.0, down = 0.0;  ///< [m]
 
@@ -88,8 +95,12 @@ public:
               const QRectF& canvas) const override;
 
 private:
-    void drawLabel(QPainter& painter, double px, double top, const QRectF& canvas) const;
+    QRectF placeOfWord(const QRectF& above, double px, double tip, const QRectF& canvas) const;
+    double beginOfLine(double px, double top) const;
     QString words() const;
+
+    const BinZones& zones_;
+    mutable QRectF word_;
 };
 
 }  // namespace terratact

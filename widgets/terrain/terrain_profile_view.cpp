@@ -140,7 +140,7 @@ TerrainProfileView::TerrainProfileView(QWidget* parent)
     imu_->setZ(15.0);
     imu_->attach(this);
 
-    armMark_ = new ArmMark;
+    armMark_ = new ArmMark(*zones_);
     armMark_->setVisible(false);
     armMark_->attach(this);
 

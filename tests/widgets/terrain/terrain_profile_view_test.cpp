@@ -8,6 +8,7 @@
 #include "widgets/base/palette.h"
 #include "widgets/base/theme.h"
 #include "widgets/terrain/bin_inspector.h"
+#include "widgets/terrain/terrain_items.h"
 
 namespace terratact {
 namespace {
@@ -102,6 +103,40 @@ TEST_F(TerrainView, aNoteLiesBelowTheZonesWords)
     EXPECT_EQ(strip(0, words), zones);
     EXPECT_NE(strip(words, words + scaled(40)), below);
     EXPECT_TRUE(view.accessibleDescription().startsWith("nnnn"));
+}
+
+TEST_F(TerrainView, theArmsWordLiesUponNoWordOfTheZones)
+{
+    const auto item = [this]<class Item>(Item) {
+        for (QwtPlotItem* each : view.itemList())
+            if (const auto* found = dynamic_cast<const std::remove_pointer_t<Item>*>(each))
+                return found;
+        return static_cast<const std::remove_pointer_t<Item>*>(nullptr);
+    };
+    const BinZones* zones = item(static_cast<BinZones*>(nullptr));
+    const ArmMark* arm = item(static_cast<ArmMark*>(nullptr));
+    ASSERT_TRUE(zones && arm);
+    for (const QSize size : {QSize(900, 480), QSize(620, 300), QSize(480, 260)}) {
+        view.resize(size);
+        for (int felt = 7; felt < kBins; ++felt) {  // bounded beyond, and then not felt
+            TerrainEstimate ramp = stepEstimate();
+            for (int bin = 0; bin < kBins; ++bin)
+                ramp.touch[static_cast<std::size_t>(bin)] = bin <= felt     ? Touch::Felt
+                                                          : bin <= felt + 2 ? Touch::Bounded
+                                                                            : Touch::NotFelt;
+            view.setEstimate(ramp);
+            for (const auto state : {ArmTip::State::Proposed, ArmTip::State::Touched})
+                for (int bin = kFirstAhead; bin < kBins; ++bin) {
+                    view.setArmTip(ArmTip{.state = state, .bin = bin, .height = 0.1});
+                    ASSERT_FALSE(painted(*view.canvas()).isNull());
+                    ASSERT_FALSE(zones->words().empty());
+                    for (const QRectF& word : zones->words())
+                        EXPECT_FALSE(word.intersects(arm->word()))
+                            << size.width() << " px, felt to bin " << felt << ", arm at " << bin;
+                    EXPECT_TRUE(QRectF(view.canvas()->rect()).contains(arm->word()));
+                }
+        }
+    }
 }
 
 TEST_F(TerrainView, aBinWithTwoHeightsShowsBoth)
