@@ -22,7 +22,8 @@
 namespace terratact {
 namespace {
 
-constexpr double kLabelGap = 6.0;  // [px] between the labels of two elements
+constexpr double kLowestBar = 0.12;  // of the canvas, the highest bar in a low chart
+constexpr double kLabelGap = 6.0;    // [px] between the labels of two elements
 
 void keepWithin(std::optional<double>& value, double limit)
 {
@@ -353,15 +354,15 @@ QString ForceBars::spoken(int element) const
 // numbers.
 void ForceBars::fitScale()
 {
-    const double line = QFontMetricsF(labelFont(true)).height();
-    const double height = std::max(1, canvas()->height());
+    constexpr double kHighest = 0.8;  // of the canvas, a bar
+    const auto scaleOf = [&](double value, qsizetype rows) {
+        return value / std::clamp(1.0 - shareOfRows(rows), kLowestBar, kHighest);
+    };
     double needed = 0.0;
-    for (int element = 0; element < kForceElements; ++element) {
-        const auto rows = labelText(element).count(QLatin1Char('\n')) + (touching(element) ? 2 : 1);
-        const double share =
-            std::clamp(1.0 - (4.0 + line * static_cast<double>(rows)) / height, 0.3, 0.8);
-        needed = std::max(needed, top(element) / share);
-    }
+    for (int element = 0; element < kForceElements; ++element)
+        needed = std::max(needed, scaleOf(top(element), rowsOf(element)));
+    for (const ContactGroup& group : contactGroups())
+        needed = std::max(needed, scaleOf(group.highest, group.rows + 1));
     constexpr std::array kScales{5.0,  6.0,   8.0,   10.0,  20.0,  30.0,  40.0,   50.0,
                                  80.0, 100.0, 150.0, 200.0, 400.0, 800.0, 1000.0, 1400.0};
     const auto scaleFor = [&](double value) {
@@ -413,27 +414,47 @@ void ForceBars::showNumbers()
     }
 }
 
-// One word over all neighbours that touch: over each it would touch the next.
+qsizetype ForceBars::rowsOf(int element) const
+{
+    return labelText(element).count(QLatin1Char('\n')) + 1;
+}
+
+double ForceBars::shareOfRows(qsizetype rows) const
+{
+    constexpr double kSpace = 4.0;  // [px] around them
+    const double line = QFontMetricsF(labelFont(true)).lineSpacing();
+    return (kSpace + line * static_cast<double>(rows)) / std::max(1, canvas()->height());
+}
+
+std::vector<ForceBars::ContactGroup> ForceBars::contactGroups() const
+{
+    std::vector<ContactGroup> groups;
+    for (int element = 0; element < kForceElements; ++element) {
+        if (!touching(element)) continue;
+        const bool goesOn = !groups.empty() && groups.back().last == element - 1;
+        if (!goesOn) groups.push_back({.first = element});
+        ContactGroup& group = groups.back();
+        group.last = element;
+        group.highest = std::max(group.highest, top(element));
+        group.rows = std::max(group.rows, rowsOf(element));
+    }
+    return groups;
+}
+
+// One word over all neighbours that touch: over each it would touch the next.  None where it had no room: colour and
+// hatches tell a contact, too, and the tip has the word.
 void ForceBars::showContacts()
 {
     std::size_t used = 0;
-    for (int first = 0; first < kForceElements; ++first) {
-        int last = first;
-        double highest = 0.0;
-        qsizetype rows = 0;
-        for (; last < kForceElements && touching(last); ++last) {
-            highest = std::max(highest, top(last));
-            rows = std::max(rows, labelText(last).count(QLatin1Char('\n')) + 1);
-        }
-        if (last == first) continue;
-        QwtText label(tr("contact") + QString(rows, QLatin1Char('\n')));  // above the numbers
+    for (const ContactGroup& group : contactGroups()) {
+        if (shareOfRows(group.rows + 1) > 1.0 - kLowestBar) continue;
+        QwtText label(tr("contact") + QString(group.rows, QLatin1Char('\n')));  // above the numbers
         label.setFont(labelFont(true));
         label.setColor(theme().contact);
         QwtPlotMarker& marker = *contacts_.at(used++);
-        marker.setValue((first + last - 1) / 2.0, highest);
+        marker.setValue((group.first + group.last) / 2.0, group.highest);
         marker.setLabel(label);
         marker.show();
-        first = last;
     }
     for (; used < contacts_.size(); ++used) contacts_[used]->hide();
 }

@@ -121,6 +121,15 @@ private:
     double top(int element) const;  ///< of bars, peaks and threshold line: numbers stand above
     QString labelText(int element) const;
     int labelRows() const;
+    /// Neighbours that touch, with the word over them.
+    struct ContactGroup {
+        int first = 0, last = 0;
+        double highest = 0.0;  ///< in unit()
+        qsizetype rows = 0;    ///< lines of the numbers
+    };
+    std::vector<ContactGroup> contactGroups() const;
+    qsizetype rowsOf(int element) const;       ///< lines above its bar, without the word
+    double shareOfRows(qsizetype rows) const;  ///< of the canvas' height
     QString spoken(int element) const;
     QString unitText() const;
     QFont labelFont(bool bold) const;

@@ -298,6 +298,29 @@ TEST_F(Forces, aDriftedBiasStandsBelowItsElement)
     EXPECT_EQ(amber(), 0);
 }
 
+TEST_F(Forces, noWordIsCutAtTheTopInALowChart)
+{
+    for (const int height : {90, 100, 110, 120, 135, 150, 200, 260}) {
+        bars.resize(340, height);
+        for (const double force : {2.6, 5.3, 8.1, 12.4, 18.9, 24.0}) {
+            SCOPED_TRACE(testing::Message() << height << " px, " << force << " N");
+            const auto expectRoom = [&] {
+                for (const QRectF& label : letters()) EXPECT_GE(label.top(), 0.0);
+            };
+            one({0.1, 0.0, 0.2, force, 0.0, 0.0});
+            expectRoom();
+            one({0.1, 12.3, 18.7, force, 0.0, 0.0});
+            expectRoom();
+            both({0.1, 0.0, 0.2, force, 11.1, 0.0}, {0.1, 0.0, 0.2, force, 0.0, 9.0});
+            expectRoom();
+            bars.clearForces();
+        }
+    }
+    bars.resize(340, 200);
+    one({0.1, 0.0, 0.2, 8.1, 0.0, 0.0});
+    EXPECT_EQ(letters().size(), 7U) << "with its word";
+}
+
 TEST_F(Forces, numbersHaveRoomAboveTheirBars)
 {
     bars.resize(340, 140);
