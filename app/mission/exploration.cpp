@@ -456,11 +456,17 @@ void Exploration::advance()
 void Exploration::watchDrive()
 {
     if (!latest_ || !linkAlive_ || !driveWatch_.poll(latest_->sample.measurement, now_)) return;
-    emit happened(
-        source_.name() == "SIMULATED ROBOT"
-            ? tr("the built-in ground ends here: drive back, or start with another --terrain")
-            : tr("the robot says that it drives, and its tracks do not move"),
-        Weight::Bad);
+    if (source_.name() != "SIMULATED ROBOT")
+        emit happened(tr("the robot says that it drives, and its tracks do not move"), Weight::Bad);
+    else if (options_.groundFile.empty())
+        emit happened(
+            tr("the built-in ground ends here: drive back, or start with another --terrain"),
+            Weight::Bad);
+    else
+        emit happened(
+            tr("the ground of the file %1 ends here: drive back, or start with another --terrain")
+                .arg(format::fileName(QString::fromStdString(options_.groundFile))),
+            Weight::Bad);
 }
 
 void Exploration::preview()

@@ -4732,6 +4732,10 @@ F1</translation>
         <translation>vestavěný terén zde končí: jeďte zpět, nebo začněte s jiným --terrain</translation>
     </message>
     <message>
+        <source>the ground of the file %1 ends here: drive back, or start with another --terrain</source>
+        <translation>terén souboru %1 zde končí: jeďte zpět, nebo začněte s jiným --terrain</translation>
+    </message>
+    <message>
         <source>the robot says that it drives, and its tracks do not move</source>
         <translation>robot hlásí, že jede, a jeho pásy se nehýbou</translation>
     </message>

@@ -4732,6 +4732,10 @@ F1</translation>
         <translation>der eingebaute Boden endet hier: zurückfahren, oder mit anderem --terrain starten</translation>
     </message>
     <message>
+        <source>the ground of the file %1 ends here: drive back, or start with another --terrain</source>
+        <translation>der Boden der Datei %1 endet hier: zurückfahren, oder mit anderem --terrain starten</translation>
+    </message>
+    <message>
         <source>the robot says that it drives, and its tracks do not move</source>
         <translation>der Roboter meldet, dass er fährt, und seine Ketten bewegen sich nicht</translation>
     </message>

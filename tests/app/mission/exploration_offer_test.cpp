@@ -236,6 +236,52 @@ TEST_F(Bench, aForgottenEstimateIsBroughtBackUntilTheRobotLeaves)
     EXPECT_FALSE(exploration->estimation().estimate()) << "of another pose";
 }
 
+TEST_F(Bench, lastMinutesUseTheOperatorsStepLimit)
+{
+    withDraws = true;
+    exploration->setStepLimit(0.24);
+    ASSERT_NO_FATAL_FAILURE(propose());
+    const auto told = events.filter(QStringLiteral("a step ahead of more than"));
+    ASSERT_FALSE(told.isEmpty());
+    for (const QString& event : told)
+        EXPECT_TRUE(event.contains(QStringLiteral("more than 240 mm"))) << event.toStdString();
+}
+
+/// The robot of this program, as far as its name goes.
+struct BuiltInSource final : MeasurementSource {
+    std::string name() const override { return "SIMULATED ROBOT"; }
+    Result<std::optional<Sample>> next(std::chrono::milliseconds /*patience*/) override
+    {
+        return std::optional<Sample>{};
+    }
+    Status send(const Command& /*command*/) override { return Done{}; }
+};
+
+TEST_F(Bench, theEndOfTheGroundIsToldWithItsFile)
+{
+    BuiltInSource builtIn;
+    const auto toldOn = [&](const std::string& file) {
+        Exploration::Options options;
+        options.groundFile = file;
+        Exploration drives(builtIn, RobotModel{}, *worker, options);
+        QStringList told;
+        QObject::connect(&drives, &Exploration::happened,
+                         [&](const QString& text) { told << text; });
+        telemetry.travelled = 1.0;
+        telemetry.activity = RobotActivity::Driving;
+        for (int i = 0; i < 40; ++i) {
+            line();
+            drives.tick(now, latest);
+        }
+        return told.filter(QStringLiteral("ends here")).join('\n').toStdString();
+    };
+    EXPECT_EQ(toldOn({}),
+              "the built-in ground ends here: drive back, or start with another --terrain");
+    EXPECT_EQ(toldOn("/some/where/ditch\x1b[2J.csv"),
+              "the ground of the file ditch?[2J.csv ends here: drive back, or start with another "
+              "--terrain");
+}
+
 TEST_F(Bench, aDriveThatMovesNothingForgetsNothing)
 {
     telemetry.travelled = 1.0;
