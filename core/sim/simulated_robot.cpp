@@ -160,8 +160,10 @@ void SimulatedRobot::drive(double dt)
 void SimulatedRobot::moveBy(double way)
 {
     const Pose before = rest_.pose;
+    const double stood = x_;
     x_ = std::clamp(x_ + way, terrain_.begin() + kMargin, terrain_.end() - kMargin);
-    settle();
+    if (!settle())
+        x_ = stood;  // else it would appear further on, and its tracks report that way at once
     travelled_ += (1.0 + slip_) * trackWay(before, rest_.pose);
 }
 
@@ -201,8 +203,8 @@ void SimulatedRobot::hold(double turn)
     if (there) hold_.reset();
 }
 
-/// Finds the rest pose for the present position and flipper drive; keeps the old one where there is none.
-void SimulatedRobot::settle()
+/// Finds the rest pose for the present position and flipper drive; keeps the old one where there is none: false.
+bool SimulatedRobot::settle()
 {
     const FlipperDrive front = activity_ == RobotActivity::Pressed
                                  ? FlipperDrive{PressTorque{torque_, rest_.pose.front + 0.1}}
@@ -215,6 +217,7 @@ void SimulatedRobot::settle()
         refuse(Refusal::NoRestPose);
         accept(RobotActivity::Halted);
     }
+    return bool(rest);
 }
 
 Measurement SimulatedRobot::measure()

@@ -47,7 +47,7 @@ public:
     RobotActivity activity() const { return activity_; }
 
 private:
-    void settle();
+    bool settle();
     void obey(const DriveCommand& drive);
     void obey(const PressCommand& press);
     void obey(const ProbeCommand& probe);

@@ -33,6 +33,28 @@ bool isPressed(const Measurement& m)
     return m.activity == RobotActivity::Pressed;
 }
 
+TEST(SimulatedRobot, reportsNoWayThatItsTracksDidNotRoll)
+{
+    for (const double drop : {0.6, 0.9}) {
+        SimulatedRobot::Options options;
+        options.startX = 0.8;
+        SimulatedRobot robot(
+            absolem(), TerrainProfile({{0, 0}, {2.5, 0}, {2.51, -drop}, {4, -drop}}), options);
+        double before = 0.0;
+        int halts = 0;
+        for (int line = 0; line < 400; ++line) {
+            if (robot.activity() == RobotActivity::Halted)
+                ++halts, robot.command(DriveCommand{0.2});
+            for (int i = 0; i < 5; ++i) robot.step(0.01);
+            const double travelled = *robot.measure().travelled;
+            EXPECT_LT(std::abs(travelled - before), 0.3)
+                << "at once, of a drop of " << drop << " m";
+            before = travelled;
+        }
+        EXPECT_GT(halts, 2) << "it finds no pose to rest in, and is told to drive on";
+    }
+}
+
 TEST(SimulatedRobot, drivesWhenToldAndHaltsWhenTold)
 {
     SimulatedRobot robot = robotBefore(1.5);
