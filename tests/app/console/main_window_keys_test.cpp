@@ -202,6 +202,32 @@ TEST_F(Console, stopWorksByKeyAndByMouseWhileAMenuIsOpen)
         }
 }
 
+TEST_F(Console, aDriveKeyThatDoesNothingSaysWhy)
+{
+    open(fastRobot(robot, 2.1));
+    ASSERT_TRUE(readyToExplore());
+    const auto newest = [this] { return window->events()->item(0)->text().toStdString(); };
+    const auto expectWhy = [&](const std::string& why) {
+        for (const Qt::Key key : {Qt::Key_W, Qt::Key_S, Qt::Key_Up, Qt::Key_Down}) {
+            window->events()->clear();
+            window->events()->add("nothing", Weight::Note, QTime(12, 0));
+            QTest::keyClick(window.get(), key);
+            EXPECT_NE(newest().find("not driven: " + why), std::string::npos)
+                << newest() << ", key " << key;
+        }
+    };
+    QTest::keyClick(window.get(), Qt::Key_F7);
+    expectWhy("it is done on the page Terrain (F2)");
+    QTest::keyClick(window.get(), Qt::Key_F2);
+    proposeByKeyboard();
+    const std::string why = window->exploration().whyNotDriving().toStdString();
+    ASSERT_FALSE(why.empty());
+    expectWhy(why);
+    EXPECT_TRUE(says("not driven: ")) << "a banner, too";
+    const QString tip = window->drivePad()->forwardButton()->toolTip();
+    EXPECT_TRUE(tip.contains(QString::fromStdString(why))) << tip.toStdString();
+}
+
 TEST_F(Console, keysActOnlyOnWhatIsSeen)
 {
     open(fastRobot(robot, 2.1));

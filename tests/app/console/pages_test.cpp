@@ -383,10 +383,18 @@ TEST_F(Pages, theNumbersSayWhatTheVerdictIsAndHowOldTheyAre)
                                 .doubts = {},
                                 .toHorizon = {}};
     viewState.age = 0.04;
+    const auto explained = [&page] {
+        const auto labels = page.findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [](const QLabel* label) {
+            return label->isVisible() && label->text().contains("steps over two bins (0.2 m)");
+        });
+    };
+    EXPECT_FALSE(explained());
     page.refresh(0.0);
     EXPECT_EQ(line->text(),
               QString::fromUtf8("✘ BLOCKED · P(step > 0.10 m ahead) = 0.99 ± < 0.01 · likeliest at "
                                 "+0.5 … +0.6 m (0.97)"));
+    EXPECT_TRUE(explained()) << "P over two bins, beside a column of P to the next";
     viewState.verdict->stepVerdict = StepVerdict::CannotTell;
     viewState.verdict->doubts = {Doubt::Stale};
     viewState.age = 12.34;

@@ -257,6 +257,36 @@ TEST_F(PayloadOf, aDbcFileThatIsGoneStopsTheExport)
     EXPECT_FALSE(files().contains("none.csv"));
 }
 
+TEST_F(ExportOf, defaultNamesDifferAndGoToTheDocuments)
+{
+    const QByteArray home = qgetenv("HOME"), config = qgetenv("XDG_CONFIG_HOME");
+    qputenv("HOME", QByteArray::fromStdString(directory.file("home")));
+    qunsetenv("XDG_CONFIG_HOME");
+    const QString documents = QString::fromStdString(directory.file("home/Documents"));
+    ASSERT_TRUE(QDir().mkpath(documents));
+    record();
+    open();
+    QSet<QString> names;
+    for (const double at : {At::kScene, At::kMarker}) {
+        window->goTo(at);
+        ReviewExportDialog& dialog = ask();
+        for (int what = 0; what < dialog.what()->count(); ++what) {
+            dialog.what()->setCurrentIndex(what);
+            const QString name = dialog.pathEdit()->text();
+            EXPECT_EQ(QFileInfo(name).absolutePath(), documents);
+            static const QRegularExpression kSecond(QStringLiteral("-[0-9]+[.][0-9]s[.]"));
+            if (at == At::kScene || name.contains(kSecond)) {
+                EXPECT_FALSE(names.contains(name)) << name.toStdString();
+            }
+            names << name;
+        }
+        dialog.close();
+    }
+    EXPECT_GE(names.size(), 8);
+    qputenv("HOME", home);
+    if (!config.isNull()) qputenv("XDG_CONFIG_HOME", config);
+}
+
 TEST_F(ExportOf, whatIsShownIsWrittenByTheSameDialog)
 {
     record();

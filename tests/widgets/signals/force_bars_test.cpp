@@ -300,7 +300,7 @@ TEST_F(Forces, aDriftedBiasStandsBelowItsElement)
 
 TEST_F(Forces, noWordIsCutAtTheTopInALowChart)
 {
-    for (const int height : {90, 100, 110, 120, 135, 150, 200, 260}) {
+    for (const int height : {64, 72, 80, 90, 100, 110, 120, 135, 150, 200, 260}) {
         bars.resize(340, height);
         for (const double force : {2.6, 5.3, 8.1, 12.4, 18.9, 24.0}) {
             SCOPED_TRACE(testing::Message() << height << " px, " << force << " N");
@@ -312,6 +312,11 @@ TEST_F(Forces, noWordIsCutAtTheTopInALowChart)
             one({0.1, 12.3, 18.7, force, 0.0, 0.0});
             expectRoom();
             both({0.1, 0.0, 0.2, force, 11.1, 0.0}, {0.1, 0.0, 0.2, force, 0.0, 9.0});
+            expectRoom();
+            ForceArray left = arrayOf({0.1, 0.0, 0.2, force, 7.0, 0.0}, "L"), right = left;
+            right.name = "R";
+            left.elements[4].saturated = right.elements[4].saturated = true;  // of more rows
+            bars.setForces({left, right}, 0.0);
             expectRoom();
             bars.clearForces();
         }
