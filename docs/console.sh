@@ -17,7 +17,7 @@ trap 'rm -rf "$ran" "$folder"' EXIT
 soak() {
   local what=$1 long=$2 method=${3:+TERRATACT_SOAK_METHOD=$3}
   echo "> TERRATACT_SOAK_SECONDS=$long${method:+ $method} app.console.soak_test --gtest_filter='$what'" >>"$ran"
-  env QT_QPA_PLATFORM=offscreen TERRATACT_SOAK_SECONDS="$long" $method "$build/tests/app.soak_test" \
+  env QT_QPA_PLATFORM=offscreen TERRATACT_SOAK_SECONDS="$long" $method "$build/tests/app.console.soak_test" \
     --gtest_filter="$what" >"$folder/said" 2>&1 || { cat "$folder/said" >&2; exit 1; }
   sed -n '/^[^[]/ { /^Note:/d; /^Running/d; p }; /PASSED/p' "$folder/said" >>"$ran"
   echo >>"$ran"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes the pictures of the README and of docs/manual.md anew from a release build: the console on its built-in robot,
-# the review of the shipped session, and five of the states that tests/app/console/screens_test.cpp takes a picture of.  Wants
+# the review of the shipped session, and nine of the states that tests/app/console/screens_test.cpp takes a picture of.  Wants
 # imagemagick, to make the files smaller.
 #   docs/screens.sh
 set -eu
@@ -13,8 +13,8 @@ small() { convert "$1" +dither -colors 200 -strip "$2"; }
 
 build/release/app/terratact-console --screenshot "$all/console.png"
 build/release/app/terratact-console resources/sessions/demo.tts --at 66 --screenshot "$all/review.png"
-TERRATACT_LANGUAGE=en TERRATACT_PICTURES="$all" build/release/tests/app.screens_test \
-  --gtest_filter=Screens.start:Screens.probe:Screens.result:Screens.trouble
+TERRATACT_LANGUAGE=en TERRATACT_PICTURES="$all" build/release/tests/app.console.screens_test \
+  --gtest_filter=Screens.start:Screens.verdict:Screens.probe:Screens.result:Screens.trouble:Screens.lying
 mkdir -p docs/screens
 small "$all/console.png" docs/console.png
 small "$all/review.png" docs/screens/review.png
@@ -23,3 +23,7 @@ small "$all"/??-??_draws_second_method_and_a_bin_up_close.png docs/screens/draws
 small "$all"/??-??_probed.png docs/screens/probed.png
 small "$all"/??-??_page_signals.png docs/screens/signals.png
 small "$all"/??-??_alarms_of_a_lost_link.png docs/screens/alarms.png
+small "$all"/??-??_clear_to_a_horizon.png docs/screens/clear.png
+small "$all"/??-??_proposed.png docs/screens/cannot_tell.png
+small "$all"/??-??_attitude_alarm.png docs/screens/attitude.png
+small "$all"/??-??_stuck_imu.png docs/screens/stuck_imu.png

@@ -26,10 +26,11 @@ struct Staging {
     std::optional<bool> explores{};        ///< whatever it does
     bool isDisarmed = false;               ///< it says, whatever it is
     bool isUnfeeling = false;  ///< force elements: left 2 open, left 3 saturated, right 4 short
-    double pitch = 0.0, roll = 0.0;  ///< [rad] added
-    double twist = 0.0;              ///< [rad] added between its left and right front flipper
-    bool isMute = false;             ///< nothing of it is heard
-    bool isNumb = false;             ///< nothing but its status and heartbeat is heard
+    double pitch = 0.0, roll = 0.0;        ///< [rad] added
+    double twist = 0.0;                    ///< [rad] added between its left and right front flipper
+    std::optional<double> pitchStuckAt{};  ///< [rad] whatever its pitch is
+    bool isMute = false;                   ///< nothing of it is heard
+    bool isNumb = false;                   ///< nothing but its status and heartbeat is heard
 };
 
 /// A simulated robot in a thread of its own on the end "robot" of a MemoryBus, which must outlive it, with telemetry as
@@ -122,7 +123,7 @@ private:
         if (const auto status = statusOf(content))
             return frameOf(stagedStatus(*status), content.counter);
         if (content.kind == FrameKind::Attitude) {
-            content.values[0] += staging_.pitch;
+            content.values[0] = staging_.pitchStuckAt.value_or(content.values[0] + staging_.pitch);
             content.values[1] += staging_.roll;
         } else if (content.kind == FrameKind::FrontAngles) {
             content.values[0] += 0.5 * staging_.twist;

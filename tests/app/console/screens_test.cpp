@@ -1,6 +1,6 @@
 // Every state of the console as a picture, in the order of a mission.  The pictures go where TERRATACT_PICTURES says,
 // else nowhere:
-//   TERRATACT_PICTURES=DIR build/release/tests/app.screens_test && tests/app/contact_sheet.sh DIR
+//   TERRATACT_PICTURES=DIR build/release/tests/app.console.screens_test && tests/app/contact_sheet.sh DIR
 // TERRATACT_LANGUAGE=en: in that language alone.
 #include <QPushButton>
 #include <algorithm>
@@ -43,8 +43,8 @@ const std::vector<Chapter>& chapters()
           "press_refused_by_the_robot", "moved_meanwhile", "estimate_failed",
           "disarmed_meanwhile"}},
         {"verdict",
-         {"clear", "undecided", "blocked", "withheld_stale", "withheld_unheard",
-          "withheld_not_converged", "withheld_unlike_training", "withheld_roll",
+         {"clear_to_a_horizon", "clear", "undecided", "blocked", "withheld_stale",
+          "withheld_unheard", "withheld_not_converged", "withheld_unlike_training", "withheld_roll",
           "withheld_flippers", "withheld_for_all"}},
         {"probe",
          {"proposed", "draws_second_method_and_a_bin_up_close", "hold_to_approve_at_half",
@@ -65,6 +65,8 @@ const std::vector<Chapter>& chapters()
         {"trouble",
          {"no_telemetry_yet", "link_lost", "alarms_of_a_lost_link", "bus_off", "panel_lost",
           "not_recorded"}},
+        {"lying",
+         {"attitude_alarm", "attitude_alarm_in_the_list", "stuck_imu", "stuck_imu_in_the_list"}},
         {"doubtful_link",
          {"telemetry_lost", "telemetry_unsteady", "disarmed_while_driving",
           "disarmed_while_driving_numbers", "another_console", "bus_warning", "bus_passive",
@@ -300,10 +302,24 @@ TEST_F(Screens, verdict)
         for (double& sd : e.sd) sd *= 0.5;
         e.touch.fill(Touch::Felt);  // else the simulated ground would be spanned in places
     };
-    inEveryLanguage([&] {
-        open({.before = 0.5, .linkLostAfter = 0.8});
+    const auto seldom = [&] {
         console->preferences().change(
             [](Preferences& p) { p.hazardRate = kHazardRateRange.least; });
+    };
+    inEveryLanguage([&] {
+        open({.before = 1.3});  // on flat ground
+        seldom();
+        alterEstimates([&](TerrainEstimate& e) {
+            halved(e);
+            e.touch.back() = Touch::NotFelt;
+        });
+        ASSERT_NO_FATAL_FAILURE(explore());
+        picture("clear_to_a_horizon",
+                {VerdictStrip::tr("✔ CLEAR"),
+                 VerdictStrip::tr("felt to %1 m ahead of the IMU, risk below %2 %; not felt: %3")});
+
+        open({.before = 0.5, .linkLostAfter = 0.8});
+        seldom();
         alterEstimates(halved);
         ASSERT_NO_FATAL_FAILURE(explore());
         ASSERT_NO_FATAL_FAILURE(withLimit(StepVerdict::Clear));
@@ -357,7 +373,7 @@ TEST_F(Screens, probe)
         ASSERT_NO_FATAL_FAILURE(explore());
         Exploration& exploration = console->exploration();
         const QString question = ProbeCard::tr("hold to approve probe at %1 (Space)");
-        picture("proposed", {question});
+        picture("proposed", {question, VerdictStrip::tr("? CANNOT TELL")});
         press(Qt::Key_D);
         exploration.setSecondMethod(Method::Pafc);
         ASSERT_TRUE(

@@ -19,6 +19,7 @@
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/status_header.h"
+#include "widgets/terrain/verdict_strip.h"
 
 namespace terratact {
 
@@ -92,6 +93,39 @@ TEST_F(Screens, trouble)
         picture("not_recorded", {RecordingDisplay::tr("NOT RECORDED: %1"),
                                  format::sentence("the directory cannot be made"),
                                  RecordingDisplay::tr("✕ NOT\nRECORDED")});
+    });
+}
+
+TEST_F(Screens, lying)
+{
+    inEveryLanguage([&] {
+        open({});
+        ASSERT_TRUE(
+            eventually([&] { return console->header()->arming()->armButton()->isEnabled(); }));
+        ASSERT_TRUE(eventually(
+            [&] { return !console->exploration().estimation().model().name.isEmpty(); }, 60000));
+        robot->stage({.pitch = 0.65});
+        const QString tips = ConsoleAlarms::tr("Danger of tipping over: %1");
+        ASSERT_TRUE(eventually([&] { return alarmStands(*console, "attitude"); }));
+        picture("attitude_alarm", {StatusHeader::tr("alarms: %1")});
+        press(Qt::Key_F4);
+        picture("attitude_alarm_in_the_list", {tips});
+        press(Qt::Key_F2);
+
+        open({.before = 0.8});
+        ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
+        robot->stage({.pitchStuckAt = 0.02});
+        for (int attempt = 0; attempt < 4 && !alarmStands(*console, "sensor-fault"); ++attempt) {
+            ASSERT_NO_FATAL_FAILURE(arm());  // anew where a busy machine disarms
+            QTest::keyPress(&window(), Qt::Key_W);
+            (void)eventually([&] { return alarmStands(*console, "sensor-fault"); }, 5000);
+            QTest::keyRelease(&window(), Qt::Key_W);
+        }
+        ASSERT_TRUE(alarmStands(*console, "sensor-fault")) << "it drove, and pitch did not change";
+        ASSERT_NO_FATAL_FAILURE(explore());
+        picture("stuck_imu", {StatusHeader::tr("alarms: %1"), VerdictStrip::tr("? CANNOT TELL")});
+        press(Qt::Key_F4);
+        picture("stuck_imu_in_the_list", {ConsoleAlarms::tr("Do not trust this sensor: %1")});
     });
 }
 
