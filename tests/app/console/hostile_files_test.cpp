@@ -25,7 +25,7 @@
 #include "app/runtime/steady_now.h"
 #include "core/base/text.h"
 #include "core/log/session_reader.h"
-#include "core/store/file_write.h"
+#include "core/store/file_read.h"
 #include "drivers/memory_bus.h"
 #include "tests/support/absolem.h"
 #include "tests/support/gui.h"
