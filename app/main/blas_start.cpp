@@ -45,8 +45,8 @@ void startWithoutThreads(int /*count*/, char** arguments, char** environment)
     execve(program.data(), arguments, static_cast<char**>(room));
 }
 
-[[gnu::section(".preinit_array"), gnu::used]] void (*const atStart)(int, char**,
-                                                                    char**) = startWithoutThreads;
+[[gnu::section(".preinit_array"), gnu::used]] void (*const kAtStart)(int, char**,
+                                                                     char**) = startWithoutThreads;
 
 }  // namespace
 #endif

@@ -18,6 +18,7 @@ constexpr double kOneDegree = std::numbers::pi / 180.0;
 TerrainProfile groundAtBins(const Heights& heights)
 {
     std::vector<Vec2> points;
+    points.reserve(kBins);
     for (int bin = 0; bin < kBins; ++bin)
         points.push_back({binCentre(bin), heights[static_cast<std::size_t>(bin)]});
     return TerrainProfile(std::move(points));

@@ -110,7 +110,7 @@ void append(std::vector<WatchedLine>& lines, std::vector<WatchedLine> more)
         m.time += last.time;
         m.travelled = m.travelled.value_or(0.0) + last.travelled.value_or(0.0);
         m.turned = last.turned;
-        lines.push_back(std::move(line));
+        lines.push_back(line);
     }
 }
 
@@ -146,12 +146,14 @@ std::vector<WatchedLine> driveWithTelemetry(const RobotModel& robot, const Terra
     Drive out(robot, terrain, terrain.begin() + kRoomBehind, style, seed, most);
     std::vector<WatchedLine> lines = out.run();
     if (!style.comesBack) return lines;
-    for (WatchedLine& line : out.raise()) lines.push_back(std::move(line));
+    const std::vector<WatchedLine> raised = out.raise();
+    lines.insert(lines.end(), raised.begin(), raised.end());
     const double startX = terrain.begin() + terrain.end() - out.x();
     if (lines.empty()) return lines;
     Drive back(robot, turnedRound(terrain), startX, style, ~seed, most);
-    for (WatchedLine& line : turning(out, back, style.period, lines.back().measurement))
-        lines.push_back(std::move(line));
+    const std::vector<WatchedLine> turned =
+        turning(out, back, style.period, lines.back().measurement);
+    lines.insert(lines.end(), turned.begin(), turned.end());
     append(lines, back.run());
     if (lines.size() > most) lines.resize(most);
     return lines;

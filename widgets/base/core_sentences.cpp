@@ -83,10 +83,9 @@ namespace {
                       "does not fit the same ground driven in both directions, zero shifted?"),
     QT_TRANSLATE_NOOP("core", "a sensor may lie, see the alarms"),
     QT_TRANSLATE_NOOP("core", "the estimate contradicts the readings"),
-    QT_TRANSLATE_NOOP(
-        "core",
-        "the estimate contradicts the readings: pitch %1° measured, %2° on its ground; front "
-        "flippers %3° measured, %4° on its ground"),
+    // clang-format off
+    QT_TRANSLATE_NOOP("core", "the estimate contradicts the readings: pitch %1° measured, %2° on its ground; front flippers %3° measured, %4° on its ground"),
+    // clang-format on
     QT_TRANSLATE_NOOP("core", "STOP is latched: release it first"),
     QT_TRANSLATE_NOOP("core", "The link must be good for a second"),
     QT_TRANSLATE_NOOP("core", "commands can leave"),

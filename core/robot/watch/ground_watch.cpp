@@ -175,7 +175,8 @@ std::optional<double> GroundWatch::rearGap(const DrivenGround& ground) const
     std::size_t cells = 0;
     double gap = 0.0;
     const double from = std::max(flipper.b.x - flipper.rb, ground.passedFrom());
-    for (double x = from; x < until; x += DrivenGround::kCell) {
+    for (int cell = 0; from + cell * DrivenGround::kCell < until; ++cell) {
+        const double x = from + cell * DrivenGround::kCell;
         const double edge = lowerBoundary(flipper, x);
         const auto highest = ground.highestAt(x);
         if (!highest || !std::isfinite(edge)) continue;
