@@ -73,7 +73,7 @@ struct WhatIfOptions {
     std::optional<std::uint64_t> seed{};
 };
 /// Computes recorded estimates again and prints the differences.  An Error where nothing was to be other and a
-/// recorded estimate does not come out the same, at least but for the last bits (Likeness in app/recording/what_if.h).
+/// recorded estimate does not come out the same, at least but for the last bits (Match in app/recording/what_if.h).
 Status whatIf(const WhatIfOptions& options);
 
 struct SessionImportOptions {

@@ -26,7 +26,7 @@ Result<TerrainEstimate> recordedEstimate(SessionReader& session, const EstimateR
 /// The estimate of the row's scene with its readings, in their order, and the session's robot.  With the row's
 /// own model and settings that is the recorded one, bit for bit, unless time had ended its sampling
 /// (Ending::Time), with the same version on a machine with the same vector instructions and with BLAS in one thread, as
-/// our programs have it; else Likeness::LastBits may be left.
+/// our programs have it; else Match::LastBits may be left.
 /// models: for that robot.  Errors name the session's file: among others settings that are not modest.  Throws
 /// Cancelled.
 Result<TerrainEstimate> estimateAgain(const SessionReader& session, const EstimateRow& row,
