@@ -63,7 +63,7 @@ class Console(unittest.TestCase):
                 self.assertIn("/nowhere/x", done.stderr)
                 self.assertEqual(os.listdir(directory), [])
 
-    def test_a_fault_that_is_none_is_named_and_needs_the_built_in_robot(self):
+    def test_faults_are_checked_and_need_the_simulation(self):
         done = run("--fault", "hiccups@3")
         self.assertEqual(done.returncode, 1)
         self.assertIn("hiccups@3", done.stderr)

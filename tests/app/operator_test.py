@@ -98,7 +98,7 @@ class Console(unittest.TestCase):
                 self.assertGreater(len(operator.phases()), since, "STOP is released by a hold")
                 self.ends_well()
 
-    def test_what_is_not_answered_is_a_no_and_an_exploration_can_be_left(self):
+    def test_proposals_expire_and_explorations_abort(self):
         self.begins()
         operator = self.operator
         self.begins_to_explore()
@@ -124,7 +124,7 @@ class Console(unittest.TestCase):
         self.operator.until(lambda: blue() > 0.5, what="day again")
         self.ends_well()
 
-    def test_a_file_that_cannot_be_opened_is_refused_in_a_window_in_the_operators_language(self):
+    def test_file_refusals_are_shown_in_the_language(self):
         begin_display(self, size="1280x800")
         with tempfile.TemporaryDirectory() as folder:
             broken = pathlib.Path(folder) / "broken.log"

@@ -138,7 +138,7 @@ class Decode(Logs):
         out = self.decode(f"  can0  {number:03X}   [8]  {spaced}\n")
         self.assertIn("           - can0   022       Attitude                   #003  ok; Pitch 0.2100 rad", out)
 
-    def test_a_fault_of_the_log_is_told_after_what_came_before(self):
+    def test_frames_before_an_error_of_the_log_are_printed(self):
         self.log.write_text(session(2) + "(1.0) can0 22#00\n")
         done = subprocess.run([CLI, "can", "decode", self.log, "--csv", self.csv], capture_output=True, text=True)
         self.assertEqual(done.returncode, 1)
@@ -163,7 +163,7 @@ class Decode(Logs):
         self.assertIn("22 frames in", done.stdout)
         self.assertTrue(self.csv.exists())
 
-    def test_a_clock_that_goes_back_is_told_and_lengths_stay_positive(self):
+    def test_a_clock_set_back_is_reported(self):
         text = session(4) + session(4).replace("(1436509052", "(1436505452")
         self.log.write_text(text)
         done = subprocess.run([CLI, "can", "decode", self.log], capture_output=True, text=True)
@@ -255,7 +255,7 @@ VAL_ 291 State 1 "ready" ;
     def frames(self):
         return line(BEGIN, telemetry(0)[1]) + line(BEGIN, (0x123, bytes([0x08, 0x17, 0x01]))) + line(BEGIN, (0x124, b"1"))
 
-    def test_are_in_words_and_the_protocol_is_not_overruled(self):
+    def test_dbc_files_decode_only_foreign_frames(self):
         self.log.write_text(self.frames())
         done = subprocess.run([CLI, "can", "decode", self.log, "--dbc", self.dbc, "--csv", self.csv], capture_output=True,
                               text=True, timeout=60)
@@ -269,7 +269,7 @@ VAL_ 291 State 1 "ready" ;
         self.assertEqual([(row["signal"], row["value"], row["unit"]) for row in got],
                          [("Oxygen", "20.71", "%"), ("State", "ready", "")])
 
-    def test_are_on_the_monitor(self):
+    def test_dbc_signals_are_shown_by_the_monitor(self):
         self.log.write_text(self.frames())
         done = subprocess.run([CLI, "can", "monitor", self.log, "--dbc", self.dbc, "--dbc", self.dbc],
                               capture_output=True, text=True, timeout=60)
@@ -277,13 +277,13 @@ VAL_ 291 State 1 "ready" ;
         self.assertRegex(done.stdout, r"123 +Payload .* Oxygen 20.71 %, State ready\n")
         self.assertEqual(done.stderr.count("frame 123: gas.dbc describes that already and is what counts"), 1, done.stderr)
 
-    def test_of_two_files_the_first_counts(self):
+    def test_the_first_of_two_dbc_files_wins(self):
         other = self.path / "other.dbc"
         other.write_text(self.DBC.replace("Payload", "Other"))
         for files, name in (((self.dbc, other), "Payload"), ((other, self.dbc), "Other")):
             self.assertIn(f"123       {name} ", self.decode(self.frames(), "--dbc", files[0], "--dbc", files[1]))
 
-    def test_of_a_signal_that_cannot_be_the_line_is_named_and_the_rest_kept(self):
+    def test_a_bad_signal_is_named_and_the_others_kept(self):
         self.log.write_text(self.frames())
         self.dbc.write_text("// by hand\n" + self.DBC.replace("7|16@0", "60|16@0"))
         for command in ("decode", "monitor"):
@@ -292,7 +292,7 @@ VAL_ 291 State 1 "ready" ;
             self.assertRegex(done.stderr, r"gas.dbc: line 3: the signal Oxygen is left out: it does not fit")
             self.assertIn("State ready", done.stdout)
 
-    def test_values_have_all_their_digits_in_the_table(self):
+    def test_csv_values_keep_all_their_digits(self):
         self.dbc.write_text("BO_ 1281 Serial: 8 D\n SG_ Number : 0|64@1+ (1,0) [0|0] \"\" C\n"
                             "BO_ 1282 Altitude: 8 D\n SG_ Metres : 0|64@1- (1,0) [0|0] \"m\" C\n"
                             "BO_ 1283 Status: 8 D\n SG_ State : 0|8@1+ (1,0) [0|0] \"\" C\n"
@@ -309,7 +309,7 @@ VAL_ 291 State 1 "ready" ;
         self.assertIn("Metres nan m", shown)
         self.assertIn("long …", shown)
 
-    def test_of_a_file_that_cannot_be_used_the_line_is_named(self):
+    def test_a_bad_dbc_file_is_refused_with_its_line(self):
         self.log.write_text(self.frames())
         self.dbc.write_text("nothing\n")
         for command in ("decode", "monitor"):
@@ -355,7 +355,7 @@ class Monitor(Logs):
         self.assertGreaterEqual(done.stdout.count("\x1b[H"), 2)
         self.assertIn("Attitude", done.stdout)
 
-    def test_names_that_are_none_and_interfaces_that_are_not_there(self):
+    def test_bad_interface_names_are_refused(self):
         self.assertIn("cannot be a CAN interface", complaint("can", "monitor", "a-name-of-16-byte", "--seconds", 0))
         self.log.write_text(session(1) + session(1).replace("can0", "can1"))
         self.assertIn("name the one to replay", complaint("can", "monitor", self.log))

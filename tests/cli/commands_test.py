@@ -58,7 +58,7 @@ class Commands(unittest.TestCase):
                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
         return done.returncode, done.stderr
 
-    def test_little_memory_is_enough_for_what_needs_no_algebra(self):
+    def test_commands_without_algebra_need_little_memory(self):
         if self.limited(1000, "--version")[0] != 0:
             self.skipTest("a sanitizer needs the address space")
         demo = f"{SOURCE}/resources/sessions/demo.tts"
@@ -128,7 +128,7 @@ class Commands(unittest.TestCase):
         self.assertEqual(self.data.read_bytes(), again.read_bytes())
         self.assertNotEqual(self.data.read_bytes(), other.read_bytes())
 
-    def test_a_disturbed_world_gives_other_scenes_of_the_same_drives(self):
+    def test_disturbances_change_scenes_but_not_drives(self):
         dead, soft = self.path / "dead.csv", self.path / "soft.csv"
         for name, out in (("dead-element", dead), ("soft-ground", soft)):
             run("simulate", "--terrain", "boxes", "--count", 90, "--seed", 3, "--disturb", name, "--out", out)
@@ -176,7 +176,7 @@ class Commands(unittest.TestCase):
         self.assertIn("fewer than 5 drives", run(*command[:-4], "--drives", 2, "--methods", "local"))
         complaint(*command, "--sd-factor", 0, code=2)
 
-    def test_faults_says_which_sensors_that_lie_are_noticed(self):
+    def test_faults_says_which_faulty_sensors_are_noticed(self):
         text = run("faults", "--model", self.model, "--drives", 2)
         rows_ = {line[:38].strip(): line[38:].split() for line in text.splitlines() if re.match(r".{38} +\d+\.\d", line)}
         self.assertEqual(float(rows_["none"][2]), 0.0, "no scene of a sound robot is suspect")
@@ -196,7 +196,7 @@ class Commands(unittest.TestCase):
             self.assertEqual(row["front_rad"], true["front_rad"])
         self.assertIn("KIND:SENSORS", complaint(*command, "--disturb", "stuck:nose", "--out", stuck, code=2))
 
-    def test_training_says_how_well_conditioned_its_models_are(self):
+    def test_training_prints_the_condition_of_its_models(self):
         shown = run("model", "show", self.model)
         for models in ("pa", "paf"):
             line = re.search(rf"least reciprocal condition number of the {models} models: .*", shown)[0]
@@ -253,7 +253,7 @@ class Commands(unittest.TestCase):
         self.assertEqual(means[0], means[1])
         self.assertNotEqual(means[0], means[2])
 
-    def test_reconstruct_writes_one_row_per_scene_and_bin_for_every_method(self):
+    def test_reconstruct_writes_a_row_per_scene_and_bin(self):
         few = self.first_scenes(3)
         for method in ("pa", "pac", "pafc", "pafac"):
             estimates = self.reconstruct("--method", method, data=few)
@@ -302,7 +302,7 @@ class Commands(unittest.TestCase):
             finally:
                 os.sched_setaffinity(0, processors)
 
-    def test_training_takes_a_doubled_file_once_and_says_so(self):
+    def test_training_reads_a_repeated_file_once(self):
         header, *scenes = self.data.read_text().splitlines(keepends=True)
         twice, model = self.path / "twice.csv", self.path / "twice.ttm"
         twice.write_text("".join([header, *scenes, *("x" + scene for scene in scenes)]))
@@ -336,7 +336,7 @@ class Commands(unittest.TestCase):
         self.assertEqual(len(table), 11)
         self.assertEqual({row["scenes"] for row in table}, {"4"})
 
-    def test_a_scene_with_unknown_forces_is_estimated_and_says_so(self):
+    def test_scenes_with_unknown_forces_are_estimated(self):
         few = self.first_scenes(2)
         header, first, second = few.read_text().splitlines()
         fields = second.split(",")
@@ -377,7 +377,7 @@ class Commands(unittest.TestCase):
         self.assertEqual((out / "fig8.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
         self.assertIn(b"<svg", (out / "pit.svg").read_bytes())
 
-    def test_calibrate_gives_a_section_that_the_robot_file_takes(self):
+    def test_calibrate_prints_a_robot_file_section(self):
         def volts(force):  # of an element of 9 kΩ at 1 N, whose sandwich presses with 0.4 N
             return 5e4 / (1e4 + 9000 / (force + 0.4) ** 0.9)
 
@@ -417,7 +417,7 @@ class Commands(unittest.TestCase):
         self.assertIn("no column class", complaint("evaluate", "--model", self.model, "--data", self.data, "--out", out,
                                                    "--classes", index))
 
-    def test_real_profiles_of_both_forms_can_be_driven_over(self):
+    def test_real_profiles_of_both_formats_are_driven(self):
         points = self.path / "points.csv"
         points.write_text("x,z\n0,0\n2,0\n2,0.2\n5,0.2\n")
         heights = self.path / "heights.csv"
@@ -434,7 +434,7 @@ class Commands(unittest.TestCase):
         self.assertIn("SIMULATED ROBOT", text)
         self.assertTrue((out / "first.csv").exists() and (out / "first.png").exists())
 
-    def test_bad_files_are_refused_in_one_sentence_and_nothing_is_written(self):
+    def test_bad_files_are_refused_and_nothing_is_written(self):
         good = self.data.read_bytes()
         header, rest = good.split(b"\n", 1)
         cases = {

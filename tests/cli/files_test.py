@@ -192,7 +192,7 @@ class Pipes(Folder):
                                capture_output=True, check=True).stdout for f in (model, piped)] if shutil.which("sqlite3") else ["", ""]
         self.assertEqual(*data)
 
-    def test_what_is_read_back_and_forth_is_refused_with_the_reason(self):
+    def test_pipes_are_refused_where_seeking_is_needed(self):
         self.assertIn("read back and forth", shell(f"cat {DEMO} | $T session info -", code=1).stderr)
         self.assertIn("read back and forth", shell(f"cat {MODEL} | $T model show -", code=1).stderr)
         self.assertIn("several passes", complaint("train", "--data", self.scenes, "--out", "-", code=2))

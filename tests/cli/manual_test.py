@@ -174,7 +174,7 @@ class Completion(unittest.TestCase):
                 with self.subTest(program=program, command=command):
                     self.assertEqual(completed(program, *command.split(), "--"), sorted(options))
 
-    def test_values_are_those_of_the_help_and_flags_take_none(self):
+    def test_values_equal_the_help_and_flags_take_none(self):
         choices = flags = 0
         for program, found in HELP.items():
             for command, options in found.items():

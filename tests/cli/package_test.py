@@ -170,7 +170,7 @@ class Package(unittest.TestCase):
         for line in output("dpkg-deb", "-c", self.package).splitlines():
             self.assertRegex(line, r"^(drwxr-xr-x|-rwxr-xr-x|-rw-r--r--) root/root ")
 
-    def test_it_depends_on_what_is_linked_and_what_is_loaded(self):
+    def test_it_depends_on_linked_and_loaded_libraries(self):
         depends = output("dpkg-deb", "-f", self.package, "Depends")
         for needed in ("libc6 (>=", "libqt6gui6", "libqt6widgets6", "libcairo2", "libopenblas0", "libsqlite3-0",
                        "fonts-dejavu-core"):
@@ -188,13 +188,13 @@ class Package(unittest.TestCase):
         """What must come from other packages."""
         return {file for file in libraries(*files) if not pathlib.Path(file).is_relative_to(self.root)}
 
-    def test_a_clean_system_has_every_library_of_the_programs(self):
+    def test_dependencies_cover_every_linked_library(self):
         depends = output("dpkg-deb", "-f", self.package, "Depends").strip()
         needed = self.needed(*self.programs())
         self.assertGreater(len(needed), 30)
         self.assertEqual(Debian().strangers(needed, depends), {})
 
-    def test_a_clean_system_has_what_the_programs_load_when_they_run(self):
+    def test_dependencies_cover_every_loaded_library(self):
         """Qt's platforms, and its engine for the window's icon, an SVG; what ALSA reads before it opens a device; a font."""
         depends = output("dpkg-deb", "-f", self.package, "Depends").strip()
         gui, = (file for file in libraries(self.root / "usr/bin/terratact-console") if "libQt6Gui.so" in file)
@@ -203,14 +203,14 @@ class Package(unittest.TestCase):
         others = ["/usr/share/alsa/alsa.conf", "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"]
         self.assertEqual(Debian().strangers({*map(str, plugins), *self.needed(*plugins), *others}, depends), {})
 
-    def test_a_dependency_less_would_be_seen(self):
+    def test_a_missing_dependency_is_detected(self):
         debian, needed = Debian(), self.needed(*self.programs())
         groups = output("dpkg-deb", "-f", self.package, "Depends").strip().split(",")
         for package in ("libqt6svg6", "libgpiod2", "libtomlplusplus3", "libasound2"):
             less = ",".join(group for group in groups if debian.names(group) != [package])
             self.assertEqual(set(debian.strangers(needed, less).values()), {package})
 
-    def test_the_programs_are_stripped_and_know_no_place_of_this_machine(self):
+    def test_programs_are_stripped_and_hold_no_build_paths(self):
         for name in ("terratact", "terratact-console"):
             program = self.root / "usr/bin" / name
             self.assertIn(", stripped", output("file", program))
@@ -229,14 +229,14 @@ class Package(unittest.TestCase):
         self.assertIn("based in part on the work of the Qwt project (http://qwt.sf.net)",
                       (self.root / "usr/share/doc/terratact/copyright").read_text())
 
-    def test_the_programs_run_with_the_files_of_the_package(self):
+    def test_programs_run_with_the_packaged_files(self):
         self.assertRegex(self.run_installed("terratact", "--version"), r"^terratact \d")
         self.run_installed("terratact", "demo", "--out", "demo")
         self.assertEqual(len(list(pathlib.Path(self.folder.name, "demo").iterdir())), 4)
         self.run_installed("terratact-console", "--screenshot", "console.png")
         self.assertTrue(pathlib.Path(self.folder.name, "console.png").read_bytes().startswith(b"\x89PNG"))
 
-    def test_without_the_files_of_the_package_they_look_nowhere_else(self):
+    def test_programs_read_only_the_packaged_files(self):
         hidden = self.root / "usr/share/elsewhere"
         shipped = self.root / "usr/share/terratact"
         shipped.rename(hidden)

@@ -91,7 +91,7 @@ class Peer(unittest.TestCase):
     def tearDownClass(cls):
         cls.folder.cleanup()
 
-    def test_conditionals_of_50_scenes_agree_to_a_nanometre(self):
+    def test_conditionals_agree_to_a_nanometre(self):
         ours = list(csv.DictReader(io.StringIO(run("model", "predict", self.model, "--data", self.test))))
         self.assertEqual(len(ours), 50 * 2 * 11)
         worst = 0.0

@@ -77,7 +77,7 @@ class Recover(Damaged):
         self.assertIn("what was whole in hurt.tts", text)
         self.assertRegex(run("session", "info", out), r"source +SIMULATED ROBOT, bus can0")
 
-    def test_a_hole_and_zeroed_pages_lose_only_what_stood_there(self):
+    def test_holes_and_zeroed_pages_lose_only_their_rows(self):
         def hole(data, page):
             data[30 * page:31 * page] = bytes(page)
             return data
@@ -120,7 +120,7 @@ class Recover(Damaged):
         self.assertIn("not closed", run("session", "verify", self.path / "open.tts"))
 
 
-    def test_frames_whose_hashes_are_cut_off_are_saved_unproven(self):
+    def test_frames_without_hashes_are_saved_unproven(self):
         said, out = self.recovered(self.damaged(lambda data, page: data[:len(data) * 6 // 10]))
         self.assertIn("nothing proves that they are what was recorded", said)
         self.assertRegex(said, r"lost +what was recorded after \d+\.\d+ s: the file ends there")
@@ -162,7 +162,7 @@ class WithoutJournal(Damaged):
         self.assertGreater(frames_in(out), 3000)
         self.assertEqual(journal.read_bytes(), b"garbage " * 5000)
 
-    def test_a_main_file_of_an_older_version_names_its_journal(self):
+    def test_an_older_main_file_names_its_journal(self):
         path = self.path / "older.tts"
         file = sqlite3.connect(path)
         file.execute("PRAGMA page_size = 8192")
@@ -206,7 +206,7 @@ class NothingCanBeWritten(Damaged):
         if os.geteuid() == 0 and subprocess.run(["test", "-x", CLI], user=NOBODY).returncode != 0:
             self.skipTest("another user cannot run the program where it was built")
 
-    def test_every_command_reads_the_session_with_its_journal(self):
+    def test_every_command_reads_session_and_journal(self):
         for command, *more in (("info",), ("verify",), ("export", "--out", self.out / "a.csv"),
                                ("scenes", "--out", self.out / "a.scenes.csv")):
             with self.subTest(command=command):
@@ -256,7 +256,7 @@ class Hostile(Damaged):
             said.append(done.said.decode())
         return said
 
-    def test_rows_that_share_pages_cost_no_more_than_the_file(self):
+    def test_rows_that_share_pages_cost_no_extra_time(self):
         path = hostile_files.shared_texts(self.rows, self.path / "texts.tts", 400, 500_000)
         self.assertLess(path.stat().st_size, 1_000_000)
         for said in self.check(path, "info", "verify", "export", "what-if"):
@@ -264,7 +264,7 @@ class Hostile(Damaged):
         short = hostile_files.shared_texts(self.rows, self.path / "short.tts", 400, 60_000)
         self.assertIn("they share pages", self.check(short, "info")[0])
 
-    def test_draws_that_share_pages_cost_no_more_than_the_file(self):
+    def test_draws_that_share_pages_cost_no_extra_time(self):
         path = hostile_files.shared_draws(self.drive, self.path / "draws.tts", 100)
         self.assertIn("NO", self.check(path, "info", "verify", "what-if")[0])
 

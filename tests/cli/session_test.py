@@ -147,7 +147,7 @@ class OtherPrograms(Session):
         file.close()
         self.assertEqual(told, [("log", "the end of the log is torn")])
 
-    def test_a_log_whose_clock_was_set_makes_an_even_session(self):
+    def test_a_log_with_a_set_clock_makes_an_even_session(self):
         log, out = self.path / "back.log", self.path / "back.tts"
         times = [100000.0 + 0.05 * i - (3600.0 if i >= 4 else 0.0) for i in range(8)]
         log.write_text("".join(f"({time:.6f}) can0 500#{i:02X}FF01\n" for i, time in enumerate(times)))
@@ -255,7 +255,7 @@ class Tables(Session):
                           for r in rows(self.export("events.csv", "--what", "events"))], events)
         self.assertTrue(any('"' in text and "," in text for _, _, _, text in events), "nothing that needs quoting")
 
-    def test_scenes_are_accepted_by_the_commands_that_read_them(self):
+    def test_exported_scenes_are_read_by_other_commands(self):
         scenes, out = self.path / "scenes.csv", self.path / "out"
         run("session", "scenes", self.drive, "--out", scenes)
         self.assertEqual([r["run"] for r in rows(scenes)], ["drive", "drive"])
@@ -453,7 +453,7 @@ class Tampering(Session):
         run("session", "verify", copy)
         self.assertIn("was cut off", run("session", "verify", copy, "--link", link, code=1))
 
-    def test_an_export_leaves_out_what_is_damaged_and_says_so(self):
+    def test_an_export_omits_damaged_rows_and_says_so(self):
         copy, out = self.copy(), self.path / "part.log"
         change(copy, "UPDATE can_frame SET can_id = 1 WHERE seq = 700")
         first, count = sqlite3.connect(copy).execute(
@@ -481,7 +481,7 @@ class Tampering(Session):
 
 
 class Merging(Session):
-    def test_sessions_of_different_sources_are_not_one_drive(self):
+    def test_sessions_of_different_sources_do_not_merge(self):
         imported = self.path / "imported.tts"
         run("session", "import", self.export("drive.log"), "--out", imported)
         out = self.path / "both.tts"
@@ -528,7 +528,7 @@ class WhatIf(Session):
         self.assertEqual(len(re.findall(r"reproduced (?:bit for bit|but for the last bits)", text)),
                          text.count(": estimate "))
 
-    def test_bands_are_judged_by_what_was_measured_at_later_poses(self):
+    def test_bands_are_judged_by_later_measurements(self):
         folder = self.path / "folder"
         folder.mkdir()
         make("moves", folder / "a.tts")

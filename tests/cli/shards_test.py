@@ -106,7 +106,7 @@ class Shards(unittest.TestCase):
             return re.sub(r" +[0-9.]+$", "", text, flags=re.M)
         self.assertEqual(timeless(one), timeless(merged))
 
-    def test_a_merged_model_is_the_one_of_one_run_to_the_byte(self):
+    def test_a_merged_model_equals_one_run_to_the_byte(self):
         os.makedirs("merged", exist_ok=True)
         os.chdir("merged")  # the model remembers the name it was written to
         try:
@@ -117,7 +117,7 @@ class Shards(unittest.TestCase):
         finally:
             os.chdir("..")
 
-    def test_a_training_that_is_not_whole_is_refused_and_nothing_is_written(self):
+    def test_an_incomplete_training_is_not_merged(self):
         for arguments, words in (
             (("0.ttp", "2.ttp"), ("never.ttm: ", "bins 4,8-10 are in no part", "expected 0-10")),
             (("0.ttp", "1.ttp", "2.ttp", "1.ttp"), ("1.ttp: holds bins 4,8-10 a second time",)),
@@ -168,7 +168,7 @@ class Shards(unittest.TestCase):
         self.assert_same_words(one, merged)
         self.assertTrue(os.path.exists("together/classes.csv") and os.path.exists("together/probes.csv"))
 
-    def test_an_evaluation_that_is_not_whole_or_of_one_piece_is_refused(self):
+    def test_an_incomplete_evaluation_is_not_merged(self):
         evaluate = ("evaluate", "--model", "model.ttm", "--data", "few.csv", "--methods", "local", "--out", "pieces")
         for shard in ("1/2", "2/2", "2/3"):
             run(*evaluate, "--shard", shard)
@@ -196,7 +196,7 @@ class Shards(unittest.TestCase):
             complaint("evaluate", "--data", "few.csv", "--out", "never", "--shard", shard, code=2)
         complaint("merge", "--out", "never.ttm", code=2)
 
-    def test_the_documented_job_array_of_gnu_parallel_gives_what_one_run_gives(self):
+    def test_documented_gnu_parallel_jobs_equal_one_run(self):
         self.assertTrue(shutil.which("parallel"), "GNU parallel is not installed: cmake/setup.sh test installs it")
         for name in ("array", "alone"):
             os.makedirs(name)
@@ -212,7 +212,7 @@ class Shards(unittest.TestCase):
         self.assertEqual(pathlib.Path("array/model.ttm").read_bytes(), pathlib.Path("alone/model.ttm").read_bytes())
         self.assert_same_evaluation("alone/evaluation", "array/evaluation")
 
-    def test_the_documented_jobs_of_slurm_give_what_one_run_gives(self):
+    def test_documented_slurm_jobs_equal_one_run(self):
         os.makedirs("slurm/bin")
         shutil.copy("scenes.csv", "slurm")
         sbatch = pathlib.Path("slurm/bin/sbatch")

@@ -37,7 +37,7 @@ namespace {
 using namespace std::chrono_literals;
 using gui::eventually;
 
-TEST_F(BusConsole, showsTheForcesOfBothArraysTheirVoltagesAndADriftedBias)
+TEST_F(BusConsole, showsForcesVoltagesAndADriftedBiasOfBothArrays)
 {
     startQuickRobot();
     model.forceCalibration.biasLeft[1] += 0.5;  // the robot's own is smaller
@@ -94,7 +94,7 @@ TEST_F(BusConsole, showsAsManyArraysAsTheRobotsFileHas)
     }
 }
 
-TEST_F(BusConsole, wantsEachConfirmationHeldAsLongAsTheManualSays)
+TEST_F(BusConsole, eachConfirmationNeedsTheHoldTimeOfTheManual)
 {
     startQuickRobot();
     MainWindow::Options options = linked(bus.join("can0"), {.mode = CanSource::Mode::Transmit});
@@ -145,7 +145,7 @@ TEST_F(BusConsole, canBeArmedAgainWhereSomethingDisarmedOnTheWay)
     EXPECT_EQ(arming(), ArmingPhase::Armed);
 }
 
-TEST_F(BusConsole, heldKeyThatAnXServerRepeatsArmsNothing)
+TEST_F(BusConsole, autoRepeatOfAHeldKeyDoesNotArm)
 {
     open();
     ASSERT_TRUE(eventually([&] { return window->header()->arming()->armButton()->isEnabled(); }));
@@ -179,7 +179,7 @@ TEST_F(BusConsole, driveExploreProbeAndDriveOn)
     EXPECT_TRUE(robotIs(RobotActivity::Halted));
 }
 
-TEST_F(BusConsole, theWindowOfAnArmedRobotClosesWhenThatIsAskedForTwice)
+TEST_F(BusConsole, closingWhileArmedNeedsASecondRequest)
 {
     open();
     ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
@@ -213,7 +213,7 @@ TEST_F(BusConsole, theWindowOfAnArmedRobotClosesWhenThatIsAskedForTwice)
     EXPECT_TRUE(eventually([&] { return arming() != ArmingPhase::Armed; }));
 }
 
-TEST_F(BusConsole, aTryToCloseThatIsLongAgoIsForgotten)
+TEST_F(BusConsole, anOldCloseRequestIsForgotten)
 {
     open();
     const auto asksAgain = [&] {

@@ -43,7 +43,7 @@ namespace {
 using namespace std::chrono_literals;
 using gui::eventually;
 
-TEST_F(BusConsole, lostLinkIsSaidWithItsCure)
+TEST_F(BusConsole, lostLinkNamesItsRemedy)
 {
     open();
     ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
@@ -100,7 +100,7 @@ TEST_F(BusConsole, telemetryThatStopsAloneIsNoLostLink)
     EXPECT_EQ(recorded, (std::vector<std::string>{"up", "telemetry lost", "lost"}));
 }
 
-TEST_F(BusConsole, aReviewKnowsWhatWasOverriddenAndThatTheRobotWasNotHeard)
+TEST_F(BusConsole, reviewShowsOverridesAndTelemetryGaps)
 {
     StagedRobot tilted = stagedRobot();
     tilted.stage({.roll = 0.2});
@@ -200,7 +200,7 @@ TEST_F(BusConsole, aReviewShowsTheGhostThatTheConsoleShowed)
     EXPECT_EQ(ghosts.at(moments.at(marked)).ghost, reviewed) << "however one came there";
 }
 
-TEST_F(BusConsole, aRobotThatDisarmsWhileItDrivesIsToldInEveryLayoutAndOnEveryPage)
+TEST_F(BusConsole, disarmingWhileDrivingIsShownOnEveryPage)
 {
     StagedRobot moody = stagedRobot();
     openOn();
@@ -358,7 +358,7 @@ TerrainLook styleOf(const MainWindow& console)
     return look;
 }
 
-TEST_F(BusConsole, whoeverListensOrReplaysComesToTheSameEstimatesAndSeesThemTheSame)
+TEST_F(BusConsole, listenerAndReplayShowTheSameEstimates)
 {
     const auto shipped = [this] {
         return modelFileLoader(resourcePath("models/default.ttm"), model);

@@ -228,7 +228,7 @@ TEST_F(Console, aDriveKeyThatDoesNothingSaysWhy)
     EXPECT_TRUE(tip.contains(QString::fromStdString(why))) << tip.toStdString();
 }
 
-TEST_F(Console, keysActOnlyOnWhatIsSeen)
+TEST_F(Console, keysActOnlyOnVisibleControls)
 {
     open(fastRobot(robot, 2.1));
     ASSERT_TRUE(readyToExplore());
@@ -255,7 +255,7 @@ TEST_F(Console, keysActOnlyOnWhatIsSeen)
     EXPECT_TRUE(reaches(AtemPhase::Idle)) << "what runs is aborted from anywhere";
 }
 
-TEST_F(Console, aQuestionUnderAnotherWindowIsRefusedByKeyButNotApproved)
+TEST_F(Console, coveredProposalCanBeRefusedButNotApproved)
 {
     open(fastRobot(robot, 2.1));
     proposeByKeyboard();
@@ -363,7 +363,7 @@ TEST_F(Console, theKeysAreListedAndStopWorksWhileTheyAre)
     lists()->close();
 }
 
-TEST_F(Console, theSheetOfKeysLeavesTheHeaderFreeAndAllOfItCanBeReached)
+TEST_F(Console, keySheetLeavesTheHeaderFreeAndScrolls)
 {
     openScripted();
     window->setRoom({1200, 680});

@@ -150,7 +150,7 @@ TEST_F(Console, theVerdictFollowsTheLimitAndTheProbeThatIsChosen)
     })) << "by the limit of now";
 }
 
-TEST_F(Console, aProposedProbeIsToldOnEveryPageWithTheTimeThatIsLeft)
+TEST_F(Console, everyPageShowsTheApprovalExpiryOfAProposal)
 {
     answerTime = 300.0;  // this machine may be busy
     open(fastRobot(robot, 2.1));
@@ -196,7 +196,7 @@ TEST_F(Console, aProposedProbeIsToldOnEveryPageWithTheTimeThatIsLeft)
     EXPECT_FALSE(says("not answered in time")) << "it was answered";
 }
 
-TEST_F(Console, howFarAnExplorationIsStandsInTheRailOfEveryOtherPage)
+TEST_F(Console, railShowsExplorationPhaseOnOtherPages)
 {
     answerTime = 300.0;
     std::atomic<bool> mayEstimate = false;
@@ -241,7 +241,7 @@ TEST_F(Console, howFarAnExplorationIsStandsInTheRailOfEveryOtherPage)
     EXPECT_TRUE(eventually([&] { return terrain.text() == plain; }));
 }
 
-TEST_F(Console, whatTheRailTellsOfAnExplorationMakesItNoWiderInAnyLanguage)
+TEST_F(Console, railKeepsItsWidthForEveryPhaseAndLanguage)
 {
     for (const char* language : {"en", "cs", "de"}) {
         window.reset();
@@ -262,7 +262,7 @@ TEST_F(Console, whatTheRailTellsOfAnExplorationMakesItNoWiderInAnyLanguage)
     installLanguage(*qApp, "en");
 }
 
-TEST_F(Console, aProbeThatNobodyAnsweredIsToldUntilTheTerrainIsSeen)
+TEST_F(Console, expiredProposalIsShownUntilTerrainPageOpens)
 {
     answerTime = 2.0;
     open(fastRobot(robot, 2.1));

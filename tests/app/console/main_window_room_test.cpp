@@ -53,7 +53,7 @@ TEST_F(Console, noTextIsCutAtTheSmallestSizes)
     }
 }
 
-TEST_F(Console, lettersOfEverySizeHaveTheirRoomOnEveryScreen)
+TEST_F(Console, everyFontScaleFitsEveryScreen)
 {
     ScriptedSource* source = openScripted();
     ASSERT_TRUE(readyToExplore());
@@ -63,7 +63,7 @@ TEST_F(Console, lettersOfEverySizeHaveTheirRoomOnEveryScreen)
     fitsEveryScreen("lost", {150, 200});
 }
 
-TEST_F(Console, aQuestionHasItsRoomInLettersOfEverySize)
+TEST_F(Console, theProbeCardFitsInEveryFontScale)
 {
     open(fastRobot(robot, 2.1));
     proposeByKeyboard();
@@ -97,7 +97,7 @@ TEST_F(Console, nothingThatComesOrGoesMovesTheWindow)
     EXPECT_EQ(lookInForce().fontScale, letters);
 }
 
-TEST_F(Console, cardsThatFindNoRoomBesideTheTerrainHaveAPage)
+TEST_F(Console, cardsThatDoNotFitBesideTheTerrainGetAPage)
 {
     open(fastRobot(robot, 2.1));
     const int page = window->rail()->pageOf(Qt::Key_F9);

@@ -129,7 +129,7 @@ TEST_F(Console, escapeAbortsAnExploration)
     EXPECT_TRUE(eventually([&] { return !window->probeCard()->asks(); }));
 }
 
-TEST_F(Console, whatGoesWrongIsSaidWhereTheLastMinutesAreNotSeen)
+TEST_F(Console, errorsAreShownWhenTheEventListIsHidden)
 {
     ScriptedSource* source = openScripted();
     ASSERT_TRUE(readyToExplore());

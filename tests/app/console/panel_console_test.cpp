@@ -167,7 +167,7 @@ TEST_F(PanelConsole, lightsWhatIsSo)
     EXPECT_TRUE(eventually([&] { return !board.lit(2) && !board.lit(3); }));
 }
 
-TEST_F(PanelConsole, theBuzzerSoundsOnceForALostLinkAndNotWhereSoundIsOff)
+TEST_F(PanelConsole, buzzerSoundsOncePerLostLinkUnlessMuted)
 {
     for (const bool sound : {true, false}) {
         MainWindow::Options o = options();
@@ -236,7 +236,7 @@ TEST_F(PanelConsole, diagnosticsTellHowThePanelFares)
         << window->diagnosticsPage()->text().toStdString();
 }
 
-TEST_F(PanelConsole, aQuestionUnderAnotherWindowIsNeitherSeenNorApproved)
+TEST_F(PanelConsole, coveredProposalIsNeitherShownNorApproved)
 {
     openSimulated();
     ASSERT_NO_FATAL_FAILURE(propose());
@@ -260,7 +260,7 @@ TEST_F(PanelConsole, aQuestionUnderAnotherWindowIsNeitherSeenNorApproved)
     EXPECT_TRUE(eventually([&] { return card.shown() && !banner->isVisible(); }));
 }
 
-TEST_F(PanelConsole, aPanelThatWasNeverThereIsMissedWithoutASTOPToRelease)
+TEST_F(PanelConsole, panelMissingFromTheStartCausesNoStop)
 {
     board.unplug();
     openSimulated();

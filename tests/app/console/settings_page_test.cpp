@@ -194,7 +194,7 @@ TEST_F(SettingsInForce, aQualityTellsItsCostOrThatNobodyMeasuredIt)
     EXPECT_TRUE(page().qualityBox()->itemText(0).contains("± 11.3 mm"));
 }
 
-TEST_F(SettingsInForce, whatAQualityCostsIsToldOnlyOfTheModelItWasMeasuredWith)
+TEST_F(SettingsInForce, qualityCostsAreShownForTheMeasuredModelOnly)
 {
     const auto costs = [&] { return page().qualityBox()->itemText(0).contains("0.5 ms"); };
     ASSERT_TRUE(eventually(costs));
@@ -287,7 +287,7 @@ TEST_F(SettingsInForce, theSecondMethodIsOnRecord)
     EXPECT_EQ(decisions("second method"), (std::vector<std::string>{"joint", "none"}));
 }
 
-TEST_F(SettingsInForce, nothingThatBuildsTheWindowAnewCanBeChosenWhileExploring)
+TEST_F(SettingsInForce, settingsThatRebuildAreDisabledWhileExploring)
 {
     ASSERT_TRUE(eventually([&] { return page().defaultsButton()->isEnabled(); }));
     explore();
@@ -321,7 +321,7 @@ TEST_F(SettingsInForce, aWindowThatIsBuiltAnewEndsWhatItHadSetInMotion)
     EXPECT_TRUE(wasTold<HaltCommand>());
 }
 
-TEST_F(SettingsInForce, aWindowThatGoesWithoutBeingClosedEndsWhatItHadSetInMotion)
+TEST_F(SettingsInForce, destroyingTheWindowAbortsTheExploration)
 {
     explore();
     window.reset();
@@ -399,7 +399,7 @@ TEST(SessionRetention, closesWhatADeadProgramLeftAndTellsIt)
     EXPECT_TRUE(SessionReader::open(path)->sealed());
 }
 
-TEST(SessionRetention, deletesByALimitThatIsSetMeanwhileOnceItHasStoodForAWhile)
+TEST(SessionRetention, appliesANewLimitAfterTheGracePeriod)
 {
     const TemporaryDirectory directory;
     const std::string folder = directory.file("sessions"), path = folder + "/old.tts";

@@ -373,7 +373,7 @@ TEST_F(Soak, costsLittleWhileNothingIsEstimated)
     EXPECT_LT(share, wanted > 0.0 ? 0.10 : kAnyMachine);
 }
 
-TEST_F(Soak, showsAnEstimateSoonAfterTheSceneAndOneOfEveryLineBefore)
+TEST_F(Soak, showsAnEstimateSoonAndEveryLivePreview)
 {
     const double wanted = wantedSeconds();
     const double seconds = wanted > 0.0 ? wanted : 6.0;

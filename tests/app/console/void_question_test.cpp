@@ -36,7 +36,7 @@ TEST_F(VoidQuestion, isSaidToBe)
     EXPECT_FALSE(mayBeApproved());
 }
 
-TEST_F(VoidQuestion, isOneWhoseSettingsHaveChangedUntilTheyAreAsThen)
+TEST_F(VoidQuestion, changedSettingsVoidItUntilTheyAreRestored)
 {
     const Settings then = exploration->options().settings;
     Settings others = then;

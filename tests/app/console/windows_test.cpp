@@ -331,7 +331,7 @@ TEST_F(Windows, thatNoConsoleHasOpenedHaveNoStopToPress)
     EXPECT_FALSE(scenes()->header()->stopButton()->isVisible());
 }
 
-TEST_F(Windows, ofAConsoleThatOnlyListensStopTheRobotOfTheOneThatOpenedIt)
+TEST_F(Windows, ofAListeningConsoleStopTheOpenersRobot)
 {
     MemoryBus bus{steadyNow};
     const auto listening = [&] {

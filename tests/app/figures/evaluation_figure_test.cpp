@@ -98,7 +98,7 @@ TEST_F(EvaluationFigure, ofManySeriesIsWiderAndHasMutedHollowBaselines)
     EXPECT_LE(picture.extent(kFlat)[1], 1770);
 }
 
-TEST_F(EvaluationFigure, ofThePitHasOnePanelPerLabelWithBarsAsHighAsTheirShares)
+TEST_F(EvaluationFigure, ofPitHasOnePanelPerLabelWithBarsOfTheShares)
 {
     const std::vector<ErrorHistogram> h{{"pa", 0.5, {10, 10}, 20}, {"pafc", 0.5, {15, 5}, 20}};
     ASSERT_TRUE(writePitFigure(path_, h));

@@ -86,7 +86,7 @@ TEST_F(ProfileFigure, is1200By700WithAWhiteMarginAllAround)
             ASSERT_EQ(picture.at(x, y), 0xffffffU) << x << ' ' << y;
 }
 
-TEST_F(ProfileFigure, showsEveryKindOfBinInItsOwnColourAndOnlyWhereThereIsOne)
+TEST_F(ProfileFigure, showsEveryKindOfBinInItsOwnColour)
 {
     FigureInput input = flatGround();
     const Picture plain = drawn(input);

@@ -125,7 +125,7 @@ TEST_F(Link, bringsTheTrueTerrainOfTheRobotsPose)
     EXPECT_TRUE(comes(robot.truth()));
 }
 
-TEST(CanSourceTruth, isNotMadeUpWhereNobodyKnowsIt)
+TEST(CanSourceTruth, isAbsentWhereNobodyKnowsIt)
 {
     MemoryBus bus{steadyNow};
     const RobotInProcess robot(bus, absolem(), robotBeforeAStep(), {});
@@ -135,7 +135,7 @@ TEST(CanSourceTruth, isNotMadeUpWhereNobodyKnowsIt)
     EXPECT_FALSE((*next)->truth);
 }
 
-TEST_F(Link, endsADriveWhenTheOperatorNoLongerAnswers)
+TEST_F(Link, deadManEndsADriveWhenTheOperatorIsAbsent)
 {
     arm();
     ASSERT_TRUE(source.send(DriveCommand{0.2}));
@@ -155,7 +155,7 @@ TEST_F(Link, stopsARobotThatIsNotArmed)
     EXPECT_TRUE(does(RobotActivity::Halted));
 }
 
-TEST_F(Link, bringsAStopOutAsSoonAsTheBusIsBack)
+TEST_F(Link, sendsStopAsSoonAsTheBusIsBack)
 {
     arm();
     bus.setState(BusState::Down, "console");
@@ -165,7 +165,7 @@ TEST_F(Link, bringsAStopOutAsSoonAsTheBusIsBack)
     EXPECT_TRUE(does(RobotActivity::Stopped));
 }
 
-TEST_F(Link, bringsAStopOutWhateverWasSaidAfterIt)
+TEST_F(Link, sendsStopWhateverWasCommandedAfterIt)
 {
     arm();
     bus.setState(BusState::Down, "console");
@@ -176,7 +176,7 @@ TEST_F(Link, bringsAStopOutWhateverWasSaidAfterIt)
     EXPECT_TRUE(does(RobotActivity::Stopped));
 }
 
-TEST_F(Link, bringsADisarmingOutAsSoonAsTheBusIsBack)
+TEST_F(Link, sendsDisarmAsSoonAsTheBusIsBack)
 {
     arm();
     bus.setState(BusState::BusOff, "console");  // hears, but cannot say anything

@@ -43,7 +43,7 @@ struct Alarming : testing::Test {
     }
 };
 
-TEST_F(Alarming, aSoundRobotMakesNone)
+TEST_F(Alarming, aSoundRobotRaisesNoAlarm)
 {
     pass(20.0);
     EXPECT_TRUE(alarms.list().alarms().empty());
@@ -106,7 +106,7 @@ TEST_F(Alarming, saysWhyTheRobotHasHaltedByItself)
     EXPECT_FALSE(stands("halted"));
 }
 
-TEST_F(Alarming, aHaltThatWasWantedIsNone)
+TEST_F(Alarming, aWantedHaltRaisesNoAlarm)
 {
     viewState.measurement = Measurement{};
     viewState.measurement->activity = RobotActivity::Driving;
@@ -162,7 +162,7 @@ TEST_F(Alarming, aBusWithManyErrorsIsToldBeforeItFails)
     EXPECT_EQ(told.size(), 1) << "it has become worse";
 }
 
-TEST_F(Alarming, whatNothingElseTellsOfIsToldOnceItStands)
+TEST_F(Alarming, alarmsWithoutABannerAreRaisedOncePerOnset)
 {
     QStringList told;
     QObject::connect(&alarms, &ConsoleAlarms::raised,
@@ -193,7 +193,7 @@ TEST_F(Alarming, linkThatFluttersIsOneAlarm)
     EXPECT_EQ(sounds, 1);
 }
 
-TEST_F(Alarming, telemetryThatNeverCameIsOneAfterAWhile)
+TEST_F(Alarming, telemetryThatNeverCameAlarmsAfterAWhile)
 {
     viewState.link = {};
     pass(ConsoleAlarms::kFirstTelemetry - 0.5);
@@ -202,7 +202,7 @@ TEST_F(Alarming, telemetryThatNeverCameIsOneAfterAWhile)
     EXPECT_TRUE(stands("silence"));
 }
 
-TEST_F(Alarming, replayThatWaitsOrHasEndedMakesNone)
+TEST_F(Alarming, aPausedOrEndedReplayRaisesNoAlarm)
 {
     viewState.link = {};
     viewState.bus->waits = true;
@@ -225,7 +225,7 @@ TEST_F(Alarming, busThatIsNotUpSaysWhatMendsIt)
     EXPECT_EQ(find("bus")->severity, Severity::Critical);
 }
 
-TEST_F(Alarming, stalledBusIsOneOnlyWhenItStays)
+TEST_F(Alarming, aStalledBusAlarmsOnlyIfItPersists)
 {
     viewState.bus->bus = BusState::Stalled;
     pass(0.5);
@@ -253,7 +253,7 @@ TEST_F(Alarming, lostAndDamagedFramesAreCounted)
     EXPECT_TRUE(stands("dropped"));
 }
 
-TEST_F(Alarming, whoeverListensOrReplaysHearsTheConsoleItFollows)
+TEST_F(Alarming, listenersRaiseNoAlarmForAnotherConsole)
 {
     viewState.bus->link.foreignSender = true;
     viewState.bus->transmits = false;
@@ -261,7 +261,7 @@ TEST_F(Alarming, whoeverListensOrReplaysHearsTheConsoleItFollows)
     EXPECT_FALSE(find("foreign"));
 }
 
-TEST_F(Alarming, aRobotThatWasDisarmedByWhatNobodyWantedIsOneUntilItIsArmedAgain)
+TEST_F(Alarming, unwantedDisarmingAlarmsUntilTheRobotIsRearmed)
 {
     const auto goes = [&](ArmingPhase phase, DisarmCause cause = DisarmCause::None) {
         viewState.bus->link.arming = {.phase = phase, .cause = cause};

@@ -152,7 +152,7 @@ TEST(Worker, anErrorOfTheEstimateIsTold)
     EXPECT_FALSE(worker.progress());
 }
 
-TEST(Worker, aModelThatCannotBeReadIsToldAndEveryRequestFailsWithIt)
+TEST(Worker, unreadableModelFailsEveryRequestWithItsReason)
 {
     EstimatorWorker worker([]() -> Result<LoadedModel> {
         return Error{"x.ttm: cannot be opened", 2};

@@ -8,7 +8,7 @@
 namespace terratact {
 namespace {
 
-TEST_F(Bench, whyNoProbeWasOfferedIsOfTheLimitOfNow)
+TEST_F(Bench, reasonForNoProbeUsesTheCurrentStepLimit)
 {
     withDraws = true;
     exploration->setProbePolicy(ProbePolicy::VarianceOpen);
@@ -45,7 +45,7 @@ TEST_F(Bench, aLimitChangedDuringAnEstimateDecidesWhatIsOffered)
     EXPECT_GT(exploration->proposal()->bitsBefore, 0.9);
 }
 
-TEST_F(Bench, aLimitChangedThereAndBackDuringAnEstimateHoldsNothingUp)
+TEST_F(Bench, stepLimitChangedAndRestoredDelaysNothing)
 {
     ASSERT_NO_FATAL_FAILURE(beginToEstimate());
     const double limit = exploration->options().stepLimit;
@@ -57,7 +57,7 @@ TEST_F(Bench, aLimitChangedThereAndBackDuringAnEstimateHoldsNothingUp)
     EXPECT_EQ(exploration->proposal()->stepLimit, limit);
 }
 
-TEST_F(Bench, anEstimateThatStandsWhenItIsStoppedHasItsAdviceAllTheSame)
+TEST_F(Bench, estimateKeepsItsProbeAdviceAfterStop)
 {
     withDraws = true;
     draws = 50'000;  // so many that the advice asks whether it is still wanted
@@ -106,7 +106,7 @@ TEST_F(WaitingForAdvice, doesNotWaitForTheSecondMethod)
     }));
 }
 
-TEST_F(WaitingForAdvice, hasRecordedTheEstimateThoughSTOPEndsIt)
+TEST_F(WaitingForAdvice, recordsTheEstimateThatStopEnds)
 {
     const TemporaryDirectory directory;
     const std::string folder = directory.file("sessions");
@@ -154,7 +154,7 @@ TEST_F(Bench, adviceOfTheEstimateBeforeIsNotTakenForTheNewOne)
     EXPECT_NE(offered->bin, kBin06) << "the arm has just been there";
 }
 
-TEST_F(Bench, anyBinInReachCanBeAskedForWhileAQuestionStands)
+TEST_F(Bench, anyReachableBinCanReplaceTheProposal)
 {
     ASSERT_NO_FATAL_FAILURE(propose());
     const quint64 first = exploration->proposal()->id;
@@ -175,7 +175,7 @@ TEST_F(Bench, anyBinInReachCanBeAskedForWhileAQuestionStands)
     EXPECT_EQ(sent<ProbeCommand>(), 1);
 }
 
-TEST_F(Bench, aBinAskedForLaterIsAskedAfterAPressAnew)
+TEST_F(Bench, aBinChosenLaterIsProposedAfterANewPress)
 {
     ASSERT_NO_FATAL_FAILURE(propose());
     exploration->refuse(exploration->proposal()->id);

@@ -95,7 +95,7 @@ TEST_F(Bench, stopThatCannotLeaveIsToldOnceAndTriedAgain)
     EXPECT_EQ(exploration->stopViewState().state, State::Sent);
 }
 
-TEST_F(Bench, stopIsRepeatedToARobotOfWhichNothingWasEverHeard)
+TEST_F(Bench, stopIsRepeatedToARobotWithoutTelemetry)
 {
     Exploration another(source, RobotModel{}, *worker, Exploration::Options{});
     another.stop();
@@ -200,7 +200,7 @@ struct Outage : Bench {
     std::vector<Doubt> doubts() const { return exploration->estimation().verdict()->doubts; }
 };
 
-TEST_F(Outage, ofMoreThanASecondWithholdsTheVerdictUntilTheTerrainIsExploredAnew)
+TEST_F(Outage, longerThanASecondWithholdsVerdictUntilNextPress)
 {
     exploration->refuse(exploration->proposal()->id);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
@@ -223,7 +223,7 @@ TEST_F(Outage, ofMoreThanASecondWithholdsTheVerdictUntilTheTerrainIsExploredAnew
     EXPECT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::Blocked);
 }
 
-TEST_F(Outage, thatNobodyLookedAtWithholdsItToo)
+TEST_F(Outage, withholdsTheVerdictThoughNobodyPolled)
 {
     exploration->refuse(exploration->proposal()->id);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
@@ -234,7 +234,7 @@ TEST_F(Outage, thatNobodyLookedAtWithholdsItToo)
     EXPECT_EQ(doubts(), std::vector{Doubt::Unheard});
 }
 
-TEST_F(Outage, ofAWindowThatStandsStillIsNone)
+TEST_F(Outage, ofAFrozenWindowIsNoLostLink)
 {
     exploration->refuse(exploration->proposal()->id);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
@@ -280,7 +280,7 @@ struct LinkBench : Bench {
     LinkStatus display;
 };
 
-TEST_F(LinkBench, theLinkIsLostAfterAQuarterOfASecondAndTheBannerSaysSoThen)
+TEST_F(LinkBench, linkWatchdogExpiresAfter250msAndShowsTheBanner)
 {
     EXPECT_EQ(exploration->options().linkLostAfter, 0.25);
     const double heard = now;
@@ -348,7 +348,7 @@ TEST_F(LinkBench, aLinkThatFluttersIsOneEventAndTheBannerStands)
     EXPECT_TRUE(event(0).startsWith("link is up; gaps before: 7, the longest "));
 }
 
-TEST_F(Bench, whatWentWrongOnTheBusIsADoubtOnlyWhileItIsFresh)
+TEST_F(Bench, busErrorsWithholdTheVerdictOnlyWhileRecent)
 {
     MemoryBus bus{steadyNow};
     CanSource link(bus.join("can0"), RobotModel{}, {.mode = CanSource::Mode::Listen});

@@ -164,7 +164,7 @@ TEST_F(Bench, telemetryIsEstimatedLiveWhileTheFlippersMove)
     EXPECT_FALSE(exploration->estimation().live());
 }
 
-TEST_F(Bench, aSamplingMethodsProcessesAreMadeBeforeAnybodyExplores)
+TEST_F(Bench, samplersGaussianProcessesArePreparedWhenIdle)
 {
     tick(3);
     EXPECT_EQ(estimates, 0) << "a formula needs none";
@@ -198,7 +198,7 @@ TEST_F(Bench, aSamplingMethodsProcessesAreMadeBeforeAnybodyExplores)
     EXPECT_EQ(lastAsked().settings.method, Method::Local) << "nor again while the flippers move";
 }
 
-TEST_F(Bench, aSamplingMethodsProcessesAreMadeOnceWhileTheFlippersMove)
+TEST_F(Bench, samplersPrepareOnceWhileTheFlippersMove)
 {
     Settings sampled;
     sampled.method = Method::Pafc;
@@ -234,7 +234,7 @@ TEST_F(Bench, aSamplingMethodsProcessesAreMadeOnceWhileTheFlippersMove)
     EXPECT_EQ(exploration->estimation().estimate()->settings.method, Method::Pafc);
 }
 
-TEST_F(Bench, aSecondMethodsProcessesWaitWhileTheFlippersMove)
+TEST_F(Bench, secondMethodIsNotPreparedWhileFlippersMove)
 {
     exploration->setSecondMethod(Method::Pafc);
     blocked = true;
@@ -364,7 +364,7 @@ TEST_F(Bench, anAnswerToAnotherProposalMeansNothing)
     EXPECT_EQ(sent<ProbeCommand>(), 0);
 }
 
-TEST_F(Bench, anotherLimitAsksAnewAndAnAnswerToTheOldQuestionIsNone)
+TEST_F(Bench, newStepLimitVoidsTheOldProposal)
 {
     propose();
     const ProbeProposal before = *exploration->proposal();
@@ -388,7 +388,7 @@ TEST_F(Bench, aLimitChangedDuringAnEstimateIsThatOfItsQuestion)
     EXPECT_TRUE(gui::eventually([this] { return exploration->proposal()->stepLimit == 0.2; }));
 }
 
-TEST_F(Bench, aVerdictThatStandsIsAskedForNoProbeWhereThePolicyHasItSo)
+TEST_F(Bench, openPolicyProposesNoProbeForADecidedVerdict)
 {
     withDraws = true;
     propose();
@@ -498,7 +498,7 @@ TEST_F(Bench, anOfferThatComesWithTheStopIsNone)
     EXPECT_FALSE(exploration->proposal());
 }
 
-TEST_F(Bench, anEstimateDuringWhichAModelIsChosenIsMadeWithThatModel)
+TEST_F(Bench, modelChosenDuringAnEstimateIsUsedForIt)
 {
     ASSERT_NO_FATAL_FAILURE(beginToEstimate());
     worker->load([this]() -> Result<LoadedModel> {
@@ -512,7 +512,7 @@ TEST_F(Bench, anEstimateDuringWhichAModelIsChosenIsMadeWithThatModel)
     EXPECT_TRUE(reaches(AtemPhase::ProposingProbe)) << describe(exploration->state().failure);
 }
 
-TEST_F(Bench, anEstimateGoesOnWhenTheModelChosenMeanwhileCannotBeLoaded)
+TEST_F(Bench, estimateContinuesIfTheNewModelCannotBeLoaded)
 {
     blocked = true;
     press();
@@ -547,7 +547,7 @@ TEST_F(Bench, aCommandThatDoesNotGetOutIsTold)
     EXPECT_TRUE(events.join('\n').contains("the bus is off"));
 }
 
-TEST_F(Bench, aSceneIsTheFirstLineOfThePressHoweverLateTheWindowLooks)
+TEST_F(Bench, sceneIsTheFirstPressedSampleHoweverLateThePoll)
 {
     exploration->request();
     tick();

@@ -71,7 +71,7 @@ TEST_F(PassiveExplorationBench, estimatesAPressOnceAndSendsNothing)
     EXPECT_EQ(exploration->stopViewState().state, StopViewState::State::NoEffect);
 }
 
-TEST_F(PassiveExplorationBench, estimatesAgainWithWhatTheArmMeasuresAndScoresItOnce)
+TEST_F(PassiveExplorationBench, updatesTheEstimateWithAReadingAndScoresItOnce)
 {
     robotPresses();
     const ArmReading reading{.bin = kBin06, .height = -0.04, .sd = 0.03};
@@ -87,7 +87,7 @@ TEST_F(PassiveExplorationBench, estimatesAgainWithWhatTheArmMeasuresAndScoresItO
     EXPECT_EQ(exploration->estimation().ledger().entries().size(), 2U);
 }
 
-TEST_F(PassiveExplorationBench, secondMethodChosenDuringAnEstimateDoesNotOvertakeIt)
+TEST_F(PassiveExplorationBench, secondMethodWaitsForTheEstimateUnderWay)
 {
     robotPresses();
     blocked = true;

@@ -5,7 +5,7 @@
 namespace terratact {
 namespace {
 
-TEST_F(Bench, whatSpeaksAgainstAnExplorationIsListed)
+TEST_F(Bench, unmetPreconditionsOfAnExplorationAreListed)
 {
     using Level = Precondition::Level;
     const auto level = [this](const QString& words) {
@@ -33,7 +33,7 @@ TEST_F(Bench, whatSpeaksAgainstAnExplorationIsListed)
     EXPECT_EQ(level("telemetry"), static_cast<int>(Level::Missing));
 }
 
-TEST_F(Bench, nothingMovesWhileTheArmIsOutThoughTheProbeWasGivenUp)
+TEST_F(Bench, nothingMovesWhileTheArmIsOutAfterAnAbort)
 {
     telemetry.activity = RobotActivity::Probing;
     tick();
@@ -53,7 +53,7 @@ TEST_F(Bench, nothingMovesWhileTheArmIsOutThoughTheProbeWasGivenUp)
     EXPECT_NE(exploration->state().phase, AtemPhase::Idle);
 }
 
-TEST_F(Bench, whatOnlyTheRobotKnowsIsNotMetOnceItIsNotHeard)
+TEST_F(Bench, robotConditionsAreUnmetWithoutTelemetry)
 {
     EXPECT_EQ(linesOf(exploration->preconditions()),
               "✔ telemetry is live\n✔ STOP is not latched\n✔ model fake.ttm is ready\n"
@@ -106,7 +106,7 @@ TEST_F(Bench, everyCommandListsWhatItNeeds)
               "! the robot said that it is stopped, then no telemetry");
 }
 
-TEST_F(Bench, anOverrideIsOfOneDoubtAsLargeAsItWas)
+TEST_F(Bench, anOverrideCoversOneReasonAtItsSize)
 {
     using Level = Precondition::Level;
     const auto levels = [this](Level level) {
@@ -139,7 +139,7 @@ TEST_F(Bench, anOverrideIsOfOneDoubtAsLargeAsItWas)
     EXPECT_EQ(events.filter("the override has ended: roll +29.8°").size(), 1);
 }
 
-TEST_F(Bench, anOverrideWhoseDoubtGoesWhileExploringEndsWithItsReason)
+TEST_F(Bench, overrideEndsWhenItsReasonEndsWhileExploring)
 {
     telemetry.roll = 0.105;
     tick();

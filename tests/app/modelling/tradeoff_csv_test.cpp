@@ -58,7 +58,7 @@ TEST(PresetsCsv, goesBackAndForth)
     EXPECT_EQ(costs->costs, expected);
 }
 
-TEST(PresetsCsv, thatIsShippedIsOfTheShippedModelAndOfThePresetsAsTheyAre)
+TEST(PresetsCsv, shippedFileMatchesShippedModelAndPresets)
 {
     const std::string models = TERRATACT_SOURCE_DIR "/resources/models/";
     const auto presets = readPresets(models + "default.presets.csv");
@@ -143,7 +143,7 @@ protected:
     TemporaryDirectory directory_;
 };
 
-TEST_F(TradeoffFigure, placesEachSettingByTheLogarithmsOfItsTimeAndItsErrors)
+TEST_F(TradeoffFigure, placesSettingsByLogTimeAndLogError)
 {
     const Picture picture =
         drawn({marker(Method::Pafc, 1.0, 100.0, 1.0), marker(Method::Joint, 10.0, 10.0, 10.0),
@@ -173,7 +173,7 @@ TEST_F(TradeoffFigure, drawsPresetsLargerThanOtherSettings)
     EXPECT_GE(panel(drawn({preset}), kLeft).extent(kJoint)[3], plain + 2);  // its name is above
 }
 
-TEST_F(TradeoffFigure, drawsTheFrontThroughWhatNoOtherBeatsOnly)
+TEST_F(TradeoffFigure, drawsTheParetoFrontOnly)
 {
     // From corner to corner, through the panel's centre; or no line, where one of the two is beaten or of another method.
     const auto darkPixels = [&](double firstMm, double secondMm, Method second = Method::Pafc) {

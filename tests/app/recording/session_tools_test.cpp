@@ -234,7 +234,7 @@ TEST(Differences, tellsBitsApartThatCompareEqual)
     EXPECT_EQ(d.likeness, Match::Other);
 }
 
-TEST(Differences, areOfLastBitsWhereEveryNumberIsNearAndEveryWordTheSame)
+TEST(Differences, areLastBitsIfNumbersAreNearAndTextsEqual)
 {
     TerrainEstimate recorded = stepEstimate();
     recorded.draws.assign(3, Heights{});
@@ -332,7 +332,7 @@ TEST(Json, keepsUtf8AndReplacesWhatIsNone)
     EXPECT_EQ(crc32("123456789"), 0xCBF43926U) << "the check value of CRC-32";
 }
 
-TEST_F(Tools, rotatedFilesBecomeOneSessionInWhichNothingStandsTwice)
+TEST_F(Tools, rotatedFilesMergeWithoutDuplicateRows)
 {
     const auto row = [](std::int64_t id, SessionTime time) { return someEstimate(id, time); };
     const std::string first = session("1.tts", [&](SessionWriter& writer) {

@@ -119,7 +119,7 @@ struct ExportOf : ReviewOf {
     QStringList files() { return QDir(QFileInfo(path).path()).entryList(QDir::Files); }
 };
 
-TEST_F(ExportOf, whatIsVisibleAndEverythingAreWhatTheCommandLineWrites)
+TEST_F(ExportOf, visibleAndWholeExportsEqualTheCommandLines)
 {
     record();
     open();
@@ -360,7 +360,7 @@ TEST_F(ExportOf, aFileThatIsThereIsReplacedOnlyByAButtonThatSaysSo)
     EXPECT_EQ(written("old.log"), "old");
 }
 
-TEST_F(ExportOf, theDialogHasRoomForEveryTextAndNamesForEveryControl)
+TEST_F(ExportOf, dialogCutsNoTextAndNamesEveryControl)
 {
     record();
     for (const int scale : {100, 150, 200}) {
@@ -386,7 +386,7 @@ TEST_F(ExportOf, theDialogHasRoomForEveryTextAndNamesForEveryControl)
     applyLook(*qApp);
 }
 
-TEST_F(ExportOf, oneThatIsCancelledLeavesNoFileAndTheReviewGoesOnMeanwhile)
+TEST_F(ExportOf, cancelledExportLeavesNoFileAndBlocksNothing)
 {
     {
         auto writer = robotSession(path.toStdString(), 60.0, 850.0);

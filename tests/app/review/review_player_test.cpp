@@ -20,7 +20,7 @@ namespace {
 using namespace gui;
 using At = RobotSessionTimes;
 
-TEST(ReviewPlayer, goesOnByDataTimeAndAPauseLeavesNothingToCatchUpWith)
+TEST(ReviewPlayer, playsByDataTimeAndSkipsNothingAfterAPause)
 {
     ReviewPlayer player;
     player.setRange(0.0, 100.0);
@@ -185,7 +185,7 @@ TEST_F(ReviewOf, aSessionThatIsStillRecordedIsFollowed)
               static_cast<int>(window->session().events().size()));
 }
 
-TEST_F(ReviewOf, theForcesPeaksAtATimeAreTheSameHoweverOneCameThere)
+TEST_F(ReviewOf, forcePeaksAtATimeDoNotDependOnThePath)
 {
     path = TERRATACT_SOURCE_DIR "/resources/sessions/demo.tts";
     open();

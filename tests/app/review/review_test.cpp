@@ -82,7 +82,7 @@ bool saysUponTheHeader(const QWidget& window, const char* words)
     return false;
 }
 
-TEST_F(ReviewOf, aSessionThatAConsoleHasOpenedStopsTheRobotOfThatConsole)
+TEST_F(ReviewOf, aSessionOpenedByAConsoleStopsItsRobot)
 {
     record();
     const std::string name = "terratact-review-test-" + std::to_string(::getpid());
@@ -331,7 +331,7 @@ TEST_F(ReviewOf, everyTextHasItsRoomAndEveryControlAName)
     EXPECT_TRUE(window->keys().html().contains("Space"));
 }
 
-TEST_F(ReviewOf, nothingIsCutInLargeLettersAndTheTerrainHasTheRoomThereIs)
+TEST_F(ReviewOf, largeFontsCutNothingAndTerrainTakesFreeSpace)
 {
     applyLook(*qApp);
     record();

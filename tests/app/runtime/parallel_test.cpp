@@ -65,7 +65,7 @@ TEST(ParallelFor, takesNoMoreThreadsThanItMayUse)
     EXPECT_EQ(threads, std::set<std::thread::id>{std::this_thread::get_id()});
 }
 
-TEST(ParallelFor, isLentToAComputationThatIsToldOfTheProcessors)
+TEST(ParallelFor, isLentToAComputationWithItsProcessorCount)
 {
     Watch watch;
     lendProcessors(watch);

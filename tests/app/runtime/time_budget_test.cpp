@@ -19,7 +19,7 @@ TEST(TimeBudget, beginsWhenItIsFirstAsked)
     EXPECT_TRUE(watch.outOfTime());
 }
 
-TEST(TimeBudget, isOneForAllWhoHoldACopyOfTheWatch)
+TEST(TimeBudget, isSharedByCopiesOfTheWatch)
 {
     const Watch watch = endingAfter(0.2);
     const Watch copy = watch;

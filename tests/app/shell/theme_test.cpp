@@ -210,7 +210,7 @@ TEST(Languages, numbersAreWrittenAndReadTheSameInEach)
     installLanguage(*qApp, "en");
 }
 
-TEST(Languages, whatIsWrongWithAFileIsTranslatedBetweenWhatItNames)
+TEST(Languages, fileErrorsAreTranslatedAroundTheirNames)
 {
     const std::string english[]{
         "/home/no 2/robot.toml: line 7: body.mass_kg is 0, expected a number from 0.1 to 5000",
@@ -237,7 +237,7 @@ TEST(Languages, whatIsWrongWithAFileIsTranslatedBetweenWhatItNames)
     installLanguage(*qApp, "en");
 }
 
-TEST(Languages, namesOfFilesColumnsAndSourcesStayWhatTheyAre)
+TEST(Languages, namesOfFilesColumnsAndSourcesAreNotTranslated)
 {
     for (const char* language : {"cs", "de"}) {
         if (installLanguage(*qApp, language) != QLatin1String(language))
@@ -272,7 +272,7 @@ TEST(Languages, namesOfFilesColumnsAndSourcesStayWhatTheyAre)
     EXPECT_EQ(format::eventWord("drive"), "drive");
 }
 
-TEST(Languages, whatASessionTellsIsTranslatedButForWhatPeopleWrote)
+TEST(Languages, sessionTextIsTranslatedExceptWhatPeopleWrote)
 {
     const std::vector<EventRow> told{
         {.kind = EventKind::Decision, .subject = "drive", .text = "back"},
@@ -404,7 +404,7 @@ TEST_F(Look, changedWhileItRunsIsAsFromTheStart)
     EXPECT_EQ(settingsPage(), byDay);
 }
 
-TEST_F(Look, lettersThatDoNotFitTheScreenAreSaidAndKeptForALargerOne)
+TEST_F(Look, fontTooLargeForTheScreenIsReportedAndKept)
 {
     window->setRoom({1200, 680});
     window->preferences().change([](Preferences& p) { p.fontScale = 200; });
@@ -436,7 +436,7 @@ TEST_F(Look, lettersThatDoNotFitTheScreenAreSaidAndKeptForALargerOne)
     EXPECT_EQ(lookInForce().fontScale, fits - 10) << "smaller than what is seen, not than wanted";
 }
 
-TEST_F(Look, lettersGrowAndShrinkWithinTheirLimits)
+TEST_F(Look, fontScaleStaysWithinItsLimits)
 {
     const int before = window->header()->stopButton()->height();
     for (int i = 0; i < 5; ++i) press(Qt::Key_Plus);
@@ -491,7 +491,7 @@ TEST_F(Look, aTroubleWithThePreferencesIsAnEvent)
     }));
 }
 
-TEST_F(Look, aTroubleWithThePreferencesIsInTheLanguageOfWhenItIsSaid)
+TEST_F(Look, preferenceErrorsUseTheCurrentLanguage)
 {
     directory.write("console.ini", "[General]\nschema=1\nlanguage=cs\ntheme=purple\n");
     LoadedPreferences loaded =

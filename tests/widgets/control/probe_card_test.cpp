@@ -124,7 +124,7 @@ TEST_F(Probe, theNarrowFormSaysAllOfItInFewerWords)
     for (const std::string& trouble : gui::cramped(card)) ADD_FAILURE() << trouble;
 }
 
-TEST_F(Probe, needsNoScrollingWhereAWindowOf1280By720LeavesItsRoom)
+TEST_F(Probe, fitsWithoutScrollingInA1280x720Window)
 {
     ProbeProposal decided = kProposal;
     decided.answer = StepVerdict::Blocked;

@@ -73,7 +73,7 @@ int inkIn(const QImage& image, double x, double top)
     return ink;
 }
 
-TEST_F(TerrainView, aLetterSaysOfEveryBinWhatSpeaksForItAndCoversNothing)
+TEST_F(TerrainView, aLetterMarksTheOriginOfEveryBin)
 {
     const MarkLetters* letters = nullptr;
     for (const QwtPlotItem* item : view.itemList())

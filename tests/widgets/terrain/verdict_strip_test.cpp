@@ -169,7 +169,7 @@ private:
     QStringList said_;
 };
 
-TEST_F(Strip, isAnnouncedWhereTheSameWordComesToStandForAnotherReason)
+TEST_F(Strip, sameVerdictWithAnotherReasonIsAnnounced)
 {
     Announcements announcements(strip);
     const Verdict undecided = verdict(StepVerdict::CannotTell, 0.5);
