@@ -4,8 +4,11 @@
 //
 // with a bus before the direction from 1.2 on, and a reserved dash behind the identifier in 1.3.  From 2.0 on a heading
 // tells the columns (;$COLUMNS=N,O,T,B,I,d,R,L,D).  Times are milliseconds since ;$STARTTIME, days since 30 December
-// 1899, taken for UTC, as python-can does.  States, events and error counters are passed over and counted.
+// 1899, taken for UTC, as python-can does.  Version 1.0 has no $STARTTIME: its comment "Start time: 24.09.2008
+// 16:00:35.472.0" is taken for UTC, too.  States, events and error counters are passed over and counted.
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -28,6 +31,33 @@ std::optional<double> secondsOfDays(std::string_view text)
     const std::optional<double> days = numberFrom(text);
     if (!days || !(*days >= kDaysTo1970 && *days <= kMaxDays)) return std::nullopt;
     return (*days - kDaysTo1970) * kDay;
+}
+
+/// [s] since 1970 of "24.09.2008 16:00:35.472.0", the day first and the tenths of a millisecond last.  Empty: the
+/// order of day and month is not certain, or there is no such moment.
+std::optional<double> secondsOfStart(std::string_view text)
+{
+    LogWords words(text);
+    std::array<std::string_view, 3> parts;
+    std::string_view date = words.next(), clock = words.next();
+    for (std::string_view& part : parts) {
+        const std::size_t end = std::min(date.find('.'), date.size());
+        part = date.substr(0, end);
+        date.remove_prefix(std::min(end + 1, date.size()));
+    }
+    const auto day = integerFrom<int>(parts[0]), month = integerFrom<int>(parts[1]),
+               year = integerFrom<int>(parts[2]);
+    if (!day || !month || !year || !date.empty() || !words.rest().empty()) return std::nullopt;
+    LogDate moment;
+    if (std::count(clock.begin(), clock.end(), '.') > 1) clock = clock.substr(0, clock.rfind('.'));
+    if (!takeClock(clock, moment)) return std::nullopt;
+    const std::chrono::year_month_day calendar{std::chrono::year(*year),
+                                               std::chrono::month(static_cast<unsigned>(*month)),
+                                               std::chrono::day(static_cast<unsigned>(*day))};
+    if (*year < 1970 || *year > 2200 || !calendar.ok()) return std::nullopt;
+    const std::chrono::seconds midnight = std::chrono::sys_days(calendar).time_since_epoch();
+    return static_cast<double>(midnight.count()) + 3600.0 * moment.hour + 60.0 * moment.minute
+         + moment.second;
 }
 
 bool isDirection(std::string_view word)
@@ -56,7 +86,7 @@ private:
     Taken heading(std::string_view text)
     {
         constexpr std::string_view kVersion = "$FILEVERSION=", kStart = "$STARTTIME=",
-                                   kColumns = "$COLUMNS=";
+                                   kColumns = "$COLUMNS=", kStartOfVersion10 = "Start time:";
         while (!text.empty() && text.back() == '\r') text.remove_suffix(1);
         if (text.starts_with(kVersion)) {
             const std::string_view version = text.substr(kVersion.size());
@@ -64,10 +94,10 @@ private:
                 return expectedInLog("version 1.0 to 2.1 of the format", version);
             if (version == "2.0") columns_ = kColumns20;
         } else if (text.starts_with(kStart)) {
-            if (const auto seconds = secondsOfDays(text.substr(kStart.size())))
-                start_ = *seconds;
-            else
-                remark_ = "the start time is not understood: times count from 0";
+            setStart(secondsOfDays(text.substr(kStart.size())));
+        } else if (const auto at = text.find(kStartOfVersion10);
+                   at != std::string_view::npos && !start_) {
+            setStart(secondsOfStart(text.substr(at + kStartOfVersion10.size())));
         } else if (text.starts_with(kColumns)) {
             columns_.clear();
             for (const char c : text.substr(kColumns.size()))
@@ -76,11 +106,17 @@ private:
         return std::optional<LoggedFrame>{};
     }
 
+    void setStart(std::optional<double> seconds)
+    {
+        start_ = seconds.value_or(0.0);
+        if (!seconds) remark_ = "the start time is not understood: times count from 0";
+    }
+
     Status setTime(LoggedFrame& logged, std::string_view word) const
     {
         const Result<double> time = logSeconds(word, kMilliseconds);
         if (!time) return time.error();
-        logged.time = start_ + *time;
+        logged.time = start_.value_or(0.0) + *time;
         return Done{};
     }
 
@@ -190,7 +226,7 @@ private:
         return std::optional(std::move(logged));
     }
 
-    double start_ = 0.0;  ///< [s] since 1970
+    std::optional<double> start_;  ///< [s] since 1970; empty: no line told it yet
     std::string columns_{kColumns21};
 };
 

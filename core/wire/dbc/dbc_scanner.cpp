@@ -193,7 +193,15 @@ void DbcScanner::skipIndented()
     do {
         (void)restOfLine();
         if (at_ < text_.size()) advance();
-    } while (at_ < text_.size() && isBlank(text_[at_]));
+    } while (at_ < text_.size() && isBlank(text_[at_]) && !isMessageLineNext());
+}
+
+bool DbcScanner::isMessageLineNext() const
+{
+    const std::size_t begin = text_.find_first_not_of(" \t", at_);
+    if (begin == std::string_view::npos) return false;
+    const std::string_view line = text_.substr(begin);
+    return line.starts_with("BO_ ") || line.starts_with("SG_ ");
 }
 
 void DbcScanner::skipSection()

@@ -50,8 +50,9 @@ public:
     std::string_view wordIfAny();   ///< empty where there is none; nothing is wrong then
     std::string_view restOfLine();  ///< what is left of it
     std::string_view
-    upTo(char c);         ///< what stands before it in this line; empty where it is not there
-    void skipIndented();  ///< passes over this line and the indented or empty ones below it
+    upTo(char c);  ///< what stands before it in this line; empty where it is not there
+    /// Passes over this line and the indented or empty ones below it, up to one that describes a message or signal.
+    void skipIndented();
     /// Passes over a section up to its semicolon; one without ends where a line begins with the next.
     void skipSection();
 
@@ -62,6 +63,7 @@ private:
     void advance();
     void skipBlanks();
     bool isSectionNext();
+    bool isMessageLineNext() const;  ///< a line of BO_ or SG_, indented or not
 
     std::string_view text_;
     std::size_t at_ = 0;

@@ -303,11 +303,26 @@ TEST(Logs, ofPeakAreRead)
         EXPECT_EQ(log.frames[1].frame, data(0x18FEF1FE, {0xAA, 0xBB}, true));
         EXPECT_EQ(log.frames[2].frame, (CanFrame{.id = 0x123, .remote = true, .length = 4}));
         EXPECT_NEAR(log.elapsed[2], 0.2, 1e-6);
-        const bool hasStart = text.find("STARTTIME") != std::string::npos;
-        EXPECT_NEAR(*log.frames[0].time, (hasStart ? 1639837687.062 : 0.0) + 0.1, 1e-3);
+        EXPECT_NEAR(*log.frames[0].time, 1639837687.162, 1e-3);
         ASSERT_EQ(log.remarks.size(), 1U);
         EXPECT_NE(log.remarks[0].find("holds no frame and is passed over"), std::string::npos);
     }
+}
+
+TEST(Logs, ofPeakVersion10StartAtTheirComment)
+{
+    const auto startOf = [](const std::string& start) {
+        return read(";##\n;   Start time: " + start + "\n;##\n     1)  100  0500  3  DD FF 01 \n");
+    };
+    Log log = startOf("24.09.2008 16:00:35.472.0");
+    ASSERT_EQ(log.frames.size(), 1U) << log.error;
+    EXPECT_NEAR(*log.frames[0].time, 1222272035.572, 1e-3);
+    EXPECT_TRUE(log.remarks.empty());
+    log = startOf("9/24/2008 4:00:35 PM");  // or the day first: nobody knows
+    ASSERT_EQ(log.frames.size(), 1U) << log.error;
+    EXPECT_NEAR(*log.frames[0].time, 0.1, 1e-6);
+    ASSERT_EQ(log.remarks.size(), 1U);
+    EXPECT_NE(log.remarks[0].find("the start time is not understood"), std::string::npos);
 }
 
 TEST(Logs, ofPeakHaveFramesOfCanFd)

@@ -310,6 +310,17 @@ TEST(DbcNumberTexts, haveAllTheirDigits)
     EXPECT_EQ(shownText(real, std::uint64_t{0xFFF0'0000'0000'0000}), "-inf");
 }
 
+TEST(Dbc, aSignalBelowTheNodesIsNamedAsFault)
+{
+    const Result<DbcFile> read =
+        parsed("BU_: Engine\n SG_ Lost : 0|8@1+ (1,0) [0|0] \"\" A\n"
+               "BO_ 256 Clock: 8 A\n SG_ Kept : 0|8@1+ (1,0) [0|0] \"\" A\n");
+    ASSERT_TRUE(read);
+    ASSERT_EQ(read->messages.size(), 1U);
+    ASSERT_EQ(read->warnings.size(), 1U);
+    EXPECT_NE(read->warnings[0].find("line 2"), std::string::npos) << read->warnings[0];
+}
+
 /// As other programs write them.
 const char* const kForeign = R"(VERSION "HNPBNYYYYYYYYYNNNNNNN/4/%%%/4/'%**4YYY///"
 
