@@ -29,22 +29,22 @@ void check(const Settings& settings)
         throw std::invalid_argument("the force threshold must be 0 or more");
 }
 
-/// s as the model's processes want it.
+/// Returns the features of s in the order that the model's processes expect.
 Eigen::VectorXd featuresFor(const ClearanceModel& model, const Proprioception& s)
 {
     const bool enough = (missingFeatures(s) & ~model.without()).none();
     return enough ? knownFeatures(s) : features(FeatureSet::Paf, s);
 }
 
-/// A measurement so far from everything that similar training scenes had [standard deviations] makes them a bad
-/// guide: what counts then is how wide they spread.
+/// Distance in standard deviations beyond which a measurement contradicts all similar training
+/// scenes. Only their spread counts then.
 constexpr double kSurprised = 2.0;
 
 /// Conditions the distribution of one bin's surface coordinate.
 void take(GaussianMixture& distribution, std::size_t bin, const MeasuredHeight& measured,
           double ceiling)
 {
-    // Deeper than the robot can sink, a height counts as being there.
+    // A height below the deepest sinking of the robot counts as the deepest sinking.
     const double height = std::min(measured.height, ceiling + kDeepestSinking);
     const double y = toSurface(height, ceiling);
     const double error = std::abs(toSurface(height - measured.sd, ceiling) - y);
@@ -67,7 +67,7 @@ void takeAll(GaussianMixture& distribution, MeasuredBins& measured, const Cleara
     estimate.warnings = std::move(measured.warnings);
 }
 
-/// Mean and sd of a bin's height: y is a mixture of Gaussians.
+/// Writes mean and sd of a bin's height; y is a mixture of Gaussians.
 void momentsOf(const GaussianMixture& distribution, std::size_t bin, TerrainEstimate& estimate)
 {
     const auto i = static_cast<Eigen::Index>(bin);
@@ -80,7 +80,7 @@ void momentsOf(const GaussianMixture& distribution, std::size_t bin, TerrainEsti
         estimate.sd[bin] = std::sqrt((weight * (mean - centre).square()).sum() + variance);
         return;
     }
-    // E sinh y and E sinh² y of a Gaussian y.
+    // E sinh y and E sinh² y for a Gaussian y.
     const double first = std::exp(0.5 * variance) * (weight * mean.sinh()).sum();
     const double second =
         0.5 * (std::exp(2.0 * variance) * (weight * (2.0 * mean).cosh()).sum() - 1.0);

@@ -16,7 +16,7 @@ bool EstimateBatch::hasRoomFor(const Settings& settings) const
 {
     if (!ready_.empty()) return false;
     if (scenes_.empty()) return true;
-    if (settings.scan == ScanOrder::Random) return false;  // every scene has its own
+    if (settings.scan == ScanOrder::Random) return false;  // every scene has its own order
     const bool fewRows = settings.inducing > 0 && settings.inducing <= kFewRows;
     if (fewRows && settings.chains % kGroup == 0) return false;
     int chains = settings.chains;
@@ -52,7 +52,7 @@ void EstimateBatch::collect()
 std::vector<EstimateBatch::Ready> EstimateBatch::next()
 {
     std::vector<GibbsRun*> runs;
-    collect();  // those that have nothing to sample
+    collect();  // collects scenes that have nothing to sample
     for (InWork& scene : scenes_) runs.push_back(&scene.run);
     while (ready_.empty() && !runs.empty()) {
         GibbsRun::sweepTogether(runs, room_);

@@ -9,41 +9,43 @@
 
 namespace terratact {
 
-/// Chains of all scenes of a batch together, unless one scene has more: what the quadratic form takes in one
-/// pass, and fits the caches.
+/// Largest number of chains in a batch, unless one scene has more. The quadratic form takes so many
+/// in one pass, and they fit the caches.
 inline constexpr int kBatchChains = 64;
 
-/// Up to so many inducing rows a scene whose chains fill whole groups of columns gains nothing from others
-/// (docs/speed.md): its factors fit the caches without them.
+/// A scene with at most this many inducing rows gains nothing from a batch if its chains fill whole
+/// groups of columns (docs/speed.md). Its factors fit the caches anyway.
 inline constexpr int kFewRows = 700;
 
-/// Estimates of many scenes, several at a time: the chains of those that a method samples pass through the model's
-/// factors side by side (GibbsRun::sweepTogether).  A scene that has ended makes room for the next.  Every estimate
-/// is that of estimateTerrain, bit for bit, whatever is beside it, where time does not end it.
-/// For one thread; several may have one each, of the same models.
+/// Estimates many scenes, several at a time. The chains of sampled scenes pass through the model's
+/// factors together (GibbsRun::sweepTogether). A scene that has ended makes room for the next.
+/// Every estimate equals estimateTerrain's bit for bit, whatever else is in the batch, unless a
+/// time limit ends it.
+/// One thread uses one batch; several threads may have one each, with the same models.
 class EstimateBatch {
 public:
-    /// An estimate with the number that its scene was added with.
+    /// Finished estimate and the number that its scene was added with.
     struct Ready {
         std::size_t number = 0;
         TerrainEstimate estimate;
     };
 
-    /// Both must live as long as this does.
+    /// robot and models must outlive the batch.
     EstimateBatch(const RobotModel& robot, const Models& models) : robot_(robot), models_(models) {}
 
-    /// Whether one more scene gains from those that are there: its chains fit in, it visits bins in their order, and its
-    /// factors are large or its groups of columns not full (kFewRows).
-    /// Always where the batch is empty, never where an estimate is ready.
+    /// Returns true if one more scene gains from the batch: its chains fit in, its scan order is
+    /// fixed, and its factors are large or its groups of columns are not full (kFewRows). Always
+    /// true for an empty batch, always false while an estimate is ready.
     bool hasRoomFor(const Settings& settings) const;
     bool empty() const { return scenes_.empty() && ready_.empty(); }
 
-    /// Takes up a scene; the arguments are as estimateTerrain's, and so is what it throws.  Then the batch is as before.
+    /// Adds a scene. Takes and throws what estimateTerrain does; after an exception the batch is
+    /// unchanged.
     void add(std::size_t number, const Proprioception& s, std::span<const ArmReading> arm,
              const Settings& settings, const Watch& watch = {}, const WeakHeights& weak = {});
 
-    /// Sweeps until one scene or more have ended, which leave; empty only where the batch is.
-    /// Throws as estimateTerrain; the batch cannot go on then.
+    /// Sweeps until at least one scene has ended, and removes the ended scenes. Returns nothing
+    /// only if the batch is empty. Throws as estimateTerrain; the batch cannot continue after that.
     std::vector<Ready> next();
 
 private:

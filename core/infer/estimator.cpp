@@ -20,7 +20,7 @@ ClearanceConditionals conditionalsOf(const ModelData& model, const RobotModel& r
     return {std::move(training), std::move(data)};
 }
 
-/// What lacks, as a value and in words.
+/// Writes the missing features and their sentences.
 void tellMissing(TerrainEstimate& estimate, Method asked, MissingFeatures missing)
 {
     estimate.missing = missing;
@@ -45,7 +45,7 @@ void makeProcesses(const Models& models, const Settings& settings, const Watch& 
         try {
             const GaussianProcess& gp = process();
             gp.prepare(settings.precision, poll);
-        } catch (const std::invalid_argument&) {  // a scene may do without
+        } catch (const std::invalid_argument&) {  // a scene may not need this process
             refused = std::current_exception();
         }
     };

@@ -15,9 +15,9 @@
 
 namespace terratact {
 
-/// Everything a trained model offers to the methods, prepared once, shared between threads.
+/// A trained model prepared for every method, to be shared between threads.
 struct Models {
-    /// robot: the one the model was trained for.
+    /// robot: the robot that the model was trained for.
     Models(const ModelData& model, const RobotModel& robot);
 
     BinModels pa, paf;
@@ -26,27 +26,31 @@ struct Models {
     ReducedClearances reduced;
 };
 
-/// Makes all Gaussian processes that a sampling method may ask for, whatever the scene; nothing for a closed form.
-/// Throws std::invalid_argument where one cannot be made, once the others are there; Cancelled.
+/// Makes all Gaussian processes that a sampling method may ask for in any scene; none for a closed
+/// form. Throws std::invalid_argument if one cannot be made, after making the others; throws
+/// Cancelled.
 void makeProcesses(const Models& models, const Settings& settings, const Watch& watch = {});
 
-/// The estimate of one scene by settings.method, whichever that is.  Where s lacks currents or forces that the method
-/// uses, by methodWithout() (missing_sensors.h); TerrainEstimate::missing and its warnings say what lacks.
-/// Same scene, models and settings: the same result, bit for bit on one machine.
-/// Throws std::invalid_argument for settings out of range, or weak heights with one
-/// of the paper's methods, which know no measurement but exact ones; Cancelled.
+/// Estimates one scene by settings.method. If s lacks currents or forces that the method uses,
+/// methodWithout() chooses the method (missing_sensors.h). TerrainEstimate::missing and its
+/// warnings then say what is missing.
+/// The same scene, models and settings give the same result, bit for bit on one machine.
+/// Throws std::invalid_argument for settings out of range, and for weak heights with one of the
+/// paper's methods, which take exact measurements only. Throws Cancelled.
 TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmReading> arm,
                                 const RobotModel& robot, const Models& models,
                                 const Settings& settings, const Watch& watch = {},
                                 const WeakHeights& weak = {});
 
-/// The same for a method for whose scene no chain is needed (isClosedForm of methodWithout).
+/// Estimates one scene by a method that needs no chain (isClosedForm of methodWithout). Throws as
+/// estimateTerrain.
 TerrainEstimate closedFormEstimate(const Proprioception& s, std::span<const ArmReading> arm,
                                    const RobotModel& robot, const Models& models,
                                    const Settings& settings, const Watch& watch = {},
                                    const WeakHeights& weak = {});
 
-/// The same up to the sampling, for a method that samples; throws likewise.  Refers to the models.
+/// Prepares a scene up to the sampling, for a method that samples. Throws as estimateTerrain. The
+/// result refers to the models.
 SceneSampling sceneSampling(const Proprioception& s, std::span<const ArmReading> arm,
                             const RobotModel& robot, const Models& models, const Settings& settings,
                             const Watch& watch = {}, const WeakHeights& weak = {});

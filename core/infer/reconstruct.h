@@ -11,23 +11,27 @@
 
 namespace terratact {
 
-/// The paper's probabilistic reconstruction of one scene (sections 4.2 and 4.3): contacts and arm readings are
-/// fixed, the other bins sampled.  models: of the feature set that settings.method uses, or of Pa, which needs no
-/// current and no force.
-/// Same scene, models and settings: the same result, bit for bit on one machine.
-/// Throws std::invalid_argument for another method than the paper's four, settings out of range, a model of the other feature set or an s that
-/// lacks a feature, or a model that gives no finite estimate; Cancelled.
+/// Reconstructs one scene as in the paper (sections 4.2 and 4.3): contacts and arm readings are
+/// fixed, the other bins are sampled.
+/// models: of the feature set that settings.method uses, or of Pa, which needs no current and no
+/// force.
+/// The same scene, models and settings give the same result, bit for bit on one machine.
+/// Throws std::invalid_argument for a method that is not one of the paper's four, for settings out
+/// of range, for models of the other feature set, for an s that lacks a feature, and for a model
+/// that gives no finite estimate. Throws Cancelled.
 TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading> arm,
                             const RobotModel& robot, const BinModels& models,
                             const Settings& settings, const Watch& watch = {});
 
-/// The same up to the sampling, for those who sample several scenes at once (EstimateBatch).  Refers to the models;
-/// watch: while they are factorised, which may be when chains start.
+/// Prepares the same reconstruction up to the sampling, for a caller that samples several scenes at
+/// once (EstimateBatch). The result refers to the models.
+/// watch: used while models are factorised, which may happen when the chains start.
 SceneSampling paperSampling(const Proprioception& s, std::span<const ArmReading> arm,
                             const RobotModel& robot, const BinModels& models,
                             const Settings& settings, const Watch& watch = {});
 
-/// Adds what breaks the 2-D assumption (roll, left/right difference) to a result's warnings.
+/// Adds a warning for each measurement that breaks the 2-D assumption (roll, left/right
+/// difference).
 void warnIfNotPlanar(TerrainEstimate& estimate, const Measurement& measurement);
 
 }  // namespace terratact

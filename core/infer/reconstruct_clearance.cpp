@@ -33,7 +33,8 @@ ClearanceStates::Measured states(const MeasuredBins& measured, const Heights& ce
     return result;
 }
 
-/// Exact measurements become known states of the problem.  Their heights, none above its ceiling.
+/// Makes exact measurements known states of the problem. Returns their heights, none above its
+/// ceiling.
 OptionalHeights fixExact(const MeasuredBins& measured, const ClearanceStates::Measured& states,
                          GibbsProblem& problem, TerrainEstimate& estimate)
 {
@@ -71,7 +72,7 @@ SceneSampling clearanceSampling(const Proprioception& s, std::span<const ArmRead
     GibbsProblem& problem = sampling.problem;
     problem = problemFor(settings);
     problem.ceiling.fill(std::numeric_limits<double>::infinity());
-    problem.rule = CeilingRule::None;  // the states keep below the ceiling by themselves
+    problem.rule = CeilingRule::None;  // the states stay below the ceiling by construction
     const ClearanceStates::Measured measuredStates = states(measured, estimate.ceiling);
     sampling.known = fixExact(measured, measuredStates, problem, estimate);
     sampling.centre = Centre::Median;

@@ -12,24 +12,28 @@
 
 namespace terratact {
 
-/// A measurement this exact [m] is not moved by what the models know.
+/// Largest sd [m] of an exact measurement; the models do not move its height.
 inline constexpr double kExactSd = 0.001;
 
-/// Method::Clearance: Gibbs sampling of the bins, the state of a bin under the robot being its clearance
-/// (ClearanceStates).  Contacts and arm readings are noisy measurements of their bins, whose origin they become (weak heights are
-/// that, too, but of no origin);
-/// those bins are drawn too, unless the measurement's sd is at most kExactSd: then they stay there.  The height to show is the median of the draws; no draw is above its ceiling.
-/// Convergence is judged over all bins that are drawn.
-/// Same scene, models and settings: the same result, bit for bit on one machine.
-/// Throws std::invalid_argument for another method, settings or readings out of range, an s that lacks a
-/// feature, and where a bin is in a regime that was not trained or the model gives no finite estimate; Cancelled.
+/// Estimates one scene by Method::Clearance: Gibbs sampling with the clearance as the state of a
+/// bin under the robot (ClearanceStates).
+/// Contacts and arm readings are noisy measurements of their bins and become their origin. Weak
+/// heights are measurements too, but no origin. Measured bins are also drawn, unless the
+/// measurement's sd is at most kExactSd; then they keep its height.
+/// The height to show is the median of the draws. No draw is above its ceiling. Convergence is
+/// judged over all bins that are drawn.
+/// The same scene, models and settings give the same result, bit for bit on one machine.
+/// Throws std::invalid_argument for another method, for settings or readings out of range, for an s
+/// that lacks a feature, for a bin in a regime that was not trained, and for a model that gives no
+/// finite estimate. Throws Cancelled.
 TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const ArmReading> arm,
                                      const RobotModel& robot, const ClearanceConditionals& models,
                                      const Settings& settings, const Watch& watch = {},
                                      const WeakHeights& weak = {});
 
-/// The same up to the sampling, for those who sample several scenes at once (EstimateBatch).  Refers to the models;
-/// watch: while they are factorised, which may be when chains start.
+/// Prepares the same estimate up to the sampling, for a caller that samples several scenes at once
+/// (EstimateBatch). The result refers to the models.
+/// watch: used while models are factorised, which may happen when the chains start.
 SceneSampling clearanceSampling(const Proprioception& s, std::span<const ArmReading> arm,
                                 const RobotModel& robot, const ClearanceConditionals& models,
                                 const Settings& settings, const Watch& watch = {},

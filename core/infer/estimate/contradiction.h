@@ -7,11 +7,11 @@
 
 namespace terratact {
 
-/// How a warning begins that says a posterior check failed (core/sim/posterior_check.h). A session keeps it among the
-/// estimate's warnings.
+/// Prefix of the warning that a posterior check failed (core/sim/posterior_check.h). A session
+/// stores it among the estimate's warnings.
 inline constexpr std::string_view kContradictsReadings = "the estimate contradicts the readings";
 
-/// Whether one of an estimate's warnings says so.
+/// Returns true if one of the warnings begins with kContradictsReadings.
 inline bool sayContradiction(const std::vector<std::string>& warnings)
 {
     return std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {

@@ -6,7 +6,7 @@
 namespace terratact {
 namespace {
 
-/// χ² that 2 of 100 exceed, of 1, 2, 3 and 4 degrees of freedom.
+/// χ² that 2 of 100 cases exceed, for 1, 2, 3 and 4 degrees of freedom.
 constexpr std::array kChiSquared{5.412, 7.824, 9.837, 11.668};
 
 double variance(double force)

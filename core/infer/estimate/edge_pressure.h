@@ -8,44 +8,51 @@
 
 namespace terratact {
 
-/// Noise of a force element: the sd of a force f is √((kForceSdShare f)² + kForceSdFloor²) [N]. It is the noise of
-/// core/sim/sensor_noise.h.
+/// Noise of a force element: a force f has an sd of √((kForceSdShare f)² + kForceSdFloor²) [N].
+/// core/sim/sensor_noise.h simulates the same noise.
 inline constexpr double kForceSdShare = 0.10;
 inline constexpr double kForceSdFloor = 0.3;
 
-/// An element that reads so many sd less than the others predict does not rest on even ground. Element 1 also
-/// carries the stretch between the pivot and itself, where no element is: a gap there shows in it alone.
+/// An element that reads this many sd less than the others predict does not rest on even ground.
+/// Element 1 also carries the stretch between the pivot and itself. A gap in that stretch shows in
+/// element 1 alone.
 inline constexpr double kFirstElementSd = 0.85;
 inline constexpr double kOtherElementSd = 3.0;
 
-/// A saturated element 1 shows nothing where the others predict more than this multiple of saturation.
+/// A saturated element 1 says nothing where the others predict more than this multiple of
+/// saturation.
 inline constexpr double kMaxSaturation = 2.0;
 
-/// The pressure along the lower edge of the front flippers, as far as six elements tell it.
-/// A flipper is stiff, and its skin is equally soft along the edge. On even ground the pressure is therefore linear:
+/// Pressure along the lower edge of the front flippers, fitted to six force elements. A flipper is
+/// stiff, and its skin is equally soft along the edge. On even ground the pressure is therefore
+/// linear:
 ///   p(u) = a + b u,   u = 0 at the pivot end of the edge, 1 at the tip.
-/// An element takes the load of the edge as a beam on supports shares it: element e feels ∫ w_e(u) p(u) du, and w_e falls
-/// from 1 at its own share to 0 at its neighbours'. Elements 1 and 6 take all that lies beyond them. a and b are the
-/// weighted least squares of the loaded elements below saturation.
+/// The elements share the load like the supports of a beam: element e reads ∫ w_e(u) p(u) du. w_e
+/// falls linearly from 1 at its own place to 0 at its neighbours' places. Elements 1 and 6 carry
+/// all load beyond them. a and b are the weighted least squares over the loaded elements below
+/// saturation.
 class EdgePressure {
 public:
     using Loads = std::array<std::optional<double>, kForceElements>;  ///< [N]
 
-    /// loaded: the elements that carry load. An element without a force is never part of the fit.
+    /// loaded: true for each element that carries load. An element without a force is never part of
+    /// the fit.
     EdgePressure(const RobotModel& robot, const Loads& force,
                  const std::array<bool, kForceElements>& loaded);
 
-    /// Whether the loads can be those of even ground: three or more are fitted, and their χ² stays below the value
-    /// that even ground exceeds in 2 of 100 cases. A saturated element adds to χ² where the fit predicts less.
+    /// Returns true if the loads can come from even ground. Three or more elements must be fitted,
+    /// and their χ² must stay below the value that even ground exceeds in 2 of 100 cases. A
+    /// saturated element adds to χ² where the fit predicts less.
     bool isEven() const { return even_; }
 
-    /// Whether the element carries what a fit to the other loaded elements predicts, within the noise of both
-    /// (kFirstElementSd, kOtherElementSd). A prediction above saturation counts as saturation, for element 1 up to
-    /// kMaxSaturation.
-    /// true without a force; false where fewer than two others are loaded.
+    /// Returns true if the element carries what a fit to the other loaded elements predicts, within
+    /// the noise of both (kFirstElementSd, kOtherElementSd). A prediction above saturation counts
+    /// as saturation, for element 1 up to kMaxSaturation. Returns true for an element without a
+    /// force, and false where fewer than two others are loaded.
     bool hasItsShare(std::size_t element) const;
 
-    /// p(u) [N]: the load of the whole edge if it were p(u) everywhere. 0 where fewer than two are fitted.
+    /// Returns p(u) [N]: the load of the whole edge if the pressure were p(u) everywhere; 0 if
+    /// fewer than two elements are fitted.
     double at(double u) const { return a_ + b_ * u; }
 
 private:

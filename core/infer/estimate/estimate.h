@@ -15,55 +15,58 @@
 
 namespace terratact {
 
-/// How a bin got its height.
+/// Source of a bin's height.
 enum class Origin : std::uint8_t { Sampled, Contact, Arm };
 
-/// "sampled", "contact", "arm".
+/// Returns "sampled", "contact" or "arm".
 std::string_view name(Origin origin);
 
-/// Why sampling ended.
+/// Reason why sampling ended.
 enum class Ending : std::uint8_t {
     Converged,  ///< R-hat ≤ 1.01 and ESS ≥ 400 for every sampled bin
     Sweeps,     ///< Settings::draws were reached
-    Time,       ///< Watch::outOfTime
+    Time,       ///< Watch::outOfTime returned true
     NotSampled  ///< no bin was unknown, or the method has no chains
 };
 
-/// "converged", "sweeps", "time", "not sampled".
+/// Returns "converged", "sweeps", "time" or "not sampled".
 std::string_view name(Ending ending);
 
-/// What the operator sees of one exploration: 11 bins, rear to front.  Heights [m], DEM frame.
-/// Plain values: copy it across threads.  Every number is finite but ceiling, which is +infinity where
-/// nothing of the robot is above part of the bin.
+/// Terrain estimate of one exploration: 11 bins, rear to front. Heights [m], DEM frame. Plain
+/// values that may be copied across threads. Every number is finite except ceiling: it is +infinity
+/// where the robot does not cover part of the bin.
 struct TerrainEstimate {
     Heights mean{}, sd{}, q10{}, q90{};
-    Heights
-        height{};  ///< the one number to show: the mean, as in the paper, for its four methods; the
-                   ///< median for the others, whose distributions are skew
+    /// The one height to show [m]: the mean for the paper's four methods, the median for the other
+    /// methods, whose distributions are skewed.
+    Heights height{};
     Heights ceiling{};
     std::array<Origin, kBins> origin{};
-    TouchMap touch = unrecordedTouch();  ///< see core/infer/estimate/touch.h
+    /// how each bin was touched, see core/infer/estimate/touch.h
+    TouchMap touch = unrecordedTouch();
     double feltTo =
         binBegin(0);  ///< x of the foremost loaded force element [m], DEM frame; binBegin(0): none
     Heights rhat{};   ///< rank-normalised split R-hat; 1 for a bin that was not sampled
     Heights
         ess{};  ///< bulk effective sample size; the number of draws for a bin that was not sampled
-    std::vector<Heights> draws;  ///< of all bins together: what a joint question is asked of;
-                                 ///< at most settings.draws, rounded up to full chains
-    double novelty = 0.0;        ///< how unlike the training scenes this one is, see
-                                 ///< core/learn/model/clearance_model.h; above 1 for 1 % of those;
-                                 ///< 0: not judged (all but the closed forms)
-    MissingFeatures missing{};   ///< what the method would have used and was not measured
+    /// Joint draws of all bins, for questions about several bins; at most settings.draws, rounded
+    /// up to full chains.
+    std::vector<Heights> draws;
+    /// Distance from the training scenes (core/learn/model/clearance_model.h). 1 % of them
+    /// are above 1. 0: not judged, which only the closed forms do.
+    double novelty = 0.0;
+    MissingFeatures missing{};  ///< features that the method uses and that were not measured
     Ending ending = Ending::NotSampled;
     bool converged = true;  ///< R-hat ≤ 1.01 and ESS ≥ 400 for every sampled bin
-    /// A posterior check failed: on the estimate's ground the robot would read something else, see
-    /// core/sim/posterior_check.h. false where none was made.
+    /// True if a posterior check failed: on the estimated ground the robot would read other values
+    /// (core/sim/posterior_check.h). False if no check was made.
     bool contradicts = false;
-    std::vector<std::string> warnings;  ///< what makes the result doubtful, in words
+    std::vector<std::string> warnings;  ///< one sentence for each reason to doubt the result
     Settings settings;
     bool operator==(const TerrainEstimate&) const = default;
 
-    /// Sampled, and no part of the robot is above it: nothing but the training set speaks for this bin.
+    /// Returns true if the bin was sampled and no part of the robot covers it: only the training
+    /// set speaks for it.
     bool priorOnly(int bin) const
     {
         const auto i = static_cast<std::size_t>(bin);
@@ -71,7 +74,7 @@ struct TerrainEstimate {
     }
 };
 
-/// The limits of "converged" (Vehtari et al. 2021).
+/// Convergence limits. Source: Vehtari et al. (2021).
 inline constexpr double kRhatLimit = 1.01;
 inline constexpr double kEssLimit = 400.0;
 

@@ -12,14 +12,15 @@
 namespace terratact {
 namespace {
 
-constexpr std::uint64_t kSeedOffset = 0x9E3779B97F4A7C15ULL;  // apart from the draws' own numbers
+// separates these random numbers from the sampler's
+constexpr std::uint64_t kSeedOffset = 0x9E3779B97F4A7C15ULL;
 
 bool isUnfelt(Touch touch)
 {
     return touch == Touch::Bounded || touch == Touch::NotFelt;
 }
 
-/// The draws in which a hazard begins: exactly ⌈rate · n⌉ of n, in random places.
+/// Returns the draws in which a hazard begins: exactly ⌈rate · n⌉ of n, in random places.
 std::vector<bool> chosenDraws(std::size_t n, double rate, std::mt19937_64& rng)
 {
     const auto count = static_cast<std::size_t>(std::ceil(rate * static_cast<double>(n) - 1e-9));
@@ -34,7 +35,7 @@ std::vector<bool> chosenDraws(std::size_t n, double rate, std::mt19937_64& rng)
     return chosen;
 }
 
-/// A number in [0, 1) that is the same with every library.
+/// Returns a number in [0, 1) that is the same with every standard library.
 double unit(std::mt19937_64& rng)
 {
     return static_cast<double>(rng() >> 11U) * 0x1.0p-53;

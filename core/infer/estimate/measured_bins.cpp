@@ -12,7 +12,7 @@ namespace terratact {
 
 namespace {
 
-constexpr double kContradiction = 3.0;  // [sd] beyond which two statements exclude each other
+constexpr double kContradiction = 3.0;  // [sd] distance beyond which two measurements contradict
 
 void addContacts(MeasuredBins& measured, const RobotModel& robot, const Proprioception& s,
                  const Settings& settings)

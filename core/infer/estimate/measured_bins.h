@@ -12,14 +12,15 @@
 
 namespace terratact {
 
-/// The height of a bin that something touched.
+/// Height of a bin that a force element or the arm touched.
 struct MeasuredHeight {
     double height = 0.0;  ///< [m]
     double sd = 0.0;      ///< [m]
     Origin origin = Origin::Contact;
 };
 
-/// A height that something else than touch at this pose speaks for, such as the last estimate (ghost.h).
+/// Height of a bin from a source other than touch at this pose, such as the last estimate
+/// (ghost.h).
 struct WeakHeight {
     double height = 0.0;  ///< [m]
     double sd = 0.0;      ///< [m]
@@ -28,16 +29,18 @@ struct WeakHeight {
 using WeakHeights = std::array<std::optional<WeakHeight>, kBins>;
 
 struct MeasuredBins {
-    std::array<std::optional<MeasuredHeight>, kBins> bin{};  ///< the arm's where both touched it
-    std::vector<std::string> warnings;                       ///< what contradicts the robot's body,
-                                                             ///< or contact and arm each other
+    /// the arm's reading where both touched it
+    std::array<std::optional<MeasuredHeight>, kBins> bin{};
+    /// Readings that contradict the robot's body, and contacts and arm readings that contradict
+    /// each other.
+    std::vector<std::string> warnings;
 };
 
-/// Contacts of the flipper (for methods that use forces) and readings of the arm.
-///   ceiling: of this pose [m]; a reading more than 3 sd above it is kept and named in `warnings`.
-///   weak: taken where nothing touched the bin, which stays Origin::Sampled.
-/// Throws std::invalid_argument for a reading without a bin 0 to 10, and for any without a finite height and a
-/// positive sd.
+/// Returns the contacts of the flippers (for methods that use forces) and the readings of the arm.
+/// ceiling: of this pose [m]. A reading more than 3 sd above it is kept and named in `warnings`.
+/// weak: used where nothing touched the bin, whose origin stays Origin::Sampled.
+/// Throws std::invalid_argument for a reading whose bin is not 0 … 10, and for one without a finite
+/// height and a positive sd.
 MeasuredBins measureBins(const RobotModel& robot, const Proprioception& s,
                          std::span<const ArmReading> arm, const Heights& ceiling,
                          const Settings& settings, const WeakHeights& weak = {});

@@ -8,18 +8,18 @@
 
 namespace terratact {
 
-/// The features that the method would use and the scene lacks; none for `pa` and `pac`, which use pitch and flipper
-/// angles alone.
+/// Returns the features that the method uses and the scene lacks. None for `pa` and `pac`, which
+/// use pitch and flipper angles only.
 MissingFeatures missingFor(Method method, const Proprioception& s);
 
-/// The method that estimates a scene which lacks those features:
-///   Joint, Local      themselves, without those features (core/learn/model/reduced_clearances.h)
-///   Pafc, Pafac       themselves, with the conditionals of Pa: contacts of the forces that are there, ceilings and
-///                     arm as ever
-///   Clearance         Local
+/// Returns the method that estimates a scene without those features:
+///   Joint, Local  the same method, without those features (core/learn/model/reduced_clearances.h)
+///   Pafc, Pafac   the same method with Pa's conditionals, the remaining contacts, ceilings, arm
+///   Clearance     Local
 Method methodWithout(Method method, MissingFeatures missing);
 
-/// What was not measured, and which method takes the place of `method` for it: sentences, none where nothing lacks.
+/// Returns one sentence for what was not measured, and one if another method replaces `method`;
+/// empty if nothing is missing.
 std::vector<std::string> missingSentences(Method method, MissingFeatures missing);
 
 }  // namespace terratact

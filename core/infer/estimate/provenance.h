@@ -9,32 +9,35 @@
 
 namespace terratact {
 
-/// What speaks for a bin's height, the strongest first.
+/// Evidence for a bin's height, the strongest first.
 enum class Provenance : std::uint8_t {
     Arm,      ///< the arm touched it
     Contact,  ///< a force element feels it
-    Constrained,  ///< sampled, and the robot's lower edge lies on it: the ceiling is within kTouching of q90
-    Sampled,   ///< sampled with part of the robot above it
-    PriorOnly  ///< nothing but the training set, see TerrainEstimate::priorOnly
+    /// sampled; the robot's lower edge touches it: the ceiling is within kTouching of q90
+    Constrained,
+    Sampled,   ///< sampled, with part of the robot above it
+    PriorOnly  ///< only the training set, see TerrainEstimate::priorOnly
 };
 inline constexpr std::array kProvenances{Provenance::Arm, Provenance::Contact,
                                          Provenance::Constrained, Provenance::Sampled,
                                          Provenance::PriorOnly};
 
-inline constexpr double kTouching = 0.010;  ///< [m]
+/// largest distance of ceiling and q90 for Constrained [m]
+inline constexpr double kTouching = 0.010;
 
-/// bin: 0 … 10.
+/// Returns the evidence for one bin. bin: 0 … 10.
 Provenance provenance(const TerrainEstimate& estimate, int bin);
 
-/// "arm", "contact", "constrained", "sampled", "prior only".
+/// Returns "arm", "contact", "constrained", "sampled" or "prior only".
 std::string_view name(Provenance provenance);
 
-/// How the bar of its band is drawn, on screens as in figures: no two alike, so that they are told apart without colours.
+/// Line pattern of an uncertainty bar, on screens and in figures. No two are alike, so that they
+/// differ without colours.
 struct BarPattern {
-    double width = 0.0;            ///< [px] at 100 %
-    std::vector<double> dashes{};  ///< on, off, … in widths; empty: solid
+    double width = 0.0;            ///< width [px] at 100 %
+    std::vector<double> dashes{};  ///< lengths on, off, … in widths; empty: solid
 };
-/// Wide, solid, dash and dot, dashed, dotted.
+/// Returns wide, solid, dash-dot, dashed or dotted for the five values, in their order.
 BarPattern barPattern(Provenance provenance);
 
 }  // namespace terratact

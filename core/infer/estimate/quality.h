@@ -9,18 +9,19 @@
 
 namespace terratact {
 
-/// How much time an estimate may take for its accuracy.  What each costs and errs is measured by
-/// `terratact tradeoff`, of which they are points: docs/tradeoff.md.  Accurate predicts through as many rows as the model was
-/// trained for, has chains few and long enough to converge, and ends when they have; the other two mostly use what they are given, and say so.
+/// Quality preset: how much time an estimate may take. `terratact tradeoff` measures the cost and
+/// the error of each preset (docs/tradeoff.md). Accurate predicts through all inducing rows of the
+/// model, and its few long chains end once they have converged. Fast and Balanced mostly reach
+/// their sweep limit and report that they did not converge.
 enum class Quality : std::uint8_t { Fast, Balanced, Accurate };
 
 inline constexpr std::array kQualities{Quality::Fast, Quality::Balanced, Quality::Accurate};
 
-/// "fast", "balanced", "accurate".
+/// Returns "fast", "balanced" or "accurate".
 std::string_view name(Quality quality);
 std::optional<Quality> qualityFromName(std::string_view text);
 
-/// The settings with draws, chains, burn-in, precision and inducing rows of that quality.
+/// Returns the settings with the preset's draws, chains, burn-in, precision and inducing rows.
 Settings withQuality(Settings settings, Quality quality);
 
 }  // namespace terratact

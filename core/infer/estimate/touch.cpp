@@ -16,11 +16,11 @@ constexpr auto kElements = static_cast<std::size_t>(kForceElements);
 
 constexpr double kMinEdge = 0.01;  // [m] along x: a steeper flipper covers no bin
 
-/// Places and loads of the front flippers' elements, pivot to tip.
+/// Positions and loads of the front flippers' elements, from pivot to tip.
 struct ElementLoads {
     std::array<double, kElements> x{};  ///< [m] DEM frame
     std::array<bool, kElements> loaded{};
-    std::array<bool, kElements> even{};     ///< loaded as even ground loads it
+    std::array<bool, kElements> even{};     ///< carries the load that even ground gives it
     double edgeBegin = 0.0, edgeEnd = 0.0;  ///< x of the edge's ends [m]
 };
 
@@ -53,7 +53,7 @@ ElementLoads loadsOf(const RobotModel& robot, const Proprioception& s)
     return loads;
 }
 
-/// The share of the edge at x, within 0 … 1.
+/// Returns the position of x along the edge, within 0 … 1.
 double shareAt(const ElementLoads& loads, double x)
 {
     return std::clamp((x - loads.edgeBegin) / (loads.edgeEnd - loads.edgeBegin), 0.0, 1.0);
@@ -66,7 +66,8 @@ bool anyLoadWithin(const ElementLoads& loads, int bin)
     return false;
 }
 
-/// Whether every element carries its share from the last one behind the bin to the first one ahead of it.
+/// Returns true if every element from the last one behind the bin to the first one ahead of it
+/// carries its share.
 bool elementsPress(const ElementLoads& loads, int bin)
 {
     std::size_t first = kElements, last = kElements;

@@ -9,34 +9,34 @@
 
 namespace terratact {
 
-/// The paper's four methods (domain: section 5 of the paper), and three over clearances: under the robot
-/// they estimate how far below the body the ground lies, see core/learn/model/clearance.h.
-///   Pa        pitch + flipper angles
-///   Pac       the same, samples constrained by the robot's body
-///   Pafc      + flipper forces (and currents), contact bins fixed, constrained
-///   Pafac     Pafc + the arm measures the most uncertain bin
-///   Clearance Gibbs sampling like Pafc, the state of a bin under the robot is its log clearance
-///   Joint     closed form: one Gaussian process per bin on s, and one Gaussian for the errors of all bins
-///   Local     closed form: the same, the errors are those of the training scenes most like this one
+/// The paper's four methods (section 5) and three methods over clearances. The latter estimate
+/// under the robot how far the ground lies below the body (core/learn/model/clearance.h).
+///   Pa        pitch and flipper angles
+///   Pac       Pa, samples constrained by the robot's body
+///   Pafc      Pac with flipper forces and currents; contact bins are fixed
+///   Pafac     Pafc, and the arm measures the most uncertain bin
+///   Clearance Gibbs sampling like Pafc; the state of a bin under the robot is its log clearance
+///   Joint     closed form: one Gaussian process per bin on s, one Gaussian for the errors of all bins
+///   Local     closed form: Joint with the errors of the most similar training scenes
 enum class Method : std::uint8_t { Pa, Pac, Pafc, Pafac, Clearance, Joint, Local };
 
 inline constexpr std::array kMethods{Method::Pa,        Method::Pac,   Method::Pafc, Method::Pafac,
                                      Method::Clearance, Method::Joint, Method::Local};
 inline constexpr std::array kPaperMethods{Method::Pa, Method::Pac, Method::Pafc, Method::Pafac};
 
-/// How a sample above the body's ceiling is treated.
+/// Treatment of a sample above the body's ceiling.
 ///   Truncate  drawn from the Gaussian cut off above the ceiling (section 4.3)
 ///   Clamp     drawn freely, then set to the ceiling (section 5): a point mass on the ceiling
 ///   None      drawn freely
 enum class CeilingRule : std::uint8_t { Truncate, Clamp, None };
 
-/// Which force elements fix a bin.
+/// Force elements that fix a bin.
 ///   Isolated  exactly one element, or one group of neighbours, above the threshold (section 4.2)
 ///   Any       every element above the threshold (section 5)
-///   None      none: forces speak through s alone
+///   None none; forces act through s alone
 enum class ContactRule : std::uint8_t { Isolated, Any, None };
 
-/// In which order a sweep draws the unknown bins.
+/// Order in which a sweep draws the unknown bins.
 ///   Forward  rear to front
 ///   Reverse  front to rear
 ///   Random   a new random order every sweep, the same for all chains
@@ -46,28 +46,29 @@ constexpr bool usesForces(Method m)
 {
     return m != Method::Pa && m != Method::Pac;
 }
-/// One of the paper's four.
+/// Returns true for the paper's four methods.
 constexpr bool isOfPaper(Method m)
 {
     return m == Method::Pa || m == Method::Pac || m == Method::Pafc || m == Method::Pafac;
 }
-/// Samples heights and cuts them off at the ceiling.
+/// Returns true for a method that samples heights and cuts them off at the ceiling.
 constexpr bool usesCeiling(Method m)
 {
     return m == Method::Pac || m == Method::Pafc || m == Method::Pafac;
 }
-/// Needs no chain: see core/infer/closed_form.h.
+/// Returns true for a method without Markov chains (core/infer/closed_form.h).
 constexpr bool isClosedForm(Method m)
 {
     return m == Method::Joint || m == Method::Local;
 }
-/// A probe is part of the method.
+/// Returns true for a method that includes a probe by the arm.
 constexpr bool usesArm(Method m)
 {
     return m == Method::Pafac;
 }
 
-/// The names used on the command line and in files: "pa", "local", "truncate", "isolated", "forward", "single", …
+/// Return the names of command line and files: "pa", "local", "truncate", "isolated", "forward",
+/// "single", …
 std::string_view name(Method method);
 std::string_view name(CeilingRule rule);
 std::string_view name(ContactRule rule);

@@ -5,17 +5,18 @@
 
 namespace terratact {
 
-/// The paper's conditionals p(hᵢ | h_{J∖i}, s) at one s: the state of a bin is its height [m].  Chains
-/// start from the training set's mean and deviation.  Refers to the models, which must live longer.
+/// The paper's conditionals p(hᵢ | h_{J∖i}, s) at one s. The state of a bin is its height [m].
+/// Chains start from the training set's mean and standard deviation. The models must outlive this
+/// object.
 class BinConditionals final : public Conditionals {
 public:
-    /// s: features of the models' set; precision, inducing: see Settings; poll: while models are factorised and
-    /// packed, see BinModels::bin.
+    /// s: features of the models' set. precision, inducing: see Settings. poll: called while models
+    /// are factorised and packed, see BinModels::bin.
     BinConditionals(const BinModels& models, Eigen::VectorXd s, Precision precision,
                     int inducing = 0, Poll poll = {});
 
     StartDraw start(int bin) const override;
-    /// Throws std::invalid_argument where s does not fit the models.
+    /// Throws std::invalid_argument if s does not fit the models.
     std::unique_ptr<SceneConditionals> at(const Heights& known,
                                           const std::vector<int>& unknown) const override;
 

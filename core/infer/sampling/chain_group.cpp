@@ -12,7 +12,7 @@ namespace terratact {
 
 namespace {
 
-/// One height from N(mean, sd²), the ceiling applied.
+/// Draws one height from N(mean, sd²) with the ceiling applied.
 double draw(double mean, double sd, double ceiling, CeilingRule rule, std::mt19937_64& rng)
 {
     const double none = std::numeric_limits<double>::infinity();
@@ -21,8 +21,8 @@ double draw(double mean, double sd, double ceiling, CeilingRule rule, std::mt199
     return rule == CeilingRule::Clamp ? std::min(free, ceiling) : free;
 }
 
-/// Whose turn it is: the first of the next bins in the direction of the scan, so that scenes that do not draw the
-/// same bins meet again.
+/// Returns the first of the groups' next bins in scan order, so that scenes with different unknown
+/// bins meet again.
 std::optional<int> firstBin(std::optional<int> a, std::optional<int> b, ScanOrder scan)
 {
     if (!a || !b) return a ? a : b;
@@ -56,7 +56,8 @@ const std::vector<std::size_t>& SweepOrder::next(std::size_t count)
     return order_;
 }
 
-/// Fisher and Yates; the remainder's bias is below 1e-18.  The same with every standard library.
+/// Shuffles by Fisher and Yates; the remainder's bias is below 1e-18. The result is the same with
+/// every standard library.
 void SweepOrder::shuffle()
 {
     for (std::size_t left = order_.size(); left > 1; --left)
@@ -111,7 +112,8 @@ std::optional<int> ChainGroup::nextBin() const
     return bins_[left_.front()];
 }
 
-/// What the next bin's draws need; where no process is asked, they have it then.
+/// Returns the question for the next bin's process. Without a process, the next bin's mean and
+/// variance are complete.
 std::optional<ScenePrediction> ChainGroup::ask()
 {
     callPoll(poll_);

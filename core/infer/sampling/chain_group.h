@@ -12,14 +12,14 @@
 
 namespace terratact {
 
-/// The bins of which nothing is known, rear to front.
+/// Returns the bins without a known height, rear to front.
 std::vector<int> unknownBins(const OptionalHeights& known);
 
-/// The positions in I that a sweep visits one after the other; the same for all chains of a scene.
+/// Order in which a sweep visits the positions in I; the same for all chains of a scene.
 class SweepOrder {
 public:
     SweepOrder(ScanOrder scan, std::uint64_t seed);
-    /// Of the next sweep; count: |I|.
+    /// Returns the order of the next sweep. count: |I|.
     const std::vector<std::size_t>& next(std::size_t count);
 
 private:
@@ -30,20 +30,21 @@ private:
     std::vector<std::size_t> order_;
 };
 
-/// Some of a scene's chains, side by side.
+/// A group of a scene's chains that advance together.
 class ChainGroup {
 public:
-    /// first, count: among the problem's chains.  poll: before each bin that is drawn, and
-    /// in between where that is long; may be empty.
+    /// first, count: range of the problem's chains. poll: called before each bin is drawn, and
+    /// during long draws; may be empty.
     ChainGroup(const Conditionals& conditionals, const GibbsProblem& problem, int first, int count,
                Poll poll);
 
     const std::vector<int>& bins() const { return bins_; }
-    /// |I| × chains.
+    /// Returns the states: |I| × chains.
     const Eigen::MatrixXd& states() const { return states_; }
 
-    /// Draws every unknown bin of every group once, each group in its own order.  Scenes that are at the same bin
-    /// at the same time ask its process together; the groups' draws are those they would make alone.
+    /// Draws every unknown bin of every group once, each group in its own order. Scenes that reach
+    /// a bin at the same time ask its process together. Every group's draws are the same as when it
+    /// sweeps alone.
     static void sweep(std::span<ChainGroup* const> groups, PredictionRoom& room);
 
 private:
@@ -62,7 +63,7 @@ private:
     Eigen::MatrixXd states_;
     std::unique_ptr<SceneConditionals> conditionals_;
     Eigen::VectorXd mean_, variance_;
-    std::span<const std::size_t> left_;  // of the order of this sweep
+    std::span<const std::size_t> left_;  // positions that remain in this sweep
 };
 
 }  // namespace terratact

@@ -11,21 +11,22 @@
 
 namespace terratact {
 
-/// The conditionals p(xᵢ | x_{J∖i}) of one scene, for all i ∈ I, where the states of the other bins stand
-/// still.  Belongs to one sampler: it may keep room to work in between calls.
+/// Conditionals p(xᵢ | x_{J∖i}) of one scene for all i ∈ I, with the states of all other bins
+/// fixed. One sampler owns this object, which may keep buffers between calls.
 class SceneConditionals {
 public:
     virtual ~SceneConditionals() = default;
 
-    /// Mean and variance of the state of bin I[k] given the other unknown bins', for all chains at once.
+    /// Mean and variance of the state of bin I[k] given the other unknown bins, for all chains at
+    /// once.
     ///   states: |I| × chains, row l holds bin I[l]; row k is not read.
     ///   mean, variance: chains; resized, every variance > 0.
     virtual void predict(std::size_t k, const Eigen::MatrixXd& states, Eigen::VectorXd& mean,
                          Eigen::VectorXd& variance) = 0;
 
-    /// What predict asks of a Gaussian process, for a caller who asks for several scenes at once (predictTogether) and
-    /// then lets this one complete() its mean and variance; empty: predict does it all.  The answer refers to
-    /// this object and the arguments, until either changes.
+    /// Returns what predict() asks of a Gaussian process; empty if predict() needs no process. A
+    /// caller collects the questions of several scenes (predictTogether), then calls complete().
+    /// The answer refers to this object and the arguments, and holds until either changes.
     virtual std::optional<ScenePrediction> ask(std::size_t k, const Eigen::MatrixXd& states,
                                                Eigen::VectorXd& mean, Eigen::VectorXd& variance)
     {
@@ -38,31 +39,31 @@ public:
     }
 };
 
-/// Mean and deviation of a chain's first state.
+/// Mean and standard deviation of a chain's first state.
 struct StartDraw {
     double mean = 0.0;
     double sd = 1.0;  ///< > 0
 };
 
-/// Where the Gibbs sampler's Gaussians come from.  A state xᵢ says where the ground of bin i is: its
-/// height [m] in the paper's models; an implementation may choose another.
+/// Source of the Gibbs sampler's Gaussians. A state xᵢ describes the ground of bin i: its height
+/// [m] in the paper's models, another quantity in other implementations.
 class Conditionals {
 public:
     virtual ~Conditionals() = default;
 
-    /// Where chains start in this bin.
+    /// Returns the distribution that chains start from in this bin.
     virtual StartDraw start(int bin) const = 0;
 
-    /// The height [m] that a state of this bin stands for.
+    /// Returns the height [m] of a state of this bin.
     virtual double height(int bin, double state) const
     {
         (void)bin;
         return state;
     }
 
-    /// The conditionals with the other bins' states fixed.
+    /// Returns the conditionals with the known bins' states fixed.
     ///   known: states of all bins; those of I are not read.  unknown: I, rear to front.
-    /// What is returned may refer to this object.
+    /// The result may refer to this object.
     virtual std::unique_ptr<SceneConditionals> at(const Heights& known,
                                                   const std::vector<int>& unknown) const = 0;
 };

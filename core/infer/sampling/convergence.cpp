@@ -15,7 +15,7 @@ namespace {
 using Draws = Eigen::Ref<const Eigen::MatrixXd>;
 using Eigen::Index;
 
-constexpr long kNumbersPerUnit = 8;  // of PolledWork, where numbers are only read
+constexpr long kNumbersPerUnit = 8;  // numbers per unit of PolledWork that are only read
 
 void require(const Draws& draws, const Poll& poll)
 {
@@ -27,7 +27,7 @@ void require(const Draws& draws, const Poll& poll)
     }
 }
 
-/// Every column has one value only.
+/// Returns true if every column holds one value only.
 bool columnsConstant(const Draws& x, const Poll& poll)
 {
     PolledWork work(poll);
@@ -38,7 +38,7 @@ bool columnsConstant(const Draws& x, const Poll& poll)
     return true;
 }
 
-/// n × chains → ⌊n/2⌋ × 2 chains of f(x).
+/// Maps n × chains to ⌊n/2⌋ × 2 chains of f(x).
 template <class F>
 Eigen::MatrixXd halves(const Draws& x, const Poll& poll, F f)
 {
@@ -57,7 +57,7 @@ Eigen::MatrixXd halves(const Draws& x, const Poll& poll)
     return halves(x, poll, [](double value) { return value; });
 }
 
-/// Ranks 1 … S over the whole matrix; equal values share their average rank.
+/// Returns ranks 1 … S over the whole matrix; equal values share their average rank.
 Eigen::MatrixXd ranks(const Eigen::MatrixXd& x, PolledWork& work)
 {
     struct Placed {
@@ -88,10 +88,10 @@ Eigen::MatrixXd ranks(const Eigen::MatrixXd& x, PolledWork& work)
 // Plain double arithmetic: 1e-15 is enough here, and far faster than long double.
 using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
-/// Vehtari et al. (2021), eq. 14: z = Φ⁻¹((r − 3/8) / (S + 1/4)).
+/// Returns normal scores: Vehtari et al. (2021), eq. 14: z = Φ⁻¹((r − 3/8) / (S + 1/4)).
 Eigen::MatrixXd normalScores(const Eigen::MatrixXd& x, const Poll& poll)
 {
-    constexpr long kUnits = 4;  // of work
+    constexpr long kUnits = 4;  // units of work
     PolledWork work(poll);
     const double size = static_cast<double>(x.size());
     return ranks(x, work).unaryExpr([size, &work](double r) {
@@ -123,7 +123,8 @@ double sampleVariance(const Eigen::VectorXd& x)
     return (x.array() - x.mean()).square().sum() / static_cast<double>(x.size() - 1);
 }
 
-/// Eq. 1 to 4 for half chains that are already normal scores; z: n × m.  1 where all are equal.
+/// Computes eq. 1 to 4 for half chains that are already normal scores; z: n × m. Returns 1 if all
+/// are equal.
 double splitRhat(const Eigen::MatrixXd& z, const Poll& poll)
 {
     if (columnsConstant(z, poll) && z.row(0).maxCoeff() == z.row(0).minCoeff()) return 1.0;
@@ -142,8 +143,8 @@ double splitRhat(const Eigen::MatrixXd& z, const Poll& poll)
     return std::min(std::sqrt((between / within + n - 1.0) / n), kRhatNever);
 }
 
-/// Mean autocovariance of the chains at one lag (divisor n, every chain about its own mean).
-/// centred: n × m.
+/// Returns the mean autocovariance of the chains at one lag (divisor n, every chain about its own
+/// mean). centred: n × m.
 double autocovariance(const Eigen::MatrixXd& centred, Index lag, PolledWork& work)
 {
     const Index rest = centred.rows() - lag;
@@ -155,8 +156,8 @@ double autocovariance(const Eigen::MatrixXd& centred, Index lag, PolledWork& wor
     return sum / static_cast<double>(centred.size());
 }
 
-/// Estimated autocorrelations up to where the sums of neighbouring pairs turn negative, then a last
-/// even one (Geyer's initial positive sequence).
+/// Returns autocorrelations until the sum of a neighbouring pair turns negative, then one last even
+/// lag (Geyer's initial positive sequence).
 std::vector<double> positiveSequence(const Eigen::MatrixXd& z, const Poll& poll)
 {
     PolledWork work(poll);
@@ -186,13 +187,13 @@ std::vector<double> positiveSequence(const Eigen::MatrixXd& z, const Poll& poll)
         even = rho(lag);
         odd = rho(lag + 1);
     }
-    // Halves of fewer than six draws: as posterior, the lag 0 alone, counted twice (τ = 2).
+    // Halves of fewer than six draws use lag 0 alone, counted twice (τ = 2), as posterior does.
     if (kept.empty()) return {even, even};
     kept.push_back(even > 0.0 || even + odd >= 0.0 ? even : 0.0);
     return kept;
 }
 
-/// Pairs after the first may not grow (Geyer's initial monotone sequence).
+/// Makes no pair larger than the pair before it (Geyer's initial monotone sequence).
 void makeMonotone(std::vector<double>& rho)
 {
     for (std::size_t t = 2; t + 2 < rho.size(); t += 2) {

@@ -7,42 +7,47 @@
 
 namespace terratact {
 
-/// R-hat of chains that stand still, and the largest value returned: it would be infinite or undefined, but an
-/// estimate's numbers are finite.
+/// R-hat of chains that do not move, and the largest value returned. The true value would be
+/// infinite or undefined, but an estimate's numbers are finite.
 inline constexpr double kRhatNever = 1e6;
 
-/// What draws say about whether their chains have converged; ranks are computed once, when first needed.
+/// Convergence diagnostics of draws. Ranks are computed once, when first needed.
 ///
-/// Of draws that are all the same the two numbers are undefined, and posterior gives NA: chains that are stuck look the
-/// same as chains of a quantity that is certain.  What tells them apart is a bound that no draw can pass: draws that
-/// all lie at it are the point mass that the bound makes of whatever is far beyond it (CeilingRule::Clamp, or a
-/// ceiling so far below that one deviation there is less than a rounding).  Those have converged; all others have not.
+/// R-hat and ESS are undefined if all draws are equal, and the R package posterior then returns NA.
+/// Stuck chains look the same as chains of a certain quantity. A bound that no draw can pass tells
+/// them apart: draws that all lie at the bound have converged, all other constant draws have not.
+/// Such draws are the point mass that CeilingRule::Clamp makes, or a ceiling so far below the mean
+/// that one deviation there is less than a rounding.
 class RankedDraws {
 public:
-    /// draws: n × chains, one chain per column, any unit; must outlive it.
-    /// poll: here and below, at least once for every chain.  bound: no draw can lie above it.
-    /// Throws std::invalid_argument for no draws or a value that is not finite.
+    /// draws: n × chains, one chain per column, any unit; must outlive this object.
+    /// poll: called at least once for every chain, here and below. bound: no draw can lie above it.
+    /// Throws std::invalid_argument for no draws and for a value that is not finite.
     explicit RankedDraws(const Eigen::Ref<const Eigen::MatrixXd>& draws, Poll poll = {},
                          double bound = std::numeric_limits<double>::infinity());
 
-    /// Rank-normalised split R-hat.
+    /// Returns the rank-normalised split R-hat.
     ///
-    /// Every chain is cut in halves (the middle draw of an odd n is dropped), the draws are replaced by normal
-    /// scores z = Φ⁻¹((rank − 3/8) / (S + 1/4)), ties by their average rank, and
+    /// Every chain is cut in halves (the middle draw of an odd n is dropped). The draws are
+    /// replaced by normal scores z = Φ⁻¹((rank − 3/8) / (S + 1/4)); ties get their average rank.
+    /// Then
     ///   R-hat = √(((n − 1)/n W + B/n) / W),  W, B: variance within and between the half chains.
-    /// The larger of that for the draws and for |draws − median|, as `rhat()` of the R package posterior.
+    /// The result is the larger R-hat of the draws and of |draws − median|, as in `rhat()` of the R
+    /// package posterior.
     ///
-    /// What that function leaves undefined: fewer than four draws per chain, and half chains that are all constant, the
-    /// same or not, give kRhatNever; all draws at the bound give 1.  Where only the folded draws are all equal (two heights in
-    /// turn), the draws alone decide.
+    /// Cases that `rhat()` leaves undefined: fewer than four draws per chain give kRhatNever, and
+    /// so do half chains that are all constant. All draws at the bound give 1. If only the folded
+    /// draws are all equal (two heights in turn), the draws alone decide.
     /// Source: Vehtari, Gelman, Simpson, Carpenter, Bürkner, Bayesian Analysis 16 (2021).
     double rhat();
 
-    /// Bulk effective sample size of the same normal scores: S / τ with τ from Geyer's initial monotone
-    /// sequence over the mean autocovariance of the half chains; at most S log₁₀ S.  As `ess_bulk()` of posterior.
+    /// Returns the bulk effective sample size of the same normal scores, as `ess_bulk()` of
+    /// posterior. It is S / τ, at most S log₁₀ S. τ comes from Geyer's initial monotone sequence
+    /// over the mean autocovariance of the half chains.
     ///
-    /// What that function leaves undefined: half chains that are all constant, the same or not, and fewer than six
-    /// draws per chain give the number of chains; all draws at the bound give the number of draws.
+    /// Cases that `ess_bulk()` leaves undefined: half chains that are all constant, and fewer than
+    /// six draws per chain, give the number of chains. All draws at the bound give the number of
+    /// draws.
     double ess();
 
 private:
@@ -52,7 +57,7 @@ private:
     Eigen::Ref<const Eigen::MatrixXd> draws_;
     Poll poll_;
     double bound_;
-    Eigen::MatrixXd scores_;  ///< of the half chains; empty: not yet needed
+    Eigen::MatrixXd scores_;  ///< normal scores of the half chains; empty: not yet needed
 };
 
 }  // namespace terratact

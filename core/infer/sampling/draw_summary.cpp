@@ -41,7 +41,7 @@ void judge(TerrainEstimate& estimate, const GibbsDraws& draws)
                         rhatText(worstRhat), kRhatLimit, worstEss, kEssLimit));
 }
 
-/// All draws in ascending order.
+/// Returns all draws in ascending order.
 std::vector<double> sorted(const Eigen::MatrixXd& draws, const Poll& poll)
 {
     PolledWork work(poll);

@@ -18,7 +18,7 @@ double standardNormalCdf(double z)
     return 0.5 * std::erfc(-z / std::numbers::sqrt2);
 }
 
-/// A square root of a positive semi-definite matrix.
+/// Returns a square root of a positive semi-definite matrix.
 Eigen::MatrixXd squareRoot(const Eigen::MatrixXd& covariance)
 {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
@@ -34,8 +34,8 @@ void GaussianMixture::condition(int i, double z, double sd)
     const double variance = covariance(i, i) + sd * sd;
     const Eigen::VectorXd gain = covariance.col(i) / variance;
     const Eigen::ArrayXd surprise = z - mean.row(i).transpose().array();
-    // Relative to the least surprised component, so that a measurement far from all of them does not
-    // make every weight 0.
+    // Weights are relative to the nearest component, so that a distant measurement does not make
+    // every weight 0.
     const Eigen::ArrayXd exponent =
         weight.array().max(1e-300).log() - 0.5 * surprise.square() / variance;
     weight = (exponent - exponent.maxCoeff()).exp().matrix();
@@ -75,12 +75,12 @@ double GaussianMixture::quantile(int i, double p) const
     const double sd = std::sqrt(std::max(covariance(i, i), 1e-300));
     double low = mean.row(i).minCoeff() - 9.0 * sd;
     double high = mean.row(i).maxCoeff() + 9.0 * sd;
-    // No finer than neighbouring numbers lie apart there: the bracket would never get so narrow.
+    // The bracket cannot get narrower than the distance of neighbouring doubles.
     const double rounding =
         4.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(low), std::abs(high));
     const double exact = std::max(1e-9 * (high - low) + 1e-15, rounding);
     double x = 0.5 * (low + high);
-    // Newton's steps, bisection where they leave the bracket.
+    // Newton's steps, with bisection where a step leaves the bracket.
     while (high - low > exact) {
         double below = 0.0;
         double density = 0.0;

@@ -14,30 +14,30 @@ struct GaussianMixture {
     Eigen::MatrixXd mean;        ///< n × K
     Eigen::MatrixXd covariance;  ///< n × n, positive semi-definite
 
-    /// Conditions on a measurement z of coordinate i with Gaussian error: exact.
+    /// Conditions the mixture exactly on a measurement z of coordinate i with Gaussian error:
     ///   weight_k ∝ weight_k N(z; mean_ki, C_ii + sd²),  mean_k += C_·i (z − mean_ki) / (C_ii + sd²),
     ///   C −= C_·i C_i· / (C_ii + sd²)
-    /// Throws std::invalid_argument unless z is finite and sd positive.
+    /// Throws std::invalid_argument unless z is finite and sd is positive.
     void condition(int i, double z, double sd);
 
-    /// How many standard deviations a measurement lies from the component that expects it most:
+    /// Returns the distance of a measurement from the nearest component, in standard deviations:
     ///   min_k |z − mean_ki| / √(C_ii + sd²)
     double surprise(int i, double z, double sd) const;
 
-    /// One Gaussian with the mixture's mean and covariance.
+    /// Returns one Gaussian with the mixture's mean and covariance.
     GaussianMixture collapsed() const;
 
-    /// P(y_i ≤ x).
+    /// Returns P(y_i ≤ x).
     double cdf(int i, double x) const;
 
-    /// x with P(y_i ≤ x) = p, to 1e-9 of the coordinate's spread.  Throws unless 0 < p < 1.
+    /// Returns x with P(y_i ≤ x) = p, to 1e-9 of the coordinate's spread. Throws unless 0 < p < 1.
     double quantile(int i, double p) const;
 
-    /// count draws, one after the other to `keep` (n numbers), the components in proportion to their weights (systematic
-    /// resampling).  poll: now and then.
+    /// Passes `count` draws of n numbers to `keep`, one after the other. Systematic resampling
+    /// gives each component its share of draws. poll: called now and then.
     void draw(int count, std::mt19937_64& rng,
               const std::function<void(const Eigen::VectorXd&)>& keep, const Poll& poll) const;
-    /// The same, n × count.
+    /// Returns the same draws: n × count.
     Eigen::MatrixXd draw(int count, std::mt19937_64& rng) const;
 };
 

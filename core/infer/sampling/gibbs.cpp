@@ -18,7 +18,7 @@ namespace terratact {
 
 namespace {
 
-/// Speaks to the watch for all threads.
+/// Calls the watch for all threads, one at a time.
 class Reporter {
 public:
     Reporter(const Watch& watch, double total) : watch_(watch), total_(total) {}
@@ -29,7 +29,7 @@ public:
         terratact::stopIfCancelled(watch_);
     }
 
-    /// Before each sweep.
+    /// Called before each sweep.
     void step()
     {
         const std::scoped_lock lock(mutex_);
@@ -50,8 +50,8 @@ private:
     double done_ = 0.0;
 };
 
-/// Chains that one thread runs: full groups of columns, and no more parts than threads, for a factor that is read for
-/// one group serves its neighbours, too.
+/// Returns the number of chains per thread: full groups of columns, and no more parts than threads.
+/// Neighbouring groups share a factor that is already in the cache.
 int chainsPerPart(const GibbsProblem& problem, const Watch& watch)
 {
     if (!watch.sideBySide) return problem.chains;
@@ -59,7 +59,7 @@ int chainsPerPart(const GibbsProblem& problem, const Watch& watch)
     return kGroup * ((groupsOf(problem.chains) + watch.threads - 1) / watch.threads);
 }
 
-/// Whether every bin's draws are within the limits.
+/// Checks whether every bin's draws have converged.
 class Judge {
 public:
     bool converged(const GibbsDraws& drawn, const Heights& ceiling, const Poll& poll)
@@ -77,7 +77,8 @@ public:
     }
 
 private:
-    std::size_t doubtful_ = 0;  // what failed last comes first: mostly it fails again
+    // the bin that failed last is checked first, for it mostly fails again
+    std::size_t doubtful_ = 0;
 };
 
 }  // namespace
@@ -110,7 +111,7 @@ GibbsProblem problemFor(const Settings& settings)
     return problem;
 }
 
-/// All chains of one scene, in parts that may advance side by side, and the heights they have drawn.
+/// All chains of one scene, in parts that may advance in parallel, and the heights drawn so far.
 struct GibbsRun::Chains {
     Chains(const Conditionals& from, const GibbsProblem& asked, const Watch& who)
         : conditionals(from), problem(asked), watch(who), each(chainsPerPart(asked, who)),
@@ -125,21 +126,21 @@ struct GibbsRun::Chains {
             return;
         }
         result.draws.assign(result.bins.size(), Eigen::MatrixXd(0, problem.chains));
-        for (int first = 0; first < problem.chains; first += each)  // here: one thread polls
+        for (int first = 0; first < problem.chains; first += each)  // one thread polls here
             parts.push_back(std::make_unique<ChainGroup>(
                 conditionals, problem, first, std::min(each, problem.chains - first), poll));
         rooms.resize(parts.size());
         goOnTo(problem.stopEarly ? kFirstCheck : problem.keptPerChain);
     }
 
-    /// The next number of kept sweeps at which there is something to decide besides the time.
+    /// Sets the next number of kept sweeps at which convergence is checked.
     void goOnTo(int kept)
     {
         check = std::min(kept, problem.keptPerChain);
         resize(check);
     }
 
-    /// Of the draws, so many sweeps of every chain.
+    /// Resizes the draws to this number of sweeps per chain.
     void resize(int kept)
     {
         for (Eigen::MatrixXd& draws : result.draws) {
@@ -154,15 +155,15 @@ struct GibbsRun::Chains {
         }
     }
 
-    /// Sweeps that need no decision.
+    /// Returns the number of sweeps until the next decision.
     int sweepsAhead() const
     {
-        constexpr int kSideBySide = 4;  // so that starting threads costs little
+        constexpr int kSideBySide = 4;  // keeps the cost of starting threads small
         if (!watch.outOfTime) return check - done;
         return std::min(check - done, parts.size() > 1 ? kSideBySide : 1);
     }
 
-    /// Writes what a part has drawn in the sweep with this number.
+    /// Writes what a part has drawn in this sweep.
     void keep(std::size_t part, int sweep)
     {
         if (sweep < 0) return;
@@ -193,7 +194,7 @@ struct GibbsRun::Chains {
         if (done >= std::min(kMinKept, problem.keptPerChain) && outOfTime()) end(Ending::Time);
     }
 
-    /// The next few sweeps are kept, and the last.
+    /// Ends the burn-in: only the next kMinKept sweeps are kept.
     void leaveOutBurnIn()
     {
         result.burnInLeftOut = -done;
@@ -221,7 +222,7 @@ struct GibbsRun::Chains {
     Reporter reporter;
     const Poll poll = [this] { reporter.stopIfCancelled(); };
     std::vector<std::unique_ptr<ChainGroup>> parts;
-    std::vector<PredictionRoom> rooms;  // of the parts
+    std::vector<PredictionRoom> rooms;  // one for each part
 };
 
 GibbsRun::GibbsRun(const Conditionals& conditionals, const GibbsProblem& problem,

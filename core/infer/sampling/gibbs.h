@@ -15,81 +15,87 @@
 
 namespace terratact {
 
-/// What the sampler is asked: draw the states x_I of the unknown bins from the conditionals
-/// p(xᵢ | x_{J∖i}, s), given the known ones.  With the paper's models a state is a height.
+/// Problem of the Gibbs sampler: draw the states x_I of the unknown bins from the conditionals p(xᵢ
+/// | x_{J∖i}, s), given the known states. With the paper's models a state is a height.
 struct GibbsProblem {
     Eigen::VectorXd s;      ///< features of the models' set; read by sampleHeights only
-    OptionalHeights known;  ///< states that are kept as they are: heights [m]
-    Heights ceiling{};      ///< upper bounds of states; +infinity where there is none
+    OptionalHeights known;  ///< fixed states: heights [m] with the paper's models
+    Heights ceiling{};      ///< upper bounds of the states; +infinity: none
     CeilingRule rule = CeilingRule::Truncate;
     ScanOrder scan = ScanOrder::Forward;
     int chains = 16;
-    int firstChain = 0;      ///< number of the first chain: it decides the chain's random numbers
-    int burnIn = 50;         ///< sweeps per chain that are thrown away
-    int keptPerChain = 63;   ///< sweeps per chain that are kept, at most
-    bool stopEarly = false;  ///< ends before that where the chains have converged
-    Precision precision = Precision::Single;  ///< of variances; read by sampleHeights only
-    int inducing = 0;  ///< of the models, see Settings; read by sampleHeights only
+    int firstChain = 0;      ///< number of the first chain; it decides the chain's random numbers
+    int burnIn = 50;         ///< discarded sweeps per chain
+    int keptPerChain = 63;   ///< kept sweeps per chain, at most
+    bool stopEarly = false;  ///< end earlier if the chains have converged
+    /// precision of variances; read by sampleHeights only
+    Precision precision = Precision::Single;
+    int inducing = 0;  ///< inducing rows of the models, see Settings; read by sampleHeights only
     std::uint64_t seed = 1;
 };
 
-/// Throws std::invalid_argument, a sentence, where a number of the settings is out of range.
+/// Throws std::invalid_argument with a sentence if a number of the settings is out of range.
 void checkSettings(const Settings& settings);
 
-/// Kept sweeps per chain after which chains are first judged; again after half as many more, and so on.
+/// Number of kept sweeps per chain at the first convergence check. Each later check comes after
+/// half as many sweeps more.
 inline constexpr int kFirstCheck = 25;
-/// Kept sweeps per chain that there are at least, however little time there is: R-hat needs as many.
+/// Smallest number of kept sweeps per chain, however little time there is. R-hat needs as many.
 inline constexpr int kMinKept = 4;
 
-/// Scan order, chains, sweeps, precision and seed from the settings; everything else is left to fill in.
+/// Returns a problem with scan order, chains, sweeps, precision and seed from the settings. The
+/// caller sets the rest.
 GibbsProblem problemFor(const Settings& settings);
 
 struct GibbsDraws {
     std::vector<int> bins;               ///< I, rear to front
     std::vector<Eigen::MatrixXd> draws;  ///< per bin of I: kept sweeps × chains, heights [m]
     Ending ending = Ending::NotSampled;
-    int burnInLeftOut = 0;  ///< sweeps of the burn-in that there was no time for
+    int burnInLeftOut = 0;  ///< sweeps of the burn-in that were left out for lack of time
 };
 
-/// Section 4.3: random start (Conditionals::start, the ceiling applied), then sweeps that draw every
-/// unknown bin in the order of `scan`, ceilings applied by `rule`.  Chains advance side by side, each
-/// with its own random numbers: a chain's draws depend on its number and the seed, not on how many others run nor
-/// on whether watch.sideBySide runs groups of them in several threads.
-/// The conditionals are trained one by one and need not belong to one joint distribution: the result may
-/// depend on the order of the scan (domain: "dependency network").
-/// Ends after keptPerChain kept sweeps (Ending::Sweeps), or
-///   - with stopEarly, where the heights of every bin have R-hat ≤ kRhatLimit and ESS ≥ kEssLimit, judged after 25,
-///     38, 57 … and after the last kept sweep (Ending::Converged): numbers of sweeps that do not depend on the
-///     machine, so the same seed gives the same draws;
-///   - when watch.outOfTime says so, but not before kMinKept kept sweeps (Ending::Time): the draws are the first
-///     of those that more time would have given.  Said during the burn-in, the next kMinKept sweeps are kept and
-///     the rest of the burn-in is left out: draws that still depend on where the chains started.
-/// Throws std::invalid_argument unless chains ≥ 1, firstChain ≥ 0, burnIn ≥ 0, keptPerChain ≥ 1; Cancelled.
+/// Samples as in section 4.3 of the paper. Chains start at random (Conditionals::start, with the
+/// ceiling applied). Sweeps then draw every unknown bin in the order of `scan`, with the ceilings
+/// applied by `rule`.
+/// Each chain has its own random numbers. Its draws depend on its number and the seed only: not on
+/// the number of chains, and not on the threads of watch.sideBySide.
+/// The conditionals are trained one by one and need not belong to one joint distribution (a
+/// dependency network). The result may therefore depend on the scan order.
+/// Sampling ends after keptPerChain kept sweeps (Ending::Sweeps), or earlier:
+///   - Ending::Converged, with stopEarly: the heights of every bin have R-hat ≤ kRhatLimit and
+///     ESS ≥ kEssLimit. Checks come after 25, 38, 57 … sweeps and after the last kept sweep.
+///     These numbers do not depend on the machine, so the same seed gives the same draws.
+///   - Ending::Time: watch.outOfTime returned true, and there are kMinKept kept sweeps. The draws are
+///     the first draws of a longer run. If time runs out during the burn-in, its rest is left out and
+///     the next kMinKept sweeps are kept: these draws still depend on the chains' starts.
+/// Throws std::invalid_argument unless chains ≥ 1, firstChain ≥ 0, burnIn ≥ 0, keptPerChain ≥ 1.
+/// Throws Cancelled.
 GibbsDraws sampleStates(const Conditionals& conditionals, const GibbsProblem& problem,
                         const Watch& watch = {});
 
-/// The sampling of one scene in steps, for a caller who has several scenes.
+/// Sampling of one scene in steps, for a caller that has several scenes.
 class GibbsRun {
 public:
-    /// Throws as sampleStates.  conditionals must live as long as this does.
+    /// Throws as sampleStates. conditionals must outlive this object.
     GibbsRun(const Conditionals& conditionals, const GibbsProblem& problem,
              const Watch& watch = {});
     ~GibbsRun();
 
     int chains() const;
     bool ended() const;
-    /// What sampleStates returns, once ended().
+    /// Returns what sampleStates returns, once ended() is true.
     GibbsDraws takeDraws();
 
-    /// Sweeps until there is something to decide, groups of chains in threads where watch.sideBySide runs them.
+    /// Sweeps until the next decision is due. Groups of chains run in the threads of
+    /// watch.sideBySide.
     void advance();
 
-    /// One sweep of every run, in this thread; none may have ended.  Chains of all scenes go through a bin's factor
-    /// side by side (predictTogether), where scenes have the bin's Gaussian process in common; a scene that knows the
-    /// bin's state takes no part there.  Each run's draws and its end are those of sampleStates, bit for bit, where time
-    /// does not end it.
-    /// Not worth it with ScanOrder::Random, where every scene has its own order and seldom meets another.
-    /// Throws Cancelled; the runs cannot go on then.
+    /// Makes one sweep of every run in this thread; no run may have ended. Chains of all scenes
+    /// that share a bin's Gaussian process pass through its factor together (predictTogether). A
+    /// scene that knows the bin's state skips it. The draws and the end of each run equal those of
+    /// sampleStates, bit for bit, unless a time limit ends it.
+    /// ScanOrder::Random gains nothing: every scene has its own order and rarely meets another.
+    /// Throws Cancelled; the runs cannot continue after that.
     static void sweepTogether(std::span<GibbsRun* const> runs, PredictionRoom& room);
 
 private:
@@ -97,8 +103,8 @@ private:
     std::unique_ptr<Chains> chains_;
 };
 
-/// The same from the paper's models at problem.s: heights [m], the start from the training set's mean and
-/// deviation.
+/// Samples heights [m] from the paper's models at problem.s. Chains start from the training set's
+/// mean and standard deviation. Throws as sampleStates.
 GibbsDraws sampleHeights(const BinModels& models, const GibbsProblem& problem,
                          const Watch& watch = {});
 

@@ -10,11 +10,12 @@
 
 namespace terratact {
 
-/// Conditionals of one scene that are Gaussian processes, a bin's inputs being the others' standardised states, each
-/// times the Gaussian of what was measured in its bin, if anything was: p(xᵢ | x_{J∖i}, s) N(xᵢ; m, v).
+/// Conditionals of one scene from Gaussian processes. The inputs of a bin are the standardised
+/// states of the other bins. A measured bin multiplies its conditional by the measurement's
+/// Gaussian: p(xᵢ | x_{J∖i}, s) N(xᵢ; m, v).
 class ProcessScene final : public SceneConditionals {
 public:
-    /// The next bin of I.  mean, sd: by which its states are standardised as inputs of the others.
+    /// Adds the next bin of I. mean, sd: standardise its states as inputs of the others.
     void add(std::unique_ptr<const SceneConditional> conditional, double mean, double sd,
              const std::optional<Normal>& measured = {});
 
@@ -34,11 +35,11 @@ private:
     Eigen::MatrixXd inputs_;
 };
 
-/// The product of two Gaussians of one quantity: precisions add.
+/// Returns the product of two Gaussians of one quantity: their precisions add.
 Normal product(const Normal& a, const Normal& b);
 
-/// A bin's Gaussian process takes the ten other bins, rear to front, as its first inputs.  These are the
-/// positions among them of the unknown bins other than `bin`.
+/// A bin's Gaussian process takes the ten other bins, rear to front, as its first inputs. Returns
+/// the positions of the unknown bins other than `bin` among them.
 std::vector<int> movingInputs(const std::vector<int>& unknown, int bin);
 
 }  // namespace terratact

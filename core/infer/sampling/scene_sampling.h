@@ -14,24 +14,24 @@
 
 namespace terratact {
 
-/// A sampling method at one scene: what the sampler is asked, and what its draws are made of.
+/// A sampling method at one scene: the sampler's problem and the estimate that its draws complete.
 struct SceneSampling {
-    TerrainEstimate estimate;  ///< without the bins that are drawn; their origin is set
+    TerrainEstimate estimate;  ///< all but the drawn bins, whose origin is set
     GibbsProblem problem;
     std::unique_ptr<const Conditionals> conditionals;
-    OptionalHeights known;  ///< [m] of the bins that are not drawn
+    OptionalHeights known;  ///< heights [m] of the bins that are not drawn
     Centre centre = Centre::Mean;
-    PressedBins pressed;  ///< what the force elements say
-    /// What predicts a bin that is drawn.
+    PressedBins pressed;  ///< touch of the bins by the force elements
+    /// Returns the Gaussian process that predicts a drawn bin.
     std::function<const GaussianProcess&(int bin)> process;
 };
 
-/// The estimate from the draws of sampling.problem.
-/// Throws std::invalid_argument where it is not finite; Cancelled.
+/// Returns the estimate from the draws of sampling.problem. Throws std::invalid_argument if it is
+/// not finite. Throws Cancelled.
 TerrainEstimate estimateFrom(SceneSampling sampling, const GibbsDraws& draws,
                              const Watch& watch = {});
 
-/// Samples, and the estimate.
+/// Samples the scene and returns its estimate.
 TerrainEstimate sampleScene(SceneSampling sampling, const Watch& watch = {});
 
 }  // namespace terratact

@@ -10,12 +10,12 @@ namespace {
 
 using Limits = std::numeric_limits<double>;
 
-/// Beyond so many deviations a² would begin to cost digits and later overflow, while the tail is an
+/// Beyond this many deviations a² would lose digits and later overflow. The tail is then an
 /// exponential to within 1e-12.
 constexpr double kPlainExponential = 1e6;
 
-/// An interval this wide [deviations] with the mean inside holds half the normal draws or more; of a narrower
-/// one half of it lies under the density.
+/// An interval this wide [deviations] around the mean holds at least half of the normal draws. In a
+/// narrower interval, at least half of the uniform draws lie under the density.
 constexpr double kWide = 2.5;
 
 /// Uniform on (0, 1], never 0: the midpoints of 2⁵³ equal cells, so that log is always finite.
@@ -45,13 +45,13 @@ double gaussian(Bits& rng)
     return u;
 }
 
-/// (a − b) / sigma: halved, the difference of two finite numbers cannot overflow.
+/// Returns (a − b) / sigma. Halving first avoids overflow of the difference.
 double deviations(double a, double b, double sigma)
 {
     return 2.0 * ((0.5 * a - 0.5 * b) / sigma);
 }
 
-/// Bounds in a frame where the nearer one is the ceiling.
+/// Bounds in a frame that makes the nearer bound the ceiling.
 struct Interval {
     double floor, ceiling, mean, sigma;
 
@@ -62,7 +62,7 @@ struct Interval {
     }
 };
 
-/// The interval holds the mean: at least every second normal draw lies in it.
+/// Draws where a wide interval holds the mean: at least every second normal draw lies in it.
 template <class Bits>
 double drawWideAroundMean(const Interval& i, Bits& rng)
 {
@@ -74,7 +74,7 @@ double drawWideAroundMean(const Interval& i, Bits& rng)
     return std::clamp(std::clamp(h, i.floor, i.ceiling), Limits::lowest(), Limits::max());
 }
 
-/// The same where it is narrow: uniform, accepted with the density.
+/// Draws where a narrow interval holds the mean: uniform, accepted with the density.
 template <class Bits>
 double drawNarrowAroundMean(const Interval& i, Bits& rng)
 {
@@ -87,9 +87,10 @@ double drawNarrowAroundMean(const Interval& i, Bits& rng)
     return h;
 }
 
-/// How far, in deviations, a standard normal variable exceeds a, given that it does; a > 0.
-/// Robert (1995), eq. 2.1 and 2.2: proposal a + Exp(λ) with λ = (a + √(a² + 4)) / 2, accepted with
-/// probability exp(−(x − λ)² / 2) ≥ 0.76.  λ − a = 2 / (a + √(a² + 4)) keeps its digits for large a.
+/// Returns how far, in deviations, a standard normal variable exceeds a, given that it does; a > 0.
+/// Source: Robert (1995), eq. 2.1 and 2.2. The proposal a + Exp(λ) with λ = (a + √(a² + 4)) / 2 is
+/// accepted with probability exp(−(x − λ)² / 2) ≥ 0.76. λ − a = 2 / (a + √(a² + 4)) keeps its
+/// digits for large a.
 template <class Bits>
 double drawExcess(double a, Bits& rng)
 {
@@ -106,15 +107,16 @@ double drawExcess(double a, Bits& rng)
     return excess;
 }
 
-/// The same given that it exceeds a by at most `width`, as a share of the width.  Proposal: an exponential
-/// of rate λ = a + m cut off there, by inversion; accepted with probability exp(−(x − m)² / 2), where
-/// m = min(λ − a as above, width) keeps |x − m| ≤ 1 for the larger part.
+/// Returns the same excess, given that it is at most `width`, as a share of the width. The proposal
+/// is an exponential of rate λ = a + m, cut off at the width, by inversion. It is accepted with
+/// probability exp(−(x − m)² / 2). m = min(λ − a as above, width) keeps |x − m| ≤ 1 for the larger
+/// part.
 template <class Bits>
 double drawShareOfExcess(double a, double width, Bits& rng)
 {
     const bool plain = a > kPlainExponential;
     const double m = plain ? 0.0 : std::min(2.0 / (a + std::sqrt(a * a + 4.0)), width);
-    const double fall = (a + m) * width;  // of the log density over the interval
+    const double fall = (a + m) * width;  // fall of the log density over the interval
     double share = 0.0;
     for (int proposal = 0; proposal < kMaxProposals; ++proposal) {
         const double u = uniform(rng);
@@ -125,8 +127,8 @@ double drawShareOfExcess(double a, double width, Bits& rng)
     return share;
 }
 
-/// The mean lies above the ceiling.  The excess is taken off the ceiling, not off the mean: a thousandth of
-/// a deviation survives 1e12 deviations away.
+/// Draws where the mean lies above the ceiling. The excess is subtracted from the ceiling, not from
+/// the mean: a thousandth of a deviation survives 1e12 deviations away.
 template <class Bits>
 double drawBelowMean(const Interval& i, Bits& rng)
 {

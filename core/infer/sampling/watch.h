@@ -7,30 +7,32 @@
 
 namespace terratact {
 
-/// How a long computation talks to whoever waits; all may be empty.  The first two are called from the threads
-/// that compute, by one at a time.
+/// Callbacks between a long computation and its caller; all may be empty. `cancelled` and
+/// `progress` are called from the computing threads, by one thread at a time.
 struct Watch {
-    std::function<bool()> cancelled;             ///< true ends the work with Cancelled
-    std::function<void(double share)> progress;  ///< 0 … 1
-    /// Asked between sweeps, every few where parts run side by side, by the thread that called; true ends
-    /// sampling with what there is.
+    std::function<bool()> cancelled;             ///< returns true to end the work with Cancelled
+    std::function<void(double share)> progress;  ///< share: 0 … 1
+    /// The calling thread asks this between sweeps, or every few sweeps where parts run in
+    /// parallel. true ends sampling with the draws so far.
     std::function<bool()> outOfTime;
-    /// Runs parts that do not depend on each other; empty: one after the other.
+    /// Runs independent parts in parallel; empty: one after the other.
     ForEach sideBySide;
-    /// That sideBySide runs them on, and so many parts there are at most; 0: unknown, the parts are as small as can be.
+    /// Number of threads of sideBySide, and largest number of parts. 0: unknown, the parts are as
+    /// small as possible.
     int threads = 0;
 };
 
-/// Thrown by a computation whose Watch said "cancelled".
+/// Thrown by a computation whose Watch::cancelled returned true.
 struct Cancelled {};
 
-/// Throws Cancelled if the watch says so.
+/// Throws Cancelled if watch.cancelled returns true.
 inline void stopIfCancelled(const Watch& watch)
 {
     if (watch.cancelled && watch.cancelled()) throw Cancelled{};
 }
 
-/// The same as a poll; keeps a copy of `cancelled`.
+/// Returns a poll that throws Cancelled if watch.cancelled returns true. It keeps a copy of
+/// `cancelled`.
 inline Poll pollOf(const Watch& watch)
 {
     if (!watch.cancelled) return {};

@@ -8,7 +8,7 @@
 namespace terratact {
 namespace {
 
-/// The best split of sorted, centred values; betweenShare 0 where all are equal.
+/// Returns the best split of sorted, centred values; betweenShare is 0 if all are equal.
 TwoModes bestSplit(const std::vector<double>& x)
 {
     const auto n = static_cast<double>(x.size());

@@ -7,8 +7,9 @@
 
 namespace terratact {
 
-/// What a mean and two quantiles hide, one sentence each: the probability of a step ahead of more than `limit`
-/// [m] and where it is likeliest, then every bin whose draws fall into two heaps.  Empty without draws.
+/// Returns one sentence for each fact that a mean and two quantiles hide. The first is the
+/// probability of a step ahead of more than `limit` [m] and its likeliest place. Then comes every
+/// bin whose draws fall into two clusters. Empty without draws.
 std::vector<std::string> hiddenByBands(const TerrainEstimate& estimate, double limit = kStepLimit);
 
 }  // namespace terratact

@@ -8,9 +8,9 @@ namespace terratact {
 namespace {
 
 constexpr double kTenth = 1.2815515655446004;  // Φ⁻¹(0.9)
-constexpr double kOnABin = 1e-9;               // of a bin's width
+constexpr double kOnABin = 1e-9;               // share of a bin's width
 
-/// Where a bin of now lies among those of then: between bin `rear` and the next, `share` of the way to that.
+/// Position of a bin among the bins of the scene: `share` of the way from bin `rear` to the next.
 struct Place {
     int rear = 0;
     double share = 0.0;
@@ -39,7 +39,7 @@ double between(const Heights& values, const Place& place)
                               : (1.0 - place.share) * values[i] + place.share * values[i + 1];
 }
 
-/// sd of the height where the slip is a way along the ground: of the steepest slope to a neighbour.
+/// Returns the sd of the height by slip along the ground, for the steepest slope to a neighbour.
 double slipSd(const Heights& heights, const Place& place, const ImuMotion& motion)
 {
     double worst = 0.0;

@@ -24,7 +24,7 @@ StepProbability stepProbability(const std::vector<Heights>& draws, double limit,
         return hasStep(h, limit, firstBin, lastBin);
     });
     const double p = static_cast<double>(steps) / n;
-    const double never = 1.0 / (effectiveDraws + 2.0);  // as good as 1 − never, that is always
+    const double never = 1.0 / (effectiveDraws + 2.0);  // p may not come closer to 0 or 1 than this
     const double shown = p > 0.0 && p < 1.0 ? p : never;
     return {p, std::sqrt(shown * (1.0 - shown) / effectiveDraws)};
 }

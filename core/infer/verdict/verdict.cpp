@@ -37,7 +37,7 @@ Touch touchAt(const TerrainEstimate& estimate, int bin)
     return estimate.touch[static_cast<std::size_t>(bin)];
 }
 
-/// The last bin ahead that is felt or lies behind a loaded element; kFirstAhead − 1: none.
+/// Returns the last bin ahead that is felt or lies behind a loaded element; kFirstAhead − 1: none.
 int horizonBin(const TerrainEstimate& estimate)
 {
     if (!isTouchRecorded(estimate)) return kBins - 1;
@@ -48,7 +48,7 @@ int horizonBin(const TerrainEstimate& estimate)
     return last;
 }
 
-/// The last bin ahead that the robot covers; kFirstAhead − 1: none.
+/// Returns the last bin ahead that the robot covers; kFirstAhead − 1: none.
 int reachBin(const TerrainEstimate& estimate)
 {
     int last = kFirstAhead - 1;
@@ -93,7 +93,8 @@ void writeHorizon(Verdict& verdict, const TerrainEstimate& estimate, const Measu
         verdict.toHorizon = anyStep(estimate, limit, kFirstAhead, last);
 }
 
-/// Spanned ground is part of the probability to the horizon.
+/// Returns true if the felt ground allows CLEAR. Spanned ground is part of the probability to the
+/// horizon.
 bool isClear(const Verdict& verdict)
 {
     const bool reached =

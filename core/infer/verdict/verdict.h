@@ -14,111 +14,116 @@ namespace terratact {
 /// The answer to "can I drive on?".
 enum class StepVerdict : std::uint8_t { Clear, Blocked, CannotTell };
 
-/// "CLEAR", "BLOCKED", "CANNOT TELL".
+/// Returns "CLEAR", "BLOCKED" or "CANNOT TELL".
 std::string_view name(StepVerdict stepVerdict);
 
-/// Why an estimate gives no answer although its draws have one.
+/// Reason to withhold the answer that the draws would give.
 enum class Doubt : std::uint8_t {
-    Stale,           ///< the robot is not heard: it may have moved
-    Unheard,         ///< for a while it was not, since the scene
-    NotConverged,    ///< more sweeps might say something else
-    UnlikeTraining,  ///< the scene is unlike all that the model has learnt
-    Roll,            ///< left and right ground differ, the estimate knows one profile
-    Asymmetry,       ///< so say the flippers
+    Stale,           ///< telemetry is stale: the robot may have moved
+    Unheard,         ///< telemetry was interrupted since the scene
+    NotConverged,    ///< more sweeps might change the answer
+    UnlikeTraining,  ///< the scene is unlike every training scene
+    Roll,            ///< roll: left and right ground differ, but the estimate has one profile
+    Asymmetry,       ///< left and right flippers differ: so may the ground
     SensorFault,     ///< SensorWatch suspected a sensor at the scene
-    Contradiction    ///< on the estimate's ground the robot would read something else
+    Contradiction    ///< on the estimated ground the robot would read other values
 };
 
-/// "the chains have not converged" and the like.
+/// Returns a sentence such as "the chains have not converged".
 std::string describe(Doubt doubt);
 
-/// Why the felt ground does not carry a CLEAR, although the draws hold no step there.
+/// Reason why the felt ground does not allow CLEAR, although the draws hold no step there.
 enum class Shortfall : std::uint8_t {
-    None,          ///< it does, or the touch is not recorded
+    None,          ///< it allows CLEAR, or the touch is not recorded
     NothingFelt,   ///< no force element carries load, and the arm measured nothing ahead
-    ShortHorizon,  ///< the front flippers reach further than what they press on
-    Spanned        ///< bins before the horizon are bounded or felt in part only
+    ShortHorizon,  ///< the front flippers reach further than the ground they press on
+    Spanned        ///< bins before the horizon are only bounded or felt in part
 };
 inline constexpr int kShortfalls = 4;
 
-/// "the front flippers press on nothing" and the like; empty for None.
+/// Returns a sentence such as "the front flippers press on nothing"; empty for None.
 std::string describe(Shortfall shortfall);
 
-/// What would help a CANNOT TELL besides a probe.
+/// What would resolve a CANNOT TELL besides a probe.
 enum class Help : std::uint8_t {
-    Nothing,  ///< only a probe, or the verdict needs no help
+    Nothing,  ///< only a probe would, or the verdict needs no help
     Flatten,  ///< flatter front flippers reach further
     DriveOn   ///< 0.1 m on, the flippers' tips press on other ground
 };
 
-/// "lay the front flippers flatter" and the like; empty for Nothing.
+/// Returns a sentence such as "lay the front flippers flatter"; empty for Nothing.
 std::string describe(Help help);
 
 struct Verdict {
     StepVerdict stepVerdict = StepVerdict::CannotTell;
-    StepProbability step;  ///< of some step ahead; {0, 1} where there are no draws
-    int likeliest = 0;  ///< rear bin of the pair of neighbours ahead that likeliest differs so much
-    double likeliestP = 0.0;    ///< and its probability
+    StepProbability step;  ///< probability of a step ahead; {0, 1} without draws
+    /// Rear bin of the pair of neighbours ahead with the largest probability of a step.
+    int likeliest = 0;
+    double likeliestP = 0.0;    ///< probability of a step in that pair
     std::vector<int> unfelt{};  ///< bins ahead that are bounded or not felt
-    std::vector<Doubt> doubts;  ///< not empty: withheld, and outlook is CannotTell
-    /// x to which the ground ahead is felt [m], a bin's front border; binBegin(kFirstAhead): nothing ahead is.
-    /// The last bin's border where the touch is not recorded.
+    /// not empty: the answer is withheld, and stepVerdict is CannotTell
+    std::vector<Doubt> doubts;
+    /// x up to which the ground ahead is felt [m], a bin's front border. binBegin(kFirstAhead):
+    /// nothing ahead is felt. The last bin's border where the touch is not recorded.
     double horizon = binEnd(kBins - 1);
-    StepProbability
-        toHorizon;  ///< of some step from kFirstAhead to the horizon; {1, 0} where there is none
+    /// Probability of a step from kFirstAhead to the horizon; {1, 0} if that is less than two bins.
+    StepProbability toHorizon;
     Shortfall shortfall = Shortfall::None;
     Help help = Help::Nothing;
     bool touchRecorded = false;
     bool operator==(const Verdict&) const = default;
 };
 
-/// "not felt: +0.6 m, +0.7 m"; empty: all ahead was.
+/// Returns "not felt: +0.6 m, +0.7 m"; empty if all ahead is felt.
 std::string describeUnfelt(const Verdict& verdict);
 
-/// "CLEAR to +0.55 m", "BLOCKED", "CANNOT TELL".
+/// Returns "CLEAR to +0.55 m", "BLOCKED" or "CANNOT TELL".
 std::string describeStepVerdict(const Verdict& verdict);
 
-/// Whether a bin ahead is bounded or not felt; where the touch is not recorded, whether nothing but the training set
-/// speaks for it (TerrainEstimate::priorOnly).  bin: 0 … 10.
+/// Returns true if a bin ahead is bounded or not felt. Where the touch is not recorded: if only the
+/// training set speaks for the bin (TerrainEstimate::priorOnly). bin: 0 … 10.
 bool isUnfeltAhead(const TerrainEstimate& estimate, int bin);
 
-/// Verdict::horizon; empty where nothing ahead is felt, or the touch is not recorded.
+/// Returns Verdict::horizon; empty if nothing ahead is felt, or the touch is not recorded.
 std::optional<double> feltHorizon(const TerrainEstimate& estimate);
 
-/// The risks that decide.  An answer takes two Monte-Carlo sd of distance.
+/// Limits of the probability of a step for CLEAR and BLOCKED. The answer needs a distance of two
+/// Monte-Carlo sd.
 inline constexpr double kClearBelow = 0.05;
 inline constexpr double kBlockedAbove = 0.95;
 
-/// A step takes two bins: a horizon before the second bin ahead gives no CLEAR.
+/// Rearmost horizon bin that allows CLEAR: a step takes two bins.
 inline constexpr int kMinHorizonBin = kFirstAhead + 1;
 
-/// The foremost loaded element may end this much behind a bin's front border [m].
+/// The foremost loaded element may lie this far behind a bin's front border [m].
 inline constexpr double kHorizonSlack = 0.01;
 
-/// Front flippers at a steeper angle to the horizontal reach further when they lie flatter [rad].
+/// Front flippers steeper than this [rad] to the horizontal reach further when they lie flatter.
 inline constexpr double kSteepFlipper = 0.35;
 
-/// What came after the scene; by itself: nothing, as of a scene in a file.
+/// State of the link and the sensors since the scene. The defaults hold for a scene from a file.
 struct LinkSinceScene {
-    bool heard = true;     ///< its telemetry is live
-    bool unbroken = true;  ///< and there was no silence of more than kMaxSilence
+    bool heard = true;     ///< telemetry is live
+    bool unbroken = true;  ///< no silence of more than kMaxSilence since the scene
     bool sensorsSound =
-        true;  ///< no sensor was suspected, in the scene or since, while the robot stood there
+        true;  ///< no sensor was suspected at the scene, or later while the robot stood there
 };
 
-/// The horizon is the front border of the last bin ahead that is felt, or before which a loaded element lies
-/// (kHorizonSlack). The reach is the last bin ahead with a finite ceiling. With p(a, b) = P(a step of more than
-/// `limit` within bins a … b) as anyStep() has it, its Monte-Carlo sd m, and h the horizon's bin:
+/// Decides CLEAR, BLOCKED or CANNOT TELL. p(a, b) is P(a step of more than `limit` within bins a …
+/// b) by anyStep(), m its Monte-Carlo sd, and h the bin of the horizon:
 ///   Blocked     p(kFirstAhead, 10) − 2 m > kBlockedAbove
 ///   Clear       p(kFirstAhead, h) + 2 m < kClearBelow, h ≥ the reach, h ≥ kMinHorizonBin
 ///   CannotTell  else, or with any doubt, or without draws.
-/// Where the touch is not recorded, h is the last bin.
-/// scene: what the estimate rests on; its settings' limits say when roll or asymmetry are doubts.
-/// limit: [m].  Throws std::invalid_argument for a limit below 0 or not finite.
+/// The horizon is the front border of the last bin ahead that is felt, or that lies behind a loaded
+/// element (kHorizonSlack). The reach is the last bin ahead with a finite ceiling. Where the touch
+/// is not recorded, h is the last bin.
+/// scene: the measurement that the estimate rests on. The limits in estimate.settings decide when
+/// roll or asymmetry is a doubt. limit: [m].
+/// Throws std::invalid_argument for a limit below 0 or not finite.
 Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene,
                   const LinkSinceScene& since, double limit);
 
-/// The same of a scene in a file: left and right are alike, the robot is level sideways.
+/// Decides for a scene from a file, with equal left and right sides and no roll.
 Verdict verdictOf(const TerrainEstimate& estimate, const Proprioception& scene, double limit);
 
 }  // namespace terratact
