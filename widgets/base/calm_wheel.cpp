@@ -12,12 +12,12 @@ bool CalmWheel::eventFilter(QObject* object, QEvent* event)
     if (!qobject_cast<QAbstractSpinBox*>(object) && !qobject_cast<QComboBox*>(object)) return false;
     auto* box = static_cast<QWidget*>(object);
     if (event->type() == QEvent::Polish) {
-        // By Qt's own policy the wheel would give it the focus first.
+        // Qt's wheel focus policy would give the control the focus before this filter sees the wheel.
         if (box->focusPolicy() == Qt::WheelFocus) box->setFocusPolicy(Qt::StrongFocus);
         return false;
     }
     if (box->hasFocus()) return false;
-    event->ignore();  // it is for the page below
+    event->ignore();  // the page below takes the wheel event
     return true;
 }
 

@@ -4,8 +4,8 @@
 
 namespace terratact {
 
-/// Filters the application's events so that the wheel scrolls a page and changes nothing it comes across there: a
-/// number or a choice takes it only with the focus, which it gets by a click or by Tab.
+/// Event filter of the application: the wheel scrolls a page and changes no control under the pointer. A spin box or
+/// combo box takes the wheel only with the focus, which it gets by a click or by Tab.
 class CalmWheel final : public QObject {
     Q_OBJECT
 public:

@@ -16,18 +16,15 @@ public:
     explicit Card(const QString& title, QWidget* parent = nullptr);
 
     QVBoxLayout* body() const { return body_; }
-    QHBoxLayout* titleRow() const
-    {
-        return titleRow_;
-    }  ///< for controls that belong beside the title
+    QHBoxLayout* titleRow() const { return titleRow_; }  ///< row for controls beside the title
     QLabel* note() const { return note_; }
     void setTitle(const QString& title);
-    void setTitleShown(bool shown);  ///< with its note
-    int frameHeight() const;         ///< [px] above and below the body, with the title
+    void setTitleShown(bool shown);  ///< also shows or hides the note
+    int frameHeight() const;         ///< [px] above and below the body, title included
 
 protected:
-    static constexpr QMargins kMargins{14, 8, 14, 10};  ///< [px] of the body
-    static constexpr int kSpacing = 5;                  ///< [px] within it
+    static constexpr QMargins kMargins{14, 8, 14, 10};  ///< [px] around the body
+    static constexpr int kSpacing = 5;                  ///< [px] between the body's items
 
 private:
     QLabel* heading_ = nullptr;

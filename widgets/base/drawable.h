@@ -7,8 +7,8 @@
 
 namespace terratact {
 
-/// The only way of a number into a plot.  One NaN in an antialiased wide curve blocks Qt's raster engine
-/// for seconds, and so do coordinates far off the canvas; such a value is not drawable.
+/// Numbers pass this check before they enter a plot. One NaN in an antialiased wide curve blocks Qt's raster engine for
+/// seconds; coordinates far outside the canvas do, too. Such a value is not drawable.
 inline constexpr double kDrawableLimit =
     100.0;  ///< [m] or [N·10⁻¹]: far beyond any sensible picture
 inline bool drawable(double value)
@@ -20,7 +20,7 @@ inline bool drawable(QPointF point)
     return drawable(point.x()) && drawable(point.y());
 }
 
-/// The line through the drawable points; it breaks where one is not.
+/// Returns the line through the drawable points; it breaks where a point is not drawable.
 inline QPainterPath pathThrough(const std::vector<QPointF>& points)
 {
     QPainterPath path;

@@ -4,18 +4,19 @@
 
 namespace terratact {
 
-/// A line whose text changes: it keeps the room of the texts that are usual, and ends in "…" where a text has less
-/// than it needs.  The tip then says all of it; text() always does.
+/// A one-line label for a changing text. It keeps the width of its usual texts and elides a longer text with "…". The
+/// tip then shows the whole text; text() always returns it.
 class ElidedLabel final : public PlainLabel {
     Q_OBJECT
 public:
     using PlainLabel::PlainLabel;
 
-    /// Room for each of these is wanted, whatever is shown.
+    /// The size hint leaves room for each of these texts, whichever is shown.
     void setUsual(const QStringList& texts);
-    /// So many letters of a text are seen in any case.
+    /// The minimum width shows at least this many letters.
     void setLeastLetters(int letters);
-    int usualWidth() const;  ///< [px] that all of them need; of the text where there are none
+    int usualWidth()
+        const;  ///< [px] widest usual text; width of the current text if no usual texts are set
     bool isElided() const;
 
     QSize sizeHint() const override;
@@ -29,7 +30,7 @@ private:
     int widthOf(const QString& text) const;
 
     QStringList usual_;
-    int leastLetters_ = 9;  ///< with fewer, nobody knows what it is about
+    int leastLetters_ = 9;  ///< fewer letters do not identify the text
 };
 
 }  // namespace terratact

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kMarkWidth = 2;  // [px]
 
-/// Paints upon the edge of the control: beside it there may be no room.
+/// Paints the frame on the control's edge, because there may be no room outside it.
 class FocusMark final : public QFocusFrame {
 public:
     using QFocusFrame::QFocusFrame;
@@ -32,7 +32,8 @@ protected:
     }
 };
 
-/// The style sheet frames buttons, fields and columns of text itself.
+/// Returns true for controls whose focus the style sheet does not already frame. It frames buttons, fields and text
+/// columns.
 bool needsMark(const QWidget* widget)
 {
     if (!widget || widget->isWindow() || !(widget->focusPolicy() & Qt::TabFocus)) return false;
@@ -47,7 +48,7 @@ bool needsMark(const QWidget* widget)
 
 void markFocus(QApplication& application)
 {
-    static QPointer<FocusMark> mark;  // of the control's parent, and gone with it
+    static QPointer<FocusMark> mark;  // the focused control's parent owns and deletes it
     static bool marks = false;
     if (std::exchange(marks, true)) return;
     QObject::connect(&application, &QApplication::focusChanged, &application,

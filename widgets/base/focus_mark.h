@@ -4,8 +4,8 @@ class QApplication;
 
 namespace terratact {
 
-/// From now on a frame in the theme's colour stands around the control that has the focus, where its own look does not
-/// show that plainly: lists, tables, pictures, boxes of numbers and choices.  Once is enough.
+/// Draws a focus frame in the theme's colour around the control that has the focus. It covers controls whose own style
+/// shows the focus poorly: lists, tables, pictures, spin boxes and combo boxes. Call once.
 void markFocus(QApplication& application);
 
 }  // namespace terratact

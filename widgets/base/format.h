@@ -9,24 +9,24 @@
 #include "core/base/text.h"
 #include "core/terrain/bins.h"
 
-/// Numbers as an operator reads them.  A value that is not finite reads "--".
+/// Formats numbers for the operator. A value that is not finite reads "--".
 namespace terratact::format {
 
 inline const QString kNothing = QStringLiteral("--");
 
-/// A text in UTF-8 that may come from a file: control characters and marks of direction as '?', but for line ends.
+/// Returns UTF-8 text that may come from a file; control and bidirectional characters become '?', line ends stay.
 inline QString text(std::string_view utf8)
 {
     return QString::fromStdString(printableLines(utf8));
 }
 
-/// Likewise, on one line: a line end is '?', too.
+/// Returns text() on one line: line ends become '?', too.
 inline QString line(std::string_view utf8)
 {
     return QString::fromStdString(printable(utf8));
 }
 
-/// A name that may come from a file: one line of at most 100 characters, "…" for what is beyond.
+/// Returns a name that may come from a file: one line of at most 100 characters, the rest elided as "…".
 inline QString shownName(std::string_view utf8)
 {
     constexpr qsizetype kMax = 100;
@@ -37,49 +37,49 @@ inline QString shownName(std::string_view utf8)
     return name + QChar(0x2026);
 }
 
-/// The name of a file without its folders, as shownName() has it.
+/// Returns the name of a file without its folders, cleaned by shownName().
 inline QString fileName(const QString& path)
 {
     return shownName(path.mid(path.lastIndexOf(QLatin1Char('/')) + 1).toStdString());
 }
 
-/// A sentence of the core, in the operator's language where it is among those of core_sentences.cpp; else what of it
-/// is, of the parts that ": " joins.  Its numbers are carried over.  A part of one word is a name, and stays.
+/// Returns a sentence of the core in the operator's language if core_sentences.cpp lists it. Otherwise it translates
+/// each part between ": " that is listed. Numbers are carried over; a part of one word is a name and stays.
 QString sentence(std::string_view english);
 
-/// A word of a session's event (EventRow), in the operator's language where it is among those that are recorded.
+/// Returns a word of a session event (EventRow) in the operator's language if it is one of the recorded words.
 QString eventWord(std::string_view english);
 
-/// A source's name, of which only what is no name of a file, a bus or an interface is in the operator's language.
+/// Returns a source's name. Names of files, buses and interfaces stay; everything else is in the operator's language.
 QString sourceName(std::string_view english);
 
 inline QString number(double value, int decimals)
 {
     if (!std::isfinite(value)) return kNothing;
     const double shown = QString::number(value, 'f', decimals).toDouble();
-    return QString::number(shown + 0.0, 'f', decimals)  // no minus before a zero
+    return QString::number(shown + 0.0, 'f', decimals)  // adding 0.0 turns −0 into 0
         .replace(QLatin1Char('-'), QChar(0x2212));
 }
 
-/// As the core says it: "0.01", or "< 0.01" of what would round to 0.
+/// Formats a Monte-Carlo error the way the core does: "0.01", or "< 0.01" if it would round to 0.
 inline QString randomError(double sd, int decimals)
 {
     return std::isfinite(sd) ? text(randomErrorText(sd, decimals)) : kNothing;
 }
 
-/// As the core says it: "1.061", or "> 100".
+/// Formats R-hat the way the core does: "1.061", or "> 100".
 inline QString rhat(double value)
 {
     return std::isfinite(value) ? text(rhatText(value)) : kNothing;
 }
 
-/// "83" of 0.83.
+/// Formats a share as a percentage: 0.83 gives "83".
 inline QString percent(double share)
 {
     return number(100.0 * share, 0);
 }
 
-/// With its sign, also a plus.
+/// Formats a number with its sign; a plus is shown, too.
 inline QString signedNumber(double value, int decimals)
 {
     const QString text = number(value, decimals);
@@ -91,13 +91,13 @@ inline QString degrees(double radians, int decimals = 1)
     return signedNumber(radians * 180.0 / std::numbers::pi, decimals) + QStringLiteral("°");
 }
 
-/// "bin 0.6 m"'s number.
+/// Returns the number in a bin's name: "0.6" in "bin 0.6 m".
 inline QString binName(int bin)
 {
     return number(binCentre(bin), 1) + QStringLiteral(" m");
 }
 
-/// "0:24"; never negative.
+/// Formats a countdown as "0:24"; negative values count as 0.
 inline QString countdown(double seconds)
 {
     if (!std::isfinite(seconds)) return kNothing;
@@ -105,7 +105,7 @@ inline QString countdown(double seconds)
     return QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
 }
 
-/// An age: "41 ms", "2.4 s".
+/// Formats an age: "41 ms", "2.4 s".
 inline QString age(double seconds)
 {
     if (!std::isfinite(seconds)) return kNothing;

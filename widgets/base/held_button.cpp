@@ -12,9 +12,9 @@ namespace terratact {
 namespace {
 
 constexpr int kFrame = 6;                    // [px] between the edge and the text
-constexpr double kRound = 5.0, kRing = 4.0;  // [px] its corners, the line that closes around it
+constexpr double kRound = 5.0, kRing = 4.0;  // [px] corner radius, width of the ring
 
-/// That much of the way around, clockwise from the top's middle.
+/// Paints the share 0 … 1 of a ring, clockwise from the middle of the top.
 void paintRing(QPainter& painter, const QRectF& area, double share, const QColor& colour)
 {
     const QRectF way = area.adjusted(kRing / 2, kRing / 2, -kRing / 2, -kRing / 2);
@@ -29,7 +29,7 @@ void paintRing(QPainter& painter, const QRectF& area, double share, const QColor
     corner(way.left(), way.top(), 180.0);
     ring.lineTo(top);
     QPen pen(colour, kRing, Qt::CustomDashLine, Qt::FlatCap);
-    const double length = ring.length() / kRing;  // dashes are counted in widths
+    const double length = ring.length() / kRing;  // dash lengths are in units of the pen's width
     pen.setDashPattern({std::max(1e-3, share * length), length});
     painter.strokePath(ring, pen);
 }
@@ -38,7 +38,7 @@ void paintRing(QPainter& painter, const QRectF& area, double share, const QColor
 
 HeldButton::HeldButton(const QString& text, QWidget* parent) : QPushButton(text, parent)
 {
-    // A click must not take the focus: Space would then mean this button.
+    // Clicks do not take the focus, because Space would then press this button.
     setFocusPolicy(Qt::TabFocus);
     release_.setSingleShot(true);
     release_.setInterval(40);
@@ -150,7 +150,7 @@ double HoldToConfirmButton::share() const
 
 void HoldToConfirmButton::advance()
 {
-    // After a freeze the release may still wait in the queue behind this timer.
+    // After a freeze, the release event may still wait in the queue behind this timer.
     constexpr qint64 kMaxFrameLength = 50;
     if (!mayHold()) return letGo();
     heldFor_ += std::min(lastFrame_.restart(), kMaxFrameLength);
@@ -162,7 +162,7 @@ void HoldToConfirmButton::advance()
 
 QSize HoldToConfirmButton::sizeHint() const
 {
-    // Not higher than STOP beside it, so that the header does not change its height.
+    // The height stays below that of STOP, so that the header keeps its height.
     return {fontMetrics().horizontalAdvance(text()) + scaled(36), scaled(40)};
 }
 

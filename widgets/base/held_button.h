@@ -10,22 +10,22 @@
 
 namespace terratact {
 
-/// A button that acts while it is held: by the left mouse button, by Space when it has the focus, or by
-/// hold() and letGo() from a window-wide key.  It lets go by itself when the mouse leaves it, it loses
-/// the focus, is hidden or disabled, or its window is no longer the active one.
+/// A hold-to-run button (dead-man control). It is held with the left mouse button, with Space when it has the focus, or
+/// by hold() and letGo() from a window-wide key. It releases when the mouse leaves it, it loses the focus, or it is
+/// hidden or disabled. It also releases when its window is no longer active.
 class HeldButton : public QPushButton {
     Q_OBJECT
 public:
     explicit HeldButton(const QString& text, QWidget* parent = nullptr);
     bool isHeld() const { return held_; }
-    /// A hold begins only where this says so.
+    /// A hold begins only while mayHold returns true.
     void setMayHold(std::function<bool()> mayHold) { mayHold_ = std::move(mayHold); }
 
 public slots:
     void hold();
     void letGo();
-    /// For a key's release.  Some X servers repeat a held key as release and press, indistinguishable
-    /// from an operator's; so a release counts 40 ms later, unless hold() comes first.
+    /// Releases after 40 ms unless hold() comes first. Some X servers repeat a held key as release and press, which
+    /// looks like the operator's own release.
     void letGoSoon();
 
 signals:
@@ -51,19 +51,19 @@ private:
     QTimer release_;
 };
 
-/// A button that must be held for a while before it means yes; a ring that closes around it and its fill show how far.
-/// Letting go early means nothing.  It lets go, too, as soon as it may not be held any more.
+/// A hold-to-confirm button. It confirms after the hold time; a closing ring and the fill show the progress. An early
+/// release confirms nothing. The hold also ends as soon as holding is no longer allowed.
 class HoldToConfirmButton final : public HeldButton {
     Q_OBJECT
 public:
-    /// fill: which of the theme's it has.
+    /// fill: the theme's member with the button's colours.
     explicit HoldToConfirmButton(const QString& text, Fill Theme::*fill, QWidget* parent = nullptr);
     void setHoldTime(int milliseconds) { holdTime_ = milliseconds; }
     int holdTime() const { return holdTime_; }  ///< [ms]
-    double share() const;                       ///< 0 … 1 of the time held
+    double share() const;                       ///< 0 … 1, elapsed share of the hold time
 
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override;  ///< with the text on two lines
+    QSize minimumSizeHint() const override;  ///< size with the text on two lines
 
 signals:
     void confirmed();
@@ -77,7 +77,8 @@ private:
 
     Fill Theme::*fill_;
     int holdTime_ = 1500;  // [ms]
-    qint64 heldFor_ = 0;   // [ms] counted frame by frame: a frozen window holds nothing
+    // [ms], summed over frames of bounded length: a frozen window does not count as holding
+    qint64 heldFor_ = 0;
     QElapsedTimer lastFrame_;
     QTimer frames_;
 };

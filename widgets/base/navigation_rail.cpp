@@ -15,8 +15,9 @@
 namespace terratact {
 namespace {
 
-constexpr int kSpacing = 6, kDenseSpacing = 3;                // [px] between two buttons
-constexpr int kHeight = 40, kDenseHeight = 26, kPadding = 8;  // [px] of one, as in the style sheet
+constexpr int kSpacing = 6, kDenseSpacing = 3;  // [px] between two buttons
+constexpr int kHeight = 40, kDenseHeight = 26,
+              kPadding = 8;  // [px] of one button, equal to the style sheet
 
 QString keyText(Qt::Key key)
 {
@@ -29,7 +30,7 @@ NavigationRail::NavigationRail(QWidget* parent) : QFrame(parent)
 {
     setObjectName(QStringLiteral("navigationRail"));
     setAccessibleName(tr("Pages"));
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);  // the longest name fits
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);  // wide enough for the longest name
     column_ = new QVBoxLayout(this);
     column_->setContentsMargins(6, 10, 6, 10);
     column_->setSpacing(kSpacing);
@@ -76,10 +77,10 @@ void NavigationRail::setDense(bool dense)
     for (QPushButton* button : buttons_ + tools_) {
         button->style()->unpolish(button);
         button->style()->polish(button);
-        QEvent changed(QEvent::StyleChange);  // it remembers what it needed
+        QEvent changed(QEvent::StyleChange);  // this event drops the cached size
         QCoreApplication::sendEvent(button, &changed);
     }
-    column_->activate();  // in the height there is now
+    column_->activate();  // lays out in the current height
 }
 
 int NavigationRail::heightNeeded(bool dense) const
@@ -87,7 +88,7 @@ int NavigationRail::heightNeeded(bool dense) const
     const QMargins margins = column_->contentsMargins();
     int height = margins.top() + margins.bottom();
     const auto add = [&](int lines) {
-        // As the style sheet says.
+        // The numbers equal those of the style sheet.
         const int least = dense ? kDenseHeight : scaled(kHeight);
         height += std::max(least, lines * QFontMetrics(QApplication::font()).lineSpacing())
                 + kPadding + (dense ? kDenseSpacing : kSpacing);

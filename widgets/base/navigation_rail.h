@@ -9,30 +9,30 @@ class QVBoxLayout;
 
 namespace terratact {
 
-/// The pages of the console, one button each, at the left edge.  Exactly one is chosen, by click or by its key,
-/// which stands below its name where there is the height, and else in its tip.
+/// The page buttons of the console at the left edge. Exactly one page is chosen, by click or by its key. The key is
+/// shown below the name if the height allows, otherwise in the tip.
 class NavigationRail final : public QFrame {
     Q_OBJECT
 public:
     explicit NavigationRail(QWidget* parent = nullptr);
 
-    /// The first page that is added is the chosen one.
+    /// The first added page is chosen.
     void addPage(const QString& name, Qt::Key key, const QString& tip);
     void choose(int page);
     int chosen() const { return chosen_; }
     int pages() const { return static_cast<int>(buttons_.size()); }
-    int pageOf(int key) const;  ///< −1: the key means no page
+    int pageOf(int key) const;  ///< −1 if the key belongs to no page
     Qt::Key keyOf(int page) const { return static_cast<Qt::Key>(keys_.at(page)); }
     QPushButton* button(int page) const { return buttons_.at(page); }
-    /// Puts a button at the lower end, below those put there before.
+    /// Adds a button at the lower end, below earlier tools.
     void addTool(QPushButton* button);
-    /// A page that is not there for the time being is not offered.
+    /// Hides or shows the button of a page that is temporarily unavailable.
     void setOffered(int page, bool offered);
-    /// What a page has to tell, in a word or two that stand in place of its key; empty: nothing.  asks: the operator,
-    /// which stands out.
+    /// Shows a short status instead of the page's key; empty: the key again. asks: the status needs an answer and is
+    /// highlighted.
     void tell(int page, const QString& what, bool asks);
 
-    QSize minimumSizeHint() const override;  ///< with room for every page
+    QSize minimumSizeHint() const override;  ///< fits all pages
 
 signals:
     void pageChosen(int page);
@@ -50,7 +50,7 @@ private:
     QVBoxLayout* column_ = nullptr;
     QList<QPushButton*> buttons_, tools_;
     QList<int> keys_;
-    QStringList telling_;  ///< of each page
+    QStringList telling_;  ///< status per page
     bool dense_ = false;
     int chosen_ = -1;
 };

@@ -5,46 +5,46 @@
 
 namespace terratact {
 
-/// By day; in reds alone, which leave the eyes adapted to the dark; and black on white at its strongest.
+/// Day; NightRed, in reds alone, which keep the eyes adapted to the dark; HighContrast, black on white.
 enum class ThemeName : std::uint8_t { Day, NightRed, HighContrast };
 
-/// A filled area and the text on it.
+/// A filled area and the colour of the text on it.
 struct Fill {
     QColor area, text;
 };
 
-/// The colours of the console, chosen so that blue, purple, green and amber stay apart for the common
-/// colour-vision deficiencies; no meaning hangs on a colour alone.  As they stand here: by day.
+/// The colours of the console. Blue, purple, green and amber stay distinct for the common colour-vision deficiencies.
+/// No meaning depends on colour alone. The defaults are those of Day.
 struct Theme {
     QColor window{0xed, 0xf1, 0xf5};
     QColor card{0xff, 0xff, 0xff};
     QColor cardBorder{0xcf, 0xd8, 0xe1};
     QColor header{0x1d, 0x2a, 0x36};
     QColor headerText{0xf4, 0xf7, 0xfa};
-    QColor source{0xff, 0xd1, 0x66};  ///< the source's name
+    QColor source{0xff, 0xd1, 0x66};  ///< name of the data source
     QColor tip{0xff, 0xfb, 0xe6};
 
     QColor text{0x16, 0x22, 0x2e};
-    QColor muted{0x4a, 0x58, 0x66};  ///< secondary text: 7 : 1 on white
+    QColor muted{0x4a, 0x58, 0x66};  ///< secondary text, contrast 7 : 1 on white
     QColor grid{0xe4, 0xe9, 0xee};
 
     Fill button{{0xe3, 0xe9, 0xef}, {0x16, 0x22, 0x2e}};
     QColor buttonBorder{0xb9, 0xc5, 0xd0};
-    Fill off{{0xf1, 0xf4, 0xf7}, {0x5d, 0x6a, 0x77}};  ///< what cannot be pressed now
+    Fill off{{0xf1, 0xf4, 0xf7}, {0x5d, 0x6a, 0x77}};  ///< disabled controls
     QColor offBorder{0xd5, 0xdd, 0xe5};
     Fill primary{{0x15, 0x58, 0xa6}, {0xff, 0xff, 0xff}};
     Fill stop{{0xc6, 0x1c, 0x1c}, {0xff, 0xff, 0xff}};
-    Fill stopped{{0x7d, 0x0b, 0x0b}, {0xff, 0xff, 0xff}};  ///< STOP while it is latched
+    Fill stopped{{0x7d, 0x0b, 0x0b}, {0xff, 0xff, 0xff}};  ///< STOP while latched
     QColor stopBorder{0xff, 0xff, 0xff};
-    Fill decide{{0x5a, 0x14, 0x90}, {0xff, 0xff, 0xff}};   ///< approves a probe
-    Fill caution{{0x8f, 0x52, 0x00}, {0xff, 0xff, 0xff}};  ///< arms, releases STOP
+    Fill decide{{0x5a, 0x14, 0x90}, {0xff, 0xff, 0xff}};   ///< button that approves a probe
+    Fill caution{{0x8f, 0x52, 0x00}, {0xff, 0xff, 0xff}};  ///< buttons that arm or release STOP
 
     QColor good{0x1b, 0x6e, 0x3c};
     QColor doubt{0x8f, 0x52, 0x00};
     QColor bad{0xb0, 0x12, 0x12};
-    QColor accent{0x5a, 0x14, 0x90};  ///< the probe and what the operator decides
+    QColor accent{0x5a, 0x14, 0x90};  ///< the probe and the operator's decisions
 
-    Fill chip{{0x33, 0x44, 0x4f}, {0xf4, 0xf7, 0xfa}};  ///< on the header
+    Fill chip{{0x33, 0x44, 0x4f}, {0xf4, 0xf7, 0xfa}};  ///< badges on the header
     QColor chipBorder{0x4d, 0x60, 0x6d};
     QColor chipOffText{0xb4, 0xc0, 0xc9};
     Fill chipGood{{0x1f, 0x5a, 0x35}, {0xe2, 0xf7, 0xe8}};
@@ -52,9 +52,9 @@ struct Theme {
     Fill chipBad{{0x8e, 0x14, 0x14}, {0xff, 0xff, 0xff}};
     Fill chipAccent{{0x55, 0x21, 0x7c}, {0xf3, 0xe6, 0xff}};
     Fill banner{{0x8e, 0x14, 0x14}, {0xff, 0xff, 0xff}};
-    Fill done{{0xa9, 0xc8, 0xea}, {0x16, 0x22, 0x2e}};  ///< of a progress bar
+    Fill done{{0xa9, 0xc8, 0xea}, {0x16, 0x22, 0x2e}};  ///< done part of a progress bar
 
-    // The verdict on driving on.
+    // Verdict colours.
     Fill clear{{0x1b, 0x6e, 0x3c}, {0xff, 0xff, 0xff}};
     Fill blocked{{0xb0, 0x12, 0x12}, {0xff, 0xff, 0xff}};
     Fill open{{0x8f, 0x52, 0x00}, {0xff, 0xff, 0xff}};
@@ -76,12 +76,12 @@ struct Theme {
 
 Theme themeOf(ThemeName name);
 
-/// The theme the console is drawn in; theme.h sets it.  GUI thread only.
+/// Returns the theme in use; theme.h sets it. GUI thread only.
 const Theme& theme();
 
-/// A length or a font's size at the font scale now in use; theme.h sets it.  pixels: at 100 %.  GUI thread only.
+/// Scales a length or font size [px at 100 %] to the current font scale; theme.h sets it. GUI thread only.
 int scaled(int pixels);
 
-inline constexpr int kTarget = 34;  ///< [px] least height of what can be pressed, at 100 %
+inline constexpr int kTarget = 34;  ///< [px] minimum height of a pressable control at 100 %
 
 }  // namespace terratact

@@ -6,19 +6,19 @@ class QFormLayout;
 
 namespace terratact {
 
-/// A label that shows its text as it is.  A QLabel takes what looks like HTML for HTML, and loads the files that this
-/// names: a text from somebody's file could then hang the window, or paint a verdict.  Every label of the console is one
-/// of these, but for the sheet of the keys, whose HTML is the program's own.
+/// A label that shows plain text only. QLabel interprets text that looks like HTML and loads the files it names. Text
+/// from an untrusted file could then block the window or imitate a verdict. Every label of the console is a PlainLabel,
+/// except the key sheet, whose HTML is the program's own.
 class PlainLabel : public QLabel {
     Q_OBJECT
 public:
     explicit PlainLabel(QWidget* parent = nullptr);
     explicit PlainLabel(const QString& text, QWidget* parent = nullptr);
 
-    void setTextFormat(Qt::TextFormat) = delete;  ///< it is Qt::PlainText
+    void setTextFormat(Qt::TextFormat) = delete;  ///< always Qt::PlainText
 };
 
-/// A row of a form: the name as a plain label, whose mnemonic leads to the field.
+/// Adds a form row: the name as a plain label whose mnemonic focuses the field.
 void addField(QFormLayout& form, const QString& name, QWidget* field);
 
 }  // namespace terratact

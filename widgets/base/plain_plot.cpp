@@ -10,12 +10,12 @@ void makePlain(QwtPlot& plot)
 {
     plot.setAutoReplot(false);
     plot.setSizePolicy(QSizePolicy::Expanding,
-                       QSizePolicy::Expanding);  // Qwt's would take sizeHint() for the least
+                       QSizePolicy::Expanding);  // Qwt's policy would use sizeHint() as the minimum
     auto* canvas = new QwtPlotCanvas(&plot);
     canvas->setFrameStyle(QFrame::NoFrame);
     canvas->setFocusIndicator(QwtPlotCanvas::NoFocusIndicator);
     canvas->setPaintAttribute(QwtPlotCanvas::BackingStore,
-                              false);  // anew with every line of telemetry
+                              false);  // every telemetry sample repaints the canvas
     plot.setCanvas(canvas);
     plot.plotLayout()->setAlignCanvasToScales(true);
     plot.plotLayout()->setCanvasMargin(0);

@@ -4,8 +4,8 @@ class QwtPlot;
 
 namespace terratact {
 
-/// Prepares a plot for what is live: a canvas without a frame that keeps no picture of itself, aligned with its scales;
-/// redrawn by replot() alone; and with as much or little room as there is.
+/// Prepares a plot for live data. The canvas has no frame and no backing store and is aligned with its scales. Only
+/// replot() redraws it, and the plot may shrink and grow freely.
 void makePlain(QwtPlot& plot);
 
 }  // namespace terratact

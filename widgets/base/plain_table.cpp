@@ -32,7 +32,7 @@ QSize HeadedTable::minimumSizeHint() const
 {
     const QHeaderView& header = *horizontalHeader();
     int width = 2 * frameWidth(), widest = 0,
-        alike = 0;  // [px]; those that stretch are of one width
+        alike = 0;  // [px], common width of the stretching columns
     for (int column = 0; column < header.count(); ++column) {
         const int needed = header.sectionSizeHint(column);
         if (header.sectionResizeMode(column) == QHeaderView::Stretch)

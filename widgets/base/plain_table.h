@@ -8,18 +8,18 @@
 
 namespace terratact {
 
-/// Whether it is of those that come where the size of letters has changed.
+/// Returns true for events that follow a change of the font size.
 bool changesLetters(const QEvent& event);
 
-/// The width [px] of a table's column that has room for its name and for each of the texts.  letters: of the table, or of
-/// what it is in, which may know of a change before it does.
+/// Returns the width [px] of a column that fits its heading and each of the texts. letters: font metrics of the table
+/// or of its parent, which may know a new font earlier.
 int columnWidthFor(const QTableView& table, const QFontMetrics& letters, int column,
                    const QStringList& texts);
 
-/// Makes the rows as high as the letters need.  A QTableView's are so many pixels whatever its letters are.
+/// Sets the row height to that of the font; QTableView keeps a fixed height in pixels.
 void fitRows(QTableView& table, const QFontMetrics& letters);
 
-/// A table that is as wide at least as the names of its columns need.
+/// A table at least as wide as its column headings.
 class HeadedTable : public QTableWidget {
     Q_OBJECT
 public:
@@ -27,13 +27,14 @@ public:
     QSize minimumSizeHint() const override;
 };
 
-/// A table to be read: nothing to edit, choose or move in it.  Its rows and columns follow the size of the letters.
+/// A read-only table without editing, selection or moving columns. Rows and columns follow the font size.
 class PlainTable : public QTableView {
     Q_OBJECT
 public:
     explicit PlainTable(QWidget* parent = nullptr);
 
-    /// For each column of the model the texts it has room for beside its name; the last column takes what is left.
+    /// Sets, per column of the model, the texts that must fit beside the heading. The last column takes the remaining
+    /// width.
     void setWidest(QList<QStringList> widest);
 
 protected:

@@ -6,16 +6,16 @@ class QVBoxLayout;
 
 namespace terratact {
 
-/// Lines one below the other, as high as they need where there is the room; else they scroll, and Tab reaches them.
+/// Lines of text below each other at their full height. If the height is too small they scroll, and Tab focuses them.
 class ScrollColumn final : public QScrollArea {
     Q_OBJECT
 public:
-    /// leastLines: so many of them are seen in any case.
+    /// minimum: at least leastLines lines stay visible.
     explicit ScrollColumn(int leastLines, QWidget* parent = nullptr);
 
     QVBoxLayout* column() const { return column_; }
     void setLeastLines(int lines);
-    bool isScrolled() const;  ///< not all of it is seen
+    bool isScrolled() const;  ///< true if some lines are out of view
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;

@@ -38,7 +38,7 @@ QAccessibleInterface* spokenLabel(const QString& /*className*/, QObject* object)
 
 void installSpokenLabels()
 {
-    QAccessible::installFactory(spokenLabel);  // a second time changes nothing
+    QAccessible::installFactory(spokenLabel);  // installing it twice has no effect
 }
 
 void announce(QWidget& widget)

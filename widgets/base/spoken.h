@@ -6,12 +6,12 @@ class QWidget;
 
 namespace terratact {
 
-/// From now on every label says its name and its text to a screen reader ("Verdict: ✘ BLOCKED"); Qt's say the name alone
-/// where there is one.  Needs the application; once is enough.
+/// Makes every label tell a screen reader its name and its text ("Verdict: ✘ BLOCKED"). Qt's labels tell only the name
+/// if they have one. Needs the application; further calls do nothing.
 void installSpokenLabels();
 
-/// Tells a screen reader that what a widget says matters now: QAccessible::Alert, and NameChanged for those that do not
-/// hear alerts (AT-SPI in Qt 6.4).  The widget is sent an event of kAnnounced, too, whether or not a reader listens.
+/// Tells a screen reader that a widget's text is urgent. It sends QAccessible::Alert, and NameChanged for readers
+/// without alerts (AT-SPI in Qt 6.4). The widget also gets a kAnnounced event, with or without a reader.
 void announce(QWidget& widget);
 inline constexpr auto kAnnounced = static_cast<QEvent::Type>(QEvent::User + 71);
 

@@ -50,7 +50,7 @@ QRect TargetStyle::subControlRect(ComplexControl control, const QStyleOptionComp
 int TargetStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
                              const QWidget* widget) const
 {
-    // The frame of the focus lies upon the control's edge, all around.
+    // The focus frame lies on the control's edge.
     if (metric == PM_FocusFrameHMargin || metric == PM_FocusFrameVMargin) return 0;
     return QProxyStyle::pixelMetric(metric, option, widget);
 }
@@ -59,7 +59,8 @@ int TargetStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWi
                            QStyleHintReturn* more) const
 {
     if (hint == SH_FocusFrame_Mask) return 0;
-    if (hint == SH_FocusFrame_AboveWidget) return 1;  // else it lies below, and is not seen
+    if (hint == SH_FocusFrame_AboveWidget)
+        return 1;  // otherwise it lies below the control and is hidden
     return QProxyStyle::styleHint(hint, option, widget, more);
 }
 
@@ -68,7 +69,7 @@ QSize TargetStyle::sizeFromContents(ContentsType type, const QStyleOption* optio
 {
     QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
     if (type == CT_SpinBox && hasArrows(option)) {
-        constexpr int kAround = 8;  // [px] the number
+        constexpr int kAround = 8;  // [px] around the number
         size.setWidth(std::max(size.width(), contents.width() + kAround + 2 * target()));
     }
     const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);

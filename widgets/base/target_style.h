@@ -4,8 +4,8 @@
 
 namespace terratact {
 
-/// Fusion with targets that a gloved hand hits: the arrows of a spin box side by side, each as large as a button, and
-/// entries of menus and combo boxes of that height.
+/// Fusion style with targets for a gloved hand. The arrows of a spin box stand side by side, each as large as a button.
+/// Menu and combo box entries have the same height.
 class TargetStyle final : public QProxyStyle {
 public:
     TargetStyle();

@@ -20,7 +20,7 @@ namespace terratact {
 namespace {
 
 LookInForce inForce;
-Theme current;  ///< of it
+Theme current;  ///< theme in use
 
 QColor mixed(const QColor& a, const QColor& b, double shareOfB)
 {
@@ -30,8 +30,8 @@ QColor mixed(const QColor& a, const QColor& b, double shareOfB)
     return {between(a.red(), b.red()), between(a.green(), b.green()), between(a.blue(), b.blue())};
 }
 
-/// @name is a colour, @nameArea and @nameText those of a fill, @nameHover and @nameDown its area under the mouse
-/// and pressed, @12px a length at the font scale.
+/// Placeholders of the style sheet: @name is a colour. @nameArea and @nameText are a fill's colours, @nameHover and
+/// @nameDown its area under the mouse and pressed. @12px is a length at the font scale.
 QString styleSheet()
 {
     QString sheet = QStringLiteral(R"(
@@ -213,7 +213,7 @@ QPalette paletteOf(const Theme& t)
     return colours;
 }
 
-/// Takes the style sheet away and tells no widget: the sheet that comes in its place tells each, once.
+/// Removes the style sheet without notifying widgets. The next sheet notifies each widget once.
 void dropSheet(QApplication& application)
 {
     QWidgetList untold;
@@ -221,7 +221,7 @@ void dropSheet(QApplication& application)
         if (!widget->testAttribute(Qt::WA_WState_Polished)
             || widget->testAttribute(Qt::WA_SetStyle))
             continue;
-        // By these two QApplication::setStyle() tells which widgets are told.
+        // QApplication::setStyle() uses these two attributes to select the widgets it notifies.
         widget->setAttribute(Qt::WA_WState_Polished, false);
         widget->setAttribute(Qt::WA_SetStyle);
         untold << widget;
@@ -261,9 +261,9 @@ void applyLook(QApplication& application, ThemeName name, int fontScale)
     installSpokenLabels();
     keepPlotsPlain();
     markFocus(application);
-    // A style sheet wraps the style and would wrap a second one, too.
+    // A style sheet wraps the style; a second style would be wrapped, too.
     if (first) QApplication::setStyle(new TargetStyle);
-    // Each of the three goes through every widget there is.
+    // Each of these three calls visits every widget.
     if (letters) {
         QFont font = QApplication::font();
         font.setPixelSize(scaled(14));
@@ -271,7 +271,7 @@ void applyLook(QApplication& application, ThemeName name, int fontScale)
         QToolTip::setFont(font);
     }
     if (colours) QApplication::setPalette(paletteOf(current));
-    // A sheet in place of another is given to each widget as often as it has ancestors (Qt 6.4); the first one only once.
+    // Replacing a sheet restyles each widget once per ancestor (Qt 6.4). Setting the first sheet restyles it once.
     if (!first) dropSheet(application);
     application.setStyleSheet(styleSheet());
 }

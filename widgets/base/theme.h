@@ -7,21 +7,21 @@ class QLabel;
 
 namespace terratact {
 
-/// Style, fonts, colours and style sheet of the console.  Call before the first window; a later call changes
-/// every window there is, each of whose widgets receives a QEvent::StyleChange.  fontScale: [%].
+/// Applies style, fonts, colours and style sheet to the console. Call before the first window opens. A later call
+/// restyles all windows; each of their widgets gets QEvent::StyleChange. fontScale: [%].
 void applyLook(QApplication& application, ThemeName name = ThemeName::Day, int fontScale = 100);
 
-/// What was applied last.
+/// Values of the last applyLook() call.
 struct LookInForce {
     ThemeName theme = ThemeName::Day;
     int fontScale = 100;  ///< [%]
 };
 LookInForce lookInForce();
 
-/// What a label says, as weight and colour.
+/// Meaning of a label, shown as weight and colour.
 enum class Tone { Plain, Muted, Strong, Good, Doubt, Bad, Accent };
 
-/// Sets a label's tone; does nothing when it has it already, so it may be called at every redraw.
+/// Sets a label's tone. An unchanged tone costs nothing, so every redraw may call this.
 void setTone(QLabel& label, Tone tone);
 
 }  // namespace terratact

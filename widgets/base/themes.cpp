@@ -3,8 +3,8 @@
 namespace terratact {
 namespace {
 
-/// Rods hardly see red, so light of it leaves them adapted to the dark.  Bright enough to be read, and what
-/// differs by day in hue differs here in brightness, shape and words.
+/// Red light keeps dark adaptation, because rods hardly respond to red. The reds are bright enough to read. Day's
+/// differences of hue become differences of brightness, shape and words.
 Theme nightRed()
 {
     const QColor black(0x00, 0x00, 0x00), ember(0x16, 0x02, 0x00), dim(0x3a, 0x06, 0x03);

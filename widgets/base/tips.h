@@ -9,19 +9,20 @@ class QWidget;
 
 namespace terratact {
 
-/// A tip that wraps and shows the text as it is: somebody's file may say what looks like HTML.
+/// Returns a wrapping tip that shows the text literally, because text from a file may look like HTML.
 QString plainTip(const QString& text);
 
-// The only ways to a tip: each shows the text as it is.  A text that does not look like HTML is kept letter by letter.
+// All tips are set by these functions, which show the text literally. Text that does not look like HTML is stored
+// unchanged.
 void setTip(QWidget& widget, const QString& text);
 void setTip(QAction& action, const QString& text);
 void setTip(QTableWidgetItem& cell, const QString& text);
 void showTip(const QPoint& global, const QString& text, QWidget* widget);
 
-/// The text of the widget's tip, without the marks that keep it plain.
+/// Returns the text of the widget's tip without the escapes of plainTip().
 QString tipOf(const QWidget& widget);
 
-/// From now on the plots of this process show each text as it is.
+/// Makes every plot of this process show plain text only.
 void keepPlotsPlain();
 
 }  // namespace terratact

@@ -87,7 +87,7 @@ QSize ArmingControl::sizeHint() const
     if (listens_) return arm_->sizeHint();
     QSize size = confirm_->sizeHint();
     const auto take = [&size](const QPushButton& button, const QString& text) {
-        const QSize hint = button.sizeHint();  // the font is the style sheet's from now on
+        const QSize hint = button.sizeHint();  // ensures the style sheet's font
         const QFontMetrics metrics = button.fontMetrics();
         const int frame = hint.width() - metrics.horizontalAdvance(button.text());
         size = size.expandedTo({metrics.horizontalAdvance(text) + frame, hint.height()});

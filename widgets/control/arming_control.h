@@ -12,29 +12,28 @@ namespace terratact {
 
 class HoldToConfirmButton;
 
-/// Whether commands from here move the robot, and the two distinct actions that arm it, a click and then a
-/// hold.  One button at a time; disarming takes one click and is always possible.
+/// Shows whether commands from this console move the robot, and arms it in two distinct actions: a click, then a hold.
+/// It shows one button at a time. Disarming takes one click and is always possible.
 class ArmingControl final : public QWidget {
     Q_OBJECT
 public:
     explicit ArmingControl(QWidget* parent = nullptr);
 
-    /// Arming is possible unless one of its preconditions is Missing; all are in the tip.
+    /// Arming is possible unless a precondition is Missing; the tip lists all preconditions.
     void setState(const ArmingState& state, const QList<Precondition>& preconditions);
-    /// The source takes no commands at all: only listened to, or a replay, as `why` says.
+    /// The source accepts no commands because it is receive-only or a replay; `why` says which.
     void setListening(const QString& why);
 
     QPushButton* armButton() const { return arm_; }
     HoldToConfirmButton* confirmButton() const { return confirm_; }
     QPushButton* disarmButton() const { return disarm_; }
 
-    /// What the window-wide key means at this moment.  A press right after a release is no second action: some X
-    /// servers repeat a held key like that.
+    /// Press and release of the window-wide key. A press right after a release is not a second action, because some X
+    /// servers repeat a held key this way.
     void pressKey();
     void releaseKey();
 
-    QSize
-    sizeHint() const override;  ///< that of the widest button there may be: nothing beside it moves
+    QSize sizeHint() const override;  ///< size of the widest state, so that neighbours never move
     QSize minimumSizeHint() const override { return sizeHint(); }
 
 signals:

@@ -21,7 +21,7 @@
 namespace terratact {
 namespace {
 
-constexpr int kLines = 3, kLinesBusy = 2;  // of the texts, seen in any case
+constexpr int kLines = 3, kLinesBusy = 2;  // visible lines of the precondition list, idle and busy
 
 Tone toneOf(AtemPhase phase)
 {
@@ -181,7 +181,7 @@ void AtemPanel::showState()
     setTone(*stateText_, toneOf(state_.phase));
 }
 
-/// "ready" only where nothing below speaks against it.
+/// Returns "ready" only if no listed precondition contradicts it.
 QString AtemPanel::idleWords(const QString& ready) const
 {
     if (onlyShows_) return tr("nothing is explored");
@@ -264,7 +264,7 @@ void AtemPanel::offerCommands()
     }
 }
 
-/// Those told, and before them what this card knows itself.
+/// Returns the preconditions that were set, preceded by those this panel knows itself.
 QList<Precondition> AtemPanel::needsNow(Commanded command) const
 {
     QList<Precondition> needs = needs_[indexOf(command)];
@@ -273,7 +273,7 @@ QList<Precondition> AtemPanel::needsNow(Commanded command) const
     return needs;
 }
 
-/// While an exploration runs, what is met takes the room of what asks; who looks it up sees all of it.
+/// Returns the preconditions to list. While an exploration runs, met ones are hidden unless the operator looks them up.
 QList<Precondition> AtemPanel::listOf(Commanded command) const
 {
     if (lookedUp_) return needsNow(command);
@@ -296,7 +296,7 @@ void AtemPanel::setProbeToAsk(std::optional<int> bin, const QString& tells)
     showButtons();
 }
 
-/// What is on the screen, rather than ending what the robot does.
+/// Returns true if the button clears the screen instead of ending a robot action.
 bool AtemPanel::forgets() const
 {
     return !exploring(state_.phase);
@@ -360,8 +360,8 @@ void AtemPanel::arrange()
     const bool busy = exploring(state_.phase);
     const bool brief = narrow_ && busy && !onlyShows_;
     setTitleShown(!brief);
-    // The button is higher than the title beside it: the room around that is the button's.
-    // While the robot is at work, its time stands there.
+    // The button is higher than the title beside it and takes the margin around it. While the robot works, the time
+    // stands there instead.
     const bool idle = !busy || state_.phase == AtemPhase::ProposingProbe;
     const bool button = idle && !brief && !onlyShows_;
     needsButton_->setVisible(button);
@@ -369,7 +369,8 @@ void AtemPanel::arrange()
     if (button) margins.setTop(1);
     body()->setContentsMargins(margins);
     const int spacing = button ? 0 : kSpacing;
-    if (body()->spacing() != spacing) body()->setSpacing(spacing);  // it lays out anew in any case
+    if (body()->spacing() != spacing)
+        body()->setSpacing(spacing);  // setSpacing() lays out again even if the value is unchanged
     parts_->setDirection(brief ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     texts_->setLeastLines(busy ? kLinesBusy : kLines);
 }
@@ -410,7 +411,7 @@ void AtemPanel::showButtons()
     release_->setVisible(stopped);
     request_->setEnabled(!busy && !stopped && missing.isEmpty() && doubtful.isEmpty());
     const bool overrides = !busy && !stopped && missing.isEmpty() && !doubtful.isEmpty();
-    override_->setVisible(overrides);  // beside the others it leaves no room for the request
+    override_->setVisible(overrides);  // this button needs the request button's place
     buttons_->setDirection(narrow_ || overrides ? QBoxLayout::TopToBottom
                                                 : QBoxLayout::LeftToRight);
     QString tip = tr("Halts the robot, presses the front flippers down and estimates the terrain");
@@ -421,7 +422,8 @@ void AtemPanel::showButtons()
     else if (!doubtful.isEmpty())
         tip = tr("Doubtful, override it first (O):");
     setTip(*request_, tip + QLatin1Char('\n') + linesOf(needs));
-    const bool clears = ended || state_.followed;  // nothing of the robot's can be ended from here
+    const bool clears =
+        ended || state_.followed;  // a followed exploration cannot be ended from here
     abort_->setEnabled(busy || ended);
     abort_->setText(clears ? tr("Forget (Del)") : tr("Abort (Esc)"));
     if (asks) {

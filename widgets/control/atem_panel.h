@@ -18,48 +18,52 @@ namespace terratact {
 class HoldToConfirmButton;
 class ScrollColumn;
 
-/// What the operator sees and may do of an exploration: the state in words with the time it has left,
-/// the preconditions, and the buttons that request it, end it, or release STOP.
+/// The operator's panel of an exploration. It shows the state in words with the time left, the preconditions, and
+/// buttons that request it, abort it or release STOP.
 ///
-/// The preconditions are those of the command that comes next: exploring, the probe that is asked for, or releasing
-/// STOP.  Those of any other command can be looked up; the state's next change ends that.
+/// The listed preconditions belong to the next command: exploring, the proposed probe, or releasing STOP. Preconditions
+/// of other commands can be looked up; the next state change ends the look-up.
 class AtemPanel final : public Card {
     Q_OBJECT
 public:
     explicit AtemPanel(QWidget* parent = nullptr);
 
-    /// said: where more is known than the state itself says; empty: its own.
+    /// said: text that replaces the state's own text; empty: the state's own.
     void setState(const AtemState& state, const std::optional<PhaseTime>& time,
                   const QString& said = {});
-    /// The request is possible unless one is Missing or Doubtful.  While an exploration runs, those that are met are not
-    /// shown: their room is the probe's.
+    /// The request is enabled unless a precondition is Missing or Doubtful. While an exploration runs, met
+    /// preconditions are hidden to leave room for the probe.
     void setPreconditions(const QList<Precondition>& preconditions);
 
-    /// Of any command; of exploring it is the same as setPreconditions().  Empty: it is not given from here.
+    /// Sets the preconditions of any command; Explore equals setPreconditions(). An empty list means this console does
+    /// not give the command.
     void setNeeds(Commanded command, const QList<Precondition>& preconditions);
-    void lookUp(std::optional<Commanded> command);  ///< empty: what comes next
-    void lookUpNext();                              ///< one after the other, then what comes next
-    Commanded listed() const;                       ///< whose preconditions are shown
-    /// There is something on the screen that can be taken off it, in whatever state.
+    void lookUp(std::optional<Commanded> command);  ///< empty: the next command
+    void lookUpNext();         ///< cycles through the commands, then back to the next command
+    Commanded listed() const;  ///< command whose preconditions are listed
+    /// Tells whether an estimate is on the screen that can be cleared, in any state.
     void setResultStands(bool stands);
 
-    /// The bin of which the operator may ask for a probe now, with what that would tell; empty: none.  Its button stands in
-    /// the place of the one that forgets.
+    /// Sets the bin for which the operator may now request a probe, and its expected gain in words; empty: none. Its
+    /// button replaces the one that clears the estimate.
     void setProbeToAsk(std::optional<int> bin, const QString& tells);
 
-    /// From now on it only shows: no button is seen.
+    /// Makes the panel display-only: no button is visible.
     void forbidCommands();
-    /// Little room: the buttons below each other, and while an exploration runs only the state with the button that
-    /// ends it.
+    /// Compact layout: buttons stand below each other. While an exploration runs, only the state and the button that
+    /// ends it remain.
     void setNarrow(bool narrow);
-    int leastHeight() const;  ///< [px] while an exploration runs
+    int leastHeight() const;  ///< [px] minimum height while an exploration runs
 
     QPushButton* requestButton() const { return request_; }
     QPushButton* abortButton() const { return abort_; }
     QPushButton* askButton() const { return ask_; }
     HoldToConfirmButton* releaseButton() const { return release_; }
     QPushButton* overrideButton() const { return override_; }
-    QPushButton* needsButton() const { return needsButton_; }  ///< whose menu looks up
+    QPushButton* needsButton() const
+    {
+        return needsButton_;
+    }  ///< its menu looks up the preconditions of a command
 
 signals:
     void requested();
@@ -83,23 +87,23 @@ private:
     static QString timeWords(const PhaseTime& time);
 
     AtemState state_;
-    QString said_;  ///< of it
+    QString said_;  ///< text that replaces the state's own
     bool onlyShows_ = false;
     bool narrow_ = false;
     bool resultStands_ = false;
     std::array<QList<Precondition>, kCommanded.size()> needs_;
     std::optional<Commanded> lookedUp_;
     QList<Precondition> shown_;
-    QLabel* subject_ = nullptr;  ///< whose they are, where that is not exploring
+    QLabel* subject_ = nullptr;  ///< names the command, unless it is exploring
     QPushButton* needsButton_ = nullptr;
     QLabel* stateText_ = nullptr;
     QLabel* timeText_ = nullptr;
     QGridLayout* list_ = nullptr;
     ScrollColumn* texts_ = nullptr;
-    QBoxLayout* parts_ = nullptr;    ///< texts and buttons
-    QBoxLayout* buttons_ = nullptr;  ///< the request and the others
+    QBoxLayout* parts_ = nullptr;    ///< texts beside buttons
+    QBoxLayout* buttons_ = nullptr;  ///< request button beside the others
     QPushButton* request_ = nullptr;
-    QPushButton* abort_ = nullptr;  ///< an exploration, or forgets what has come of it
+    QPushButton* abort_ = nullptr;  ///< aborts an exploration, or clears its result
     QPushButton* ask_ = nullptr;
     std::optional<int> askBin_;
     QString askTells_;

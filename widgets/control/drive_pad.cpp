@@ -43,7 +43,7 @@ void DrivePad::setPreconditions(const QList<Precondition>& preconditions)
 void DrivePad::setNarrow(bool narrow)
 {
     static const QRegularExpression kHold(
-        QStringLiteral("\\S+: "));  // "hold: ", which the tip says, too
+        QStringLiteral("\\S+: "));  // removes "hold: ", which the tip repeats
     const auto words = [narrow](QString text) { return narrow ? text.remove(kHold) : text; };
     back_->setText(words(tr("◀ hold: back (S)")));
     forward_->setText(words(tr("hold: forward (W) ▶")));

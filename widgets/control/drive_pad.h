@@ -8,17 +8,18 @@ namespace terratact {
 
 class HeldButton;
 
-/// Drives while a button is held.  Says halt when it is let go, for whatever reason.
+/// Hold-to-run drive buttons (dead-man control). Emits a drive request while a button is held, and halt on release for
+/// any reason.
 class DrivePad final : public QWidget {
     Q_OBJECT
 public:
     explicit DrivePad(QWidget* parent = nullptr);
 
-    /// Enabled unless one is Missing; all are in the tip.
+    /// Buttons are enabled unless a precondition is Missing; the tip lists all preconditions.
     void setPreconditions(const QList<Precondition>& preconditions);
 
-    void setNarrow(bool narrow);        ///< little room: fewer words
-    void setProminent(bool prominent);  ///< larger, for who drives most of the time
+    void setNarrow(bool narrow);        ///< compact layout with shorter texts
+    void setProminent(bool prominent);  ///< larger buttons for the driving layout
 
     HeldButton* forwardButton() const { return forward_; }
     HeldButton* backButton() const { return back_; }

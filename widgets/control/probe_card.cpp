@@ -25,8 +25,8 @@ namespace {
 
 enum Page { kNothing, kQuestion, kProbing };
 constexpr int kFacts = 6;     // lines
-constexpr int kMinFacts = 4;  // seen in any case
-constexpr int kProbeGap = 6;  // [px] facts and answers
+constexpr int kMinFacts = 4;  // visible lines at the minimum height
+constexpr int kProbeGap = 6;  // [px] between facts and answers
 
 QString percent(double share)
 {
@@ -111,8 +111,8 @@ QWidget* ProbeCard::questionPage()
     ranking_->setAccessibleName(tr("The other bins, the best first"));
     setTone(*ranking_, Tone::Muted);
     facts_->column()->addWidget(ranking_);
-    // Room to spare goes between the lines, and above the first (a grid's row 0 is empty here): what is to be decided is
-    // read at a glance.
+    // Extra room goes between the lines and above the first, so that the facts are readable at a glance. Row 0 of the
+    // grid is empty.
     for (int line = 0; line < rows->rowCount(); ++line) rows->setRowStretch(line, 1);
     lines_ = rows;
     facts_->column()->addStretch(1);
@@ -175,14 +175,15 @@ QWidget* ProbeCard::probingPage()
 void ProbeCard::setNarrow(bool narrow)
 {
     narrow_ = narrow;
-    where_->setVisible(!narrow);  // other lines say it, too
+    where_->setVisible(!narrow);  // other lines repeat it
     for (QLabel* key : std::as_const(keys_)) key->setVisible(!narrow);
     told() ? showFacts() : showAnswer();
 }
 
 int ProbeCard::leastHeight() const
 {
-    const QSize buttons = answers_->layout()->totalMinimumSize();  // hidden as a whole, or not
+    const QSize buttons =
+        answers_->layout()->totalMinimumSize();  // the buttons are hidden or shown together
     return frameHeight() + facts_->minimumSizeHint().height() + kProbeGap + buttons.height();
 }
 
@@ -194,7 +195,7 @@ int ProbeCard::givenHeight() const
 
 void ProbeCard::showPage(int page)
 {
-    for (int i = 0; i < pages_->count(); ++i) {  // the others need no room
+    for (int i = 0; i < pages_->count(); ++i) {  // hidden pages take no height
         const auto policy = i == page ? QSizePolicy::Preferred : QSizePolicy::Ignored;
         pages_->widget(i)->setSizePolicy(policy, policy);
     }
@@ -230,7 +231,7 @@ bool ProbeCard::isCovered() const
         const Qt::WindowType type = other->windowType();
         const bool isDialog = type == Qt::Window || type == Qt::Dialog || type == Qt::Tool;
         const bool isAbove =
-            type == Qt::Popup  // a menu need not have a parent
+            type == Qt::Popup  // a menu may have no parent
             || (isDialog && other->parentWidget() && other->parentWidget()->window() == window());
         return isAbove && other->isVisible() && !other->isMinimized()
             && other->frameGeometry().intersects(here);
@@ -246,7 +247,7 @@ void ProbeCard::paintEvent(QPaintEvent* event)
 void ProbeCard::setProposal(const ProbeProposal& proposal)
 {
     if (proposal_ == proposal) return;
-    // A hold begun on another question does not count for this one.
+    // A hold that began on another proposal does not count for this one.
     const bool isNew = !proposal_ || proposal_->id != proposal.id;
     if (isNew) {
         approve_->letGo();
@@ -257,7 +258,7 @@ void ProbeCard::setProposal(const ProbeProposal& proposal)
     showFacts();
     showApproval();
     showPage(kQuestion);
-    update();  // all of it
+    update();  // repaints the whole card, so that painted_ holds
     if (isNew) announce(*this);
 }
 
@@ -297,7 +298,7 @@ void ProbeCard::showWorth()
     band_->setText(narrow_ ? tr("80 % in %1 … %2 m").arg(q10, q90) : tr("%1 … %2 m").arg(q10, q90));
     const QString worth = p.worth ? tr("total variance %1 %").arg(percent(p.worth->varianceShare))
                                   : tr("this bin to ± %1 m").arg(format::number(p.armSd, 2));
-    // Where the card has more to say, cost and variance share a line.
+    // Cost and variance share a line if the card shows more facts.
     const bool joined = narrow_ || tells() || isVoid() || p.answer != StepVerdict::CannotTell;
     for (QLabel* label : {cost_, costKey_}) label->setVisible(!joined);
     lines_->setRowStretch(costLine_, joined ? 0 : 1);
@@ -375,7 +376,7 @@ void ProbeCard::showOthers()
 
 void ProbeCard::showRanking()
 {
-    QStringList bins;  // a line each: a line that breaks within one cannot be compared
+    QStringList bins;  // one bin per line, because wrapped lines cannot be compared
     for (const ProbeWorth& other : told()->others) {
         if (bins.size() == static_cast<qsizetype>(kOthers)) break;
         bins << tr("or at %1: %2 %, %3 bit")
@@ -442,7 +443,7 @@ void ProbeCard::setNothing(const QString& why)
     proposal_.reset();
     worth_.reset();
     setAccessibleDescription(QString());
-    note()->setText(QString());  // clear() lays out anew in any case
+    note()->setText(QString());  // clear() would lay out again in any case
     nothing_->setText(why);
     showPage(kNothing);
 }

@@ -22,39 +22,38 @@ class HoldToConfirmButton;
 class ScrollColumn;
 enum class Tone;
 
-/// What touching one bin is expected to buy.
+/// Expected value of probing one bin.
 struct ProbeWorth {
     int bin = 0;
-    double varianceShare = 0.0;  ///< 0 … 1 of the total variance of all bins, gone
-    double bitsAfter = 0.0;      ///< entropy of the question "is there a step ahead?" [bit]
+    double varianceShare = 0.0;  ///< 0 … 1, expected reduction of the summed variance of all bins
+    double bitsAfter = 0.0;  ///< [bit] expected entropy of "is there a step ahead?" after the probe
     bool operator==(const ProbeWorth&) const = default;
 };
 
-/// A probe as it is put to the operator.  An answer carries the proposal's id, so that it can only
-/// mean what was on the screen.
+/// A probe proposal. An answer carries the proposal's id, so that it approves only what was on the screen.
 struct ProbeProposal {
     quint64 id = 0;
     int bin = 0;
     double height = 0.0, q10 = 0.0, q90 = 0.0, sd = 0.0;  ///< [m]
-    double limit = kProbeThreshold;   ///< [m] sd above which the arm is asked for
-    double armSd = 0.03;              ///< [m] sd of what the arm would measure
-    double seconds = 45.0;            ///< what it costs
-    double stepLimit = 0.1;           ///< [m] of the question
-    double bitsBefore = 0.0;          ///< its entropy now [bit]
-    std::optional<ProbeWorth> worth;  ///< of this bin; empty: the method cannot tell
-    std::vector<ProbeWorth> others;   ///< the bins the operator may choose instead, the best first
-    StepVerdict answer = StepVerdict::CannotTell;  ///< that the estimate gives without the probe
+    double limit = kProbeThreshold;   ///< [m] probe threshold: above this sd the arm is proposed
+    double armSd = 0.03;              ///< [m] sd of the arm's measurement
+    double seconds = 45.0;            ///< [s] expected duration of the probe
+    double stepLimit = 0.1;           ///< [m] step height that counts as an obstacle
+    double bitsBefore = 0.0;          ///< [bit] entropy of "is there a step ahead?" now
+    std::optional<ProbeWorth> worth;  ///< worth of this bin; empty: the method cannot tell
+    std::vector<ProbeWorth> others;   ///< other bins the operator may choose, best first
+    StepVerdict answer = StepVerdict::CannotTell;  ///< verdict of the estimate without the probe
 
-    /// The probe says something about the question; else, where its worth is known, only about the terrain's shape.
+    /// Returns true if the probe informs the step verdict. Otherwise it only refines the terrain's shape, if its worth
+    /// is known.
     bool tellsOfStep() const { return worth && bitsBefore - worth->bitsAfter >= kMinBits; }
     bool operator==(const ProbeProposal&) const = default;
 };
 
-/// The card that asks for the arm: where, what is expected there, what it buys and costs, what else could be
-/// touched, and how long the question stands.  Approving takes a hold of 1.5 s of what is shown(), all the time;
-/// refusing a click; no answer means no.
-/// Where the estimate has an answer without the arm, the card says so, and not to probe is what stands out.  Where
-/// nobody is asked it says the same to be read only, below why that is.
+/// The card that proposes a probe: the bin, its expected height, the gain, the cost, alternatives and the approval
+/// expiry. Approving takes a 1.5 s hold while the proposal stays shown(); refusing takes a click; no answer means no.
+/// If the estimate already has a verdict, the card says so and highlights not probing. If no probe is proposed, the
+/// card shows the same facts read-only, and why.
 class ProbeCard final : public Card {
     Q_OBJECT
 public:
@@ -62,25 +61,29 @@ public:
 
     void setProposal(const ProbeProposal& proposal);
     void setTimeLeft(double seconds);
-    /// Of approving, as its tip.  Where one is missing the question is void: it cannot be approved, and says why.
+    /// Sets the preconditions of approving, shown as its tip. A Missing one makes the proposal void: it cannot be
+    /// approved, and the card says why.
     void setPreconditions(const QList<Precondition>& preconditions);
-    /// The arm is on its way to `bin` for `elapsed` of about `expected` seconds.
+    /// Shows that the arm probes `bin`, `elapsed` of about `expected` seconds ago.
     void setProbing(int bin, double elapsed, double expected);
-    /// What the probe would buy that nobody is asked for here, and why not; its id and answer do not matter.
+    /// Shows the expected gain of a probe that is not proposed, and why not. The probe's id and answer are ignored.
     void setWorth(const ProbeProposal& probe, const QString& why);
     void setNothing(const QString& why);
 
-    /// Little room: the same in fewer words.
+    /// Compact layout with shorter texts.
     void setNarrow(bool narrow);
-    int leastHeight() const;  ///< [px] of a question, asked or not
-    int givenHeight() const;  ///< [px] more, and all its lines are seen
+    int leastHeight() const;  ///< [px] minimum height with proposal or worth
+    int givenHeight() const;  ///< [px] extra height at which all lines are visible
 
-    bool asks() const;                                             ///< a proposal is on the card
-    bool isVoid() const { return asks() && !whyVoid_.isEmpty(); }  ///< and cannot be approved
-    bool tells() const;  ///< what a probe would buy, without asking for it
-    /// The proposal that the operator has before him, by its id: the card is seen and was painted with it.
+    bool asks() const;  ///< true if a proposal is on the card
+    bool isVoid() const
+    {
+        return asks() && !whyVoid_.isEmpty();
+    }                    ///< the proposal cannot be approved
+    bool tells() const;  ///< true if the card shows a probe's worth without proposing it
+    /// Returns the id of the proposal the operator sees: the card is visible and was painted with it.
     std::optional<quint64> shown() const;
-    /// By another window of this one's, such as a file dialog, or by a menu that is open; in part is enough.
+    /// Returns true if another window of this window, or an open menu, covers the card at least partly.
     bool isCovered() const;
     HoldToConfirmButton* approveButton() const { return approve_; }
     QPushButton* refuseButton() const { return refuse_; }
@@ -100,7 +103,7 @@ private:
     QWidget* questionPage();
     QWidget* answers();
     QWidget* probingPage();
-    const ProbeProposal* told() const;  ///< what the facts are of; null: of nothing
+    const ProbeProposal* told() const;  ///< probe that the facts describe; null: none
     void showFacts();
     void showWorth();
     QString questionText() const;
@@ -111,10 +114,10 @@ private:
     void showPage(int page);
 
     std::optional<ProbeProposal> proposal_,
-        worth_;            ///< asked for; only told.  One of them, or neither
-    QString whyNotAsked_;  ///< of worth_
-    QString whyVoid_;      ///< of proposal_; empty: it may be approved
-    quint64 painted_ = 0;  ///< id of the proposal that was painted last
+        worth_;            ///< proposed; shown without proposing. At most one is set
+    QString whyNotAsked_;  ///< reason that worth_ is not proposed
+    QString whyVoid_;      ///< reason that proposal_ is void; empty: it may be approved
+    quint64 painted_ = 0;  ///< id of the last painted proposal
     QStackedLayout* pages_ = nullptr;
     QLabel* nothing_ = nullptr;
     QLabel* where_ = nullptr;
@@ -123,16 +126,17 @@ private:
     QLabel* variance_ = nullptr;
     QLabel* question_ = nullptr;
     QLabel* questionKey_ = nullptr;
-    QLabel* decided_ = nullptr;  ///< that there is an answer already, or why nobody is asked
-    QLabel* ranking_ = nullptr;  ///< the other bins, where they cannot be chosen
+    QLabel* decided_ =
+        nullptr;  ///< says that a verdict exists already, or why no probe is proposed
+    QLabel* ranking_ = nullptr;  ///< other bins while they cannot be chosen
     QList<QLabel*> keys_;
     ScrollColumn* facts_ = nullptr;
     QWidget* asking_ = nullptr;
-    QWidget* answers_ = nullptr;  ///< of it
+    QWidget* answers_ = nullptr;  ///< approve and refuse buttons
     bool narrow_ = false;
     QLabel* cost_ = nullptr;
     QLabel* costKey_ = nullptr;
-    QGridLayout* lines_ = nullptr;  ///< of the facts
+    QGridLayout* lines_ = nullptr;  ///< rows of the facts
     int costLine_ = 0;
     HoldToConfirmButton* approve_ = nullptr;
     QPushButton* refuse_ = nullptr;

@@ -13,15 +13,15 @@ class QLabel;
 
 namespace terratact {
 
-/// The robot's angles and currents L left, R right, each with its age as its tip.  What is older than
-/// kStaleAfter reads "--" with its age beside it.  Beside the pitch stands that of the scene which is drawn.
+/// Angles and currents of the robot, left (L) and right (R); the tip of each shows its age. A value older than
+/// kStaleAfter reads "--" with its age. The pitch of the drawn scene stands beside the current pitch.
 class RobotReadout final : public QWidget {
     Q_OBJECT
 public:
     explicit RobotReadout(QWidget* parent = nullptr);
 
     enum Row { Pitch, Roll, FrontFlippers, RearFlippers, FrontCurrents, RearCurrents, kRows };
-    using Ages = std::array<double, kRows>;  ///< [s]; not finite: it has never arrived
+    using Ages = std::array<double, kRows>;  ///< [s]; not finite: never received
 
     /// Of the measurement that is set next: pitch and roll read "STEEP", amber, or "DANGER", red.
     void setAttitude(const Attitude& attitude) { attitude_ = attitude; }

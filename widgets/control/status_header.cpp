@@ -20,11 +20,11 @@
 namespace terratact {
 namespace {
 
-// [px]; nothing harmless close to STOP
+// [px]; the gap keeps other controls away from STOP
 constexpr int kBetween = 8, kBetweenLines = 6, kBeforeStop = 20;
-constexpr int kSourceLetters = 24;  // nobody may take one source for another
+constexpr int kSourceLetters = 24;  // enough letters to tell sources apart
 
-/// [px] at least, of those that are not hidden.
+/// Returns the minimum width [px] of the items that are not hidden.
 int widthOf(const QList<QWidget*>& row)
 {
     int width = 0;
@@ -62,7 +62,7 @@ QString stopText(StopViewState::State state)
     return {};
 }
 
-/// What a screen reader and the tip say.
+/// Returns the text of STOP for the screen reader and the tip.
 QString stopMeaning(const StopViewState& viewState)
 {
     switch (viewState.state) {
@@ -83,7 +83,7 @@ QString stopMeaning(const StopViewState& viewState)
     return {};
 }
 
-/// Its look, see the style sheet.
+/// Returns the role of STOP in the style sheet.
 QString stopRole(StopViewState::State state)
 {
     switch (state) {
@@ -97,7 +97,7 @@ QString stopRole(StopViewState::State state)
     return {};
 }
 
-/// Its look, see the style sheet.
+/// Sets a button's role in the style sheet.
 void setRole(QPushButton& button, const QString& role)
 {
     if (button.property("role").toString() == role) return;
@@ -253,7 +253,7 @@ QList<QWidget*> StatusHeader::lower() const
 QList<QWidget*> StatusHeader::last() const
 {
     QList<QWidget*> row{alarms_};
-    if (quality_->parentWidget() == this) row << quality_;  // it may stand elsewhere
+    if (quality_->parentWidget() == this) row << quality_;  // other layouts place it elsewhere
     return row;
 }
 
@@ -328,7 +328,7 @@ int StatusHeader::usualUpper() const
 int StatusHeader::heightFor(int width) const
 {
     const QMargins margins = layout()->contentsMargins();
-    // A bus that is Bad will be seen, whether there is room for it now or not.
+    // A Bad bus is shown even without room, so its height counts.
     const int bus = busText_.isEmpty() ? 0 : bus_->sizeHint().height();
     const int above = std::max(bus, heightOf(upper())), below = heightOf(lower() + last());
     const int lines = oneLine() <= width ? std::max(above, below) : above + kBetweenLines + below;
@@ -355,7 +355,7 @@ void StatusHeader::fit()
     const QString tone = model_->property("tone").toString();
     const bool trouble = tone == QLatin1String("bad");
     const int model = model_->sizeHint().width() + kBetween;
-    // A model that is not ready yet matters more than how busy the bus is.
+    // A model that is still loading has priority over the bus load.
     const int kept = lines_ == 1 && tone == QLatin1String("doubt") ? model : 0;
     const int forBus = lines_ > 1 ? above : room - kept;
     const int spare = usualUpper() - widthOf({source_, link_, robot_});
@@ -378,7 +378,7 @@ bool StatusHeader::event(QEvent* event)
 {
     const bool handled = QFrame::event(event);
     if (event->type() == QEvent::LayoutRequest) {
-        keepRoom();  // the letters may be others
+        keepRoom();  // the font may have changed
         fit();
     }
     return handled;

@@ -11,24 +11,25 @@ class ArmingControl;
 class ElidedLabel;
 enum class Tone;
 
-/// What is known of STOP.
+/// Known state of STOP.
 struct StopViewState {
     enum class State {
-        Ready,      ///< not asked for
-        Sent,       ///< on its way: the robot has not said that it is stopped
-        NotSent,    ///< asked for, but it could not leave
-        Confirmed,  ///< the robot says that it is stopped
-        Elsewhere,  ///< it goes to the console that opened this window, which says what becomes of it
-        NoEffect,  ///< no command leaves from here, STOP neither
+        Ready,      ///< not requested
+        Sent,       ///< requested, not yet confirmed by the robot
+        NotSent,    ///< requested, but not sent
+        Confirmed,  ///< confirmed: the robot reports stopped
+        /// Sent to the console that opened this window, which reports the result.
+        Elsewhere,
+        NoEffect,  ///< this window sends no commands, not even STOP
     };
     State state = State::Ready;
-    double seconds = 0.0;  ///< [s] of Sent and NotSent: since it was asked for
-    QString why{};         ///< of NotSent and NoEffect, in words
+    double seconds = 0.0;  ///< [s] since the request, in Sent and NotSent
+    QString why{};         ///< reason in words, in NotSent and NoEffect
 };
 
-/// The dark strip at the top: where the data come from, how the link is, what the robot does, and STOP.
-/// STOP acts on the press, needs no confirming and is never disabled; where it has no effect it looks so.  What does not fit beside it on one line stands on
-/// two; changing texts move nothing.
+/// The dark strip at the top: data source, link, robot activity and STOP. STOP acts on the press without confirmation
+/// and is never disabled; its look shows when it has no effect. Items that do not fit beside STOP on one line use two
+/// lines. Changing texts never move items.
 class StatusHeader final : public QFrame {
     Q_OBJECT
 public:
@@ -36,32 +37,29 @@ public:
 
     void setSource(const QString& name);
     void setLink(const QString& text, Tone tone, const QString& details = {});
-    /// The bus: its state and load; empty: the source is none.  brief: what of that is to be seen where there is no room
-    /// for all: of a doubt where others can spare it, of what is Bad in any case.
+    /// Sets the bus state and load; empty: the source has no bus. brief: short text for narrow widths. A doubtful bus
+    /// shows it if other items leave room, a Bad bus always.
     void setBus(const QString& text, Tone tone, const QString& details, const QString& brief = {});
-    /// unseen: how many of all nobody has acknowledged.
+    /// unseen: number of unacknowledged alarms.
     void setAlarms(int unseen, int all);
-    void
-    setOverridden(const QString& what);  ///< a badge as long as a check is overridden; empty: none
+    void setOverridden(
+        const QString& what);  ///< shows a badge while a check is overridden; empty: no badge
     void setRobot(const QString& text, Tone tone);
     void setModel(const QString& text, Tone tone, const QString& details = {});
-    /// The menu of what an estimate may cost.  names: one word each; lines: the same with cost and error.
+    /// Sets the quality menu. names: one word per preset; lines: the same with cost and error.
     void setQualities(const QStringList& names, const QStringList& lines, int chosen);
     void setStop(const StopViewState& viewState);
 
     QString sourceName() const;
     QString linkText() const;
-    ArmingControl* arming() const
-    {
-        return arming_;
-    }  ///< to be hidden where nothing is to be armed
+    ArmingControl* arming() const { return arming_; }  ///< hidden if nothing can be armed
     QPushButton* stopButton() const { return stop_; }
     QPushButton* qualityButton() const { return quality_; }
     QPushButton* alarmsButton() const { return alarms_; }
     QPushButton* busButton() const { return bus_; }
 
-    QSize minimumSizeHint() const override;  ///< on two lines
-    int heightFor(int width) const;          ///< [px] it needs
+    QSize minimumSizeHint() const override;  ///< size with two lines
+    int heightFor(int width) const;          ///< [px] height needed at this width
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -74,18 +72,18 @@ signals:
     void qualityChosen(int index);
 
 private:
-    /// Leaves the model out where STOP needs its room, then the bus; what is Bad stays.
+    /// Hides first the model, then the bus, if STOP needs their room. A Bad bus stays.
     void fit();
     void showBus(const QString& text);
-    int stopWidth() const;   ///< [px] with the room before it
-    int usualUpper() const;  ///< [px] of source, link and robot, without the bus
+    int stopWidth() const;   ///< [px] width of STOP with the gap before it
+    int usualUpper() const;  ///< [px] width of source, link and robot, without the bus
     void setLines(int lines);
-    int oneLine() const;  ///< [px] wide, without model and bus
+    int oneLine() const;  ///< [px] width of one line without model and bus
     QList<QWidget*> upper() const;
     QList<QWidget*> lower() const;
     QList<QWidget*> last() const;
-    void keepRoom();                          ///< for every text there may be
-    int busWidth(const QString& text) const;  ///< [px] for every load
+    void keepRoom();                          ///< reserves room for every possible text
+    int busWidth(const QString& text) const;  ///< [px] width for any load
 
     int lines_ = 0;
     QString busText_, busBrief_;

@@ -49,7 +49,7 @@ QString sinceWords(const Alarm& alarm, double now)
     return AlarmTable::tr("over for %1").arg(format::countdown(std::floor(now - alarm.returned)));
 }
 
-/// All that the column of the states may say.
+/// Returns every text that the state column can show.
 QStringList allStates()
 {
     QStringList words;
@@ -95,7 +95,7 @@ AlarmTable::AlarmTable(QWidget* parent) : QWidget(parent)
     nothing_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     setTone(*nothing_, Tone::Good);
 
-    acknowledge_ = button(tr("Acknowledge"), {}, this);  // offer() gives the tips
+    acknowledge_ = button(tr("Acknowledge"), {}, this);  // offer() sets the tips
     all_ = button(tr("Acknowledge all"), {}, this);
     one_ = button(tr("Silence 60 s"), tr("No sound for a minute; a new alarm sounds all the same"),
                   this);
@@ -137,7 +137,7 @@ AlarmTable::AlarmTable(QWidget* parent) : QWidget(parent)
     column->setSpacing(8);
     column->addLayout(actions);
     column->addWidget(soundTrouble_);
-    column->addWidget(nothing_, 1);  // one of the two is there
+    column->addWidget(nothing_, 1);  // either the table or this label is visible
     column->addWidget(table_, 1);
     setAlarms({}, 0.0, 0.0);
     resizeToFont();
@@ -182,13 +182,14 @@ void AlarmTable::setAlarms(const std::vector<Alarm>& alarms, double now, double 
     const bool isFirst = table_->rowCount() == 0;
     const bool isGone =
         std::ranges::none_of(alarms, [&](const Alarm& a) { return format::text(a.id) == id; });
-    if (isGone) table_->setCurrentItem(nullptr);  // or the next one in its row would be chosen
+    if (isGone)
+        table_->setCurrentItem(nullptr);  // otherwise Qt would select the next item of the row
     if (table_->rowCount() != rows) table_->setRowCount(rows);
     for (int row = 0; row < rows; ++row) {
         put(row, alarms[static_cast<std::size_t>(row)], now);
         if (table_->item(row, State)->data(Qt::UserRole).toString() == id
             && table_->currentRow() != row)
-            table_->selectRow(row);  // the alarm has moved, the choice goes with it
+            table_->selectRow(row);  // the selection follows the moved alarm
     }
     if (rows > 0 && isFirst) table_->selectRow(0);
     nothing_->setVisible(rows == 0);

@@ -13,16 +13,16 @@ class QTableWidget;
 
 namespace terratact {
 
-/// The alarms, most urgent first, and what the operator does about them.  Each state has a shape and a word.
+/// Table of alarms, most urgent first, with the operator's actions. Each state has its own shape and word.
 class AlarmTable final : public QWidget {
     Q_OBJECT
 public:
     explicit AlarmTable(QWidget* parent = nullptr);
 
-    /// now: [s] on the alarms' clock.  silentFor: [s].
+    /// now: time on the alarms' clock [s]. silentFor: remaining mute time [s].
     void setAlarms(const std::vector<Alarm>& alarms, double now, double silentFor);
     void setSoundOn(bool on);
-    void setSoundTrouble(const QString& why);  ///< empty: it sounds, as far as is known
+    void setSoundTrouble(const QString& why);  ///< reason that no sound plays; empty: none known
 
     QTableWidget* table() const { return table_; }
     QPushButton* acknowledgeButton() const { return acknowledge_; }
@@ -45,8 +45,8 @@ private:
     void resizeToFont();
     void put(int row, const Alarm& alarm, double now);
     void say(double silentFor);
-    QString chosen() const;  ///< the id of the chosen row; may be empty
-    void offer();            ///< what can be done now
+    QString chosen() const;  ///< id of the selected row; may be empty
+    void offer();            ///< enables the actions that are possible now
 
     QTableWidget* table_ = nullptr;
     QLabel* nothing_ = nullptr;

@@ -7,9 +7,9 @@
 
 namespace terratact {
 
-enum class Weight : std::uint8_t { Note, Doubt, Bad };  ///< how much an event matters
+enum class Weight : std::uint8_t { Note, Doubt, Bad };  ///< severity of an event
 
-/// What happened in the last minutes, newest on top; older than the last 500 is dropped.
+/// Events of this run, newest on top. Only the newest 500 are kept.
 class EventList final : public QListWidget {
     Q_OBJECT
 public:
@@ -17,7 +17,7 @@ public:
     QSize sizeHint() const override { return {300, 110}; }
     QSize minimumSizeHint() const override { return {scaled(150), 80}; }
     void add(const QString& text, Weight weight, QTime at);
-    /// The same of what is recorded by itself: without added().
+    /// Adds an event without emitting added(), because the session records it elsewhere.
     void tell(const QString& text, Weight weight, QTime at);
 
 signals:

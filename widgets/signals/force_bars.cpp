@@ -22,8 +22,9 @@
 namespace terratact {
 namespace {
 
-constexpr double kLowestBar = 0.12;  // of the canvas, the highest bar in a low chart
-constexpr double kLabelGap = 6.0;    // [px] between the labels of two elements
+constexpr double kLowestBar =
+    0.12;  // share of the canvas height that the highest bar keeps in a low chart
+constexpr double kLabelGap = 6.0;  // [px] gap between the labels of two elements
 
 void keepWithin(std::optional<double>& value, double limit)
 {
@@ -37,7 +38,7 @@ void PeakHold::take(double time, double value)
     if (!falling_.empty() && time < falling_.back().first) falling_.clear();
     while (!falling_.empty() && falling_.back().second <= value) falling_.pop_back();
     falling_.emplace_back(time, value);
-    constexpr std::size_t kMax = 512;  // of a fast source only the largest stand
+    constexpr std::size_t kMax = 512;  // bound for a fast source: only the largest values stay
     if (falling_.size() > kMax) falling_.pop_back();
     forget(time);
 }
@@ -105,7 +106,7 @@ void ForceBars::restyle()
         axisWidget(axis)->setPalette(colours);
     }
     axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(scaled(34));
-    elementScale_->invalidateCache();  // it holds colours
+    elementScale_->invalidateCache();  // the cache holds the old theme's colours
     grid_->setMajorPen(theme().grid, 1.0);
     thresholdLine_->setLinePen(theme().bad, 1.5, Qt::DashLine);
     show();
@@ -114,7 +115,7 @@ void ForceBars::restyle()
 void ForceBars::changeEvent(QEvent* event)
 {
     QwtPlot::changeEvent(event);
-    // Later: the style sheet still has the palettes of the parts to set.
+    // Restyles later, because the style sheet sets the palettes of the parts after this event.
     if (event->type() == QEvent::StyleChange) QTimer::singleShot(0, this, [this] { restyle(); });
 }
 
@@ -183,7 +184,7 @@ void ForceBars::setUnit(Unit unit)
     if (unit == unit_) return;
     unit_ = unit;
     unitScale_->setUnit(unitText());
-    fullScale_ = 0.0;  // anew
+    fullScale_ = 0.0;  // forces a new scale
     show();
 }
 
@@ -241,7 +242,7 @@ QString ForceBars::numberText(int element, int array) const
     if (at(element, array).saturated)
         return QLatin1Char('>') + format::number(std::floor(*value), 0);
     const bool isLarge =
-        arraysWith(element).size() > 1 && *value >= 9.95;  // two numbers share the room
+        arraysWith(element).size() > 1 && *value >= 9.95;  // two numbers share the width
     return format::number(*value, isLarge ? 0 : 1);
 }
 
@@ -300,10 +301,10 @@ double ForceBars::top(int element) const
     return top;
 }
 
-/// Lines of letters above a bar, that of the word "contact" not among them, so that the bars have some height.
+/// Returns the number of text lines above a bar, without the word "contact", so that bars keep some height.
 int ForceBars::labelRows() const
 {
-    constexpr double kShare = 0.7;  // of the canvas
+    constexpr double kShare = 0.7;  // share of the canvas height
     const double line = QFontMetricsF(labelFont(true)).height();
     return std::max(1, static_cast<int>(kShare * canvas()->height() / line) - 1);
 }
@@ -325,7 +326,8 @@ QString ForceBars::labelText(int element) const
     const QString mark = tr("▲ sat.");
     if (saturated) text += QLatin1Char('\n') + (fits(mark) ? mark : mark.left(1));
     if (text.count(QLatin1Char('\n')) < labelRows()) return text;
-    // In a low chart the largest alone, of which a saturated one only says the least it is; the tip has all.
+    // A low chart shows only the largest number; that of a saturated element is a lower bound. The tip lists all
+    // numbers.
     const std::vector<int> with = arraysWith(element);
     const int largest = *std::ranges::max_element(with, {}, [&](int a) {
         return std::pair(at(element, a).saturated, shown(element, a).value_or(-1.0));
@@ -350,11 +352,10 @@ QString ForceBars::spoken(int element) const
     return tr("element %1: %2").arg(element + 1).arg(parts.join(QStringLiteral(", ")));
 }
 
-// The scale grows at once and shrinks late, so that the bars do not jump; above each bar stays room for its
-// numbers.
+// The scale grows at once and shrinks late, so that bars do not jump. Room for the numbers stays above each bar.
 void ForceBars::fitScale()
 {
-    constexpr double kHighest = 0.8;  // of the canvas, a bar
+    constexpr double kHighest = 0.8;  // share of the canvas height
     const auto scaleOf = [&](double value, qsizetype rows) {
         return value / std::clamp(1.0 - shareOfRows(rows), kLowestBar, kHighest);
     };
@@ -406,7 +407,7 @@ void ForceBars::showNumbers()
         QwtText label(labelText(element));
         label.setFont(labelFont(touching(element)));
         label.setColor(touching(element) ? theme().contact : theme().muted);
-        // Above the threshold line too, which would strike it out.
+        // The background hides the threshold line, which would strike the number out.
         label.setBackgroundBrush(theme().card);
         auto* number = numbers_[static_cast<std::size_t>(element)];
         number->setValue(element, top(element));
@@ -421,7 +422,7 @@ qsizetype ForceBars::rowsOf(int element) const
 
 double ForceBars::shareOfRows(qsizetype rows) const
 {
-    constexpr double kSpace = 4.0;  // [px] around them
+    constexpr double kSpace = 4.0;  // [px] around the labels
     const double line = QFontMetricsF(labelFont(true)).lineSpacing();
     return (kSpace + line * static_cast<double>(rows)) / std::max(1, canvas()->height());
 }
@@ -441,8 +442,8 @@ std::vector<ForceBars::ContactGroup> ForceBars::contactGroups() const
     return groups;
 }
 
-// One word over all neighbours that touch: over each it would touch the next.  None where it had no room: colour and
-// hatches tell a contact, too, and the tip has the word.
+// One word spans neighbouring contacts, because one word per element would overlap. A chart without room has no word;
+// colour, hatching and the tip still show the contact.
 void ForceBars::showContacts()
 {
     std::size_t used = 0;

@@ -21,48 +21,48 @@ class ElementScale;
 class ForceChart;
 class UnitScale;
 
-/// One force-sensing element as it is shown; an empty optional was not measured.
+/// One force-sensing element as shown; an empty optional means not measured.
 struct ForceElement {
-    bool exists = true;               ///< the array has such an element; else the rest is empty
-    std::optional<double> newtons{};  ///< [N] calibrated
-    std::optional<double> volts{};    ///< [V] raw
-    bool saturated = false;           ///< feels more than `newtons`
-    std::optional<double> drift{};    ///< [N] of its bias
+    bool exists = true;               ///< the array has this element; otherwise the rest is empty
+    std::optional<double> newtons{};  ///< [N] calibrated force
+    std::optional<double> volts{};    ///< [V] raw voltage
+    bool saturated = false;           ///< saturated: the force exceeds `newtons`
+    std::optional<double> drift{};    ///< [N] drift of its bias
 };
 
-/// A row of elements, number 1 at the pivot and 6 at the tip.
+/// One array of elements; number 1 is at the pivot, 6 at the tip.
 struct ForceArray {
-    QString name;  ///< "L"; may be empty where there is no other array
+    QString name;  ///< "L"; may be empty if it is the only array
     std::array<ForceElement, kForceElements> elements{};
 };
 
-/// What the arrays felt at a time [s].
+/// Forces of all arrays at one time [s].
 struct TimedForces {
     double time = 0.0;
     std::vector<ForceArray> arrays{};
 };
 
-/// The largest value of the last kHold seconds.
+/// Maximum over the last kHold seconds.
 class PeakHold {
 public:
     static constexpr double kHold = 3.0;  ///< [s]
 
-    /// `time` [s] must not be NaN; a clock that jumps back begins anew.
+    /// `time` [s] must not be NaN. A time before the last one restarts the maximum.
     void take(double time, double value);
-    void forget(double time);  ///< what is older than kHold
+    void forget(double time);  ///< drops values older than kHold
     std::optional<double> peak() const;
 
 private:
     std::deque<std::pair<double, double>>
-        falling_;  // (time, value): each value above those after it
+        falling_;  // (time, value); each value exceeds all later ones
 };
 
-/// The forces of every array as six groups of live bars with their numbers, calibrated [N] or raw [V].
-/// A bar of the first array is solid, of the second outlined, of the third crossed, of the fourth striped; where an
-/// array lacks an element the others share its room.  An element whose mean over the arrays is
-/// above the threshold is in contact, as for the estimate: blue and hatched, and it says so, once for neighbours.  A saturated
-/// element reads ">19" and wears a triangle; a thin line stands at each bar's peak of the last 3 s; a bias
-/// that drifted by more than ForceDrift::kNotable stands below its element.  No value reads "--".
+/// Forces of all arrays as six groups of live bars with numbers, calibrated [N] or raw [V]. Bars of the arrays 1 to 4
+/// are solid, outlined, crossed and striped. If an array lacks an element, the others share its room.
+/// An element is in contact if its mean over the arrays exceeds the threshold, as in the estimate. Contacts are blue
+/// and hatched; one word labels neighbouring contacts. A saturated element reads ">19" and has a triangle. A thin line
+/// marks each bar's peak of the last 3 s. A bias drift above ForceDrift::kNotable is shown below its element. A missing
+/// value reads "--".
 class ForceBars final : public QwtPlot {
     Q_OBJECT
 public:
@@ -70,12 +70,12 @@ public:
 
     explicit ForceBars(QWidget* parent = nullptr);
 
-    /// At most kArrays of them count.  `time` [s], on any one clock, is for the peaks alone.
+    /// Shows at most kArrays arrays. `time` [s], on any one clock, is used for the peaks only.
     void setForces(std::vector<ForceArray> arrays, double time);
-    /// Likewise, with the peaks of `before` and of these, whatever was set earlier.
+    /// Shows the arrays with peaks of `before` and of these forces; earlier calls do not count.
     void setForces(std::vector<ForceArray> arrays, double time,
                    const std::vector<TimedForces>& before);
-    void clearForces();  ///< nothing measured: every element reads "--", and no peak stands
+    void clearForces();  ///< nothing is measured: elements read "--", and peaks vanish
     void setThreshold(double newtons);
     void setUnit(Unit unit);
     Unit unit() const { return unit_; }

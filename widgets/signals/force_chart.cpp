@@ -14,14 +14,14 @@
 namespace terratact {
 namespace {
 
-constexpr double kGroup = 0.76;  // of an element's width
+constexpr double kGroup = 0.76;  // share of an element's width
 constexpr double kGap = 0.06;    // between the bars of a group
 
 constexpr std::array kArrayLooks{
     ArrayLook{u'■', false, Qt::NoBrush}, ArrayLook{u'□', true, Qt::NoBrush},
     ArrayLook{u'▦', true, Qt::CrossPattern}, ArrayLook{u'▤', true, Qt::HorPattern}};
 
-/// Of an element that touches: in another colour, and hatched.
+/// Fills a bar in contact: its own colour, hatched.
 void fill(QPainter& painter, const QRectF& rect, const ForceChart::Bar& bar)
 {
     const QColor colour = bar.touching ? theme().contact : theme().force;
@@ -41,7 +41,7 @@ void fill(QPainter& painter, const QRectF& rect, const ForceChart::Bar& bar)
         painter.fillRect(rect, colour);
 }
 
-/// Of a saturated element: a triangle at the top of its bar.
+/// Draws the triangle of a saturated element at the top of its bar.
 void mark(QPainter& painter, const QRectF& rect)
 {
     const double half = std::min(5.0, rect.width() / 2.0 - 1.0);

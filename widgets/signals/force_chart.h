@@ -12,45 +12,45 @@
 
 namespace terratact {
 
-/// Of a bar, on the axis of the elements.
+/// Horizontal extent of a bar on the element axis.
 struct Span {
     double left, right;
 };
 
-/// Of the bar at `place` among as many as `bars` of an element.
+/// Returns the extent of bar number `place` of the `bars` bars of an element.
 Span spanOf(int element, int place, int bars);
 
-/// From zero to the value [px].
+/// Returns the bar's rectangle from zero to the value [px].
 QRectF rectOf(Span span, double value, const QwtScaleMap& x, const QwtScaleMap& y);
 
-/// How the bars of an array are told from those of the others; arrays beyond the four that there are begin anew.
+/// Symbol and fill that distinguish the arrays; they repeat after four arrays.
 struct ArrayLook {
-    char16_t symbol;  ///< in the legend
+    char16_t symbol;  ///< symbol in the legend
     bool outlined;
-    Qt::BrushStyle pattern;  ///< within the outline
+    Qt::BrushStyle pattern;  ///< pattern inside the outline
 };
 const ArrayLook& arrayLook(std::size_t array);
 
-/// The elements' names, or a note that stands instead of one.
+/// Scale of element names, or of notes that replace a name.
 class ElementScale final : public QwtScaleDraw {
 public:
     ElementScale();
     QwtText label(double value) const override;
-    /// What stands instead of an element's name; empty: the name.
+    /// Sets the notes that replace element names; an empty note shows the name.
     void setNotes(const std::array<QString, kForceElements>& notes);
     const std::array<QString, kForceElements>& notes() const { return notes_; }
     static QString nameOf(int element);
     using QwtScaleDraw::invalidateCache;
 
 protected:
-    // Qwt's own would set the lines of a note flush left.
+    // Qwt's drawLabel() would align the lines of a note to the left.
     void drawLabel(QPainter* painter, double value) const override;
 
 private:
     std::array<QString, kForceElements> notes_;
 };
 
-/// Says the unit beside its highest tick.
+/// Shows the unit beside the highest tick.
 class UnitScale final : public QwtScaleDraw {
 public:
     UnitScale();
@@ -61,7 +61,7 @@ private:
     QString unit_ = QStringLiteral("N");
 };
 
-/// All bars with their peaks.
+/// Draws all bars with their peaks.
 class ForceChart final : public QwtPlotItem {
 public:
     struct Bar {

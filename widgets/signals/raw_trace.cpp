@@ -49,7 +49,7 @@ bool TraceFilter::passes(const CanFrame& frame, const QString& name) const
         || name.contains(text_, Qt::CaseInsensitive);
 }
 
-/// What RawTrace shows, newest first.
+/// The rows of RawTrace, newest first.
 class TraceModel final : public QAbstractTableModel {
 public:
     TraceModel(RawTrace::Words words, QObject* parent)
@@ -95,7 +95,7 @@ public:
             frames_[frames_.size() - 1 - static_cast<std::size_t>(index.row())];
         if (role == Qt::TextAlignmentRole) return alignment(index.column());
         if (role == Qt::ForegroundRole) return colour(traced.trouble);
-        if (role == Qt::ToolTipRole)  // there may be no room for all of it
+        if (role == Qt::ToolTipRole)  // the column may be too narrow for the text
             return plainTip(data(index, Qt::DisplayRole).toString());
         if (role != Qt::DisplayRole) return {};
         if (index.column() == Number) return QString::number(traced.number);

@@ -16,13 +16,13 @@ namespace terratact {
 
 class PlainTable;
 
-/// A frame in words.
+/// The texts of one frame.
 struct TraceWords {
     QString id, name, bytes, content;
 };
 
-/// Which frames the operator wants to see: an identifier in hexadecimal ("22", "0x022"), or a part of the
-/// frame's name.  Empty: all.
+/// Filter of the frames to show: an identifier in hexadecimal ("22", "0x022") or a part of the frame's name. An empty
+/// filter shows all frames.
 class TraceFilter {
 public:
     explicit TraceFilter(const QString& text = {});
@@ -35,17 +35,17 @@ private:
 
 class TraceModel;
 
-/// The newest frames as they were, newest first.  Pausing holds the picture, never the reception.
+/// The newest raw frames, newest first. Pausing stops the display; reception continues.
 class RawTrace final : public QWidget {
     Q_OBJECT
 public:
-    using Words =
-        std::function<TraceWords(const CanFrame&)>;        ///< asked for the visible frames only
-    using Name = std::function<QString(const CanFrame&)>;  ///< of every frame: cheap
+    using Words = std::function<TraceWords(const CanFrame&)>;  ///< called for visible frames only
+    using Name =
+        std::function<QString(const CanFrame&)>;  ///< called for every frame, so it must be cheap
 
     RawTrace(Words words, Name name, QWidget* parent = nullptr);
 
-    /// Oldest first.  Ignored while paused.
+    /// Sets the frames, oldest first. Ignored while paused.
     void setFrames(std::vector<TracedFrame> frames);
 
     bool isPaused() const;

@@ -18,7 +18,7 @@
 namespace terratact {
 namespace {
 
-constexpr double kNear = 5.0;  // [px] of a mark that is meant
+constexpr double kNear = 5.0;  // [px] distance at which the pointer hits a mark
 
 QColor colourOf(TimelineWeight weight)
 {
@@ -32,7 +32,7 @@ QColor colourOf(TimelineWeight weight)
     return theme().text;
 }
 
-/// Of a mark of this weight around (x, y): a bar, circle, triangle, cross or diamond.
+/// Returns the shape of a weight around (x, y): bar, circle, triangle, cross or diamond.
 QPainterPath shapeOf(TimelineWeight weight, double x, double y, double r)
 {
     QPainterPath path;
@@ -52,7 +52,7 @@ QPainterPath shapeOf(TimelineWeight weight, double x, double y, double r)
     return path;
 }
 
-/// The round step [s] of a scale with at most `most` of them in `span`.
+/// Returns a round step [s] with at most `most` steps in `span`.
 double scaleStep(double span, double most)
 {
     static constexpr std::array kSteps{0.001, 0.002, 0.005, 0.01,  0.02,   0.05,  0.1,  0.2,
@@ -63,7 +63,7 @@ double scaleStep(double span, double most)
     return 3600.0 * std::ceil(span / most / 3600.0);
 }
 
-/// Thirty years: beyond it neighbouring pixels could be the same number.
+/// Returns false beyond thirty years, where neighbouring pixels could round to the same number.
 bool isTime(double seconds)
 {
     return std::abs(seconds) <= 1e9;
@@ -295,13 +295,13 @@ void SessionTimeline::paintLane(QPainter& painter, int index) const
         const double to = std::min(pixelOf(span.last), area.right() + 2.0);
         QColor colour = colourOf(span.weight);
         colour.setAlphaF(0.55F);
-        // Bad is full and high, good low: not by colour alone.
+        // Bad spans are tall and others low, so that colour is not the only cue.
         const double share = span.weight == TimelineWeight::Bad ? 0.9 : 0.5;
         painter.fillRect(QRectF(from, top + 0.5 * (1.0 - share) * height, std::max(to - from, 1.5),
                                 share * height),
                          colour);
     }
-    double drawn = -1e9;  // marks of one pixel are drawn once, however many there are
+    double drawn = -1e9;  // marks on the same pixel are drawn once
     for (const TimelineMark& mark : lane.marks) {
         if (!isTime(mark.time) || mark.time < first_ || mark.time > last_) continue;
         const double x = pixelOf(mark.time);

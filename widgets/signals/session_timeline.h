@@ -7,10 +7,10 @@
 
 namespace terratact {
 
-/// How much a span or a mark of the timeline matters; each has a shape of its own.
+/// Severity of a span or mark; each has its own shape.
 enum class TimelineWeight : std::uint8_t { Plain, Good, Doubt, Bad, Accent };
 
-/// Something that lasted.  [s] of the session.
+/// Something with a duration [s of the session].
 struct TimelineSpan {
     double first = 0.0, last = 0.0;
     TimelineWeight weight = TimelineWeight::Plain;
@@ -18,7 +18,7 @@ struct TimelineSpan {
     bool operator==(const TimelineSpan&) const = default;
 };
 
-/// Something that happened at a time [s].
+/// Something at one time [s of the session].
 struct TimelineMark {
     double time = 0.0;
     TimelineWeight weight = TimelineWeight::Plain;
@@ -33,7 +33,7 @@ struct TimelineLane {
     bool operator==(const TimelineLane&) const = default;
 };
 
-/// A session as lanes below each other.  gaps: of every lane, drawn hatched across all and never bridged.
+/// A session as lanes below each other. gaps: missing data in all lanes, drawn hatched and never bridged.
 struct Timeline {
     double begin = 0.0, end = 0.0;  ///< [s]
     QList<TimelineLane> lanes{};
@@ -41,33 +41,33 @@ struct Timeline {
     bool operator==(const Timeline&) const = default;
 };
 
-/// Draws a session's timeline with the playhead, and the cursors A and B.  A click or drag says where to go, the
-/// wheel zooms at the mouse, a drag with the right button, or the wheel with Shift, moves what is shown.  What is
-/// not finite is not drawn.  GUI thread only.
+/// Draws a session's timeline with the playhead and the cursors A and B. A click or drag requests a time; the wheel
+/// zooms at the pointer. A drag with the right button, or the wheel with Shift, scrolls. Values that are not finite are
+/// not drawn. GUI thread only.
 class SessionTimeline final : public QWidget {
     Q_OBJECT
 public:
     explicit SessionTimeline(QWidget* parent = nullptr);
 
-    void setTimeline(
-        const Timeline& timeline);     ///< what is shown of it stays, unless that was all of it
-    void setDense(bool dense);         ///< lower lanes, where there is little room
-    void setPlayhead(double seconds);  ///< kept in view where it was so before
+    void
+    setTimeline(const Timeline& timeline);  ///< keeps the visible range, unless all was visible
+    void setDense(bool dense);              ///< lower lanes for small heights
+    void setPlayhead(double seconds);       ///< scrolls with the playhead if it was visible
     void setCursors(std::optional<double> a, std::optional<double> b);
-    void showSpan(double first, double last);  ///< at least kMinSpan of it, no more than there is
+    void showSpan(double first, double last);  ///< clamped to kMinSpan and to the session
     void showAll();
-    void zoom(double factor, double at);  ///< factor above 1: closer; at: [s] stays where it is
+    void zoom(double factor, double at);  ///< factor > 1 zooms in; `at` [s] keeps its place
 
     double first() const { return first_; }
     double last() const { return last_; }
     double playhead() const { return playhead_; }
-    /// Pixel column of a time [s], and back; exact within what is shown.
+    /// Convert a time [s] to a pixel column and back; exact within the visible range.
     double pixelOf(double seconds) const;
     double secondsAt(double pixel) const;
-    /// What is to be read under a point; empty: nothing.
+    /// Returns the text under a point; empty: nothing is there.
     QString textAt(QPointF point) const;
 
-    static constexpr double kMinSpan = 0.02;  ///< [s] that can be shown
+    static constexpr double kMinSpan = 0.02;  ///< [s] smallest visible range
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -84,7 +84,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    QRectF plot() const;  ///< without names and scale
+    QRectF plot() const;  ///< area without lane names and scale
     double laneHeight() const;
     void paintLane(QPainter& painter, int lane) const;
     void paintScale(QPainter& painter) const;
@@ -92,18 +92,18 @@ private:
     void paintCursor(QPainter& painter, double seconds, const QString& name) const;
     void paintPlayhead(QPainter& painter) const;
     void measureNames();
-    void tell();  ///< to who cannot see it
+    void tell();  ///< describes the timeline to a screen reader
 
     Timeline timeline_;
     bool dense_ = false;
     double first_ = 0.0, last_ = 1.0;
-    double names_ = 0.0;  ///< [px] width of the lanes' names
+    double names_ = 0.0;  ///< [px] width of the lane names
     double playhead_ = 0.0, drawnPlayhead_ = 0.0;
     std::optional<double> a_, b_;
     double grabbedAt_ = 0.0;
 };
 
-/// "1:02:03.45", as short as `step` [s] between two of them allows; NaN reads "--".
+/// Formats a time as "1:02:03.45", with as few decimals as a step of `step` [s] needs; NaN reads "--".
 QString timeWords(double seconds, double step = 0.001);
 
 }  // namespace terratact

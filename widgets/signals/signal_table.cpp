@@ -14,7 +14,7 @@
 
 namespace terratact {
 
-/// What SignalTable shows.
+/// The rows of SignalTable.
 class SignalModel final : public QAbstractTableModel {
 public:
     using QAbstractTableModel::QAbstractTableModel;
@@ -86,7 +86,7 @@ private:
         if (column == SignalTable::Frame || column == SignalTable::Name) return theme().text;
         return lives && !isBeside ? theme().text : theme().muted;
     }
-    /// A long name and a value of many words may have no room for all of them.
+    /// Returns the full text of a cell that may be elided.
     static QString tip(const SignalRow& row, int column)
     {
         if (column == SignalTable::Frame) return row.frameMeaning;
@@ -116,7 +116,7 @@ private:
 
 namespace {
 
-/// Draws the history; all else is the default's.
+/// Draws the history; the base class draws the other columns.
 class HistoryDelegate final : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -136,7 +136,7 @@ public:
     }
 };
 
-/// The longest words that a signal has as a rule.
+/// Returns the longest usual texts of a signal.
 QStringList activities()
 {
     QStringList words;

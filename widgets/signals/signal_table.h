@@ -15,26 +15,27 @@ namespace terratact {
 struct SignalRow {
     enum class Standing {
         Fresh,
-        Said,   ///< an older word, of a frame that is sent on occasion: grey, but still to be read
-        Stale,  ///< reads "--"
+        /// An older value of a frame that is sent on occasion: grey, still readable.
+        Said,
+        Stale,  ///< too old: reads "--"
     };
-    QString frame;  ///< "022 Attitude"; empty: the same as above
+    QString frame;  ///< "022 Attitude"; empty: same frame as the row above
     QString name, value, unit;
     Standing standing = Standing::Stale;
-    std::optional<double> rate;  ///< [Hz] of the frame
+    std::optional<double> rate;  ///< [Hz] rate of the frame
     std::optional<double> age;   ///< [s]
     QString least, most;
     std::vector<float> history;     ///< newest last; NaN: a gap
-    QString meaning, frameMeaning;  ///< plain text for a tip; empty: nothing is known
+    QString meaning, frameMeaning;  ///< plain text for the tip; empty: unknown
     bool operator==(const SignalRow&) const = default;
 };
 
-/// The lines of a history in a box, from its least to its most; what is not finite is a gap.
+/// Returns the polylines of a history scaled into a box; values that are not finite break the line.
 std::vector<QPolygonF> sparkline(std::span<const float> history, const QRectF& box);
 
 class SignalModel;
 
-/// Signals with value, age, extremes and the last seconds.
+/// Signals with value, age, extremes and a sparkline of the last seconds.
 class SignalTable final : public PlainTable {
     Q_OBJECT
 public:
@@ -42,7 +43,7 @@ public:
 
     explicit SignalTable(QWidget* parent = nullptr);
     void setRows(std::vector<SignalRow> rows);
-    QString text(int row, Column column) const;  ///< as shown
+    QString text(int row, Column column) const;  ///< text as shown
     int rows() const;
 
 private:

@@ -39,7 +39,8 @@ void BinInspector::setBin(const TerrainEstimate& estimate, int bin, const QStrin
     if (!heights.empty()) {
         const auto [least, greatest] = std::minmax_element(heights.begin(), heights.end());
         const double middle = 0.5 * (*least + *greatest);
-        const double half = std::max(0.01, 0.5 * (*greatest - *least));  // a bin that stands still
+        const double half = std::max(
+            0.01, 0.5 * (*greatest - *least));  // minimum range for a bin with constant draws
         low_ = middle - half;
         high_ = middle + half;
         counts_.assign(kClasses, 0);
@@ -100,7 +101,7 @@ void BinInspector::paintEvent(QPaintEvent* /*event*/)
     for (int k = 0; k < kClasses; ++k) {
         const double middle = low_ + (k + 0.5) / kClasses * (high_ - low_);
         QColor fill = theme().sampled;
-        if (middle < q10_ || middle > q90_) fill.setAlpha(0x70);  // beyond the band
+        if (middle < q10_ || middle > q90_) fill.setAlpha(0x70);  // outside the 80 % band
         const double length = plot.width() * counts_[static_cast<std::size_t>(k)] / most;
         painter.fillRect(QRectF(plot.left(), plot.bottom() - (k + 1) * each, length, each - 1.0),
                          fill);

@@ -8,8 +8,8 @@
 
 namespace terratact {
 
-/// One bin up close: its numbers in words, and the histogram of its draws beside the height, upright, so that a
-/// heap lies where it does in the profile.
+/// One bin in detail: its numbers as text, and an upright histogram of its draws beside the heights. A mode of the
+/// draws has the same orientation as in the profile.
 class BinInspector final : public QFrame {
     Q_OBJECT
 public:
@@ -17,13 +17,13 @@ public:
 
     explicit BinInspector(QWidget* parent = nullptr);
 
-    /// words: the bin's numbers, one line each.  Hides itself where there is nothing to show.
+    /// words: the bin's numbers, one per line. The inspector hides itself if there is nothing to show.
     void setBin(const TerrainEstimate& estimate, int bin, const QStringList& words);
     void clear();
 
-    int bin() const { return bin_; }  ///< −1: none
+    int bin() const { return bin_; }  ///< −1: no bin
     QStringList lines() const { return words_; }
-    /// Draws in each class from `low()` to `high()` [m]; empty without draws.
+    /// Returns the draws per class between `low()` and `high()` [m]; empty without draws.
     const std::vector<int>& histogram() const { return counts_; }
     double low() const { return low_; }
     double high() const { return high_; }

@@ -34,7 +34,7 @@ QString methodName(Method method)
     return {};
 }
 
-/// Why there are no more draws; empty where none were sampled.
+/// Returns the reason that sampling ended; empty: nothing was sampled.
 QString endingWords(Ending ending)
 {
     switch (ending) {
@@ -73,7 +73,7 @@ EstimateStrip::EstimateStrip(QWidget* parent) : QWidget(parent)
     row->addWidget(headline_);
     row->addStretch(1);
     row->addWidget(details_);
-    row->addWidget(progress_, 100);  // all of the room there is, up to its own
+    row->addWidget(progress_, 100);  // grows up to its maximum width
     row->addWidget(cancel_);
     connect(cancel_, &QPushButton::clicked, this, &EstimateStrip::cancelled);
     setNothing(QString());
@@ -157,7 +157,7 @@ void EstimateStrip::setProgress(std::optional<double> share)
 
 void EstimateStrip::arrange()
 {
-    // To show a part lays the page out, which may resize this strip and so come back here.
+    // Showing a part triggers a layout that may call this function again.
     if (std::exchange(arranges_, true)) return;
     const auto fits = [this] {
         const int needed =
@@ -178,7 +178,7 @@ void EstimateStrip::resizeEvent(QResizeEvent* event)
 bool EstimateStrip::event(QEvent* event)
 {
     const bool handled = QWidget::event(event);
-    if (event->type() == QEvent::LayoutRequest && cancel_) arrange();  // what its parts need is new
+    if (event->type() == QEvent::LayoutRequest && cancel_) arrange();  // the parts need a new width
     return handled;
 }
 

@@ -11,18 +11,18 @@ namespace terratact {
 
 struct TerrainEstimate;
 
-/// The line above the terrain: what the estimate says in one sentence, how it was made, and the
-/// progress of one under way, with cancel.  What makes it doubtful stands in a label of its own, to be
-/// placed below.
+/// The line above the terrain: one sentence about the estimate, how it was made, and the progress of a running one with
+/// Cancel. Warnings stand in a label of their own, which the page places below.
 class EstimateStrip final : public QWidget {
     Q_OBJECT
 public:
     explicit EstimateStrip(QWidget* parent = nullptr);
 
-    void setEstimate(const TerrainEstimate& estimate, double seconds);  ///< seconds it took
-    void setLive(const QString& note);  ///< a preview is shown, and what that means
+    void setEstimate(const TerrainEstimate& estimate,
+                     double seconds);   ///< seconds: computation time
+    void setLive(const QString& note);  ///< marks the estimate as a live preview; note: its meaning
     void setNothing(const QString& why);
-    void setProgress(std::optional<double> share);  ///< empty: nothing under way
+    void setProgress(std::optional<double> share);  ///< empty: no estimate is running
 
     QLabel* warnings() const { return warnings_; }
     QString headline() const;
@@ -40,7 +40,7 @@ protected:
 
 private:
     void resizeToFont();
-    void arrange();  ///< leaves the details out where the sentence needs their room
+    void arrange();  ///< hides the details if the sentence needs their room
 
     bool arranges_ = false;
     QLabel* headline_ = nullptr;

@@ -16,7 +16,7 @@ namespace terratact {
 
 namespace {
 
-/// Under the heading "felt", as short as the heading.
+/// Returns a word for the column "felt" that is no longer than its heading.
 QString feltWord(Touch touch)
 {
     switch (touch) {
@@ -44,7 +44,7 @@ NumbersTable::NumbersTable(QWidget* parent) : HeadedTable(kBins, kColumns, paren
     verticalHeader()->hide();
     verticalHeader()->setMinimumSectionSize(verticalHeader()->defaultSectionSize());
     verticalHeader()->setSectionResizeMode(
-        QHeaderView::ResizeToContents);  // as high as the letters
+        QHeaderView::ResizeToContents);  // the font sets the row height
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     for (const Column wide : {From, Touched, Step, TwoHeaps})
         horizontalHeader()->setSectionResizeMode(wide, QHeaderView::ResizeToContents);
@@ -109,7 +109,7 @@ void NumbersTable::set(int row, Column column, const QString& text)
 
 namespace {
 
-/// As other programs read it: the minus of ASCII, and nothing where there is no value.
+/// Converts a cell for other programs: ASCII minus, and an empty cell for a missing value.
 QString plainNumber(QString cell)
 {
     return cell == format::kNothing ? QString() : cell.replace(QChar(0x2212), QLatin1Char('-'));

@@ -7,7 +7,7 @@
 
 namespace terratact {
 
-/// The scene as numbers: a row per bin, rear to front.  A screen reader reads it cell by cell, Ctrl+C copies it.
+/// The scene as numbers, one row per bin from rear to front. Screen readers read it cell by cell; Ctrl+C copies it.
 class NumbersTable final : public HeadedTable {
     Q_OBJECT
 public:
@@ -29,13 +29,13 @@ public:
 
     explicit NumbersTable(QWidget* parent = nullptr);
 
-    /// stepLimit: [m] of the step to the next bin.
+    /// stepLimit: height of a step to the next bin that counts as an obstacle [m].
     void setEstimate(const TerrainEstimate& estimate, double stepLimit);
     void clearEstimate();
 
-    /// All cells with their headings, columns apart by tabs.
+    /// Returns all cells with their headings, separated by tabs.
     QString text() const;
-    void copy() const;  ///< text() to the clipboard
+    void copy() const;  ///< copies text() to the clipboard
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

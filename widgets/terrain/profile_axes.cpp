@@ -53,7 +53,7 @@ void ProfileAxes::restyle()
         plot_.axisWidget(axis)->setPalette(colours);
     }
     plot_.axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(scaled(48));
-    // Room for half a label at both ends, used or not: else the canvas would change with the ticks.
+    // Reserves half a label at both ends in any case, so that the canvas does not change with the ticks.
     plot_.axisWidget(QwtPlot::xBottom)->setMinBorderDist(scaled(22), scaled(22));
     plot_.axisWidget(QwtPlot::yLeft)->setMinBorderDist(scaled(10), scaled(10));
     name();
@@ -61,7 +61,7 @@ void ProfileAxes::restyle()
 
 void ProfileAxes::name()
 {
-    // One name for both leaves a narrow picture the width of the other.
+    // In a narrow plot one name for both axes saves width.
     constexpr int kNarrow = 400;  // [px] at 100 %
     const bool isNarrow = plot_.width() < scaled(kNarrow);
     const QString x = isNarrow ? TerrainProfileView::tr("forward, height [m]")
@@ -76,7 +76,7 @@ void ProfileAxes::name()
 
 bool ProfileAxes::fit(double bottom, double top, double below)
 {
-    // In steps, so that the picture does not swim with the noise.
+    // Rounds to steps, so that noise does not move the picture.
     bottom = std::floor(bottom / 0.05 + 1e-9) * 0.05;
     top = std::ceil(top / 0.05 - 1e-9) * 0.05;
 
@@ -92,7 +92,8 @@ bool ProfileAxes::fit(double bottom, double top, double below)
 
     const auto setScale = [this, scale](int axis, double from, double to) {
         QList<double> centres;
-        const double least = scaled(axis == QwtPlot::xBottom ? 44 : 22);  // [px] between labels
+        const double least =
+            scaled(axis == QwtPlot::xBottom ? 44 : 22);  // [px] minimum distance between labels
         const double step = 0.1 * scale >= least ? 0.1 : 0.2 * scale >= least ? 0.2 : 0.5;
         const auto last = static_cast<int>(std::floor(to / step + 1e-9));
         for (auto tick = static_cast<int>(std::ceil(from / step - 1e-9)); tick <= last; ++tick)

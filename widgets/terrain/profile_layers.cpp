@@ -19,7 +19,7 @@
 namespace terratact {
 namespace {
 
-constexpr double kAside = 0.018;  // [m] the second estimate stands to the right
+constexpr double kAside = 0.018;  // [m] shift of the second estimate to the right
 
 QString text(const char* words)
 {
@@ -31,7 +31,7 @@ QPointF pixel(const QwtScaleMap& x, const QwtScaleMap& y, double metres, double 
     return {x.transform(metres), y.transform(height)};
 }
 
-/// The line through the bins' heights; a gap where one is not drawable.
+/// Returns the line through the bins' heights; it has a gap where a height is not drawable.
 QPainterPath profile(const Heights& heights, double aside, const QwtScaleMap& x,
                      const QwtScaleMap& y)
 {
@@ -84,7 +84,7 @@ QColor ghostBand()
     return colour;
 }
 
-/// Bins next to each other that can be drawn.
+/// Returns runs of neighbouring bins that are drawable.
 std::vector<std::vector<int>> runsOf(const Ghost& ghost)
 {
     std::vector<std::vector<int>> runs;

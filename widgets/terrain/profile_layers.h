@@ -12,19 +12,19 @@
 
 namespace terratact {
 
-/// Some of the draws as thin lines: what the bands are made of.
+/// Draws some posterior draws as thin lines, which show how the bands arise.
 class SampleLines final : public QwtPlotItem {
 public:
     SampleLines();
     static constexpr std::size_t kMax = 60;
-    std::vector<Heights> draws;  ///< at most kMax of them are drawn, evenly picked
+    std::vector<Heights> draws;  ///< at most kMax are drawn, evenly spaced
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
               const QRectF& canvas) const override;
     QwtGraphic legendIcon(int index, const QSizeF& size) const override;
 };
 
-/// A second method's estimate of the same scene: open circles, thin bars and a dotted line, a little to the right.
+/// A second method's estimate of the same scene, shifted to the right: open circles, thin bars and a dotted line.
 class SecondEstimate final : public QwtPlotItem {
 public:
     SecondEstimate();
@@ -35,7 +35,7 @@ public:
     QwtGraphic legendIcon(int index, const QSizeF& size) const override;
 };
 
-/// The last estimate while the robot drives on: a dashed line in a band without marks.
+/// The last estimate while the robot drives on, shifted by odometry: a dashed line in a band, without marks.
 class GhostLayer final : public QwtPlotItem {
 public:
     GhostLayer();
@@ -46,7 +46,7 @@ public:
     QwtGraphic legendIcon(int index, const QSizeF& size) const override;
 };
 
-/// Mutes and hatches all that lies below it, and says why; nothing where `words` is empty.
+/// Mutes and hatches everything below it and states the reason; draws nothing if `words` is empty.
 class StaleOverlay final : public QwtPlotItem {
 public:
     StaleOverlay();
@@ -56,8 +56,8 @@ public:
               const QRectF& canvas) const override;
 };
 
-/// Where the draws of a bin fall into two heaps: both heights with their shares, in place of a mean that is
-/// hardly ever true.
+/// Draws both modes of a bin whose draws are bimodal, with their shares. The mean between them is almost never the true
+/// height.
 class TwoHeights final : public QwtPlotItem {
 public:
     TwoHeights();

@@ -14,7 +14,7 @@ namespace terratact {
 namespace {
 
 constexpr double kThin = 2.0;      // [px]
-constexpr double kFarthest = 1e4;  // [px] beyond every screen
+constexpr double kFarthest = 1e4;  // [px] outside every screen
 
 constexpr int kLargestLetter = 13;  // [px] at 100 %
 
@@ -110,7 +110,7 @@ double MarkLetters::height(const QFont& ofPlot)
 
 double MarkLetters::reserved(const QFont& ofPlot, double canvasHeight)
 {
-    constexpr double kMax = 1.0 / 16.0;  // of the canvas
+    constexpr double kMax = 1.0 / 16.0;  // share of the canvas height
     const double strip = height(ofPlot);
     return strip <= kMax * canvasHeight ? strip : 0.0;
 }

@@ -12,17 +12,17 @@
 
 namespace terratact {
 
-/// How a bin is drawn for what speaks for its height: no two alike in shape, in the pattern of the bar or in letter,
-/// so that they are told apart without colours, too.
+/// Mark of a bin by the provenance of its height. All marks differ in shape, bar pattern and letter, so that colour is
+/// not the only cue.
 struct ProvenanceMark {
     QwtSymbol::Style shape;
     QColor line, fill;
     int size = 0;  ///< [px] at 100 %
-    QPen bar;      ///< as barPattern() has it
+    QPen bar;      ///< pen as returned by barPattern()
 };
-ProvenanceMark markOf(Provenance provenance);  ///< in the theme in force
+ProvenanceMark markOf(Provenance provenance);  ///< Returns the mark in the current theme.
 
-/// A bar whose stem has the pen's pattern and whose ends are solid and of one width.
+/// A bar whose stem has the pen's pattern; its ends are solid and of one width.
 class PatternBar final : public QwtIntervalSymbol {
 public:
     explicit PatternBar(const QPen& pen);
@@ -30,7 +30,7 @@ public:
               const QPointF& to) const override;
 };
 
-/// The marks of one kind of bins; the legend shows one upon a piece of its bar.
+/// The marks of one provenance; the legend shows a mark on a piece of its bar.
 class MarkCurve final : public QwtPlotCurve {
 public:
     explicit MarkCurve(Provenance provenance);
@@ -40,13 +40,14 @@ private:
     Provenance provenance_;
 };
 
-/// A letter for each bin at the lower edge, below everything else where there is room for that.
+/// Draws a letter for each bin at the lower edge, below the profile if the canvas is high enough.
 class MarkLetters final : public QwtPlotItem {
 public:
     MarkLetters();
     std::array<std::optional<Provenance>, kBins> shown{};
-    static double height(const QFont& ofPlot);  ///< [px] of the strip they stand in
-    /// [px] of it that the profile leaves free; none of a low canvas, where letters lie upon the lowest heights.
+    static double height(const QFont& ofPlot);  ///< [px] height of the strip of letters
+    /// Returns the part of the strip that the profile leaves free [px]; 0 for a low canvas, where letters cover the
+    /// lowest heights.
     static double reserved(const QFont& ofPlot, double canvasHeight);
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,

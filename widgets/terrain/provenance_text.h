@@ -8,7 +8,7 @@
 
 namespace terratact {
 
-/// As an operator reads it, in his language.
+/// Returns the provenance as a word in the operator's language.
 inline QString provenanceWord(Provenance provenance)
 {
     const auto word = [](const char* text) {
@@ -26,7 +26,7 @@ inline QString provenanceWord(Provenance provenance)
     return {};
 }
 
-/// One letter for it, each another one in every language.
+/// Returns one letter for the provenance; the letters are distinct in every language.
 inline QString provenanceLetter(Provenance provenance)
 {
     const auto letter = [](const std::pair<const char*, const char*>& source) {

@@ -9,21 +9,21 @@ class QwtPlotShapeItem;
 
 namespace terratact {
 
-/// The robot's side view in a plot in metres: body, tracks, flippers, below the profile.
+/// Side view of the robot in a plot in metres: body, tracks and flippers, drawn below the profile.
 class RobotSketch {
 public:
     explicit RobotSketch(QwtPlot& plot) : plot_(plot) {}
 
-    /// What is not finite, or beyond 100 m, is left out.  Does not replot.
+    /// Sets the outline without replotting. Points that are not finite or beyond 100 m are left out.
     void setOutline(const Outline& outline);
-    void restyle() { setOutline(outline_); }  ///< in the theme as it is now
+    void restyle() { setOutline(outline_); }  ///< applies the current theme
 
 private:
     QwtPlotShapeItem* newPart();
 
     QwtPlot& plot_;
     Outline outline_;
-    std::vector<QwtPlotShapeItem*> parts_;  ///< the plot's
+    std::vector<QwtPlotShapeItem*> parts_;  ///< owned by the plot
 };
 
 }  // namespace terratact

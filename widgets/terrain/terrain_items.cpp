@@ -43,7 +43,7 @@ QwtGraphic LineItem::legendIcon(int /*index*/, const QSizeF& /*size*/) const
 bool Key::isEmpty() const
 {
     constexpr int kLow = 160;  // [px] at 100 %
-    constexpr int kMax = 6;    // of its parts
+    constexpr int kMax = 6;    // the legend takes at most 1/6 of the height
     return view_.height() < scaled(kLow) || heightForWidth(view_.width()) * kMax > view_.height()
         || QwtLegend::isEmpty();
 }
@@ -134,7 +134,7 @@ void BinZones::drawZone(QPainter& painter, Touch kind, const QRectF& zone,
                      QBrush(hatch, kind == Touch::Bounded ? Qt::HorPattern : Qt::BDiagPattern));
     painter.setPen(theme().doubt);
     painter.setFont(sized(plot()->font(), 13));
-    const bool bounded = kind == Touch::Bounded;  // its word stands a line below the others
+    const bool bounded = kind == Touch::Bounded;  // its word is one line below the others
     const QString label =
         kind == Touch::Unrecorded ? TerrainProfileView::tr("prior only") : touchWord(kind);
     const double width = painter.fontMetrics().horizontalAdvance(label);
@@ -173,7 +173,7 @@ void ArmMark::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y
     const bool open = state == ArmTip::State::Proposed;
     const double px = std::round(x.transform(at)) + 0.5;
     const double least =
-        canvas.top() + scaled(28 + 20 + 24);  // label and tip below the zones' words
+        canvas.top() + scaled(28 + 20 + 24);  // puts label and tip below the zones' words
     const double tip = std::max(y.transform(down) - scaled(8), least);
     const double top = state == ArmTip::State::Touched
                          ? std::max(tip - scaled(64), least - scaled(44))
@@ -200,10 +200,10 @@ void ArmMark::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y
                                     {px - half, tip - scaled(8)}}));
 }
 
-/// Above the line; where a word of the zones stands there beside it, and else a row lower.
+/// Returns the place of the arm's word: above the line, else beside a zone's word, else a row lower.
 QRectF ArmMark::placeOfWord(const QRectF& above, double px, double tip, const QRectF& canvas) const
 {
-    constexpr int kRows = 4;  // of which the zones' words take three
+    constexpr int kRows = 4;  // rows of words; the zones use three
     const double beside = scaled(12);
     const auto isFree = [&](const QRectF& place) {
         return place.left() >= canvas.left() && place.right() <= canvas.right()
@@ -223,7 +223,7 @@ QRectF ArmMark::placeOfWord(const QRectF& above, double px, double tip, const QR
     return first;
 }
 
-/// Below every word that stands where the line comes down.
+/// Returns the y at which the line begins, below every word it would cross.
 double ArmMark::beginOfLine(double px, double top) const
 {
     double begin = top;

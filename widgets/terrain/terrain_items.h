@@ -16,20 +16,20 @@
 
 namespace terratact {
 
-/// The font in so many pixels, at 100 %.
+/// Returns the font at a size [px at 100 %].
 QFont sized(QFont font, int pixels, bool bold = false);
 
-/// Words of a plot.
+/// Returns styled text for a plot.
 QwtText inked(const QString& words, const QColor& colour, const QFont& font);
 
-/// A line in metres whose legend shows a piece of it.
+/// A line in metres; the legend shows a piece of it.
 class LineItem final : public QwtPlotShapeItem {
 public:
     using QwtPlotShapeItem::QwtPlotShapeItem;
     QwtGraphic legendIcon(int index, const QSizeF& size) const override;
 };
 
-/// The legend, which makes room for the terrain in a view that is low, or where it would take much of it.
+/// The legend. It hides in a low view, or where it would take much of the terrain's room.
 class Key final : public QwtLegend {
 public:
     explicit Key(const QWidget& view) : view_(view) {}
@@ -39,12 +39,12 @@ private:
     const QWidget& view_;
 };
 
-/// A text at the upper edge of the plot, on as many lines as it needs.
+/// A text at the upper edge of the plot, wrapped to as many lines as it needs.
 class Note final : public QwtPlotTextLabel {
     QRectF textRect(const QRectF& plot, const QSizeF& oneLine) const override;
 };
 
-/// Says in the legend what the bars are; draws nothing itself.
+/// The legend entry of the bars; it draws nothing in the plot.
 class BandKey final : public QwtPlotItem {
 public:
     BandKey();
@@ -53,7 +53,7 @@ public:
     QwtGraphic legendIcon(int index, const QSizeF& size) const override;
 };
 
-/// Lines between the bins, not at their centres, where they would hide the bars.
+/// Lines between the bins; at the bins' centres they would hide the bars.
 class BinBorders final : public QwtPlotItem {
 public:
     BinBorders();
@@ -61,15 +61,15 @@ public:
               const QRectF& canvas) const override;
 };
 
-/// The zones of bins that nobody has felt, hatched, each run with its word; and the felt horizon as a line.
+/// Hatched zones of bins that are not felt, each run with its word, and the felt horizon as a line.
 class BinZones final : public QwtPlotItem {
 public:
     BinZones();
     std::array<bool, kBins> shown{};
     TouchMap touch = unrecordedTouch();
-    std::optional<double> horizon;  ///< [m]; empty: nothing ahead is felt, or it is not recorded
+    std::optional<double> horizon;  ///< [m]; empty: nothing ahead is felt, or not recorded
     bool isShown() const;
-    /// Where its words stand, as it was drawn last [px].
+    /// Returns the rectangles of the words in the last drawing [px].
     const std::vector<QRectF>& words() const { return words_; }
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
@@ -82,12 +82,15 @@ private:
     mutable std::vector<QRectF> words_;
 };
 
-/// The arm's last link, upright, and its tip on the bin: dashed and open where nobody has approved it.  Its word stands
-/// where no word of the zones does, which are drawn before it and have to outlive it.
+/// The arm's last link, upright, with its tip on the bin. It is dashed and open until a probe is approved. Its word
+/// avoids the words of the zones, which are drawn before it and must outlive it.
 class ArmMark final : public QwtPlotItem {
 public:
     explicit ArmMark(const BinZones& zones);
-    const QRectF& word() const { return word_; }  ///< where it stands, as it was drawn last [px]
+    const QRectF& word() const
+    {
+        return word_;
+    }  ///< [px] rectangle of its word in the last drawing
     ArmTip::State state = ArmTip::State::Proposed;
     double at = 0.0, down = 0.0;  ///< [m]
 

@@ -34,7 +34,7 @@
 namespace terratact {
 namespace {
 
-// How far it grows for heights that lie outside.
+// [m] limits to which the view grows for outlying heights.
 constexpr double kLowest = -1.6, kHighest = 1.2;
 
 QwtSymbol* symbol(QwtSymbol::Style style, const QColor& line, const QColor& fill, int size)
@@ -42,7 +42,7 @@ QwtSymbol* symbol(QwtSymbol::Style style, const QColor& line, const QColor& fill
     return new QwtSymbol(style, fill, QPen(line, 2.0), QSize(size, size));
 }
 
-/// Words at the top of the canvas.
+/// Sets a text at the top of the canvas.
 void setLabel(QwtPlotTextLabel& label, QwtText words)
 {
     words.setRenderFlags(Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap);
@@ -54,9 +54,9 @@ void setLabel(QwtPlotTextLabel& label, QwtText words)
 }
 
 constexpr int kNoteMargin = 12;  // [px]
-constexpr int kLowPlot = 230;    // [px] high
+constexpr int kLowPlot = 230;    // [px] below this height a plot is low
 
-/// [m], of the bins that there are.
+/// Returns the mean standard deviation [m] over the bins that the ghost has.
 double meanSd(const Ghost& ghost)
 {
     double sum = 0.0;
@@ -155,7 +155,8 @@ TerrainProfileView::TerrainProfileView(QWidget* parent)
     staleOverlay_ = new StaleOverlay;
     staleOverlay_->attach(this);
     for (QwtPlotItem* layer : std::initializer_list<QwtPlotItem*>{draws_, second_, ghost_})
-        layer->setItemAttribute(QwtPlotItem::Legend, false);  // until there is something to see
+        layer->setItemAttribute(QwtPlotItem::Legend,
+                                false);  // no legend entry until there is something to show
     inspector_ = new BinInspector(this);
     setFocusPolicy(Qt::TabFocus);
     canvas()->setMouseTracking(true);
@@ -213,7 +214,7 @@ void TerrainProfileView::sizeLegend()
 void TerrainProfileView::changeEvent(QEvent* event)
 {
     QwtPlot::changeEvent(event);
-    // Later: the style sheet still has the palettes of the parts to set.
+    // Restyles later, because the style sheet sets the palettes of the parts after this event.
     if (event->type() == QEvent::StyleChange) QTimer::singleShot(0, this, [this] { restyle(); });
 }
 
@@ -246,11 +247,11 @@ void TerrainProfileView::showGhostNote(const QString& note)
 
 void TerrainProfileView::arrangeNotes()
 {
-    // Two lines would cover the robot of a low plot; that it has moved is the lesser news beside a ghost.
+    // In a low plot two lines would cover the robot. Beside a ghost the movement note is less important.
     const bool isLow = canvas()->height() < scaled(kLowPlot) && ghost_->ghost;
     note_->setVisible(!isLow && !note_->text().text().isEmpty());
     note_->setMargin(zones_->isShown() ? scaled(28) : kNoteMargin);  // below the zones' words
-    ghostNote_->setMargin(isLow ? kNoteMargin : scaled(40));         // else below the other one
+    ghostNote_->setMargin(isLow ? kNoteMargin : scaled(40));  // otherwise below the other note
 }
 
 void TerrainProfileView::resizeEvent(QResizeEvent* event)
@@ -273,7 +274,8 @@ void TerrainProfileView::setGhost(const std::optional<Ghost>& ghost, const QStri
     setInLegend(*ghost_, ghost.has_value());
     if (comesOrGoes) {
         sizeLegend();
-        QTimer::singleShot(0, this, [this] { updateLayout(); });  // once the legend knows its lines
+        QTimer::singleShot(0, this,
+                           [this] { updateLayout(); });  // after the legend has laid out its lines
     }
     showGhostNote(note);
     describe();
@@ -313,7 +315,7 @@ void TerrainProfileView::showEstimate()
                 points[kind].append(point);
                 letters_->shown[i] = from;
             }
-            const bool unfelt = isUnfeltAhead(e, bin);  // it gets no band that looks known
+            const bool unfelt = isUnfeltAhead(e, bin);  // no band, because it would look measured
             if (!unfelt && drawable(e.q10[i]) && drawable(e.q90[i]) && e.q10[i] <= e.q90[i])
                 bars[kind].append(QwtIntervalSample(point.x(), e.q10[i], e.q90[i]));
             if (drawable(e.ceiling[i])) {
@@ -381,7 +383,7 @@ void TerrainProfileView::inspect(std::optional<int> bin)
 {
     if (!estimate_ || !bin) return inspector_->clear();
     inspector_->setBin(*estimate_, *bin, closeUp(*bin));
-    // Beside the bin, where it does not hide what it explains.
+    // The inspector stands beside the bin, so that it does not hide it.
     const QPoint at = canvas()->mapTo(this, pixelOf(binEnd(*bin), 0.0).toPoint());
     const int width = inspector_->width();
     const bool right = at.x() + 8 + width < this->width();
@@ -436,7 +438,7 @@ void TerrainProfileView::setTruth(const std::optional<Heights>& truth)
 
 void TerrainProfileView::showTruth()
 {
-    // A truth is a mean per bin: a level line over each, so that a step stays a step.
+    // The truth is a mean per bin, drawn as a level line over each bin so that steps stay visible.
     std::vector<QPointF> line;
     if (truth_) {
         for (int bin = 0; bin < kBins; ++bin) {
@@ -456,7 +458,7 @@ void TerrainProfileView::setArmTip(const std::optional<ArmTip>& tip)
     showArm();
 }
 
-/// What the tip stands on: the height that it touched, or the upper end of what is believed.
+/// Returns the height under the arm's tip: the touched height, else the larger of 0.9 quantile and height.
 double TerrainProfileView::underArm() const
 {
     if (armTip_->state == ArmTip::State::Touched) return armTip_->height;
@@ -489,7 +491,7 @@ void TerrainProfileView::updateLayout()
 
 void TerrainProfileView::fitAxes()
 {
-    // Other labels may need other margins, which leave the canvas another size.
+    // New labels may need other margins, which change the size of the canvas.
     constexpr int kRounds = 3;
     for (int round = 0; round < kRounds && setScales(); ++round) QwtPlot::updateLayout();
 }
@@ -511,10 +513,12 @@ bool TerrainProfileView::setScales()
     if (truth_) {
         for (const double z : *truth_) include(z);
     }
-    if (second_ && second_->estimate) {  // the legend lays the plot out before all of it is there
+    if (second_
+        && second_
+               ->estimate) {  // the legend triggers a layout before the second estimate is complete
         for (const double z : second_->estimate->height) include(z);
     }
-    if (ghost_ && ghost_->ghost) {  // likewise
+    if (ghost_ && ghost_->ghost) {  // the same holds for the ghost
         for (const auto& bin : ghost_->ghost->bin) {
             if (!bin) continue;
             for (const double z : {bin->height, bin->q10, bin->q90}) include(z);

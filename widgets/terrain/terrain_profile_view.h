@@ -32,59 +32,62 @@ class SecondEstimate;
 class TwoHeights;
 class StaleOverlay;
 
-/// Where the tip of the arm is, or would be.
+/// Position of the arm's tip, planned or measured.
 struct ArmTip {
     enum class State { Proposed, Probing, Touched };
     State state = State::Proposed;
     int bin = 0;
-    double height = 0.0;  ///< [m] that it found; of Touched
+    double height = 0.0;  ///< [m] measured height, if Touched
     bool operator==(const ArmTip&) const = default;
 };
 
-/// Draws one TerrainEstimate under the robot: mean line, bars from the 0.1 to the 0.9 quantile, ceilings,
-/// the robot's side view with the IMU at the origin.  Bins are told apart by shape, by the pattern of their bars, by
-/// colour and, where there is no room for the legend, by a letter each (provenance_marks.h):
-/// contact = square, arm = triangle, constrained = triangle upside down, sampled = circle, prior only = open
-/// diamond in an amber zone.  A bin whose draws fall into two heaps shows both heights.
-/// The bin under the mouse, or chosen with the arrow keys, is shown up close.
-/// One metre is as long upwards as forwards, whatever the size, so a step looks as steep as it is.
-/// What is not finite, or beyond 100 m, is left out.  GUI thread only.
+/// Draws a TerrainEstimate under the robot: mean line, bars between the 0.1 and 0.9 quantiles, ceilings, and the
+/// robot's side view with the IMU at the origin. One metre has the same length in x and z at every size, so a step
+/// looks as steep as it is.
+/// Bins differ by shape, bar pattern and colour, and by a letter where the legend has no room (provenance_marks.h):
+/// contact = square, arm = triangle, constrained = inverted triangle, sampled = circle, prior only = open diamond in an
+/// amber zone. A bin with bimodal draws shows both heights.
+/// The bin under the pointer, or selected with the arrow keys, is shown in detail. Values that are not finite or beyond
+/// 100 m are left out. GUI thread only.
 class TerrainProfileView final : public QwtPlot {
     Q_OBJECT
 public:
     explicit TerrainProfileView(QWidget* parent = nullptr);
 
-    /// note: written above the profile, what the reader must know before it; empty: nothing.
+    /// note: a caution that is written above the profile; empty: none.
     void setEstimate(const TerrainEstimate& estimate, const QString& note = {});
-    void clearEstimate(const QString& why);  ///< says why there is none; not a flat line
+    void clearEstimate(const QString& why);  ///< shows the reason instead of a flat line
     void setOutline(const Outline& outline);
     void setTruth(const std::optional<Heights>& truth);
     void setArmTip(const std::optional<ArmTip>& tip);
-    void setDrawsShown(bool shown);  ///< some draws as thin lines
-    /// A second method's estimate of the same scene beside the first; empty: none.  name: in the legend.
+    void setDrawsShown(bool shown);  ///< shows some draws as thin lines
+    /// Shows a second method's estimate of the same scene; empty: none. name: its legend entry.
     void setSecond(const std::optional<TerrainEstimate>& estimate, const QString& name);
-    /// The last estimate where odometry says it lies now.  why: said instead, where there is none; empty: nothing.
+    /// Shows the last estimate moved by odometry. why: the reason shown if there is no ghost; empty: nothing.
     void setGhost(const std::optional<Ghost>& ghost, const QString& why = {});
-    void inspect(std::optional<int> bin);  ///< shows a bin up close
-    /// Mutes what is drawn, which is of `age` [s] ago; empty: it is as now.
+    void inspect(std::optional<int> bin);  ///< shows a bin in detail
+    /// Mutes the drawing, which is `age` [s] old; empty: it is current.
     void setStale(std::optional<double> age);
 
-    /// Canvas position of a point of the DEM frame [m].
+    /// Returns the canvas position of a point in the DEM frame [m].
     QPointF pixelOf(double x, double z) const;
-    /// DEM frame point [m] under a canvas position.
+    /// Returns the point in the DEM frame [m] at a canvas position.
     QPointF pointAt(QPointF pixel) const;
-    /// One bin in words: "bin 0.4 m: +0.07 m, 80 % in +0.05 … +0.09, contact".
+    /// Returns a bin as text: "bin 0.4 m: +0.07 m, 80 % in +0.05 … +0.09, contact".
     QString binText(int bin) const;
-    const std::optional<TerrainEstimate>& estimate() const { return estimate_; }  ///< that is drawn
+    const std::optional<TerrainEstimate>& estimate() const
+    {
+        return estimate_;
+    }  ///< the drawn estimate
     BinInspector* inspector() const { return inspector_; }
     bool drawsShown() const { return drawsShown_; }
 
 signals:
-    /// A bin was asked for: by a double click, or Enter on the one that is shown up close.
+    /// Emitted when the operator chooses a bin: by a double click, or by Enter on the bin shown in detail.
     void binChosen(int bin);
 
 public:
-    /// In theme and font as they are now; by itself soon after they have changed.
+    /// Applies the current theme and font; runs by itself soon after they change.
     void restyle();
 
     void updateLayout() override;
@@ -112,7 +115,7 @@ private:
     void showArm();
     double underArm() const;
     void fitAxes();
-    bool setScales();  ///< true when they had to change
+    bool setScales();  ///< returns true if the scales changed
     void describe();
 
     std::optional<TerrainEstimate> estimate_;

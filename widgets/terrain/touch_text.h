@@ -7,7 +7,7 @@
 
 namespace terratact {
 
-/// As an operator reads it, in their language.
+/// Returns the touch class as a word in the operator's language.
 inline QString touchWord(Touch touch)
 {
     const auto word = [](const char* text) {

@@ -21,7 +21,7 @@
 namespace terratact {
 namespace {
 
-constexpr int kBadgeFrame = 16;  // [px] beside its word
+constexpr int kBadgeFrame = 16;  // [px] between the badge's edge and its word
 
 QString likeliestText(const Verdict& verdict)
 {
@@ -38,7 +38,7 @@ QString unfeltText(const std::vector<int>& bins)
     return names.join(QStringLiteral(", "));
 }
 
-/// One of several reasons, which share two lines.
+/// Returns a short form of one reason among several, which share two lines.
 QString briefly(Doubt doubt)
 {
     switch (doubt) {
@@ -54,7 +54,7 @@ QString briefly(Doubt doubt)
     return {};
 }
 
-/// As the style sheet has it.
+/// Returns the verdict's name in the style sheet.
 QString wordOf(const Verdict& verdict)
 {
     switch (verdict.stepVerdict) {
@@ -65,7 +65,7 @@ QString wordOf(const Verdict& verdict)
     return {};
 }
 
-/// The shortfall and the help in a few words, for the two lines of the strip.
+/// Returns shortfall and remedy in few words, for the strip's two lines.
 QString briefShortfall(const Verdict& verdict)
 {
     QString text;
@@ -82,7 +82,7 @@ QString briefShortfall(const Verdict& verdict)
     return text;
 }
 
-/// How far the answer goes, and what lies behind it.
+/// Returns how far CLEAR reaches and what lies beyond.
 QString clearText(const Verdict& verdict)
 {
     const QString risk = format::percent(kClearBelow);
@@ -100,7 +100,7 @@ QString clearText(const Verdict& verdict)
                    .arg(to, risk, unfelt);
 }
 
-/// What is not felt, and what would help besides a probe.
+/// Returns what is not felt, and what besides a probe would help.
 QString shortfallText(const Verdict& verdict)
 {
     QString text = format::sentence(describe(verdict.shortfall));
@@ -112,7 +112,7 @@ QString shortfallText(const Verdict& verdict)
     return text;
 }
 
-/// The answer on the badge: the horizon on a line of its own, so that the badge stays as wide.
+/// Returns the badge's text; the horizon has its own line, so that the badge keeps its width.
 QString badgeOf(const Verdict& verdict)
 {
     if (verdict.stepVerdict != StepVerdict::Clear || !verdict.touchRecorded)
@@ -291,7 +291,7 @@ void VerdictStrip::setNothing(const QString& why)
     say(tr("NO VERDICT"), QStringLiteral("none"), false);
 }
 
-/// Once all else is said.
+/// Announces changes after all labels are set.
 void VerdictStrip::say(const QString& answer, const QString& stepVerdict, bool withheld)
 {
     badge_->setText(answer);
@@ -301,7 +301,7 @@ void VerdictStrip::say(const QString& answer, const QString& stepVerdict, bool w
         badge_->style()->polish(badge_);
         announce(*badge_);
     }
-    // The same word may stand for another reason.
+    // The same verdict may have another reason now.
     if (std::exchange(withheld_, withheld) != withheld) announce(*reason_);
 }
 

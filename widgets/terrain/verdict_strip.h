@@ -10,20 +10,20 @@ class QPushButton;
 
 namespace terratact {
 
-/// The first glance: can I drive on?  A badge of word, shape and colour, the probability of a step ahead higher
-/// than the operator's limit with its Monte-Carlo error, and below it why.
+/// The verdict for driving on: a badge of word, shape and colour. Beside it stands P(step ahead > limit) with its
+/// Monte-Carlo error, and below it the reason.
 class VerdictStrip final : public QFrame {
     Q_OBJECT
 public:
     explicit VerdictStrip(QWidget* parent = nullptr);
 
-    /// probe: what a probe would buy, in words; empty where none is proposed.  limit(): of this verdict.
+    /// probe: expected gain of a probe in words; empty: none is proposed. The verdict must be for limit().
     void setVerdict(const Verdict& verdict, const QString& probe = {});
-    void setNothing(const QString& why);  ///< no estimate, so no verdict
+    void setNothing(const QString& why);  ///< there is no estimate, so there is no verdict
     void setLimit(double metres);         ///< clamped to kMinLimit … kGreatestLimit
-    void setStacked(bool stacked);        ///< the words below the badge, for a narrow column
+    void setStacked(bool stacked);        ///< puts the texts below the badge, for a narrow column
 
-    // Of a verdict, in words.
+    // Texts of a verdict.
     static QString answerOf(const Verdict& verdict);                     ///< "✔ CLEAR"
     static QString probabilityOf(const Verdict& verdict, double limit);  ///< limit: [m]
     static QString whyOf(const Verdict& verdict);  ///< what it means, or why there is none
