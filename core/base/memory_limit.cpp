@@ -22,7 +22,7 @@ enum class Bound : std::uint8_t { None, AddressSpace, Data, Commit };
 
 struct MemoryLimit {
     Bound bound = Bound::None;
-    std::uint64_t bytes = 0;  ///< of AddressSpace and Data
+    std::uint64_t bytes = 0;  ///< AddressSpace, Data: the limit
 };
 
 #ifdef __unix__
@@ -46,7 +46,7 @@ MemoryLimit memoryLimit()
     return {promisesOnlyWhatItHas() ? Bound::Commit : Bound::None, 0};
 }
 
-// Of this process: bytes of address space, or of data.
+// Returns the bytes of address space or data that this process uses.
 std::uint64_t used(Bound bound)
 {
     std::array<unsigned long long, 6> pages{};
@@ -101,7 +101,8 @@ std::string outOfMemory(const std::string& forWhat, std::size_t bytes)
 
 std::string memoryMissing(const std::string& forWhat, std::size_t bytes)
 {
-    void* volatile probe = std::malloc(bytes);  // volatile: else nothing is allocated
+    // volatile: a compiler could otherwise remove the allocation
+    void* volatile probe = std::malloc(bytes);
     if (probe == nullptr) return outOfMemory(forWhat, bytes);
     std::free(probe);
     return {};

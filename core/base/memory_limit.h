@@ -6,20 +6,22 @@
 
 namespace terratact {
 
-/// Whether the system may refuse this process memory: a limit of its address space (ulimit -v) or of its data
-/// (ulimit -d), or a kernel that promises no more than it has (vm.overcommit_memory = 2).  Allocates nothing, and may
-/// be called before main().  False where the system is not asked.
+/// Returns true if the system may refuse memory to this process: a limit of its address space
+/// (ulimit -v) or of its data (ulimit -d), or a kernel without overcommit (vm.overcommit_memory =
+/// 2). It allocates nothing and may be called before main(). It returns false where the system
+/// offers no such query.
 bool memoryIsLimited();
 
-/// A sentence for the user: `forWhat` needs `bytes`, what this process uses, its limit, how much is missing, and
-/// what to do.  bytes: 0 where nobody knows.
+/// Returns a sentence for the user: what `forWhat` needs, what this process uses, its limit, how
+/// much is missing, and what to do. bytes: what is needed; 0: unknown.
 std::string outOfMemory(const std::string& forWhat, std::size_t bytes);
 
-/// Empty where as much can be allocated now, which is tried; else outOfMemory().
+/// Tries to allocate `bytes`; returns an empty text on success, else outOfMemory().
 std::string memoryMissing(const std::string& forWhat, std::size_t bytes);
 
-/// What to say of an exception that ends a program: outOfMemory() for std::bad_alloc, and for a thread that did not
-/// start where memory is limited; else what it says itself.
+/// Returns the text for an exception that ends a program. std::bad_alloc gives outOfMemory(), and
+/// so does a thread that did not start where memory is limited. Any other exception gives its own
+/// text.
 std::string describeFailure(const std::exception& error);
 
 }  // namespace terratact

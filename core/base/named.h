@@ -7,7 +7,7 @@
 
 namespace terratact {
 
-/// That of the values whose name() is the text; empty: none.
+/// Returns the value whose name() is the text; empty if there is none.
 template <class Value, std::size_t n>
 std::optional<Value> named(std::string_view text, const std::array<Value, n>& values)
 {

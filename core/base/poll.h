@@ -6,7 +6,8 @@
 
 namespace terratact {
 
-/// Asked by a long computation whether it is still wanted; what it throws ends the computation.  May be empty.
+/// Cancellation callback of a long computation. An exception that it throws ends the computation.
+/// May be empty.
 using Poll = std::function<void()>;
 
 inline void callPoll(const Poll& poll)
@@ -14,10 +15,12 @@ inline void callPoll(const Poll& poll)
     if (poll) poll();
 }
 
-/// Counts work and asks a poll every kBetweenPolls units of it: some milliseconds on any processor.
+/// Counts work and calls a poll every kBetweenPolls units, which take some milliseconds on any
+/// processor.
 class PolledWork {
 public:
-    /// A unit is what takes some nanoseconds to some tens: a comparison of a sort, a draw, a number looked at.
+    /// One unit takes between some and some tens of nanoseconds: one comparison, one draw, one
+    /// number read.
     static constexpr long kBetweenPolls = 1 << 16;
 
     explicit PolledWork(const Poll& poll) : poll_(poll) {}
@@ -35,7 +38,7 @@ private:
     long left_ = kBetweenPolls;
 };
 
-/// to[0 … count) = f(from[0 … count)), asking the poll meanwhile.
+/// Writes to[0 … count) = f(from[0 … count)) and calls the poll meanwhile.
 template <class T, class F>
 void transformPolled(const T* from, std::ptrdiff_t count, T* to, PolledWork& work, F f)
 {

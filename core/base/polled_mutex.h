@@ -8,13 +8,13 @@
 
 namespace terratact {
 
-/// A mutex for long work: a thread that waits for it asks every few milliseconds whether it is still wanted.
+/// Mutex for long work: a waiting thread calls its poll every few milliseconds.
 class PolledMutex {
 public:
-    /// Holds the mutex while it lives.
+    /// Holds the mutex during its lifetime.
     class Lock {
     public:
-        /// What the poll throws while waiting comes out of here; the mutex is then not held.
+        /// Rethrows what the poll throws while waiting; the mutex is then not held.
         Lock(PolledMutex& mutex, const Poll& poll) : mutex_(mutex) { mutex_.take(poll); }
         ~Lock() { mutex_.release(); }
         Lock(const Lock&) = delete;
@@ -47,7 +47,7 @@ private:
         free_.notify_one();
     }
 
-    std::mutex mutex_;  // of `taken_`
+    std::mutex mutex_;  // guards taken_
     std::condition_variable free_;
     bool taken_ = false;
 };

@@ -6,14 +6,14 @@
 
 namespace terratact {
 
-/// What went wrong with the world (a file, a bus, a model): one sentence for a person that names the
-/// thing, the place and the cause.  A wrong argument is not an Error: it throws std::invalid_argument.
+/// Failure of a file, a bus or a model: one sentence for a person that names the thing, the place
+/// and the cause. A wrong argument is not an Error: it throws std::invalid_argument.
 struct Error {
     std::string text;
-    int code = 0;  ///< errno where the system gave one, else 0
+    int code = 0;  ///< errno if the system gave one, else 0
 };
 
-/// A value or the Error that stood in its way.  Reading the absent one throws std::bad_variant_access.
+/// A value, or the Error that prevented it. Reading the absent one throws std::bad_variant_access.
 template <class T>
 class [[nodiscard]] Result {
 public:

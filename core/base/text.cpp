@@ -40,7 +40,7 @@ std::optional<double> numberFrom(std::string_view text)
 
 namespace {
 
-/// The character at the front of a text in UTF-8, which it takes off; empty where the bytes spell none.
+/// Removes the first UTF-8 character from a text and returns it; empty if the bytes spell none.
 std::optional<char32_t> nextCharacter(std::string_view& text)
 {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -64,7 +64,8 @@ std::optional<char32_t> nextCharacter(std::string_view& text)
     return value;
 }
 
-/// Control characters of ASCII and Latin-1, ends of lines, and marks of direction, which reorder what stands around them.
+/// Returns true for control characters of ASCII and Latin-1, line ends, and marks that change the
+/// reading direction.
 bool hidesOrMoves(char32_t c)
 {
     const auto within = [c](char32_t first, char32_t last) { return c >= first && c <= last; };

@@ -8,10 +8,10 @@
 namespace terratact {
 namespace {
 
-constexpr double kAsLow =
-    0.005;  // [m] a flipper's tip carries the robot where it lies at most so much higher
+// [m] a flipper's tip supports the robot if it lies at most this much higher than the tracks
+constexpr double kAsLow = 0.005;
 
-/// A point of a flipper's axis, base frame.
+/// Returns a point on a flipper's axis, base frame.
 Vec2 along(const FlipperGeometry& flipper, double angle, double distance)
 {
     const Vec2 axis = flipperAxis(flipper, angle);

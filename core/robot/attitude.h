@@ -7,39 +7,42 @@
 
 namespace terratact {
 
-/// Where a robot at rest tips over [rad], on ground along its tracks: its centre of mass then stands above the last
-/// point that carries it.  From the masses of the robot file and the flippers' angles.
+/// Tip-over angles [rad] of a robot at rest, on ground along its tracks. At these angles its centre
+/// of mass stands above the last point of support. They follow from the masses in the robot file
+/// and the flippers' angles.
 struct TipOver {
-    double noseUp =
-        0.0;  ///< over the tracks' rear end, or the rear flippers' tips where they lie as low
-    double noseDown = 0.0;  ///< over the front
-    double side = 0.0;      ///< over RobotModel::halfWidth
+    double noseUp = 0.0;  ///< over the tracks' rear end, or over the tips of lowered rear flippers
+    /// over the tracks' front end, or over the tips of lowered front flippers
+    double noseDown = 0.0;
+    double side = 0.0;  ///< over RobotModel::halfWidth
 };
 TipOver tipOver(const RobotModel& robot, double front, double rear);
 
-/// How near an angle is to tipping over, or how far beyond what the operator wants.
+/// Warning level of an angle: distance from tipping over, and from the operator's limits.
 enum class AttitudeLevel : std::uint8_t { Level, Amber, Red };
 
-/// The operator's own limits of |pitch| and |roll| [rad].
+/// The operator's limits of |pitch| and |roll| [rad].
 struct AttitudeLimits {
     double amber = 0.4363;  ///< 25°
     double red = 0.6109;    ///< 35°
     bool operator==(const AttitudeLimits&) const = default;
 };
 
-/// Nearer to tipping over than this is amber, or red [rad]: 20° and 10°.  Ground gives way, and a drive brakes.
+/// Distances from tipping over [rad] that give amber and red: 20° and 10°. Soft ground and braking
+/// need this reserve.
 inline constexpr double kAmberReserve = 0.3491, kRedReserve = 0.1745;
 
 struct Attitude {
     AttitudeLevel pitch = AttitudeLevel::Level, roll = AttitudeLevel::Level;
     double pitchTips = 0.0,
-           rollTips = 0.0;  ///< [rad] where it tips over that way, with the sign of the angle
+           /// angle at which it tips over on that side [rad], with the sign of the angle
+        rollTips = 0.0;
     AttitudeLevel worst() const { return pitch > roll ? pitch : roll; }
     bool operator==(const Attitude&) const = default;
 };
 
-/// Red from the smaller of limits.red and tip-over − kRedReserve on, amber from the smaller of limits.amber and
-/// tip-over − kAmberReserve.
+/// Returns the levels of pitch and roll. Red begins at the smaller of limits.red and tip-over −
+/// kRedReserve, amber at the smaller of limits.amber and tip-over − kAmberReserve.
 Attitude attitudeOf(const Measurement& line, const RobotModel& robot, const AttitudeLimits& limits);
 
 }  // namespace terratact

@@ -4,9 +4,9 @@
 
 namespace terratact {
 
-// What the console may ask of a robot.  SI units.
+// Commands from the console to a robot. SI units.
 struct StopCommand {};         ///< halt everything and latch
-struct ReleaseStopCommand {};  ///< let commands through again; moves nothing
+struct ReleaseStopCommand {};  ///< accept commands again; moves nothing
 struct HaltCommand {};         ///< stop driving, keep the pose
 struct DriveCommand {
     double speed = 0.0;  ///< [m/s] forward positive, until Halt or the end of the terrain
@@ -33,8 +33,9 @@ using Command = std::variant<StopCommand, ReleaseStopCommand, HaltCommand, Drive
                              PressCommand, ProbeCommand, ArmCommand, BeginAtemCommand,
                              AbortAtemCommand, HoldFlippersCommand, AdvanceCommand>;
 
-/// Above 0 for what can only make a robot safer, which is obeyed in any state and any epoch and tried again
-/// until it has left.  A higher one does all that a lower one does.
+/// Returns the safety rank of a command. A rank above 0 can only make a robot safer: the robot
+/// obeys it in any state and any epoch, and the console repeats it until it is sent. A higher rank
+/// includes the effect of every lower one.
 inline int safety(const Command& command)
 {
     if (std::holds_alternative<StopCommand>(command)) return 4;

@@ -34,7 +34,7 @@ void requireReading(const ForceReading& r)
         throw std::invalid_argument("calibrate: force and voltage must be numbers");
 }
 
-// Without a limit on the force: a calibration looks at what is there.
+// Returns the force without a saturation limit, which a calibration must not apply.
 ElementForce feltBy(const ForceReading& r, const ForceCalibration& c)
 {
     return elementForce(r.voltage, r.side, r.element, c, std::numeric_limits<double>::max());
@@ -77,7 +77,7 @@ Status fitCurve(const std::vector<ForceReading>& readings, const Arrays& arrays,
     std::map<double, std::vector<double>> resistances;  // by applied force
     for (const ForceReading& r : readings)
         resistances[r.applied].push_back(elementResistance(r.voltage, c));
-    if (resistances.size() < 2) return Done{};  // nothing was applied
+    if (resistances.size() < 2) return Done{};  // no force was applied
     const double bias = meanBias(c, arrays);
     std::vector<ForcePoint> curve;
     for (const auto& [applied, values] : resistances) {
@@ -110,7 +110,7 @@ Result<FittedCalibration> calibrate(const std::vector<ForceReading>& readings,
     for (const Side side : {Side::Left, Side::Right})
         if (const Status done = fitBias(readings, side, arrays, c); !done) return done.error();
     if (const Status done = fitCurve(readings, arrays, c); !done) return done.error();
-    // On the new curve: what is subtracted must be what the new curve reads.
+    // Fits the bias again on the new curve: the bias must be in the new curve's forces.
     for (const Side side : {Side::Left, Side::Right})
         if (const Status done = fitBias(readings, side, arrays, c); !done) return done.error();
     std::vector<double> errors;

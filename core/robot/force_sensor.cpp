@@ -14,7 +14,7 @@ double biasOf(const ForceCalibration& calibration, Side side, int element)
     return bias[static_cast<std::size_t>(element)];
 }
 
-// Not NaN either.
+// Returns true for a finite value above 0, and false for NaN.
 bool isPositive(double value)
 {
     return value > 0.0 && std::isfinite(value);

@@ -10,39 +10,41 @@
 
 namespace terratact {
 
-/// One measured point of a force-sensing resistor's curve.
+/// Measured point of the curve of a force-sensing resistor (FSR).
 struct ForcePoint {
     double force = 0.0;       ///< [N]
     double resistance = 0.0;  ///< [Ω]
     bool operator==(const ForcePoint&) const = default;
 };
 
-/// From voltage to force, for the six elements of both front flippers: force-sensing resistor and reference
-/// resistor in series, the voltage taken on the reference resistor, so that it rises with force.
+/// Calibration from voltage to force for the six elements of both front flippers. A force-sensing
+/// resistor and a reference resistor are in series. The voltage is measured on the reference
+/// resistor, so that it rises with force.
 struct ForceCalibration {
     double supply = 0.0;            ///< [V] across both resistors
     double reference = 0.0;         ///< [Ω]
     std::vector<ForcePoint> curve;  ///< at least two; force rises, resistance falls
     std::array<double, kForceElements> biasLeft{}, biasRight{};  ///< [N] of the unloaded sandwich
-    double openBelow = 0.0;                                      ///< [V] a wire is broken
-    double shortAbove = 0.0;                                     ///< [V] two wires touch
+    double openBelow = 0.0;                                      ///< [V] below: a wire is broken
+    double shortAbove = 0.0;                                     ///< [V] above: two wires touch
     bool operator==(const ForceCalibration&) const = default;
 };
 
 enum class Side : std::uint8_t { Left, Right };
 
-/// A row of force elements under the front flippers: those of a side's six that it is made of.
+/// Row of force elements under the front flippers: a subset of one side's six elements.
 struct ForceArrayLayout {
-    std::string name;  ///< empty: that of its side
+    std::string name;  ///< empty: named after its side
     Side side = Side::Left;
     std::array<bool, kForceElements> has{};  ///< element 1 (pivot) … 6 (tip)
     bool operator==(const ForceArrayLayout&) const = default;
 };
 
-/// Six elements left and six right: all that the link carries.
+/// Returns two arrays, all six elements left and all six right: everything that the link carries.
 std::vector<ForceArrayLayout> leftAndRightArrays();
 
-/// Whether one of the arrays has the element; `element` 0 … 5, else it throws std::out_of_range.
+/// Returns true if one of the arrays has the element 0 … 5. Throws std::out_of_range for another
+/// element.
 bool haveElement(const std::vector<ForceArrayLayout>& arrays, Side side, int element);
 
 enum class ElementState : std::uint8_t { Sound, Saturated, Open, Short };
@@ -54,23 +56,24 @@ struct ElementForce {
     bool operator==(const ElementForce&) const = default;
 };
 
-/// The resistance of the element: reference · (supply / voltage − 1) [Ω].
-/// Throws std::invalid_argument unless 0 < voltage < supply.
+/// Returns the resistance of the element: reference · (supply / voltage − 1) [Ω]. Throws
+/// std::invalid_argument unless 0 < voltage < supply.
 double elementResistance(double voltage, const ForceCalibration& calibration);
 
-/// The force at which the curve has this resistance [N]: log R is interpolated over log F, and its end
-/// pieces go on beyond the ends.  (A line through the conductance, as often seen, is off between points
-/// and jumps where two lines meet.)  Throws std::invalid_argument unless 0 < resistance < infinity, and
-/// for a curve that is none.
+/// Returns the force [N] at which the curve has this resistance. log R is interpolated over log F,
+/// and the end pieces are extrapolated. A line through the conductance, often used elsewhere, is
+/// wrong between points and jumps where two lines meet. Throws std::invalid_argument unless 0 <
+/// resistance < infinity, and for an invalid curve.
 double curveForce(double resistance, const ForceCalibration& calibration);
 
-/// What an element feels beyond its bias; `element` 0 … 5.  At `saturation` [N] (bias included) and above
-/// it is Saturated and reads that much.  Throws std::invalid_argument unless the voltage is finite and the
-/// element exists.
+/// Returns the force of an element beyond its bias; `element` 0 … 5. From `saturation` [N] on (bias
+/// included) it is Saturated and reads that value. Throws std::invalid_argument unless the voltage
+/// is finite and the element exists.
 ElementForce elementForce(double voltage, Side side, int element,
                           const ForceCalibration& calibration, double saturation);
 
-/// The same for a Sound element, but negative where it feels less than its bias [N]; empty for any other.
+/// Returns the same force [N] for a Sound element, negative below its bias; empty for any other
+/// state.
 std::optional<double> signedForce(double voltage, Side side, int element,
                                   const ForceCalibration& calibration, double saturation);
 

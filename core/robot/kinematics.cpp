@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A flipper as a hull in the base frame.
+/// Returns a flipper as a hull in the base frame.
 TaperedHull flipperHull(const FlipperGeometry& flipper, double angle)
 {
     const Vec2 axis = flipperAxis(flipper, angle);

@@ -10,16 +10,18 @@ namespace terratact {
 
 inline constexpr int kForceElements = 6;
 
-/// The features of s in order: pitch, front and rear flipper angle, front and rear current, six forces.
+/// Number of features of s. In order: pitch, front and rear flipper angle, front and rear current,
+/// six forces.
 inline constexpr std::size_t kFeatures = 5 + kForceElements;
 
-/// Features of s that were not measured: bit d is feature d.  Pitch and the flipper angles are always measured.
+/// Features of s that were not measured: bit d is feature d. Pitch and the flipper angles are
+/// always measured.
 using MissingFeatures = std::bitset<kFeatures>;
 inline constexpr std::size_t kFrontCurrentFeature = 3, kRearCurrentFeature = 4,
                              kFirstForceFeature = 5;
 
 /// The proprioceptive vector s of the paper, left and right flippers averaged.
-/// An empty optional is "not measured"; every present value is finite.
+/// An empty optional means "not measured"; every present value is finite.
 struct Proprioception {
     double pitch = 0.0;  ///< [rad] nose up positive
     double front = 0.0;  ///< [rad] front flippers, 0 = lower edge flat, tip up positive
@@ -30,10 +32,10 @@ struct Proprioception {
     bool operator==(const Proprioception&) const = default;
 };
 
-/// What the robot says it is doing.
+/// Activity that the robot reports.
 enum class RobotActivity : std::uint8_t { Halted, Driving, Pressing, Pressed, Probing, Stopped };
 
-/// Why the robot did not do as told.
+/// Reason why the robot refused the last command.
 enum class Refusal : std::uint8_t {
     None,
     StopLatched,
@@ -42,14 +44,14 @@ enum class Refusal : std::uint8_t {
     NotPressed,
     NoRestPose,
     NotArmed,
-    WrongEpoch,  ///< the command was meant for an earlier arming
+    WrongEpoch,  ///< the command belongs to an earlier arming
     OutOfLimits,
 };
 
 std::string describe(RobotActivity activity);
 std::string describe(Refusal refusal);
 
-/// A terrain height measured by the arm's tip.
+/// Terrain height measured by the arm's tip.
 struct ArmReading {
     int bin = 0;          ///< index 0 … 10, see core/terrain/bins.h
     double height = 0.0;  ///< [m] DEM frame
@@ -57,7 +59,7 @@ struct ArmReading {
     bool operator==(const ArmReading&) const = default;
 };
 
-/// One line of telemetry.  Plain values; every number is finite, and 0 where it was not measured.
+/// One line of telemetry. Plain values; every number is finite, and 0 if it was not measured.
 struct Measurement {
     double time = 0.0;   ///< [s] on the source's own clock
     double pitch = 0.0;  ///< [rad] nose up positive
@@ -68,7 +70,7 @@ struct Measurement {
     double rearLeftCurrent = 0.0, rearRightCurrent = 0.0;    ///< [A] positive = pressing down
     std::array<double, kForceElements> force{};  ///< [N] calibrated, element 6 at the tip
     RobotActivity activity = RobotActivity::Halted;
-    Refusal refusal = Refusal::None;  ///< of the last command
+    Refusal refusal = Refusal::None;  ///< reason for refusing the last command
     std::optional<ArmReading> arm;    ///< last completed probe at this pose
     /// Odometry since the robot's start; empty: not measured.
     std::optional<double> travelled{};  ///< [m] along the tracks, forward positive
@@ -78,22 +80,24 @@ struct Measurement {
     bool operator==(const Measurement&) const = default;
 };
 
-/// Longer without telemetry [s], and the robot may have moved meanwhile without being seen.
+/// Longest silence of telemetry [s] during which the robot counts as observed. It may have moved in
+/// a longer one.
 inline constexpr double kMaxSilence = 1.0;
 
-/// Averages left and right.  What the measurement lacks is empty.
+/// Returns s with left and right averaged. Features that were not measured are empty.
 Proprioception proprioception(const Measurement& measurement);
 
-/// value, or NaN where the measurement lacks that feature: as numbers are shown.
+/// Returns value, or NaN if the measurement lacks that feature, for display.
 double shownFeature(const Measurement& measurement, std::size_t feature, double value);
 
-/// The features that are empty.
+/// Returns the features that are empty.
 MissingFeatures missingFeatures(const Proprioception& s);
 
-/// The shortest way round from one angle to another [rad], such as Measurement::turned.
+/// Returns the shortest turn from one angle to another [rad], for angles such as
+/// Measurement::turned.
 double turnBetween(double from, double to);
 
-/// The larger difference of left and right, of the front and of the rear flippers [rad].
+/// Returns the larger left/right difference, of the front or the rear flippers [rad].
 double flipperAsymmetry(const Measurement& measurement);
 
 }  // namespace terratact

@@ -11,7 +11,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMaxPoints = 64;  ///< of a polygon, and polygons of a body
+constexpr std::size_t kMaxPoints = 64;  ///< points of a polygon, and polygons of a body
 
 using Range = TomlRange;
 constexpr Range kPosition{-2.0, 2.0};   ///< [m]
@@ -24,7 +24,7 @@ constexpr Range kShare{0.0, 1.0};
 constexpr Range kPositive{0.001, 10000.0};
 constexpr Range kForce{0.001, 1000.0};  ///< [N]
 constexpr Range kResistance{1.0, 1e8};  ///< [Ω]
-constexpr Range kSupply{1.0, 5.0};      ///< [V] what the link can carry
+constexpr Range kSupply{1.0, 5.0};      ///< [V] range that the link can carry
 
 Vec2 pointOf(const toml::node& node, const std::string& key)
 {
@@ -37,7 +37,8 @@ Vec2 pointOf(TomlSection& section, std::string_view key)
     return pointOf(section.node(key), section.path(key));
 }
 
-/// Every corner lies strictly on the same side of every edge it is not part of.
+/// Returns true if every corner lies strictly on the same side of every edge that it is not part
+/// of.
 bool isConvex(const std::vector<Vec2>& polygon)
 {
     const std::size_t n = polygon.size();
@@ -137,7 +138,7 @@ void readForceElements(TomlSection& section, RobotModel& robot)
     robot.forceSaturation = section.number("saturation_n", kPositive);
 }
 
-/// Marks the elements; each must be free in `taken`.
+/// Marks the elements. Each must be free in `taken`.
 void readElements(TomlSection& section, ForceArrayLayout& array,
                   std::array<bool, kForceElements>& taken)
 {

@@ -32,14 +32,15 @@ struct FlipperGeometry {
     double mass = 0.0;          ///< [kg] both flippers of the axle
     double comDistance = 0.0;   ///< [m] pivot to centre of mass, along the flipper
 
-    /// Half the taper's opening angle: asin((pivotRadius − tipRadius) / axleDistance) [rad]; 0 where one circle
-    /// holds the other: such a flipper is a disc.
+    /// Returns half the taper's opening angle: asin((pivotRadius − tipRadius) / axleDistance)
+    /// [rad]. Returns 0 if one circle contains the other: such a flipper is a disc.
     double taper() const;
-    /// Length of the straight lower edge between the two circles [m]: axleDistance cos(taper).
+    /// Returns the length of the straight lower edge between the two circles [m]: axleDistance
+    /// cos(taper).
     double edgeLength() const;
 };
 
-/// A tracked robot with front and rear flippers as resources/robots/*.toml describe it.  Base frame:
+/// Tracked robot with front and rear flippers, as resources/robots/*.toml describe it. Base frame:
 /// x forward, z up, origin midway between the tracks, `baseHeight` above flat ground.
 struct RobotModel {
     std::string name;
@@ -52,49 +53,56 @@ struct RobotModel {
     FlipperGeometry front, rear;
     double bodyMass = 0.0;  ///< [kg] everything but the flippers
     Vec2 bodyCom;           ///< base frame [m]
-    /// Where the elements sit on the front flippers' lower edge, as a share of its length from the
-    /// pivot end (0) to the tip end (1); element 6 is last.
+    /// Positions of the elements on the front flippers' lower edge, as a share of its length from
+    /// the pivot end (0) to the tip end (1); element 6 is last.
     std::array<double, kForceElements> elementShare{};
-    double forceSaturation = 0.0;  ///< [N] an element reads at most this
-    /// In the order they are shown; an element of a side belongs to one of them at most, and of each two
-    /// elements of the same number one at least does: without it every estimate would lack a force.
+    double forceSaturation = 0.0;  ///< largest reading of an element [N]
+    /// Force arrays in display order. An element of a side belongs to at most one array. Of the two
+    /// elements with the same number, at least one belongs to an array: otherwise every estimate would
+    /// lack a force.
     std::vector<ForceArrayLayout> forceArrays = leftAndRightArrays();
     ForceCalibration forceCalibration;
-    double torquePerAmpere = 0.0;                   ///< [N m / A] of one flipper motor
-    double maxFlipperTorque = 0.0;                  ///< [N m] one motor, at the output
-    double flipperSpeed = 0.0;                      ///< [rad/s]
-    double armReachBegin = 0.0, armReachEnd = 0.0;  ///< [m] x in the DEM frame the arm can probe
-    double armSd = 0.0;                             ///< [m] sd of a reading of the arm
-    double travelledSdShare = 0.0;  ///< sd of a travelled way, as a share of it: the tracks slip
-    double pitchSd = 0.0;           ///< [rad] sd of the IMU's pitch
+    double torquePerAmpere = 0.0;   ///< [N m / A] of one flipper motor
+    double maxFlipperTorque = 0.0;  ///< [N m] one motor, at the output
+    double flipperSpeed = 0.0;      ///< [rad/s]
+    /// range of x in the DEM frame that the arm can probe [m]
+    double armReachBegin = 0.0, armReachEnd = 0.0;
+    double armSd = 0.0;  ///< sd of an arm reading [m]
+    /// sd of a travelled distance as a share of that distance: the tracks slip
+    double travelledSdShare = 0.0;
+    double pitchSd = 0.0;  ///< [rad] sd of the IMU's pitch
 
-    /// [m] from the middle to the outer edge of a track, for tipping over sideways (core/robot/attitude.h).
+    /// Distance from the middle to the outer edge of a track [m], for tipping over sideways
+    /// (core/robot/attitude.h).
     double halfWidth = 0.25;
 
     double totalMass() const { return bodyMass + front.mass + rear.mass; }
 
-    /// Whether the arm can touch the ground at the bin's centre.  Throws std::invalid_argument unless
-    /// 0 ≤ bin ≤ 10.  (Defined in core/terrain/arm_reach.cpp, which knows the bins.)
+    /// Returns true if the arm can touch the ground at the bin's centre. Throws
+    /// std::invalid_argument unless 0 ≤ bin ≤ 10. Defined in core/terrain/arm_reach.cpp, because
+    /// only core/terrain knows the bins.
     bool armReaches(int bin) const;
 };
 
-inline constexpr std::size_t kMaxForceArrays = 4;           ///< that a console can show
+inline constexpr std::size_t kMaxForceArrays = 4;           ///< most arrays that a console can show
 inline constexpr std::size_t kMaxForceArrayNameLength = 6;  ///< [bytes]
 
-/// Reads a robot file (TOML; resources/robots/absolem.toml shows every key with its unit).  Every key is
-/// required and no other allowed but these: one to four tables
+/// Reads a robot file (TOML; resources/robots/absolem.toml shows every key with its unit). Every
+/// key is required, and no other key is allowed, except for these tables. There may be one to four
+/// tables
 ///   [[force_array]]
 ///   name = "L"             # 1 to 6 bytes
-///   side = "left"          # or "right": whose six elements the link carries
-///   elements = [1, 2, 3]   # of them, 1 at the pivot and 6 at the tip
-/// Without them there are two arrays, all of the left and all of the right elements.  And one more table:
+///   side = "left"          # or "right": the side whose six elements the link carries
+///   elements = [1, 2, 3]   # a subset of them, 1 at the pivot and 6 at the tip
+/// Without these tables there are two arrays: all left elements and all right elements. There may
+/// be one table
 ///   [tip_over]
-///   half_width_m = 0.25    # from the middle to the outer edge of a track; 0.25 where the table is missing
-/// Errors name the file, the line, the key and what was expected.  Files over 64 KiB or nested deeper than
-/// 16 levels are refused before they are parsed.
+///   half_width_m = 0.25    # from the middle to the outer edge of a track; 0.25 without the table
+/// Errors name the file, the line, the key and what was expected. Files over 64 KiB, or nested
+/// deeper than 16 levels, are refused before they are parsed.
 Result<RobotModel> readRobotModel(const std::string& path);
 
-/// The same for a text at hand, which errors call `name`.
+/// Reads the same from a text; errors call it `name`.
 Result<RobotModel> robotModelFrom(const std::string& name, const std::string& text);
 
 }  // namespace terratact

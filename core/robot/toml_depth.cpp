@@ -7,7 +7,8 @@ namespace {
 
 constexpr std::size_t kEnd = std::string_view::npos;
 
-/// Past a closing triple quote at `at` and the one or two quotes of the content that may touch it.
+/// Returns the position after a closing triple quote at `at`, and after one or two quotes of the
+/// content that may touch it.
 std::size_t pastTriple(std::string_view text, std::size_t at)
 {
     std::size_t past = at + 3;
@@ -15,7 +16,8 @@ std::size_t pastTriple(std::string_view text, std::size_t at)
     return past;
 }
 
-/// Past the string that opens at `at`: "basic", 'literal', or either in triple quotes.
+/// Returns the position after the string that opens at `at`: "basic", 'literal', or either in
+/// triple quotes.
 std::size_t pastString(std::string_view text, std::size_t at)
 {
     const char quote = text[at];

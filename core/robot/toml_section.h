@@ -14,15 +14,15 @@
 
 namespace terratact {
 
-// How core reads somebody's TOML: strictly, within bounds, every refusal with its line and key.  For the
-// sources of core that read a file format; their headers show none of it.
+// Strict, bounded reader for TOML files from users. Every refusal names its line and key. Only core
+// sources that read a file format include this header.
 
-/// Why a file is refused: a sentence that lacks the file's name.  readTomlFile() catches it.
+/// Refusal of a file: a sentence without the file's name. readTomlFile() catches it.
 struct TomlRefused {
     std::string cause;
 };
 
-/// Both ends belong to the range.
+/// Closed range: both ends belong to it.
 struct TomlRange {
     double least, most;
 };
@@ -33,8 +33,8 @@ const toml::array& tomlArray(const toml::node& node, const std::string& key, std
                              std::size_t most);
 std::string tomlLine(const toml::node& node);  ///< "line 7"
 
-/// One table of the file.  Every key it is asked for must be there; the others are refused in the end.
-/// Throws TomlRefused.
+/// One table of the file. Every key that is asked for must exist; refuseUnknown() refuses all other
+/// keys. Throws TomlRefused.
 class TomlSection {
 public:
     TomlSection(const toml::table& table, std::string prefix);
@@ -44,11 +44,11 @@ public:
     bool has(std::string_view key) const { return table_.contains(key); }
 
     double number(std::string_view key, TomlRange range);
-    std::string text(std::string_view key);  ///< as isReadableName() wants it
-    /// The position of the key's text among the choices.
+    std::string text(std::string_view key);  ///< must satisfy isReadableName()
+    /// Returns the position of the key's text among the choices.
     std::size_t choice(std::string_view key, std::initializer_list<std::string_view> choices);
 
-    /// Reads the section of that name with `read` and refuses what it did not ask for.
+    /// Reads the section of that name with `read`, and refuses keys that `read` did not ask for.
     template <class Read>
     void section(std::string_view key, Read read)
     {
@@ -67,12 +67,12 @@ private:
     std::set<std::string, std::less<>> known_;
 };
 
-/// Reads the file's top section with `read` and refuses what it did not ask for.  Errors name the file:
-/// it cannot be read, is empty, larger than 64 KiB, nests too deep for the parser, is not TOML, or
-/// `read` refused it.
+/// Reads the file's top section with `read`, and refuses keys that `read` did not ask for. Errors
+/// name the file and the cause: it cannot be read, is empty, is larger than 64 KiB, nests too deep
+/// for the parser, is not TOML, or `read` refused it.
 Status readTomlFile(const std::string& path, const std::function<void(TomlSection&)>& read);
 
-/// The same for a text at hand, which errors call `name`.
+/// Reads the same from a text; errors call it `name`.
 Status readToml(const std::string& name, const std::string& text,
                 const std::function<void(TomlSection&)>& read);
 

@@ -1,4 +1,4 @@
-// Here and not in core/robot, because only terrain knows the bins.
+// This function is defined here and not in core/robot, because only core/terrain knows the bins.
 #include <stdexcept>
 
 #include "core/robot/robot_model.h"

@@ -12,16 +12,16 @@ inline constexpr double kBinWidth = 0.1;  ///< [m]
 /// A bin's height is the mean of the terrain over its 0.1 m.
 using Heights = std::array<double, kBins>;
 
-/// Heights where some are not known: an explicit "unknown", never NaN.
+/// Heights of which some are unknown: empty, never NaN.
 using OptionalHeights = std::array<std::optional<double>, kBins>;
 
-/// x of the centre of bin i [m].
+/// Returns x of the centre of bin i [m].
 constexpr double binCentre(int i)
 {
     return (static_cast<double>(i) - 3.0) / 10.0;
 }
 
-/// Borders of bin i [m].
+/// Return the borders of bin i [m].
 constexpr double binBegin(int i)
 {
     return (static_cast<double>(i) - 3.5) / 10.0;
@@ -31,7 +31,7 @@ constexpr double binEnd(int i)
     return binBegin(i + 1);
 }
 
-/// The bin that holds x [m]; empty outside [-0.35, 0.75).
+/// Returns the bin that contains x [m]; empty outside [-0.35, 0.75).
 constexpr std::optional<int> binOf(double x)
 {
     for (int i = 0; i < kBins; ++i)

@@ -12,13 +12,13 @@ namespace {
 
 constexpr int kStepsPerBin = 100;
 
-/// Polygon around a tapered hull: the arc of b on its far side, then the arc of a.
+/// Returns a polygon around a tapered hull: the arc of b on its far side, then the arc of a.
 std::vector<std::array<double, 2>> outlineOf(const TaperedHull& hull)
 {
     constexpr int kArcPoints = 24;
     const double direction = std::atan2(hull.b.z - hull.a.z, hull.b.x - hull.a.x);
     const double distance = std::hypot(hull.b.x - hull.a.x, hull.b.z - hull.a.z);
-    // Where one circle holds the other, the arc of the larger one is whole.
+    // If one circle contains the other, the arc of the larger one is a full circle.
     const double fall = hull.ra - hull.rb;
     const double phi = distance > std::abs(fall) ? std::acos(fall / distance)
                      : fall >= 0.0               ? 0.0

@@ -6,14 +6,16 @@
 
 namespace terratact {
 
-/// Ceiling of every bin [m], DEM frame: the mean over the bin's 0.1 m of the robot's lower envelope,
-/// +infinity where nothing is above part of the bin.  Terrain nowhere above the robot therefore has
-/// height ≤ ceiling in every bin.  Integrated by the midpoint rule on 1 mm steps (error below 0.1 mm).
+/// Returns the ceiling of every bin [m], DEM frame: the mean over the bin's 0.1 m of the robot's
+/// lower envelope. It is +infinity where the robot does not cover part of the bin. Terrain that is
+/// nowhere above the robot therefore has height ≤ ceiling in every bin. The midpoint rule on 1 mm
+/// steps integrates it (error below 0.1 mm).
 ///
-/// pitch, front, rear: [rad], signs as in Proprioception.  Throws std::invalid_argument unless finite.
+/// pitch, front, rear: [rad], signs as in Proprioception. Throws std::invalid_argument unless
+/// finite.
 Heights bodyCeiling(const RobotModel& robot, double pitch, double front, double rear);
 
-/// The side view for a picture: body, tracks and flippers as polygons, DEM frame.
+/// Returns the side view for a picture: body, tracks and flippers as polygons, DEM frame.
 Outline robotOutline(const RobotModel& robot, double pitch, double front, double rear);
 
 }  // namespace terratact

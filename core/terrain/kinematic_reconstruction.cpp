@@ -11,7 +11,7 @@ namespace terratact {
 
 namespace {
 
-/// A contact this much above another part of the robot cannot be [m].
+/// A contact this far above another part of the robot is impossible [m].
 constexpr double kContradiction = 0.01;
 
 /// Neighbouring elements above the threshold, as [first, last].
@@ -38,7 +38,7 @@ std::vector<Group> groupsAbove(const Proprioception& s, double threshold)
     return groups;
 }
 
-/// Force-weighted centre of a group on the flipper's edge; empty outside the bins.
+/// Returns the force-weighted centre of a group on the flipper's edge; empty outside the bins.
 std::optional<Contact> contactOf(const RobotModel& robot, const Pose& pose, const Proprioception& s,
                                  Group group)
 {

@@ -6,14 +6,14 @@
 
 namespace terratact {
 
-/// A closed polygon of the robot sketch in the DEM frame: points (x, z) [m].
+/// Closed polygon of the robot sketch in the DEM frame: points (x, z) [m].
 struct OutlinePart {
     enum class Kind { Body, Track, FrontFlipper, RearFlipper };
     Kind kind = Kind::Body;
     std::vector<std::array<double, 2>> points;
 };
 
-/// The side view of the robot as drawn under an estimate, back to front.
+/// Side view of the robot as drawn under an estimate, back to front.
 using Outline = std::vector<OutlinePart>;
 
 }  // namespace terratact

@@ -8,19 +8,20 @@
 
 namespace terratact {
 
-/// Ground that rises or falls by more, from a bin to the next or the one after, is a step [m]: the height a
-/// tracked robot takes without a second thought.
+/// Step limit [m]: ground that rises or falls by more, from a bin to the next or to the one after,
+/// is a step. A tracked robot takes lower steps easily.
 inline constexpr double kStepLimit = 0.10;
 
-/// Bins from the foot of a step to its top.  An edge within a bin makes that bin's mean height something between, so
-/// that its neighbours tell the step's height and it does not; between bins, the two beside it do.
+/// Number of bins from the foot of a step to its top. An edge within a bin gives that bin an
+/// intermediate mean height, so that only its neighbours show the step's height. An edge between
+/// bins shows in the two bins beside it.
 inline constexpr int kStepBins = 2;
 
 /// The rearmost bin that counts as ahead of the robot: +0.3 m.
 inline constexpr int kFirstAhead = 6;
 
-/// Whether bins i < j ≤ i + kStepBins of firstBin … lastBin differ by more than `limit` [m].  Expects
-/// 0 ≤ firstBin and lastBin ≤ 10.
+/// Returns true if bins i < j ≤ i + kStepBins of firstBin … lastBin differ by more than `limit`
+/// [m]. Expects 0 ≤ firstBin and lastBin ≤ 10.
 inline bool hasStep(const Heights& heights, double limit, int firstBin = 0, int lastBin = kBins - 1)
 {
     for (int i = firstBin; i < lastBin; ++i)

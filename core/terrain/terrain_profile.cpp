@@ -54,7 +54,7 @@ double TerrainProfile::heightAt(double x) const
     const auto right = std::upper_bound(points_.begin(), points_.end(), x, above);
     const auto left = std::prev(right);
     double height = right == points_.end() ? left->z : between(*left, *right, x);
-    for (auto p = left; p->x == x; --p) {  // at a step all points of this x count
+    for (auto p = left; p->x == x; --p) {  // at a vertical step all points of this x count
         height = std::max(height, p->z);
         if (p == points_.begin()) break;
     }

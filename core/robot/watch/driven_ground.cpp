@@ -7,14 +7,14 @@ namespace terratact {
 namespace {
 
 constexpr double kNewestPitch = 0.5;    // share of the newest line in the pitch
-constexpr double kNewestCurrent = 0.2;  // and in the current
+constexpr double kNewestCurrent = 0.2;  // share of the newest line in the current
 
 long cellOf(double x)
 {
     return std::lround(x / DrivenGround::kCell);
 }
 
-/// Of the tracks, to both sides of the base origin [m].
+/// Returns the length of the tracks to both sides of the base origin [m].
 double trackReach(const RobotModel& r)
 {
     return r.trackAxle / 2.0 + r.trackRadius;

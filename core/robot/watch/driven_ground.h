@@ -9,7 +9,7 @@
 
 namespace terratact {
 
-/// Mean current of the rear flippers, smoothed: whether they carry a load.
+/// Smoothed mean current of the rear flippers, which tells whether they carry a load.
 class RearLoad {
 public:
     static constexpr double kLoaded = 0.4;  ///< [A] per motor
@@ -21,16 +21,19 @@ private:
     double current_ = 0.0;
 };
 
-/// The angle [rad] from the tracks up to the line that the robot rests on when its rear flippers carry a load: the
-/// tangent from below to the front track wheel and the rear flippers' tips.  0 where the tips are above the tracks.
+/// Returns the angle [rad] from the tracks up to the line that the robot rests on when its rear
+/// flippers carry a load. The line is the tangent from below to the front track wheel and the rear
+/// flippers' tips. Returns 0 if the tips are above the tracks.
 double supportAngle(const RobotModel& robot, double rear);
 
-/// The ground that the tracks have passed over, as far as they tell: no ground is higher than the lowest position of
-/// the tracks above it, and most high spots have carried them.  In a frame along gravity that begins with the first
-/// line, by dead reckoning: a way ds along the tracks moves the robot along the line that it rests on,
-///   ds / cos β · (cos(θ + β), sin(θ + β)),  β supportAngle() while the rear flippers carry a load, else 0,
-/// and the robot turns about the point of its tracks' lower edge below its centre of mass.
-/// Remembers kKept to both sides.  No clock.
+/// Upper bound of the ground that the tracks have passed over. No ground is higher than the lowest
+/// position of the tracks above it, and most high spots have carried them. The frame is along
+/// gravity and begins with the first line. Dead reckoning moves the robot by a way ds of the tracks
+/// along its line of rest,
+///   ds / cos β · (cos(θ + β), sin(θ + β)).
+/// β is supportAngle() while the rear flippers carry a load, else 0. The robot turns about the
+/// point of its tracks' lower edge below its centre of mass. The map keeps kKept to both sides. It
+/// has no clock.
 class DrivenGround {
 public:
     static constexpr double kCell = 0.02;  ///< [m]
@@ -38,30 +41,30 @@ public:
 
     explicit DrivenGround(const RobotModel& robot);
 
-    /// The next line.  Does nothing where the way is not measured.
+    /// Adds the next line. Ignores a line without odometry.
     void take(const Measurement& line, bool isRearLoaded);
 
-    /// Of the last line, left and right averaged.
+    /// Returns the pose of the last line, left and right averaged.
     const Pose& pose() const { return pose_; }
-    /// As pose(), with another pitch and another angle of the front flippers.
+    /// Returns pose() with another pitch and another angle of the front flippers.
     Pose poseWith(double pitch, double front) const;
-    bool hasMoved() const { return moved_; }       ///< forwards, at the last line
+    bool hasMoved() const { return moved_; }  ///< true if the robot moved forward at the last line
     double smoothPitch() const { return pitch_; }  ///< [rad]
     double way() const { return way_; }            ///< [m] since the first line
-    /// From there on [m] the tracks have passed over the ground from end to end.  Behind it, their first pose alone
-    /// bounds the ground, and hollows under it are unknown.
+    /// Returns the x [m] from which the tracks have passed over the ground from end to end. Behind
+    /// it, only their first pose bounds the ground, and hollows under it are unknown.
     double passedFrom() const { return passedFrom_; }
-    /// The highest that the ground can be there [m]; empty where the tracks have not been.
+    /// Returns the highest possible ground at x [m]; empty where the tracks have not been.
     std::optional<double> highestAt(double x) const;
 
 private:
     void lower();
 
     RobotModel robot_;
-    double turnsAt_;  ///< [m] before the base origin
+    double turnsAt_;  ///< distance in front of the base origin [m]
     std::optional<double> travelled_;
     double pitch_ = 0.0, way_ = 0.0, passedFrom_ = 0.0;
-    Vec2 point_;  ///< of the tracks' lower edge, about which the robot turns
+    Vec2 point_;  ///< point of the tracks' lower edge about which the robot turns
     Pose pose_;
     bool moved_ = false;
     std::map<long, double> highest_;

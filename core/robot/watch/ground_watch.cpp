@@ -7,27 +7,27 @@ namespace terratact {
 namespace {
 
 constexpr int kPressLines = 6;
-constexpr double kFelt = 2.0;          // [N] an element
-constexpr double kFeltAtAll = 6.0;     // [N] all elements
-constexpr double kHangingFree = -1.0;  // [rad] there the flippers may hang free
+constexpr double kFelt = 2.0;          // [N] load of an element that counts
+constexpr double kFeltAtAll = 6.0;     // [N] least load of all elements together
+constexpr double kHangingFree = -1.0;  // [rad] below this angle the flippers may hang free
 constexpr std::size_t kContacts = 32;
 
-constexpr double kSd = 0.022;        // [m] of a contact against the ground
-constexpr double kSdOfPitch = 0.13;  // [m/rad] of the robot's turning in between
+constexpr double kSd = 0.022;        // [m] sd of a contact against the ground
+constexpr double kSdOfPitch = 0.13;  // [m/rad] sd per turn of the robot since the contact
 constexpr double kPassed =
-    0.1;  // [m] a point is behind the tracks' front end, when so far before the base origin
-constexpr double kCutContact = 2.5;   // of a contact, in its sd
-constexpr double kMaxShift = 2.0;     // of kOffset, in that sd
-constexpr double kOneEnd = 2.5;       // log-likelihood of a press that loads one end alone
-constexpr double kFirstAlone = 0.05;  // share beyond the outermost element
-constexpr double kPerMetre = 30.0;    // log-likelihood of a point that fits better
+    0.1;  // [m] a point this far in front of the base origin is behind the tracks' front end
+constexpr double kCutContact = 2.5;   // largest deviation of a contact, in its sd
+constexpr double kMaxShift = 2.0;     // largest effect of kOffset, in that sd
+constexpr double kOneEnd = 2.5;       // log-likelihood of a press that loads one end only
+constexpr double kFirstAlone = 0.05;  // share of the edge beyond the outermost element
+constexpr double kPerMetre = 30.0;    // log-likelihood per metre of better fit
 constexpr double kCutOrder = 0.04;    // [m]
 
-constexpr double kRearStep = 0.1;  // [m] between two looks
+constexpr double kRearStep = 0.1;  // [m] way between two checks
 constexpr std::size_t kRearCells = 5;
 constexpr double kCutRear = 0.05;     // [m]
 constexpr double kDrain = 0.005;      // [m]
-constexpr double kWeightShare = 0.5;  // of the weight that the rear flippers carry at most
+constexpr double kWeightShare = 0.5;  // largest share of the weight that the rear flippers carry
 constexpr double kMaxLever = 0.15;    // [m]
 constexpr double kEarthGravity = 9.81;
 
@@ -165,7 +165,7 @@ void GroundWatch::judgeContact(const Contact& contact, double now)
 std::optional<double> GroundWatch::rearGap(const DrivenGround& ground) const
 {
     const TaperedHull flipper = shapeAt(robot_, ground.pose()).rear;
-    // A torque needs a lever: a load that the flippers carry is at least so far behind their pivot.
+    // A torque needs a lever: the load lies at least this far behind the flippers' pivot.
     const double torque = 2.0 * robot_.torquePerAmpere * rear_.current();
     const double lever =
         rear_.isLoaded()

@@ -6,11 +6,10 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kLines = 6;  // of a mean, at most
+constexpr std::size_t kLines = 6;  // most lines of a mean
 constexpr double kSlow =
     0.3;  // [rad/s] flippers that rise more slowly have arrived, and the tracks may move
-constexpr double kRise =
-    0.15;  // [rad] flippers are off the ground after so much, or have never pressed on it
+constexpr double kRise = 0.15;  // [rad] a flipper that has risen this far is off the ground
 
 bool isPressed(const Measurement& m)
 {

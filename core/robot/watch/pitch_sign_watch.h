@@ -9,26 +9,29 @@
 
 namespace terratact {
 
-/// Flippers that press down lift the nose, and let it sink when they come up again while the tracks rest: a pitch that
-/// does the opposite has the wrong sign.  Each such change z, in its noise and cut off at ±kCut, goes into
-///   S ← max(0, S − z)
-/// (z of a rise turned round), a one-sided CUSUM (Page 1954) that suspects the sign above kLimit.  On simulated
-/// drives z has a mean of about +1.5, and one in a hundred is below −2.
+/// Detects a pitch with the wrong sign. Flippers that press down lift the nose; when they come up
+/// again while the tracks rest, the nose sinks. Each such change z of pitch, in units of its noise
+/// and cut off at ±kCut, goes into
+///   S ← max(0, S − z).
+/// z of a rising flipper has its sign reversed. S is a one-sided CUSUM (Page 1954) that suspects
+/// the sign above kLimit. On simulated drives z has a mean of about +1.5, and one in a hundred is
+/// below −2.
 class PitchSignWatch {
 public:
     static constexpr double kCut = 7.0;
     static constexpr double kLimit = 18.0;
     static constexpr double kHold =
-        600.0;  ///< [s] suspected for, unless the CUSUM falls to half of kLimit
+        600.0;  ///< [s] duration of a suspicion, unless the CUSUM falls to half of kLimit
 
     explicit PitchSignWatch(const RobotModel& robot) : pitchSd_(robot.pitchSd) {}
     void take(const Measurement& line);
-    const std::vector<SensorSuspicion>& found() const { return found_; }  ///< by the last line
+    /// suspicions of the last line
+    const std::vector<SensorSuspicion>& found() const { return found_; }
     bool isCleared() const { return sum_ < kLimit / 2.0; }
     void reset();
 
 private:
-    /// Mean pitch of the last lines of a phase.
+    /// Mean pitch of a phase's last lines.
     class Recent {
     public:
         void add(double pitch);
@@ -46,8 +49,8 @@ private:
     double sum_ = 0.0;
     std::optional<Measurement> before_;
     Recent free_, pressed_, raised_;
-    bool isRising_ = false;  ///< the flippers come up from a press, the tracks rest
-    double lowest_ = 0.0;    ///< [rad] front flippers of that press
+    bool isRising_ = false;  ///< the flippers come up from a press while the tracks rest
+    double lowest_ = 0.0;    ///< front flippers at the lowest point of that press [rad]
     std::vector<SensorSuspicion> found_;
 };
 

@@ -11,47 +11,52 @@
 
 namespace terratact {
 
-/// Judges sensors by what a press of the front flippers must do to them:
-///   angles    the front ones fall and the rear ones stay; once the flippers are pressed, none moves
-///   currents  of the front are positive once the flippers rest on something, and then stay
-///   forces    carry a share of the motors' torque: Σ F_e s_e against k I, s_e from the pivot along the edge; then stay
-///   odometry  stays while they press
-///   pitch     stays once the flippers are pressed: the sum over presses of the squared change, in noise
-/// Of a press that found no ground, and of one that ends within kSettle, less is said.  No clock.
+/// Checks sensors against the effects of a press of the front flippers:
+///   angles    The front angles fall and the rear angles stay. Once the flippers are pressed, none moves.
+///   currents  The front currents are positive once the flippers rest on something, and then stay.
+///   forces    They carry a share of the motors' torque, and then stay: Σ F_e s_e against k I, with s_e
+///             the distance from the pivot along the edge.
+///   odometry  It does not change during a press.
+///   pitch     It stays once the flippers are pressed. The rule sums the squared changes over several
+///             presses, in units of noise.
+/// Fewer rules apply to a press that found no ground, and to one that ends within kSettle. The
+/// watch has no clock.
 class PressWatch {
 public:
-    static constexpr double kSettle = 0.6;   ///< [s] of standing after which all is at rest
-    static constexpr double kWatched = 1.2;  ///< [s] of a press that are looked at
-    static constexpr double kHold = 600.0;   ///< [s] suspected for, unless another press clears it
+    static constexpr double kSettle = 0.6;   ///< [s] of standing after which everything is at rest
+    static constexpr double kWatched = 1.2;  ///< [s] length of a press that is evaluated
+    /// [s] duration of a suspicion, unless another press clears it
+    static constexpr double kHold = 600.0;
 
     explicit PressWatch(const RobotModel& robot);
     void take(const Measurement& line);
-    const std::vector<SensorSuspicion>& found() const { return found_; }  ///< by the last line
-    /// Sensors of which a press has just shown that they are sound.
+    /// suspicions of the last line
+    const std::vector<SensorSuspicion>& found() const { return found_; }
+    /// Returns the sensors that the last press has shown to be sound.
     const std::vector<Sensor>& cleared() const { return cleared_; }
     static bool judges(SensorTrouble trouble);
     void reset();
 
 private:
-    /// Means of lines.
+    /// Means over lines.
     struct Mean {
         std::array<double, kSensors> sum{};
         std::array<int, kSensors> lines{};
         double pitchSquares = 0.0;
         void add(const SensorReadings& readings);
-        double of(Sensor sensor) const;  ///< 0 where nothing was measured
+        double of(Sensor sensor) const;  ///< 0 if nothing was measured
         int count(Sensor sensor) const { return lines[indexOf(sensor)]; }
         double pitchVariance() const;
     };
     struct Press {
-        Mean reference;                 ///< of the lines before it
-        std::optional<double> began;    ///< [m] odometry of its first line
-        std::optional<double> pressed;  ///< [s] the first line at rest
-        Mean first, early, settled;     ///< that line; the first three; after kSettle
+        Mean reference;                 ///< lines before the press
+        std::optional<double> began;    ///< odometry of its first line [m]
+        std::optional<double> pressed;  ///< time of the first line at rest [s]
+        Mean first, early, settled;     ///< the first line at rest; the first three; after kSettle
         bool wasJudgedEarly = false, wasJudged = false;
         std::array<bool, kSensors> isSuspect{};
     };
-    /// What left less right was at the last presses.
+    /// Left minus right at the latest presses.
     using Differences = std::deque<double>;
 
     void follow(const Measurement& line, const SensorReadings& readings);
@@ -63,15 +68,15 @@ private:
     void judgePitch(double now);
     void judgeSides(double now);
     void suspect(Sensor sensor, SensorTrouble trouble, double now, double amount);
-    double rise(Sensor angle) const;  ///< [rad] from the reference to the first line at rest
+    double rise(Sensor angle) const;  ///< change from the reference to the first line at rest [rad]
     bool foundGround() const;
 
     RobotModel robot_;
-    std::deque<SensorReadings> before_;  ///< the last lines that are none of a press
+    std::deque<SensorReadings> before_;  ///< the latest lines outside of a press
     std::optional<Press> press_;
     RobotActivity activity_ = RobotActivity::Halted;
-    int swappedPresses_ = 0;                  ///< one after another
-    std::deque<double> pitchChanges_;         ///< squared, in noise
+    int swappedPresses_ = 0;                  ///< consecutive presses that look swapped
+    std::deque<double> pitchChanges_;         ///< squared, in units of noise
     std::array<Differences, 4> differences_;  ///< front and rear angles, front and rear currents
     std::vector<SensorSuspicion> found_;
     std::vector<Sensor> cleared_;

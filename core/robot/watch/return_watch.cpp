@@ -7,8 +7,9 @@ namespace terratact {
 namespace {
 
 constexpr std::size_t kSteps = 500;
-constexpr double kFrontLoad = 0.5;  // [A] front flippers that lean on something change the slope
-constexpr double kMaxWay = 0.5;     // [m] between two lines
+// [A] front flippers with more current lean on something and change the slope
+constexpr double kFrontLoad = 0.5;
+constexpr double kMaxWay = 0.5;  // [m] between two lines
 
 bool isFrontLoaded(const Measurement& m)
 {

@@ -25,7 +25,7 @@ constexpr std::array kNames{"pitch angle",
                             "track odometry"};
 static_assert(kNames.size() == kSensors);
 
-/// Pitch to the rear right current, in the order of Sensor.
+/// Returns pitch to rear right current, in the order of Sensor.
 template <class Line>
 auto plainReadings(Line& m)
 {

@@ -33,7 +33,7 @@ enum class Sensor : std::uint8_t {
 inline constexpr std::size_t kSensors = 17;
 using SensorReadings = std::array<std::optional<double>, kSensors>;  ///< SI units, by Sensor
 
-/// Sensors of one kind measure the same quantity, and have noise of the same kind.
+/// Sensors of one kind measure the same quantity and have the same kind of noise.
 enum class SensorKind : std::uint8_t { Attitude, Angle, Current, Force, Way };
 
 constexpr std::size_t indexOf(Sensor sensor)
@@ -46,13 +46,14 @@ constexpr Sensor sensorAt(std::size_t index)
 }
 SensorKind kindOf(Sensor sensor);
 
-/// "pitch angle", "front left flipper angle", "rear right flipper current", "force 3", "track odometry".
+/// Returns a name such as "pitch angle", "front left flipper angle", "rear right flipper current",
+/// "force 3" or "track odometry".
 std::string_view describe(Sensor sensor);
 
-/// Empty where the robot did not measure it.
+/// Returns all readings; empty where the robot did not measure.
 SensorReadings readingsOf(const Measurement& measurement);
 
-/// Sets one reading; a sensor that did not measure stays so.
+/// Sets one reading. A sensor that did not measure stays empty.
 void setReading(Measurement& measurement, Sensor sensor, double value);
 
 }  // namespace terratact

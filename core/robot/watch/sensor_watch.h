@@ -19,17 +19,19 @@
 
 namespace terratact {
 
-/// Looks for sensors that lie, in lines of telemetry at any rate.  No clock: times are those of the lines; a time
-/// that goes back, or a silence of more than kMaxSilence, begins anew but for what already is suspected.
-/// Memory is bounded.  Rules and limits: core/README.md, "Sensors that lie".
+/// Detects faulty sensors in lines of telemetry at any rate. It has no clock: times are those of
+/// the lines. A time that goes back, or a silence longer than kMaxSilence, restarts the rules but
+/// keeps the suspicions. Memory is bounded. core/README.md, "Sensors that lie", lists rules and
+/// limits.
 class SensorWatch {
 public:
     explicit SensorWatch(const RobotModel& robot);
 
-    /// The next line.  Throws std::invalid_argument unless its time is finite.
+    /// Adds the next line. Throws std::invalid_argument unless its time is finite.
     void take(const Measurement& line);
 
-    /// What stands at the time of the last line, at most one of each sensor and trouble, in that order.
+    /// Returns the suspicions at the time of the last line, at most one per sensor and fault, in
+    /// that order.
     const std::vector<SensorSuspicion>& standing() const { return standing_; }
 
     void reset();

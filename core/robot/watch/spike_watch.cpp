@@ -8,9 +8,9 @@ namespace {
 
 constexpr double kTilt = 1.5;    // [rad]
 constexpr double kSpeed = 1.5;   // [m/s]
-constexpr double kJump = 0.3;    // [m] a robot that tips over an edge rolls less at once
-constexpr double kMaxGap = 0.2;  // [s] between lines that are neighbours
-constexpr double kAnew = 0.05;   // [m] odometry of a robot that began anew
+constexpr double kJump = 0.3;    // [m] a robot that tips over an edge rolls less in one line
+constexpr double kMaxGap = 0.2;  // [s] largest gap between neighbouring lines
+constexpr double kAnew = 0.05;   // [m] largest odometry after a restart
 
 double spikeLimit(SensorKind kind)
 {

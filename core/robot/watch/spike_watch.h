@@ -11,21 +11,22 @@
 
 namespace terratact {
 
-/// Readings that jump away and back, and such as the robot cannot have.
-///   a spike   one line differs from the one before and the one after, both the same way, by more than
-///             0.1 rad, 1.5 A, 6 N, 0.1 m; of currents and forces while the robot stands.  kSpikes of them in kWindow.
-///   range     |pitch|, |roll| above 1.5 rad; a current above twice that of the motor's largest torque;
-///             odometry faster than 1.5 m/s, but for a return to 0: its robot began anew
+/// Detects readings that jump away and back, and readings that the robot cannot have.
+///   spike  One line differs from its two neighbours in the same direction by more than 0.1 rad, 1.5 A,
+///          6 N or 0.1 m; currents and forces only while the robot stands. kSpikes within kWindow count.
+///   range  |pitch| or |roll| is above 1.5 rad, a current is above twice that of the motor's largest
+///          torque, or odometry is faster than 1.5 m/s. A return of odometry to 0 is a restart instead.
 /// Angles are wrapped and forces end at their largest value, so that neither can leave its range.
 class SpikeWatch {
 public:
     static constexpr int kSpikes = 3;
     static constexpr double kWindow = 10.0;  ///< [s]
-    static constexpr double kHold = 30.0;    ///< [s] suspected for, after the last
+    static constexpr double kHold = 30.0;    ///< [s] duration of a suspicion after the last spike
 
     explicit SpikeWatch(const RobotModel& robot);
     void take(const Measurement& line);
-    const std::vector<SensorSuspicion>& found() const { return found_; }  ///< by the last line
+    /// suspicions of the last line
+    const std::vector<SensorSuspicion>& found() const { return found_; }
     void reset();
 
 private:
@@ -35,7 +36,7 @@ private:
 
     double currentLimit_;
     std::optional<Measurement> before_, beforeThat_;
-    std::array<std::deque<double>, kSensors> spikes_;  ///< [s] when
+    std::array<std::deque<double>, kSensors> spikes_;  ///< times of the spikes [s]
     std::vector<SensorSuspicion> found_;
 };
 

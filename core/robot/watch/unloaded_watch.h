@@ -9,24 +9,25 @@
 
 namespace terratact {
 
-/// Forces that are felt although the front flippers are up, in a robot that drives.  An element that feels at least
-/// kLoad in nine lines of ten has drifted, or is stuck: four elements together over kWay, one alone over kLongWay,
-/// because a flipper may lean on a wall for a while.
+/// Detects forces on raised front flippers while the robot drives. An element that feels at least
+/// kLoad in nine lines of ten has drifted or is stuck. Four elements together are suspected over
+/// kWay, one alone over kLongWay, because a flipper may lean on a wall for a while.
 class UnloadedWatch {
 public:
     static constexpr double kLoad = 1.0;     ///< [N]
-    static constexpr double kRaised = 0.3;   ///< [rad] both front flippers, at least
+    static constexpr double kRaised = 0.3;   ///< [rad] least angle of both front flippers
     static constexpr double kWay = 0.25;     ///< [m]
     static constexpr double kLongWay = 1.5;  ///< [m]
-    static constexpr double kHold = 60.0;    ///< [s] suspected for, after the last such line
+    static constexpr double kHold = 60.0;  ///< [s] duration of a suspicion after the last such line
 
     void take(const Measurement& line);
-    const std::vector<SensorSuspicion>& found() const { return found_; }  ///< by the last line
+    /// suspicions of the last line
+    const std::vector<SensorSuspicion>& found() const { return found_; }
     void reset();
 
 private:
     struct Element {
-        int lines = 0, free = 0;  ///< since it last was free in more than one line of ten
+        int lines = 0, free = 0;  ///< since the element was last free in more than one line of ten
         double way = 0.0;         ///< [m]
         double least = 0.0;       ///< [N]
     };
