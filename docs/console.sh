@@ -35,12 +35,16 @@ cat >docs/console.md <<END
 # What the console costs
 
 Made by \`docs/console.sh $build $seconds\` on $(nproc) processors, $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1).
-Limits: an event waits 16 ms (99 of 100) and 100 ms at most, while 9,000 frames a second come in, are recorded, and terrain
-is estimated all the time; below 10 % of a core for telemetry at 20 Hz without an estimate; below 150 MB; an estimate 50 ms after
-its scene (nine of ten) by the method that the console begins with and by a sampling one; a live estimate for 19 of 20 lines
-of telemetry between the command to press and the scene; a window after 0.5 s
-(mapped: the X server has it; painted: more than one colour is seen in it).
-The programs check them when told so, as here; in the tests the soak runs some seconds and checks that nothing hangs.
+Limits:
+
+- With 9,000 frames a second that are recorded, and estimates all the time, 99 of 100 events wait at most 16 ms, and all at most 100 ms.
+- Telemetry at 20 Hz without an estimate takes less than 10 % of a core.
+- The console uses less than 150 MB.
+- Nine of ten estimates appear within 50 ms of their scene, by the default method and by a sampling one.
+- While the flippers move, 19 of 20 lines of telemetry have a live estimate.
+- A window appears within 0.5 s. *Mapped*: the X server has it. *Painted*: more than one colour is seen in it.
+
+The commands below check these limits. In the test suite the soak test runs some seconds and checks that nothing hangs.
 
 \`\`\`
 $(cat "$ran")
