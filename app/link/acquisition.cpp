@@ -82,8 +82,7 @@ void Acquisition::read(const std::stop_token& stop)
             const std::scoped_lock lock(mutex_);
             trouble_ = trouble;
         }
-        std::this_thread::sleep_for(
-            50ms);  // a source that fails at once must not take a whole core
+        std::this_thread::sleep_for(50ms);  // a source that fails at once must not busy-loop
     }
 }
 

@@ -19,13 +19,13 @@ namespace terratact {
 
 using SteadyTime = std::chrono::steady_clock::time_point;
 
-/// The line of telemetry with which the robot said that its flippers are pressed.
+/// The first sample in which the robot reported that its flippers are pressed.
 struct Press {
     Sample sample;
-    std::uint64_t count = 0;  ///< of that line
+    std::uint64_t count = 0;  ///< count of that sample
 };
 
-/// When a line of telemetry came.
+/// Arrival time of a sample.
 struct Arrival {
     SteadyTime steady{};
     double sleepless = 0.0;  ///< [s], see sleeplessNow()
@@ -36,28 +36,28 @@ struct Received {
     Sample sample;
     SteadyTime arrived;
     double arrivedSleepless = 0.0;  ///< [s], see sleeplessNow()
-    std::uint64_t count = 0;        ///< 1 for the first
-    /// Count of the first since the last silence of more than kMaxSilence; a computer that slept has heard nothing.
+    std::uint64_t count = 0;        ///< 1 for the first sample
+    /// Count of the first sample after the last silence of more than kMaxSilence. Suspend counts as silence.
     std::uint64_t unbrokenFrom = 1;
-    std::vector<SensorSuspicion> suspicions{};  ///< of sensors, at that line
-    std::optional<Press> press{};  ///< how the present press began; the arm may probe during one
+    std::vector<SensorSuspicion> suspicions{};  ///< suspicions of SensorWatch at that sample
+    std::optional<Press> press{};  ///< start of the present press; the arm may probe during one
 };
 
-/// The newest telemetry after one more line: no line is missed in press, however seldom somebody looks.
+/// Returns `before` updated with one more sample. Every sample updates press, however rarely a client polls.
 Received received(const std::optional<Received>& before, Sample sample, const Arrival& arrived);
 
-/// Reads a source in its own thread into a mailbox that keeps only the newest: whoever draws looks when
-/// it likes and can never be flooded.  The source must outlive it.
+/// Reads a source in its own thread into a mailbox that keeps only the newest sample. A client polls at its own rate
+/// and is never flooded. The source must outlive the Acquisition.
 class Acquisition {
 public:
-    /// heard: called by that thread when there is a new latest(); empty: nobody is told.
-    /// robot: whose sensors are watched (SensorWatch), every line; empty: none are.
+    /// heard: called by that thread after each new latest(); empty: no callback. robot: its sensors are checked at
+    /// every sample (SensorWatch); empty: no check.
     explicit Acquisition(MeasurementSource& source, std::function<void()> heard = {},
                          const std::optional<RobotModel>& robot = {});
 
     std::optional<Received> latest() const;
-    double rate() const;  ///< [Hz] over the last second
-    /// What the source complained about last; empty once telemetry comes again.
+    double rate() const;  ///< [Hz] sample rate over the last second
+    /// Returns the source's last error; empty once telemetry arrives again.
     std::string trouble() const;
 
 private:
@@ -66,12 +66,12 @@ private:
 
     MeasurementSource& source_;
     std::function<void()> heard_;
-    std::optional<SensorWatch> sensors_;  // of the thread alone
-    mutable std::mutex mutex_;            // guards what follows
+    std::optional<SensorWatch> sensors_;  // used by the thread only
+    mutable std::mutex mutex_;            // guards the members below
     std::optional<Received> latest_;
     std::deque<SteadyTime> arrivals_;
     std::string trouble_;
-    std::jthread thread_;  // last: it starts when all else stands
+    std::jthread thread_;  // last member: the thread starts after all others exist
 };
 
 }  // namespace terratact

@@ -8,7 +8,7 @@
 namespace terratact {
 namespace {
 
-// Frames per second; a dash where no time is known.
+// Returns frames per second; a dash if the time is unknown.
 std::string rateText(const FrameCount& count)
 {
     const double seconds = count.time - count.first;
@@ -41,10 +41,10 @@ FrameBits bitsOf(const CanFrame& frame)
 {
     if (frame.fd || frame.error) return {};
     const int data = frame.remote ? 0 : 8 * std::min<int>(frame.length, 8);
-    // Start, identifier, control, data and checksum are stuffed: a bit after five equal ones and, as it may
-    // begin the next five, after every four from then on.
+    // Start bit, identifier, control, data and checksum are stuffed: one bit after five equal bits. A stuff bit may
+    // begin the next five, so from then on after every four.
     const int stuffed = (frame.extended ? 54 : 34) + data;
-    constexpr int kRest = 13;  // delimiters, acknowledgement, end of frame, pause
+    constexpr int kRest = 13;  // delimiters, acknowledgement, end of frame, interframe space
     return {stuffed + kRest, stuffed + kRest + (stuffed - 1) / 4};
 }
 

@@ -11,32 +11,31 @@
 
 namespace terratact {
 
-/// Bits of a classic frame on the bus, with the pause behind it.  fewest: without stuff bits; most: with as many
-/// as its length allows.  A CAN FD frame counts as none (its two bit rates are not known), an error frame
-/// either.
+/// Length [bit] of a classic CAN frame including the interframe space. fewest: without stuff bits; most: with the
+/// maximum stuff bits. CAN FD frames (unknown bit rates) and error frames count as 0.
 struct FrameBits {
     int fewest = 0, most = 0;
 };
 FrameBits bitsOf(const CanFrame& frame);
 
-/// Tells frames apart that share an identifier and nothing else, or are several things under one.
+/// Key of a kind of frame: distinguishes frames that share an identifier, and multiple contents of one identifier.
 struct FrameKey {
     bool error = false, extended = false, remote = false, fd = false;
     std::uint32_t id = 0;
-    std::string name{};  ///< in FrameWords
+    std::string name{};  ///< as in FrameWords
     bool operator<(const FrameKey& other) const;
 };
 FrameKey keyOf(const CanFrame& frame, const FrameWords& words);
 
-/// What came of one kind.
+/// Counts for one kind of frame.
 struct FrameCount {
-    CanFrame last;         ///< the newest one
-    FrameWords words;      ///< and what it says
-    double first = 0.0;    ///< [s] when the first came
-    double time = 0.0;     ///< [s] and the newest
-    double longest = 0.0;  ///< [s] between two
+    CanFrame last;         ///< newest frame
+    FrameWords words;      ///< decoded content of `last`
+    double first = 0.0;    ///< [s] time of the first frame
+    double time = 0.0;     ///< [s] time of the newest frame
+    double longest = 0.0;  ///< [s] longest interval between two frames
     std::uint64_t frames = 0;
-    std::array<std::uint64_t, kFrameTroubles> troubles{};  ///< by FrameTrouble
+    std::array<std::uint64_t, kFrameTroubles> troubles{};  ///< indexed by FrameTrouble
 
     std::uint64_t of(FrameTrouble trouble) const
     {
@@ -48,13 +47,13 @@ struct FrameCount {
 class BusStatistics {
 public:
     static constexpr std::size_t kMaxKeys =
-        4096;  ///< frames beyond so many kinds are counted together
+        4096;  ///< bound of counts(); further kinds are counted together
 
     void take(const CanFrame& frame, const FrameWords& words, double now);
 
     const std::map<FrameKey, FrameCount>& counts() const { return counts_; }
     std::uint64_t frames() const { return frames_; }
-    std::uint64_t beyond() const { return beyond_; }  ///< of a kind that is not in counts()
+    std::uint64_t beyond() const { return beyond_; }  ///< frames whose kind is not in counts()
     std::uint64_t fewestBits() const { return fewestBits_; }
     std::uint64_t mostBits() const { return mostBits_; }
 
@@ -63,8 +62,8 @@ private:
     std::uint64_t frames_ = 0, beyond_ = 0, fewestBits_ = 0, mostBits_ = 0;
 };
 
-/// A table of the counts, a line for each kind of frame, and what was wrong.  seconds: over which they came;
-/// nullopt: not known.
+/// Returns a table with a line for each kind of frame, and the faults found. seconds: time span of the frames; nullopt:
+/// unknown.
 std::string summaryText(const BusStatistics& statistics, std::optional<double> seconds);
 
 }  // namespace terratact

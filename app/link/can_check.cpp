@@ -13,10 +13,10 @@ namespace {
 
 using Level = CanFinding::Level;
 
-constexpr long kReceiveBuffer = 4L << 20;  // [B] a second of a full bus
+constexpr long kReceiveBuffer = 4L << 20;  // [B] one second of a full bus
 constexpr long kLongQueue = 100;           // frames
 
-// The word after `key`; empty where it is not there.
+// Returns the word after `key`; empty if `key` is absent.
 std::string_view wordAfter(std::string_view text, std::string_view key)
 {
     const std::size_t at = text.find(key);

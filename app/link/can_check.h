@@ -9,31 +9,31 @@
 
 namespace terratact {
 
-/// One thing that was looked at.
+/// One result of a check.
 struct CanFinding {
     enum class Level {
         Fine,
-        Warning,  ///< works, but not as well as it could
+        Warning,  ///< works, but not at its best
         Problem,  ///< cannot be used
     };
     Level level = Level::Fine;
     std::string what;    ///< a sentence without its full stop
-    std::string cure{};  ///< the command that mends it
+    std::string cure{};  ///< command that fixes the problem
     bool operator==(const CanFinding&) const = default;
 };
 
-/// What `ip -details link show` says of a controller.
+/// State of a controller as printed by `ip -details link show`.
 struct CanController {
-    std::string state;              ///< "ERROR-ACTIVE", "BUS-OFF"; empty: not told
+    std::string state;              ///< "ERROR-ACTIVE", "BUS-OFF"; empty: not printed
     std::optional<long> bitrate{};  ///< [bit/s]
     bool operator==(const CanController&) const = default;
 };
 CanController controllerFrom(std::string_view linkDetails);
 
-/// What canSocketError() says about the kernel and this user.
+/// Returns what canSocketError() implies for the kernel and this user.
 CanFinding socketFinding(int socketError);
 
-/// Everything about an interface in the order in which it has to be mended.  socketError: of
+/// Returns all findings about an interface, in the order in which they must be fixed. socketError: result of
 /// canSocketError().
 std::vector<CanFinding> findingsOf(const CanInterfaceFacts& facts, int socketError,
                                    const CanController& controller);

@@ -9,7 +9,7 @@
 namespace terratact {
 namespace {
 
-constexpr double kWindow = 2.0;  // [s] of rates
+constexpr double kWindow = 2.0;  // [s] window of the rates
 
 std::string rowText(const FrameCount& count)
 {

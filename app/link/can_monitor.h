@@ -15,25 +15,24 @@
 
 namespace terratact {
 
-/// What is on a bus now: a table of its frames in words with rate and age, the load, what was lost.  No clock:
-/// `now` [s] is of the same clock as BusFrame::time.
+/// Present traffic of a bus: a table of its frames with content, rate and age, the bus load, and lost frames. It reads
+/// no clock: `now` [s] uses the clock of BusFrame::time.
 class CanMonitor {
 public:
-    /// bitrate: [bit/s] of the bus.  Throws std::invalid_argument unless it is over 0.
-    /// book: for frames that are not the protocol's.
+    /// bitrate: of the bus [bit/s]. Throws std::invalid_argument unless it is above 0. book: describes frames outside
+    /// the protocol.
     CanMonitor(CanProtocol protocol, double bitrate, std::shared_ptr<const DbcBook> book = nullptr);
 
     void take(const BusFrame& frame);
 
-    /// Remembers the counts of this moment; rates and load are over the last second or two of them.  To be
-    /// called a few times a second.
+    /// Stores the present counts; rates and load use the last one or two seconds of them. Call a few times a second.
     void mark(double now);
 
-    /// "can0 is up; load 12.3 to 15.0 % of 500 kbit/s, …": the load without stuff bits and with as many as can
-    /// be.  state: in words.
+    /// Returns "can0 is up; load 12.3 to 15.0 % of 500 kbit/s, …". The load is given without stuff bits and with the
+    /// maximum stuff bits. state: as text.
     std::string headline(const std::string& state, const BusCounters& counters) const;
 
-    /// A heading and a line for each kind of frame, in the order of identifiers.
+    /// Returns a heading and a line for each kind of frame, ordered by identifier.
     std::vector<std::string> table(double now) const;
 
 private:

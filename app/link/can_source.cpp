@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::chrono::milliseconds kTurn{10};  // half the period of a drive
+constexpr std::chrono::milliseconds kTurn{10};  // half the period of drive commands
 
 std::optional<Command> commandIn(const CanFrame& frame)
 {
@@ -107,14 +107,14 @@ void CanSource::work()
         if (bus_->send(std::get<CanFrame>(frame))) unsent_.reset();
     }
     for (const CanFrame& frame : link_.tick(now)) {
-        const Status left = bus_->send(frame);  // counted by the bus
+        const Status left = bus_->send(frame);  // the bus counts failures
         const auto command = commandIn(frame);
         if (command && safety(*command) > 0) remember(*command, static_cast<bool>(left));
     }
 }
 
-// What the gate lets through is the operator's newest word and takes the place of what is still to be sent,
-// unless that makes safer.  What moves or releases passes the gate only once a stop no longer stands.
+// A command that passes the gate is the operator's newest and replaces the pending one, unless that is safer. The gate
+// passes motion and release commands only after a stop has ended.
 void CanSource::remember(const Command& command, bool left)
 {
     const int level = safety(command);
@@ -130,7 +130,7 @@ Status CanSource::send(const Command& command)
     const auto sent = link_.send(command, steadyNow());
     if (const auto* refusal = std::get_if<GateRefusal>(&sent)) return Error{describe(*refusal), 0};
     const auto* frame = std::get_if<CanFrame>(&sent);
-    Status left = frame ? bus_->send(*frame) : Done{};  // else it waits and leaves in next()
+    Status left = frame ? bus_->send(*frame) : Done{};  // otherwise next() sends it later
     remember(command, static_cast<bool>(left));
     return left;
 }
@@ -159,7 +159,7 @@ void CanSource::disarm()
         const std::scoped_lock lock(mutex_);
         link_.disarm();
     }
-    work();  // at once: the thread of next() may be about to end
+    work();  // sends at once, because the thread of next() may be ending
 }
 
 void CanSource::approve(int bin)

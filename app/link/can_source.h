@@ -18,42 +18,42 @@
 
 namespace terratact {
 
-/// What a console shows of bus and link together.
+/// Snapshot of bus and link for the console.
 struct CanView {
     LinkView link;
     BusState bus = BusState::Up;
     BusCounters frames;
     TelemetryCounters telemetry;
-    std::optional<SensorLine> line;  ///< the newest whole one
-    ElementForces forces;            ///< of that line
+    std::optional<SensorLine> line;  ///< newest complete sensor line
+    ElementForces forces;            ///< forces of that line
     bool transmits = false;
-    std::string whyNotTransmitting;  ///< in words; empty where it transmits
+    std::string whyNotTransmitting;  ///< reason in words; empty if the source transmits
     bool waits = false;              ///< a replay that has not begun
-    bool ended = false;              ///< a replay that has come to its end
+    bool ended = false;              ///< a replay at its end
 };
 
-/// What the load of a bus is told of.
+/// Bit rate used for the bus load.
 struct BitRate {
-    std::optional<double> bitsPerSecond{};  ///< empty: not known
-    bool nominal = false;                   ///< nobody has set it or counts by it
+    std::optional<double> bitsPerSecond{};  ///< empty: unknown
+    bool nominal = false;                   ///< assumed: the bus itself has no bit rate
 };
 
-/// A robot on a CAN bus.  The thread that calls next() receives, beats the heart and repeats drives, so
-/// that a console whose threads stand still falls silent and its robot halts.
+/// A robot on a CAN bus. The thread that calls next() receives, sends heartbeats and repeats drive commands. If the
+/// console's threads stall, the heartbeats end and the robot's watchdog halts it.
 class CanSource final : public MeasurementSource {
 public:
     enum class Mode : std::uint8_t { Listen, Transmit, Replay };
     struct Options {
         Mode mode = Mode::Listen;
-        std::string name{};  ///< what the operator reads; the bus's own where it is empty
+        std::string name{};  ///< name for the operator; empty: the bus's own name
         ConsoleLink::Options link{};
-        /// The true terrain at the robot's pose, asked for with every measurement; empty where nobody knows it,
-        /// as of every real robot.
+        /// Returns the true terrain at the robot's pose for every measurement. Empty if the truth is unknown, as with
+        /// every real robot.
         std::function<Heights()> truth{};
-        bool waits = false;  ///< next() brings nothing before begin(): a replay for its viewer
-        std::optional<double> bitrate{};  ///< [bit/s] for the load; empty: not known
-        bool nominal = false;  ///< the bus counts no bits; it is what a real one would have
-        /// Hears every frame in the thread that calls next(), before it means anything; empty: nobody.
+        bool waits = false;               ///< a replay: next() returns nothing before begin()
+        std::optional<double> bitrate{};  ///< [bit/s] for the load; empty: unknown
+        bool nominal = false;             ///< the bit rate is assumed, see BitRate
+        /// Called with every received frame in the thread of next(), before the link decodes it; empty: no callback.
         std::function<void(std::span<const BusFrame>)> heard{};
     };
     CanSource(std::unique_ptr<CanBus> bus, const RobotModel& robot, const Options& options);
@@ -61,13 +61,13 @@ public:
     std::string name() const override;
     Result<std::optional<Sample>> next(std::chrono::milliseconds patience) override;
 
-    /// Leaves in the calling thread, at once.  Stop, Halt and the like, and disarming, are tried again in next()
-    /// until they have left, a stop whatever is said after it but its release; nothing else is.
+    /// Sends in the calling thread, at once. next() retries Stop, Halt, other safe commands and disarming until they
+    /// are sent. A pending Stop is replaced only by its release; other commands are not retried.
     Status send(const Command& command) override;
 
     void begin() { waits_ = false; }  ///< from any thread
 
-    // From the GUI thread, see ConsoleLink.
+    // Calls of the GUI thread, see ConsoleLink.
     void operatorAlive();
     void wantArming();
     void confirmArming();
@@ -75,12 +75,12 @@ public:
     void approve(int bin);
 
     CanView view() const;
-    /// Everything that was received, for the pages that show the bus itself.
+    /// Returns the history of all received frames, for the pages that show the bus.
     FrameHistory& tap() { return tap_; }
     BitRate bitrate() const { return {options_.bitrate, options_.nominal}; }
     Mode mode() const { return options_.mode; }
     std::string busName() const { return bus_->name(); }
-    /// Frames that were received and not yet looked at, when new ones came.
+    /// Received frames that still wait for decoding, measured when new frames arrive.
     struct Waiting {
         std::size_t now = 0, most = 0;
     };
@@ -97,24 +97,24 @@ private:
     std::unique_ptr<CanBus> bus_;
     Options options_;
     std::array<BusFrame, 64> frames_;
-    std::deque<BusFrame> pending_;  // only next() touches these two
+    std::deque<BusFrame> pending_;  // used by next() only, with frames_
     std::atomic<bool> waits_;
     FrameHistory tap_;
     std::atomic<std::size_t> waiting_ = 0, mostWaiting_ = 0;
 
-    mutable std::mutex mutex_;  // guards what follows
+    mutable std::mutex mutex_;  // guards the members below
     ConsoleLink link_;
-    std::optional<Command> unsent_;  ///< the safest command that has not left yet
+    std::optional<Command> unsent_;  ///< the safest command that is not sent yet
 };
 
-/// What arming needs of a link.
+/// A precondition of arming about the link.
 struct LinkNeed {
     bool met = false;
-    std::string text;  ///< in words: that it is so, or why not
+    std::string text;  ///< says that it is met, or why not
 };
 std::vector<LinkNeed> armingNeeds(const CanView& view);
 
-/// Why the operator cannot begin to arm now, in words: the first need that is not met; empty where it is possible.
+/// Returns why the operator cannot arm now: the first unmet need; empty if arming is possible.
 std::string whyNotArming(const CanView& view);
 
 }  // namespace terratact

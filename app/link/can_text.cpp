@@ -18,7 +18,7 @@
 namespace terratact {
 namespace {
 
-// As many digits as the scale resolves.
+// Formats with as many digits as the scale resolves.
 std::string number(double value, double scale)
 {
     const int digits = scale < 1.0 ? static_cast<int>(std::ceil(-std::log10(scale) - 1e-9)) : 0;
@@ -31,7 +31,7 @@ std::string commandName(double id)
     return kind ? std::string(layoutOf(*kind).name) : id == 0.0 ? "none" : number(id, 1.0);
 }
 
-/// Of a line of sensors in which nothing was measured there is nothing to tell but that.
+/// Returns the values of a frame; a sensor line without measurements has only that statement.
 std::vector<NamedValue> valuesOf(const Unpacked& content)
 {
     std::vector<NamedValue> values;
@@ -88,7 +88,7 @@ private:
         case FrameCheck::SomeLost: return "ok, but one or two before it are missing";
         case FrameCheck::Repeated: return "repeated";
         case FrameCheck::WrongSequence: return "out of sequence";
-        case FrameCheck::WrongCrc: break;  // unpack() has judged it before
+        case FrameCheck::WrongCrc: break;  // unpack() has already handled it
         }
         return describe(FrameFault::WrongCrc);
     }

@@ -19,7 +19,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMaxNamed = 4;  // in a sentence about many
+constexpr std::size_t kMaxNamed = 4;  // identifiers named in one sentence
 
 std::uint32_t keyOf(std::uint32_t id, bool extended)
 {
@@ -40,7 +40,7 @@ bool isOf(CanProtocol protocol, const CanFrame& frame)
     return !verdict || *verdict != AbsolemVerdict::UnknownId;
 }
 
-/// Identifiers, the first few named.
+/// A list of identifiers of which the first few are named.
 class SomeIds {
 public:
     void add(const CanFrame& frame)
@@ -48,7 +48,7 @@ public:
         if (++count_ <= kMaxNamed) ids_ += (ids_.empty() ? "" : ", ") + idText(frame);
     }
     std::size_t count() const { return count_; }
-    /// "frame 022", "7 frames (022, 023, 024, 025 …)"
+    /// Returns "frame 022", "7 frames (022, 023, 024, 025 …)".
     std::string text() const
     {
         if (count_ == 1) return "frame " + ids_;
@@ -60,7 +60,7 @@ private:
     std::string ids_;
 };
 
-/// The signals that a frame is too short for, the first few named; empty: it has them all.
+/// Returns the signals that do not fit in a frame, the first few named; empty if all fit.
 std::string missingText(const DbcMessage& message, const CanFrame& frame)
 {
     std::string names;
@@ -75,7 +75,7 @@ std::string missingText(const DbcMessage& message, const CanFrame& frame)
                        count > kMaxNamed ? " …" : "");
 }
 
-/// "by engine.dbc, source address 0x00"
+/// Returns "by engine.dbc, source address 0x00".
 std::string verdictOf(const DescribedFrame& described, const CanFrame& frame)
 {
     const DbcMessage& message = described.message;
@@ -119,7 +119,7 @@ Status DbcBook::add(const std::string& path)
     Result<DbcFile> file = readDbc(path);
     if (!file) return file.error();
     SomeIds ours;
-    std::map<std::string, SomeIds> theirs;  // by the file that has them
+    std::map<std::string, SomeIds> theirs;  // grouped by the file that describes them
     File& added = files_.emplace_back(File{path});
     for (DbcMessage& message : file->messages) {
         const CanFrame frame = frameOf(message);

@@ -13,60 +13,63 @@
 
 namespace terratact {
 
-/// A frame of a DBC file.
+/// A frame described by a DBC file.
 struct DescribedFrame {
     DbcMessage message;
-    std::string file;  ///< without its folders
+    std::string file;  ///< file name without folders
 };
 
-/// What DBC files say of frames that the robot's protocol does not know.  The protocol is never overruled, and of two
-/// files that describe the same identifier the first counts.
+/// Frame descriptions from DBC files, for frames outside the robot's protocol. They never override the protocol. If two
+/// files describe the same identifier, the first file wins.
 class DbcBook {
 public:
     explicit DbcBook(CanProtocol protocol = CanProtocol::Terratact) : protocol_(protocol) {}
 
-    /// Adds a regular file.  What of it is not used, is among the remarks from then on.
+    /// Adds a regular file. Parts that are not used are listed in remarks().
     Status add(const std::string& path);
 
-    /// Null: no file describes it.  Remote, error and the protocol's own frames are never described.  A parameter group
-    /// of J1939 is found from any source address; a message with the very identifier comes first.
+    /// Returns the description of a frame; null if no file describes it. Remote frames, error frames and frames of the
+    /// protocol are never described. A J1939 parameter group matches any source address; a message with the exact
+    /// identifier takes precedence.
     std::shared_ptr<const DescribedFrame> find(const CanFrame& frame) const;
 
     std::size_t frames() const { return frames_.size(); }
     struct File {
         std::string path;
-        std::size_t frames = 0;  ///< that are used
+        std::size_t frames = 0;  ///< number of described frames in use
     };
     const std::vector<File>& files() const { return files_; }
-    const std::vector<std::string>& remarks() const { return remarks_; }  ///< a sentence each
+    const std::vector<std::string>& remarks() const { return remarks_; }  ///< one sentence each
 
 private:
     CanProtocol protocol_;
-    std::unordered_map<std::uint32_t, std::shared_ptr<const DescribedFrame>> frames_;  // by keys
-    std::unordered_map<std::uint32_t, std::shared_ptr<const DescribedFrame>> groups_;  // of J1939
+    std::unordered_map<std::uint32_t, std::shared_ptr<const DescribedFrame>>
+        frames_;  // by frame key
+    std::unordered_map<std::uint32_t, std::shared_ptr<const DescribedFrame>>
+        groups_;  // J1939 messages by parameter group
     std::vector<File> files_;
     std::vector<std::string> remarks_;
 };
 
-/// A book of these files; null of none, and the Error of the first that cannot be used.
+/// Reads these files into a book; null without files. Returns the Error of the first file that cannot be used.
 Result<std::shared_ptr<const DbcBook>> readDbcBook(CanProtocol protocol,
                                                    const std::vector<std::string>& paths);
 
-/// Those of a book that may be null.
+/// Returns the remarks of a book that may be null.
 std::vector<std::string> remarksOf(const std::shared_ptr<const DbcBook>& book);
 
-/// The value of a signal for people: its word, which may be cut, or a number with the digits that its scale resolves.
+/// Returns the value of a signal as text: its label, possibly elided, or a number with the digits its scale resolves.
 std::string wordOrNumber(const DbcSignal& signal, std::uint64_t bits);
 std::string wordOrNumber(const DbcSignal& signal,
-                         double value);  ///< of a value whose bits are not known
+                         double value);  ///< for a value whose raw bits are unknown
 
-/// The same for files: the whole word, or all digits.
+/// Returns the value for files: the whole label, or all digits.
 std::string exactWordOrNumber(const DbcSignal& signal, std::uint64_t bits);
 
-/// The signals of a frame that are in it, for people.
+/// Returns the signals present in a frame, as text.
 std::vector<NamedValue> valuesOf(const DbcMessage& message, const CanFrame& frame);
 
-/// A reader of the protocol's frames that puts all others into the words of the book; null: there is none.
+/// Returns a reader of the protocol's frames that decodes all others with the book; a null book decodes none.
 std::unique_ptr<FrameReader> frameReader(CanProtocol protocol, std::shared_ptr<const DbcBook> book);
 
 }  // namespace terratact

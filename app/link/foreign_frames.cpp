@@ -23,7 +23,7 @@ float pointOf(double value)
 
 void UsualInterval::take(double seconds)
 {
-    // The first may have been an outage, which only the next one tells.
+    // The first interval may have been an outage; only the second one reveals that.
     if (counted_ == 1 && last_[0] > kSilence * seconds) {
         counted_ = 0;
         silence_ = taken_;
@@ -109,8 +109,8 @@ void ForeignFrames::takeValues(Kept& kept, const CanFrame& frame, double time)
     }
 }
 
-/// Three of its periods: the file's or, where that has none, its usual.  The file's is that of the message, in which a
-/// multiplexed signal waits for its turn.
+/// Returns the freshness limit [s]: three periods, at least kStaleAfter. The period is the file's, else that of
+/// UsualInterval. A multiplexed signal takes the longer one, because it waits for its turn in the message.
 double ForeignFrames::freshOf(const Kept& kept, const KeptSignal& signal)
 {
     constexpr double kPeriods = 3.0;

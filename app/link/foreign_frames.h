@@ -12,44 +12,46 @@
 
 namespace terratact {
 
-/// How often a signal comes as a rule, by its last few intervals.  Neither does a burst make it more frequent nor an
-/// outage rarer: a silence counts where it is not the only one of late.
+/// Estimates the usual period of a signal from its last few intervals. A burst does not shorten the period and an
+/// outage does not lengthen it. A long interval counts only if another one occurred recently.
 class UsualInterval {
 public:
     void take(double seconds);
-    double seconds() const;  ///< the longest of the last few, at most kMax; 0: there was none yet
+    double seconds() const;  ///< longest of the recent intervals, at most kMax; 0: none yet
 
     static constexpr double kMax = 60.0;
 
 private:
-    static constexpr double kSilence = 5.0;  ///< times the usual
-    std::array<double, 16> last_{};          ///< [s] a ring of those that count
+    static constexpr double kSilence =
+        5.0;                         ///< an interval beyond this multiple of the usual is a silence
+    std::array<double, 16> last_{};  ///< [s] ring of the counted intervals
     std::size_t counted_ = 0, taken_ = 0;
-    std::size_t silence_ =
-        0;  ///< the how-manieth that was taken was the newest silence; 0: none was
+    std::size_t silence_ = 0;  ///< number of the interval that was the newest silence; 0: none
 };
 
-/// The frames of a bus that the robot's protocol does not know: counted, and decoded where a DBC file describes
-/// them.  Bounded whatever comes.  A part of FrameHistory, which guards it.
+/// Counts the frames outside the robot's protocol and decodes those that a DBC file describes. Memory is bounded for
+/// any input. FrameHistory owns and locks it.
 class ForeignFrames {
 public:
-    static constexpr std::size_t kMaxUnknown = 64;     ///< kinds of which only the bytes are known
-    static constexpr std::size_t kMaxDescribed = 256;  ///< kinds that a file describes
-    static constexpr std::size_t kMaxSignals = 2000;   ///< of those; beyond, only the bytes count
+    static constexpr std::size_t kMaxUnknown = 64;     ///< bound on kinds that no file describes
+    static constexpr std::size_t kMaxDescribed = 256;  ///< bound on kinds that a file describes
+    /// Bound on decoded signals; beyond it only a frame's bytes are kept.
+    static constexpr std::size_t kMaxSignals = 2000;
 
-    /// From now on; what came so far is forgotten.  book: null: none.  The one before, which may be large to free.
+    /// Uses `book` from now on and forgets all frames so far; null: no descriptions. Returns the previous book, so that
+    /// the caller can free it outside a lock.
     std::shared_ptr<const DbcBook> describe(std::shared_ptr<const DbcBook> book);
 
-    /// trouble: as the protocol has it.  None where a DBC file describes the frame.
+    /// trouble: verdict of the protocol. Returns None if a DBC file describes the frame.
     FrameTrouble take(const CanFrame& frame, FrameTrouble trouble, double time);
-    /// tick: counted from 0.  point: where histories go on.
+    /// Advances histories and rates. tick: counted from 0. point: next index of the histories.
     void step(double now, std::size_t tick, std::size_t point);
 
-    /// Described ones first, in the order of identifiers.
+    /// Appends the frames ordered by identifier, described ones first.
     void addTo(std::vector<TappedFrame>& frames, double now, std::size_t ticks,
                std::size_t point) const;
     void forgetExtremes();
-    std::uint64_t beyond() const { return beyond_; }  ///< frames that found no room
+    std::uint64_t beyond() const { return beyond_; }  ///< frames beyond the bounds
 
 private:
     using Key = std::tuple<std::uint32_t, bool, bool, bool, bool>;
@@ -57,7 +59,7 @@ private:
         TappedSignal signal;
         std::optional<double> usedAt{};  ///< [s]
         UsualInterval interval;
-        bool takesTurns = false;  ///< multiplexed
+        bool takesTurns = false;  ///< multiplexed: not in every frame
         std::uint64_t times = 0;
         TickCounts counts{};
     };
@@ -76,9 +78,9 @@ private:
 
     std::shared_ptr<const DbcBook> book_;
     Kinds described_, unknown_;
-    std::size_t signals_ = 0;  ///< of the described ones
+    std::size_t signals_ = 0;  ///< signals of all described frames
     std::uint64_t beyond_ = 0;
-    std::vector<std::optional<std::uint64_t>> values_;  // of one frame, as they were sent
+    std::vector<std::optional<std::uint64_t>> values_;  // raw values of one frame
 };
 
 }  // namespace terratact

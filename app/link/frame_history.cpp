@@ -21,7 +21,7 @@ TappedFrame emptyFrame(const FrameLayout& layout, FrameKind kind)
     return frame;
 }
 
-/// Signals of a frame that says which of its values count.
+/// Returns false if the frame states that its values were not measured.
 bool isMeasured(const JudgedFrame& judged)
 {
     const auto signals = layoutOf(*judged.kind).payload;
@@ -93,7 +93,7 @@ void FrameHistory::tick(double now)
 
 void FrameHistory::describe(std::shared_ptr<const DbcBook> book)
 {
-    // The bus's thread waits for the lock: the book before is freed after it.
+    // The previous book is freed after the lock, because the bus thread waits for it.
     std::shared_ptr<const DbcBook> before;
     const std::scoped_lock lock(mutex_);
     before = foreign_.describe(std::move(book));

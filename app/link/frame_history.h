@@ -16,36 +16,38 @@
 
 namespace terratact {
 
-/// What passed in the last seconds.
+/// Traffic of the last seconds.
 struct BusLoad {
     double framesPerSecond = 0.0;
     double fewestBits = 0.0,
-           mostBits = 0.0;     ///< [bit/s] without stuff bits, and with all that can be
+           mostBits = 0.0;     ///< [bit/s] bounds without and with the maximum stuff bits
     std::uint64_t frames = 0;  ///< since the bus was opened
-    std::array<std::uint64_t, kFrameTroubles> troubles{};  ///< likewise, by FrameTrouble
-    std::uint64_t beyond = 0;  ///< frames of unknown kinds that found no room in the table
+    std::array<std::uint64_t, kFrameTroubles>
+        troubles{};            ///< since the bus was opened, by FrameTrouble
+    std::uint64_t beyond = 0;  ///< frames of unknown kinds beyond the table's bound
 };
 
-/// Looks at every frame in the thread that receives them and keeps what pages show: the newest value, extremes
-/// and history of each signal, rates, and the newest frames as they were.  Bounded in everything.  take() and
-/// tick() belong to one thread; all else may be called from any.
+/// Keeps what the pages show of every received frame: newest value, extremes and history of each signal, rates, and the
+/// newest raw frames. All memory is bounded. take() and tick() belong to the receiving thread; any thread may call the
+/// others.
 class FrameHistory {
 public:
-    static constexpr std::size_t kTrace = 2000;    ///< frames
+    static constexpr std::size_t kTrace = 2000;    ///< number of raw frames kept
     static constexpr double kTick = kBusTick;      ///< [s]
-    static constexpr double kFresh = kStaleAfter;  ///< [s] an older value is none of now
+    static constexpr double kFresh = kStaleAfter;  ///< [s] an older value is stale
 
     FrameHistory();
 
     void take(std::span<const BusFrame> frames);
-    /// Histories and rates go on; to be called a few times per kTick.  now: [s] on the bus's clock.
+    /// Advances histories and rates; call a few times per kTick. now: [s] on the bus's clock.
     void tick(double now);
-    /// What DBC files say of frames that are not the robot's, from now on; null: nothing.
+    /// Uses these DBC descriptions for frames outside the protocol from now on; null: none.
     void describe(std::shared_ptr<const DbcBook> book);
 
     BusLoad load() const;
-    std::vector<TappedFrame> frames(double now) const;  ///< the robot's, then ForeignFrames
-    /// [s] since the last frame of a kind that may be used; empty: there was none.
+    std::vector<TappedFrame>
+    frames(double now) const;  ///< frames of the protocol, then ForeignFrames
+    /// Returns the time [s] since the last usable frame of a kind; empty if there was none.
     std::optional<double> age(FrameKind kind, double now) const;
     std::vector<TracedFrame> trace() const;  ///< oldest first
     void forgetExtremes();
@@ -66,15 +68,15 @@ private:
 
     FrameValidator judge_;
 
-    mutable std::mutex mutex_;  // guards what follows
-    std::vector<Kept> known_;   // in the order of FrameKind
+    mutable std::mutex mutex_;  // guards the members below
+    std::vector<Kept> known_;   // indexed by FrameKind
     ForeignFrames foreign_;
-    std::vector<TracedFrame> trace_;  // a ring: frame number n is at (n − 1) % kTrace
+    std::vector<TracedFrame> trace_;  // ring: frame number n is at (n − 1) % kTrace
     std::uint64_t frames_ = 0, fewestBits_ = 0, mostBits_ = 0;
     std::array<std::uint64_t, kFrameTroubles> troubles_{};
     std::array<Totals, kBusRateTicks + 1> totals_{};
-    std::size_t ticks_ = 0;  ///< taken
-    std::size_t point_ = 0;  ///< where histories go on
+    std::size_t ticks_ = 0;  ///< ticks taken
+    std::size_t point_ = 0;  ///< next index of the histories
     std::optional<double> nextTick_;
 };
 

@@ -9,29 +9,29 @@
 
 namespace terratact {
 
-/// What a frame of resources/dbc/terratact.dbc says, and what to think of it.
+/// Content and verdict of a frame of resources/dbc/terratact.dbc.
 struct JudgedFrame {
     FrameTrouble trouble = FrameTrouble::None;
-    std::optional<FrameKind> kind{};    ///< of its identifier, where it is one of ours
-    std::optional<FrameFault> fault{};  ///< why it has no content
-    Unpacked content{};                 ///< where it has no fault
-    FrameCheck check = FrameCheck::Ok;  ///< of its counter, where it has no fault
+    std::optional<FrameKind> kind{};    ///< kind of its identifier, if the protocol has it
+    std::optional<FrameFault> fault{};  ///< reason that it has no content
+    Unpacked content{};                 ///< valid without fault
+    FrameCheck check = FrameCheck::Ok;  ///< result of the E2E counter check, without fault
     std::optional<double>
-        silence{};  ///< [s] before it, of its kind; empty before the first sound one
+        silence{};  ///< [s] since the previous frame of its kind; empty before the first sound one
 
-    /// May be used: only such frames have values.
+    /// Returns true if the frame may be used; only such frames have values.
     bool isSound() const { return trouble == FrameTrouble::None || trouble == FrameTrouble::Gap; }
 };
 
-/// Judges the frames of one bus in the order in which they came.
+/// Checks the frames of one bus in the order received.
 class FrameValidator {
 public:
     FrameValidator();
-    /// now: [s] on any clock.
+    /// now: time on any one clock [s].
     JudgedFrame judge(const CanFrame& frame, double now);
 
 private:
-    std::vector<E2eReceiver> receivers_;  // in the order of FrameKind
+    std::vector<E2eReceiver> receivers_;  // indexed by FrameKind
 };
 
 }  // namespace terratact

@@ -2,7 +2,7 @@
 
 namespace terratact {
 
-/// What the commands say of the logs they read.
+/// Help text about log formats for all commands.
 inline constexpr const char* kLogHelp = "Log of candump, Vector (.asc), PEAK (.trc), or CSV of "
                                         "GVRET or python-can, also packed by gzip; "
                                         "- is standard input";

@@ -9,10 +9,10 @@
 
 namespace terratact {
 
-/// A CAN interface of this computer to listen to.
+/// Opens a CAN interface of this computer for listening.
 Result<std::unique_ptr<CanBus>> openBus(const std::string& interface);
 
-/// A log of CAN traffic as a bus, see LogReplay; interface: empty where the log has but one.
+/// Opens a CAN log as a bus, see LogReplay. interface: empty if the log has only one.
 Result<std::unique_ptr<LogReplay>> openReplay(const std::string& path, const std::string& interface,
                                               double speed);
 

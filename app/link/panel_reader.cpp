@@ -21,7 +21,8 @@ PanelReader::PanelReader(std::unique_ptr<OperatorPanel> panel, MeasurementSource
 
 void PanelReader::read(const std::stop_token& stop)
 {
-    bool stopped = true;  // a panel that comes up with an open STOP stops nothing: it only forbids
+    // A panel that starts with STOP open sends no STOP; it only blocks commands.
+    bool stopped = true;
     while (!stop.stop_requested()) {
         LampState lamps;
         {
@@ -41,7 +42,7 @@ PanelReport PanelReader::poll(const LampState& lamps)
         return panel_->poll(lamps, OperatorPanel::kPeriod);
     } catch (const std::exception& error) {
         std::this_thread::sleep_for(
-            OperatorPanel::kPeriod);  // a panel that fails at once takes no core
+            OperatorPanel::kPeriod);  // a panel that fails at once must not busy-loop
         PanelReport lost;
         lost.trouble = error.what();
         return lost;
@@ -51,7 +52,7 @@ PanelReport PanelReader::poll(const LampState& lamps)
 void PanelReader::stopRobot(const PanelReport& report)
 {
     const Status sent = source_.send(StopCommand{});
-    if (!sent || !report.state.present) return;  // a lost panel has no edge to count from
+    if (!sent || !report.state.present) return;  // a lost panel has no edge to measure from
     const double latency = steadyNow() - report.stopEdge;
     const std::scoped_lock lock(mutex_);
     if (latencies_.size() == kKeptLatencies) latencies_.erase(latencies_.begin());

@@ -11,29 +11,29 @@
 
 namespace terratact {
 
-/// Reads the operator's panel in its own thread.  A STOP that opens there leaves as a command from that very
-/// thread, whatever window and estimator are doing; all else waits to be asked for.
+/// Reads the operator's panel in its own thread. This thread itself sends STOP when the STOP circuit opens, independent
+/// of window and estimator. Clients poll everything else.
 class PanelReader {
 public:
-    /// The source must outlive it.
+    /// The source must outlive the reader.
     PanelReader(std::unique_ptr<OperatorPanel> panel, MeasurementSource& source);
 
     PanelReport latest() const;
 
-    /// How often each button was pressed since the last call.
+    /// Returns how often each button was pressed since the last call.
     PerContact<int> takePresses();
 
-    /// Likewise, since the start.
+    /// Returns how often each button was pressed since the start.
     PerContact<std::uint64_t> allPresses() const;
 
-    /// [s] since the panel was last read, by `now` of the steady clock; the panel need not be there.
+    /// Returns the time [s] between the last read attempt and `now` on the steady clock, with or without a panel.
     double age(double now) const;
 
-    /// What the panel shows from now on.
+    /// Sets the panel's lamps.
     void setLamps(const LampState& lamps);
 
-    /// From the kernel's stamp of an edge of STOP to the return of send() [s], of every STOP that left, the
-    /// newest thousand.
+    /// Returns the latency [s] of each STOP that was sent, from the kernel's time stamp of the edge to the return of
+    /// send(). Only the newest thousand are kept.
     std::vector<double> stopLatencies() const;
 
 private:
@@ -44,14 +44,14 @@ private:
 
     std::unique_ptr<OperatorPanel> panel_;
     MeasurementSource& source_;
-    mutable std::mutex mutex_;  // guards what follows
+    mutable std::mutex mutex_;  // guards the members below
     PanelReport latest_;
     PerContact<int> presses_;
     PerContact<std::uint64_t> allPresses_;
     LampState lamps_;
     double readAt_ = 0.0;
     std::vector<double> latencies_;
-    std::jthread thread_;  // last: it starts when all else stands
+    std::jthread thread_;  // last member: the thread starts after all others exist
 };
 
 }  // namespace terratact

@@ -20,7 +20,7 @@ bool isTheSame(const DbcSignal& said, const SignalLayout& layout)
         && said.unit == layout.unit && said.selectedBy.empty();
 }
 
-/// What the program has otherwise; empty: nothing.
+/// Returns the first difference from the program's layout; empty: none.
 std::string differenceOf(const DbcMessage& message, const FrameLayout& layout)
 {
     std::string name(layout.name);

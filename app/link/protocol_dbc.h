@@ -8,8 +8,8 @@
 
 namespace terratact {
 
-/// The robot's own frames in the words of their DBC file (resources/dbc/terratact.dbc): one for each FrameKind, in that
-/// order.  An Error where it cannot be read, or where it is not of the protocol that this program speaks.
+/// Reads the DBC file of the robot's protocol (resources/dbc/terratact.dbc): one message for each FrameKind, in that
+/// order. Returns an Error if it cannot be read or differs from the protocol in this program.
 Result<std::vector<DbcMessage>> readProtocolDbc(const std::string& path);
 
 }  // namespace terratact

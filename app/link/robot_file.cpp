@@ -6,7 +6,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMaxRobotBytes = 1U << 20U;  // as many as a session keeps
+constexpr std::size_t kMaxRobotBytes = 1U << 20U;  // bound of a session's robot text
 
 }  // namespace
 

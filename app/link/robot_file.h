@@ -7,14 +7,14 @@
 
 namespace terratact {
 
-/// A robot file as it was read once: what is used, shown and recorded are the same bytes.
+/// A robot file, read once, so that the same bytes are used, shown and recorded.
 struct RobotFile {
     std::string path, text;
     std::string hash;  ///< SHA-256 of the text, 64 hexadecimal digits
     RobotModel model;
 };
 
-/// Errors as readRobotModel().
+/// Returns the errors of readRobotModel().
 Result<RobotFile> readRobotFile(const std::string& path);
 
 }  // namespace terratact

@@ -10,7 +10,7 @@ RobotInProcess::RobotInProcess(MemoryBus& bus, const RobotModel& model, const Si
               const std::scoped_lock lock(mutex_);
               truth_ = robot_.robot().truth();
           };
-          (void)serveRobot(  // a MemoryBus has no errors
+          (void)serveRobot(  // a MemoryBus never fails
               *end_, robot_, [&] { return !stop.stop_requested(); }, [](const std::string&) {},
               keepTruth);
       })

@@ -8,22 +8,22 @@
 
 namespace terratact {
 
-/// A simulated robot that lives in a thread of its own on the end "robot" of a MemoryBus.  Until it is
-/// destroyed; the bus must outlive it.
+/// A simulated robot in its own thread at the end "robot" of a MemoryBus. It runs until its destruction; the bus must
+/// outlive it.
 class RobotInProcess {
 public:
     RobotInProcess(MemoryBus& bus, const RobotModel& model, const SimulatedRobot& robot,
                    const RobotOnBus::Options& options);
 
-    /// True bin heights at the pose of the newest line of telemetry; from any thread.
+    /// Returns the true bin heights at the pose of the newest sample; callable from any thread.
     Heights truth() const;
 
 private:
     std::unique_ptr<CanBus> end_;
-    RobotOnBus robot_;  // only the thread touches these two
+    RobotOnBus robot_;  // used by the thread only, with the end of the bus
     mutable std::mutex mutex_;
     Heights truth_;
-    std::jthread thread_;  // last: it starts when all else stands
+    std::jthread thread_;  // last member: the thread starts after all others exist
 };
 
 }  // namespace terratact

@@ -32,7 +32,7 @@ std::string words(const Shown& shown, const RobotOnBus& robot, const CanBus& bus
 void sendAll(CanBus& bus, const std::vector<CanFrame>& frames)
 {
     for (const CanFrame& frame : frames)
-        if (!bus.send(frame)) return;  // the rest of the line is worth nothing without it
+        if (!bus.send(frame)) return;  // an incomplete line has no value
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 
 namespace terratact {
 
-/// Lets the robot live on the bus as long as goOn() says so; `say` hears in words what changes, and `measured`
-/// is called before a line of telemetry leaves.  clock: [s] monotonic, the robot's.
+/// Runs the robot on the bus while goOn() returns true. `say` receives state changes as text; `measured` is called
+/// before each telemetry line is sent. clock: the robot's monotonic clock [s].
 Status serveRobot(
     CanBus& bus, RobotOnBus& robot, const std::function<bool()>& goOn,
     const std::function<void(const std::string&)>& say,

@@ -14,7 +14,7 @@ namespace terratact {
 
 Result<RobotGround> robotGround(const std::string& terrain, std::uint64_t seed)
 {
-    constexpr double kRoomBehind = 0.7;  // [m] for the rear flippers
+    constexpr double kRoomBehind = 0.7;  // [m] room for the rear flippers
     if (terrain.empty()) return RobotGround{demoTerrain(), kDemoStep - 1.1};
     if (terrain == "varied") {
         std::mt19937_64 rng(seed);

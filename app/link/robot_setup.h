@@ -9,18 +9,18 @@
 
 namespace terratact {
 
-/// What a simulated robot stands on.
+/// Ground under a simulated robot.
 struct RobotGround {
     TerrainProfile profile;
-    double start = 0.0;  ///< [m] where the robot begins
+    double start = 0.0;  ///< [m] start position
 };
 
-/// terrain: a file of profiles, of which the first counts; "varied" for a random one of that seed; empty for
-/// the built-in step, with some way to go to it.
+/// Returns the ground. terrain: a profile file, of which the first profile is used; "varied" for random terrain of the
+/// seed; empty for the built-in step with a run-up.
 Result<RobotGround> robotGround(const std::string& terrain, std::uint64_t seed);
 
-/// Adds a fault in words, "silence" or "silence@12.5" for 12.5 s after the start; also one of sensors, as
-/// sensorFaultFrom() reads it: "stuck:pitch@12.5".
+/// Adds a fault given as text: "silence", or "silence@12.5" for 12.5 s after the start. Sensor faults are read by
+/// sensorFaultFrom(): "stuck:pitch@12.5".
 Result<RobotOnBus::Options> withFault(RobotOnBus::Options robot, const std::string& text);
 
 }  // namespace terratact

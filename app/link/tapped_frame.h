@@ -15,13 +15,13 @@
 
 namespace terratact {
 
-inline constexpr double kBusTick = 0.1;           ///< [s] between two points of a history
-inline constexpr std::size_t kBusRateTicks = 20;  ///< rates are over so many
+inline constexpr double kBusTick = 0.1;           ///< [s] interval between history points
+inline constexpr std::size_t kBusRateTicks = 20;  ///< window of the rates in ticks
 
-/// How many there were at the last ticks, tick n at n % size().
+/// Frame counts at the last ticks; tick n is at n % size().
 using TickCounts = std::array<std::uint64_t, kBusRateTicks + 1>;
 
-/// [Hz] over them, after so many ticks.
+/// Returns the rate [Hz] over the window after `ticks` ticks.
 inline double rateOf(const TickCounts& counts, std::size_t ticks)
 {
     if (ticks < 2) return 0.0;
@@ -31,16 +31,16 @@ inline double rateOf(const TickCounts& counts, std::size_t ticks)
     return static_cast<double>(now - before) / (static_cast<double>(steps) * kBusTick);
 }
 
-/// One signal since the bus was opened or the extremes were forgotten.
+/// One signal since the bus was opened, or since its extremes were reset.
 struct TappedSignal {
     static constexpr std::size_t kPoints = 120;
-    std::optional<double> last, least, most;  ///< SI; empty before the first that was measured
-    /// Every kBusTick; NaN: none was fresh.  Newest last, but a ring in the tap.
+    std::optional<double> last, least, most;  ///< SI units; empty before the first measured value
+    /// One point per kBusTick, newest last; NaN: no fresh value. A ring inside FrameHistory.
     std::array<float, kPoints> history{};
 
-    std::uint64_t bits = 0;  ///< `last` as it was sent, of a signal that a DBC file describes
+    std::uint64_t bits = 0;  ///< raw bits of `last`, for a signal of a DBC file
 
-    /// What is not finite has neither least nor most.
+    /// Adds a value; one that is not finite leaves the extremes unchanged.
     void take(double value)
     {
         last = value;
@@ -49,7 +49,7 @@ struct TappedSignal {
         most = std::max(most.value_or(value), value);
     }
     void forgetExtremes() { least = most = std::nullopt; }
-    /// point: where the ring goes on.
+    /// Rotates the ring so that the newest point is last. point: next index of the ring.
     void unrollHistory(std::size_t point)
     {
         std::rotate(history.begin(), history.begin() + static_cast<std::ptrdiff_t>(point),
@@ -57,25 +57,25 @@ struct TappedSignal {
     }
 };
 
-/// When a signal of a DBC file came: of a multiplexed one, not with every frame.
+/// Timing of a DBC signal; a multiplexed signal does not come with every frame.
 struct SignalTimes {
     double rate = 0.0;           ///< [Hz] over the last seconds
     std::optional<double> age;   ///< [s]
-    double fresh = kStaleAfter;  ///< [s] an older value is none of now
+    double fresh = kStaleAfter;  ///< [s] an older value is stale
 };
 
 /// The frames of one kind.
 struct TappedFrame {
-    std::optional<FrameKind> kind;  ///< empty: not of the robot's protocol
+    std::optional<FrameKind> kind;  ///< empty: outside the robot's protocol
     CanFrame newest{};
     std::uint64_t frames = 0;
     double rate = 0.0;          ///< [Hz] over the last seconds
-    std::optional<double> age;  ///< [s] since the last that may be used
+    std::optional<double> age;  ///< [s] since the last usable frame
     std::array<std::uint64_t, kFrameTroubles> troubles{};
-    bool isMeasured = true;               ///< false: the robot says its values were not measured
-    std::vector<TappedSignal> payload{};  ///< as in the layout, or in the DBC file
-    std::shared_ptr<const DescribedFrame> described{};  ///< by a DBC file; null: by none
-    std::vector<SignalTimes> times{};                   ///< of the payload of a described one
+    bool isMeasured = true;  ///< false: the robot states that its values were not measured
+    std::vector<TappedSignal> payload{};  ///< in the order of the layout or DBC message
+    std::shared_ptr<const DescribedFrame> described{};  ///< description from a DBC file; null: none
+    std::vector<SignalTimes> times{};  ///< timing of the payload of a described frame
 };
 
 }  // namespace terratact

@@ -39,7 +39,7 @@ constexpr std::array<std::uint32_t, 256> crcTable()
     return table;
 }
 
-/// The content of a record, number by number, least byte first.
+/// Serializes the fields of a record, little-endian.
 class Bytes {
 public:
     template <class Number>
@@ -87,7 +87,7 @@ std::string record(Op op, const Bytes& content)
         .bytes();
 }
 
-/// Bytes of the UTF-8 character at the beginning of `text`; 0 where there is none.
+/// Returns the length [B] of the UTF-8 character at the start of `text`; 0 if it is invalid.
 std::size_t characterLength(std::string_view text)
 {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -227,7 +227,8 @@ void McapWriter::addMetadata(const std::string& name, const Map& values)
 void McapWriter::finish()
 {
     endChunk();
-    put(record(Op::DataEnd, Bytes().number(std::uint32_t{0})));  // a CRC of all: not available
+    put(record(Op::DataEnd,
+               Bytes().number(std::uint32_t{0})));  // data section CRC: 0 means not available
     const std::uint64_t begin = at_;
     std::string summary;
     std::string offsets;
@@ -262,7 +263,7 @@ void McapWriter::finish()
                                       .number(messages_)
                                       .number(static_cast<std::uint16_t>(schemas_.size()))
                                       .number(static_cast<std::uint32_t>(channels_.size()))
-                                      .number(std::uint32_t{0})  // attachments
+                                      .number(std::uint32_t{0})  // number of attachments
                                       .number(static_cast<std::uint32_t>(metadata_.size()))
                                       .number(static_cast<std::uint32_t>(chunks_.size()))
                                       .number(first_)
@@ -272,7 +273,7 @@ void McapWriter::finish()
     group(Op::MetadataIndex, metadataIndexes);
     const std::uint64_t offsetsBegin = begin + summary.size();
     summary += offsets;
-    // The CRC covers the summary and the footer up to itself.
+    // The CRC covers the summary and the footer up to the CRC field.
     summary += Bytes()
                    .number(static_cast<std::uint8_t>(Op::Footer))
                    .number(std::uint64_t{20})

@@ -36,8 +36,7 @@ void RecordingContext::takeEvent(EventRow event)
         ofScene_.emplace_back(std::move(event));
         return;
     }
-    event.estimate = event.proposal =
-        0;  // may be older than the scene that the next file begins with
+    event.estimate = event.proposal = 0;  // it may refer to rows before the next file's first scene
     switch (event.kind) {
     case EventKind::Phase:
     case EventKind::Arming:

@@ -11,25 +11,26 @@
 
 namespace terratact {
 
-/// What a session keeps besides frames.
+/// The rows of a session besides frames.
 using SessionRow = std::variant<ModelRow, SceneRow, EstimateRow, ProposalRow, EventRow>;
 
-/// What stands at a time of a recording, which the next file begins with: whoever opens that file alone finds what
-/// its rows refer to, and sees the console as it was.
+/// State of the recording at one time, written at the start of the next file. A reader of that file alone finds the
+/// rows it refers to and the console's state.
 class RecordingContext {
 public:
-    /// A row of the recording, in their order.
+    /// Adds a row of the recording, in order.
     void take(const SessionRow& row);
 
-    /// The model in use; all of the scene that was captured last, the operator's answers to its probes among it; of
-    /// arming, link, exploration and a forgotten estimate the newest event, of alarms and contacts each one's; what is
-    /// overridden; and whether the robot was unheard since the scene.
+    /// Returns the rows that the next file needs: the model in use and the newest scene with its estimates, proposals
+    /// and answers. It also holds the newest event of arming, link, exploration and a forgotten estimate. It holds the
+    /// newest event of each active alarm and each panel contact, an override in force, and a telemetry gap since the
+    /// scene.
     std::vector<SessionRow> rows() const;
 
 private:
     void takeEvent(EventRow event);
 
-    std::vector<SessionRow> ofScene_;  ///< behind the model
+    std::vector<SessionRow> ofScene_;  ///< the scene's rows, after the model's row
     std::map<std::pair<EventKind, std::string>, EventRow> standing_;
 };
 

@@ -11,11 +11,12 @@
 
 namespace terratact {
 
-/// Which file each recorded scene came from first, by its time [ns] since 1970 and what was measured then: a copy of a
-/// session, or a part of it in another one, has them again.
+/// Finds the first file of each recorded scene, by its time [ns] since 1970 and its measurement. A copy or a part of a
+/// session repeats scenes.
 class SceneOrigins {
 public:
-    /// Takes a session's scenes.  Those that an earlier session had, by their ids; how many is said on stderr.
+    /// Adds a session's scenes. Returns the ids of scenes that an earlier session had, and prints their number on
+    /// stderr.
     std::set<std::int64_t> take(const SessionReader& session);
 
 private:

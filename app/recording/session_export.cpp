@@ -31,27 +31,27 @@ namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;  // [ns]
 
-/// What became of a frame.
+/// Result of offering a frame to an exporter.
 enum class Taken {
     Written,
-    PassedOver,    ///< it says nothing of the kind that was asked for
-    Inexpressible  ///< the format cannot express it
+    PassedOver,    ///< the frame has nothing of the selected kind
+    Inexpressible  ///< the format cannot express the frame
 };
 
-/// Takes the selected rows of a session in the order of time, writes them as one format.
+/// Receives the selected rows of a session in time order and writes them in one format.
 class Exporter {
 public:
     virtual ~Exporter() = default;
     virtual bool wantsFrames() const { return true; }
     virtual void begin() {}
     virtual Taken take(const FrameRow&) { return Taken::PassedOver; }
-    /// False: it is of a kind that was not asked for.
+    /// Returns false if this kind of row was not selected.
     virtual bool take(const EstimateRow&) { return false; }
     virtual bool take(const EventRow&) { return false; }
     virtual void end() {}
 };
 
-/// The bus's name as a log can have it.
+/// Returns the bus's name in the form that a log allows.
 std::string interfaceName(const SessionStart& start)
 {
     std::string name = start.bus.substr(0, 15);
@@ -77,7 +77,7 @@ private:
     std::string interface_ = interfaceName(start_);
 };
 
-/// Vector's format, as log2asc writes and asc2log and python-can read it.
+/// Vector's format, as written by log2asc and read by asc2log and python-can.
 class AscExporter final : public Exporter {
 public:
     AscExporter(std::ostream& out, const SessionStart& start) : out_(out), start_(start) {}
@@ -113,7 +113,7 @@ public:
     }
 
 private:
-    /// Flags that are not known are 0; 3000: a CAN FD frame that switched its bit rate.
+    /// Unknown flags are 0; 3000 marks a CAN FD frame with bit rate switching.
     void writeFd(const std::string& moment, const std::string& id, const FrameRow& row)
     {
         unsigned code = 0;
@@ -124,7 +124,8 @@ private:
         out_ << "        0    0     3000        0        0        0        0        0\n";
     }
 
-    /// The header tells whole seconds.  first: [ns] since 1970; a recording may begin before its time 0.
+    /// Writes the header, whose date has whole seconds. first: [ns] since 1970; a recording may begin before its time
+    /// 0.
     void writeHeader(std::int64_t first)
     {
         base_ = std::min(first, wallTimeOf(start_, 0)) / kSecond * kSecond;
@@ -143,7 +144,7 @@ private:
 
     std::ostream& out_;
     const SessionStart& start_;
-    std::optional<std::int64_t> base_;  ///< [ns] since 1970, of time 0 in the file
+    std::optional<std::int64_t> base_;  ///< [ns] since 1970 of the file's time 0
 };
 
 std::string hexBytes(const CanFrame& frame)
@@ -430,7 +431,7 @@ private:
             jsonText(describe(m.activity)), jsonText(describe(m.refusal)), missingJson(m.missing));
     }
 
-    /// Names of the features that were not measured, whose numbers are 0; nothing where all were.
+    /// Returns the names of unmeasured features, whose numbers are 0; empty if all were measured.
     static std::string missingJson(MissingFeatures missing)
     {
         std::string names;
@@ -466,13 +467,13 @@ private:
     const SessionReader& session_;
     std::optional<ExportKind> what_;
     const PayloadSignals& payload_;
-    std::vector<std::uint16_t> channels_;  // of its messages
+    std::vector<std::uint16_t> channels_;  // channels of the DBC messages
     McapWriter mcap_;
     std::unique_ptr<TelemetryListener> listener_;
     std::uint16_t can_ = 0, measurement_ = 0, estimate_ = 0, event_ = 0;
 };
 
-/// Rows besides frames, by time.
+/// A row besides frames: its time and its writer.
 using Other = std::pair<SessionTime, std::function<bool(Exporter&)>>;
 
 std::vector<Other> othersOf(const SessionReader& session, const ExportSelection& selection)
@@ -490,7 +491,7 @@ std::vector<Other> othersOf(const SessionReader& session, const ExportSelection&
     return others;
 }
 
-/// Which messages of DBC files come.
+/// Returns the DBC messages that occur in the session.
 PayloadSignals payloadOf(SessionReader& session, const ExportSelection& selection)
 {
     PayloadSignals payload(selection.book);
@@ -505,7 +506,7 @@ PayloadSignals payloadOf(SessionReader& session, const ExportSelection& selectio
     return payload;
 }
 
-/// Empty: progress() ended it.
+/// Returns the counts; empty if progress() cancelled.
 std::optional<ExportCounts> run(SessionReader& session, Exporter& exporter,
                                 const ExportSelection& selection,
                                 const std::function<bool(double)>& progress)
@@ -570,7 +571,7 @@ std::string rangeText(const ExportSelection& selection)
     return ends ? fmt::format(" until {} s", selection.to) : std::string();
 }
 
-/// Why nothing was written.
+/// Returns the reason that nothing was written.
 Error nothingOf(const SessionReader& session, const ExportSelection& selection,
                 const ExportCounts& counts)
 {

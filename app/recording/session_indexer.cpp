@@ -7,7 +7,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kPublishEvery = 200;  // batches
+constexpr std::size_t kPublishEvery = 200;  // batches between two updates of found()
 constexpr auto kLookForMore = std::chrono::milliseconds(500);
 
 }  // namespace

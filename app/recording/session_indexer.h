@@ -10,21 +10,21 @@
 
 namespace terratact {
 
-/// What has been found so far.
+/// Results found so far.
 struct Surveyed {
     std::vector<SessionSpan> contacts{}, silences{};
     std::vector<SessionDamage> damage{};
-    double share = 0.0;     ///< 0 … 1 of the session
-    std::string trouble{};  ///< why it does not go on; empty: it does
+    double share = 0.0;     ///< 0 … 1, indexed share of the session
+    std::string trouble{};  ///< reason that indexing stopped; empty: it continues
 };
 
-/// Surveys a session (core/log/session_survey.h) in a thread of its own, with a reader of its own, and follows one
-/// that still grows.
+/// Indexes a session (core/log/session_survey.h) in its own thread with its own reader. It follows a session that still
+/// grows.
 class SessionIndexer {
 public:
     SessionIndexer(std::string path, RobotModel robot, double threshold);
 
-    std::uint64_t version() const;  ///< another where found() is
+    std::uint64_t version() const;  ///< changes whenever found() changes
     Surveyed found() const;
 
 private:
@@ -37,7 +37,7 @@ private:
     mutable std::mutex mutex_;
     std::uint64_t version_ = 0;
     Surveyed found_;
-    std::jthread thread_;  // last: it starts when all else stands
+    std::jthread thread_;  // last member: the thread starts after all others exist
 };
 
 }  // namespace terratact

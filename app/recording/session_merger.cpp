@@ -16,7 +16,7 @@ SessionMerger::SessionMerger(SessionWriter& writer, std::int64_t wallTime, Dangl
 
 Status SessionMerger::add(SessionReader& session)
 {
-    // Rotated files have their start in common, later ones repeat what stood when they began.
+    // Rotated files share their start; each repeats the state at its beginning.
     session_ = &session;
     toldBefore_.merge(told_);
     shift_ = session.start().wallTime - wallTime_;
@@ -62,7 +62,7 @@ Status SessionMerger::addRowsUntil(SessionTime time)
     return status;
 }
 
-/// Where an equal row is there already, its id; else adds it.
+/// Maps the row's id to that of an equal earlier row; adds the row if there is none.
 template <class RowType>
 Status SessionMerger::keep(RowType row, std::int64_t old, std::map<std::int64_t, std::int64_t>& ids,
                            std::vector<RowType>& kept)
@@ -108,7 +108,7 @@ Status SessionMerger::take(EstimateRow row)
     row.scene = ids_.scene.at(row.scene);
     row.model = ids_.model.at(row.model);
     const std::int64_t old = row.id;
-    // Draws are many: equal but for them is equal.
+    // Draws are not compared, because there are many: estimates equal in all else count as equal.
     const auto same = std::find_if(estimates_.begin(), estimates_.end(), [&](const EstimateRow& o) {
         row.id = o.id;
         return o == row;
@@ -141,14 +141,15 @@ Status SessionMerger::take(EventRow row)
     for (const bool estimates : {true, false}) {
         if (Status there = refer(row, estimates); !there) {
             if (!dangles_ || dangling_ == Dangling::Refused) return there;
-            (estimates ? row.estimate : row.proposal) = 0;  // what it tells stands without
+            (estimates ? row.estimate : row.proposal) =
+                0;  // the event is kept without the reference
         }
     }
     row.time += shift_;
     return writer_.add(row);
 }
 
-/// Puts the new number of the estimate, or of the proposal, that an event refers to.
+/// Replaces the event's reference to an estimate or a proposal by the new id.
 Status SessionMerger::refer(EventRow& row, bool toEstimate)
 {
     if ((toEstimate ? row.estimate : row.proposal) == 0) return Done{};
@@ -164,7 +165,7 @@ Status SessionMerger::refer(EventRow& row, bool toEstimate)
     return Done{};
 }
 
-/// What an estimate rests on, though it may be later by the clock.
+/// Adds the scene and model that an estimate refers to, even if their time is later.
 Status SessionMerger::require(const EstimateRow& row)
 {
     const SceneRow* scene = session_->scene(row.scene);

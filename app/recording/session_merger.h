@@ -14,26 +14,29 @@
 
 namespace terratact {
 
-/// Writes the rows of sessions into a new one: ids anew, times since the new one's start.  What a later one repeats
-/// stands there once.
+/// Merges the rows of sessions into a new one. It renumbers ids and converts times to the new session's start. Rows
+/// that a later session repeats are written once.
 class SessionMerger {
 public:
-    /// What becomes of a row that refers to one which is damaged.
+    /// Handling of a row that refers to a damaged row.
     enum class Dangling {
-        Refused,  ///< an Error
-        LeftOut   ///< events stay, without what they refer to
+        Refused,  ///< the row is an Error
+        LeftOut   ///< events are kept without the reference; other rows are omitted
     };
 
-    /// wallTime: [ns] since 1970, of the new session's time 0.
+    /// wallTime: time 0 of the new session [ns] since 1970.
     SessionMerger(SessionWriter& writer, std::int64_t wallTime, Dangling dangling);
 
-    /// All that is whole.
+    /// Adds all undamaged rows of a session.
     Status add(SessionReader& session);
 
-    /// An event of that session, in the new one.
+    /// Adds an event of that session with renumbered references.
     Status event(const SessionReader& session, EventRow row);
 
-    std::int64_t leftOut() const { return leftOut_; }  ///< rows that refer to a damaged one
+    std::int64_t leftOut() const
+    {
+        return leftOut_;
+    }  ///< rows omitted because they refer to a damaged row
 
 private:
     struct Ids {
@@ -62,15 +65,15 @@ private:
     SessionWriter& writer_;
     std::int64_t wallTime_;
     Dangling dangling_;
-    bool dangles_ = false;  ///< the row that is being taken
+    bool dangles_ = false;  ///< the current row refers to a damaged row
     std::int64_t leftOut_ = 0;
     SessionReader* session_ = nullptr;
     SessionTime shift_ = 0;
     Ids ids_;
-    std::set<Told> told_, toldBefore_;  ///< events of this session, of those before it
+    std::set<Told> told_, toldBefore_;  ///< events of this session, and of earlier sessions
     std::vector<ModelRow> models_;
     std::vector<SceneRow> scenes_;
-    std::vector<EstimateRow> estimates_;  ///< without their draws
+    std::vector<EstimateRow> estimates_;  ///< without draws
     std::vector<ProposalRow> proposals_;
 };
 

@@ -24,7 +24,7 @@ namespace {
 constexpr double kTryAgain = 1.0;  // [s]
 constexpr const char* kSuffix = ".tts";
 
-/// "2026-11-22T031502.123Z", of the calendar and UTC, so that names sort by time.
+/// Returns "2026-11-22T031502.123Z" (UTC), so that names sort by time.
 std::string stamp(std::int64_t wallTime)
 {
     const std::time_t seconds = wallTime / 1'000'000'000;
@@ -189,14 +189,14 @@ void SessionRecorder::run(const std::stop_token& stop)
             continue;
         }
         const bool nothing = batch_.frames.empty() && batch_.rows.empty();
-        if (last && !writer_ && nothing) return;  // a console that did not come to be
+        if (last && !writer_ && nothing) return;  // the console failed to start
         if (!open()) continue;
         if (store()) measure();
     }
     if (writer_) seal("closed with the console");
 }
 
-/// Whether all that waits is in the file now; else the file is closed, and it waits on.
+/// Writes all waiting rows and commits. On failure it closes the file, keeps the rows and returns false.
 bool SessionRecorder::store()
 {
     Status written = write();
@@ -209,17 +209,17 @@ bool SessionRecorder::store()
     return true;
 }
 
-/// Ends the file in good order.
+/// Writes the end event and seals the file.
 void SessionRecorder::seal(const std::string& why)
 {
     Status ended = writer_->add(
         EventRow{.time = now(), .kind = EventKind::Session, .subject = "ended", .text = why});
     if (ended) ended = writer_->commit();
-    if (ended) (void)writer_->seal();  // refused while somebody reads it: then at the next start
+    if (ended) (void)writer_->seal();  // a reader blocks sealing; then the next start seals it
     close(ended ? std::string() : ended.error().text);
 }
 
-/// Takes what waits behind what could not be written so far, together no more than may wait.
+/// Moves queued rows behind the rows that could not be written yet, within the queue bounds.
 void SessionRecorder::gather()
 {
     Batch fresh = std::exchange(waiting_, {});
@@ -248,7 +248,7 @@ void SessionRecorder::miss(SessionTime since, std::int64_t frames, std::int64_t 
     batch_.missingRows += rows;
 }
 
-/// Whether there is a file to write into.
+/// Opens a file if none is open; returns true if a file can be written.
 bool SessionRecorder::open()
 {
     if (writer_) return true;
@@ -288,7 +288,7 @@ Status SessionRecorder::begin()
     return told;
 }
 
-/// What stands, in a file that goes on after another.
+/// Writes the state at the start of a file that continues another.
 Status SessionRecorder::writeContext()
 {
     for (const SessionRow& row : context_.rows()) {
@@ -299,7 +299,8 @@ Status SessionRecorder::writeContext()
             miss(now(), 0, 1);
         }
     }
-    return writer_->commit();  // a batch of its own, since its times are those of before
+    // A separate batch, because these rows have earlier times.
+    return writer_->commit();
 }
 
 Status SessionRecorder::write()
@@ -313,7 +314,7 @@ Status SessionRecorder::write()
             added = std::visit([this](const auto& r) { return writer_->add(r); }, row);
             return false;
         } catch (const std::invalid_argument&) {
-            miss(now(), 0, 1);  // a row that no session can hold must not end the recording
+            miss(now(), 0, 1);  // an invalid row must not end the recording
             return true;
         }
     });
@@ -406,7 +407,8 @@ std::vector<std::string> recoverDeadSessions(const std::vector<std::string>& pat
 {
     std::vector<std::string> told;
     for (const std::string& path : paths) {
-        const auto recovery = recoverSession(path, true);  // this folder is where it was recorded
+        const auto recovery =
+            recoverSession(path, true);  // true: a journal missing in this folder never comes back
         if (!recovery)
             told.push_back("session not recovered: " + recovery.error().text);
         else if (*recovery == SessionRecovery::Recovered)
@@ -426,7 +428,7 @@ bool canBeTrue(std::int64_t time, std::int64_t now)
     return time >= kYear2020 && time <= now + kDay;
 }
 
-/// [ns] since 1970; 0 where that cannot be told.
+/// Returns the last write [ns] since 1970; 0 if unknown.
 std::int64_t writtenAt(const std::string& path)
 {
     struct stat file {};
@@ -438,19 +440,19 @@ struct ClosedSession {
     std::string path;
     double bytes;
     std::int64_t ended;   ///< [ns] since 1970
-    bool mayBeDeleted;    ///< its times can be true
-    bool tooOld = false;  ///< else all together are too large
+    bool mayBeDeleted;    ///< its times are plausible
+    bool tooOld = false;  ///< beyond the age limit; otherwise the total size is
 };
 
-/// The closed ones, the oldest first; empty where goesOn() ended it.
+/// Returns the closed sessions, oldest first; empty if goesOn() cancelled.
 std::vector<ClosedSession> closedOnes(const std::vector<std::string>& paths, std::int64_t now,
                                       const std::function<bool()>& goesOn)
 {
     std::vector<ClosedSession> sessions;
     for (const std::string& path : paths) {
         if (!goesOn()) return {};
-        // One that is being written, by this process too, has a journal and is not even opened: to close any
-        // descriptor of it would drop the locks that this process holds on it.
+        // A session being written, even by this process, has a journal and is not opened. Closing any descriptor of it
+        // would release this process's locks on the file.
         std::error_code none;
         if (std::filesystem::exists(path + "-wal", none)) continue;
         if (std::filesystem::is_symlink(path, none)) continue;
@@ -469,7 +471,7 @@ std::vector<ClosedSession> closedOnes(const std::vector<std::string>& paths, std
     return sessions;
 }
 
-/// Those beyond the limits, in their order.
+/// Returns the sessions beyond the limits, in the same order.
 std::vector<ClosedSession> beyond(const std::vector<ClosedSession>& sessions,
                                   const RetentionLimits& limits, std::int64_t now)
 {

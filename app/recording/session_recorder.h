@@ -19,60 +19,59 @@
 
 namespace terratact {
 
-/// How a recording goes on.
+/// Status of a recording.
 struct RecordingState {
     bool on = true;            ///< recording is wanted
-    bool recording = false;    ///< a file is open and takes rows
-    std::string path;          ///< of the file; empty before the first
-    std::string trouble;       ///< why nothing is recorded; empty: it is
-    std::int64_t frames = 0;   ///< committed, in all files
-    std::int64_t missing = 0;  ///< frames that found no room, in all
-    std::int64_t bytes = 0;    ///< of the file and its journal
-    double secondsLeft = 0.0;  ///< until the disk is full at the present rate; 0: not known yet
+    bool recording = false;    ///< a file is open and accepts rows
+    std::string path;          ///< path of the file; empty before the first
+    std::string trouble;       ///< reason that nothing is recorded; empty: recording works
+    std::int64_t frames = 0;   ///< committed frames in all files
+    std::int64_t missing = 0;  ///< dropped frames in all files
+    std::int64_t bytes = 0;    ///< size of the file and its journal
+    double secondsLeft = 0.0;  ///< time until the disk is full at the present rate; 0: unknown
 };
 
-/// Records a session (docs/sessions.md) in a thread of its own and is never in anybody's way: frames and rows wait
-/// in bounded queues, what finds no room is counted and told in the file.  A file that cannot be written any more is
-/// left as it is; a new one is begun as soon as that works again, with what still waited.
+/// Records a session (docs/sessions.md) in its own thread and never blocks a caller. Frames and rows wait in bounded
+/// queues; what a full queue drops is counted and recorded. A file that cannot be written any more is left as it is.
+/// The recorder begins a new file with the waiting rows once writing works again.
 ///
 /// Every method may be called from any thread and returns at once.
 class SessionRecorder {
 public:
     struct Options {
-        std::string
-            folder;  ///< made for its owner alone (mode 0700) where it is not there; empty: there is none
-        SessionStart start;                    ///< wallTime is set here
-        bool on = true;                        ///< see setOn()
-        std::size_t mostFrames = 18'018;       ///< that wait: two seconds of a full bus of 1 Mbit/s
-        std::size_t mostRows = 10'000;         ///< likewise, of the other rows
+        std::string folder;  ///< created with mode 0700 if missing; empty: no recording
+        SessionStart start;  ///< the recorder sets wallTime
+        bool on = true;      ///< see setOn()
+        std::size_t mostFrames =
+            18'018;  ///< queue bound in frames: two seconds of a full bus of 1 Mbit/s
+        std::size_t mostRows = 10'000;         ///< queue bound of the other rows
         std::chrono::milliseconds batch{200};  ///< between two commits
         std::int64_t mostBytes = std::int64_t{4}
-                              << 30U;            ///< of a file; then it goes on in the next
-        std::int64_t mostBatches = kMaxBatches;  ///< likewise
-        double patience = 0.6;                   ///< [s] that writing may take before it is trouble
-        std::uint64_t leastFree = std::uint64_t{50}
-                               << 20U;  ///< bytes of the disk that are left alone
+                              << 30U;  ///< maximum size of a file; then the next file begins
+        std::int64_t mostBatches =
+            kMaxBatches;        ///< maximum batches of a file; then the next file begins
+        double patience = 0.6;  ///< [s] a longer write is reported as trouble
+        std::uint64_t leastFree = std::uint64_t{50} << 20U;  ///< bytes of the disk that stay free
     };
-    /// Begins at once.
+    /// Starts recording at once.
     explicit SessionRecorder(Options options);
-    ~SessionRecorder();  ///< commits, and seals the file
+    ~SessionRecorder();  ///< commits and seals the file
 
-    /// Frames of the bus; times are those of the steady clock.
+    /// Adds frames of the bus; their times are those of the steady clock.
     void take(std::span<const BusFrame> frames);
 
-    // Rows; the id, which is returned, and, unless it is set, the time are given here.  An operator's decision is
-    // committed at once.
+    // Each adds a row and returns its new id. An unset time becomes now. An operator's decision is committed at once.
     std::int64_t record(ModelRow row);
     std::int64_t record(SceneRow row);
     std::int64_t record(EstimateRow row);
     std::int64_t record(ProposalRow row);
     void record(EventRow row);
 
-    /// Off: the file is closed, and nothing is kept but what later rows may refer to.
+    /// Switches recording. Off closes the file and keeps only rows that later rows may refer to.
     void setOn(bool on);
 
     RecordingState state() const;
-    const std::string& folder() const { return options_.folder; }  ///< of its files
+    const std::string& folder() const { return options_.folder; }  ///< folder of the session files
 
 private:
     struct Batch {
@@ -84,7 +83,7 @@ private:
 
     template <class T>
     std::int64_t number(T row, std::int64_t& last);
-    void keep(SessionRow row, SessionTime time);  ///< with the mutex held
+    void keep(SessionRow row, SessionTime time);  ///< call with the mutex locked
     void gather();
     void miss(SessionTime since, std::int64_t frames, std::int64_t rows);
     SessionTime now() const;
@@ -100,65 +99,66 @@ private:
     void measure();
 
     Options options_;
-    double began_;  ///< [s] steady clock, of time 0
+    double began_;  ///< [s] steady clock at time 0
 
-    // Only the thread touches these.
+    // Used by the thread only.
     std::optional<SessionWriter> writer_;
     Batch batch_;                    ///< not committed yet
-    RecordingContext context_;       ///< for the next file
-    std::int64_t framesBefore_ = 0;  ///< in files before this one
-    double nextTry_ = 0.0;           ///< [s] steady clock
+    RecordingContext context_;       ///< state for the next file
+    std::int64_t framesBefore_ = 0;  ///< frames in earlier files
+    double nextTry_ = 0.0;           ///< [s] steady clock of the next attempt
     double openedAt_ = 0.0;
-    std::string before_;  ///< the file before this one
+    std::string before_;  ///< previous file
 
-    mutable std::mutex mutex_;  // guards what follows
+    mutable std::mutex mutex_;  // guards the members below
     std::condition_variable_any wake_;
     Batch waiting_;
     std::int64_t lastModel_ = 0, lastScene_ = 0, lastEstimate_ = 0, lastProposal_ = 0;
     bool urgent_ = false;
     bool on_ = true;
-    std::optional<double> busySince_;  ///< [s] steady clock; when the thread went to the disk
+    std::optional<double> busySince_;  ///< [s] steady clock at the start of the present write
     RecordingState state_;
 
-    std::jthread thread_;  // last: it starts when all else stands
+    std::jthread thread_;  // last member: the thread starts after all others exist
 };
 
-/// The folder of this user's sessions: terratact/sessions in XDG_STATE_HOME, or in .local/state of the home folder, which
-/// HOME or else the system's list of users names; both count only where they begin with '/'.  Empty: there is none.
+/// Returns the folder of this user's sessions: terratact/sessions in $XDG_STATE_HOME, else in .local/state of the home
+/// folder. The home folder is $HOME, else that of the user database. Both variables count only if they begin with '/'.
+/// Empty: no folder.
 std::string sessionFolder();
 
-/// What is on a disk besides; empty where that cannot be told.
+/// Returns the free bytes of a disk; empty if unknown.
 std::optional<std::uint64_t> freeBytes(const std::string& folder);
 
-/// The files of a folder's sessions, closed or not, in the order of their names.  Symbolic links are none: whoever
-/// rewrites or deletes a session does so in this folder.
+/// Returns the session files of a folder, closed or not, sorted by name. Symbolic links are skipped, so that repair and
+/// deletion stay in this folder.
 std::vector<std::string> sessionsIn(const std::string& folder);
 
-/// Closes those sessions whose program died (recoverSession); one sentence for each that was, or could not be.
-/// Sessions that somebody records just now are left alone.
+/// Closes sessions whose program died (recoverSession). Returns one sentence per closed or unrecoverable session.
+/// Sessions that are being recorded are not touched.
 std::vector<std::string> recoverDeadSessions(const std::vector<std::string>& paths);
 
-/// Limits a user has set; 0: none.
+/// Retention limits set by the user; 0: no limit.
 struct RetentionLimits {
     double days = 0.0;
-    double gigabytes = 0.0;  ///< of all closed sessions together
-    bool confirmed = false;  ///< the user has said once that what is beyond them may be deleted
+    double gigabytes = 0.0;  ///< total size of all closed sessions
+    bool confirmed = false;  ///< the user has once confirmed deletion beyond the limits
     bool operator==(const RetentionLimits&) const = default;
 };
 
-/// Deletes the oldest closed ones of these sessions, the oldest first, beyond the limits; one sentence for each.
-/// Unless that is confirmed, deletes nothing, and says in one sentence how much it would.
+/// Deletes closed sessions beyond the limits, oldest first, and returns one sentence for each. Without confirmation it
+/// deletes nothing and returns one sentence about what it would delete.
 ///
-/// A session ends when it says or when its file was last written, whatever is later: the clock of a computer whose
-/// battery is flat says 1970.  One of which either time cannot be true, before 2020 or more than a day from now, is
-/// never deleted; nor is anything while `now` itself is before 2020.  Without a limit nothing is deleted, and never
-/// what is not a session, not closed, or reached through a symbolic link.
-/// now: [ns] since 1970.  goesOn: asked before each file; false ends it.
+/// A session's end is the later of its recorded end and its file's last write, because a computer with a flat battery
+/// says 1970. A session with an impossible time is never deleted: before 2020, or more than a day after `now`. Nothing
+/// is deleted if `now` is before 2020 or no limit is set. Files that are not sessions, not closed, or reached through a
+/// symbolic link are never deleted.
+/// now: [ns] since 1970. goesOn: called before each file; false cancels.
 std::vector<std::string> applyRetention(
     const std::vector<std::string>& paths, const RetentionLimits& limits, std::int64_t now,
     const std::function<bool()>& goesOn = [] { return true; });
 
-/// [ns] since 1970, by this computer's clock.
+/// Returns this computer's clock [ns] since 1970.
 std::int64_t wallNow();
 
 }  // namespace terratact

@@ -28,7 +28,7 @@ bool nearly(double a, double b)
         || std::abs(a - b) <= kLastBits * std::max({1.0, std::abs(a), std::abs(b)});
 }
 
-/// A comparison of numbers, of all numbers of arrays and of lists of them.
+/// Compares numbers, arrays of numbers and lists of them.
 template <bool same(double, double)>
 struct Alike {
     bool operator()(double a, double b) const { return same(a, b); }
@@ -40,7 +40,7 @@ struct Alike {
     }
 };
 
-/// All but the settings, which say how it came about.
+/// Compares everything except the settings, which describe how the estimate was made.
 template <class Same>
 bool alike(const TerrainEstimate& a, const TerrainEstimate& b, Same same)
 {
@@ -114,10 +114,10 @@ Result<TerrainEstimate> estimateAgain(const SessionReader& session, const Estima
     try {
         TerrainEstimate estimate = estimateTerrain(proprioception(scene->measurement), row.readings,
                                                    *robot, models, settings, watch);
-        warnIfNotPlanar(estimate, scene->measurement);  // as the console does
+        warnIfNotPlanar(estimate, scene->measurement);  // equals the console
         writePosteriorCheck(estimate, proprioception(scene->measurement), *robot, pollOf(watch));
         return estimate;
-    } catch (const std::exception& refused) {  // what the file says cannot be estimated
+    } catch (const std::exception& refused) {  // the recorded scene cannot be estimated
         return fileError(session.path(), fmt::format("estimate {}: {}", row.id, refused.what()));
     }
 }

@@ -12,58 +12,59 @@
 
 namespace terratact {
 
-// Recorded estimates, computed again: as they were, or with other settings or another model.
+// Recomputes recorded estimates, with their own or with other settings and models.
 
-/// The robot of a session.  Errors name the session's file.
+/// Returns the robot of a session. Errors name the session's file.
 Result<RobotModel> robotOf(const SessionReader& session);
 
-/// The first of `paths` whose file's SHA-256 is the row's.  Errors say what was looked at: there is none.
+/// Returns the first of `paths` whose SHA-256 is that of the row. The Error lists the files tried.
 Result<std::string> modelFileOf(const ModelRow& row, std::span<const std::string> paths);
 
-/// A recorded estimate with its draws.  Errors name the session's file.
+/// Returns a recorded estimate with its draws. Errors name the session's file.
 Result<TerrainEstimate> recordedEstimate(SessionReader& session, const EstimateRow& row);
 
-/// The estimate of the row's scene with its readings, in their order, and the session's robot.  With the row's
-/// own model and settings that is the recorded one, bit for bit, unless time had ended its sampling
-/// (Ending::Time), with the same version on a machine with the same vector instructions and with BLAS in one thread, as
-/// our programs have it; else Match::LastBits may be left.
-/// models: for that robot.  Errors name the session's file: among others settings that are not modest.  Throws
-/// Cancelled.
+/// Recomputes the estimate of the row's scene with its probe readings, in their order, and the session's robot. models:
+/// for that robot. Errors name the session's file; settings above requireModest() are errors. Throws Cancelled.
+/// With the row's own model and settings the result is bit-identical to the recording, under three conditions: time did
+/// not end the sampling (Ending::Time), the version and vector instructions are the same, and BLAS uses one thread.
+/// Otherwise Match::LastBits may result.
 Result<TerrainEstimate> estimateAgain(const SessionReader& session, const EstimateRow& row,
                                       const Models& models, const Settings& settings,
                                       const Watch& watch = {});
 
-/// Whether these settings may be computed: a file can ask for days of computing.  Far more than the console has ever
-/// recorded is refused with a sentence that names the setting.
+/// Returns an Error that names the setting if settings would compute for days; a file can ask for that. The bounds are
+/// far above all recorded settings.
 Status requireModest(const Settings& settings);
 inline constexpr int kMaxChainsAgain = 4096;
-inline constexpr std::int64_t kMaxSweepsAgain = 2'000'000;  ///< kept and thrown away, of all chains
+inline constexpr std::int64_t kMaxSweepsAgain =
+    2'000'000;  ///< kept and discarded sweeps of all chains
 
-/// How far one bin moved, after − before [m].
+/// Change of one bin, after − before [m].
 struct BinDifference {
     double mean = 0.0, sd = 0.0, q10 = 0.0, q90 = 0.0, height = 0.0;
     bool operator==(const BinDifference&) const = default;
 };
 
-/// Of [m], and of numbers beyond 1 as a share: what other vector instructions, or sums in another order by a later version,
-/// may leave between two estimates that are otherwise computed alike.
+/// Tolerance between estimates computed alike: [m], and relative for numbers beyond 1. Other vector instructions, or
+/// another order of summation in a later version, cause such differences.
 inline constexpr double kLastBits = 1e-6;
 
 enum class Match {
-    Identical,  ///< every number, bit for bit, the draws among them, and every word
-    LastBits,   ///< every number within kLastBits, and every word
+    /// Every number, draws included, is bit-identical, and every text is equal.
+    Identical,
+    LastBits,  ///< every number within kLastBits, every text equal
     Other
 };
 
 struct Differences {
     std::array<BinDifference, kBins> bin{};
-    int largestBin = 0;     ///< where the height moved most
-    Verdict before, after;  ///< as if the robot were heard
+    int largestBin = 0;     ///< bin with the largest change of height
+    Verdict before, after;  ///< without telemetry gaps
     Match likeness = Match::Other;
-    double largest() const;  ///< [m] |height| of largestBin
+    double largest() const;  ///< [m] |height change| of largestBin
 };
 
-/// stepLimit: [m] of the verdicts.  Throws as verdictOf does.
+/// stepLimit: obstacle height of the verdicts [m]. Throws the exceptions of verdictOf().
 Differences differencesBetween(const TerrainEstimate& before, const TerrainEstimate& after,
                                const Measurement& scene, double stepLimit);
 
