@@ -5,7 +5,7 @@
 namespace terratact {
 namespace {
 
-/// An arm may measure it that says something of a height, and nothing has.
+/// Returns true if the arm can measure the bin's height and nothing has measured it yet.
 bool isOpen(const TerrainEstimate& estimate, const RobotModel& robot, int bin)
 {
     return robot.armSd > 0.0 && robot.armReaches(bin)
@@ -37,7 +37,7 @@ std::optional<int> proposeProbe(const TerrainEstimate& estimate, const RobotMode
 
 std::optional<int> chooseProbe(const TerrainEstimate& estimate, const RobotModel& robot)
 {
-    constexpr double kAnyStep = 0.1;  // [m]; the rule by variance does not depend on it
+    constexpr double kAnyStep = 0.1;  // [m]; the rule by variance does not use it
     const std::optional<int> widest = proposeProbe(estimate, robot);
     if (!widest || isOfPaper(estimate.settings.method) || estimate.draws.empty()) return widest;
     const auto best = bestProbe(estimate, robot, robot.armSd, kAnyStep);

@@ -9,27 +9,31 @@
 
 namespace terratact {
 
-/// Section 4.4: the bin with the largest sd among those the arm reaches and that were sampled, if that
-/// sd exceeds settings.probeAbove; else empty.  The paper asks for a probe when any sd is too large; a
-/// large sd out of the arm's reach cannot be helped by it and asks for nothing here.  Nor does anything of a robot whose
-/// arm says nothing of a height (armSd 0).
+/// Proposes a probe as in section 4.4 of the paper. Among the sampled bins in the arm's reach it
+/// returns the one with the largest sd, if that exceeds the probe threshold settings.probeAbove;
+/// else empty.
+/// The paper asks for a probe if any sd is too large. Here a large sd beyond the arm's reach asks
+/// for nothing, because the arm cannot reduce it. A robot whose arm measures no height (armSd 0)
+/// gets no probe.
 std::optional<int> proposeProbe(const TerrainEstimate& estimate, const RobotModel& robot);
 
-/// What the operator is offered: nothing where proposeProbe() asks for nothing; else its bin for the paper's
-/// methods, and for the others the bin whose reading is expected to reduce the sum of all variances most
-/// (probe_gain.h): the rule that settles scenes with fewer probes, see docs/evaluation.md.
+/// Chooses the bin that is offered to the operator; empty if proposeProbe() returns empty. The
+/// paper's methods use its bin. The other methods use the bin whose reading is expected to reduce
+/// the sum of all variances most (probe_gain.h). That rule settles scenes with fewer probes, see
+/// docs/evaluation.md.
 std::optional<int> chooseProbe(const TerrainEstimate& estimate, const RobotModel& robot);
 
-/// What a probe would buy, for the operator to decide on, or to know where nobody asks him.
+/// Expected benefit of a probe, which helps the operator to decide.
 struct ProbeAdvice {
     std::optional<int> bin;  ///< chooseProbe()
-    Uncertainty before;      ///< of a step ahead of more than stepLimit; 0 without draws
-    /// Of the sampled bins in reach, whether or not one is asked for, the best first; empty without draws.
+    Uncertainty before;      ///< for a step ahead of more than stepLimit; 0 without draws
+    /// Gains of the sampled bins in reach, best first, even if no probe is proposed; empty without
+    /// draws.
     std::vector<ProbeGain> gains;
     double stepLimit = 0.0;  ///< [m]
     bool operator==(const ProbeAdvice&) const = default;
 };
-/// poll: in the course of it, which takes longer than many an estimate.
+/// Computes the advice. poll: called during the work, which takes longer than many estimates.
 ProbeAdvice adviseProbe(const TerrainEstimate& estimate, const RobotModel& robot, double stepLimit,
                         const Poll& poll = {});
 

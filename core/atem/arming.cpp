@@ -16,7 +16,7 @@ ArmingState entered(ArmingPhase phase, double now, std::uint8_t epoch = 0)
     return {.phase = phase, .cause = DisarmCause::None, .since = now, .epoch = epoch};
 }
 
-// What forbids every phase but Disarmed.
+// Returns the fault that forbids every phase but Disarmed.
 DisarmCause fault(const ArmingInput& in)
 {
     if (in.stopLatched) return DisarmCause::Stop;

@@ -6,7 +6,7 @@
 namespace terratact {
 namespace {
 
-/// The scene on which everything rests has been captured, so the robot must not move any more.
+/// Returns true if the scene of the exploration is captured, so that the robot must not move.
 bool sceneCaptured(AtemPhase phase)
 {
     switch (phase) {
@@ -24,13 +24,13 @@ bool sceneCaptured(AtemPhase phase)
     return false;
 }
 
-/// An age from the future or NaN is no age.
+/// Returns true for an expired approval. A negative age or NaN counts as expired.
 bool isStale(double approvalAge, const AtemLimits& limits)
 {
     return !(approvalAge >= 0.0 && approvalAge < limits.approval);
 }
 
-/// The approval is of what stands now.
+/// Returns true if the approval was given for the present grounds.
 bool fits(const AtemInput& in)
 {
     return !in.grounds.empty() && in.approvedFor == in.grounds;
@@ -118,7 +118,7 @@ std::optional<double> deadline(const AtemState& state, const AtemLimits& limits)
 {
     const bool computes =
         state.phase == AtemPhase::Estimating || state.phase == AtemPhase::EstimatingAgain;
-    if (state.followed && !computes) return std::nullopt;  // nobody waits for the robot
+    if (state.followed && !computes) return std::nullopt;  // no phase waits for the robot
     switch (state.phase) {
     case AtemPhase::Halting: return state.since + limits.halt;
     case AtemPhase::Pressing: return state.since + limits.press;

@@ -8,7 +8,7 @@ namespace {
 
 using enum GateRefusal;
 
-// The slack of a value that went through its raw number: far below every scale.
+// Tolerance of a value that was rounded to its raw number: far below every scale.
 constexpr double kSlack = 1e-9;
 
 bool within(double value, double least, double most)
@@ -16,7 +16,7 @@ bool within(double value, double least, double most)
     return value >= least - kSlack && value <= most + kSlack;
 }
 
-// An age from the future is none.
+// Returns true for a recent age. A negative age is not recent.
 bool isFresh(double age, double limit)
 {
     return age >= 0.0 && age <= limit;
@@ -27,13 +27,14 @@ bool standsStill(RobotActivity activity)
     return activity == RobotActivity::Halted || activity == RobotActivity::Pressed;
 }
 
-// One command against all conditions; a new command does not compile without its own.
+// Judges one command against all conditions. A new command type does not compile without its own
+// operator().
 struct Judge {
     const GateView& view;
     const GateLimits& limits;
     const ReceivedCommand& frame;
 
-    // What makes safe.
+    // Commands that make the robot safer.
     GateRefusal operator()(const StopCommand&) const { return None; }
     GateRefusal operator()(const HaltCommand&) const { return None; }
     GateRefusal operator()(const AbortAtemCommand&) const { return None; }
@@ -105,7 +106,7 @@ struct Judge {
 
     bool driving() const { return view.robot->activity == RobotActivity::Driving; }
 
-    // Whether there is an operator, a robot, and a link between them; after None, view.robot is there.
+    // Checks that operator, robot and link are present. If it returns None, view.robot has a value.
     GateRefusal linkRefusal() const
     {
         if (!isFresh(view.operatorAge, limits.operatorAge)) return OperatorAbsent;

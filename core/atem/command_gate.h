@@ -12,79 +12,81 @@
 
 namespace terratact {
 
-/// Why a frame may not leave.
+/// Reason why the gate refuses a frame.
 enum class GateRefusal : std::uint8_t {
-    None,            ///< it may
-    NotAllowed,      ///< not a frame that a console sends
-    Malformed,       ///< one of them, but wrong in length, checksum, reserved bits or range
-    OperatorAbsent,  ///< window or panel has not answered lately
-    ForeignSender,   ///< somebody else sends this console's frames
-    LinkNotGood,     ///< no status of the robot to rely on
-    NotAnswered,  ///< no answer to a heartbeat, or not its challenge: what arrives may be a recording
+    None,            ///< the frame may be sent
+    NotAllowed,      ///< a console sends no such frame
+    Malformed,       ///< wrong length, checksum, reserved bits or range
+    OperatorAbsent,  ///< window or panel has not responded recently
+    ForeignSender,   ///< another sender uses this console's frame identifiers
+    LinkNotGood,     ///< no recent status of the robot
+    /// no answer to a heartbeat, or not its challenge: the telemetry may be a recording
+    NotAnswered,
     WrongEpoch,
     StopLatched,
-    NotStopped,  ///< nothing to release
+    NotStopped,  ///< there is no stop to release
     NotArmed,
     NotConfirmed,  ///< arming without the operator's two actions
     Exploring,
     NotExploring,
-    Busy,  ///< the robot is doing something that must end first
+    Busy,  ///< the robot must first end its present action
     NotPressed,
     OverLimit,
-    NotApproved,      ///< a probe that nobody has approved
-    ApprovalExpired,  ///< or too long ago
-    OtherBin,         ///< or of another bin
+    NotApproved,      ///< nobody has approved the probe
+    ApprovalExpired,  ///< the approval is too old
+    OtherBin,         ///< the approval is for another bin
 };
 
-/// The operator's word for one probe.
+/// The operator's approval of one probe.
 struct ProbeApproval {
     int bin = 0;
     double age = std::numeric_limits<double>::infinity();  ///< [s]
 };
 
-/// What the gate knows.  Nothing known: nothing but what makes safe may leave.
+/// State that the gate judges by. In the default state only safe commands may pass.
 struct GateView {
     static constexpr double kNever = std::numeric_limits<double>::infinity();
 
-    LinkState link = LinkState::Unknown;  ///< of RobotStatus
-    double statusAge = kNever;            ///< [s] of the last sound RobotStatus
+    LinkState link = LinkState::Unknown;  ///< from RobotStatus
+    double statusAge = kNever;            ///< age of the last valid RobotStatus [s]
     double answerAge = kNever;            ///< [s] Freshness::age
-    std::uint16_t challenge = 0;          ///< of the newest answer since the last halt; 0: none
-    double operatorAge = kNever;          ///< [s] since the slower of window and panel answered
-    /// Something of the robot moves or was told to: then a heartbeat, too, needs an operator who answers now.
+    std::uint16_t challenge = 0;          ///< from the newest answer since the last halt; 0: none
+    double operatorAge = kNever;  ///< time since the slower of window and panel responded [s]
+    /// True if the robot moves, or was commanded to move. A heartbeat then also needs an operator
+    /// who responds now.
     bool moves = true;
     bool foreignSender = false;
-    bool stopLatched = true;  ///< in the console
+    bool stopLatched = true;  ///< STOP is latched in the console
     ArmingState arming;
-    std::optional<RobotStatus> robot;  ///< the last sound one
+    std::optional<RobotStatus> robot;  ///< the last valid status
     std::optional<ProbeApproval> approval;
 };
 
-/// Values over the DBC's ranges never pass, whatever stands here.
+/// Limits of the gate. Values beyond the ranges of the DBC file never pass.
 struct GateLimits {
-    double statusAge = kStaleAfter;                        ///< [s]
-    double answerAge = kLinkLostAfter;                     ///< [s]
-    double operatorAge = 0.1;                              ///< [s] of what commands or moves
-    double operatorPause = 1.0;                            ///< [s] while nothing moves
-    double approvalAge = kApprovalExpiry;                  ///< [s]
-    double speed = 0.6;                                    ///< [m/s] either way
-    double torque = 60.0;                                  ///< [N m]
-    double advance = 0.1;                                  ///< [m]
+    double statusAge = kStaleAfter;        ///< [s]
+    double answerAge = kLinkLostAfter;     ///< [s]
+    double operatorAge = 0.1;              ///< [s] for commands, and while something moves
+    double operatorPause = 1.0;            ///< [s] while nothing moves
+    double approvalAge = kApprovalExpiry;  ///< approval expiry [s]
+    double speed = 0.6;                    ///< [m/s] in both directions
+    double torque = 60.0;                  ///< [N m]
+    double advance = 0.1;                  ///< [m]
     double lowestFlipper = -1.6, highestFlipper = 3.1416;  ///< [rad]
 };
 
-/// For how long [s] the operator may fail to answer before he counts as absent.
+/// Returns the time [s] without a response after which the operator counts as absent.
 double operatorPatience(const GateView& view, const GateLimits& limits);
 
-/// The last thing that every outgoing frame passes: judges the bytes themselves, so that it relies on
-/// nobody who made them.  Deny by default.  Stop, Halt, AbortAtem and disarming always pass when well
-/// formed; a heartbeat while the operator's window and panel answer, or pause while nothing moves; all else needs operator, link, the
-/// robot's epoch and challenge, and the state that its row in the table of tests/core/atem/command_gate_test.cpp
-/// shows.
-/// Pure; a NaN in view or limits refuses.
+/// Judges every outgoing frame by its bytes, as the last step before the bus. It denies by default.
+/// Stop, Halt, AbortAtem and disarming always pass if they are well formed. A heartbeat passes
+/// while the operator's window and panel respond; while nothing moves they may pause. Every other
+/// command needs the operator, the link, the robot's epoch and challenge, and the state that its
+/// row in the table of tests/core/atem/command_gate_test.cpp shows.
+/// Pure function; a NaN in view or limits refuses.
 GateRefusal judge(const CanFrame& frame, const GateView& view, const GateLimits& limits);
 
-/// In words for the operator.
+/// Returns a text for the operator.
 std::string describe(GateRefusal refusal);
 
 }  // namespace terratact

@@ -5,7 +5,7 @@
 namespace terratact {
 namespace {
 
-// Ends what a probe was approved for.
+// Returns true if the command ends the approval of a probe.
 bool endsApproval(const Command& command)
 {
     return std::holds_alternative<StopCommand>(command)
@@ -23,7 +23,7 @@ bool isMotion(const Command& command)
         || std::holds_alternative<AdvanceCommand>(command);
 }
 
-constexpr std::uint16_t kAnyChallenge = 1;  // as if the robot had answered
+constexpr std::uint16_t kAnyChallenge = 1;  // stands for an answer of the robot
 
 double orNever(std::optional<double> age)
 {
@@ -32,11 +32,11 @@ double orNever(std::optional<double> age)
 
 bool isDue(const std::optional<double>& last, double period, double now)
 {
-    // A millisecond of slack: whoever ticks every 20 ms must not wait for the tick after.
+    // A tolerance of one millisecond: a caller that ticks every 20 ms must not skip a tick.
     return !last || now - *last >= period - 1e-3 || now < *last;
 }
 
-// Whether the robot has to be told that this console has disarmed.
+// Returns true if the robot must be told that this console has disarmed.
 bool mustTellRobot(const ArmingState& before, const ArmingState& after)
 {
     const bool was = before.phase == ArmingPhase::Armed || before.phase == ArmingPhase::Requested;
@@ -123,7 +123,7 @@ GateRefusal ConsoleLink::refusalOf(const Command& command, std::uint16_t challen
     GateView view = gateView(now);
     view.challenge = challenge;
     if (std::holds_alternative<ReleaseStopCommand>(command))
-        view.stopLatched = false;  // it is what is to be released
+        view.stopLatched = false;  // the stop is about to be released
     return judge(frameOfNext(command, challenge), view, options_.gate);
 }
 
@@ -136,7 +136,7 @@ CanFrame ConsoleLink::frameOfNext(const Command& command, std::uint16_t challeng
 std::variant<CanFrame, GateRefusal, ConsoleLink::Waits> ConsoleLink::send(const Command& command,
                                                                           double now)
 {
-    // Before the gate: what the operator no longer wants ends even where the frame does not get out.
+    // These end before the gate judges: they must end even if the frame is refused.
     driving_.reset();
     waiting_.reset();
     if (std::holds_alternative<StopCommand>(command)) stopLatched_ = true;
@@ -158,7 +158,7 @@ std::variant<CanFrame, GateRefusal, ConsoleLink::Waits> ConsoleLink::send(const 
     return frame;
 }
 
-// What the gate has let out.
+// Records a frame that the gate has passed.
 void ConsoleLink::left(const Command& command, double now)
 {
     ++counters_[static_cast<std::size_t>(kindOf(command))];
@@ -167,9 +167,9 @@ void ConsoleLink::left(const Command& command, double now)
     const auto* arm = std::get_if<ArmCommand>(&command);
     if (arm && !arm->armed) disarmSent_ = now;
     if (!arm && safety(command) == 0) return;
-    challenge_ = 0;  // the robot voids what it has given out
+    challenge_ = 0;  // the robot voids its challenges
     freshness_.beginAnew();
-    lastBeat_.reset();  // asks for the next one at once
+    lastBeat_.reset();  // makes the next heartbeat due at once
 }
 
 std::optional<CanFrame> ConsoleLink::passed(const Command& command, double now)
@@ -235,8 +235,8 @@ void ConsoleLink::arm(double now, std::vector<CanFrame>& out)
     disarmRobot(now, out);
 }
 
-// A robot that says it is armed while this console is not: its Disarm was lost, or its Arm came late.  A robot that
-// somebody else may have armed is left alone.
+// Disarms a robot that reports "armed" while this console is not: its Disarm was lost, or its Arm
+// came late. A robot that another console may have armed is not touched.
 void ConsoleLink::disarmRobot(double now, std::vector<CanFrame>& out)
 {
     const bool armed = listener_.status() && listener_.status()->armed;
@@ -250,7 +250,7 @@ void ConsoleLink::keepDriving(double now, std::vector<CanFrame>& out)
 {
     if (!driving_ || !isDue(driving_->sent, kDrivePeriod, now)) return;
     auto frame = passed(driving_->command, now);
-    if (!frame) frame = passed(HaltCommand{}, now);  // the drive is over
+    if (!frame) frame = passed(HaltCommand{}, now);  // the drive has ended
     if (frame) out.push_back(*frame);
 }
 

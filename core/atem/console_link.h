@@ -16,63 +16,67 @@
 
 namespace terratact {
 
-/// What a console shows of its link.
+/// State of the link for display.
 struct LinkView {
     LinkState state = LinkState::Unknown;
     std::optional<double> statusAge, answerAge;  ///< [s]
-    double goodFor = 0.0;                        ///< [s] see ArmingInput
+    double goodFor = 0.0;                        ///< see ArmingInput::linkGoodFor [s]
     bool foreignSender = false;
     ArmingState arming;
     std::optional<RobotStatus> robot;
 };
 
-/// The console's end of the link: takes the robot's frames, beats the heart, arms, repeats a drive as long
-/// as it is wanted, and lets nothing out that the command gate refuses.  No clock and no bus: `now` is any
-/// monotonic clock [s], and the frames it returns have to be sent at once.
+/// Console's end of the link. It receives the robot's frames, sends the heartbeat for the robot's
+/// watchdog, arms, and repeats a drive command for the robot's dead-man. It sends nothing that the
+/// command gate refuses. It has no clock and no bus: `now` is any monotonic clock [s], and the
+/// caller must send the returned frames at once.
 class ConsoleLink {
 public:
     static constexpr double kHeartbeatPeriod = 0.1;  ///< [s]
     static constexpr double kDrivePeriod = 0.02;     ///< [s]
     static constexpr double kDisarmPeriod =
-        0.1;  ///< [s] to a robot that is armed and should not be
-    static constexpr double kWaits = kLinkLostAfter;  ///< [s] at most, of a command for a challenge
-    static constexpr double kForeignFor = 5.0;        ///< [s] a foreign sender is remembered
+        0.1;  ///< [s] between Disarm frames to a robot that should not be armed
+    /// [s] longest wait of a command for a challenge
+    static constexpr double kWaits = kLinkLostAfter;
+    static constexpr double kForeignFor = 5.0;  ///< [s] for which a foreign sender is remembered
     static constexpr double kMotionShows =
         0.5;  ///< [s] after which the robot's status shows a motion
 
     struct Options {
         GateLimits gate{};
         ArmingLimits arming{};
-        std::uint64_t seed = 1;  ///< of the tokens: drawn anew at every start
+        std::uint64_t seed = 1;  ///< of the tokens: must be new at every start
     };
     ConsoleLink(RobotModel robot, const Options& options);
 
-    /// Takes a frame from the bus; `echo` is one that left from here.  The measurement it completes.
+    /// Receives a frame from the bus; `echo`: this console sent it. Returns the measurement that it
+    /// completes.
     std::optional<Measurement> receive(const CanFrame& frame, bool echo, double now);
 
-    /// Window and panel have both answered just now.  Without an answer for 0.1 s a drive is halted, and the robot is
-    /// disarmed where anything moves or was told to.  Where nothing does, only commands are refused, for up to 1 s:
-    /// heartbeats go on, and the arming stands.
+    /// Reports that window and panel have both responded now. After 0.1 s without it a drive is
+    /// halted. The robot is also disarmed if anything moves or was commanded to move. Otherwise
+    /// only commands are refused, for up to 1 s: heartbeats continue, and the robot stays armed.
     void operatorAlive(double now);
 
-    // The operator's actions, see core/atem/arming.h; they take effect at the next tick.
+    // Actions of the operator, see core/atem/arming.h; they take effect at the next tick.
     void wantArming() { wanted_ = true; }
     void confirmArming() { confirmed_ = true; }
     void disarm() { disarmed_ = true; }
 
-    /// The operator's word for one probe at `now`; it ends with the next probe, halt, stop or abort.
+    /// Approves one probe at `now`. The approval ends with the next probe, halt, stop or abort.
     void approve(int bin, double now);
 
-    /// All that keeps a command from leaving is that the robot has voided its challenge, for what made safe before
-    /// it.  It leaves in tick() with the next answer, unless another command comes, or none of kWaits.
+    /// Result of send(): the command waits for a new challenge, because an earlier safe command
+    /// made the robot void the old one. tick() sends it with the next answer. It is dropped if
+    /// another command comes, or if no answer comes within kWaits.
     struct Waits {};
 
-    /// The frame of a command, or why it may not leave.  A drive goes on in tick() until another command.
-    /// Stop latches until ReleaseStop is sent, or refused because a robot over a good link is not stopped.
-    /// Arming is not for here but for wantArming.
+    /// Returns the frame of a command, or the reason why the gate refuses it. tick() repeats a
+    /// drive until another command comes. Stop stays latched until ReleaseStop is sent, or is
+    /// refused because a robot over a good link is not stopped. wantArming() arms; send() does not.
     std::variant<CanFrame, GateRefusal, Waits> send(const Command& command, double now);
 
-    /// What is due; to be called at least every 20 ms.
+    /// Returns the frames that are due. Must be called at least every 20 ms.
     std::vector<CanFrame> tick(double now);
 
     LinkView view(double now) const;
@@ -81,8 +85,9 @@ public:
 
 private:
     GateView gateView(double now) const;
-    bool moves(double now)
-        const;  ///< the robot, as far as is known; once nobody answered, it counts as moving
+    /// Returns true if the robot moves as far as is known. A robot whose operator stopped
+    /// responding counts as moving.
+    bool moves(double now) const;
     bool linkGood(double now) const;
     bool foreignSender(double now) const;
     std::optional<CanFrame> passed(const Command& command, double now);
@@ -103,8 +108,9 @@ private:
     bool wanted_ = false, confirmed_ = false, disarmed_ = false;
     bool stopLatched_ = false;
     bool owesDisarm_ =
-        false;  ///< this console asked to arm, and the robot has not said since that it is not
-    std::uint16_t challenge_ = 0;  ///< of the newest answer; 0: none since the robot voided them
+        false;  ///< this console asked to arm, and the robot has not reported "not armed" since
+    /// from the newest answer; 0: none since the robot voided the last one
+    std::uint16_t challenge_ = 0;
     std::optional<double> disarmSent_;
     std::optional<double> operatorSeen_, foreignSeen_, goodSince_, lastBeat_, motionSent_;
     struct Approved {

@@ -7,16 +7,17 @@
 
 namespace terratact {
 
-/// Notices a drive that moves nothing: the robot says that it drives, and neither its tracks nor its flippers move.  No
-/// clock: `now` is any monotonic clock [s].
+/// Detects a drive without motion: the robot reports that it drives, but neither its tracks nor its
+/// flippers move. It has no clock: `now` is any monotonic clock [s].
 class DriveWatch {
 public:
-    static constexpr double kStandsFor = 1.0;  ///< [s] before it is said
+    static constexpr double kStandsFor = 1.0;  ///< [s] without motion before it is reported
     static constexpr double kWay = 0.005;      ///< [m] of the tracks
     static constexpr double kTurn =
-        0.02;  ///< [rad] of a front flipper, which comes up before the tracks move
+        0.02;  ///< [rad] of a front flipper, which rises before the tracks move
 
-    /// The newest telemetry; true once for each drive that has stood for so long.  Never without odometry.
+    /// Reads the newest telemetry. Returns true once for each drive that stands for kStandsFor.
+    /// Always false without odometry.
     bool poll(const Measurement& m, double now)
     {
         if (m.activity != RobotActivity::Driving || !m.travelled) {
@@ -39,7 +40,7 @@ public:
     }
 
 private:
-    std::optional<double> since_;  ///< [s] the last move
+    std::optional<double> since_;  ///< time of the last motion [s]
     double way_ = 0.0, front_ = 0.0;
     bool said_ = false;
 };

@@ -6,7 +6,7 @@
 namespace terratact {
 namespace {
 
-/// Something on the screen rests on what the robot felt.
+/// Returns true if something on the screen depends on the robot's readings.
 bool restsOnTheRobot(AtemPhase phase)
 {
     return exploring(phase) || phase == AtemPhase::Presenting;

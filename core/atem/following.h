@@ -7,34 +7,36 @@
 
 namespace terratact {
 
-/// What a console that sends nothing saw since the last tick.
+/// What a receive-only console saw since the last tick.
 struct FollowInput {
     double now = 0.0;                                ///< [s] any monotonic clock
-    RobotActivity activity = RobotActivity::Halted;  ///< of the newest telemetry
-    bool linkLost = false;    ///< no telemetry, though there should be: not after the end of a log
-    bool aborted = false;     ///< the operator takes the result off the screen
-    bool newPress = false;    ///< the flippers are pressed, and no scene of this press was captured
-    bool newReading = false;  ///< the arm has measured at the captured pose
-    bool poseChanged = false;  ///< robot moved since the scene was captured
+    RobotActivity activity = RobotActivity::Halted;  ///< from the newest telemetry
+    bool linkLost = false;  ///< telemetry is missing, except after the end of a log
+    bool aborted = false;   ///< the operator removes the result from the screen
+    /// the flippers are pressed, and no scene of this press is captured yet
+    bool newPress = false;
+    bool newReading = false;   ///< the arm has measured at the captured pose
+    bool poseChanged = false;  ///< the robot moved since the scene was captured
     bool estimateReady = false;
     bool estimateFailed = false;
 };
 
-/// Algorithm 1 as the robot does it for somebody else, told by its telemetry alone: the same phases, with
-/// AtemState::followed, but nobody asks, approves or waits for the robot here.
+/// Algorithm 1 as another console commands it, seen through telemetry alone. The phases are the
+/// same, with AtemState::followed. This console asks nothing, approves nothing, and does not wait
+/// for the robot.
 ///
 ///   Idle ─▶ Pressing ─▶ Estimating ─▶ Presenting ◀──▶ Probing
 ///    ▲    pressing  newPress    estimateReady ▲ │ newReading  │ newReading
 ///    │ poseChanged                            │ ▼             ▼
 ///                                         EstimatingAgain ◀───┘
-///   any state: stopped ▶ Stopped, not stopped any more ▶ Idle; aborted ▶ Idle; pressing ▶ Pressing,
-///   newPress ▶ Estimating.  A lost link, an error or a time limit of what rests on a scene ▶ Failed.
+///   any state: stopped ▶ Stopped, stop released ▶ Idle; aborted ▶ Idle; pressing ▶ Pressing,
+///   newPress ▶ Estimating.  A lost link, an error or a time limit after a captured scene ▶ Failed.
 ///
-/// A reading that comes while the first estimate runs waits for it.  One tick, no clock, no I/O.
-/// Throws std::invalid_argument unless in.now is finite.
+/// A reading that comes during the first estimate waits for its end. One tick has no clock and no
+/// I/O. Throws std::invalid_argument unless in.now is finite.
 AtemState nextFollowed(const AtemState& now, const FollowInput& in, const AtemLimits& limits);
 
-/// In words for the operator: "following: flippers pressed, estimating the terrain".
+/// Returns a text for the operator: "following: flippers pressed, estimating the terrain".
 std::string describeFollowed(AtemPhase phase);
 
 }  // namespace terratact

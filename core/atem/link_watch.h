@@ -6,45 +6,47 @@
 
 namespace terratact {
 
-/// How the telemetry of a robot arrives.
+/// State of a robot's telemetry.
 enum class LinkStanding : std::uint8_t {
-    Silent,  ///< none has come yet
+    Silent,  ///< no telemetry has come yet
     Up,
-    Lost,      ///< none comes, or only just again
-    Unsteady,  ///< it comes and goes
-    Ended,     ///< a log, which has no more of it
+    Lost,      ///< no telemetry, or it has only just come back
+    Unsteady,  ///< telemetry comes and goes
+    Ended,     ///< the log has ended
 };
 
-/// What a console knows of the link, and says wherever it speaks of it.
+/// Account of the link for every text that mentions it.
 struct LinkAccount {
     LinkStanding standing = LinkStanding::Silent;
-    bool alive = false;    ///< telemetry is fresh now: values may be shown, whatever the standing
+    bool alive = false;    ///< telemetry is fresh: values may be shown in any state
     bool alone = false;    ///< only telemetry is missing: other frames of the robot come
-    int gaps = 0;          ///< since it last was Up; of a link that is Up, before that
-    double longest = 0.0;  ///< [s] of them
+    int gaps = 0;          ///< gaps since the link was last Up; for a link that is Up, before that
+    double longest = 0.0;  ///< longest of these gaps [s]
     bool operator==(const LinkAccount&) const = default;
 };
 
-/// "link lost", "telemetry unsteady".
+/// Returns "link lost" or "telemetry unsteady".
 std::string describe(const LinkAccount& link);
 
-/// What there is to see of the link at one time.
+/// Observation of the link at one time.
 struct LinkGlimpse {
     double now = 0.0;             ///< [s] any monotonic clock
-    std::optional<double> age{};  ///< [s] of the newest telemetry; empty: none has come yet
-    bool alive = false;           ///< that is fresh enough
-    bool othersCome = false;      ///< other frames of the robot do
-    bool ended = false;           ///< a log
+    std::optional<double> age{};  ///< age of the newest telemetry [s]; empty: none has come yet
+    bool alive = false;           ///< the newest telemetry is fresh
+    bool othersCome = false;      ///< other frames of the robot come
+    bool ended = false;           ///< the log has ended
 };
 
-/// Keeps account of the link.  It is lost at once, and up again only once telemetry has come for a while, so that one
-/// that comes and goes is one trouble and not many.
+/// Keeps account of the link. The link is lost at once, and up again only after steady telemetry.
+/// An unsteady link is therefore one event and not many.
 class LinkWatch {
 public:
-    static constexpr double kSteadyAfter = 1.0;  ///< [s] it is up again after so long without a gap
-    static constexpr double kMaxGap = 1.0;       ///< [s] a longer silence is a loss
+    /// [s] without a gap after which the link is up again
+    static constexpr double kSteadyAfter = 1.0;
+    static constexpr double kMaxGap = 1.0;  ///< [s] longest silence that is not a loss
 
-    /// To be called several times a second.  Throws std::invalid_argument for times that are not finite.
+    /// Updates the account. Call it several times a second. Throws std::invalid_argument for times
+    /// that are not finite.
     const LinkAccount& poll(const LinkGlimpse& seen);
     const LinkAccount& account() const { return account_; }
 

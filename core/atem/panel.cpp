@@ -6,10 +6,10 @@
 namespace terratact {
 namespace {
 
-constexpr double kLampTime = 0.3;    ///< [s] of each lamp's test
+constexpr double kLampTime = 0.3;    ///< [s] test of each lamp
 constexpr double kBuzzerTime = 0.1;  ///< [s]
 
-/// What is known of a contact that has just come into sight.
+/// Returns the state of a contact at its first reading.
 ContactState firstContact(bool closed, double now)
 {
     ContactState contact;
@@ -48,7 +48,7 @@ ButtonPhase nextPhase(const ContactState& button, double now, const PanelLimits&
     throw std::invalid_argument("nextPanel: a button's phase is none");
 }
 
-/// Moves the button on; whether it was pressed anew.
+/// Updates the button's phase. Returns true if it was pressed in this tick.
 bool pressedAnew(ContactState& button, double now, const PanelLimits& limits)
 {
     const ButtonPhase before = button.phase;

@@ -9,9 +9,9 @@
 
 namespace terratact {
 
-// What the operator's panel of buttons and lamps means.  Every contact is read the same way: open is the
-// safe side and acts at once, closed is believed only after it has been undisturbed for a while.  STOP is
-// normally closed, so pressing it, a broken wire and an unplugged panel are all the same: open.
+// Operator panel of buttons and lamps. Every contact has a safe side: open, which acts at once.
+// Closed counts only after the contact was undisturbed for a while. STOP is normally closed:
+// pressing it, a broken wire and an unplugged panel all read as open.
 
 enum class PanelContact : std::uint8_t { Atem, Approve, Refuse, Stop };
 inline constexpr std::size_t kPanelContacts = 4;
@@ -32,65 +32,65 @@ struct PerContact {
     bool operator==(const PerContact&) const = default;
 };
 
-/// What a button's contact has been through.  Only Pressed means anything to the robot.
+/// History of a button's contact. Only Pressed has an effect on the robot.
 ///
 ///   Starting ──open──▶ Released ──closed──▶ Pressed ──10 min──▶ Stuck
 ///       └──closed──▶ HeldAtStart            all of them ──open──▶ Released
 enum class ButtonPhase : std::uint8_t {
-    Starting,     ///< not yet seen open since the panel came up
+    Starting,     ///< not seen open since the panel started
     Released,     ///< seen open: the next closing is a press
-    Pressed,      ///< by somebody
-    HeldAtStart,  ///< fault: closed when the panel came up; counts as not pressed until seen open
-    Stuck,        ///< fault: closed for longer than anybody presses; the same
+    Pressed,      ///< the operator presses it
+    HeldAtStart,  ///< fault: closed when the panel started; not pressed until seen open
+    Stuck,        ///< fault: closed for longer than a press takes; not pressed until seen open
 };
 
 struct ContactState {
-    bool closed = false;   ///< as last read
-    double since = 0.0;    ///< [s] when it was last seen to change or to be disturbed
-    bool trusted = false;  ///< closed, and undisturbed for PanelLimits::settle
-    ButtonPhase phase = ButtonPhase::Starting;  ///< of a button; STOP has none
+    bool closed = false;                        ///< as last read
+    double since = 0.0;                         ///< time of the last change or disturbance [s]
+    bool trusted = false;                       ///< closed, and undisturbed for PanelLimits::settle
+    ButtonPhase phase = ButtonPhase::Starting;  ///< for buttons; STOP has none
     double pressedAt = 0.0;                     ///< [s] when Pressed began
     bool operator==(const ContactState&) const = default;
 };
 
 struct PanelState {
     bool present = false;      ///< the contacts could be read at `time`
-    bool stop = true;          ///< asserted: STOP is open, was open a moment ago, or cannot be read
-    double time = 0.0;         ///< [s] of the last tick
-    PerContact<bool> pressed;  ///< buttons pressed anew: in this tick only
+    bool stop = true;          ///< asserted: STOP is or was just open, or cannot be read
+    double time = 0.0;         ///< time of the last tick [s]
+    PerContact<bool> pressed;  ///< buttons that were pressed in this tick
     PerContact<ContactState> contacts;
 
-    /// The button is pressed now; ends with the first edge.  False for STOP.
+    /// Returns true while the button is pressed; the first edge ends it. False for STOP.
     bool held(PanelContact button) const;
     bool operator==(const PanelState&) const = default;
 };
 
-/// One look at the panel.
+/// One reading of the panel.
 struct PanelInput {
-    double now = 0.0;  ///< [s] any monotonic clock, when `closed` was read
-    /// The levels, read after the edges; nothing where the panel cannot be read.
+    double now = 0.0;  ///< any monotonic clock [s], when `closed` was read
+    /// Levels of the contacts, read after the edges; empty if the panel cannot be read.
     std::optional<PerContact<bool>> closed;
-    /// There was an edge since the look before, or there may have been.  What a burst ended in the levels
-    /// say, because edges get lost; that there was one is all that an edge says.
+    /// True if an edge occurred since the last reading, or may have occurred. Edges can get lost,
+    /// so only the levels say how a burst ended.
     PerContact<bool> disturbed;
 };
 
 struct PanelLimits {
     double settle = 0.03;  ///< [s] a contact must be undisturbed before it is believed
-    double stuck = 600.0;  ///< [s] of one press
+    double stuck = 600.0;  ///< [s] longest press
 };
 
-/// One tick, no clock.  Throws std::invalid_argument unless in.now is finite.
+/// Computes one tick, without a clock. Throws std::invalid_argument unless in.now is finite.
 PanelState nextPanel(const PanelState& state, const PanelInput& in, const PanelLimits& limits = {});
 
-/// What is wrong with a button, in one sentence; empty where nothing is.
+/// Returns one sentence about a button's fault; empty if there is none.
 std::string buttonTrouble(PanelContact button, ButtonPhase phase);
 
-/// What the panel shows.  A lamp is lit or not; whoever wants it to blink asks so.
+/// Lamps and buzzer of the panel. A lamp is on or off; the caller makes it blink.
 struct LampState {
     bool link = false;     ///< the robot's telemetry is fresh
     bool armed = false;    ///< the robot may move on this console's command
-    bool probing = false;  ///< an exploration runs: flippers or arm may move by themselves
+    bool probing = false;  ///< an exploration runs: flippers or arm may move automatically
     bool buzzer = false;   ///< sounds: the operator must look at the console now
     bool operator==(const LampState&) const = default;
 };
@@ -98,11 +98,11 @@ inline constexpr std::size_t kPanelOutputs = 4;
 inline constexpr std::array<std::string_view, kPanelOutputs> kPanelOutputNames{
     "link_lamp", "armed_lamp", "probing_lamp", "buzzer"};
 
-/// In the order of kPanelOutputNames.
+/// Returns the values in the order of kPanelOutputNames.
 std::array<bool, kPanelOutputs> outputsOf(const LampState& lamps);
 
-/// Shows at start-up that every lamp works: one after the other, the buzzer last and briefly, then all
-/// dark.  elapsed: [s] since the start; nothing once the test is over (1.3 s) and before it.
+/// Lamp test at start-up: each lamp in turn, then the buzzer briefly, then all dark. elapsed: [s]
+/// since the start. Empty before and after the test of 1.3 s.
 std::optional<LampState> lampTest(double elapsed);
 
 }  // namespace terratact

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMaxOffset = 1023.0;
 
-/// The line's name or offset, once in the whole file.
+/// Lines of the file: each name or offset may occur once.
 class Lines {
 public:
     PanelLine lineOf(TomlSection& section)

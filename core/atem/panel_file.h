@@ -9,20 +9,20 @@
 
 namespace terratact {
 
-/// A line of the panel's GPIO chip, by its name; by its offset only where the file says so.
+/// Line of the panel's GPIO chip, by name, or by offset if the file says so.
 struct PanelLine {
-    std::string name;                ///< empty where there is an offset
+    std::string name;                ///< empty if there is an offset
     std::optional<unsigned> offset;  ///< position on the chip
     bool operator==(const PanelLine&) const = default;
 };
 
-/// Where the contact connects its line to when it closes.  A resistor to the other side then holds an
-/// open line, so a broken wire always reads as open.
+/// Side to which a closing contact connects its line. A resistor to the other side holds an open
+/// line, so that a broken wire reads as open.
 enum class ContactTo : std::uint8_t { Ground, Supply };
 
 enum class PullResistor : std::uint8_t {
-    Internal,  ///< the chip's own, switched on with the request
-    External,  ///< on the board
+    Internal,  ///< the chip's own resistor, enabled with the request
+    External,  ///< a resistor on the board
 };
 
 struct PanelInputLine {
@@ -38,21 +38,22 @@ struct PanelOutputLine {
     bool operator==(const PanelOutputLine&) const = default;
 };
 
-/// How a panel is wired: resources/panels/example.toml explains every key.
+/// Wiring of a panel: resources/panels/example.toml explains every key.
 struct PanelConfig {
     std::string name;
-    std::string chipLabel;  ///< what `gpiodetect` shows in brackets; empty where there is a name
-    std::string chipName;   ///< "gpiochip0": changes when chips are plugged in another order
+    /// the label that `gpiodetect` shows in brackets; empty if there is a chip name
+    std::string chipLabel;
+    std::string chipName;  ///< "gpiochip0": changes if chips are plugged in another order
     PerContact<PanelInputLine> inputs;
     std::array<PanelOutputLine, kPanelOutputs> outputs;  ///< in the order of kPanelOutputNames
     bool operator==(const PanelConfig&) const = default;
 };
 
-/// Errors name the file, the line and the key: it cannot be read, is no TOML, lacks a key, has one that
-/// is not known, or uses a line twice.
+/// Reads a panel file. Errors name the file, the line and the key: it cannot be read, is not TOML,
+/// lacks a key, has an unknown key, or uses a line twice.
 Result<PanelConfig> readPanelFile(const std::string& path);
 
-/// The same for a text at hand, which errors call `name`.
+/// Reads the same from a text; errors call it `name`.
 Result<PanelConfig> panelFrom(const std::string& name, const std::string& text);
 
 }  // namespace terratact

@@ -3,7 +3,7 @@
 namespace terratact {
 namespace {
 
-constexpr double kAtOnce = 1.0;  // [s]
+constexpr double kAtOnce = 1.0;  // [s] shorter phases show no time limit
 
 std::optional<double> usualOf(AtemPhase phase, const UsualTimes& usual)
 {

@@ -6,25 +6,26 @@
 
 namespace terratact {
 
-/// How long a phase may still last, and what it is that comes then.
+/// Remaining time of a phase, and what happens then.
 struct PhaseTime {
     enum class Kind {
-        Answer,    ///< the operator has so long to answer; no answer means no
-        Expected,  ///< it usually takes that long from now on
-        GivesUp,   ///< unless it is done before, it has failed then
+        Answer,    ///< approval expiry: no answer of the operator means no
+        Expected,  ///< expected end of the phase
+        GivesUp,   ///< time limit: the phase fails then
     };
     Kind kind = Kind::GivesUp;
     double seconds = 0.0;  ///< [s] > 0
     bool operator==(const PhaseTime&) const = default;
 };
 
-/// What a phase usually takes [s]; empty: nobody knows.
+/// Usual duration of a phase [s]; empty: unknown.
 struct UsualTimes {
     std::optional<double> press, probe;
 };
 
-/// Of the state at `now` [s on its clock].  Expected as long as it takes no longer than usual, then GivesUp; a time limit
-/// is told only once the phase has lasted a second, since most are over at once.  Empty where there is nothing to tell.
+/// Returns the remaining time of the state at `now` [s on its clock]. It is Expected up to the
+/// usual duration, then GivesUp. A time limit is given only once the phase has lasted a second,
+/// because most phases end sooner. Empty if there is nothing to show.
 std::optional<PhaseTime> phaseTime(const AtemState& state, double now, const AtemLimits& limits,
                                    const UsualTimes& usual);
 

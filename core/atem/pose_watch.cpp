@@ -6,7 +6,7 @@ namespace terratact {
 
 namespace {
 
-/// Two different lines in a row have to say so; the first that does is kept in `since`.
+/// Returns true if two different lines in a row say so; `since` keeps the count of the first.
 bool confirmed(bool says, std::uint64_t count, std::uint64_t& since)
 {
     if (!says)
@@ -49,7 +49,7 @@ bool PoseWatch::differs(const Measurement& newest) const
         || beyond(&Measurement::rearLeft) || beyond(&Measurement::rearRight) || tracksMoved(newest);
 }
 
-/// By its tracks, where both lines tell.
+/// Returns true if odometry differs, where both lines have it.
 bool PoseWatch::tracksMoved(const Measurement& newest) const
 {
     if (newest.travelled && scene_.travelled

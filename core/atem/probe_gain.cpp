@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kReadings = 48;
 
-/// Draws of all bins with what is asked of them.
+/// Draws of all bins, prepared for V and H.
 class Draws {
 public:
     Draws(const std::vector<Heights>& heights, double stepLimit, int firstBin, const Poll& poll)
@@ -44,7 +44,7 @@ public:
 
     std::size_t count() const { return heights_.size(); }
 
-    /// Height of one bin in every draw [m].
+    /// Returns the height of one bin in every draw [m].
     std::vector<double> of(std::size_t bin, PolledWork& work) const
     {
         std::vector<double> heights;
@@ -56,8 +56,8 @@ public:
         return heights;
     }
 
-    /// V(w) [m²]; 0 where one draw has all the weight.  Σ w (h − m)² = Σ w h² − m² with m = Σ w h: one pass,
-    /// and no loss of digits that matters, because the heights are centred.
+    /// Returns V(w) [m²]; 0 if one draw has all the weight. Σ w (h − m)² = Σ w h² − m² with m = Σ w
+    /// h takes one pass. The heights are centred, so that no relevant digits are lost.
     double variance(const std::vector<double>& weight, PolledWork& work) const
     {
         Heights mean{};
@@ -80,7 +80,7 @@ public:
         return std::vector<double>(count(), 1.0 / static_cast<double>(count()));
     }
 
-    /// H(w) [nat].
+    /// Returns H(w) [nat].
     double entropy(const std::vector<double>& weight, PolledWork& work) const
     {
         double p = 0.0;
@@ -94,12 +94,12 @@ public:
 
 private:
     const std::vector<Heights>& heights_;
-    std::vector<Heights> centred_;  // on their mean
+    std::vector<Heights> centred_;  // centred on their mean
     std::vector<double> squares_;   // Σ over the bins of a centred draw's squares
     std::vector<double> step_;      // 1 for a draw with a step
 };
 
-/// Evenly spaced quantiles of the readings to expect of a bin with these draws.
+/// Returns evenly spaced quantiles of the expected readings of a bin with these draws.
 std::vector<double> readings(const std::vector<double>& heights, double armSd, PolledWork& work)
 {
     std::vector<double> all;
@@ -123,7 +123,7 @@ std::vector<double> readings(const std::vector<double>& heights, double armSd, P
     return picked;
 }
 
-/// w_d ∝ N(reading; heights[d], armSd²), in logarithms until the largest is 1.
+/// Returns w_d ∝ N(reading; heights[d], armSd²), computed in logarithms until the largest is 1.
 std::vector<double> weights(const std::vector<double>& heights, double reading, double armSd,
                             PolledWork& work)
 {
@@ -149,7 +149,7 @@ std::vector<double> weights(const std::vector<double>& heights, double reading, 
     return w;
 }
 
-/// Mean of V and H over the readings.
+/// Returns the mean of V and H over the readings.
 ProbeGain expectedAfter(const Draws& draws, int bin, double armSd, const Poll& poll)
 {
     PolledWork work(poll);

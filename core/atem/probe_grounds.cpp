@@ -23,7 +23,7 @@ void addAll(CanonicalBytes& bytes, const T&... values)
     (add(bytes, values), ...);
 }
 
-// The bindings below do not compile once a member is new: it has to be added here.
+// A new member breaks the bindings below at compile time: it must be added here.
 void add(CanonicalBytes& bytes, const ArmReading& reading)
 {
     const auto& [bin, height, sd] = reading;

@@ -8,17 +8,18 @@
 
 namespace terratact {
 
-/// All that the operator's word for a probe rests on: change any of it, and the word is void.
+/// Grounds of a probe's approval: a change of any of them voids the approval.
 struct ProbeGrounds {
     Measurement scene;
-    std::vector<ArmReading> readings;  ///< of the arm at this pose
+    std::vector<ArmReading> readings;  ///< readings of the arm at this pose
     Settings settings;                 ///< of the estimate
-    Settings wanted;                   ///< as the operator has set them by then, for the next
-    std::string model;                 ///< what tells the model from any other
-    int bin = 0;                       ///< to be probed
+    Settings wanted;    ///< settings for the next estimate, as the operator has set them
+    std::string model;  ///< identifies the model
+    int bin = 0;        ///< bin to probe
 };
 
-/// SHA-256 of the grounds as 64 hexadecimal digits; equal for equal grounds on every machine.
+/// Returns the SHA-256 of the grounds as 64 hexadecimal digits; equal grounds give the same on
+/// every machine.
 std::string fingerprint(const ProbeGrounds& grounds);
 
 }  // namespace terratact

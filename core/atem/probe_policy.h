@@ -11,39 +11,39 @@
 
 namespace terratact {
 
-/// Which probes are put to the operator.
+/// Policy that decides which probes are offered to the operator.
 enum class ProbePolicy : std::uint8_t {
-    Variance,      ///< chooseProbe(): wherever the terrain is uncertain, as in the paper
-    VarianceOpen,  ///< the same, as long as the verdict's question is open
-    Question       ///< what is expected to tell most about that question, as long as it is open
+    Variance,      ///< chooseProbe(): any sd above the probe threshold, as in the paper
+    VarianceOpen,  ///< the same, but only while the verdict is CANNOT TELL
+    Question       ///< the bin expected to say most about the verdict, while it is CANNOT TELL
 };
 inline constexpr std::array kProbePolicies{ProbePolicy::Variance, ProbePolicy::VarianceOpen,
                                            ProbePolicy::Question};
 
-/// "variance", "variance-if-open", "question".
+/// Returns "variance", "variance-if-open" or "question".
 std::string_view name(ProbePolicy policy);
 
-/// Why no probe is put to the operator.
+/// Reason why no probe is offered.
 enum class NoProbe : std::uint8_t {
-    None,     ///< one is
-    Certain,  ///< no bin in reach has an sd above Settings::probeAbove
-    Decided,  ///< the verdict stands without the arm
-    NoGain    ///< no bin in reach is expected to tell about the verdict's question
+    None,     ///< a probe is offered
+    Certain,  ///< no bin in reach has an sd above the probe threshold Settings::probeAbove
+    Decided,  ///< the verdict is certain without the arm
+    NoGain    ///< no bin in reach is expected to say anything about the verdict
 };
 
 struct ProbeOffer {
-    std::optional<int> bin;       ///< to be put to the operator
-    NoProbe why = NoProbe::None;  ///< without it
+    std::optional<int> bin;       ///< bin offered to the operator
+    NoProbe why = NoProbe::None;  ///< reason if there is no bin
     bool operator==(const ProbeOffer&) const = default;
 };
 
-/// The advice's bins, the best for this policy first: by the variance that they are expected to take away, or by
-/// the entropy (of equals the one that is first in the advice).
+/// Returns the advice's bins, best first for this policy: by the expected reduction of variance or
+/// of entropy. Equal bins keep the advice's order.
 std::vector<ProbeGain> ranked(const ProbeAdvice& advice, ProbePolicy policy);
 
-/// What is put to the operator.  verdict: the answer without the arm; a verdict withheld is CannotTell, which leaves the
-/// question open.  Question asks whatever the sds are, where a bin is expected to gain kMinBits or more; without
-/// gains (no draws) it asks for what VarianceOpen does.
+/// Decides which probe is offered. verdict: the answer without the arm; a withheld verdict is
+/// CannotTell. Question offers the best bin if its expected gain is at least kMinBits, whatever the
+/// sds. Without gains (no draws) it offers what VarianceOpen does.
 ProbeOffer offerProbe(const ProbeAdvice& advice, StepVerdict verdict, ProbePolicy policy);
 
 }  // namespace terratact

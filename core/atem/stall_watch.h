@@ -4,12 +4,13 @@
 
 namespace terratact {
 
-/// Notices that whoever should look every few milliseconds did not.  No clock: `now` is any monotonic clock [s].
+/// Watchdog of the operator's window: detects that polls every few milliseconds have paused. It has
+/// no clock: `now` is any monotonic clock [s].
 class StallWatch {
 public:
-    static constexpr double kStall = 0.1;  ///< [s] the operator's window counts as frozen beyond
+    static constexpr double kStall = 0.1;  ///< [s] longest pause of a window that is not frozen
 
-    /// Told at every look; how long [s] it was frozen before this one, where that is more than kStall.
+    /// Records a poll. Returns the pause before it [s] if it was longer than kStall.
     std::optional<double> poll(double now)
     {
         const std::optional<double> before = last_;

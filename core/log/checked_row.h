@@ -13,7 +13,7 @@
 
 namespace terratact {
 
-/// What a row holds is not what a session has.  Thrown by those who read rows; SessionReader catches it.
+/// Thrown by readers of rows if a row holds what no session can hold. SessionReader catches it.
 struct RefusedRow {
     std::string cause;
 };
@@ -23,8 +23,9 @@ inline void require(bool holds, const char* cause)
     if (!holds) throw RefusedRow{cause};
 }
 
-/// The present row of a statement, column by column from `from` on, each checked: RefusedRow where its value is
-/// beyond what a session can hold, SqliteError where its type is another.
+/// Reads the current row of a statement column by column, starting at `from`, and checks each
+/// value. Throws RefusedRow for a value beyond what a session can hold, SqliteError for a value of
+/// another type.
 class CheckedRow {
 public:
     explicit CheckedRow(const SqliteStatement& statement, int from = 0)
@@ -54,9 +55,9 @@ public:
         ++at_;
         return std::nullopt;
     }
-    /// Whether the row has a further column: files of the first version have fewer.
+    /// Returns true if the row has a further column: files of version 1 have fewer.
     bool hasMore() const { return at_ < statement_.columns(); }
-    /// Empty: +infinity, which stands for "not measured" in a column that is never NULL.
+    /// Returns empty for +infinity, which means "not measured" in a column that is never NULL.
     std::optional<double> realOrInfinite()
     {
         if (statement_.real(at_) < std::numeric_limits<double>::infinity()) return real();

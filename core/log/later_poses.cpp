@@ -10,7 +10,8 @@
 namespace terratact {
 namespace {
 
-/// Bands of bins that the training set alone speaks for are shown, too, so they are to be judged; a ghost has none.
+/// Gives bins that only the training set speaks for a ceiling, because a ghost has no such bins.
+/// Their bands are shown, so they must be judged too.
 TerrainEstimate withPriorOnlyBins(TerrainEstimate estimate)
 {
     for (double& ceiling : estimate.ceiling)
@@ -41,7 +42,8 @@ private:
         GhostTrack ghost;
     };
 
-    /// The next scene: where have those before it come to?  From here on its own are followed, too.
+    /// Records where the earlier estimates are at the next scene, and starts to follow that scene's
+    /// own estimates.
     void reach()
     {
         for (const Track& track : tracks_)
@@ -56,7 +58,7 @@ private:
         ++next_;
     }
 
-    /// To the next scene, or until there is nothing left to follow.
+    /// Follows up to the next scene, or until nothing is left to follow.
     void follow()
     {
         if (next_ == session_.scenes().size()) return;
@@ -82,8 +84,8 @@ private:
     std::span<const EstimateOfScene> estimates_;
     TelemetryListener listener_;
     std::vector<Track> tracks_;
-    std::size_t next_ = 0;  ///< scene
-    SessionTime at_ = 0;    ///< of the scene before it
+    std::size_t next_ = 0;  ///< index of the next scene
+    SessionTime at_ = 0;    ///< time of the scene before it
     std::vector<LaterPose> found_;
 };
 

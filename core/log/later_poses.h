@@ -11,22 +11,23 @@
 
 namespace terratact {
 
-/// An estimate of one of a session's scenes.
+/// Estimate of one of a session's scenes.
 struct EstimateOfScene {
-    std::size_t scene = 0;  ///< its place in SessionReader::scenes()
+    std::size_t scene = 0;  ///< index in SessionReader::scenes()
     const TerrainEstimate* estimate = nullptr;
 };
 
-/// Where an estimate has come to, by odometry, when a later scene was captured.
+/// Estimate moved by odometry to the pose of a later scene.
 struct LaterPose {
-    std::size_t estimate = 0;  ///< its place among those that were given
-    std::size_t scene = 0;     ///< the later one
+    std::size_t estimate = 0;  ///< index in the estimates that were given
+    std::size_t scene = 0;     ///< index of the later scene
     Ghost ghost;
 };
 
-/// Follows estimates along the session's telemetry (infer/verdict/ghost_track.h), each to all the scenes behind its own that
-/// it reaches, in the order of these scenes.  Bins that the training set alone speaks for go along.  Reads only frames between a scene and where its estimates have ended.
-/// Throws std::invalid_argument where there is no such scene.
+/// Follows each estimate along the session's telemetry to all later scenes that it reaches
+/// (infer/verdict/ghost_track.h), in the order of these scenes. Bins that only the training set
+/// speaks for are moved as well. Frames after an estimate has ended are not read. Throws
+/// std::invalid_argument for a scene that does not exist.
 std::vector<LaterPose> laterPoses(SessionReader& session, const RobotModel& robot,
                                   std::span<const EstimateOfScene> estimates);
 

@@ -19,7 +19,8 @@ std::uint64_t bigEndianAt(std::string_view bytes, std::size_t at, std::size_t co
     return value;
 }
 
-/// A number of one to nine bytes at `at`, which moves behind it; empty where the bytes end before.
+/// Reads a number of one to nine bytes at `at`, and moves `at` behind it; empty if the bytes end
+/// too early.
 std::optional<std::uint64_t> variableInteger(std::string_view bytes, std::size_t& at)
 {
     std::uint64_t value = 0;
@@ -33,7 +34,7 @@ std::optional<std::uint64_t> variableInteger(std::string_view bytes, std::size_t
     return std::nullopt;
 }
 
-/// Bytes of a value of this serial type; empty where there is no such type.
+/// Returns the size of a value of this serial type [bytes]; empty if there is no such type.
 std::optional<std::size_t> sizeOfSerial(std::uint64_t type)
 {
     constexpr std::size_t kSizes[]{0, 1, 2, 3, 4, 6, 8, 8, 0, 0};
@@ -61,7 +62,7 @@ std::uint64_t bytesOf(const std::string& path)
     return none ? 0 : size;
 }
 
-/// Only what is a file: a pipe would wait for whoever writes into it.
+/// Opens regular files only: a pipe would block.
 std::ifstream opened(const std::string& path)
 {
     std::error_code none;
@@ -105,7 +106,8 @@ void PageRows::readHeader(std::uint32_t otherwise)
     usable_ = possible ? static_cast<std::uint32_t>(size - reserved) : otherwise;
 }
 
-/// The newest state of every page since the journal began anew: frames with the salt of its header.
+/// Finds the newest state of every page since the journal was reset: the frames with the salt of
+/// its header.
 void PageRows::readJournal()
 {
     const std::string header(readAt(journal_, 0, kJournalHeader, buffer_));
@@ -118,7 +120,7 @@ void PageRows::readJournal()
     }
 }
 
-/// In its newest state; shorter than a page where it is not there.
+/// Returns the page in its newest state; shorter than a page if it is missing.
 std::string_view PageRows::page(std::uint32_t number)
 {
     if (number == 0) return {};
@@ -147,7 +149,7 @@ void PageRows::takePage(std::uint32_t number, std::string_view bytes,
     const auto kind = static_cast<Kind>(bytes[begin]);
     if (kind != Kind::TableLeaf && kind != Kind::IndexLeaf) return;
     const std::size_t cells = bigEndianAt(bytes, begin + 3, 2);
-    std::size_t room = usable_;  // cells that overlap must not be more than the page
+    std::size_t room = usable_;  // overlapping cells must not hold more than the page
     for (std::size_t i = 0; i < cells && begin + 8 + 2 * i + 2 <= usable_; ++i) {
         const std::size_t at = bigEndianAt(bytes, begin + 8 + 2 * i, 2);
         std::optional<std::int64_t> id;
@@ -156,7 +158,7 @@ void PageRows::takePage(std::uint32_t number, std::string_view bytes,
     }
 }
 
-/// Puts the payload of a cell together (ibid. §1.6); false where it is not there.
+/// Assembles the payload of a cell (ibid. §1.6). Returns false if it is missing.
 bool PageRows::payloadOf(std::string_view bytes, std::size_t at, bool isTable,
                          std::optional<std::int64_t>& id, std::size_t& room)
 {
@@ -195,7 +197,7 @@ bool PageRows::addOverflow(std::uint32_t next, std::size_t size)
     return true;
 }
 
-/// The values of payload_; false where it is no row.
+/// Decodes the values of payload_. Returns false if it is no row.
 bool PageRows::decode()
 {
     values_.clear();

@@ -14,37 +14,38 @@
 
 namespace terratact {
 
-/// A value of a row as its page has it.
+/// Value of a row as stored in its page.
 struct StoredValue {
     enum class Type { None, Integer, Real, Text, Blob } type = Type::None;
     std::int64_t integer = 0;
     double real = 0.0;
-    std::string_view bytes{};  ///< of a text or blob; valid as long as the call that it came with
+    std::string_view bytes{};  ///< text or blob; valid during the call that delivers it
 };
 
 struct StoredRow {
-    std::optional<std::int64_t> id;  ///< rowid; empty: of a table without
+    std::optional<std::int64_t> id;  ///< rowid; empty: from a table without one
     std::span<const StoredValue> values;
-    std::uint32_t page = 0;  ///< that it stands on, from 1
+    std::uint32_t page = 0;  ///< number of its page, from 1
 };
 
-/// The pages of an SQLite file, and of a write-ahead journal beside it, one by one, whatever state the file is in: cut,
-/// with holes, with pages that were zeroed or overwritten, with something behind its end
-/// (sqlite.org/fileformat2.html).  Nothing is followed but the overflow pages of a row.  All values together are at
-/// most twice as large as the files.
+/// Reads the pages of an SQLite file, and of a write-ahead journal beside it, one by one
+/// (sqlite.org/fileformat2.html). The file may be cut, have holes, zeroed or overwritten pages, or
+/// bytes behind its end. It follows no page reference but the overflow pages of a row. All values
+/// together are at most twice as large as the files.
 class PageRows {
 public:
-    /// pageSize: where the file itself says none that can be.  A file that cannot be opened has no pages.
+    /// pageSize: used if the file gives no valid page size. A file that cannot be opened has no
+    /// pages.
     PageRows(const std::string& path, std::uint32_t pageSize);
 
-    /// Every row of every leaf, in the order of the pages; those of the journal last.
+    /// Visits every row of every leaf in page order; rows of the journal come last.
     void forEach(const std::function<void(const StoredRow&)>& take);
 
-    /// The leaves of the table with this root, as far as its inner pages are there.
+    /// Returns the leaves of the table with this root, as far as its inner pages exist.
     std::set<std::uint32_t> leavesOf(std::uint32_t root);
 
     std::uint64_t bytes() const { return fileBytes_ + journalBytes_; }
-    /// Without a journal: the file is shorter than its header says.
+    /// true without a journal if the file is shorter than its header says
     bool isCut() const { return isCut_; }
 
 private:
@@ -63,7 +64,7 @@ private:
     std::uint64_t fileBytes_ = 0, journalBytes_ = 0, bytesLeft_ = 0;
     std::uint32_t pageSize_ = 0, usable_ = 0;
     bool isCut_ = false;
-    std::map<std::uint32_t, std::uint64_t> inJournal_;  ///< where the newest state of a page begins
+    std::map<std::uint32_t, std::uint64_t> inJournal_;  ///< offset of the newest state of each page
     std::string buffer_, overflow_, payload_;
     std::vector<StoredValue> values_;
 };

@@ -35,7 +35,7 @@ const EstimateRow* ReviewGhost::lastUpTo(SessionTime time) const
     return found;
 }
 
-/// When the estimate no longer stood.
+/// Returns the time at which the estimate stopped being valid.
 std::optional<SessionTime> ReviewGhost::leftAt(const EstimateRow& row, SessionTime until) const
 {
     for (const EventRow& event : reader_.events())
@@ -47,7 +47,8 @@ std::optional<SessionTime> ReviewGhost::leftAt(const EstimateRow& row, SessionTi
 bool ReviewGhost::isForgotten(const EstimateRow& row, SessionTime left, SessionTime until) const
 {
     const auto isSince = [&](SessionTime time) { return time >= row.time && time <= until; };
-    // Whether a press of Esc, or a model, that comes then ends it: while something is explored it ends only that.
+    // Returns true if Esc or a new model at that time discards the estimate. During an exploration
+    // it ends only the exploration.
     const auto endsAll = [&](SessionTime time) {
         return !reader_.start().transmits || !exploring(phaseAt(time));
     };
@@ -70,8 +71,8 @@ AtemPhase ReviewGhost::phaseAt(SessionTime time) const
     return phase;
 }
 
-/// As the console does: from when the estimate is there, for until then the robot stands.  Of silences that no line of
-/// telemetry tells of, the events do.
+/// Starts when the estimate came, as the console does: until then the robot stands. The events
+/// report silences that no line of telemetry shows.
 void ReviewGhost::begin(const EstimateRow& row, SessionTime left)
 {
     const SceneRow& scene = *reader_.scene(row.scene);

@@ -9,23 +9,25 @@
 
 namespace terratact {
 
-/// The ghost of a session's last estimate (infer/verdict/ghost.h) at a moment at which none stands: as the console had it, made
-/// of the file alone.  It is followed for kFollowed after the estimate was left, from kBefore before that or from when the
-/// estimate came.  Times that go on, or a little back, are quick.
+/// The ghost of a session's last estimate (infer/verdict/ghost.h) at a moment without an estimate,
+/// as the console showed it, computed from the file alone. It is followed for kFollowed after the
+/// estimate was left. It starts kBefore that time, or when the estimate came, whichever is later.
+/// Moving forward or a little back in time is fast.
 class ReviewGhost {
 public:
     static constexpr double kFollowed = 600.0, kBefore = 60.0;  ///< [s]
 
-    /// The reader must outlive it.
+    /// The reader must outlive this object.
     ReviewGhost(SessionReader& reader, RobotModel robot);
 
     struct ViewState {
         std::optional<Ghost> ghost{};
-        std::optional<NoGhost> why{};  ///< where an estimate has one no longer
+        std::optional<NoGhost> why{};  ///< reason why an estimate has no ghost any more
         bool operator==(const ViewState&) const = default;
     };
-    /// Neither where an estimate stands or is in the making, before the first, and after the operator forgot it,
-    /// another model was loaded, or kFollowed.
+    /// Returns the ghost at a moment. Both fields are empty while an estimate is shown or computed,
+    /// before the first estimate, and after kFollowed. They are also empty once the operator
+    /// discarded the estimate or loaded another model.
     ViewState at(const ReviewMoment& moment);
 
 private:
@@ -33,7 +35,7 @@ private:
         std::int64_t estimate;  ///< its id
         GhostTrack track;
         TelemetryListener listener;
-        SessionTime until;  ///< it was followed
+        SessionTime until;  ///< time up to which it was followed
     };
 
     const EstimateRow* lastUpTo(SessionTime time) const;
@@ -46,8 +48,9 @@ private:
 
     SessionReader& reader_;
     RobotModel robot_;
-    std::vector<Followed>
-        followed_;  ///< the same estimate at a start, and some time apart; the last one moves on
+    /// The same estimate at several times: at its start, and at some later times. The last one
+    /// moves on.
+    std::vector<Followed> followed_;
 };
 
 }  // namespace terratact

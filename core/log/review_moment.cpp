@@ -18,13 +18,14 @@ bool isHeard(const ReviewMoment& moment)
     return moment.measurement && secondsOf(moment.time - moment.measured) <= kLinkLostAfter;
 }
 
-/// [s] of the link that is up again; of older sessions, in which that was told at once, from when the two were told.
+/// Returns the silence [s] before the link was up again. Older sessions record no number: there it
+/// is the time between the two events.
 double silenceBefore(const EventRow& up, SessionTime lost)
 {
     return up.number.value_or(kLinkLostAfter + secondsOf(up.time - lost));
 }
 
-/// The value whose words these are, of first … last.
+/// Returns the value of first … last with this text.
 template <class Enum>
 std::optional<Enum> fromWords(std::string_view words, Enum last)
 {
@@ -33,7 +34,7 @@ std::optional<Enum> fromWords(std::string_view words, Enum last)
     return std::nullopt;
 }
 
-/// The last row of those up to a time, which nearly are in its order.
+/// Returns the last row up to a time. The rows are nearly in the order of time.
 template <class Row>
 const Row* lastUpTo(const std::vector<Row>& rows, SessionTime from, SessionTime to)
 {
@@ -65,7 +66,8 @@ void takeAlarm(std::map<std::string, Alarm>& alarms, const EventRow& event)
     alarm.state = *state;
 }
 
-/// When what stands began to stand: after the last estimate was given up.
+/// Returns the time since which the present estimate can be valid: after the last one was
+/// discarded.
 SessionTime standsSince(const std::vector<EventRow>& events, SessionTime time)
 {
     SessionTime since = 0;
@@ -121,7 +123,7 @@ ReviewMoment ReviewMoments::at(SessionTime time)
     return moment;
 }
 
-/// The robot as its last frames tell.
+/// Sets the robot's state from its last frames.
 void ReviewMoments::hear(ReviewMoment& moment)
 {
     const SessionTime from = moment.time - sessionTimeOf(kReviewWindow);
@@ -166,8 +168,8 @@ void ReviewMoments::takeEvents(ReviewMoment& moment)
     std::map<std::string, Alarm> alarms;
     std::optional<SessionTime> lost;
     const EventRow* nextUp = nullptr;
-    bool suspected = false;  // a sensor
-    // Of sessions without EventKind::Unheard.
+    bool suspected = false;  // a sensor was suspected
+    // For sessions without EventKind::Unheard.
     const auto endsSilence = [&](const EventRow& up) {
         return lost && moment.scene && *lost > moment.scene->time
             && silenceBefore(up, *lost) > kMaxSilence;
@@ -221,7 +223,7 @@ void ReviewMoments::takeEvents(ReviewMoment& moment)
         case EventKind::Session: break;
         }
     }
-    if (!moment.linkAlive && nextUp && nextUp->number && isHeard(moment)) {  // not yet told
+    if (!moment.linkAlive && nextUp && nextUp->number && isHeard(moment)) {  // not yet recorded
         moment.linkAlive = true;
         if (endsSilence(*nextUp)) moment.unbroken = false;
     }

@@ -15,46 +15,49 @@
 
 namespace terratact {
 
-/// What the console showed at a time of a session.  Rows that stood then; null: none did.  Valid until the
-/// reader's next refresh().
+/// What the console showed at one time of a session. Pointers to rows are null if there was no such
+/// row. They are valid until the reader's next refresh().
 struct ReviewMoment {
     SessionTime time = 0;
 
-    std::optional<Measurement> measurement{};  ///< the newest of the last kReviewWindow
-    SessionTime measured = 0;                  ///< when it arrived
-    std::optional<SensorLine> line{};          ///< of the bus, that it was made of
-    double linesPerSecond = 0.0;               ///< of telemetry, of the last second
-    bool linkAlive = false;                    ///< as it was told; before it was, as heard now
-    bool telemetryAlone = false;               ///< where it is not: other frames of the robot came
-    SessionTime linkSince = 0;                 ///< it has been so
-    bool unbroken = true;      ///< no silence of more than kMaxSilence has ended since the scene
-    bool sensorsSound = true;  ///< kSensorAlarm did not stand at the scene, nor since
-    std::string overridden{};  ///< what the operator had overridden, in words; empty: nothing
-    std::optional<SessionDamage> damage{};  ///< in which this time lies
+    std::optional<Measurement> measurement{};  ///< newest of the last kReviewWindow
+    SessionTime measured = 0;                  ///< time at which it arrived
+    std::optional<SensorLine> line{};          ///< sensor line of the bus behind the measurement
+    double linesPerSecond = 0.0;               ///< telemetry lines in the last second
+    /// state of the link as recorded; before its first record, by frames at this time
+    bool linkAlive = false;
+    bool telemetryAlone = false;  ///< the link is lost, but other frames of the robot came
+    SessionTime linkSince = 0;    ///< time since which the link has this state
+    bool unbroken = true;         ///< no silence of more than kMaxSilence has ended since the scene
+    bool sensorsSound = true;     ///< kSensorAlarm was not raised at the scene or since
+    std::string overridden{};     ///< what the operator has overridden; empty: nothing
+    std::optional<SessionDamage> damage{};  ///< damage that covers this time
 
     const ModelRow* model = nullptr;
     const SceneRow* scene = nullptr;
     std::shared_ptr<const EstimateRow> estimate{}, second{};  ///< with their draws
-    const ProposalRow* proposal = nullptr;                    ///< of the estimate
-    const EventRow* decision = nullptr;                       ///< the operator's answer to it
-    std::string forgotten{};  ///< why the last estimate no longer stands; empty: there was none
+    const ProposalRow* proposal = nullptr;                    ///< proposal of the estimate
+    const EventRow* decision = nullptr;  ///< the operator's answer to the proposal
+    /// why the last estimate is not valid any more; empty: there was none
+    std::string forgotten{};
 
-    AtemState state{};  ///< `since` [s] on the session's clock
+    AtemState state{};  ///< `since` is on the session's clock [s]
     std::optional<ArmingPhase> arming{};
     std::vector<Alarm> alarms{};  ///< severity is not recorded
 };
 
-inline constexpr double kReviewWindow = 1.0;  ///< [s] of frames before a moment that it is made of
+inline constexpr double kReviewWindow = 1.0;  ///< [s] of frames before a moment that are evaluated
 
-/// Moments of a session, each made of the file alone: the same time shows the same, however one came there.  What
-/// is kept between two of them only spares reading it again.  The reader must outlive it.
+/// Moments of a session, each computed from the file alone. The same time gives the same moment,
+/// whatever was asked before; caches only avoid repeated reading. The reader must outlive this
+/// object.
 class ReviewMoments {
 public:
     ReviewMoments(SessionReader& reader, RobotModel robot);
 
     ReviewMoment at(SessionTime time);
 
-    /// The frame after, or before, a time; empty where there is none.
+    /// Returns the time of the next or previous frame; empty if there is none.
     std::optional<SessionTime> frameAfter(SessionTime time);
     std::optional<SessionTime> frameBefore(SessionTime time);
 
@@ -71,11 +74,11 @@ private:
 
     SessionReader& reader_;
     RobotModel robot_;
-    std::deque<Batch> recent_;                                ///< the newest in front
-    std::deque<std::shared_ptr<const EstimateRow>> drawn_{};  ///< likewise
+    std::deque<Batch> recent_;                                ///< newest first
+    std::deque<std::shared_ptr<const EstimateRow>> drawn_{};  ///< newest first
 };
 
-/// The phase an event of kind Phase names; empty for another word.
+/// Returns the phase that an event of kind Phase names; empty for another name.
 std::optional<AtemPhase> phaseFrom(std::string_view subject);
 
 }  // namespace terratact

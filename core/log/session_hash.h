@@ -13,27 +13,27 @@
 
 namespace terratact {
 
-// What makes a session tamper-evident.  Rows are committed in batches.  With H = SHA-256 and ‖ for what
-// follows,
+// Hash chain that makes a session tamper-evident. Rows are committed in batches. With H = SHA-256
+// and ‖ for concatenation:
 //   frames_hash = H(rows of can_frame of the batch)
 //   rows_hash   = H(H(rows of settings) ‖ H(rows of model) ‖ …)          in the order of kSessionRowTables
 //   chain       = H(chain before ‖ id, t_first, t_last, frame_first, frame_count ‖ frames_hash ‖ rows_hash)
-// and the chain before the first batch is H(rows of meta).  A row's bytes are its values in the order of the
-// columns, each after its SQLite type, as core/store/canonical_bytes.h has them.  The chain shows what was
-// changed, left out or put in afterwards as long as its last link is known from elsewhere: whoever can write
-// the file can also compute a whole new chain.
+// The chain before the first batch is H(rows of meta). A row's bytes are its values in column
+// order, each after its SQLite type (core/store/canonical_bytes.h). The chain detects changed,
+// removed and added rows if its last link is known from elsewhere. Without that, whoever can write
+// the file can compute a new chain.
 
-/// The bytes of rows to be hashed.
+/// Collects the bytes of rows for hashing.
 class RowBytes {
 public:
     void add(std::int64_t value);
     void add(int value) { add(std::int64_t{value}); }
     void add(double value);
-    void add(std::string_view value);  ///< a text
+    void add(std::string_view value);  ///< adds a text
     void add(const char* value) { add(std::string_view(value)); }
     void addBlob(std::string_view value);
     void addNull();
-    void addRow(const SqliteStatement& row, int columns);  ///< all of its present row
+    void addRow(const SqliteStatement& row, int columns);  ///< adds all columns of the current row
 
     const std::string& bytes() const { return bytes_.bytes(); }
     void clear() { bytes_ = {}; }
@@ -42,10 +42,10 @@ private:
     CanonicalBytes bytes_;
 };
 
-/// The index of a batch.
+/// Index entry of a batch.
 struct SessionBatch {
     std::int64_t id = 0;
-    std::int64_t first = 0, last = 0;  ///< [ns] of its rows
+    std::int64_t first = 0, last = 0;  ///< times of its first and last row [ns]
     std::int64_t frameFirst = 0, frameCount = 0;
 };
 
@@ -53,7 +53,7 @@ struct BatchHashes {
     std::string frames{}, rows{};
 };
 
-/// Collects rows_hash of one batch.
+/// Computes rows_hash of one batch.
 class RowsHash {
 public:
     void add(std::size_t table, std::string_view rowBytes) { tables_.at(table).add(rowBytes); }
@@ -63,7 +63,7 @@ private:
     std::array<Sha256, kSessionRowTables.size()> tables_;
 };
 
-/// The chain after a batch.
+/// Returns the chain after a batch.
 std::string chained(std::string_view before, const SessionBatch& batch, const BatchHashes& hashes);
 
 }  // namespace terratact

@@ -18,14 +18,15 @@ namespace terratact {
 namespace {
 
 constexpr int kMaxLength = 64 << 20;       // bytes of one value: draws
-constexpr std::size_t kMaxRows = 500'000;  // of one table but the frames
-constexpr int kPasses = 3;  // over the rows: their hash, their values, and the one that ends a part
-constexpr std::size_t kMaxScenes = 100'000;  // and estimates, whose rows are large in memory
-constexpr std::size_t kMaxDamage = 10'000;   // places that are told one by one
+constexpr std::size_t kMaxRows = 500'000;  // rows of one table, except frames
+// passes over the rows: their hash, their values, and the row that ends a part
+constexpr int kPasses = 3;
+constexpr std::size_t kMaxScenes = 100'000;  // scenes and estimates, whose rows are large in memory
+constexpr std::size_t kMaxDamage = 10'000;   // spans that are listed one by one
 
 using Hash = std::array<char, Sha256::kBytes>;
 
-/// The name without its folder.
+/// Returns the name without its folder.
 std::string nameOf(const std::string& path)
 {
     return path.substr(path.find_last_of('/') + 1);
@@ -40,10 +41,10 @@ struct SessionReader::Impl {
         lastRow.fill(std::numeric_limits<std::int64_t>::min());
     }
 
-    /// What is read at a time: batches that follow each other.
+    /// Batches that are read together; they follow each other.
     struct Part {
         std::vector<StoredBatch> batches;
-        std::int64_t from, to;  ///< batches' numbers that rows of this part can have
+        std::int64_t from, to;  ///< range of batch numbers of the rows in this part
     };
 
     bool readMore();
@@ -69,27 +70,27 @@ struct SessionReader::Impl {
     SqliteFile file;
     bool sealed;
     bool lacksJournal = false, structureChecked = false;
-    bool chainCounts = true;  ///< a batch must follow the one before
+    bool chainCounts = true;  ///< a batch must follow the one before it
     std::size_t atATime;
     StoredStart stored;
     std::vector<SessionBatch> batches;
-    std::vector<Hash> frameHashes;  ///< of batches
-    std::string chain;              ///< the file's own, after batches.back()
-    std::string proven;             ///< the last link that holds
+    std::vector<Hash> frameHashes;  ///< hash of each batch's frames
+    std::string chain;              ///< the file's own link after batches.back()
+    std::string proven;             ///< last valid link
     std::optional<SessionDamage> broken;
-    std::vector<std::int64_t> unsound;  ///< batches whose rows are not handed out, ascending
+    std::vector<std::int64_t> unsound;  ///< batches whose rows are hidden, ascending
     std::vector<SessionDamage> damage;
     SessionTime begin = 0, end = 0;
     SessionRows rows;
-    std::array<std::int64_t, kSessionRowTables.size()> lastRow;  ///< that was read of each table
+    std::array<std::int64_t, kSessionRowTables.size()> lastRow;  ///< last row read of each table
     std::array<std::size_t, kSessionRowTables.size()> rowCount{};
     std::map<std::int64_t, std::int64_t>
-        drawn;  ///< estimates whose draws were read, and their bytes
+        drawn;  ///< bytes of the draws of each estimate that was read
     std::int64_t drawnBytes = 0;
 };
 
-/// What is wrong with the file's structure is damage of no time in particular: what the hashes prove is shown all the
-/// same.
+/// Adds structural faults of the file as damage without a time. Rows that the hashes prove are
+/// still shown.
 void SessionReader::Impl::checkStructure()
 {
     structureChecked = true;
@@ -152,7 +153,7 @@ SessionReader::Impl::Part SessionReader::Impl::nextPart()
     return part;
 }
 
-/// Where the chain is broken, and which batches' rows are not what was recorded.
+/// Finds where the chain breaks, and the batches whose rows are not what was recorded.
 void SessionReader::Impl::judge(const Part& part)
 {
     const auto hashes = rowHashes(part);
@@ -181,7 +182,8 @@ void SessionReader::Impl::judge(const Part& part)
     }
 }
 
-/// take(select, batch) for the rows of a table behind lastRow up to the end of the part; the last one's id.
+/// Calls take(select, batch) for the rows of a table after lastRow up to the end of the part.
+/// Returns the last row's id.
 template <class Take>
 std::int64_t SessionReader::Impl::forRows(std::size_t table, const Part& part, Take take)
 {
@@ -201,11 +203,11 @@ std::int64_t SessionReader::Impl::forRows(std::size_t table, const Part& part, T
     return last;
 }
 
-/// rows_hash of every one of the batches that has rows, as they are in the file.  Rows of a batch stand together
-/// in each table; those of no batch are damage.
+/// Returns the rows_hash of every batch that has rows in the file. Rows of a batch are contiguous
+/// in each table; rows of no batch are damage.
 std::map<std::int64_t, std::string> SessionReader::Impl::rowHashes(const Part& part)
 {
-    std::map<std::int64_t, std::string> hashes;  // the tables' hashes one behind the other
+    std::map<std::int64_t, std::string> hashes;  // the tables' hashes, concatenated
     const std::string none = Sha256().take();
     const auto fill = [&](std::string& tables, std::size_t count) {
         while (tables.size() < count * Sha256::kBytes) tables += none;
@@ -224,7 +226,8 @@ std::map<std::int64_t, std::string> SessionReader::Impl::rowHashes(const Part& p
             if (!current) return;
             std::string& tables = hashes[*current];
             fill(tables, table);
-            tables += hash.take();  // a second one in this table makes it too long, and wrong
+            // a second hash from the same table makes it too long, and therefore invalid
+            tables += hash.take();
         };
         RowBytes bytes;
         forRows(table, part, [&](const SqliteStatement& select, std::int64_t batch) {
@@ -275,7 +278,8 @@ void SessionReader::Impl::readRows(const Part& part)
     }
 }
 
-/// Where its frames begin: before them a file that goes on after another repeats what that said.
+/// Returns the start of the frames. The rows before them repeat what an earlier file of the
+/// recording holds.
 SessionTime beginOf(const std::vector<SessionBatch>& batches)
 {
     const auto first = std::find_if(batches.begin(), batches.end(),
@@ -315,7 +319,7 @@ std::vector<FrameRow> SessionReader::Impl::frames(std::size_t index)
 {
     const SessionBatch& batch = batches[index];
     file.grantSteps();
-    file.grantBytes(2);  // for the hash, and for the frame
+    file.grantBytes(2);  // one for the hash, one for the frame
     SqliteStatement select =
         file.prepare("SELECT * FROM can_frame WHERE seq >= ? AND seq < ? ORDER BY seq");
     select.bind(0, batch.frameFirst);
@@ -383,7 +387,7 @@ Result<bool> SessionReader::refresh()
         try {
             impl_->file.run("ROLLBACK");
         } catch (const SqliteError&) {
-            // there was nothing to end
+            // no transaction was open
         }
         return fileError(impl_->path, cause);
     };

@@ -13,43 +13,46 @@
 
 namespace terratact {
 
-/// A span of time whose rows are not shown, since they are not what was recorded.
+/// Time span whose rows are hidden, because they are not what was recorded.
 struct SessionDamage {
     SessionTime first = 0, last = 0;
     std::string why;
     bool operator==(const SessionDamage&) const = default;
 };
 
-/// What verify() found.
+/// Result of verify().
 struct SessionVerification {
     std::int64_t batches = 0, frames = 0, events = 0;
-    std::string chain;                    ///< last link that holds, 64 hexadecimal digits
-    std::optional<SessionDamage> broken;  ///< from where on nothing is proven; empty: all holds
-    std::vector<SessionDamage> damage;    ///< batches whose rows are not what was recorded
+    std::string chain;  ///< last valid link, 64 hexadecimal digits
+    /// span from which nothing is proven; empty: the whole chain is valid
+    std::optional<SessionDamage> broken;
+    std::vector<SessionDamage> damage;  ///< batches whose rows are not what was recorded
 };
 
-/// Reads a session file that may come from anyone (docs/sessions.md): read-only, nothing in it is executed,
-/// every value is checked.  A row is handed out only if its batch's hash holds, so that what is shown is a part
-/// of what was recorded; what is not is damage().  Memory does not grow with the frames but with the batches, of
-/// which there are at most kMaxBatches.  All values that are read in one go are together at most as large as the
-/// file, whatever rows share.
+/// Reads a session file from an untrusted source (docs/sessions.md). The file is opened read-only,
+/// nothing in it is executed, and every value is checked. Rows are hash-chained: a row is returned
+/// only if its batch's hash is valid. All other rows are reported by damage().
+/// Memory grows with the batches, at most kMaxBatches, and not with the frames. All values that are
+/// read in one pass are together at most as large as the file, even if rows share pages.
 ///
-/// A session that nobody closed is read with its journal, also where its folder cannot be written.  Where the journal
-/// is not there, what the file alone holds is read, and damage() says what is missing.
+/// A session that was not closed is read with its journal, even if its folder is write-protected.
+/// If the journal is missing, only the file is read, and damage() names what is missing.
 ///
-/// A file that is still written can be read at the same time: refresh().  Not to be shared between threads.
+/// refresh() reads on in a file that is still being written. One thread at a time may use a reader.
 class SessionReader {
 public:
     static constexpr std::int64_t kMaxChecked = std::int64_t{64} << 20U;  ///< bytes: 0.3 s
 
-    /// Errors name the file: no session, of another version, truncated, damaged where its tables are.  Damage of the
-    /// structure elsewhere is damage(); it is looked for in files of at most kMaxChecked bytes, and by verify().
-    /// atATime: batches whose rows are judged together; what is held of them meanwhile comes on top of 72 bytes
-    /// for every batch of the file.
+    /// Opens a session. Errors name the file: it is no session, has another version, is truncated,
+    /// or its tables are damaged. Other structural damage is reported by damage(). It is searched
+    /// for in files of at most kMaxChecked bytes, and by verify().
+    /// atATime: number of batches that are judged together. Their rows are held in memory
+    /// meanwhile, in addition to 72 bytes for every batch of the file.
     static Result<SessionReader> open(const std::string& path, std::size_t atATime = kAtATime);
 
-    /// The same of rows that were brought out of a damaged file: the rows of every batch whose rows are what was
-    /// recorded, and its frames where they are, also where the chain does not lead to it.
+    /// Opens rows that were salvaged from a damaged file. It returns the rows of every batch whose
+    /// rows are what was recorded, and its frames if they are, even if the chain does not lead to
+    /// the batch.
     static Result<SessionReader> openFragments(const std::string& path);
 
     SessionReader(SessionReader&&) noexcept;
@@ -59,12 +62,12 @@ public:
     const std::string& path() const;
     const SessionStart& start() const;
     bool sealed() const;        ///< closed by its writer, or recovered
-    SessionTime begin() const;  ///< of the first row; 0 where there is none
-    SessionTime end() const;    ///< of the last
+    SessionTime begin() const;  ///< time of the first row; 0: there is none
+    SessionTime end() const;    ///< time of the last row
     std::int64_t frameCount() const;
 
-    // In the order of their ids, which is that of time but for what overlapped.  Estimates come without their
-    // draws.
+    // Rows in the order of their ids. That is the order of time, except for overlapping ones.
+    // Estimates come without their draws.
     const std::vector<ModelRow>& models() const;
     const std::vector<SceneRow>& scenes() const;
     const std::vector<EstimateRow>& estimates() const;
@@ -72,7 +75,7 @@ public:
     const std::vector<EventRow>& events() const;
     const std::vector<SessionBatch>& batches() const;
 
-    /// By id; null where there is none.
+    /// Return the row of that id; null if there is none.
     const ModelRow* model(std::int64_t id) const;
     const SceneRow* scene(std::int64_t id) const;
     const EstimateRow* estimate(std::int64_t id) const;
@@ -81,23 +84,25 @@ public:
     /// What is known to be damaged so far: rows from open() on, frames once they were asked for.
     const std::vector<SessionDamage>& damage() const;
 
-    /// Nobody has closed it, and the journal that belongs to it is not beside it.
+    /// Returns true if the session was not closed and its journal is missing.
     bool lacksJournal() const;
 
-    /// The first batch that ends at `time` or later; batches().size() where none does.
+    /// Returns the first batch that ends at `time` or later; batches().size() if there is none.
     std::size_t batchAt(SessionTime time) const;
 
-    /// The frames of batches()[batch] in the order in which they were received; empty, and more damage(), where
-    /// they are not what was recorded.  Throws std::invalid_argument where there is no such batch.
+    /// Returns the frames of batches()[batch] in the order of reception. It returns none and adds
+    /// to damage() if they are not what was recorded. Throws std::invalid_argument if there is no
+    /// such batch.
     std::vector<FrameRow> frames(std::size_t batch);
 
-    /// Draws of an estimate.  Errors name the file.
+    /// Returns the draws of an estimate. Errors name the file.
     Result<std::vector<Heights>> draws(std::int64_t estimate);
 
-    /// What was committed since; whether there was any.  Errors name the file.
+    /// Reads what was committed since the last call. Returns true if there was anything. Errors
+    /// name the file.
     Result<bool> refresh();
 
-    /// Reads everything.  progress(share of the batches) may end it by returning false.
+    /// Reads and checks the whole file. progress(share of the batches) ends it by returning false.
     SessionVerification verify(const std::function<bool(double)>& progress = {});
 
 private:

@@ -69,7 +69,7 @@ CanFrame canFrameFrom(CheckedRow& row, std::int64_t& flags)
     require(frame.length <= (frame.fd ? kFdBytes : kClassicBytes), "a frame is too long");
     require(frame.extended || frame.error || frame.id <= 0x7FF, "an identifier is too large");
     const std::string data = row.blob();
-    // Of a longer frame of CAN FD, sessions of before kept the first eight bytes.
+    // Older sessions stored only the first eight bytes of a longer CAN FD frame.
     frame.isCut = data.size() == kClassicBytes && frame.length > kClassicBytes;
     require(data.size() == bytesOf(frame).size(), "a frame has the wrong length");
     std::copy(data.begin(), data.end(), reinterpret_cast<char*>(frame.data.data()));

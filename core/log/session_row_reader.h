@@ -11,10 +11,11 @@
 
 namespace terratact {
 
-// Rows of a session file as values.  All throw RefusedRow (core/log/checked_row.h) where a row holds what no
-// session has, and SqliteError where a column has another type.
+// Converts rows of a session file to values. All functions throw RefusedRow
+// (core/log/checked_row.h) if a row holds what no session can hold, and SqliteError if a column has
+// another type.
 
-/// The present row of `SELECT * FROM batch`; the link of the chain after it.
+/// The current row of `SELECT * FROM batch`, with the link of the chain after it.
 struct StoredBatch {
     SessionBatch batch;
     BatchHashes hashes;
@@ -22,10 +23,10 @@ struct StoredBatch {
 };
 StoredBatch batchFrom(const SqliteStatement& select);
 
-/// The present row of `SELECT * FROM can_frame`.
+/// Returns the current row of `SELECT * FROM can_frame`.
 FrameRow frameFrom(const SqliteStatement& select);
 
-/// The row of that id; null where there is none.  Rows are in the order of their ids.
+/// Returns the row of that id; null if there is none. Rows must be in the order of their ids.
 template <class Rows>
 auto* byId(Rows& rows, std::int64_t id)
 {
@@ -34,10 +35,11 @@ auto* byId(Rows& rows, std::int64_t id)
     return found != rows.end() && found->id == id ? &*found : nullptr;
 }
 
-/// All rows of a session but its frames and draws.
+/// All rows of a session except frames and draws.
 class SessionRows {
 public:
-    /// Takes the present row of `SELECT *` from kSessionRowTables[table].  What it refers to has been taken.
+    /// Adds the current row of `SELECT *` from kSessionRowTables[table]. The rows that it refers to
+    /// must have been added before.
     void take(std::size_t table, const SqliteStatement& select);
 
     std::vector<ModelRow> models;

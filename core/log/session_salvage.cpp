@@ -21,7 +21,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::uint32_t kPageSize = 8192;  // of the sessions that we write
+constexpr std::uint32_t kPageSize = 8192;  // page size of the sessions that this program writes
 
 struct ColumnShape {
     StoredValue::Type type;
@@ -53,7 +53,7 @@ std::vector<ColumnShape> columnsOf(SqliteFile& file, const std::string& table)
     return columns;
 }
 
-/// Tables have the shape of the schema, and, in a file that we made, its root pages.
+/// Returns the tables of the schema. Root pages are those of a file that this program writes.
 std::vector<TableShape> tablesOf(SqliteFile& file)
 {
     std::vector<TableShape> tables;
@@ -76,8 +76,8 @@ bool fits(const StoredValue& value, const ColumnShape& column)
 {
     using Type = StoredValue::Type;
     if (value.type == Type::None) return column.isId || column.mayBeNone;
-    if (column.isId) return false;    // stands beside the row
-    if (value.type == Type::Integer)  // a whole number is stored as one
+    if (column.isId) return false;    // stored beside the row
+    if (value.type == Type::Integer)  // SQLite stores a whole number as an integer
         return column.type == Type::Integer || column.type == Type::Real;
     return value.type == column.type;
 }
@@ -145,7 +145,7 @@ private:
         for (TableShape& table : tables_)
             if (fits(row, table)) fitting.push_back(&table);
         if (fitting.empty()) return;
-        // Two tables have columns alike: which it is only the tree of pages tells.
+        // Two tables have the same columns: only the tree of pages tells them apart.
         const auto owns = [&](TableShape* table) { return leaves(*table).contains(row.page); };
         const auto owner = fitting.size() == 1 ? fitting.begin()
                                                : std::find_if(fitting.begin(), fitting.end(), owns);
@@ -190,10 +190,10 @@ private:
         return start;
     }
 
-    /// Makes batches of frames that follow each other where those that they were recorded in are lost.
+    /// Makes batches of consecutive frames whose own batches are lost.
     void adoptFrames()
     {
-        constexpr std::int64_t kFrames = 200;  // of a batch
+        constexpr std::int64_t kFrames = 200;  // frames of a batch
         const std::string none = RowsHash().take();
         SqliteStatement insert = file_.prepare("INSERT INTO batch VALUES(?, ?, ?, ?, ?, ?, ?, ?)");
         SqliteStatement select =
@@ -209,7 +209,7 @@ private:
                 insert.bind(column++, value);
             insert.bindBlob(column++, hash.take());
             insert.bindBlob(column++, none);
-            insert.bindBlob(column, none);  // openFragments() asks for no chain
+            insert.bindBlob(column, none);  // openFragments() needs no chain
             insert.run();
             batch.frameCount = 0;
         };
@@ -229,7 +229,7 @@ private:
         end();
     }
 
-    /// What was not committed when the recording ended, and what lost its batch.
+    /// Drops rows that were not committed when the recording ended, and rows that lost their batch.
     void dropStrays()
     {
         for (const std::string_view table : kSessionRowTables)
@@ -247,13 +247,14 @@ private:
     std::map<std::string, std::string> meta_;
 };
 
-/// The format version in the header of a damaged session; the newest where the header is damaged, too.
+/// Returns the format version in the header of a damaged session; the newest version if the header
+/// is damaged.
 /// Source: sqlite.org/fileformat2.html, "user version": 4 bytes at offset 60, most significant first.
 std::int64_t versionOf(const std::string& path)
 {
     constexpr std::streamoff kUserVersion = 60;
     std::array<unsigned char, 4> bytes{};
-    std::error_code none;  // a pipe would be waited for
+    std::error_code none;  // a pipe would block
     if (!std::filesystem::is_regular_file(path, none)) return kSessionVersion;
     std::ifstream file(path, std::ios::binary);
     file.seekg(kUserVersion);
@@ -264,7 +265,7 @@ std::int64_t versionOf(const std::string& path)
     return known ? version : kSessionVersion;
 }
 
-/// A session of that version without a row.
+/// Returns a session of that version without rows.
 SqliteFile emptySession(const std::string& path, std::int64_t version)
 {
     SqliteFile::makeEmpty(path);

@@ -12,24 +12,26 @@ namespace terratact {
 
 /// What was found in the pages of a damaged session.
 struct SalvagedPages {
-    SessionStart start;         ///< as far as it is there
-    bool startIsWhole = false;  ///< all of it is there
+    SessionStart start;         ///< start of the session, as far as it was found
+    bool startIsWhole = false;  ///< the whole start was found
     bool isCut = false;         ///< the file ends before its last page
-    /// The hashes of at least one batch are there.  Otherwise the frames stand as they are in the pages, and nothing
-    /// proves that they are what was recorded.
+    /// True if the hashes of at least one batch were found. Otherwise nothing proves that the
+    /// frames are what was recorded.
     bool isProven = true;
     std::int64_t batches = 0, frames = 0;
-    std::int64_t lastBatch = 0;  ///< the largest number of a batch
+    std::int64_t lastBatch = 0;  ///< largest batch number
 };
 
-/// Error::code where nothing of a session is in the file.
+/// Error::code if the file holds nothing of a session.
 inline constexpr int kNothingWhole = ENODATA;
 
-/// Brings what the pages of a damaged session hold into a new file, as it is: to be read by
-/// SessionReader::openFragments(), which hands out what has the hash that was recorded with it.  The damaged file and
-/// its journal are only read, page by page, so that neither a cut nor a hole takes away more than what stood there.
+/// Copies the rows in the pages of a damaged session to a new file, unchecked.
+/// SessionReader::openFragments() then returns the rows whose recorded hash is valid. The damaged
+/// file and its journal are only read, page by page, so that a cut or a hole costs only the rows in
+/// it.
 ///
-/// scratch: must not exist.  Errors name the damaged file, where nothing of a session is in it (kNothingWhole), or `scratch`.
+/// scratch: must not exist. Errors name the damaged file if it holds nothing of a session
+/// (kNothingWhole), or `scratch`.
 Result<SalvagedPages> salvagePages(const std::string& path, const std::string& scratch);
 
 }  // namespace terratact

@@ -89,7 +89,7 @@ constexpr SessionSchema kVersion1{
         "asymmetry_limit_rad REAL NOT NULL) STRICT"},
 };
 
-/// What version 2 says in another way.
+/// Tables whose statements differ in version 2.
 constexpr std::array kVersion2{
     SchemaEntry{"table", "estimate",
                 "CREATE TABLE estimate(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "

@@ -9,11 +9,11 @@
 
 namespace terratact {
 
-// Tables of a session file (`*.tts`), an SQLite file; docs/sessions.md explains them.  Whoever reads one
-// refuses any other schema.
+// Tables of a session file (`*.tts`), an SQLite file; docs/sessions.md explains them. Readers
+// refuse any other schema.
 
 inline constexpr std::int64_t kSessionVersion = 2;
-/// Version 1 does not say how a bin was touched, and its forces and currents are all measured.
+/// Version 1 does not record how a bin was touched; all its forces and currents count as measured.
 inline constexpr std::int64_t kFirstSessionVersion = 1;
 
 struct SchemaEntry {
@@ -24,32 +24,34 @@ struct SchemaEntry {
 
 using SessionSchema = std::array<SchemaEntry, 15>;
 
-/// Sorted by name. The tables of kSessionRowTables have the number of their batch in the column `batch`.
-/// version: kFirstSessionVersion … kSessionVersion.
+/// Returns the schema of a version, kFirstSessionVersion … kSessionVersion, sorted by name. In the
+/// tables of kSessionRowTables, the column `batch` holds the number of the batch.
 SessionSchema sessionSchema(std::int64_t version);
 
-/// Columns that version 2 adds at the end of settings, estimate and estimate_bin.
+/// Returns the number of columns that version 2 adds at the end of settings, estimate and
+/// estimate_bin.
 constexpr int addedColumns(std::int64_t version)
 {
     return version >= 2 ? 1 : 0;
 }
 
-/// The tables whose rows are hashed together as a batch's `rows_hash`, in this order, each in the order of rowid.
+/// Tables whose rows make a batch's `rows_hash`, in this order, each in the order of rowid.
 inline constexpr std::array<std::string_view, 10> kSessionRowTables{
     "settings", "model",        "scene",    "scene_truth",    "estimate",
     "reading",  "estimate_bin", "proposal", "proposal_offer", "event"};
 
-/// Of one file: readers hold an index of them.  At five per second they are four days and a half.
+/// Largest number of batches of one file, which readers keep an index of: four and a half days at
+/// five per second.
 inline constexpr std::int64_t kMaxBatches = 2'000'000;
 
-/// Bytes of one text of a row; the writer cuts longer ones, readers refuse them.
+/// Largest text of a row [bytes]. The writer cuts longer texts, readers refuse them.
 inline constexpr std::size_t kMaxTextBytes = 65'536;
-/// [ns] since 1970 of the start: the year 2116; times are added to it.
+/// Latest start of a session: the year 2116 [ns since 1970]. Row times are added to it.
 inline constexpr std::int64_t kMaxWallTime = std::int64_t{1} << 62U;
-/// Bytes of one value of meta, the robot file among them.
+/// Largest value of meta [bytes], such as the robot file.
 inline constexpr std::size_t kMaxMetaBytes = 1U << 20U;
 
-/// Bits of can_frame.flags; the length of the data stands above them.
+/// Bits of can_frame.flags. The length of the data is stored above them.
 inline constexpr std::int64_t kExtendedFlag = 1, kRemoteFlag = 2, kErrorFlag = 4, kFdFlag = 8,
                               kSentFlag = 16, kLocalFlag = 32;
 inline constexpr int kLengthShift = 8;

@@ -15,20 +15,20 @@ struct SessionSpan {
     bool operator==(const SessionSpan&) const = default;
 };
 
-/// What only all frames of a session together tell: when a force element felt the ground, and when no telemetry
-/// came.  Goes through the file batch by batch, so that whoever shows it can do so while it goes on, and a file
-/// that still grows is gone on with.
+/// Survey of all frames of a session: when a force element felt the ground, and when telemetry was
+/// silent. It reads the file batch by batch, so that a caller can show results meanwhile, and
+/// continue in a file that still grows.
 class SessionSurvey {
 public:
-    /// threshold: [N] above which an element is in contact.
+    /// threshold: force above which an element is in contact [N].
     SessionSurvey(const RobotModel& robot, double threshold);
 
-    /// Takes the next batch; false: there is none more now.
+    /// Adds the next batch. Returns false if there is none now.
     bool takeNext(SessionReader& reader);
 
-    std::size_t taken() const { return next_; }  ///< batches
+    std::size_t taken() const { return next_; }  ///< number of batches read
     const std::vector<SessionSpan>& contacts() const { return contacts_; }
-    const std::vector<SessionSpan>& silences() const { return silences_; }  ///< over 0.25 s
+    const std::vector<SessionSpan>& silences() const { return silences_; }  ///< longer than 0.25 s
 
 private:
     void take(const Measurement& measurement, SessionTime time);

@@ -21,7 +21,7 @@ void require(bool holds, const std::string& cause)
 
 using MetaRow = std::pair<const char*, std::string>;
 
-/// Sorted by key, as they are stored.
+/// Returns the rows sorted by key, as they are stored.
 std::array<MetaRow, 7> metaOf(const SessionStart& start)
 {
     return {MetaRow{"bus", start.bus},

@@ -10,14 +10,14 @@
 
 namespace terratact {
 
-// What writing and reading a session share.  All throw SqliteError.
+// Functions that writer and reader of sessions share. All throw SqliteError.
 
-/// Refuses a file that is no session, one of another version, or one with a table, view, trigger or index that
-/// is not ours.  The version: kFirstSessionVersion … kSessionVersion.
-/// lonely: name of a file whose journal is not beside it, which then is why there is nothing in it yet; else empty.
+/// Returns the version, kFirstSessionVersion … kSessionVersion. Throws for a file that is no
+/// session, has another version, or has a foreign table, view, trigger or index. lonely: name of a
+/// file whose journal is missing, which explains an empty file; else empty.
 std::int64_t requireSessionSchema(SqliteFile& file, const std::string& lonely = {});
 
-/// Puts the start into meta; the hash of those rows, before the first link of the chain.
+/// Writes the start into meta. Returns the hash of these rows, the start of the chain.
 std::string writeSessionStart(SqliteFile& file, const SessionStart& start);
 
 struct StoredStart {
@@ -26,9 +26,9 @@ struct StoredStart {
 };
 StoredStart readSessionStart(SqliteFile& file);
 
-/// Draws as they are stored: 11 doubles each, 8 bytes, least first.
+/// Returns draws as they are stored: 11 doubles each, 8 bytes, least significant byte first.
 std::string bytesOfDraws(const std::vector<Heights>& draws);
-/// Refuses bytes that are not whole draws, or a number that is not finite.
+/// Returns draws from bytes. Throws for an incomplete draw, or a number that is not finite.
 std::vector<Heights> drawsFrom(std::string_view bytes);
 
 }  // namespace terratact

@@ -24,7 +24,7 @@ struct Blob {
     std::string_view bytes;
 };
 
-/// The rows of one table, hashed as they go in.
+/// Inserts rows of one table and hashes them.
 class Table {
 public:
     Table(SqliteFile& file, std::string_view name, int columns)
@@ -81,7 +81,7 @@ private:
     RowBytes bytes_;
 };
 
-constexpr std::size_t kFrameBytes = 30;  // in the file, about
+constexpr std::size_t kFrameBytes = 30;  // approximate size of a frame in the file [bytes]
 
 std::string joined(const std::vector<std::string>& lines)
 {
@@ -116,8 +116,8 @@ struct SessionWriter::Impl {
     {
     }
 
-    /// Moves the journal into the file where enough has come together.  A failure is no loss: what was committed is
-    /// in the journal, and the next commit tells what is wrong with the disk.
+    /// Moves the journal into the file once it is large enough. A failure loses nothing: committed
+    /// rows stay in the journal, and the next commit reports what is wrong with the disk.
     void checkpoint()
     {
         if (++journaledBatches < kCheckpointBatches && journaledBytes < kCheckpointBytes) return;
@@ -151,20 +151,20 @@ struct SessionWriter::Impl {
     void addEstimate(const EstimateRow& row);
     void addProposal(const ProposalRow& row);
     void commit();
-    void goOn();  ///< after what is in the file
+    void goOn();  ///< continues after the rows in the file
 
     std::string path;
     SqliteFile file;
-    int added;  ///< columns beyond those of the first version; new rows are of the present one
+    int added;  ///< columns beyond version 1 in this file
     Table frameTable, modelTable, settingsTable, sceneTable, truthTable, estimateTable, binTable,
         readingTable, proposalTable, offerTable, eventTable;
     SqliteStatement drawsInsert, batchInsert, begin, end;
 
     int journaledBatches = 0;        ///< since the last checkpoint
-    std::size_t journaledBytes = 0;  ///< likewise, about
-    bool open = false;               ///< a transaction is
+    std::size_t journaledBytes = 0;  ///< since the last checkpoint, approximate
+    bool open = false;               ///< a transaction is open
     bool broken = false;
-    bool ended = false;  ///< of a file that was opened again: its program had ended it
+    bool ended = false;  ///< the file was opened again after its program had ended the session
     SessionBatch batch{.id = 1, .frameFirst = 1};
     Sha256 frameHash;
     RowsHash rows;
@@ -187,7 +187,8 @@ std::int64_t SessionWriter::Impl::settingsId(const Settings& s)
 
 namespace {
 
-/// What was not measured is stored as infinity: its columns are never NULL.
+/// Returns the stored value. A feature that was not measured is stored as infinity, because its
+/// column is never NULL.
 double storedFeature(const Measurement& m, std::size_t feature, double value)
 {
     return m.missing[feature] ? std::numeric_limits<double>::infinity() : value;
@@ -278,7 +279,7 @@ SessionWriter::~SessionWriter() = default;
 
 namespace {
 
-/// Runs a step that may fail as SQLite does; afterwards the writer is of no use.
+/// Runs a step that may throw SqliteError. The writer cannot be used after an error.
 template <class Impl, class Step>
 Status attempt(Impl& impl, Step step)
 {
@@ -545,7 +546,7 @@ Result<SessionRecovery> SessionWriter::finish(const std::string& path, SqliteFil
     auto impl = std::make_unique<Impl>(path, std::move(file));
     impl->goOn();
     const SessionTime time = impl->batch.last;
-    const bool ended = impl->ended;  // all but the closing of its journal
+    const bool ended = impl->ended;  // only its journal was left to close
     SessionWriter writer(std::move(impl));
     Status added = Done{};
     if (!ended)

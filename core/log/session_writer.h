@@ -12,31 +12,31 @@ namespace terratact {
 
 enum class SessionRecovery : std::uint8_t;
 
-/// Writes a session file (docs/sessions.md).  Rows are gathered in a transaction; commit() makes a batch of
-/// them, with the hashes of core/log/session_hash.h.  What was committed outlives the process, and the power as
-/// far as the disk is honest.
+/// Writes a session file (docs/sessions.md). Rows are collected in a transaction. commit() makes
+/// them a batch with the hashes of core/log/session_hash.h. Committed rows survive a crash of the
+/// process, and a power failure if the disk flushes when asked.
 ///
-/// One writer per file, used by one thread.  After an Error of add() or commit() the rows since the last commit
-/// are lost and the writer is of no use any more: what was committed is in the file.
+/// One writer per file, used by one thread. After an Error of add() or commit(), the rows since the
+/// last commit are lost and the writer cannot be used any more. The committed rows are in the file.
 class SessionWriter {
 public:
-    /// Creates the file, which must not exist, in a directory that must, for its owner alone to read (mode 0600).
-    /// The file itself says at once what it is and what `start` says; of what follows it has all but the last
-    /// kCheckpointBatches batches and kCheckpointBytes, which are in the journal beside it until seal().  Errors
-    /// name it, or say that the bus has no name that can be recorded: one with control characters, which would
-    /// move the cursor of every terminal that shows it.
+    /// Creates the file for its owner only (mode 0600). The file must not exist, its directory must
+    /// exist. The start is in the file at once. The last kCheckpointBatches batches or
+    /// kCheckpointBytes are in the journal beside it until seal().
+    /// Errors name the file, or say that the bus name has control characters, which would move the
+    /// cursor of a terminal.
     static Result<SessionWriter> create(const std::string& path, const SessionStart& start);
 
     SessionWriter(SessionWriter&&) noexcept;
     SessionWriter& operator=(SessionWriter&&) noexcept;
     ~SessionWriter();
 
-    static constexpr int kCheckpointBatches = 25;  ///< 5 s of a console
+    static constexpr int kCheckpointBatches = 25;  ///< 5 s of recording by a console
     static constexpr std::size_t kCheckpointBytes = 1'000'000;
 
-    // Texts of rows are cut after kMaxTextBytes.  The id of a model, scene, estimate or proposal is larger than any before of its kind, and what they refer to
-    // has been added, and every number is finite; throw std::invalid_argument otherwise, and nothing has happened.
-    // Events are numbered here.
+    // Add rows. Texts are cut after kMaxTextBytes; events get their numbers here. Throw
+    // std::invalid_argument and change nothing if an id is not larger than all earlier ids of its
+    // kind, if a row refers to one that was not added, or if a number is not finite.
     Status add(const FrameRow& row);
     Status add(const ModelRow& row);
     Status add(const SceneRow& row);
@@ -44,16 +44,17 @@ public:
     Status add(const ProposalRow& row);
     Status add(const EventRow& row);
 
-    /// Makes a batch of the rows since the last one and returns once the disk has it; nothing where there are
-    /// none.
+    /// Makes a batch of the rows since the last one, and returns once it is on the disk. Does
+    /// nothing without rows.
     Status commit();
 
-    /// Commits, and leaves a single file that can be read from a read-only folder.  The writer is then of no use.
+    /// Commits, and leaves a single file that can be read from a read-only folder. The writer
+    /// cannot be used after that.
     Status seal();
 
-    std::int64_t frames() const;   ///< committed
-    std::int64_t batches() const;  ///< committed
-    std::string chain() const;     ///< the last link, 64 hexadecimal digits
+    std::int64_t frames() const;   ///< number of committed frames
+    std::int64_t batches() const;  ///< number of committed batches
+    std::string chain() const;     ///< last link, 64 hexadecimal digits
 
     const std::string& path() const;
 
@@ -66,18 +67,19 @@ private:
 };
 
 enum class SessionRecovery : std::uint8_t {
-    NotNeeded,  ///< it was closed by its writer
-    InUse,      ///< somebody has it open, most likely its writer: nothing was done
+    NotNeeded,  ///< its writer closed it
+    InUse,      ///< another process has it open, most likely its writer: nothing was done
     Recovered,
 };
 
-/// Error::code where a file, or its journal, is a symbolic link.
+/// Error::code if a file or its journal is a symbolic link.
 inline constexpr int kNotFollowed = ELOOP;
 
-/// Closes a session whose writer died: plays its journal back, says so in an event at its end and seals it.
-/// evenAlone: also one without its journal beside it, which for that must not come back.
-/// Errors name the file: it is no session, damaged, a symbolic link (kNotFollowed), its journal is not beside it, or it
-/// cannot be written; it is then as it was.
+/// Closes a session whose writer died: replays its journal, adds an event at its end and seals it.
+/// evenAlone: also recovers a session whose journal is missing; the journal must then not come
+/// back.
+/// Errors name the file, which stays as it was: it is no session, is damaged, is a symbolic link
+/// (kNotFollowed), its journal is missing, or it cannot be written.
 Result<SessionRecovery> recoverSession(const std::string& path, bool evenAlone = false);
 
 }  // namespace terratact
