@@ -14,7 +14,7 @@
 
 #ifdef __has_feature  // clang
 #if __has_feature(address_sanitizer)
-/// The leak check's own hook: fontconfig keeps its configuration and patterns until the process ends.
+/// Suppression hook of LeakSanitizer: fontconfig keeps its configuration and patterns until the process ends.
 extern "C" const char*
 __lsan_default_suppressions()  // NOLINT(clang-diagnostic-reserved-identifier)
 {
@@ -66,7 +66,7 @@ cairo_status_t renderSvg(std::string& bytes, int width, int height,
 cairo_status_t renderPdf(std::string& bytes, int width, int height,
                          const std::function<void(Canvas&)>& draw)
 {
-    constexpr double kPoint = 72.0 / 150.0;  // of a pixel
+    constexpr double kPoint = 72.0 / 150.0;  // points per pixel
     const Surface surface(
         cairo_pdf_surface_create_for_stream(append, &bytes, kPoint * width, kPoint * height),
         cairo_surface_destroy);
@@ -75,7 +75,7 @@ cairo_status_t renderPdf(std::string& bytes, int width, int height,
     return cairo_surface_status(surface.get());
 }
 
-/// Drops the last character of a UTF-8 text.
+/// Removes the last character of a UTF-8 text.
 void dropLast(std::string& text)
 {
     while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0U) == 0x80U)
@@ -218,7 +218,7 @@ std::vector<std::string> Canvas::wrapped(std::string_view words, double width,
         while (!fits(line)) {
             std::string head = line;
             while (!head.empty() && !fits(head)) dropLast(head);
-            if (head.empty()) break;  // not even one letter
+            if (head.empty()) break;  // not even one letter fits
             line.erase(0, head.size());
             lines.push_back(std::move(head));
         }

@@ -11,13 +11,13 @@ struct _cairo;  // NOLINT(clang-diagnostic-reserved-identifier): the library's o
 
 namespace terratact {
 
-/// A place in a picture [px], y down.
+/// A position in a picture [px], y down.
 struct Point {
     double x = 0.0;
     double y = 0.0;
 };
 
-/// 0xRRGGBB, and how opaque.
+/// Colour 0xRRGGBB with opacity.
 struct Colour {
     unsigned rgb = 0;
     double alpha = 1.0;
@@ -40,7 +40,7 @@ struct TextStyle {
 
 enum class Shape { Circle, Square, Triangle, TriangleDown, Diamond };
 
-/// What our figures are drawn with: lines, areas, markers and text on a white sheet.
+/// Draws lines, areas, markers and text on a white sheet.
 class Canvas {
 public:
     explicit Canvas(_cairo* context) : context_(context) {}
@@ -49,16 +49,16 @@ public:
     void line(Point from, Point to, const Stroke& stroke);
     void polyline(const std::vector<Point>& points, const Stroke& stroke);
     void polygon(const std::vector<Point>& points, Colour fill, const Stroke& stroke);
-    /// Filled with `fill` under an outline; `size`: [px] across.
+    /// Draws a marker filled with `fill` and outlined; `size`: width [px].
     void marker(Shape shape, Point centre, double size, Colour fill, const Stroke& outline);
-    /// On its base line at `at`; turned by a quarter to read upwards where `upwards`.
+    /// Draws text with its base line at `at`; `upwards` turns it by 90° to read upwards.
     void text(Point at, std::string_view words, const TextStyle& style, bool upwards = false);
     double textWidth(std::string_view words, const TextStyle& style);
-    /// The words, cut and ended with "…" where they would be wider than `width`.
+    /// Returns the text, elided with "…" if it is wider than `width`.
     std::string fitted(std::string words, double width, const TextStyle& style);
-    /// The words in lines that are no wider than `width`; a longer word is broken.
+    /// Breaks the text into lines no wider than `width`; a longer word is broken.
     std::vector<std::string> wrapped(std::string_view words, double width, const TextStyle& style);
-    /// What `draw` draws, with its origin at `at` and `scale` times as large.
+    /// Runs `draw` with its origin at `at` and scaled by `scale`.
     void place(Point at, double scale, const std::function<void(Canvas&)>& draw);
 
 private:
@@ -70,25 +70,25 @@ private:
     _cairo* context_;
 };
 
-/// "+0.1", "0.0", "−0.2": with its sign and a true minus.
+/// Returns "+0.1", "0.0", "−0.2" with sign and U+2212.
 std::string signedNumber(double value, int digits);
 
-/// Draws a picture and puts it at `path`, PNG, SVG or PDF by the file's ending; width, height: [px], 150 of which
-/// are an inch of a PDF.  Written to a temporary name, then renamed.  Errors name the file: another ending, or it
-/// cannot be written.
+/// Draws a picture and writes it to `path` as PNG, SVG or PDF by the file ending. width, height: [px] at 150 px per
+/// inch in PDF. The file is written under a temporary name and renamed. Errors name the file: unknown ending, or not
+/// writable.
 Status writePicture(const std::string& path, int width, int height,
                     const std::function<void(Canvas&)>& draw);
 
-/// The same picture as the text of an SVG file.
+/// Returns the picture as the text of an SVG file.
 std::string svgText(int width, int height, const std::function<void(Canvas&)>& draw);
 
-/// One entry of a figure's key: how to draw its sample at a place, and what it means.
+/// A legend entry: its text and the drawing of its sample.
 struct KeyEntry {
     std::string words;
     std::function<void(Canvas&, Point)> sample;  ///< centred, at most 30 px wide
 };
 
-/// The entries in rows from `topLeft`, none beyond `right` [px], 24 px per row; returns the rows.
+/// Draws the entries in rows of 24 px from `topLeft`, none beyond `right` [px]. Returns the number of rows.
 int drawKey(Canvas& canvas, Point topLeft, double right, const std::vector<KeyEntry>& entries);
 
 }  // namespace terratact

@@ -22,7 +22,7 @@ int widthFor(std::size_t series)
     return series > kFewSeries ? kWideWidth : kWidth;
 }
 
-/// 1, 2 or 5 times a power of ten, at most eight steps up to `top`.
+/// Returns a step of 1, 2 or 5 times a power of ten with at most eight steps up to `top`.
 double niceStep(double top)
 {
     const double power = std::pow(10.0, std::floor(std::log10(top / 8.0)));
@@ -31,7 +31,7 @@ double niceStep(double top)
     return 10.0 * power;
 }
 
-/// Classes side by side in x, an axis from 0 upwards in y.
+/// A bar chart: classes along x, values from 0 along y.
 class Chart {
 public:
     Chart(Canvas& canvas, std::size_t classes, std::size_t series, double top)
@@ -163,7 +163,7 @@ void drawQuartiles(Canvas& canvas, std::span<const MethodSummary> summaries)
     chart.key(labels, false);
 }
 
-/// Panels of histograms that share one scale, in rows of three.
+/// Panels of histograms with a common scale, three per row.
 class Panels {
 public:
     static constexpr std::size_t kPerRow = 3;

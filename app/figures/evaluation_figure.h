@@ -8,19 +8,19 @@
 
 namespace terratact {
 
-// PNG or SVG by the path's ending, under a temporary name, then renamed.  1200 × 700 px, 1800 × 700 where
-// there are more than five series.  Methods have strong colours, baselines are grey and hollow.
+// Figures are PNG or SVG by the file ending, written under a temporary name and renamed. They are 1200 × 700 px, or
+// 1800 × 700 px for more than five series. Methods have strong colours; baselines are grey and hollow.
 
-/// The paper's Fig. 8: how often |error| falls into each class, one bar per label, as a share of its errors.
-/// Throws std::invalid_argument for no histograms or histograms of different classes.
+/// Draws the paper's Fig. 8: the share of errors in each class of |error|, one bar per label. Throws
+/// std::invalid_argument for no histograms or histograms of different classes.
 Status writeHistogramFigure(const std::string& path, std::span<const ErrorHistogram> histograms);
 
-/// The paper's Fig. 9: per bin and label the median of |error| and a bar from the first to the third
-/// quartile.  Throws std::invalid_argument for no summaries.
+/// Draws the paper's Fig. 9: per bin and label the median of |error| and a bar from the first to the third quartile.
+/// Throws std::invalid_argument for no summaries.
 Status writeQuartileFigure(const std::string& path, std::span<const MethodSummary> summaries);
 
-/// Histograms of the PIT, one panel per label, beside the level of a calibrated forecast; 1200 px wide,
-/// three panels a row.  Throws as writeHistogramFigure.
+/// Draws PIT histograms, one panel per label, with the level of a calibrated forecast. The figure is 1200 px wide with
+/// three panels per row. Throws the exceptions of writeHistogramFigure().
 Status writePitFigure(const std::string& path, std::span<const ErrorHistogram> histograms);
 
 }  // namespace terratact

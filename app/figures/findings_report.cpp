@@ -18,11 +18,11 @@
 namespace terratact {
 namespace {
 
-constexpr double kClassWidth = 0.01;  // [m] of Fig. 8's histogram
+constexpr double kClassWidth = 0.01;  // [m] class width of the histogram in Fig. 8
 constexpr int kClasses = 15;
 constexpr int kPitClasses = 10;
 
-/// What the findings come to.
+/// Statistics computed from the findings.
 struct Results {
     std::vector<MethodSummary> summaries;
     std::vector<Confidence> confidences;
@@ -38,7 +38,7 @@ ProbeLimits limitsOf(const ReportOptions& options)
     return {.sdLimit = options.sdLimit};
 }
 
-/// The scenes as far as tables know them: drive and time.
+/// Returns scenes with only drive and time, which the tables need.
 std::vector<Scene> drivesOf(const Findings& findings)
 {
     std::vector<Scene> scenes;

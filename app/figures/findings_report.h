@@ -8,15 +8,14 @@
 
 namespace terratact {
 
-/// Prints how one method or baseline fared, a line.
+/// Prints one line with the results of a method or baseline.
 void printRun(const MethodRun& run);
 
-/// Writes tables and figures of an evaluation into the directory and prints its tables.  Errors name the
-/// file that could not be written.
-/// findings: of all scenes, else std::invalid_argument.
+/// Writes an evaluation's tables and figures into the directory and prints the tables. Errors name the file that could
+/// not be written. Throws std::invalid_argument unless the findings cover all scenes.
 Status reportFindings(const Findings& findings, const std::string& directory);
 
-/// The names of all files that reportFindings() may write.
+/// Returns the names of all files that reportFindings() may write.
 std::vector<std::string> reportFiles();
 
 }  // namespace terratact

@@ -7,18 +7,18 @@
 
 namespace terratact {
 
-/// How figures draw a method's results.
+/// Style of a method's results in figures.
 struct MethodStyle {
     Colour colour{0x8e3fbf};
     Shape shape = Shape::Circle;
     double size = 12.0;   ///< [px]
-    std::string words;    ///< as the paper writes it
-    bool hollow = false;  ///< a baseline
+    std::string words;    ///< name in the paper
+    bool hollow = false;  ///< true for a baseline
 };
 
 MethodStyle styleOf(Method method);
 
-/// By label: a method, "method/what tells it apart", or a baseline.
+/// Returns the style of a label: a method, "method/variant", or a baseline.
 MethodStyle styleOf(const std::string& label);
 
 void drawMarker(Canvas& canvas, const MethodStyle& look, Point at, double scale);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kPlotLeft = 84.0, kPlotRight = 1170.0, kPlotTop = 84.0, kPlotBottom = 586.0;
 
-constexpr double kProbeRoom = 50.0;  // [px] above all bars for the words "probe here"
+constexpr double kProbeRoom = 50.0;  // [px] above all bars for the text "probe here"
 
 constexpr Colour kWhite{0xffffff};
 constexpr Colour kSampled{0x12804a}, kContact{0x1558a6}, kArm{0x6a1b9a}, kPrior{0xb06400},
@@ -33,7 +33,7 @@ struct Look {
     bool open = false;
 };
 
-/// As on the screen, with its pattern.
+/// Returns the style of the console's mark, with its bar pattern.
 Look styleOf(Provenance provenance)
 {
     switch (provenance) {
@@ -54,7 +54,7 @@ Stroke barStroke(Provenance provenance)
     return stroke;
 }
 
-/// Equal axes: metres to pixels, the picture's range fitted into the plot area.
+/// Equal axes: converts metres to pixels and fits the range into the plot area.
 class Axes {
 public:
     explicit Axes(const FigureInput& input)
@@ -72,7 +72,7 @@ public:
     double right() const { return x1_; }
     double bottom() const { return z0_; }
     double top() const { return z1_; }
-    /// Tenths of a metre between two labels.
+    /// Returns the tenths of a metre between two labels.
     int step() const
     {
         const double tenth = 0.1 * scale_;  // [px]
@@ -98,7 +98,7 @@ private:
             include(binCentre(static_cast<int>(i)), std::max(e.q90[i], e.height[i]));
         }
     }
-    /// room: [px] kept free at the top.
+    /// Fits the range into the plot area. room: [px] kept free at the top.
     void fit(double room)
     {
         const double width = kPlotRight - kPlotLeft, height = kPlotBottom - kPlotTop - room;
@@ -110,8 +110,9 @@ private:
         z1_ += 0.5 * spareZ + room / scale_;
     }
 
-    double x0_ = -0.66, x1_ = 0.80, z0_ = -0.42, z1_ = 0.20;  // the robot with its flippers out
-    double scale_ = 1.0;                                      // [px/m]
+    double x0_ = -0.66, x1_ = 0.80, z0_ = -0.42,
+           z1_ = 0.20;    // [m] initial range: the robot with extended flippers
+    double scale_ = 1.0;  // [px/m]
 };
 
 class Drawing {
@@ -154,7 +155,7 @@ private:
         canvas_.text({from, 62.0}, canvas_.fitted(doubts(), kPlotRight - from, doubt), doubt);
     }
 
-    /// Everything that makes the result doubtful in one line; the first in full, then how many more.
+    /// Returns the warnings in one line: the first in full, then the number of others.
     std::string doubts() const
     {
         const auto& warnings = input_.estimate.warnings;
@@ -197,7 +198,7 @@ private:
                      true);
     }
 
-    /// The first and last label inside the axis' ends, in tenths of a metre.
+    /// Returns the first or last label inside the axis, in tenths of a metre.
     int tick(double metres, bool up) const
     {
         const double steps = 10.0 * metres / axes_.step();
@@ -269,7 +270,7 @@ private:
                       {look.colour, 2.0, {}});
     }
 
-    /// A dashed line from the plot's top down to where the arm would touch.
+    /// Draws a dashed line from the plot's top to the bin of the proposed probe.
     void drawProbe()
     {
         if (!input_.proposedBin) return;

@@ -83,7 +83,7 @@ std::vector<std::vector<std::string>> tableOf(const TerrainEstimate& e, const Sc
     return table;
 }
 
-/// The operator's part in a scene: until the next one was captured.
+/// Returns the operator's actions from this scene until the next.
 std::vector<std::string> eventsOf(const SessionReader& session, const SceneRow& scene)
 {
     SessionTime end = session.end();
@@ -110,7 +110,7 @@ const SceneRow* sceneOf(const SessionReader& session, std::int64_t id)
     return last;
 }
 
-/// A page that is filled from its top.
+/// A page that is filled from the top.
 class Page {
 public:
     explicit Page(Canvas& canvas) : canvas_(canvas) {}
@@ -175,7 +175,7 @@ private:
         }
     }
 
-    /// As many as there is room for, and how many there are besides.
+    /// Draws as many events as fit, and the number of omitted ones.
     void drawEvents(const std::vector<std::string>& events)
     {
         const TextStyle style{.colour = kFigureText, .size = 16.0};
@@ -196,7 +196,7 @@ private:
     }
 
     Canvas& canvas_;
-    double y_ = 0.0;  ///< base line of what comes next
+    double y_ = 0.0;  ///< base line of the next item
 };
 
 std::string escaped(std::string_view text)
@@ -247,7 +247,7 @@ std::string htmlOf(const SessionReport& report)
     return html + "</ul></body></html>\n";
 }
 
-/// The scene's estimates in order, without those by a second method.
+/// Returns the scene's estimates in order, without those of a second method.
 std::vector<const EstimateRow*> estimatesOf(const SessionReader& session, std::int64_t scene)
 {
     std::vector<const EstimateRow*> rows;

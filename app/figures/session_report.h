@@ -11,23 +11,23 @@
 
 namespace terratact {
 
-/// What the report of one scene says, in words.
+/// The report of one scene as text.
 struct SessionReport {
     std::string title, verdict;
     FigureInput figure;
-    std::vector<std::vector<std::string>> table;  ///< the heading first, then a row per bin
+    std::vector<std::vector<std::string>> table;  ///< heading first, then a row per bin
     std::vector<std::pair<std::string, std::string>> facts;
-    std::vector<std::string> events;  ///< what the operator did, and what was on the screen
+    std::vector<std::string> events;  ///< operator actions and display changes
 };
 
-/// scene: 0 for the last that was estimated.  Reads the whole session to say whether it holds.  Errors name the
-/// file: no such scene, or it has no estimate.  progress(share of the batches) may end it by returning false, which
-/// is an Error.
+/// Returns the report of a scene; scene 0 is the last estimated one. Reads the whole session to check its hash chain.
+/// Errors name the file: no such scene, or no estimate of it. progress(share of the batches) cancels by returning
+/// false, which is an Error.
 Result<SessionReport> reportOf(SessionReader& session, std::int64_t scene,
                                const std::function<bool(double)>& progress = {});
 
-/// One page of A4: PDF, SVG, PNG or HTML by the ending.  What finds no room on the page is counted on it; HTML has
-/// room for all.  Written under a temporary name, then renamed.
+/// Writes one A4 page as PDF, SVG, PNG or HTML by the file ending. The page counts what does not fit on it; HTML holds
+/// everything. The file is written under a temporary name and renamed.
 Status writeReport(const std::string& path, const SessionReport& report);
 
 }  // namespace terratact

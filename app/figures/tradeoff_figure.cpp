@@ -19,9 +19,9 @@ constexpr double kTop = 110.0, kBottom = 620.0, kPanelWidth = 760.0, kFirstLeft 
                  kSecondLeft = 990.0;
 constexpr Colour kFront{0x16222e, 0.55};
 
-constexpr double kMin = 1e-9, kMax = 1e9;  // on a scale
+constexpr double kMin = 1e-9, kMax = 1e9;  // range of the scales
 
-/// 1, 2 or 5 of every decade: the one so many steps above 1.
+/// Returns 1, 2 or 5 times a power of ten: the value `step` steps above 1.
 double oneTwoFive(int step)
 {
     const int decade = step >= 0 ? step / 3 : (step - 2) / 3;
@@ -29,7 +29,7 @@ double oneTwoFive(int step)
     return kDigits[step - 3 * decade] * std::pow(10.0, decade);
 }
 
-/// A logarithmic scale from one of 1, 2, 5 to another.  What is 0 lies at its beginning.
+/// A logarithmic scale between two values of 1, 2, 5. The value 0 is drawn at its start.
 class LogScale {
 public:
     LogScale(const std::vector<double>& values, double from, double to) : from_(from), to_(to)
@@ -68,7 +68,7 @@ struct Series {
     std::vector<double> error;  ///< [mm]
 };
 
-/// One panel: where its points lie, and what it shows.
+/// One panel: its scales and its points.
 class Panel {
 public:
     Panel(Canvas& canvas, double left, Series series)
@@ -97,7 +97,7 @@ public:
         canvas_.text({left_ - 62.0, 0.5 * (kTop + kBottom)}, "[mm]", centre, true);
     }
 
-    /// Through those points that are on it.
+    /// Draws the front through the points on it.
     void front(const std::vector<bool>& on, Colour colour)
     {
         std::vector<Point> line;

@@ -8,9 +8,9 @@
 
 namespace terratact {
 
-/// Time per scene (logarithmic) against the distance of the quantiles from a long run (logarithmic), and against the
-/// error: two panels, one marker per point in its method's colour, the Pareto fronts as lines, the presets with
-/// their names.  PNG or SVG by the path's ending, 1800 × 760 px, under a temporary name, then renamed.
+/// Draws time per scene against the quantiles' distance from a long run, and against the error; all scales are
+/// logarithmic. Each of the two panels has one marker per point in its method's colour, the Pareto fronts as lines, and
+/// the presets with names. PNG or SVG by the file ending, 1800 × 760 px, written under a temporary name and renamed.
 /// Throws std::invalid_argument for no points.
 Status writeTradeoffFigure(const std::string& path, std::span<const TradePoint> points);
 

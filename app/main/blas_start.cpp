@@ -1,6 +1,6 @@
-// OpenBLAS starts a thread for every processor when it is loaded, before main(), and asks for ever for the memory
-// of each where it is refused.  This program needs none of them.  Where memory is limited it therefore starts itself
-// again, before OpenBLAS runs, with an environment that tells OpenBLAS so.  A sanitizer needs no such limit.
+// OpenBLAS starts a thread per processor when it is loaded, before main(). If the memory for them is refused, it
+// retries forever. This program needs none of these threads. With limited memory it therefore restarts itself with an
+// environment that limits OpenBLAS to one thread. Sanitizer builds do not need this.
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define TERRATACT_SANITIZED
@@ -26,7 +26,7 @@ namespace {
 constexpr char kName[] = "OPENBLAS_NUM_THREADS=";
 char oneThread[] = "OPENBLAS_NUM_THREADS=1";
 
-// Before the constructors of all libraries: nothing here may need one, nor allocate as usual.
+// Runs before the constructors of all libraries, so it may use neither libraries nor the usual allocation.
 void startWithoutThreads(int /*count*/, char** arguments, char** environment)
 {
     std::size_t size = 0;

@@ -1,4 +1,4 @@
-// The operator's console: the command line, and which window it opens.
+// The operator's console: parses the command line and opens a window.
 #include <cblas.h>
 
 #include <CLI/CLI.hpp>
@@ -17,7 +17,7 @@ namespace terratact {
 namespace {
 
 constexpr int kDone = 0, kFailed = 1, kWrongArguments = 2;
-// [bytes] beside the libraries; it takes 750 MB where it may.
+// [bytes] minimum besides the libraries; without a limit it uses 750 MB
 constexpr std::size_t kWindowMemory = 700'000'000;
 
 int failed(const std::string& why)
@@ -54,7 +54,7 @@ int run(int& argc, char** argv)
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        std::ostringstream out, complaint;  // which may quote a file's name
+        std::ostringstream out, complaint;  // may quote a file name
         const int code = app.exit(error, out, complaint);
         say("{}", Lines(out.str()));
         say(stderr, "{}", Lines(complaint.str()));
@@ -75,7 +75,7 @@ int run(int& argc, char** argv)
 int main(int argc, char** argv)
 {
     terratact::giveBackBigBlocks();
-    openblas_set_num_threads(1);  // the estimator has threads of its own
+    openblas_set_num_threads(1);  // the estimator has its own threads
     try {
         return terratact::run(argc, argv);
     } catch (const std::exception& error) {

@@ -22,7 +22,7 @@ std::string shown(std::optional<double> value)
     return value ? fmt::format("{}", *value) : std::string();
 }
 
-/// A note, without commas and quotes, for programs that split lines at commas.
+/// Returns a note without commas and quotes, for programs that split lines at commas.
 std::string noteField(std::string text)
 {
     for (char& c : text)
@@ -30,7 +30,7 @@ std::string noteField(std::string text)
     return csvField(text);
 }
 
-/// What is asked of the draws, as CSV fields per bin.
+/// Quantities computed from the draws, as CSV fields per bin.
 struct Hidden {
     std::array<std::string, kBins> step, twoModes;
 };
@@ -48,7 +48,7 @@ Hidden hiddenIn(const SceneEstimate& result)
     return hidden;
 }
 
-/// Horizon and verdict, the same for every bin of a scene.
+/// Returns felt horizon and verdict, which are the same for every bin of a scene.
 std::string answerTo(const Scene& scene, const SceneEstimate& result)
 {
     if (!result.estimate) return ",,";

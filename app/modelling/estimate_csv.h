@@ -8,14 +8,14 @@
 
 namespace terratact {
 
-/// Estimates as CSV, one row per scene and bin:
-///   run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note,height_m,p_step,
-///   p_step_sd,two_modes,novelty,draws,ending,touch,horizon_m,verdict
-/// height_m: the one number to show; p_step: probability that this bin and the next differ by more than
-/// kStepLimit, with its Monte-Carlo error; two_modes: 1 where the draws fall into two heaps;
-/// draws, ending: how many there are and why there are no more (Ending).
-/// Empty: no estimate (the note says why), no ceiling, unknown truth.  The note is the result's warnings.
-/// scenes and estimates: of the same size, else std::invalid_argument.
+/// Returns estimates as CSV, one row per scene and bin:
+/// run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note,height_m,p_step,
+/// p_step_sd,two_modes,novelty,draws,ending,touch,horizon_m,verdict
+/// height_m: point estimate to show; p_step: probability that this bin and the next differ by more than kStepLimit;
+/// p_step_sd: its Monte-Carlo error; two_modes: 1 if the draws are bimodal; draws, ending: number of draws and why
+/// sampling ended (Ending); note: the result's warnings.
+/// An empty field means no estimate (the note says why), no ceiling, or unknown truth.
+/// Throws std::invalid_argument unless scenes and estimates have the same size.
 std::string estimateCsv(const std::vector<Scene>& scenes,
                         const std::vector<SceneEstimate>& estimates);
 

@@ -18,7 +18,7 @@ double millimetres(double metres)
     return 1000.0 * metres;
 }
 
-/// "12 (5–31)": median and quartiles [mm].
+/// Returns "12 (5–31)": median and quartiles [mm].
 std::string medianAndQuartiles(const ErrorStatistics& s)
 {
     if (s.n == 0) return "-";
@@ -26,7 +26,7 @@ std::string medianAndQuartiles(const ErrorStatistics& s)
                        millimetres(s.q3));
 }
 
-/// The text at the right end of `width` columns; fmt counts "–" as one.
+/// Right-aligns a text in `width` columns; fmt counts "–" as one column.
 std::string cell(const std::string& text, int width = 15)
 {
     return fmt::format("{:>{}}", text, width);
@@ -46,7 +46,7 @@ std::string percent(double share, std::size_t n)
     return n == 0 ? "-" : fmt::format("{:.0f} %", 100.0 * share);
 }
 
-/// A row of texts in columns of these widths, the first `left` of them from the left.
+/// Returns a row of texts in columns of these widths; the first `left` are left-aligned.
 std::string row(const std::vector<std::string>& texts, const std::vector<int>& widths,
                 std::size_t left)
 {
@@ -57,7 +57,7 @@ std::string row(const std::vector<std::string>& texts, const std::vector<int>& w
     return line;
 }
 
-/// "7.0 [6.2, 8.1]": a number of the whole sample and its interval, times `factor`.
+/// Returns "7.0 [6.2, 8.1]": the score of the whole sample and its interval, times `factor`.
 std::string withInterval(double value, const std::optional<ScoreIntervals>& intervals,
                          Interval ScoreIntervals::*which, double factor, int digits)
 {
@@ -77,7 +77,7 @@ std::string csvInterval(double value, const std::optional<ScoreIntervals>& inter
     return fmt::format("{:.6f},{:.6f},{:.6f}", value, i.low, i.high);
 }
 
-/// What is known of a label elsewhere; its default where nothing is.
+/// Returns the entry with this label; a default entry if there is none.
 template <class Entry>
 Entry entryOf(const std::string& label, std::span<const Entry> entries)
 {
@@ -86,13 +86,13 @@ Entry entryOf(const std::string& label, std::span<const Entry> entries)
     return {};
 }
 
-/// As much of a name as a column holds.
+/// Returns a name cut to the width of its column.
 std::string shortened(const std::string& text, std::size_t most)
 {
     return text.size() <= most ? text : text.substr(0, most - 2) + "..";
 }
 
-/// Rows method,from,to,count,share; the last class ends at `last`.
+/// Returns rows method,from,to,count,share; the last class ends at `last`.
 std::string histogramCsv(std::string_view header, std::span<const ErrorHistogram> histograms,
                          std::string_view last)
 {
@@ -137,7 +137,7 @@ std::string brierRow(const BrierSummary& b, const std::vector<int>& widths)
                widths, 2);
 }
 
-/// "0.34 0.40   120": mean forecast, observed share and how many.
+/// Returns "0.34 0.40   120": mean forecast, observed share, count.
 std::string reliabilityText(const ReliabilityClass& c)
 {
     if (c.n == 0) return "-";

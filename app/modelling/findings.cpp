@@ -59,7 +59,7 @@ Status requireSameEvaluation(const NamedFindings& part, const NamedFindings& fir
     return Done{};
 }
 
-/// The parts by their number: each once.
+/// Returns the parts ordered by number; each must occur once.
 Result<std::vector<const Findings*>> inOrder(std::span<const NamedFindings> parts,
                                              const std::string& out)
 {
@@ -89,7 +89,7 @@ Result<std::vector<const Findings*>> inOrder(std::span<const NamedFindings> part
     return ordered;
 }
 
-/// Appends those entries of one label that stand at `next` of the part, and goes behind them.
+/// Appends the entries of one label that begin at `next`, and advances `next` behind them.
 template <class Entry>
 void takeOfLabel(const std::string& label, const std::vector<Entry>& from, std::size_t& next,
                  std::vector<Entry>& into)
@@ -112,7 +112,7 @@ void addRuns(const Findings& from, Findings& into)
                                      from.probes[k].trials.end());
 }
 
-/// Run by run, as one evaluation lists them.
+/// Appends the errors grouped by run, in the order of a single evaluation.
 void addErrors(const std::vector<const Findings*>& parts, Findings& into)
 {
     std::vector<std::size_t> nextError(parts.size(), 0), nextStep(parts.size(), 0);

@@ -17,12 +17,12 @@
 
 namespace terratact {
 
-/// Part `number` of `count` of an evaluation's scenes.
+/// Part `number` of `count` of an evaluation's scenes (a shard).
 struct Shard {
     int number = 1, count = 1;
     bool operator==(const Shard&) const = default;
 
-    /// Its scenes among `total`: begin … end − 1, blocks of equal size but for one scene.
+    /// Its scenes among `total` are begin … end − 1. Block sizes differ by at most one scene.
     std::size_t begin(std::size_t total) const { return at(total, number - 1); }
     std::size_t end(std::size_t total) const { return at(total, number); }
 
@@ -33,64 +33,64 @@ private:
     }
 };
 
-/// "2/8"; empty unless 1 ≤ 2 ≤ 8 ≤ 10 000.
+/// Parses "2/8"; returns empty unless 1 ≤ number ≤ count ≤ 10 000.
 std::optional<Shard> shardFrom(std::string_view text);
 
-/// What the report needs of a scene.
+/// Data of a scene that the report needs.
 struct EvaluatedScene {
     std::string run;
     double time = 0.0;  ///< [s]
     std::vector<int> underFlipper;
-    std::string kind;  ///< its class, where classes were asked for
+    std::string kind;  ///< its class, if classes were requested
     bool operator==(const EvaluatedScene&) const = default;
 };
 
-/// How a method or baseline fared.
+/// Results of one method or baseline.
 struct MethodRun {
     std::string label;
     std::size_t scenes = 0, converged = 0, endedBySweeps = 0, endedByTime = 0, failed = 0;
-    double seconds = 0.0;  ///< all scenes together
+    double seconds = 0.0;  ///< total over all scenes
 };
 
-/// What one rule did in all scenes, with the estimates of one method.
+/// Results of one probe rule in all scenes, with the estimates of one method.
 struct ProbeRun {
     std::string label, rule;
     std::vector<ProbeTrial> trials;
 };
 
-/// What the report is to be about.
+/// Contents of the report.
 struct ReportOptions {
     std::vector<Method> methods;
-    std::uint64_t seed = 1;  ///< of the bootstraps
+    std::uint64_t seed = 1;  ///< seed of the bootstraps
     double stepLimit = 0.0;  ///< [m]
-    double sdLimit = 0.0;    ///< [m] of the probes
+    double sdLimit = 0.0;    ///< [m] probe threshold of the sd
     bool classes = false;
     bool operator==(const ReportOptions&) const = default;
 };
 
-/// What an evaluation, or one part of it, has found out.
+/// Results of an evaluation or of one part.
 struct Findings {
-    /// What parts of one evaluation have in common, in words: version, command, hashes of its files.
+    /// Text that all parts of one evaluation share: version, command, hashes of its files.
     std::map<std::string, std::string> origin;
     ReportOptions options;
     Shard shard;
-    std::size_t total = 0;               ///< scenes of all parts
-    std::vector<EvaluatedScene> scenes;  ///< of this part
-    std::vector<MethodRun> runs;         ///< in the order in which they were evaluated
-    std::vector<BinError> errors;        ///< run by run; scenes counted over all parts
-    std::vector<StepForecast> steps;     ///< likewise
+    std::size_t total = 0;               ///< number of scenes in all parts
+    std::vector<EvaluatedScene> scenes;  ///< scenes of this part
+    std::vector<MethodRun> runs;         ///< in order of evaluation
+    std::vector<BinError> errors;        ///< grouped by run; scene numbers count over all parts
+    std::vector<StepForecast> steps;     ///< grouped by run; scene numbers count over all parts
     std::vector<ProbeRun> probes;
 };
 
-/// Findings and the file they come from, for messages.
+/// Findings and their file, for messages.
 struct NamedFindings {
     std::string path;
     Findings findings;
 };
 
-/// The findings that one run over all scenes would have made, the measured times added up.
-/// Errors name a file and what was expected: no part, a part of another evaluation, the same part
-/// twice, one that is missing.  out: what is to be made of them.
+/// Merges parts into the findings of one run over all scenes; measured times are added. Errors name a file and what was
+/// expected: not a part, part of another evaluation, a part given twice, a missing part. out: the file to be written,
+/// for messages.
 Result<Findings> mergeFindings(std::span<const NamedFindings> parts, const std::string& out);
 
 }  // namespace terratact

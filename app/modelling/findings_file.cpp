@@ -21,10 +21,10 @@ constexpr std::int64_t kUserVersion = 2;
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 30U;
 constexpr std::int64_t kMaxCount = 10'000'000;
 constexpr double kMaxNumber = 1e9;
-constexpr std::size_t kMaxText = 10'000;  // bytes, of what an evaluation says of itself
-constexpr std::size_t kMaxLabel = 200;    // which every row of a run gets a copy of
+constexpr std::size_t kMaxText = 10'000;  // [B] bound of the texts about the evaluation
+constexpr std::size_t kMaxLabel = 200;    // [B] each row of a run repeats the label
 
-/// Sorted by name.
+/// Returns the tables sorted by name.
 std::span<const SqliteTable> tables()
 {
     static const std::array kTables{
@@ -76,7 +76,7 @@ std::span<const SqliteTable> tables()
     return kTables;
 }
 
-/// Why a file is refused.  Thrown and caught in this file only: a sentence that lacks the file's name.
+/// Reason to refuse a file, without the file's name. Thrown and caught in this file only.
 struct Refused {
     std::string cause;
 };
@@ -105,7 +105,7 @@ std::int64_t integer(Number number)
     return static_cast<std::int64_t>(number);
 }
 
-/// Which of the runs has that label.
+/// Returns the number of the run with the entry's label.
 template <class Errors>
 std::int64_t runOf(const Findings& findings, const Errors& entry)
 {
@@ -131,12 +131,12 @@ std::vector<int> binsOfMask(std::int64_t mask)
 
 // ---------------------------------------------------------------- writing
 
-/// Fills tables row by row, numbered from 0, and hears every value for the hash.
+/// Fills tables row by row, numbered from 0, and hashes every value.
 class Writer {
 public:
     explicit Writer(SqliteFile& file) : file_(file) {}
 
-    /// Rows of one table; row(entry, put) calls put(values…) for one entry.
+    /// Writes the rows of one table; row(entry, put) calls put(values…) for one entry.
     template <class Entries, class Row>
     void fill(const std::string& table, int columns, const Entries& entries, Row row)
     {
@@ -227,12 +227,12 @@ void fill(const std::string& path, const Findings& findings)
 
 // ---------------------------------------------------------------- reading
 
-/// Reads tables row by row, as Writer writes them, and hears every value for the hash.
+/// Reads tables row by row in the order of Writer, and hashes every value.
 class Reader {
 public:
     explicit Reader(SqliteFile& file) : file_(file) {}
 
-    /// Calls row() for every row of one table; row takes its values with integer, real, text.
+    /// Calls row() for every row of one table; row reads its values with integer, real, text.
     template <class Row>
     void read(const std::string& table, Row row)
     {
@@ -278,7 +278,7 @@ public:
 
 private:
     SqliteFile& file_;
-    SqliteStatement* statement_ = nullptr;  ///< of the table being read
+    SqliteStatement* statement_ = nullptr;  ///< statement of the table being read
     std::string table_;
     int column_ = 0;
     CanonicalBytes bytes_;
@@ -359,7 +359,7 @@ void readShared(Reader& reader, Findings& f)
     require(f.runs.size() >= f.options.methods.size(), "lacks a method");
 }
 
-/// Number of one of the part's scenes among all.
+/// Reads a scene number and checks that the scene belongs to this part.
 std::size_t readScene(Reader& reader, const Findings& f)
 {
     return static_cast<std::size_t>(
@@ -452,7 +452,7 @@ Status writeFindings(const std::string& path, const Findings& findings)
 
 bool isFindingsFile(const std::string& path)
 {
-    std::array<char, 72> header{};  // SQLite keeps the application_id in bytes 68 to 71
+    std::array<char, 72> header{};  // SQLite stores the application_id in bytes 68 to 71.
     std::ifstream in(path, std::ios::binary);
     in.read(header.data(), header.size());
     return in && std::string_view(&header[68], 4) == "TTE1";

@@ -17,11 +17,11 @@
 namespace terratact {
 namespace {
 
-constexpr double kStops = 0.1;       // [m] between two scenes
-constexpr double kBefore = 1.0;      // [m] of ground before the hazard that is judged
-constexpr double kBehind = 0.5;      // [m] behind its latest begin
+constexpr double kStops = 0.1;       // [m] distance between two scenes
+constexpr double kBefore = 1.0;      // [m] judged ground before the hazard
+constexpr double kBehind = 0.5;      // [m] ground behind the latest start of the hazard
 constexpr double kFirstStop = 0.65;  // [m] see stopsOver()
-constexpr double kSpeed = 0.3;       // [m/s] of driveOver()
+constexpr double kSpeed = 0.3;       // [m/s] speed of driveOver()
 
 struct Ground {
     std::string_view name;
@@ -30,7 +30,7 @@ struct Ground {
 constexpr std::array kGrounds{Ground{"level", 0.0}, Ground{"class A", 16e-6},
                               Ground{"class C", 256e-6}};
 
-/// One drive: its scenes near the hazard, with exact truth.
+/// Drives once and returns the scenes near the hazard, with exact truth.
 std::vector<Scene> driveOnce(const RobotModel& robot, const Ground& ground,
                              std::optional<Hazard> hazard, std::mt19937_64& rng)
 {
@@ -111,7 +111,7 @@ VerdictCounts judge(const Scene& scene, const TerrainEstimate& estimate, double 
     return c;
 }
 
-/// One drive's counts for each rate.
+/// Returns the counts of one drive for each rate.
 std::vector<VerdictCounts> judgeDrive(const EstimatorBundle& bundle, const HazardTrial& trial,
                                       const Ground& ground, std::optional<Hazard> hazard,
                                       std::uint64_t seed)

@@ -15,9 +15,9 @@
 namespace terratact {
 namespace {
 
-constexpr std::time_t kLastSecond = 253'402'300'799;  // of the year 9999
+constexpr std::time_t kLastSecond = 253'402'300'799;  // end of the year 9999
 
-/// Of reproducible-builds.org: seconds since 1970; empty where it is not set or no such number.
+/// Returns $SOURCE_DATE_EPOCH [s since 1970] (reproducible-builds.org); empty if unset or invalid.
 std::optional<std::time_t> sourceDateEpoch()
 {
     const char* const set = std::getenv("SOURCE_DATE_EPOCH");

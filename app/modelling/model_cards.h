@@ -8,33 +8,32 @@
 
 namespace terratact {
 
-/// What there is to say about a model, its card included.
+/// Facts about a model, including its card.
 struct ModelFacts {
     std::string path;
     std::string contentHash;
-    std::string dataHash;  ///< of the scenes it was trained on
-    std::string command;   ///< that made it
-    long scenes = 0;       ///< it was trained on
+    std::string dataHash;  ///< SHA-256 of the training scenes
+    std::string command;   ///< command that trained it
+    long scenes = 0;       ///< number of training scenes
     TrainingGround ground;
     ModelCard card;
-    std::string
-        trouble;  ///< why the card beside it says nothing; empty: it is good, or there is none
+    std::string trouble;  ///< reason that the card is not used; empty: usable, or no card
 
     bool learntFrom(const CardScores& scores) const { return scores.dataHash == dataHash; }
 };
 
-/// With the card beside the file at `path`.
+/// Returns a model's facts, with the card beside the file at `path`.
 ModelFacts factsOf(const std::string& path, const StoredModel& model);
 
-/// The date in UTC as cards have it: of the environment's SOURCE_DATE_EPOCH where that is set, else now.
+/// Returns today's UTC date for a card: that of $SOURCE_DATE_EPOCH if set, else of the clock.
 std::string dateOfToday();
 
-/// The card of a model just trained; dataPath: its scenes, empty where they are not known.
+/// Writes the card of a new model. dataPath: its training scenes; empty if unknown.
 Status writeNewCard(const std::string& modelPath, const ModelData& model,
                     const std::string& dataPath);
 
-/// Adds to the card of the model, or begins one.  date, data and dataHash of the scores are filled in: today, the
-/// file name of dataPath, and the hash that its scenes came with.
+/// Adds scores to the model's card, or creates the card. It fills in date (today), data (file name of dataPath) and
+/// dataHash (hash of the scenes as read).
 Status keepScores(const std::string& modelPath, const std::string& contentHash,
                   const std::string& dataPath, const std::string& dataHash,
                   std::vector<CardScores> scores);

@@ -30,7 +30,7 @@ Result<std::unique_ptr<EstimatorBundle>> toolboxFrom(const RobotModel& robot,
     return std::make_unique<EstimatorBundle>(robot, std::move(*model));
 }
 
-/// What both models made of one scene.
+/// The estimates of one scene by both models.
 struct EstimatePair {
     SceneEstimate before, after;
     bool both() const { return before.estimate && after.estimate; }
@@ -50,7 +50,7 @@ std::vector<EstimatePair> estimatePairs(const std::vector<Scene>& scenes,
             const auto i = static_cast<std::size_t>(k);
             Settings settings = plan.settings;
             settings.seed += i;
-            settings.hazardRate = 0.0;  // the models' own bands
+            settings.hazardRate = 0.0;  // compares the bands without hazard rate
             pairs[i] = {estimateScene(scenes[i], before, settings),
                         estimateScene(scenes[i], after, settings)};
             const std::scoped_lock lock(mutex);
@@ -69,7 +69,7 @@ MethodSummary summaryOf(const Errors& errors)
     return summarise(errors).front();
 }
 
-/// |new error| − |old error| of every near bin, with its drive.
+/// Returns the interval of |new error| − |old error| over the bins near the robot, bootstrapped over drives.
 std::optional<Interval> differenceOf(const Errors& before, const Errors& after,
                                      const std::vector<Scene>& scenes, std::uint64_t seed)
 {

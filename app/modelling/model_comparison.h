@@ -14,46 +14,46 @@
 
 namespace terratact {
 
-/// Two models to be tried on the same scenes.
+/// Two models to compare on the same scenes.
 struct ComparisonPlan {
     RobotModel robot;
-    std::string oldModel, newModel;  ///< *.ttm
-    std::string data;                ///< scenes CSV with heights
-    Settings settings;  ///< of the estimates; the seed of the k-th scene tried is seed + k
-    std::size_t mostScenes = 300;  ///< more are thinned evenly
-    int threads = 0;               ///< at most; 0: one per processor
+    std::string oldModel, newModel;  ///< *.ttm files
+    std::string data;                ///< CSV of scenes with heights
+    Settings settings;               ///< of the estimates; scene k uses seed + k
+    std::size_t mostScenes = 300;    ///< larger sets are thinned evenly
+    int threads = 0;                 ///< maximum; 0: one per processor
 };
 
-/// How the two models did on the scenes that both could estimate.  Errors as in core/eval/evaluation.h.
+/// Results of both models on the scenes that both could estimate. Errors are defined in core/eval/evaluation.h.
 struct ModelComparison {
-    MethodSummary before, after;  ///< of the old and of the new model
-    std::size_t scenes = 0;       ///< that both could estimate
-    std::size_t tried = 0;        ///< picked from the file
-    std::size_t inFile = 0;       ///< with a known height
-    std::size_t onlyBefore = 0;   ///< that only the old model could estimate
+    MethodSummary before, after;  ///< of the old model, of the new model
+    std::size_t scenes = 0;       ///< scenes that both could estimate
+    std::size_t tried = 0;        ///< scenes picked from the file
+    std::size_t inFile = 0;       ///< scenes with a known height
+    std::size_t onlyBefore = 0;   ///< scenes that only the old model could estimate
     std::size_t onlyAfter = 0;
-    std::string whyNot;  ///< of the first scene that one of them could not
-    /// 95 % of the difference new − old of the mean |error| near the robot [m], by bootstrap over drives; empty
-    /// for fewer than kMinRuns drives.
+    std::string whyNot;  ///< reason for the first scene that one model could not estimate
+    /// 95 % interval of the difference new − old of the mean |error| near the robot [m], bootstrapped over drives.
+    /// Empty for fewer than kMinRuns drives.
     std::optional<Interval> nearDifference;
     std::string newContent;       ///< contentHash() of the new model
-    std::string dataHash;         ///< of the file with the scenes, as they were read
-    bool newLearntThese = false;  ///< the file is the one the new model was trained on
+    std::string dataHash;         ///< hash of the scene file as read
+    bool newLearntThese = false;  ///< the new model was trained on this file
     bool oldLearntThese = false;
 };
 
-/// How a comparison talks to whoever waits; may be empty.
+/// Callbacks of a comparison; each may be empty.
 struct ComparisonWatch {
-    std::function<bool()> cancelled;             ///< from any thread, before every scene
-    std::function<void(double share)> progress;  ///< 0 … 1, by one thread at a time
+    std::function<bool()> cancelled;             ///< any thread, before every scene
+    std::function<void(double share)> progress;  ///< 0 … 1, one thread at a time
 };
 
-/// Indices of at most `most` of `count` things, evenly spread: ⌊k count / most⌋.
+/// Returns at most `most` indices of `count` items, evenly spaced: ⌊k count / most⌋.
 std::vector<std::size_t> evenlyPicked(std::size_t count, std::size_t most);
 
-/// Estimates the picked scenes with both models.  Errors name the file, and its line where it has one: it cannot
-/// be read, holds no known height, or holds no scene that both models can estimate.
-/// Same plan but for threads: the same comparison.  Throws Cancelled once watch.cancelled() says so.
+/// Estimates the picked scenes with both models. Plans that differ only in threads give the same result. Errors name
+/// the file and, if known, the line: unreadable, no known height, or no scene that both models can estimate. Throws
+/// Cancelled once watch.cancelled() returns true.
 Result<ModelComparison> compareModels(const ComparisonPlan& plan,
                                       const ComparisonWatch& watch = {});
 

@@ -16,7 +16,8 @@ std::string conditionsText(const ModelData& model, FeatureSet set)
     double least = std::numeric_limits<double>::infinity();
     for (int bin = 0; bin < kBins; ++bin) {
         try {
-            const BinModels models(model, set);  // keeps what it makes, so one bin at a time
+            const BinModels models(model,
+                                   set);  // caches its factors, so it holds one bin at a time
             const GaussianProcess& gp = models.bin(bin);
             least = std::min(least, gp.rcond());
             if (gp.jitter() > 0.0)

@@ -6,10 +6,9 @@
 
 namespace terratact {
 
-/// How well conditioned a model's conditionals are, one line for each that is singular, with the jitter that mends it (of
-/// its variance) or why it is refused, and the least reciprocal condition number of those that are
-/// not.  Factorises them: of 1400 rows
-/// some tenths of a second.
+/// Returns the condition of a model's conditionals. Each singular one has a line with the jitter that repairs it
+/// (relative to its variance), or why it is refused. The last line has the smallest reciprocal condition number of the
+/// others. Factorises every conditional: some tenths of a second for 1400 rows.
 std::string conditionsText(const ModelData& model, FeatureSet set);
 
 }  // namespace terratact

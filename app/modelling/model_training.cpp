@@ -25,7 +25,7 @@ namespace {
 
 constexpr int kRowsOfSurfaceSearch = 800;
 
-/// About how much an optimisation over so many rows costs: every evaluation of a likelihood factorises.
+/// Returns the approximate cost of a hyperparameter search over `rows` rows; every likelihood needs a factorisation.
 double searchCost(Eigen::Index rows, const TrainingOptions& options)
 {
     const auto cube = [rows](int most) {
@@ -37,7 +37,7 @@ double searchCost(Eigen::Index rows, const TrainingOptions& options)
          + options.fullEvaluations * cube(options.fullRows);
 }
 
-/// Training under way: the jobs of a stage run side by side, the stages one after the other.
+/// A running training. The jobs of a stage run in parallel; the stages run one after another.
 class Training {
 public:
     Training(ModelData& model, const TrainingPlan& plan, const TrainingWatch& watch)
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    /// How a job ended.
+    /// Result of a job.
     struct Outcome {
         TrainingEvent event = TrainingEvent::Done;
         std::optional<double> logLikelihood{};
@@ -100,7 +100,7 @@ private:
                          .share = std::min(1.0, done_ / total_)});
     }
 
-    /// work(job, kind, bin) for all bins, first of one kind and then of the other.
+    /// Runs work(job, kind, bin) for all bins, first of one kind and then of the other.
     template <class Work>
     void runStage(TrainingKind first, TrainingKind second, Work work)
     {
@@ -120,7 +120,7 @@ private:
 
     void trainConditionals()
     {
-        // The larger ones first.
+        // The larger jobs begin first.
         runStage(TrainingKind::Paf, TrainingKind::Pa, [&](int /*job*/, TrainingKind kind, int bin) {
             const FeatureSet set = kind == TrainingKind::Paf ? FeatureSet::Paf : FeatureSet::Pa;
             const TrainedBin trained = trainBin(model_, set, bin, conditional_, poll_);
@@ -148,7 +148,7 @@ private:
                   bins_[static_cast<std::size_t>(job % count)], job < count);
     }
 
-    /// The conditionals over clearances, wherever a regime has enough rows.
+    /// Trains the conditionals over clearances in every regime with enough rows.
     void trainClearances()
     {
         const ClearanceTraining training = clearanceTraining(model_, plan_.robot);
@@ -177,10 +177,10 @@ private:
     Eigen::MatrixXd ceilings_;
     TrainingOptions conditional_, surface_, clearance_;
     std::mutex mutex_;
-    double done_ = 0.0, total_ = 1.0;  // of costOf()
+    double done_ = 0.0, total_ = 1.0;  // units of costOf()
 };
 
-/// "3, 7, 12 and 4 more".
+/// Returns "3, 7, 12 and 4 more".
 std::string someOf(const std::set<std::string>& runs)
 {
     constexpr std::size_t kShown = 3;

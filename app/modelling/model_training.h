@@ -14,28 +14,30 @@
 
 namespace terratact {
 
-/// What a model is trained from.
+/// Input and options of a training.
 struct TrainingPlan {
     RobotModel robot;
-    std::string data;        ///< scenes CSV with all heights
-    double scannerSd = 0.0;  ///< [m] of noise added to the conditionals' heights
+    std::string data;        ///< CSV of scenes with all heights
+    double scannerSd = 0.0;  ///< [m] sd of noise added to the conditionals' heights
     int conditionalRows = 1400;
-    int inducing = 0;         ///< rows the conditionals predict through, at most; 0: all
-    std::string commandLine;  ///< kept in the model
+    int inducing = 0;         ///< maximum inducing rows of the conditionals; 0: exact
+    std::string commandLine;  ///< stored in the model
     std::uint64_t seed = 1;
-    std::optional<BinSet> bins{};  ///< empty: all; else the model is a part, for writeModelPart
-    int threads = 0;               ///< at most; 0: one per processor
+    /// Empty: all bins. Otherwise the model is a part, for writeModelPart.
+    std::optional<BinSet> bins{};
+    int threads = 0;  ///< maximum; 0: one per processor
 };
 
-/// Scenes above which whoever trains exact conditionals is told of inducing rows (docs/speed.md: what they save and err).
+/// Above this number of scenes, exact training prints a notice about inducing rows. docs/speed.md has their time and
+/// error.
 inline constexpr int kManyRows = 3000;
 
-/// What is learnt for every bin, in this order, two kinds side by side.
+/// The processes learnt for every bin, in this order, two kinds in parallel.
 enum class TrainingKind : std::uint8_t {
     Paf,               ///< p(hᵢ | h_{J∖i}, s), s with currents and forces
-    Pa,                ///< without
-    SurfaceCovered,    ///< the bin's surface given s, where the robot is above it
-    SurfaceOpen,       ///< elsewhere
+    Pa,                ///< p(hᵢ | h_{J∖i}, s), s without currents and forces
+    SurfaceCovered,    ///< the bin's surface given s, under the robot
+    SurfaceOpen,       ///< the bin's surface given s, elsewhere
     ClearanceCovered,  ///< p(yᵢ | y_{J∖i}, s) over clearances
     ClearanceOpen,
 };
@@ -46,36 +48,37 @@ inline constexpr std::array kTrainingKinds{TrainingKind::Paf,
                                            TrainingKind::ClearanceCovered,
                                            TrainingKind::ClearanceOpen};
 
-/// What two kinds are called while they are trained: "Gaussian process", "surface", "clearance".
+/// Returns the name of two kinds in progress texts: "Gaussian process", "surface", "clearance".
 std::string_view stageOf(TrainingKind kind);
 
 enum class TrainingEvent : std::uint8_t {
     Begun,
     Done,
-    Skipped,  ///< too few scenes in that regime: the model does without
+    Skipped,  ///< too few scenes in that regime; the model omits it
 };
 
-/// One bin of one kind begins or ends.
+/// Start or end of one bin of one kind.
 struct TrainingStep {
     TrainingKind kind = TrainingKind::Paf;
     int bin = 0;
     TrainingEvent event = TrainingEvent::Begun;
     std::optional<double>
-        logLikelihood;   ///< log p(y | X) of the search's last rows, where it is kept
+        /// log p(y | X) of the last rows of the hyperparameter search, if kept.
+        logLikelihood;
     int stageTotal = 0;  ///< bins × kinds of this stage
-    double share = 0.0;  ///< 0 … 1 of the work of all stages that is done, estimated
+    double share = 0.0;  ///< 0 … 1, estimated share of the work of all stages
 };
 
-/// How training talks to whoever waits; all may be empty.
+/// Callbacks of a training; each may be empty.
 struct TrainingWatch {
-    std::function<bool()> cancelled;                    ///< from any thread, every few milliseconds
-    std::function<void(const TrainingStep&)> progress;  ///< by one thread at a time
-    std::function<void(const std::string&)> notice;     ///< something about the file, a sentence
+    std::function<bool()> cancelled;                    ///< any thread, every few milliseconds
+    std::function<void(const TrainingStep&)> progress;  ///< one thread at a time
+    std::function<void(const std::string&)> notice;     ///< a sentence about the file
 };
 
-/// Trains a model; it is whole unless the plan names bins.  Same plan but for threads and
-/// the same machine: the same model.  Errors name the file, and its line where it has one.
-/// Throws Cancelled (core/infer/sampling/watch.h) once watch.cancelled() says so.
+/// Trains a model; it is complete unless the plan names bins. Plans that differ only in threads give the same model on
+/// the same machine. Errors name the file and, if known, the line. Throws Cancelled (core/infer/sampling/watch.h) once
+/// watch.cancelled() returns true.
 Result<ModelData> trainModel(const TrainingPlan& plan, const TrainingWatch& watch = {});
 
 }  // namespace terratact

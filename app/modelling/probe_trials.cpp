@@ -16,7 +16,7 @@ bool wasRead(int bin, std::span<const ArmReading> read)
                        [bin](const ArmReading& r) { return r.bin == bin; });
 }
 
-/// The bin not read yet with the largest of one kind of gain.
+/// Returns the unread bin with the largest gain of one kind.
 std::optional<int> largestGain(const std::vector<ProbeGain>& gains,
                                std::span<const ArmReading> read, double ProbeGain::*kind)
 {

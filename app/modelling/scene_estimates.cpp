@@ -31,29 +31,29 @@ SceneEstimate noted(TerrainEstimate estimate)
     return {std::move(estimate), std::move(note)};
 }
 
-/// Standard normal: the error of the simulated arm in its standard deviations.
+/// Returns a standard normal number: the simulated arm's error in units of its sd.
 double armNoise(std::uint64_t seed)
 {
-    constexpr std::uint64_t kArmStream = 0x41524DULL;  // another stream than the draws'
+    constexpr std::uint64_t kArmStream = 0x41524DULL;  // a stream separate from that of the draws
     std::seed_seq words{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U),
                         static_cast<std::uint32_t>(kArmStream)};
     std::mt19937_64 rng(words);
     return std::normal_distribution<double>()(rng);
 }
 
-/// What a thread takes scenes from, and where estimates go.
+/// Shared state: scenes to estimate and their results.
 struct Work {
     std::span<const Scene> scenes;
     const EstimatorBundle& bundle;
     const Settings& settings;
     double seconds;
-    std::size_t atOnce;  ///< scenes that a thread has in work, at most
+    std::size_t atOnce;  ///< maximum scenes in progress per thread
     std::function<void()> tick;
     std::vector<SceneEstimate> estimates{scenes.size()};
     std::atomic<std::size_t> next{0};
 };
 
-/// One thread's part.
+/// The work of one thread.
 class Estimating {
 public:
     explicit Estimating(Work& work) : work_(work), batch_(work.bundle.robot, work.bundle.models) {}
@@ -97,7 +97,7 @@ private:
         leave(ready.number, noted(std::move(ready.estimate)));
     }
 
-    /// The simulated arm, where it is worth it.
+    /// Simulates the arm if a probe is worthwhile.
     void touch(std::size_t k, TerrainEstimate first)
     {
         const std::optional<int> bin = proposeProbe(first, work_.bundle.robot);
@@ -125,11 +125,11 @@ private:
     EstimateBatch batch_;
     std::size_t inWork_ = 0;
     std::map<std::size_t, std::vector<ArmReading>>
-        touched_;  // by scenes whose arm has had its turn
+        touched_;  // scenes whose arm was already simulated
 };
 
-/// The share of one thread's scenes that may be in work: a time limit is for a scene that has the thread alone, and
-/// a few scenes are better spread over the threads.
+/// Returns how many scenes a thread may have in progress. A time limit assumes that a scene has the thread alone. A
+/// small number of scenes is spread over the threads.
 std::size_t scenesAtOnce(std::size_t scenes, int threads, double seconds)
 {
     const auto each = static_cast<std::size_t>(threads);
@@ -181,7 +181,7 @@ std::vector<SceneEstimate> estimateScenes(const std::vector<Scene>& scenes,
         try {
             Estimating(work).run();
         } catch (...) {
-            work.next = work.scenes.size();  // nothing new for the others
+            work.next = work.scenes.size();  // gives the other threads no more scenes
             throw;
         }
     });

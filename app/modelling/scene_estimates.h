@@ -14,7 +14,7 @@
 
 namespace terratact {
 
-/// Robot, model and what the methods make of it.
+/// A robot, a model and the estimators of the methods.
 struct EstimatorBundle {
     EstimatorBundle(RobotModel robotModel, StoredModel storedModel)
         : robot(std::move(robotModel)), model(std::move(storedModel)), models(model.data, robot)
@@ -28,34 +28,33 @@ struct EstimatorBundle {
 Result<std::unique_ptr<EstimatorBundle>> openEstimatorBundle(const std::string& robotPath,
                                                              const std::string& modelPath);
 
-/// Reconstructs one scene with what the arm has measured, by the settings' method.  Throws as reconstruct.
-/// seconds: after which sampling ends with what there is; 0: no limit.
+/// Estimates one scene with the arm's readings, using the settings' method. Throws the exceptions of reconstruct().
+/// seconds: time limit of the sampling; 0: no limit.
 TerrainEstimate estimateWith(const Scene& scene, std::span<const ArmReading> arm,
                              const EstimatorBundle& bundle, const Settings& settings,
                              double seconds = 0.0);
 
-/// An estimate of a scene, or why there is none.
+/// An estimate of a scene, or the reason that there is none.
 struct SceneEstimate {
     std::optional<TerrainEstimate> estimate;
-    std::string note;               ///< what makes it doubtful or impossible, in words
-    std::vector<ArmReading> arm{};  ///< what the simulated arm has measured
+    std::string note;               ///< warnings, or why the scene cannot be estimated
+    std::vector<ArmReading> arm{};  ///< readings of the simulated arm
 };
 
-/// Reconstructs one scene.  Pafac simulates the arm as the paper does: where some sd exceeds the limit, the
-/// bin of the largest one in reach is read, and the rest sampled again.  A reading is the scene's truth plus normal
-/// noise with the robot file's arm sd; the scene's seed decides it.
-/// seconds: of every sampling, as above.
+/// Estimates one scene. Pafac simulates the arm as in the paper: if an sd exceeds the probe threshold, the bin with the
+/// largest sd in reach is probed and the rest sampled again. A reading is the scene's truth plus normal noise with the
+/// robot file's arm sd, drawn from the scene's seed. seconds: time limit of each sampling.
 SceneEstimate estimateScene(const Scene& scene, const EstimatorBundle& bundle,
                             const Settings& settings, double seconds = 0.0);
 
-/// All scenes, on all cores, several at a time on each (EstimateBatch) unless their seconds are limited; the seed of
-/// scene k is settings.seed + k.  The estimates are those of estimateScene, bit for bit.
+/// Estimates all scenes on all cores. Each core runs several at a time (EstimateBatch), unless `seconds` limits them.
+/// Scene k uses settings.seed + k. The results are bit-identical to estimateScene().
 std::vector<SceneEstimate> estimateScenes(const std::vector<Scene>& scenes,
                                           const EstimatorBundle& bundle, const Settings& settings,
                                           double seconds = 0.0);
 
-/// Puts the robot on every estimate's ground (core/sim/posterior_check.h), on all cores. An estimate that contradicts
-/// its scene's readings says so, and so does its note. Returns how many do.
+/// Places the robot on every estimate's ground (core/sim/posterior_check.h), on all cores. An estimate that contradicts
+/// its scene's readings gets a warning and a note. Returns the number of contradictions.
 std::size_t checkEstimates(const std::vector<Scene>& scenes, const RobotModel& robot,
                            std::vector<SceneEstimate>& estimates);
 

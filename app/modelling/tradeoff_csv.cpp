@@ -19,7 +19,7 @@ std::string inducingName(int rows)
     return rows == 0 ? "all" : std::to_string(rows);
 }
 
-/// The fronts that a point is on, behind its numbers.
+/// Returns the mark for the Pareto fronts of a point.
 std::string_view mark(const TradeFronts& fronts, std::size_t point)
 {
     if (fronts.reference[point]) return fronts.truth[point] ? " *+" : " *";

@@ -2,9 +2,9 @@
 
 namespace terratact {
 
-/// From now on memory in blocks of 64 KiB or more goes back to the system as soon as it is free.  By itself glibc
-/// keeps them in its heaps once a few were freed (mallopt(3), M_MMAP_THRESHOLD), and a model's factors leave
-/// holes there.  Elsewhere than with glibc: nothing.  Call it before there are threads.
+/// Makes glibc return blocks of 64 KiB or more to the system as soon as they are freed. By default glibc keeps them in
+/// its heaps after a few were freed (mallopt(3), M_MMAP_THRESHOLD), and a model's factors leave holes there. Does
+/// nothing without glibc. Call before threads start.
 void giveBackBigBlocks();
 
 }  // namespace terratact

@@ -16,11 +16,11 @@
 namespace terratact {
 namespace {
 
-/// Which file a name leads to.
+/// Identity of the file that a name leads to.
 struct Identity {
-    std::string name;  ///< as messages call it
+    std::string name;  ///< name in messages
     std::optional<std::pair<dev_t, ino_t>> file;
-    std::string place;  ///< links followed; where no file is there
+    std::string place;  ///< path after links, if the file does not exist
 
     bool operator==(const Identity& other) const
     {
@@ -35,7 +35,7 @@ std::optional<std::pair<dev_t, ino_t>> fileOf(const struct stat& found)
                                   : std::nullopt;
 }
 
-/// Of an open file: the standard input or output.  One that is no regular file is like no other.
+/// Returns the identity of an open file: standard input or output. A file that is not regular equals no other.
 Identity identityOf(int descriptor, std::string name)
 {
     struct stat found {};
@@ -64,7 +64,7 @@ Identity outputIdentity(const std::string& path)
                                   : identityOf(path);
 }
 
-/// Done where `output` is none of `files`.
+/// Checks that `output` is none of `files`.
 Status checkApart(const Identity& output, const Paths& files)
 {
     for (const std::string& path : files) {
@@ -78,7 +78,7 @@ Status checkApart(const Identity& output, const Paths& files)
     return Done{};
 }
 
-/// The files that a command writes, each apart from all before it.
+/// The files a command writes; add() checks each against all earlier ones.
 class Written {
 public:
     Status add(const std::string& path)

@@ -9,23 +9,23 @@ namespace terratact {
 
 using Paths = std::vector<std::string>;
 
-/// The files of a command, as its arguments name them, and those that it finds or writes beside them.  "-" is the
-/// standard input among those that are read, the standard output among those that are written.
+/// The files of a command: those its arguments name, and those found or written beside them. "-" is standard input
+/// among inputs and standard output among outputs.
 struct CommandFiles {
-    Paths inputs;  ///< read
+    Paths inputs;  ///< files read
     Paths
-        companions;  ///< belong to an input: the card of a model, the notes and the journal of a session
-    Paths outputs;  ///< written
-    Paths updates;  ///< written, though they are companions of an input
+        /// Files that belong to an input: the card of a model, the notes and the journal of a session.
+        companions;
+    Paths outputs;  ///< files written
+    Paths updates;  ///< files written although they are companions of an input
 };
 
-/// Done where no file that the command writes is one that it reads, nor another that it writes, nor write-protected,
-/// nor a recorded session.  Two names are one file where they have the same device and inode, however they are
-/// spelt, through symbolic and hard links; where no file is there yet, where they lead to the same place.  A
-/// standard output that is a file counts as written.  Errors name both.
+/// Checks that no written file is an input, another output, write-protected, or a recorded session. Two names are the
+/// same file if they have the same device and inode, through any symbolic or hard link. Names of missing files are
+/// compared by the path they lead to. Standard output that is a file counts as written. Errors name both files.
 Status checkCommandFiles(const CommandFiles& files);
 
-/// What belongs to a session, or to a model, whether it is there or not.
+/// Returns the companions of a session or model, existing or not.
 Paths companionsOf(const std::string& input);
 
 }  // namespace terratact

@@ -5,12 +5,13 @@
 
 namespace terratact {
 
-/// A count, since the start, of what should not happen, and whether it has just grown.
+/// Tracks a count of errors since the start, and whether it grew recently.
 class GrowingCount {
 public:
     static constexpr double kLately = 5.0;  ///< [s]
 
-    /// Within the last kLately.  now: [s] on any monotonic clock; to be called several times a second.
+    /// Returns true if the count grew within the last kLately. now: any monotonic clock [s]. Call several times a
+    /// second.
     bool grewLately(std::uint64_t count, double now)
     {
         if (count > count_) grew_ = now;
@@ -20,7 +21,7 @@ public:
 
 private:
     std::uint64_t count_ = 0;
-    std::optional<double> grew_;  ///< [s] when
+    std::optional<double> grew_;  ///< [s] time of the last growth
 };
 
 }  // namespace terratact

@@ -5,8 +5,7 @@
 
 namespace terratact {
 
-/// From its construction on, Ctrl+C (SIGINT) and SIGTERM end nothing by themselves: whoever computes asks.  A second
-/// signal ends the program as if nobody asked.
+/// Catches Ctrl+C (SIGINT) and SIGTERM while it exists; long computations poll it. A second signal ends the program.
 class Interrupt {
 public:
     Interrupt()

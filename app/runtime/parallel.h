@@ -14,7 +14,7 @@
 
 namespace terratact {
 
-/// Processors that this thread may run on: what taskset or a batch system leaves it of the machine's.
+/// Returns the number of processors this thread may use, within the limits of taskset or a batch system.
 inline int processors()
 {
     cpu_set_t allowed;
@@ -22,9 +22,8 @@ inline int processors()
     return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-/// Calls work(0) … work(count − 1), each once, on at most `most` threads, of which the caller's is one; 0: on as
-/// many as there are processors().  The others have the caller's priority.  The first exception ends the rest
-/// and is thrown again here.
+/// Calls work(0) … work(count − 1) once each, on at most `most` threads including the caller's; 0: processors()
+/// threads. Threads inherit the caller's priority. The first exception stops the others and is rethrown.
 template <class Work>
 void parallelFor(int count, Work work, int most = 0)
 {
@@ -51,7 +50,7 @@ void parallelFor(int count, Work work, int most = 0)
     if (failure) std::rethrow_exception(failure);
 }
 
-/// Has a computation run its parts on all processors().
+/// Lets a computation run its parts in parallel on all processors().
 inline void lendProcessors(Watch& watch)
 {
     watch.threads = processors();

@@ -7,8 +7,8 @@
 
 namespace terratact {
 
-/// Progress of a long command: one line on stderr, only on a terminal and only after a second.
-/// tick() may be called from any thread.
+/// Progress of a long command: one line on stderr, on a terminal only and after one second. tick() may be called from
+/// any thread.
 class Progress {
 public:
     Progress(std::string what, int total);
@@ -17,7 +17,7 @@ public:
     Progress& operator=(const Progress&) = delete;
 
     void tick();
-    /// So many of the total are done.
+    /// Sets the number of finished items.
     void reach(int done);
 
 private:

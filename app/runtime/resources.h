@@ -4,10 +4,10 @@
 
 namespace terratact {
 
-/// Path of a file the program ships, such as "robots/absolem.toml": in share/terratact beside the folder of the
-/// running program, wherever that was installed, moved or unpacked.  A build tree has a link there to the source
-/// tree's resources, so that no path of the building machine is compiled in.
-/// Whether the file is there is for its reader to say.  Throws std::filesystem::filesystem_error without /proc.
+/// Returns the path of a shipped file, for example "robots/absolem.toml". It lies in share/terratact beside the folder
+/// of the running program, wherever that was installed, moved or unpacked. A build tree has a link there to the
+/// sources' resources, so no path of the build machine is compiled in. The reader of the file reports a missing file.
+/// Throws std::filesystem::filesystem_error without /proc.
 std::string resourcePath(const std::string& name);
 
 }  // namespace terratact

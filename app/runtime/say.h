@@ -10,8 +10,8 @@
 
 namespace terratact {
 
-/// A text of several lines that the program has laid out itself; texts of files in it cannot end a line (they are
-/// printable(), or were read as one line), and what else is not printable is '?' all the same.
+/// A text of several lines that the program formatted itself. Texts from files inside it are already one line
+/// (printable()). Other unprintable characters become '?'.
 struct Lines {
     explicit Lines(std::string_view several) : text(several) {}
     std::string_view text;
@@ -28,8 +28,8 @@ auto sayable(const Value& value)
         return value;
 }
 
-/// All that the programs print goes through here: a text that fills a place of the format may come from anybody's
-/// file, so it is one line that moves no cursor and hides nothing (printable()).
+/// Prints a formatted text; all output of the programs goes through here. Each value may come from an untrusted file,
+/// so it becomes one line without control characters (printable()).
 template <class... Values>
 void say(std::FILE* to,
          fmt::format_string<decltype(sayable(std::declval<const Values&>()))...> format,

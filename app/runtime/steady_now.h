@@ -5,7 +5,7 @@
 
 namespace terratact {
 
-/// [s] on the steady clock.
+/// Converts a time point of the steady clock to seconds.
 inline double secondsOf(std::chrono::steady_clock::time_point time)
 {
     return std::chrono::duration<double>(time.time_since_epoch()).count();
@@ -15,7 +15,7 @@ inline double steadyNow()
     return secondsOf(std::chrono::steady_clock::now());
 }
 
-/// [s] on the clock that goes on while this computer sleeps, which the steady one does not.
+/// Returns the time [s] of a clock that continues during suspend; the steady clock stops.
 inline double sleeplessNow()
 {
     timespec now{};

@@ -5,7 +5,7 @@
 
 namespace terratact {
 
-/// Wall-clock time since it was made.
+/// Wall-clock time since construction.
 class Stopwatch {
 public:
     double seconds() const
@@ -17,7 +17,7 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Processor time that this thread has had since it was made: what it would take on a machine that does nothing else.
+/// Processor time of this thread since construction; other load on the machine does not count.
 class ProcessorStopwatch {
 public:
     double seconds() const { return now() - start_; }

@@ -12,26 +12,26 @@
 
 namespace terratact {
 
-/// Whether a path to write means the standard output: "-", or its name under /dev or /proc.
+/// Returns true if an output path means standard output: "-", or its name under /dev or /proc.
 bool isStandardOutput(std::string_view path);
 
-/// Whether a pipe or a character device (/dev/null, a process substitution) is at `path`: what is written there
-/// cannot be renamed into place.
+/// Returns true for a pipe or character device (/dev/null, a process substitution), which cannot be replaced by a
+/// rename.
 bool isStream(const std::string& path);
 
-/// Where a command says what it did: stdout, or stderr where `out` is the standard output and belongs to the data.
+/// Returns the stream for messages: stdout, or stderr if `out` is standard output and carries data.
 std::FILE* messagesBeside(const std::string& out);
 
-/// Output that is written from its beginning to its end.  To a file as NewFile does it: whole or not at all.  To the
-/// standard output, a pipe or a character device at once: what came before an error is there.
+/// Sequential output. A file is written completely or not at all, like NewFile. Standard output, a pipe or a character
+/// device is written at once, so output before an error remains.
 class TextOutput {
 public:
-    /// Errors name the file, as those of NewFile::begin().
+    /// Opens the output. Errors name the file, like those of NewFile::begin().
     static Result<TextOutput> begin(const std::string& path);
 
     std::ostream& stream() { return *stream_; }
 
-    /// Flushes and, of a file, renames.  Errors name the file: not all of it could be written.
+    /// Flushes and, for a file, renames. Errors name the file that could not be written completely.
     Status commit();
 
 private:
@@ -42,7 +42,7 @@ private:
     std::unique_ptr<std::ostream> stream_;
 };
 
-/// Puts `content` at `path` as TextOutput does.
+/// Writes `content` to `path` through TextOutput.
 Status writeText(const std::string& path, std::string_view content);
 
 }  // namespace terratact

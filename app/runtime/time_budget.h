@@ -8,8 +8,8 @@
 
 namespace terratact {
 
-/// Ends sampling so many seconds [s] after it was first asked, which is after the first sweeps: what a model makes once
-/// for all scenes is no part of a scene's time.  0: there is no limit.
+/// Returns a watch that ends sampling `seconds` [s] after its first call. The first call comes after the first sweeps,
+/// so a model's one-time preparation is not counted. 0: no limit.
 inline Watch endingAfter(double seconds)
 {
     using Clock = std::chrono::steady_clock;

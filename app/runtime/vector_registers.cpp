@@ -5,7 +5,7 @@ namespace terratact {
 void clearUpperVectorHalves()
 {
 #if defined(__x86_64__) && defined(__GNUC__)
-    // Nothing that is compiled for SSE lies there.
+    // SSE code keeps no values in the upper halves.
     static const bool hasThem = __builtin_cpu_supports("avx");
     if (hasThem) asm volatile("vzeroupper");
 #endif

@@ -2,10 +2,10 @@
 
 namespace terratact {
 
-/// Clears the upper halves of this thread's vector registers (VZEROUPPER) where there are any.  While they are in use,
-/// x86 processors run SSE code, which most of the core and of Qt is, four to ten times slower.  Qt's painting and what
-/// the system copies leave them in use, and a new thread inherits them.  To be called after painting, and before work
-/// in a thread that a painting one made.
+/// Clears the upper halves of this thread's vector registers (VZEROUPPER), if it has any. While they are in use, x86
+/// processors run SSE code four to ten times slower, which is most of the core and of Qt. Qt's painting and system
+/// copies leave them in use, and new threads inherit them. Call after painting, and at the start of threads that a
+/// painting thread creates.
 void clearUpperVectorHalves();
 
 }  // namespace terratact
