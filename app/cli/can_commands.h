@@ -11,33 +11,33 @@
 
 namespace terratact {
 
-// The subcommands of `terratact can`.  Each returns what stood in its way, in one sentence.
+// The subcommands of `terratact can`. Each returns an Error of one sentence if it fails.
 
 struct CanDecodeOptions {
     std::string log;        ///< "-": standard input
-    std::string interface;  ///< empty: all
+    std::string interface;  ///< empty: all interfaces
     CanProtocol protocol = CanProtocol::Terratact;
-    std::vector<std::string> dbc{};  ///< files for frames that are not the protocol's
-    std::string csv;                 ///< to be written; empty: none
-    bool summaryOnly = false;        ///< no line for each frame
+    std::vector<std::string> dbc{};  ///< DBC files for frames outside the protocol
+    std::string csv;                 ///< output file; empty: none
+    bool summaryOnly = false;        ///< prints no line per frame
 };
-/// Prints every frame of a log in words, and what was wrong, for each interface.
+/// Prints every frame of a log as text and the faults of each interface.
 Status decodeCanLog(const CanDecodeOptions& options);
 
 struct CanMonitorOptions {
-    std::string bus;        ///< an interface, or a log to be replayed
-    std::string interface;  ///< of a log that holds several
-    double speed = 1.0;     ///< of a replay
+    std::string bus;        ///< an interface, or a log to replay
+    std::string interface;  ///< needed if the log holds several
+    double speed = 1.0;     ///< replay speed
     CanProtocol protocol = CanProtocol::Terratact;
-    std::vector<std::string> dbc{};  ///< files for frames that are not the protocol's
-    double bitrate = 500'000.0;      ///< [bit/s] for the load
-    std::optional<double> seconds;   ///< then it ends; else at the end of a replay, or never
+    std::vector<std::string> dbc{};  ///< DBC files for frames outside the protocol
+    double bitrate = 500'000.0;      ///< [bit/s] for the bus load
+    std::optional<double> seconds;   ///< run time; empty: until the replay's end, or forever
 };
-/// Shows what is on a bus: a table that is refreshed five times a second on a terminal, else once a second.
+/// Shows the traffic of a bus. On a terminal the table refreshes five times a second, otherwise once a second.
 Status monitorCan(const CanMonitorOptions& options);
 
-/// Prints what is wrong with an interface and which command mends it, or what a log holds.  An Error where it cannot be
-/// used.
+/// Prints the faults of an interface with the command that fixes each, or the content of a log. Returns an Error if it
+/// cannot be used.
 Status checkCan(const std::string& interfaceOrLog);
 
 }  // namespace terratact

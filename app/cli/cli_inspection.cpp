@@ -57,7 +57,7 @@ void addGhost(CLI::App& app, Job& job)
     auto* c = app.add_subcommand(
         "ghost", "What the last estimate is worth at the next scene of simulated drives");
     const auto o = std::make_shared<GhostOptions>();
-    o->settings.hazardRate = 0.0;  // the model's own bands
+    o->settings.hazardRate = 0.0;  // compares the model's bands without hazard rate
     const auto methods = std::make_shared<std::vector<std::string>>();
     addRobot(*c, o->robot);
     addModel(*c, o->model);

@@ -24,7 +24,7 @@ constexpr int kWrongArguments = 2;
 
 int realMain(int argc, char** argv)
 {
-    openblas_set_num_threads(1);  // our own threads run side by side, one Gaussian process each
+    openblas_set_num_threads(1);  // our own threads run in parallel, one Gaussian process each
     CommandLine app("Terrain profile by touch for tracked robots that see nothing", "terratact");
     app.set_version_flag("--version", "terratact " TERRATACT_VERSION);
     app.require_subcommand(1);
@@ -36,7 +36,7 @@ int realMain(int argc, char** argv)
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        std::ostringstream out, complaint;  // which may quote a file's name
+        std::ostringstream out, complaint;  // may quote a file name
         const int code = app.exit(error, out, complaint);
         say("{}", Lines(out.str()));
         say(stderr, "{}", Lines(complaint.str()));
@@ -49,7 +49,7 @@ int realMain(int argc, char** argv)
     return kFailed;
 }
 
-/// `code`, or kFailed where the standard output, such as a file on a full disk, did not take all that was printed.
+/// Returns `code`, or kFailed if standard output did not accept all text, for example on a full disk.
 int afterPrinting(int code)
 {
     errno = 0;

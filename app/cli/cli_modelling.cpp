@@ -17,13 +17,13 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// The command as a person would type it, with the program's bare name.
+/// Returns the command line as typed, with the program's bare name.
 std::string commandLine(const Words& words)
 {
     return fmt::format("terratact {}", fmt::join(words, " "));
 }
 
-/// The words without an option and its value.
+/// Returns the words without an option and its value.
 Words without(const std::string& option, Words words)
 {
     for (auto word = words.begin(); word != words.end();)
@@ -36,7 +36,7 @@ Words without(const std::string& option, Words words)
     return words;
 }
 
-/// The command around the value of --out.
+/// Splits the command around the value of --out.
 void splitAtOut(const Words& words, TrainOptions& options)
 {
     const auto out = std::find_if(words.begin(), words.end(), [](const std::string& word) {
@@ -159,7 +159,7 @@ void addEvaluate(CLI::App& app, Job& job, const Words& words)
     declareFiles(*c, FileRole::Update,
                  [o] { return o->card ? Paths{cardPath(o->model)} : Paths{}; });
     addMethods(*c, *methods);
-    o->settings.hazardRate = 0.0;  // the methods themselves are compared
+    o->settings.hazardRate = 0.0;  // compares the methods without hazard rate
     addNumber(*c, "--step-limit", o->stepLimit,
               "Ground that rises or falls by more within two bins is a step [m]")
         ->check(CLI::Range(0.0, 10.0));

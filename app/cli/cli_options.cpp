@@ -14,7 +14,7 @@
 namespace terratact {
 namespace {
 
-/// What an estimate costs: a preset, or each number by itself.
+/// Adds the options for the cost of an estimate: a quality preset, or each number.
 void addEffort(CLI::App& app, Settings& settings)
 {
     const std::vector<CLI::Option*> numbers{
@@ -39,7 +39,7 @@ void addEffort(CLI::App& app, Settings& settings)
     for (CLI::Option* number : numbers) quality->excludes(number);
 }
 
-/// Shells and scripts write the standard input so.
+/// Returns the input path; shells and scripts write "-" for standard input.
 std::string inputPath(const std::string& given)
 {
     return given == "-" ? "/dev/stdin" : given;
@@ -50,7 +50,7 @@ Paths given(const std::string& path)
     return path.empty() ? Paths{} : Paths{path};
 }
 
-/// Of what cannot be written from its beginning to its end at once.
+/// Returns a complaint if the path is a stream, which cannot be written under a temporary name.
 std::string refuseStream(const std::string& path)
 {
     if (!isStandardOutput(path) && !isStream(path)) return {};

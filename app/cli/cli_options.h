@@ -13,20 +13,21 @@
 
 namespace terratact {
 
-// What several subcommands declare their options with.
+// Option declarations that several subcommands share.
 
-/// What a command does with a file: see CommandFiles.
+/// Role of a file in a command, see CommandFiles.
 enum class FileRole { Input, Output, Update };
 
-/// The whole command line.  It knows which files each of its commands reads and writes.
+/// The whole command line. It knows the files that each command reads and writes.
 class CommandLine : public CLI::App {
 public:
     using CLI::App::App;
 
-    /// The command reads or writes the files that `paths` lists once the arguments are parsed and its callback has run.
+    /// Declares files of a command. `paths` is called after the arguments are parsed and the command's callback has
+    /// run.
     void declare(const CLI::App& command, FileRole role, std::function<Paths()> paths);
 
-    /// Of the commands that the arguments name.
+    /// Returns the files of the commands named by the arguments.
     CommandFiles files() const;
 
 private:
@@ -38,43 +39,43 @@ private:
     std::vector<Declaration> declarations_;
 };
 
-/// Declares files of a command.  `command` is below a CommandLine, else std::bad_cast.
+/// Declares files of a command. Throws std::bad_cast unless `command` is below a CommandLine.
 void declareFiles(CLI::App& command, FileRole role, std::function<Paths()> paths);
 
-/// An option with a file, or with several, that the command reads; "-" becomes /dev/stdin.
+/// Adds an option for one or several input files; "-" becomes /dev/stdin.
 CLI::Option* addInput(CLI::App& app, const std::string& name, std::string& path,
                       const std::string& text);
 CLI::Option* addInput(CLI::App& app, const std::string& name, Paths& paths,
                       const std::string& text);
 
-/// An argument with a log of CAN frames, which the command reads as LogReader does, "-" included.
+/// Adds an argument for a CAN log, read by LogReader; "-" is allowed.
 CLI::Option* addLog(CLI::App& app, const std::string& name, std::string& path,
                     const std::string& text);
 
-/// --terrain: a file of profiles, or the name of ground that is made.
+/// Adds --terrain: a profile file, or the name of generated ground.
 CLI::Option* addTerrain(CLI::App& app, std::string& terrain, const std::string& text);
 
-/// An option with a text file that the command writes from its beginning to its end; "-" is the standard output.
+/// Adds an option for a text output that is written sequentially; "-" is standard output.
 CLI::Option* addTextOutput(CLI::App& app, const std::string& name, std::string& path,
                            const std::string& text);
 
-/// An option with a file that the command writes under another name first: "-" and pipes are refused.
+/// Adds an option for an output file that is written under a temporary name, so "-" and pipes are refused.
 CLI::Option* addFileOutput(CLI::App& app, const std::string& name, std::string& path,
                            const std::string& text);
 
-/// An option with a directory in which the command writes the files that `names` lists.
+/// Adds an option for an output directory. `names` lists the files written there.
 CLI::Option* addFolderOutput(CLI::App& app, const std::string& name, std::string& path,
                              const std::string& text, std::function<Paths()> names);
 
-/// An option with a number, which shows its default.
+/// Adds an option for a number; the help shows its default.
 CLI::Option* addNumber(CLI::App& app, const std::string& flag, auto& number,
                        const std::string& text)
 {
     return app.add_option(flag, number, text)->capture_default_str();
 }
 
-/// An option that becomes the value which `parse` finds in its text.  One in which it finds none (an empty optional)
-/// is refused with the complaint: "TEXT is none of …".
+/// Adds an option whose value `parse` makes from its text. If `parse` returns empty, the text is refused: "TEXT is none
+/// of …".
 template <class Value, class Parse>
 CLI::Option* addParsed(CLI::App& app, const std::string& flag, Value& value, Parse parse,
                        const std::string& kind, const std::string& complaint,
@@ -89,7 +90,7 @@ CLI::Option* addParsed(CLI::App& app, const std::string& flag, Value& value, Par
         ->check(CLI::Validator(complain, kind));
 }
 
-/// An option that takes one of a set of names, "first|second|third".
+/// Adds an option that takes one of the names "first|second|third".
 template <class Value, class FromName>
 CLI::Option* addChoice(CLI::App& app, const std::string& flag, Value& value, FromName fromName,
                        const std::string& names, const std::string& text)
@@ -99,16 +100,15 @@ CLI::Option* addChoice(CLI::App& app, const std::string& flag, Value& value, Fro
 
 void addRobot(CLI::App& app, std::string& robot);  ///< --robot
 void addModel(CLI::App& app, std::string& model);  ///< --model
-void useShippedRobot(std::string& robot);          ///< where none is named
-void useShippedModel(std::string& model);          ///< likewise
+void useShippedRobot(std::string& robot);          ///< used if no --robot is given
+void useShippedModel(std::string& model);          ///< used if no --model is given
 
 void addMethod(CLI::App& app, Settings& settings);
 void addMethods(CLI::App& app, std::vector<std::string>& methods);
-/// Each once, in the order given; all of them where none is.
+/// Returns each method once, in the order given; all methods for an empty list.
 std::vector<Method> methodsFrom(const std::vector<std::string>& names);
 
-/// Options that all estimating commands share.
-/// seconds: of sampling per estimate, at most.
+/// Adds the options that all estimating commands share. seconds: time limit of the sampling per estimate.
 void addSettings(CLI::App& app, Settings& settings, double& seconds);
 
 }  // namespace terratact

@@ -17,7 +17,7 @@ void addSessionFiles(CLI::App& app, Files& files)
     addInput(app, "files", files, "Sessions (*.tts)")->required();
 }
 
-/// One that only needs to know which sessions.
+/// Adds a subcommand whose only arguments are sessions.
 void addOfFiles(CLI::App& session, Job& job, const std::string& name, const std::string& text,
                 Status (*run)(const Files&))
 {
@@ -51,7 +51,7 @@ void addSessionVerify(CLI::App& session, Job& job)
     c->callback([o, &job] { job = [o] { return verifySessions(*o); }; });
 }
 
-/// An end of a range.
+/// Adds an option for an end of a time range.
 void addMoment(CLI::App& app, const std::string& name, double& seconds)
 {
     const auto refuseNan = [](const std::string& text) {

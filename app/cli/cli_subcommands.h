@@ -9,20 +9,20 @@
 
 namespace terratact {
 
-/// What the arguments ask for: to be run once all of them are parsed.
+/// The work that the arguments request; run after parsing.
 using Job = std::function<Status()>;
 
-// Each adds subcommands to the program, in the order of its help.  A subcommand owns its options: its callback, which
-// CLI11 calls where the arguments name it, keeps them and sets the job that takes them.
+// Each function adds subcommands, in the order of the help. A subcommand owns its options. CLI11 calls its callback if
+// the arguments name it; the callback sets the job.
 
-/// simulate, train, reconstruct, evaluate, hazards, merge, tradeoff.
-/// words: of the command behind the program's name; models and parts remember them.
+/// Adds simulate, train, reconstruct, evaluate, hazards, merge, tradeoff. words: arguments after the program's name;
+/// models and parts store them.
 void addModelling(CLI::App& app, Job& job, const std::vector<std::string>& words);
-/// contacts, ghost, probes, calibrate, model: what measurements and models are worth.
+/// Adds contacts, ghost, probes, calibrate, model, which assess measurements and models.
 void addInspection(CLI::App& app, Job& job);
-/// panel, demo, robot, can.
+/// Adds panel, demo, robot, can.
 void addBuses(CLI::App& app, Job& job);
-/// session and what is below it.
+/// Adds session and its subcommands.
 void addSessions(CLI::App& app, Job& job);
 
 }  // namespace terratact

@@ -30,7 +30,7 @@ void tell(CanFinding::Level level, const std::string& what)
     say("{:<8} {}\n", wordOf(level), what);
 }
 
-/// What a log holds, and what was wrong when it was recorded.
+/// Prints the content of a log, and the faults during its recording.
 Status checkLog(const std::string& path)
 {
     Result<LogReader> log = LogReader::open(path);

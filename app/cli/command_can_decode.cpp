@@ -19,14 +19,14 @@ namespace {
 
 constexpr std::size_t kMaxBuses = 64;
 
-/// One interface of the log.
+/// State of one interface in the log.
 struct Bus {
     std::unique_ptr<FrameReader> reader;
     BusStatistics statistics;
     std::optional<double> first, last;  ///< [s]
 };
 
-/// One row for each value, one for each frame without any.
+/// Writes one row per value, or one per frame without values.
 class CsvOutput {
 public:
     static Result<CsvOutput> begin(const std::string& path)
@@ -69,7 +69,7 @@ public:
     {
     }
 
-    /// Whatever stands in the way, what came before it is in the summary.
+    /// Decodes the log; after an error the summary still covers the frames before it.
     Status run()
     {
         Status read = readAll();
@@ -111,7 +111,7 @@ private:
         Bus& bus = buses_[logged.interface];
         if (!bus.reader) bus.reader = frameReader(options_.protocol, book_);
         if (logged.time && !begin_) begin_ = logged.time;
-        // On the log's even clock: the recording machine's may have been set.
+        // Uses the log's even clock, because the recording machine's clock may have been set.
         const double now = log_.elapsed();
         if (logged.time && !bus.first) bus.first = now;
         if (logged.time) bus.last = now;
@@ -156,7 +156,7 @@ private:
     LogReader log_;
     std::optional<CsvOutput> csv_;
     std::map<std::string, Bus> buses_;
-    std::optional<double> begin_;  ///< [s] of the first frame with a time
+    std::optional<double> begin_;  ///< [s] of the first frame with a time stamp
 };
 
 }  // namespace

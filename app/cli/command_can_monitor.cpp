@@ -24,7 +24,7 @@ double seconds(MonitorClock::time_point time)
     return std::chrono::duration<double>(time.time_since_epoch()).count();
 }
 
-/// Where the table goes.
+/// The terminal or stream that shows the table.
 class Screen {
 public:
     Screen() : isTerminal_(::isatty(STDOUT_FILENO) != 0) {}
@@ -34,11 +34,11 @@ public:
 
     void show(const std::string& headline, const std::vector<std::string>& table) const
     {
-        if (isTerminal_) say("\x1b[H");  // to the upper left corner
+        if (isTerminal_) say("\x1b[H");  // moves the cursor to the upper left corner
         line(headline);
         for (const std::string& text : table) line(text);
         if (isTerminal_)
-            say("\x1b[J");  // nothing left of the table before
+            say("\x1b[J");  // clears the rest of the previous table
         else
             say("\n");
         std::fflush(stdout);
@@ -69,7 +69,7 @@ private:
     bool isTerminal_;
 };
 
-/// Reads the bus until `until`, a replay to its end at most.
+/// Reads the bus until `until`; a replay ends earlier at its end.
 Status takeUntil(CanBus& bus, bool isReplay, CanMonitor& monitor, MonitorClock::time_point until)
 {
     std::array<BusFrame, 64> frames;
@@ -82,13 +82,13 @@ Status takeUntil(CanBus& bus, bool isReplay, CanMonitor& monitor, MonitorClock::
     }
 }
 
-/// The bus to look at.
+/// The monitored bus.
 struct Monitored {
     std::unique_ptr<CanBus> bus;
-    LogReplay* replay = nullptr;  ///< the same; null: it is an interface
+    LogReplay* replay = nullptr;  ///< the bus as a replay; null: an interface
 };
 
-/// A name with a folder in it, or of something that exists here, is no interface's.
+/// Returns true if the name contains a folder or exists as a file; an interface does neither.
 bool isLog(const std::string& name)
 {
     std::error_code ignored;
@@ -112,7 +112,7 @@ Result<Monitored> open(const CanMonitorOptions& options)
 
 std::string stateText(const Monitored& monitored)
 {
-    constexpr double kShort = 2.0;  // [s] of waiting that needs no word
+    constexpr double kShort = 2.0;  // [s] a shorter wait is not reported
     const CanBus& bus = *monitored.bus;
     if (!monitored.replay) return describe(bus.state(), bus.name());
     if (bus.state() == BusState::Ended) return bus.name() + " has ended";

@@ -24,11 +24,11 @@ namespace terratact {
 namespace {
 
 constexpr double kTick = 0.05;         // [s] telemetry period
-constexpr double kStopBefore = 0.47;   // [m] base to step when the operator stops
+constexpr double kStopBefore = 0.47;   // [m] distance from base to step at which the operator stops
 constexpr double kPressTorque = 18.0;  // [N m]
-constexpr int kMaxLength = 20 * 120;   // [ticks] nothing here takes two minutes
+constexpr int kMaxLength = 20 * 120;   // [ticks] two minutes, longer than any phase
 
-/// Lets time pass until the robot does `wanted`; false if it refuses or takes too long.
+/// Runs the simulation until the robot does `wanted`; returns false if it refuses or takes too long.
 template <class Condition>
 bool waitFor(SimulatedRobot& robot, Condition wanted)
 {
@@ -75,7 +75,7 @@ Status probe(SimulatedRobot& robot, int bin)
     return Done{};
 }
 
-/// Prints an estimate and writes it as CSV and PNG under `stem`.
+/// Prints an estimate and writes it to `stem`.csv and `stem`.png.
 Status present(const TerrainEstimate& estimate, const Scene& scene, const RobotModel& robot,
                std::optional<int> bin, const std::string& title, const std::filesystem::path& stem)
 {

@@ -31,15 +31,15 @@ namespace terratact {
 
 namespace {
 
-/// What is evaluated: the scenes of one part.
+/// The scenes of one part (shard).
 struct Workload {
     std::vector<Scene> scenes;
-    std::size_t first = 0;  ///< number of the first among all
+    std::size_t first = 0;  ///< number of the part's first scene among all
     const EstimatorBundle& bundle;
     const EvaluateOptions& options;
 };
 
-/// The errors of one estimate; -0, which files do not keep, becomes 0.
+/// Returns the errors of one estimate; -0 becomes 0, because files do not keep it.
 std::vector<BinError> keptErrors(std::size_t number, const Scene& scene, const std::string& label,
                                  const TerrainEstimate& estimate)
 {
@@ -58,7 +58,7 @@ void append(std::vector<Entry>& into, const std::vector<Entry>& more)
     into.insert(into.end(), more.begin(), more.end());
 }
 
-/// Adds the errors and forecasts of one method or baseline and prints how it went.
+/// Adds the errors and forecasts of a method or baseline and prints its result.
 void judgeEstimates(const std::string& label, const Workload& work,
                     const std::vector<SceneEstimate>& estimates, double seconds, Findings& findings)
 {
@@ -132,7 +132,7 @@ Result<SceneFile> scenesWithTruth(const std::string& path)
     return file;
 }
 
-/// How many of the scenes the model was trained on; says so where there are some.
+/// Returns how many scenes the model was trained on; prints a notice if there are any.
 std::size_t tellTrainingScenes(const std::vector<Scene>& scenes, const EstimatorBundle& bundle)
 {
     const std::size_t trained = trainingScenes(scenes, bundle.model.data.features);
@@ -144,7 +144,7 @@ std::size_t tellTrainingScenes(const std::vector<Scene>& scenes, const Estimator
     return trained;
 }
 
-/// The index file of the classes, where there is one.
+/// Reads the index file of the classes, if one is given.
 Result<std::optional<Classes>> classesOf(const EvaluateOptions& options)
 {
     if (options.classes.empty()) return std::optional<Classes>();
@@ -174,7 +174,7 @@ Result<std::string> hashOfFile(const std::string& path)
     return path.empty() ? std::string("(none)") : sha256OfFile(path);
 }
 
-/// What parts must agree in to be put together.
+/// Returns the values that must agree between parts of one evaluation.
 Result<std::map<std::string, std::string>>
 originOf(const EvaluateOptions& options, const std::string& modelHash, const std::string& dataHash)
 {
@@ -214,7 +214,7 @@ Status writeShard(const EvaluateOptions& options, const std::string& modelHash,
     return Done{};
 }
 
-/// The part of the scenes that is asked for.
+/// Returns the scenes of the requested part.
 Result<std::vector<Scene>> scenesOf(const Shard& shard, std::vector<Scene> all,
                                     const std::string& path)
 {
@@ -225,7 +225,7 @@ Result<std::vector<Scene>> scenesOf(const Shard& shard, std::vector<Scene> all,
     return std::vector<Scene>(at(shard.begin(all.size())), at(shard.end(all.size())));
 }
 
-/// What the methods, baselines apart, err: into the card of the model.
+/// Writes the errors of the methods, without baselines, into the model's card.
 Status keepInCard(const EvaluateOptions& options, const std::string& modelHash,
                   const std::string& dataHash, const Findings& findings, std::size_t trained)
 {

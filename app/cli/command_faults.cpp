@@ -60,12 +60,13 @@ WatchedDrives driveWatched(const FaultsOptions& options, const RobotModel& robot
     return drives;
 }
 
-/// One fault on all drives.
+/// Results of one fault on all drives.
 struct FaultRow {
     std::size_t scenes = 0, suspects = 0, doubted = 0, contradicting = 0, drives = 0;
-    std::vector<double> seconds, until;  ///< of drives where it was noticed, until then
+    std::vector<double> seconds,
+        until;  ///< per drive with a detection: time [s], scenes until then
     std::vector<BinError> all,
-        trusted;  ///< errors of all scenes, and of those that no doubt withholds
+        trusted;  ///< errors of all scenes, of scenes without a withheld verdict
 };
 
 double percent(std::size_t part, std::size_t whole)
@@ -73,7 +74,7 @@ double percent(std::size_t part, std::size_t whole)
     return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
-/// The middle one of the times, in words; "never" where fewer than half of the drives have any.
+/// Returns the median time as text; "never" if fewer than half of the drives have a time.
 std::string medianWords(std::vector<double> values, std::size_t drives, const char* format)
 {
     if (2 * values.size() < drives) return "never";
@@ -141,7 +142,7 @@ void printFault(const TriedFault& fault, const FaultRow& row)
     std::fflush(stdout);
 }
 
-/// More than 5 mm or 10 points worse than without a fault.
+/// Returns true if the error is more than 5 mm, or the coverage more than 10 points, worse than without a fault.
 bool harms(const FaultRow& row, const FaultRow& sound)
 {
     const ErrorStatistics with = statistics(row.all), without = statistics(sound.all);
@@ -162,7 +163,7 @@ void printHead(const FaultsOptions& options, std::size_t drives)
         "suspect", "contra", "doubt", "drives", "after s", "scenes", "left mm", "in 80");
 }
 
-/// Drives [%] in which SensorWatch notices that fault.
+/// Returns the share of drives [%] in which SensorWatch detects the fault.
 double noticedIn(const std::string& fault, const RobotModel& robot, const WatchedDrives& drives)
 {
     std::vector<char> noticed(drives.size());
@@ -174,7 +175,7 @@ double noticedIn(const std::string& fault, const RobotModel& robot, const Watche
                    drives.size());
 }
 
-/// Every kind of fault at every sensor; a letter stands for a reason below.
+/// Prints the matrix of fault kinds and sensors; a letter refers to a reason printed below it.
 void printMatrix(const RobotModel& robot, const WatchedDrives& drives)
 {
     std::vector<std::string_view> reasons;

@@ -40,7 +40,8 @@ Result<std::vector<TerrainProfile>> groundsOf(const GhostOptions& options)
     std::vector<TerrainProfile> all = std::move(file->profiles);
     const auto most = static_cast<std::size_t>(options.drives);
     if (all.size() <= most) return all;
-    std::vector<TerrainProfile> grounds;  // evenly among them: neighbours are alike
+    std::vector<TerrainProfile>
+        grounds;  // spread evenly, because neighbouring profiles are similar
     grounds.reserve(most);
     for (std::size_t k = 0; k < most; ++k) grounds.push_back(all[k * all.size() / most]);
     return grounds;
@@ -56,7 +57,7 @@ Drives driveAll(const GhostOptions& options, const RobotModel& robot,
         std::seed_seq seed{options.settings.seed, static_cast<std::uint64_t>(k)};
         std::mt19937_64 rng(seed);
         DriveConditions conditions;
-        conditions.noise.height = 0.0;  // scored against the ground itself
+        conditions.noise.height = 0.0;  // scored against the true ground
         int skipped = 0;
         const DriveStyle style = randomDriveStyle(rng);
         drives[k] = driveWithOdometry(robot, grounds[k], stopsOver(grounds[k], options.spacing),
@@ -76,7 +77,7 @@ Measurement telemetry(const OdometryReading& reading)
     return m;
 }
 
-/// What is left of the estimate after the way to the next scene.
+/// Returns the ghost of the estimate after the drive to the next scene.
 std::optional<Ghost> ghostAfter(const TerrainEstimate& estimate, const RobotModel& robot,
                                 const OdometryReading& scene,
                                 const std::vector<OdometryReading>& way)
@@ -94,7 +95,7 @@ WeakHeights weakHeights(const Ghost& ghost, double sdFactor)
     return weak;
 }
 
-/// A ghost as a forecast, and the scene with the truth of its bins alone.
+/// Scores a ghost as a forecast, with the truth of its bins only.
 std::vector<BinError> errorsOfGhost(std::size_t number, Scene scene, const Ghost& ghost)
 {
     TerrainEstimate forecast;
@@ -113,11 +114,11 @@ std::vector<BinError> errorsOfGhost(std::size_t number, Scene scene, const Ghost
 }
 
 struct GhostFindings {
-    std::vector<Scene> scenes;                      ///< with a scene before them
-    std::vector<BinError> ghost;                    ///< of its bins
-    std::vector<BinError> without, with;            ///< all bins of scenes with a ghost
-    std::vector<BinError> withoutThere, withThere;  ///< the ghost's bins of them
-    std::size_t ended = 0;                          ///< scenes without a ghost left
+    std::vector<Scene> scenes;                      ///< scenes with a previous scene
+    std::vector<BinError> ghost;                    ///< errors of the ghost's bins
+    std::vector<BinError> without, with;            ///< errors in all bins of scenes with a ghost
+    std::vector<BinError> withoutThere, withThere;  ///< errors in the ghost's bins only
+    std::size_t ended = 0;                          ///< scenes whose ghost had ended
 };
 
 void append(std::vector<BinError>& all, const std::vector<BinError>& some)
@@ -125,7 +126,7 @@ void append(std::vector<BinError>& all, const std::vector<BinError>& some)
     all.insert(all.end(), some.begin(), some.end());
 }
 
-/// Bins of `errors` where the ghost, whose errors are these, had something to say.
+/// Returns the `errors` in bins for which the ghost has a forecast.
 std::vector<BinError> where(const std::vector<BinError>& ghost, const std::vector<BinError>& errors)
 {
     std::vector<BinError> kept;
@@ -135,7 +136,7 @@ std::vector<BinError> where(const std::vector<BinError>& ghost, const std::vecto
     return kept;
 }
 
-/// One drive's scenes one after another, estimated without a ghost and, each on the ghost of the last, with one.
+/// Estimates the scenes of one drive in sequence: once without a ghost, and once using the ghost of the previous scene.
 class DriveTrial {
 public:
     DriveTrial(const EstimatorBundle& bundle, const GhostOptions& options, Settings settings)
@@ -166,7 +167,7 @@ public:
     }
 
 private:
-    /// Empty for a scene unlike all that the method has learnt.
+    /// Returns the estimate; empty for a scene outside everything the method has learnt.
     std::optional<TerrainEstimate> estimate(const Scene& scene, const WeakHeights& weak) const
     {
         try {

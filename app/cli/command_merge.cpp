@@ -50,7 +50,7 @@ Status mergeTraining(const MergeOptions& options)
     return Done{};
 }
 
-/// Whether any of the methods, baselines apart, has estimated a scene.
+/// Returns true if any method, not a baseline, has estimated a scene.
 bool anyEstimate(const Findings& findings)
 {
     const auto methods = static_cast<std::ptrdiff_t>(findings.options.methods.size());

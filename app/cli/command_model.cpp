@@ -20,7 +20,7 @@ namespace terratact {
 
 namespace {
 
-/// Every number that predictions need, one per line: set,bin_m,name,value.
+/// Prints every number that predictions need, one per line: set,bin_m,name,value.
 void printCsv(const ModelData& model, const BinModelData& data)
 {
     const auto inputs = featureNames(data.set);
@@ -80,7 +80,7 @@ void printTable(const BinModelData& data)
     row("log likelihood", [&](std::size_t i) { return data.logLikelihood[i]; });
 }
 
-/// The processes over clearances on s, bins that a regime has too few scenes of left empty.
+/// Prints the processes over clearances given s; bins with too few scenes in a regime stay empty.
 void printSurfaces(const ClearanceData& data, bool covered)
 {
     const auto& processes = covered ? data.covered : data.open;
@@ -106,7 +106,7 @@ void printSurfaces(const ClearanceData& data, bool covered)
     row("residual sd", [](const SurfaceProcess& p) { return p.residualSd; });
 }
 
-/// What the card beside the model adds to it.
+/// Prints the facts that the model's card adds.
 void printCard(const ModelFacts& facts)
 {
     const auto known = [](const std::string& text) { return text.empty() ? "unknown" : text; };
@@ -128,7 +128,7 @@ void printCard(const ModelFacts& facts)
     if (!facts.trouble.empty()) say(stderr, "terratact: {}\n", facts.trouble);
 }
 
-/// p(hᵢ | h_{J∖i}, s) of every bin with the other heights taken from the scene.
+/// Prints p(hᵢ | h_{J∖i}, s) of every bin, with the other heights taken from the scene.
 void printConditionals(const Scene& scene, const BinModels& models)
 {
     Heights h{};

@@ -13,14 +13,14 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-/// Ends with the handler's work done: the lamps are dark again.
+/// Makes SIGINT and SIGTERM end the polling; the lamps are then switched off before exit.
 void endOnInterrupt()
 {
     std::signal(SIGINT, [](int) { interrupted = 1; });
     std::signal(SIGTERM, [](int) { interrupted = 1; });
 }
 
-/// Looks at the panel until there are so many seconds between the first look and the last; what that one saw.
+/// Polls the panel for `seconds` and returns the last report.
 template <class Watch>
 PanelReport pollFor(OperatorPanel& panel, const LampState& lamps, double seconds, Watch watch)
 {
@@ -64,14 +64,14 @@ void printFound(const GpioFound& found, const PanelState& state)
         say("output  {:<13} {}\n", kPanelOutputNames[i], placeText(found.outputs.at(i)));
 }
 
-/// Each lamp for a second, once the panel's own test is over.
+/// Lights each lamp for a second, after the panel's self-test.
 Status lightLamps(OperatorPanel& panel)
 {
     LampState lamps;
     (void)pollFor(panel, lamps, 1.4);
     for (std::size_t i = 0; i < kPanelOutputs && !interrupted; ++i) {
         lamps = {.link = i == 0, .armed = i == 1, .probing = i == 2, .buzzer = i == 3};
-        (void)panel.poll(lamps, OperatorPanel::kPeriod);  // lights it
+        (void)panel.poll(lamps, OperatorPanel::kPeriod);  // this poll lights the lamp
         say("lit     {}\n", kPanelOutputNames[i]);
         std::fflush(stdout);
         const PanelReport report = pollFor(panel, lamps, 1.0);
@@ -80,7 +80,7 @@ Status lightLamps(OperatorPanel& panel)
     return Done{};
 }
 
-/// Prints what changes, as it changes.
+/// Prints each change of the panel's state.
 class ChangePrinter {
 public:
     explicit ChangePrinter(PanelReport report) : last_(std::move(report)) {}

@@ -10,9 +10,9 @@ namespace terratact {
 
 namespace {
 
-constexpr double kMinSd = 0.5e-4;  ///< [m] that a robot file's four decimals can tell
+constexpr double kMinSd = 0.5e-4;  ///< [m] resolution of the robot file's four decimals
 
-/// Why the readings tell no sd.
+/// Returns the reason that the readings give no sd.
 std::string whyNoSd(const ProbeAccuracy& accuracy)
 {
     if (accuracy.repeated.freedom > 0 && accuracy.repeated.sd < kMinSd)

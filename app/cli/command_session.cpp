@@ -86,7 +86,7 @@ void print(SessionReader& session)
     line("last link", found.chain);
 }
 
-/// Whether it holds, with a line that says so.
+/// Prints whether the session's hash chain holds and returns the result.
 bool verify(SessionReader& session, const std::string& link)
 {
     const SessionVerification found = session.verify();
@@ -110,7 +110,8 @@ bool verify(SessionReader& session, const std::string& link)
     return holds;
 }
 
-/// Heights that something touched, by the methods' own rules: the arm's where both did.
+/// Adds heights that were touched, by the rules of the methods. If flipper and arm touched a bin, the arm's height
+/// counts.
 void addMeasured(const SessionReader& session, const RobotModel& robot, const SceneRow& row,
                  Scene& scene)
 {

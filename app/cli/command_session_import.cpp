@@ -17,10 +17,10 @@ namespace terratact {
 
 namespace {
 
-constexpr int kBatch = 250;  // frames
+constexpr int kBatch = 250;  // frames per batch
 constexpr std::size_t kMaxRobot = std::size_t{64} * 1024;
 
-/// The frames of one interface of a log into a session that is begun with the first.
+/// Writes the frames of one interface of a log into a session, which begins with the first frame.
 class Importer {
 public:
     Importer(const SessionImportOptions& options, std::string robot)
@@ -38,7 +38,7 @@ public:
             if (!*logged) break;
             const bool isWanted =
                 options_.interface.empty() || (*logged)->interface == options_.interface;
-            // A step of the clock counts whichever interface shows it.
+            // A step of the clock counts on every interface.
             if (log.stepBack()) stepped(log);
             if (!isWanted) continue;
             if (Status taken = take(log, **logged); !taken) return taken;
@@ -83,10 +83,10 @@ private:
         return ++count_ % kBatch == 0 ? writer_->commit() : Status(Done{});
     }
 
-    /// Remembers a step of the log's clock until the next frame of the session.
+    /// Stores a step of the log's clock until the session's next frame.
     void stepped(const LogReader& log)
     {
-        constexpr std::size_t kMax = 200;  // that are told one by one
+        constexpr std::size_t kMax = 200;  // bound on steps that are listed one by one
         if (!writer_) return;
         if (told_ + steps_.size() >= kMax) {
             ++untold_;
@@ -158,12 +158,12 @@ private:
     const SessionImportOptions& options_;
     std::string robot_, interface_;
     std::optional<SessionWriter> writer_;
-    double begin_ = 0.0;  ///< [s] of the first frame, on the log's even clock
+    double begin_ = 0.0;  ///< [s] of the first frame on the log's even clock
     SessionTime last_ = 0;
     std::uint64_t count_ = 0, untold_ = 0;
     std::int64_t events_ = 0;
     std::size_t told_ = 0;
-    std::vector<std::string> steps_;  ///< of the clock since the last frame
+    std::vector<std::string> steps_;  ///< clock steps since the last frame
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::int64_t kMaxApart = std::int64_t{86'400} * 31 * 1'000'000'000;  // [ns]
 
-/// [ns] since 1970, of the first and the last frame; of the first row where there is none.
+/// Returns the times of the first and last frame [ns] since 1970; those of the first row without frames.
 std::pair<std::int64_t, std::int64_t> frameSpan(SessionReader& session)
 {
     std::optional<SessionTime> first;
@@ -34,7 +34,7 @@ std::pair<std::int64_t, std::int64_t> frameSpan(SessionReader& session)
             wallTimeOf(session.start(), last)};
 }
 
-/// Says which file follows, as far as it holds.
+/// Prints which file follows, and whether it is undamaged.
 Status tell(SessionMerger& merger, SessionReader& session)
 {
     const SessionVerification found = session.verify();
@@ -69,7 +69,7 @@ Status mergeSessions(const SessionMergeOptions& options)
 {
     struct Part {
         SessionReader reader;
-        std::int64_t first, last;  ///< [ns] since 1970, of its frames
+        std::int64_t first, last;  ///< times of its first and last frame [ns] since 1970
     };
     std::vector<Part> parts;
     for (const std::string& file : options.files) {

@@ -22,7 +22,7 @@ constexpr const char* kUnproven =
     "; the hashes that were recorded with them are lost: nothing proves that they are what was "
     "recorded";
 
-/// A session's file and what SQLite puts beside it, removed unless it is kept.
+/// A session file and SQLite's files beside it; the destructor removes them unless they are kept.
 class UnfinishedSession {
 public:
     explicit UnfinishedSession(std::string path) : path_(std::move(path)) {}
@@ -43,7 +43,7 @@ private:
     bool kept_ = false;
 };
 
-/// NAME-recovered.tts beside it, or the first with a number that is free.
+/// Returns NAME-recovered.tts beside the session, or the first free numbered name.
 std::string nameBeside(const std::string& path)
 {
     const std::filesystem::path whole(path);
@@ -55,25 +55,25 @@ std::string nameBeside(const std::string& path)
     return name;
 }
 
-/// Batches that are not there, or not whole, and follow each other.
+/// Consecutive batches that are missing or damaged.
 struct LostSpan {
     SessionTime first, last;
     std::int64_t batches;
 };
 
-/// What became of a session that could not be closed where it is.
+/// Result of recovering a session that could not be closed in place.
 struct Saved {
     std::string out;
-    std::int64_t leftOut = 0;  ///< rows that refer to a lost one
-    bool isProven = true;      ///< by the hashes that were recorded
+    std::int64_t leftOut = 0;  ///< rows that refer to a lost row
+    bool isProven = true;      ///< the recorded hashes prove the rows
     bool isCut = false;
     bool startIsWhole = true;  ///< source, robot and wall time are known
     std::vector<LostSpan> spans{};
-    std::set<std::int64_t> draws{};   ///< estimates whose draws are whole
-    std::vector<std::string> rest{};  ///< what else is lost
+    std::set<std::int64_t> draws{};   ///< estimates with undamaged draws
+    std::vector<std::string> rest{};  ///< other losses
 };
 
-/// Between batches that do not follow each other.
+/// Adds the gaps between non-consecutive batches.
 void addGaps(const SessionReader& session, std::int64_t lastBatch, std::vector<LostSpan>& spans)
 {
     SessionTime before = session.begin();
@@ -86,10 +86,11 @@ void addGaps(const SessionReader& session, std::int64_t lastBatch, std::vector<L
     if (next <= lastBatch) spans.push_back({before, before, lastBatch - next + 1});
 }
 
-/// Spans that touch each other become one.
+/// Joins spans that touch each other.
 std::vector<LostSpan> touching(std::vector<LostSpan> spans)
 {
-    constexpr SessionTime kApart = 500'000'000;  // [ns] between batches of a console at most
+    constexpr SessionTime kApart =
+        500'000'000;  // [ns] longest interval between batches of a console
     std::sort(spans.begin(), spans.end(),
               [](const LostSpan& a, const LostSpan& b) { return a.first < b.first; });
     std::vector<LostSpan> all;
@@ -104,7 +105,7 @@ std::vector<LostSpan> touching(std::vector<LostSpan> spans)
     return all;
 }
 
-/// What a reader found damaged once all was read.
+/// Adds the damage that the reader found after reading everything.
 void addDamage(const SessionReader& session, Saved& saved)
 {
     for (const SessionDamage& damage : session.damage()) {
@@ -124,7 +125,7 @@ void addDamage(const SessionReader& session, Saved& saved)
                                              momentText(row.time)));
 }
 
-/// Puts all that is whole into a new session, which says where it comes from and why.
+/// Copies all undamaged rows into a new session, whose event states source and reason.
 Status copyWhole(SessionReader& session, const std::string& path, const std::string& why,
                  Saved& saved)
 {
@@ -151,7 +152,7 @@ Status copyWhole(SessionReader& session, const std::string& path, const std::str
     return Done{};
 }
 
-/// Out of the pages of a file that cannot be read, or not all of it.
+/// Recovers rows from the pages of a file that SQLite cannot read completely.
 Status saveFragments(const std::string& path, const std::string& why, Saved& saved)
 {
     const Error nothing =
@@ -173,7 +174,7 @@ Status saveFragments(const std::string& path, const std::string& why, Saved& sav
     return copyWhole(*session, path, why, saved);
 }
 
-/// Whether a file can come into being there.
+/// Checks that a file can be created there.
 Status requireRoom(const std::string& path, const std::string& out, const std::string& why)
 {
     std::error_code none;
@@ -213,7 +214,7 @@ void tellLoss(const Saved& saved)
     if (saved.leftOut > 0) say("  left out   {} rows that refer to a lost one\n", saved.leftOut);
 }
 
-/// What the new session holds, as it is read again.
+/// Reads the new session again and prints its content.
 Status tell(const std::string& path, const std::string& why, const Saved& saved)
 {
     auto session = SessionReader::open(saved.out);
@@ -231,7 +232,7 @@ Status tell(const std::string& path, const std::string& why, const Saved& saved)
     return Done{};
 }
 
-/// Why a session cannot be left as it is, without its file's name; empty: it is whole and closed.
+/// Returns why a session cannot stay as it is, without the file name; empty: undamaged and closed.
 std::string troubleOf(const std::string& path)
 {
     auto session = SessionReader::open(path);

@@ -30,7 +30,7 @@ namespace terratact {
 
 namespace {
 
-/// The settings of a recorded estimate with what is to be other.
+/// Returns the settings of a recorded estimate with the requested changes.
 Settings changed(Settings settings, const WhatIfOptions& options)
 {
     if (options.method) settings.method = *options.method;
@@ -40,7 +40,7 @@ Settings changed(Settings settings, const WhatIfOptions& options)
     return settings;
 }
 
-/// The models that were asked for so far, by robot and file.
+/// Cache of models by robot and file.
 class Toolboxes {
 public:
     Result<const EstimatorBundle*> get(const RobotModel& robot, const std::string& robotText,
@@ -59,13 +59,13 @@ private:
     std::map<std::pair<std::string, std::string>, std::unique_ptr<EstimatorBundle>> open_;
 };
 
-/// One estimate, as it was and computed again.
+/// One recorded estimate and its recomputation.
 struct Rerun {
     const SessionReader* session = nullptr;
-    EstimateRow row;  ///< with its draws
+    EstimateRow row;  ///< with draws
     TerrainEstimate again;
     Differences differences;
-    bool asRecorded = false;  ///< nothing was to be other
+    bool asRecorded = false;  ///< no change was requested
 };
 
 std::size_t sessionsOf(const std::vector<Rerun>& reruns)
@@ -253,7 +253,7 @@ private:
             1000.0 * s.crps, 100.0 * s.coverage);
     }
 
-    /// Against the truth, where a simulated source knew it.
+    /// Prints scores against the truth, if a simulated source recorded it.
     void printScores() const
     {
         std::vector<BinError> then, now;
@@ -271,12 +271,12 @@ private:
         printRow("now", statistics(now));
     }
 
-    /// Bands as they were and as they are now, beside what was measured later.
+    /// Calibration of the recorded and recomputed bands against later measurements.
     struct Ledgers {
         CalibrationLedger then, now;
     };
 
-    /// What the arm measured later in the same scene.
+    /// Returns the calibration against later probes of the same scene.
     Ledgers laterProbes(const SessionReader& session) const
     {
         Ledgers ledgers;
@@ -299,15 +299,15 @@ private:
         return ledgers;
     }
 
-    /// What contacts and the arm measured where the robot stood later, beside the last estimate of each scene that
-    /// odometry leads from.
+    /// Returns the calibration against contacts and probes at later poses. It uses the last estimate of each scene from
+    /// which odometry is continuous.
     Ledgers laterPosesOf(SessionReader& session) const
     {
-        std::map<std::int64_t, const Rerun*> last;  // of each scene
+        std::map<std::int64_t, const Rerun*> last;  // last rerun of each scene
         for (const Rerun& r : reruns_)
             if (r.session == &session && r.row.role != EstimateRole::Second) last[r.row.scene] = &r;
         std::vector<const Rerun*> ofScene;
-        std::vector<EstimateOfScene> estimates;  // then and now, in turn
+        std::vector<EstimateOfScene> estimates;  // recorded and recomputed estimates alternate
         for (std::size_t scene = 0; scene < session.scenes().size(); ++scene) {
             const auto found = last.find(session.scenes()[scene].id);
             ofScene.push_back(found == last.end() ? nullptr : found->second);
@@ -327,7 +327,7 @@ private:
         return ledgers;
     }
 
-    /// One line for each session, which are in the order of their names, and so of time, and one for all.
+    /// Prints one line per session, sorted by name and thus by time, and one line for all.
     void printLedger(std::string_view title,
                      const std::function<Ledgers(SessionReader&)>& ledgersOf) const
     {
@@ -392,7 +392,7 @@ private:
     std::vector<Rerun> reruns_;
 };
 
-/// The sessions in a folder by name; else the file itself.
+/// Returns the sessions in a folder sorted by name; a file returns itself.
 std::vector<std::string> sessionsAt(const std::string& path)
 {
     std::error_code ignored;

@@ -21,12 +21,13 @@ namespace terratact {
 
 namespace {
 
-constexpr double kSpacing = 0.1;           // [m] between the stops of a drive
-constexpr double kSecondsPerScene = 10.0;  // that a sensor drifts: drive, press, stand
-constexpr int kBoxRuns = 28;               // the paper's training set
+constexpr double kSpacing = 0.1;  // [m] distance between the stops of a drive
+constexpr double kSecondsPerScene =
+    10.0;                     // duration of a scene for sensor drift: drive, press, stand
+constexpr int kBoxRuns = 28;  // drives of the paper's training set
 constexpr int kPresetScenes = 1400;
 
-/// What the faulty sensors of one drive make of its scenes.
+/// Returns the function that applies a sensor fault to the scenes of one drive.
 std::function<Proprioception(const Proprioception&)>
 faultyReading(const SensorFault& fault, const RobotModel& robot, std::uint64_t seed)
 {
@@ -42,7 +43,7 @@ faultyReading(const SensorFault& fault, const RobotModel& robot, std::uint64_t s
     };
 }
 
-/// Of the next drive; draws only where some drives are over soft ground.
+/// Returns the conditions of the next drive; uses random numbers only if some drives are on soft ground.
 DriveConditions nextConditions(const SimulateOptions& options, const RobotModel& robot,
                                std::mt19937_64& rng)
 {
@@ -62,7 +63,7 @@ struct Recording {
     int skipped = 0;
 };
 
-/// `runs` drives over random ground, stops spread evenly so that `count` scenes come out.
+/// Makes `runs` drives over random ground; stops are spread evenly so that `count` scenes result.
 Recording drivePreset(const RobotModel& robot, const SimulateOptions& options, int runs, int count,
                       const std::function<TerrainProfile(std::mt19937_64&)>& ground,
                       const std::function<DriveStyle(std::mt19937_64&)>& style)
@@ -88,7 +89,7 @@ Recording drivePreset(const RobotModel& robot, const SimulateOptions& options, i
     return recording;
 }
 
-/// Every stop over every profile, or `count` of them drawn at random.
+/// Makes every stop over every profile, or `count` of them at random.
 Recording driveProfiles(const RobotModel& robot, const SimulateOptions& options,
                         const std::vector<TerrainProfile>& profiles)
 {
@@ -123,7 +124,7 @@ Recording driveProfiles(const RobotModel& robot, const SimulateOptions& options,
     return recording;
 }
 
-/// Any hazard on level ground, or on roughness of ISO 8608 class A to D.
+/// Returns a random hazard on level ground, or on roughness of ISO 8608 classes A to D.
 TerrainProfile anyHazard(std::mt19937_64& rng)
 {
     std::uniform_int_distribution<std::size_t> kind(0, kHazards.size() - 1);

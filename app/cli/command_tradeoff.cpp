@@ -24,8 +24,7 @@ namespace terratact {
 
 namespace {
 
-constexpr std::uint64_t kReferenceSeed =
-    1'000'003;  // its draws have nothing to do with the points'
+constexpr std::uint64_t kReferenceSeed = 1'000'003;  // seed independent of the points' seeds
 
 bool isUsable(const Scene& scene)
 {
@@ -44,7 +43,7 @@ Result<std::vector<Scene>> usableScenes(const std::string& path)
     return scenes;
 }
 
-/// One estimate per scene, empty where the method has none; the seed of scene k is settings.seed + k.
+/// Returns one estimate per scene, empty if the method has none. Scene k uses settings.seed + k.
 std::vector<SceneEstimate> estimates(const std::vector<Scene>& scenes,
                                      const EstimatorBundle& bundle, const Settings& settings,
                                      Progress& progress)
@@ -60,7 +59,7 @@ std::vector<SceneEstimate> estimates(const std::vector<Scene>& scenes,
     return all;
 }
 
-/// Sums over the scenes of which there is an estimate and a long run.
+/// Sums over scenes that have an estimate and a long run.
 class Tally {
 public:
     void add(std::size_t k, const Scene& scene, const TerrainEstimate& estimate,
@@ -98,8 +97,8 @@ private:
     std::vector<double> seconds_, draws_;
 };
 
-/// An estimate, and its processor time.  A method that simulates the arm makes two, and each is waited for by itself:
-/// timed is the second, made again.
+/// Returns an estimate and its processor time. A method that simulates the arm makes two estimates, and each is waited
+/// for; the second one is made again and timed.
 std::pair<SceneEstimate, double> timedEstimate(const Scene& scene, const EstimatorBundle& bundle,
                                                const Settings& settings)
 {
@@ -111,11 +110,11 @@ std::pair<SceneEstimate, double> timedEstimate(const Scene& scene, const Estimat
     return {std::move(estimate), watch.seconds()};
 }
 
-/// Times one setting, scene after scene in this thread.
+/// Times one setting in this thread, scene after scene.
 Tally timed(const TradeSetting& trade, const std::vector<Scene>& scenes,
             const std::vector<SceneEstimate>& reference, const EstimatorBundle& bundle)
 {
-    // Models are factorised when first needed: not in the time of the first scene.
+    // Factorises the models before the first timed scene, because they are factorised on first use.
     Settings once = trade.settings;
     once.draws = once.chains = 1;
     once.burnIn = 0;
@@ -132,7 +131,7 @@ Tally timed(const TradeSetting& trade, const std::vector<Scene>& scenes,
     return tally;
 }
 
-/// What measuring a method gives.
+/// Measurements of one method.
 struct Measured {
     std::vector<TradePoint> points;
     ReferenceQuality reference;
@@ -158,7 +157,7 @@ Measured measure(Method method, const std::vector<Scene>& scenes, const Estimato
     return measured;
 }
 
-/// How good the long runs are that everything is compared with, and whether they are long enough.
+/// Returns the convergence of the long reference runs, and whether they are long enough.
 std::string referenceText(const Measured& measured)
 {
     const ReferenceQuality& r = measured.reference;

@@ -33,7 +33,7 @@ void printBins(const ModelData& model, const BinSet& bins)
     }
 }
 
-/// Shows how far each stage is; one line on a terminal.
+/// Shows the progress of each stage; one line on a terminal.
 class StageProgress {
 public:
     void show(const TrainingStep& step)

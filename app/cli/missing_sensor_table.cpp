@@ -14,8 +14,8 @@ namespace {
 
 struct MissingCase {
     std::string name;
-    bool front = false, rear = false;  ///< currents that are left out
-    std::vector<std::size_t> forces;   ///< that are left out
+    bool front = false, rear = false;  ///< missing currents
+    std::vector<std::size_t> forces;   ///< missing force elements
 };
 
 std::vector<MissingCase> missingCases()
@@ -41,7 +41,7 @@ std::vector<Scene> without(const MissingCase& lacks, std::vector<Scene> scenes)
     return scenes;
 }
 
-/// A line of the table, and the same as one of the file.
+/// Prints a line of the table and writes the same line to the file.
 std::string judgeCase(const MissingCase& lacks, const std::vector<Scene>& scenes,
                       const std::vector<SceneEstimate>& estimates, const std::string& label)
 {

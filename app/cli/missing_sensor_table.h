@@ -9,9 +9,10 @@
 
 namespace terratact {
 
-/// Prints, and writes as missing.csv into options.out, what options.methods err on the scenes with everything measured, and where one current, all currents, one
-/// force element, all forces or all of them were not measured: |error|, coverage of the 80 % band and its width.
-/// One array alone, left or right, is not among them: forces are then those of the other one, and nothing lacks.
+/// Prints the effect of missing sensors on options.methods, and writes it as missing.csv into options.out. The cases
+/// are: nothing missing, one current, all currents, one force element, all forces, and all of these. The columns are
+/// |error|, and coverage and width of the 80 % band. A single missing array is not a case, because the other array
+/// replaces its forces.
 Status printMissingSensors(const std::vector<Scene>& scenes, const EstimatorBundle& bundle,
                            const EvaluateOptions& options);
 

@@ -15,7 +15,7 @@
 namespace terratact {
 namespace {
 
-constexpr int kReadyPeriod = 200;  // [ms] whether a window is ready for its picture
+constexpr int kReadyPeriod = 200;  // [ms] polling period until a window is ready for its picture
 
 Result<int> untilClosed(ConsoleWindow& window, const ConsoleOptions& options,
                         const std::function<bool()>& isReady)
@@ -36,7 +36,7 @@ Result<int> untilClosed(ConsoleWindow& window, const ConsoleOptions& options,
     return code;
 }
 
-/// Files a session's model may be in: what is preferred, and what is shipped.
+/// Returns the candidate files for a session's model: the preferred one and the shipped one.
 QStringList modelsFor(const ConsoleOptions& options, LoadedPreferences& loaded)
 {
     QStringList models{QString::fromStdString(modelFor(options, loaded)),

@@ -6,10 +6,11 @@
 
 namespace terratact {
 
-// Windows on the file that the command line names.  Each stays until it is closed, or saves a picture of itself once
-// it has shown what there is.  The program's exit code.
+// Open windows on the file that the command line names. Each runs until its window is closed, or until it has saved a
+// picture of itself. Each returns the program's exit code.
 
-Result<int> openReview(Application& application, const ConsoleOptions& options);  ///< a session
+Result<int> openReview(Application& application,
+                       const ConsoleOptions& options);  ///< opens a session
 Result<int> openScenes(Application& application, const ConsoleOptions& options);
 
 }  // namespace terratact

@@ -16,7 +16,7 @@ struct DifferenceWords {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// In the C locale, as short as reads back equal; empty where there is none.
+/// Formats in the C locale with the fewest digits that read back equal; empty for a missing value.
 QString field(double value)
 {
     return std::isfinite(value) ? QString::number(value, 'g', QLocale::FloatingPointShortest)

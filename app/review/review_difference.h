@@ -6,10 +6,11 @@
 
 namespace terratact {
 
-/// What changed from A to B, in one line: time, pitch, flippers, forces.  What was not measured at both reads "--".
+/// Returns the changes from A to B in one line: time, pitch, flippers, forces. A value that was not measured at both
+/// reads "--".
 QString differenceWords(const ReviewMoment& a, const ReviewMoment& b);
 
-/// The numbers of a moment as CSV, with a heading line: time, attitude, flippers, currents, forces.
+/// Returns the numbers of a moment as CSV with a heading: time, attitude, flippers, currents, forces.
 QString numbersCsv(const ReviewMoment& moment);
 
 }  // namespace terratact

@@ -85,7 +85,7 @@ void ReviewDisplay::showDamage(const ReviewMoment& moment)
                                         format::sentence(moment.damage->why)));
 }
 
-/// The events up to this time, as the operator had them.
+/// Shows the events up to this time, as the operator saw them.
 void ReviewDisplay::showEvents(SessionTime until)
 {
     constexpr std::size_t kListed = 40;

@@ -11,8 +11,8 @@ namespace terratact {
 class EventList;
 class StatusHeader;
 
-/// Says around the pages of a review what stood at a moment: in the header link, robot, model and alarms; in a banner
-/// that the file is damaged there; in the list beside the robot what had happened last.  GUI thread only.
+/// Shows the state at a moment of the session around the review's pages. The header shows link, robot, model and
+/// alarms; a banner reports damage of the file; a list shows the events before the moment. GUI thread only.
 class ReviewDisplay {
     Q_DECLARE_TR_FUNCTIONS(ReviewDisplay)
 public:
@@ -21,7 +21,7 @@ public:
         QLabel& damage;
         EventList& events;
     };
-    /// All must outlive it.
+    /// Both arguments must outlive the display.
     ReviewDisplay(const SessionReader& session, const Places& places);
 
     void show(const ReviewMoment& moment);
@@ -34,7 +34,7 @@ private:
 
     const SessionReader& session_;
     Places places_;
-    std::int64_t listed_ = -1;  ///< the newest event in the list
+    std::int64_t listed_ = -1;  ///< newest listed event
 };
 
 }  // namespace terratact

@@ -20,7 +20,7 @@
 
 namespace terratact {
 
-/// The events of a session, of one kind or all, as a table; texts are made when they are seen.
+/// The events of a session, of one kind or all, as a table model. Texts are made when a row becomes visible.
 class ReviewEvents final : public QAbstractTableModel {
 public:
     enum Column { Time, Kind, What, Shown, kColumns };
@@ -44,7 +44,7 @@ public:
 
     double timeOf(int row) const { return secondsOf(rowOf(row).time); }
 
-    /// The last line up to a time; −1: none.
+    /// Returns the last row up to a time; −1: none.
     int rowAt(SessionTime time) const
     {
         for (int row = rowCount({}) - 1; row >= 0; --row)
@@ -73,7 +73,7 @@ public:
     }
     QVariant data(const QModelIndex& index, int role) const override
     {
-        if (role == Qt::ToolTipRole)  // there may be no room for all of it
+        if (role == Qt::ToolTipRole)  // the column may be too narrow for the text
             return plainTip(data(index, Qt::DisplayRole).toString());
         if (role != Qt::DisplayRole) return {};
         const EventRow& row = rowOf(index.row());

@@ -14,13 +14,13 @@ namespace terratact {
 class ReviewEvents;
 struct ReviewMoment;
 
-/// Everything that a session tells of, with its times; choosing a line goes there.
+/// All events of a session with their times. Choosing a row goes to its time.
 class ReviewEventsPage final : public Page {
     Q_OBJECT
 public:
     explicit ReviewEventsPage(const SessionReader& session, QWidget* parent = nullptr);
 
-    void reload();  ///< the session has more
+    void reload();  ///< call after the session has grown
     void setMoment(const ReviewMoment& moment);
     void refresh(double /*now*/) override {}
 

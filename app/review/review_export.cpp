@@ -25,7 +25,7 @@ QString troubleOf(const Status& status)
     return status ? QString() : format::sentence(status.error().text);
 }
 
-/// Draws it as by day, as paper is white, while it lives.
+/// Switches to the day theme while it exists, because paper is white.
 class AsOnPaper {
 public:
     explicit AsOnPaper(TerrainProfileView& terrain) : terrain_(terrain), before_(lookInForce())
@@ -48,7 +48,7 @@ private:
     LookInForce before_;
 };
 
-/// A table whose columns stand apart by tabs, as CSV.
+/// Converts a table with tab-separated columns to CSV.
 QString csvOf(const QString& table)
 {
     QString csv;

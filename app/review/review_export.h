@@ -8,12 +8,12 @@ class NumbersTable;
 class TerrainProfileView;
 struct ReviewMoment;
 
-// What is shown of a session, as files.  Each returns what stood in its way; empty: the file is there.
+// Save the displayed content to files. Each returns an error text; empty: the file was written.
 
-/// The terrain's picture; the suffix says which: png, svg, pdf.
+/// Saves the terrain's picture in the format of the file suffix: png, svg, pdf.
 QString savePicture(TerrainProfileView& terrain, const QString& path);
 
-/// The numbers of a moment and, where one stood, those of its estimate as CSV.
+/// Saves the numbers of a moment as CSV, with those of its estimate if there is one.
 QString saveNumbers(const ReviewMoment& moment, NumbersTable& estimate, const QString& path);
 
 }  // namespace terratact

@@ -31,18 +31,18 @@ namespace {
 constexpr int kLookEvery = 200;  // [ms]
 constexpr int kPathWide = 420;   // [px] at 100 %
 
-/// Where a file comes from.
+/// Source of an export's data.
 enum class From : std::uint8_t { Picture, Numbers, Report, Rows };
 
 struct Choice {
     const char* name;
-    const char* part;     ///< of the name of a file
-    QStringList formats;  ///< endings of the file
+    const char* part;     ///< part of the file name
+    QStringList formats;  ///< file endings
     From from = From::Rows;
-    std::optional<ExportKind> rows{};  ///< empty: all that the format has room for
+    std::optional<ExportKind> rows{};  ///< empty: all rows that the format supports
 };
 
-/// In the order of the list.
+/// Returns the choices in the order of the list.
 const std::array<Choice, 8>& choices()
 {
     static const std::array<Choice, 8> all{
@@ -89,7 +89,7 @@ const Choice& chosen(const QComboBox& what)
     return choices().at(static_cast<std::size_t>(what.currentIndex()));
 }
 
-/// A format by the ending of its files, with who reads it.
+/// Returns a format's name for its file ending, with the programs that read it.
 QString formatName(const QString& ending)
 {
     if (ending == QLatin1String("log")) return ReviewExportDialog::tr(".log, candump");
@@ -98,7 +98,7 @@ QString formatName(const QString& ending)
     return QLatin1Char('.') + ending;
 }
 
-/// Whether the signals of DBC files are a part of it, as session export --dbc has it.
+/// Returns true if the export can include signals of DBC files, like session export --dbc.
 bool holdsSignals(const Choice& choice)
 {
     return choice.from == From::Rows && (!choice.rows || *choice.rows == ExportKind::Signals);
@@ -109,13 +109,14 @@ QString spanWords(double first, double last)
     return ReviewExportDialog::tr("%1 to %2").arg(timeWords(first), timeWords(last));
 }
 
-/// Without an ending: among the documents, with what it is and of when, so that two exports are two files.
+/// Returns a default path without ending in the documents folder. The name states content and time, so that two exports
+/// differ.
 QString startFile(const QString& session, const Choice& choice, const ExportViewState& viewState)
 {
     const auto seconds = [](double s) { return QString::number(s, 'f', 1); };
     QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     if (!QFileInfo(folder).isDir() || !QFileInfo(folder).isWritable()) folder = QDir::homePath();
-    // A long name and what is added to it has to stay a name of a file.
+    // Shortens a long session name, so that the whole name stays a valid file name.
     QString name = format::fileName(QFileInfo(session).completeBaseName()) + QLatin1Char('-')
                  + QLatin1String(choice.part);
     if (choice.from == From::Report)
@@ -198,7 +199,7 @@ QWidget* ReviewExportDialog::span()
         column->addWidget(line);
     }
     column->addStretch(1);
-    box->setMinimumHeight(scaled(2 * kTarget + 4));  // whichever of them is seen
+    box->setMinimumHeight(scaled(2 * kTarget + 4));  // both variants have this height
     return box;
 }
 
@@ -264,7 +265,7 @@ void ReviewExportDialog::offerFormats()
     showViewState();
 }
 
-/// Until the operator names a file himself.
+/// Proposes a file name, unless the operator has typed one.
 void ReviewExportDialog::nameFile()
 {
     if (job_ || path_->text() != named_) return;

@@ -17,32 +17,33 @@ class QRadioButton;
 
 namespace terratact {
 
-/// What a review shows when somebody asks for a file of it.
+/// State of the review when an export is requested.
 struct ExportViewState {
     double now = 0.0;                ///< [s] of the session
-    double first = 0.0, last = 0.0;  ///< [s] visible: from A to B, or of the timeline
-    bool isCursors = false;          ///< it is from A to B
+    double first = 0.0, last = 0.0;  ///< [s] visible range: from A to B, or of the timeline
+    bool isCursors = false;          ///< the range is from A to B
     double begin = 0.0, end = 0.0;   ///< [s] of the session
-    std::int64_t scene = 0;          ///< that stands with an estimate; 0: none
+    std::int64_t scene = 0;          ///< scene of the displayed estimate; 0: none
 };
 
-/// Asks what of a session is to be a file, and writes it: what is shown at once, what is read from the session
-/// beside the review, which goes on meanwhile.  Esc cancels that, and closes the dialog where nothing is written.
+/// Dialog that selects and writes an export. The displayed content is written at once. Rows of the session are written
+/// by a background job while the review continues. Esc cancels the job, or closes the dialog if none runs.
 class ReviewExportDialog final : public QDialog {
     Q_OBJECT
 public:
     struct Sources {
-        QString session;  ///< its file
+        QString session;  ///< path of the session file
         std::function<ExportViewState()> poll;
-        std::function<QStringList()> dbc;  ///< files that the operator has chosen
-        // Why it could not be written; empty: it is.
+        std::function<QStringList()> dbc;  ///< DBC files that the operator has chosen
+        // Each returns an error text; empty: the file was written.
         std::function<QString(const QString&path)> savePicture, saveNumbers;
     };
     ReviewExportDialog(Sources sources, QWidget* parent);
     ~ReviewExportDialog() override;
 
     void
-    ask();  ///< shows itself and does not wait; what is visible is looked at as long as it is shown
+    /// Shows the dialog without blocking. While it is open it follows the visible range.
+    ask();
     bool writes() const { return job_ != nullptr; }
 
     QComboBox* what() const { return what_; }
@@ -67,11 +68,11 @@ private:
     void showViewState();
     void showPayload();
     void showButtons();
-    QString whyNotExport() const;  ///< empty: it may be written
+    QString whyNotExport() const;  ///< reason that writing is not possible; empty: it is
     void takeFormat();
     void nameFile();
     void browse();
-    QString path() const;  ///< with the format's ending
+    QString path() const;  ///< path with the format's ending
     void write();
     void begin(SessionExportJob::Wish wish);
     void wrote(const QString& trouble, qulonglong leftOut = 0, int damaged = 0,
@@ -79,17 +80,17 @@ private:
 
     Sources sources_;
     ExportViewState viewState_;
-    std::unique_ptr<SessionExportJob> job_;  ///< null: nothing is being written
-    QString to_;  ///< the file of the newest export; path() may be another one by now
+    std::unique_ptr<SessionExportJob> job_;  ///< null: no export is running
+    QString to_;  ///< file of the newest export; path() may have changed since
     QTimer look_;
-    QString named_;  ///< as it was proposed; another one is the operator's
+    QString named_;  ///< last proposed name; any other name was typed by the operator
 
     // Qt's parents own the widgets.
     QComboBox* what_ = nullptr;
     QComboBox* format_ = nullptr;
     QRadioButton* visible_ = nullptr;
     QRadioButton* everything_ = nullptr;
-    QCheckBox* payload_ = nullptr;  ///< the signals that DBC files describe
+    QCheckBox* payload_ = nullptr;  ///< includes signals of DBC files
     QLabel* moment_ = nullptr;
     QLineEdit* path_ = nullptr;
     QPushButton* browse_ = nullptr;

@@ -8,7 +8,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kRecent = 64;  // batches; a quarter of a second each
+constexpr std::size_t kRecent = 64;  // batches of a quarter of a second each
 
 }  // namespace
 

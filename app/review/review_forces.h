@@ -9,15 +9,15 @@
 
 namespace terratact {
 
-/// What the force elements felt before a time of a session, made of the file alone: the same time shows the same
-/// peaks, however one came there.  Each batch of frames is read with the one before it, so that no line of telemetry
-/// is lost between them.  The reader must outlive it.
+/// Forces before a time of a session, computed from the file alone. The same time always shows the same peaks, whatever
+/// was shown before. Each batch of frames is read together with the previous one, so that no telemetry line is lost
+/// between them. The reader must outlive the object.
 class ReviewForces {
 public:
     ReviewForces(SessionReader& reader, const RobotModel& robot) : reader_(reader), robot_(robot) {}
 
-    /// Of the last PeakHold::kHold seconds, but not of before a silence of kStaleAfter, where the console lets go of
-    /// its peaks.  threshold: [N] of contact.
+    /// Returns the forces of the last PeakHold::kHold seconds. A gap longer than kStaleAfter ends the range, because
+    /// the console resets its peaks there. threshold: contact threshold [N].
     std::vector<TimedForces> before(SessionTime time, double threshold);
 
 private:
@@ -30,7 +30,7 @@ private:
 
     SessionReader& reader_;
     RobotModel robot_;
-    std::deque<Batch> recent_{};  ///< the newest in front
+    std::deque<Batch> recent_{};  ///< newest first
 };
 
 }  // namespace terratact

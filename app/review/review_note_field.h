@@ -10,20 +10,21 @@ namespace terratact {
 class ReviewPlayer;
 class SessionReader;
 
-/// Where a note at the time under review is entered, with the notes that there are: they are kept beside the session
-/// (review_notes.h), which is never changed.
+/// Input field for a note at the reviewed time, with all existing notes. Notes are kept beside the session
+/// (review_notes.h); the session itself never changes.
 class ReviewNoteField final : public QLineEdit {
     Q_OBJECT
 public:
-    /// Reads the notes.  Both must outlive it.
+    /// Reads the notes. Session and player must outlive the field.
     ReviewNoteField(const SessionReader& session, const ReviewPlayer& player, QWidget* parent);
 
-    const std::vector<ReviewNote>& notes() const { return notes_; }  ///< by their times
-    /// With reading or saving them, in words; empty: none.
+    const std::vector<ReviewNote>& notes() const { return notes_; }  ///< sorted by time
+    /// Returns the last error of reading or saving notes; empty: none.
     const QString& trouble() const { return trouble_; }
 
 signals:
-    /// A note is among notes() and saved; or trouble() says why not, and it still stands in the field.
+    /// Emitted after Enter. The note is saved and in notes(), or trouble() has the reason and the text stays in the
+    /// field.
     void taken();
 
 private:

@@ -8,7 +8,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kRecentBatches = 128;  // a quarter of a second each
+constexpr std::size_t kRecentBatches = 128;  // batches of a quarter of a second each
 
 bool isForeign(const CanFrame& frame)
 {
@@ -16,7 +16,7 @@ bool isForeign(const CanFrame& frame)
     return !mayBeOurs || !kindOfId(frame.id);
 }
 
-/// Ticks a bus's clock as FrameHistory does, for rates and histories.
+/// Generates ticks for rates and histories like FrameHistory.
 class Ticks {
 public:
     Ticks(ForeignFrames& frames, double begin) : frames_(frames), begin_(begin) {}

@@ -10,30 +10,30 @@
 
 namespace terratact {
 
-/// What other devices than the robot had sent on the bus before a time of a session, as the page Signals had it.  The
-/// same time shows the same, however one came there.  The reader must outlive it.
+/// Frames of other devices before a time of a session, as the Signals page showed them. The same time always shows the
+/// same result, whatever was shown before. The reader must outlive the object.
 class ReviewPayload {
 public:
-    static constexpr double kWindow = 10.0;  ///< [s] before the time
+    static constexpr double kWindow = 10.0;  ///< [s] window before the time
 
     explicit ReviewPayload(SessionReader& reader) : reader_(reader) {}
 
-    /// From now on; null: no DBC files.
+    /// Uses these DBC descriptions from now on; null: none.
     void describe(std::shared_ptr<const DbcBook> book) { book_ = std::move(book); }
 
-    /// Of the last kWindow seconds, with rates and extremes of them; described ones first.
+    /// Returns the frames of the last kWindow seconds with their rates and extremes, described ones first.
     std::vector<TappedFrame> at(SessionTime time);
 
 private:
     struct Batch {
         std::int64_t id = 0;
-        std::vector<FrameRow> frames{};  ///< that are none of the robot's
+        std::vector<FrameRow> frames{};  ///< frames outside the robot's protocol
     };
     const std::vector<FrameRow>& foreignIn(std::size_t batch);
 
     SessionReader& reader_;
     std::shared_ptr<const DbcBook> book_;
-    std::deque<Batch> recent_{};  ///< the newest in front
+    std::deque<Batch> recent_{};  ///< newest first
 };
 
 }  // namespace terratact

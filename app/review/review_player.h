@@ -4,27 +4,27 @@
 
 namespace terratact {
 
-/// Where a review stands and how it goes on.  Times [s] of the session; it moves by what the caller says has
-/// passed, so it has no clock and a pause leaves nothing to catch up with.
+/// Playback position of a review. Times are seconds of the session. It has no clock: the caller passes the elapsed
+/// time, so a pause leaves nothing to catch up with.
 class ReviewPlayer {
 public:
     static constexpr double kSlowest = 0.05, kFastest = 50.0;
     static constexpr double kMaxStepTime =
-        0.25;  ///< [s] of the caller's time that one step may catch up with
+        0.25;  ///< [s] of the caller's time; longer steps are shortened to this
 
-    void setRange(double begin, double end);  ///< the position stays within it
+    void setRange(double begin, double end);  ///< clamps the position to the range
     void seek(double seconds);
-    /// Goes on from the other end where it stands at one.
+    /// Starts playback; at an end it starts from the other end.
     void play(bool backwards);
     void pause() { playing_ = false; }
-    void setSpeed(double speed);  ///< data time over the caller's; clamped
+    void setSpeed(double speed);  ///< session time per caller's time; clamped
     void setLoop(bool on) { loop_ = on; }
     void setA(std::optional<double> seconds) { a_ = seconds; }
     void setB(std::optional<double> seconds) { b_ = seconds; }
-    /// At the end of a session that still grows it waits for more instead of pausing.
+    /// Following: at the end of a growing session the player waits for more instead of pausing.
     void setFollowing(bool on) { following_ = on; }
 
-    /// Lets `elapsed` [s] pass.
+    /// Advances by `elapsed` [s] of the caller's time.
     void advance(double elapsed);
 
     double position() const { return position_; }
@@ -36,7 +36,7 @@ public:
     bool following() const { return following_; }
     std::optional<double> a() const { return a_; }
     std::optional<double> b() const { return b_; }
-    /// Both cursors are set and it is wanted.
+    /// Returns true if looping is switched on and both cursors are set.
     bool loops() const { return loop_ && a_ && b_ && *a_ != *b_; }
     bool loopWanted() const { return loop_; }
 

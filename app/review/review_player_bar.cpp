@@ -21,7 +21,7 @@
 namespace terratact {
 namespace {
 
-constexpr double kSecond = 1.0;  // [s] of a small jump
+constexpr double kSecond = 1.0;  // [s] length of a small jump
 
 }  // namespace
 
@@ -71,7 +71,7 @@ QPushButton* ReviewPlayerBar::button(QHBoxLayout& row, const QString& text, cons
 
 void ReviewPlayerBar::resizeToFont()
 {
-    constexpr int kNarrow = 38;  // [px] of a button with a sign; large letters leave no more
+    constexpr int kNarrow = 38;  // [px] width of a button with a symbol; large fonts leave no more
     for (QPushButton* const made : findChildren<QPushButton*>()) {
         made->setMinimumHeight(scaled(kTarget));
         if (made != loop_ && made != follow_) made->setMinimumWidth(std::max(kNarrow, scaled(30)));
@@ -163,7 +163,7 @@ QSize ReviewPlayerBar::minimumSizeHint() const
     return QWidget::minimumSizeHint() - QSize(spare, 0);
 }
 
-/// The end and the clock are told where there is room for them.
+/// Shows the end time and the clock if they fit.
 void ReviewPlayerBar::showClock()
 {
     const int margins = layout()->contentsMargins().left() + layout()->contentsMargins().right();
@@ -246,7 +246,7 @@ void ReviewPlayerBar::play(bool backwards)
     if (player_.playing() && player_.backwards() == backwards) return pause();
     player_.play(backwards);
     emit started();
-    emit moved();  // from the other end, where it stood at one
+    emit moved();  // play() may have jumped to the other end
     showPlayer();
 }
 
@@ -256,7 +256,7 @@ void ReviewPlayerBar::pause()
     showPlayer();
 }
 
-/// Stands still, at a time where there is one.
+/// Pauses, and goes to `time` if it is given.
 void ReviewPlayerBar::pauseAt(std::optional<SessionTime> time)
 {
     pause();
@@ -287,7 +287,7 @@ void ReviewPlayerBar::stepLane(int lane, bool back)
     stepTo(timesOf(lanes_.lanes[lane]), back);
 }
 
-/// Where each scene is seen with its first estimate; of one that has none, where it was captured.
+/// Returns for each scene the time of its first estimate; the capture time if it has none.
 QList<double> ReviewPlayerBar::sceneTimes() const
 {
     std::map<std::int64_t, double> times;

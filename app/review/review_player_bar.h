@@ -19,32 +19,32 @@ namespace terratact {
 
 class KeyTable;
 
-/// The timeline of a session under review and, below it, the controls of its player: play, step, speed, the cursors
-/// A and B, a time to go to.  Holds the player; whoever shows the session listens to moved().
+/// The timeline of a reviewed session and its player controls: play, step, speed, cursors A and B, go to a time. It
+/// owns the player; the window listens to moved().
 class ReviewPlayerBar final : public QWidget {
     Q_OBJECT
 public:
-    /// Both must outlive it.
+    /// Session and moments must outlive the bar.
     ReviewPlayerBar(const SessionReader& session, ReviewMoments& moments, QWidget* parent);
 
     const ReviewPlayer& player() const { return player_; }
-    void goTo(double seconds);  ///< of the session
+    void goTo(double seconds);  ///< [s] of the session
     void pause();
-    void advance(double elapsed);  ///< lets that pass [s]
-    void takeGrowth();             ///< the session has more; follows its end where that is wanted
+    void advance(double elapsed);  ///< advances playback by `elapsed` [s]
+    void takeGrowth();  ///< call after the session has grown; follows its end if following
     void setTimeline(const Timeline& timeline);
-    void addTool(QWidget* tool);  ///< at the right end
+    void addTool(QWidget* tool);  ///< adds a tool at the right end
     void addKeys(KeyTable& keys);
 
     SessionTimeline* timeline() const { return timeline_; }
     QLabel* differenceLabel() const { return difference_; }
     QLineEdit* positionEdit() const { return position_; }
 
-    QSize minimumSizeHint() const override;  ///< without the end and the clock
+    QSize minimumSizeHint() const override;  ///< size without the end time and the clock
 
 signals:
     void moved();
-    void started();  ///< to play
+    void started();  ///< playback has started
     void fieldLeft();
 
 protected:

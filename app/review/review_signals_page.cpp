@@ -27,7 +27,7 @@ ReviewSignalsPage::ReviewSignalsPage(SessionReader& session, PreferenceStore& pr
     card->body()->addWidget(headline_);
     dbc_->addLines(*card->body());
     table_ = new SignalTable(card);
-    table_->setColumnHidden(SignalTable::History, true);  // the timeline shows what came when
+    table_->setColumnHidden(SignalTable::History, true);  // the timeline shows the history
     card->body()->addWidget(table_, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 10, 12, 10);

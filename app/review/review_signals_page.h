@@ -11,15 +11,15 @@ class DbcFiles;
 class PreferenceStore;
 class SignalTable;
 
-/// What other devices than the robot had sent up to a time of a session: gas sensors, batteries.
+/// Signals of other devices, such as gas sensors or batteries, up to a time of the session.
 class ReviewSignalsPage final : public Page {
     Q_OBJECT
 public:
-    /// Both must outlive it.
+    /// Session and preferences must outlive the page.
     ReviewSignalsPage(SessionReader& session, PreferenceStore& preferences,
                       QWidget* parent = nullptr);
 
-    /// Shows that time from now on; it is read once the page is seen.
+    /// Sets the time to show; the page reads it once it is visible.
     void setTime(SessionTime time);
     void refresh(double now) override;
 

@@ -23,7 +23,7 @@ TimelineLane& laneOf(Timeline& timeline, ReviewLane lane)
     return timeline.lanes[static_cast<int>(lane)];
 }
 
-/// Spans that are open at the time, by what they are of.
+/// The spans that are open at a time, by subject.
 class OpenSpans {
 public:
     explicit OpenSpans(TimelineLane& lane) : lane_(lane) {}
@@ -70,7 +70,7 @@ void addRows(Timeline& timeline, const SessionReader& session)
                             ReviewWords::tr("probe proposed at %1").arg(format::binName(row.bin))};
 }
 
-/// Phases, links, alarms and estimates, which last until something ends them.
+/// Builds the lanes of phases, links, alarms and estimates, whose spans last until an event ends them.
 class EventLanes {
 public:
     explicit EventLanes(Timeline& timeline)
@@ -122,7 +122,7 @@ private:
         case EventKind::Forgotten: estimates_.end("estimate", at); break;
         case EventKind::Phase: takePhase(event, at); break;
         case EventKind::Alarm:
-            // One that was seen already stands at the begin of a file that goes on after another.
+            // A continued file starts with the alarms that were active; one that was already open adds no mark.
             if (const double state = event.number.value_or(0.0);
                 state == 3.0 || (state == 2.0 && !alarms_.has(event.subject)))
                 alarms_.begin(event.subject, {at, at, TimelineWeight::Bad, sentenceOf(event)});
@@ -192,7 +192,8 @@ QString subjectOf(const EventRow& event)
 
 QString textOf(const EventRow& event)
 {
-    if (event.kind == EventKind::Marker) return format::line(event.text);  // somebody's own
+    if (event.kind == EventKind::Marker)
+        return format::line(event.text);  // text that a person typed
     if (event.kind == EventKind::Decision)
         if (QString word = format::eventWord(event.text); word != format::line(event.text))
             return word;
@@ -265,7 +266,7 @@ QString wordsOf(const EventRow& event)
 
 QString sentenceOf(const EventRow& event)
 {
-    // One event is one line: a text with a line end could pass for another event.
+    // One event is one line, because a line end in its text could imitate another event.
     return wordsOf(event).replace(QLatin1Char('\n'), QLatin1Char(' '));
 }
 

@@ -12,7 +12,7 @@
 
 namespace terratact {
 
-/// The lanes of a review, from the top.
+/// The lanes of a review from top to bottom.
 enum class ReviewLane : std::uint8_t {
     Link,
     Contact,
@@ -26,18 +26,18 @@ enum class ReviewLane : std::uint8_t {
 inline constexpr int kReviewLanes = 8;
 QString nameOf(ReviewLane lane);
 
-/// A session with what its survey has found and the notes made of it.
+/// Returns the timeline of a session with the indexer's results and the notes.
 Timeline timelineOf(const SessionReader& session, const Surveyed& surveyed,
                     const std::vector<ReviewNote>& notes);
 
-/// An event in the operator's language, without its time.
+/// Returns an event in the operator's language, without its time.
 QString sentenceOf(const EventRow& event);
 QString nameOf(EventKind kind);
 
-/// A time of a session as the clock showed it; UTC.
+/// Returns the UTC time of a session time.
 QDateTime wallClock(const SessionReader& session, SessionTime time);
 
-/// The times at which something of a lane begins or happens, in their order.
+/// Returns the start times of all spans and marks of a lane, sorted.
 QList<double> timesOf(const TimelineLane& lane);
 
 }  // namespace terratact

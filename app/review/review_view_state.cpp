@@ -73,7 +73,7 @@ TerrainViewState ReviewViewState::terrain(const ReviewMoment& moment,
                                           const Preferences& preferences)
 {
     TerrainViewState viewState{.now = secondsOf(moment.time)};
-    viewState.count = ++shows_;  // every moment is drawn anew
+    viewState.count = ++shows_;  // every moment is redrawn
     addMeasured(viewState, moment, threshold(moment, preferences));
     addEstimates(viewState, moment, whatIf);
     addGhost(viewState, moment);
@@ -102,7 +102,7 @@ void ReviewViewState::addMeasured(TerrainViewState& viewState, const ReviewMomen
     viewState.sceneTruth = &moment.scene->truth;
     if (!viewState.measurement) {
         viewState.measurement = viewState.scene;
-        viewState.age = std::numeric_limits<double>::infinity();  // nothing was heard yet
+        viewState.age = std::numeric_limits<double>::infinity();  // nothing was received yet
     }
 }
 

@@ -15,25 +15,25 @@
 
 namespace terratact {
 
-/// Reads off a moment of a session the plain values that the pages of a review show, as LiveViewState does of what
-/// runs.  GUI thread only.
+/// Computes the values that the review's pages show at a moment of a session, like LiveViewState for a live run. GUI
+/// thread only.
 class ReviewViewState {
     Q_DECLARE_TR_FUNCTIONS(ReviewViewState)
 public:
-    /// The session must outlive it.
+    /// The session must outlive the object.
     ReviewViewState(SessionReader& session, const RobotModel& robot);
 
-    /// Of an obstacle [m], from now on, whatever was recorded.
+    /// Sets the obstacle height [m] from now on, instead of the recorded one.
     void setLimit(double metres) { limit_ = metres; }
-    /// Of an obstacle [m], at this moment.
+    /// Returns the obstacle height [m] at this moment.
     double limit(const ReviewMoment& moment) const;
-    /// By that limit, from what the operator had; empty: no estimate stood.
+    /// Returns the verdict for that obstacle height on the operator's estimate; empty: there was no estimate.
     std::optional<Verdict> verdict(const ReviewMoment& moment) const;
-    /// Of contact [N]: the estimate's where one stood.
+    /// Returns the contact threshold [N]: that of the estimate, if there was one.
     static double threshold(const ReviewMoment& moment, const Preferences& preferences);
 
-    /// whatIf: of the same scene with other settings, shown as the second estimate.  What the sight points to is
-    /// moment's, whatIf's, and this object's until the next call.
+    /// Returns the state of the terrain page. whatIf: an estimate of the same scene with other settings, shown as the
+    /// second estimate. The result points into `moment`, `whatIf` and this object; it is valid until the next call.
     TerrainViewState terrain(const ReviewMoment& moment,
                              const std::optional<TerrainEstimate>& whatIf,
                              const Preferences& preferences);
@@ -49,12 +49,12 @@ private:
     RobotModel robot_;
     ReviewForces felt_;
     ReviewGhost ghost_;
-    std::optional<double> limit_;                 ///< [m] where the reviewer asks for another
-    std::shared_ptr<const EstimateRow> advised_;  ///< what advice_ is of
+    std::optional<double> limit_;                 ///< [m] obstacle height chosen by the reviewer
+    std::shared_ptr<const EstimateRow> advised_;  ///< estimate that advice_ belongs to
     ProbeAdvice advice_;
     std::uint64_t shows_ = 0;
 
-    // What the last sight points to.
+    // Data that the last view state points to.
     std::vector<ForceArray> forces_;
     std::vector<TimedForces> forcesBefore_;
     std::optional<ProbeProposal> proposal_;

@@ -42,8 +42,8 @@ namespace terratact {
 namespace {
 
 constexpr int kLook = 50;            // [ms]
-constexpr double kRefresh = 0.5;     // [s] between two looks at a file that may grow
-constexpr double kStillGrows = 3.0;  // [s] after the last growth
+constexpr double kRefresh = 0.5;     // [s] polling period of a growing file
+constexpr double kStillGrows = 3.0;  // [s] without growth until the session counts as finished
 
 QString fileName(const SessionReader& session)
 {
@@ -76,7 +76,7 @@ ReviewWindow::ReviewWindow(Options options)
 
 ReviewWindow::~ReviewWindow()
 {
-    delete export_;  // ends what it writes, before a survey that may take its time
+    delete export_;  // cancels its job before the indexer, whose end may take time
 }
 
 void ReviewWindow::buildHeader()
@@ -111,7 +111,7 @@ void ReviewWindow::addPages(QStringList models)
     addScrolledPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The scene of this time as a table"));
     events_ = new ReviewEventsPage(session_, this);
     addScrolledPage(events_, tr("Events"), Qt::Key_F4, tr("Everything the session tells of"));
-    robotPage_ = new QScrollArea(this);  // large letters may not all find room
+    robotPage_ = new QScrollArea(this);  // in large fonts the content scrolls
     robotPage_->setFrameShape(QFrame::NoFrame);
     robotPage_->setWidgetResizable(true);
     robotPage_->setFocusPolicy(Qt::NoFocus);
@@ -166,7 +166,7 @@ void ReviewWindow::connectAll()
     connect(note_, &ReviewNoteField::taken, this, &ReviewWindow::noteTaken);
     connect(player_, &ReviewPlayerBar::moved, this, &ReviewWindow::showMoment);
     connect(player_, &ReviewPlayerBar::fieldLeft, this, [this] { setFocus(); });
-    // What has passed while it stood does not count.
+    // The time while playback was paused does not count.
     connect(player_, &ReviewPlayerBar::started, this, [this] { sinceLook_.restart(); });
     connect(preferences_.get(), &PreferenceStore::changed, this, &ReviewWindow::applyPreferences);
     connect(&look_, &QTimer::timeout, this,
@@ -185,19 +185,19 @@ void ReviewWindow::poll(double elapsed)
     if (currentPage() == whatIf_) whatIf_->refresh(0.0);
 }
 
-/// Takes what the file and its survey have more of.
+/// Reads new rows of the file and new results of the indexer.
 void ReviewWindow::followSession()
 {
     bool news = false;
     if (!session_.sealed()) {
         const auto more = session_.refresh();
-        if (!more) showMoment();  // it may have moved rows before it failed
+        if (!more) showMoment();  // rows may have moved before the failure
         if (more && *more) {
             news = true;
             sinceGrowth_ = 0.0;
             grows_ = true;
             events_->reload();
-            player_->takeGrowth();  // shows the moment: rows have moved
+            player_->takeGrowth();  // redraws the moment, because rows may have moved
         }
     }
     if (sinceGrowth_ > kStillGrows) grows_ = false;
@@ -239,7 +239,7 @@ void ReviewWindow::showTerrain()
     forbidCommands();
 }
 
-/// Nothing listens to these; the card says why they are not there.
+/// Disables all commands; the panel says why.
 void ReviewWindow::forbidCommands()
 {
     ProbeCard* const probe = terrain_->probeCard();
@@ -346,7 +346,7 @@ void ReviewWindow::defineKeys()
     keys.addGroup(tr("Pages"));
     addPageKeys();
     numbers_->addKeys(keys);
-    // Not R and S, which release STOP and drive back in the console's window.
+    // R and S are not used, because they release STOP and drive back in the console.
     keys.add({{Qt::Key_E}, tr("estimate the recorded scene again, on the page What if"), [this] {
                   rail()->choose(rail()->pageOf(Qt::Key_F6));
                   whatIf_->estimate();

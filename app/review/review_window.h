@@ -29,24 +29,22 @@ class TerrainPage;
 class WhatIfPage;
 struct ExportViewState;
 
-/// A recorded session as the console showed it: the console's page of the terrain at any time of the file, with a
-/// timeline to move in it.  There is no source behind it, so nothing in it can command a robot.  The file is only
-/// read; notes are kept beside it.
+/// A recorded session as the console showed it: the terrain page at any time of the file, with a timeline. It has no
+/// source, so it cannot command a robot. The file is only read; notes are kept beside it.
 class ReviewWindow final : public ConsoleWindow {
     Q_OBJECT
 public:
     struct Options {
         SessionReader session;
         RobotModel robot;
-        QStringList
-            models{};  ///< files to try what-if with; the recorded one is looked for among them
+        QStringList models{};  ///< model files for What if, and to search for the recorded model
         std::unique_ptr<PreferenceStore> preferences{};
     };
     explicit ReviewWindow(Options options);
     ~ReviewWindow() override;
 
-    void goTo(double seconds) { player_->goTo(seconds); }  ///< of the session
-    /// Lets time pass: plays, and looks whether the session has grown.  elapsed: [s]
+    void goTo(double seconds) { player_->goTo(seconds); }  ///< [s] of the session
+    /// Advances playback and polls the file for growth. elapsed: [s]
     void poll(double elapsed);
 
     PreferenceStore& preferences() { return *preferences_; }
@@ -65,7 +63,7 @@ public:
     QLabel* differenceLabel() const { return player_->differenceLabel(); }
     QLineEdit* positionEdit() const { return player_->positionEdit(); }
     QLineEdit* noteEdit() const { return note_; }
-    ReviewExportDialog* exportDialog() const { return export_; }  ///< null before it was asked for
+    ReviewExportDialog* exportDialog() const { return export_; }  ///< null before the first export
     bool surveyed() const { return surveyedAll_; }
 
 protected:
@@ -83,7 +81,7 @@ private:
     void showMoment();
     void showTerrain();
     void showState();
-    void place();  ///< what finds no room beside the terrain on the robot's page
+    void place();  ///< places cards that do not fit beside the terrain on the robot's page
     void forbidCommands();
     void applyPreferences(const Preferences& before);
     void loadTimeline();
@@ -100,14 +98,14 @@ private:
     std::unique_ptr<PreferenceStore> preferences_;
     ReviewMoments moments_;
     ReviewViewState viewStates_;
-    std::optional<ReviewDisplay> display_;  ///< since there is what it fills
+    std::optional<ReviewDisplay> display_;  ///< set once its widgets exist
     ReviewMoment moment_;
     SessionIndexer indexer_;
     std::uint64_t surveyVersion_ = 0;
     bool surveyedAll_ = false;
-    bool grows_ = false;  ///< something was committed within the last seconds
+    bool grows_ = false;  ///< rows were committed within the last seconds
     double sinceRefresh_ = 0.0, sinceGrowth_ = 0.0;  ///< [s]
-    QString trouble_;                                ///< with notes, files or exports
+    QString trouble_;                                ///< last error of notes, files or exports
     qsizetype damagedPlaces_ = 0;
     QTimer look_;
     QElapsedTimer sinceLook_;

@@ -19,7 +19,7 @@
 namespace terratact {
 namespace {
 
-/// What the file says of a scene as telemetry: left and right alike.
+/// Converts a scene to telemetry; left and right are equal.
 Measurement measurementOf(const Scene& scene)
 {
     Measurement m;
@@ -35,7 +35,7 @@ Measurement measurementOf(const Scene& scene)
     return m;
 }
 
-/// NaN where the file does not know it, which is not drawn.
+/// Returns the true heights; NaN, which is not drawn, for unknown ones.
 std::optional<Heights> truthOf(const Scene& scene)
 {
     Heights truth{};

@@ -15,14 +15,14 @@ namespace terratact {
 
 class TerrainPage;
 
-/// A file of scenes, one after the other: each as the model in use estimates it, beside the terrain where the file
-/// knows it.  There is no source behind it, so nothing in it can command a robot.
+/// The scenes of a file one by one, each with the estimate of the model in use and the true terrain if the file has it.
+/// It has no source, so it cannot command a robot.
 class ScenesWindow final : public ConsoleWindow {
     Q_OBJECT
 public:
     struct Options {
         QString path;
-        std::vector<Scene> scenes;  ///< at least one
+        std::vector<Scene> scenes;  ///< at least one scene
         RobotModel robot;
         ModelLoader model;
         Settings settings{};
@@ -31,7 +31,7 @@ public:
     explicit ScenesWindow(Options options);
     ~ScenesWindow() override;
 
-    void showScene(std::size_t scene);  ///< the last where there are fewer
+    void showScene(std::size_t scene);  ///< clamped to the last scene
     std::size_t scene() const { return scene_; }
     const std::optional<TerrainEstimate>& estimate() const { return estimate_; }
     TerrainPage* terrainPage() const { return page_; }

@@ -11,8 +11,8 @@
 
 namespace terratact {
 
-/// Writes one file of a session in a thread of its own, with a reader of its own.  The signals come from that
-/// thread.  Its destruction cancels what is not done.
+/// Writes one export of a session in its own thread with its own reader. Signals are emitted in that thread. The
+/// destructor cancels an unfinished export.
 class SessionExportJob final : public QObject {
     Q_OBJECT
 public:
@@ -20,20 +20,21 @@ public:
         std::string session, out;
         std::optional<ExportFormat> format{};  ///< empty: the report of a scene
         ExportSelection selection{};
-        std::int64_t scene = 0;          ///< of the report
-        std::vector<std::string> dbc{};  ///< files; selection.book is made of them
+        std::int64_t scene = 0;          ///< scene of the report
+        std::vector<std::string> dbc{};  ///< DBC files from which selection.book is made
     };
     explicit SessionExportJob(Wish wish);
     ~SessionExportJob() override;
 
-    void start();   ///< once, when whoever wants to know is connected
-    void cancel();  ///< ended() follows, and where it came in time there is no file
+    void start();  ///< call once, after connecting the signals
+    /// ended() follows. A cancelled export leaves no file.
+    void cancel();
     bool cancelled() const { return cancelled_; }
 
 signals:
     void progressed(double share);  ///< 0 … 1
-    /// trouble: empty where the file is written.  leftOut: frames that the format cannot hold.  damaged: places of
-    /// the session of which nothing was written.  withoutColumns: messages of DBC files that found no room.
+    /// trouble: error text; empty: the file was written. leftOut: frames the format cannot express. damaged: damaged
+    /// ranges that were omitted. withoutColumns: DBC messages beyond the bound.
     void ended(const QString& trouble, qulonglong leftOut, int damaged, int withoutColumns);
 
 private:
@@ -43,8 +44,8 @@ private:
 
     Wish wish_;
     std::atomic<bool> cancelled_ = false;
-    int percent_ = -1;     ///< that was told
-    std::jthread thread_;  // last: it ends before all else
+    int percent_ = -1;     ///< last emitted progress
+    std::jthread thread_;  // last member: it ends before all others are destroyed
 };
 
 }  // namespace terratact

@@ -221,7 +221,7 @@ Settings WhatIfPage::settings() const
     s.method = kMethods.at(static_cast<std::size_t>(method_->currentIndex()));
     if (const int quality = quality_->currentIndex(); quality > 0)
         s = withQuality(s, kQualities.at(static_cast<std::size_t>(quality - 1)));
-    // What the form rounds is as recorded as long as nobody has changed it.
+    // The form rounds values; an unchanged field keeps the recorded value.
     if (std::abs(threshold_->value() - s.forceThreshold) > 0.006)
         s.forceThreshold = threshold_->value();
     bool isNumber = false;

@@ -22,24 +22,24 @@ namespace terratact {
 struct Differences;
 enum class Tone;
 
-/// Estimates a recorded scene again, as it was or with another method, quality, threshold, seed or model, beside
-/// what was shown then.
+/// Recomputes a recorded estimate with the recorded or other settings: method, quality, threshold, seed or model. The
+/// result is shown beside the recorded one.
 class WhatIfPage final : public Page {
     Q_OBJECT
 public:
-    /// models: files to choose from, and to look for the recorded model among.
+    /// models: files to choose from, and to search for the recorded model.
     WhatIfPage(RobotModel robot, QStringList models, QWidget* parent = nullptr);
     ~WhatIfPage() override;
 
-    /// What stands at the time under review; null: nothing.  What was asked of another is dropped.
+    /// Sets the estimate under review; null: none. An answer for another estimate is dropped.
     void setRecorded(const std::shared_ptr<const EstimateRow>& estimate, const SceneRow* scene,
                      const ModelRow* model);
     void refresh(double now) override;
 
-    void asRecorded();  ///< sets the form to what was recorded
-    void estimate();    ///< with what the form says
+    void asRecorded();  ///< sets the form to the recorded settings
+    void estimate();    ///< estimates with the form's settings
 
-    /// The last answer to what is under review.
+    /// Returns the last answer for the estimate under review.
     const std::optional<TerrainEstimate>& answer() const { return answer_; }
 
     QComboBox* method() const { return method_; }
@@ -53,7 +53,7 @@ public:
     QTableWidget* table() const { return table_; }
 
 signals:
-    void answered();  ///< answer() is another
+    void answered();  ///< answer() has changed
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -66,19 +66,19 @@ private:
     void useModel(const QString& path);
     void take(int job, const TerrainEstimate& estimate);
     void showAnswer();
-    void showBins(const Differences* found);  ///< null: of what was recorded alone
+    void showBins(const Differences* found);  ///< null: shows only the recorded bins
     void drop();
     void say(const QString& text, Tone tone);
 
     RobotModel robot_;
     QStringList models_;
-    std::unique_ptr<EstimatorWorker> worker_;  ///< null until it is first needed
-    QString modelPath_;                        ///< that the worker has, or loads
+    std::unique_ptr<EstimatorWorker> worker_;  ///< null until first needed
+    QString modelPath_;                        ///< model that the worker has or loads
     int job_ = 0;
     std::shared_ptr<const EstimateRow> recorded_;
     std::optional<SceneRow> scene_;
     QString recordedModel_, recordedHash_;
-    std::string modelHash_;  ///< of modelPath_
+    std::string modelHash_;  ///< hash of the file modelPath_
     std::optional<Settings> asked_;
     std::optional<TerrainEstimate> answer_;
 
