@@ -7,8 +7,8 @@
 
 namespace terratact {
 
-/// Bytes to be hashed that do not depend on the machine: numbers as 8 bytes, least first, texts after
-/// their length.
+/// Bytes for hashing that do not depend on the machine. A number is 8 bytes, least significant
+/// first. A text follows its length.
 class CanonicalBytes {
 public:
     void add(std::uint64_t value)

@@ -14,7 +14,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::array<std::pair<std::string_view, ContentKind>, 12> kBeginnings{{
-    {"\xFF\xFE\0\0"sv, ContentKind::Utf32},  // before that of UTF-16, which begins it
+    {"\xFF\xFE\0\0"sv, ContentKind::Utf32},  // before the mark of UTF-16, which begins the same way
     {"\0\0\xFE\xFF"sv, ContentKind::Utf32},
     {"\xFF\xFE"sv, ContentKind::Utf16},
     {"\xFE\xFF"sv, ContentKind::Utf16},
@@ -28,7 +28,7 @@ constexpr std::array<std::pair<std::string_view, ContentKind>, 12> kBeginnings{{
     {"\x37\x7F\x06\x83"sv, ContentKind::Journal},
 }};
 
-/// sqlite.org/fileformat2.html §1.3: big-endian at byte 68.
+/// Returns the application id: big-endian at byte 68 (sqlite.org/fileformat2.html §1.3).
 std::int64_t applicationId(std::string_view head)
 {
     std::int64_t id = 0;
@@ -37,7 +37,7 @@ std::int64_t applicationId(std::string_view head)
     return id;
 }
 
-/// Without a byte order mark: plain letters, every other byte of which is NUL.
+/// Returns true for UTF-16 without a byte order mark: plain letters, with NUL as every other byte.
 bool looksLikeUtf16(std::string_view head)
 {
     const std::string_view letters = head.substr(0, head.size() / 2 * 2);

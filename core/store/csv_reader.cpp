@@ -17,7 +17,7 @@ constexpr std::size_t kMaxBytes = std::size_t{64} * 1024 * 1024;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kBlanks = " \t";
 constexpr std::string_view kLineEnds = "\r\n";
-constexpr char kEndOfDos = '\x1A';  // what DOS ended a text file with
+constexpr char kEndOfDos = '\x1A';  // DOS ended a text file with this character
 
 std::string_view withoutBlanks(std::string_view text)
 {
@@ -35,7 +35,7 @@ std::string lowerCase(std::string_view text)
     return lower;
 }
 
-/// Why what is no text in UTF-8 cannot be read, and what to do; empty where nothing is known against it.
+/// Returns why a kind of file cannot be read as CSV, and what to do; empty if nothing prevents it.
 std::string_view refusalOf(ContentKind kind)
 {
     switch (kind) {
@@ -56,7 +56,8 @@ std::string_view refusalOf(ContentKind kind)
     return "is an SQLite file, not text";
 }
 
-/// How often each separator stands in a line, outside of quotes.  A tab beside another separator is a blank.
+/// Number of each separator in a line, outside of quotes. A tab beside another separator is a
+/// blank.
 struct SeparatorCounts {
     std::size_t commas = 0, semicolons = 0, tabs = 0;
 };
@@ -79,7 +80,7 @@ SeparatorCounts countSeparators(std::string_view line)
     return counts;
 }
 
-/// A number as its file writes it: a decimal comma only where `commaIsDecimal`.
+/// Returns the number that the text spells. A decimal comma is allowed only if `commaIsDecimal`.
 std::optional<double> numberIn(std::string_view text, bool commaIsDecimal)
 {
     constexpr std::string_view kMinus = "\xE2\x88\x92";  // U+2212
@@ -101,7 +102,7 @@ bool isMissingWord(std::string_view text)
     return text.size() <= 8 && std::ranges::find(kWords, lowerCase(text)) != kWords.end();
 }
 
-/// All fields of a line, which holds no quotes, spell numbers.
+/// Returns true if all fields of a line without quotes spell numbers.
 bool allNumbers(std::string_view line, char separator)
 {
     for (;;) {
@@ -117,7 +118,8 @@ std::string_view lineOf(std::string_view text)
     return text.substr(0, text.find_first_of(kLineEnds));
 }
 
-/// A remark with as many fields as the numbers below it: NumPy writes a header so.
+/// Returns true for a comment with as many fields as the numbers below it: NumPy writes its header
+/// that way.
 bool namesColumns(std::string_view remark, std::string_view below)
 {
     const auto separators = [](std::string_view text) {
@@ -129,7 +131,7 @@ bool namesColumns(std::string_view remark, std::string_view below)
         && separators(remark) == separators(below) && numberIn(withoutBlanks(first), true);
 }
 
-/// A unit without the brackets that may stand around it.
+/// Returns a unit without the brackets around it.
 std::string_view withoutBrackets(std::string_view text)
 {
     const bool bracketed = text.size() > 2
@@ -181,7 +183,7 @@ Status CsvReader::begin()
     return *isSaid ? Status(Done{}) : chooseSeparator();
 }
 
-// Of spreadsheets: "sep=;" above the header.
+// Reads the line "sep=;" that spreadsheets write above the header.
 Result<bool> CsvReader::takeSeparatorLine()
 {
     const std::string_view whole = lineOf(rest_);
@@ -195,7 +197,7 @@ Result<bool> CsvReader::takeSeparatorLine()
     return fileError(name_, "line 1: names a separator that is no comma, semicolon or tab");
 }
 
-// And blank lines.
+// Skips comments and blank lines.
 void CsvReader::takeRemarks()
 {
     while (!rest_.empty()) {
@@ -231,7 +233,8 @@ Status CsvReader::chooseSeparator()
     }
     const bool isPlain = line.find('"') == std::string_view::npos;
     for (const auto& [separator, count] :
-         {std::pair(';', n.semicolons), std::pair('\t', n.tabs)})  // beside decimal commas
+         // decimal commas may occur as well
+         {std::pair(';', n.semicolons), std::pair('\t', n.tabs)})
         if (count > 0 && n.commas > 0 && isPlain && allNumbers(line, separator)) {
             separator_ = separator;
             return Done{};
@@ -260,7 +263,7 @@ std::string_view CsvReader::takePlain()
     return withoutBlanks(field);
 }
 
-// The opening quote is at the front.
+// Reads a quoted field. The opening quote is the first character.
 Result<std::string_view> CsvReader::takeQuoted()
 {
     rest_.remove_prefix(1);
@@ -289,7 +292,7 @@ Result<std::string_view> CsvReader::takeQuoted()
     }
 }
 
-// False: it was the last of its record.
+// Reads a field. Returns false after the last field of its record.
 Result<bool> CsvReader::takeField()
 {
     if (fields_.size() == kMaxFields)
@@ -318,7 +321,7 @@ Result<bool> CsvReader::takeField()
     return error("has text behind a closing quote");
 }
 
-// False at the end.
+// Reads a record. Returns false at the end of the file.
 Result<bool> CsvReader::readRecord()
 {
     fields_.clear();
@@ -341,7 +344,8 @@ bool CsvReader::isBlank() const
     return (fields_.size() == 1 || columns_ != 0) && std::ranges::all_of(fields_, isEmpty);
 }
 
-/// Below a header, with another number of fields than it has: else it may be a text that begins so.
+/// Returns true for a line below a header that begins with # and has another number of fields. With
+/// the right number of fields, it may be a text that begins with #.
 bool CsvReader::isRemark() const
 {
     return columns_ > 1 && fields_.front().starts_with('#') && fields_.size() != columns_;
@@ -384,7 +388,7 @@ Status CsvReader::checkCount()
     return error(cause);
 }
 
-// A line below the header without any number, where numbers are expected.
+// Returns true for a line below the header without any number, where numbers are expected.
 Result<bool> CsvReader::isUnits() const
 {
     bool any = false;

@@ -12,7 +12,8 @@ constexpr std::array<std::string_view, 11> kFormulaBegins{
     "=",           "+", "-", "@", "\t", "\r", "\n", "\xEF\xBC\x9D", "\xEF\xBC\x8B", "\xEF\xBC\x8D",
     "\xEF\xBC\xA0"};
 
-/// Behind any apostrophes: a text that has some of its own must come back with as many.
+/// Returns true if the text behind any apostrophes begins a formula. A text that begins with
+/// apostrophes must come back with as many.
 bool beginsFormula(std::string_view text)
 {
     text.remove_prefix(std::min(text.find_first_not_of('\''), text.size()));

@@ -5,14 +5,15 @@
 
 namespace terratact {
 
-// Text in CSV files.  A spreadsheet takes a field that begins with = + - @, a tab or a line end (or the wide forms of
-// these signs) for a formula, and would compute it.  An apostrophe in front makes it a text.
+// CSV text fields. A spreadsheet reads a field that begins with = + - @, a tab or a line end (or
+// their wide forms) as a formula and computes it. A leading apostrophe makes it a text.
 
-/// A text as a field of a CSV file: with an apostrophe in front where it would be a formula and is no number, in
-/// quotes as RFC 4180 has it where it holds a separator, a quote or a line end, or begins or ends with a blank.
+/// Returns a text as a CSV field. A text that would be a formula and is no number gets a leading
+/// apostrophe. A text with a separator, a quote, a line end, or a blank at either end is quoted as
+/// in RFC 4180.
 std::string csvField(std::string_view text);
 
-/// The text that csvField() made a field of, once its quotes are off: without that apostrophe.
+/// Returns the text of an unquoted field that csvField() made: it removes the added apostrophe.
 std::string_view csvText(std::string_view field);
 
 }  // namespace terratact

@@ -13,12 +13,12 @@
 namespace terratact {
 namespace {
 
-/// Closes on the way out.
+/// Descriptor that its destructor closes.
 class OpenFile {
 public:
     explicit OpenFile(const std::string& path) : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC))
     {
-        // A socket, as some shells and services connect, cannot be opened a second time.
+        // A socket, which some shells and services connect, cannot be opened a second time.
         if (fd_ < 0 && errno == ENXIO && path == "/dev/stdin")
             fd_ = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0);
     }

@@ -27,7 +27,7 @@ Error cannotWrite(const std::string& path, int code)
     return cannotWrite(path, std::generic_category().message(code), code);
 }
 
-/// A descriptor that closes itself; close() tells whether the system kept what was written.
+/// Descriptor that its destructor closes; close() returns whether the system kept what was written.
 class Descriptor {
 public:
     explicit Descriptor(int fd) : fd_(fd) {}
@@ -44,7 +44,7 @@ private:
     int fd_;
 };
 
-/// Opens for writing a file that did not exist: "<target>.tmp0", or the next number that is free.
+/// Creates a file for writing: "<target>.tmp0", or the next free number.
 int createBeside(const std::string& target, mode_t mode, std::string& name)
 {
     constexpr int kTries = 1000;
@@ -56,7 +56,7 @@ int createBeside(const std::string& target, mode_t mode, std::string& name)
     return -1;
 }
 
-/// 0, or errno.
+/// Returns 0, or errno.
 int writeAll(int fd, std::string_view content)
 {
     while (!content.empty()) {
@@ -68,7 +68,7 @@ int writeAll(int fd, std::string_view content)
     return 0;
 }
 
-/// 0, or errno.
+/// Returns 0, or errno.
 int flushToDisk(const std::string& path, int flags)
 {
     Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | flags));
@@ -76,7 +76,7 @@ int flushToDisk(const std::string& path, int flags)
     return 0;
 }
 
-/// Of a session, or of what SQLite keeps beside one.
+/// Returns true for the name of a session, or of a file that SQLite keeps beside one.
 bool isSessionName(const std::string& path)
 {
     std::string name = std::filesystem::path(path).filename().string();
@@ -189,7 +189,7 @@ Status makeDirectory(const std::string& path, FolderAccess access)
             missing.push_back(at.string());
         std::reverse(missing.begin(), missing.end());
         for (const std::string& at : missing)
-            (void)::mkdir(at.c_str(), S_IRWXU);  // where it fails, so does what follows
+            (void)::mkdir(at.c_str(), S_IRWXU);  // if it fails, the next step fails too
     }
     std::filesystem::create_directories(path, failed);
     if (failed)

@@ -7,21 +7,21 @@
 
 namespace terratact {
 
-/// Whether a new file may take the place of what is at `path`; Done where nothing is there.  Errors name it:
-///   it is a directory, a device or a pipe
-///   it is write-protected: no right to write it, or no one has (which holds for root as well)
-///   it is a recorded session or the journal of one, by its content or by its name (*.tts): a recording is never
-///   replaced
+/// Returns Done if a new file may replace the one at `path`, or if there is none. Errors name it:
+///   - It is a directory, a device or a pipe.
+///   - It is write-protected, by its mode for this user, or for everybody (which includes root).
+///   - It is a recorded session or its journal, by content or by name (*.tts): a recording is never
+///     replaced.
 Status checkReplaceable(const std::string& path);
 
-/// A file on its way into being.  It is written under a temporary name in the directory of its final
-/// name, which it takes only when it is whole: whoever looks sees the old file, or none, or the new one.
+/// Atomic replacement of a file. The content is written under a temporary name in the same
+/// directory. commit() renames it, so that readers see the old file, or none, or the whole new one.
 /// Without commit() the temporary file is removed.
 class NewFile {
 public:
-    /// Creates the empty temporary file.  Errors name the file: no such directory, no right to write there, or
-    /// what stands at `path` is not to be replaced (checkReplaceable()).  A symbolic link at `path` is followed; an
-    /// existing file's permissions are kept.
+    /// Creates the empty temporary file. Errors name the file: its directory does not exist or is
+    /// not writable, or checkReplaceable() refuses the file at `path`. A symbolic link at `path` is
+    /// followed. The permissions of an existing file are kept.
     static Result<NewFile> begin(const std::string& path);
 
     NewFile(NewFile&& other) noexcept;
@@ -30,7 +30,7 @@ public:
     NewFile& operator=(const NewFile&) = delete;
     ~NewFile();
 
-    /// Where to write.  Close it before commit().
+    /// Returns the path to write to. Close the file before commit().
     const std::string& temporaryPath() const { return temporary_; }
 
     /// Flushes the content to the disk and renames it to its final name.
@@ -42,17 +42,17 @@ private:
     void discard() noexcept;
 
     std::string path_;       ///< as the caller named it
-    std::string target_;     ///< links followed
+    std::string target_;     ///< path with links followed
     std::string temporary_;  ///< empty once committed
 };
 
 enum class FolderAccess { Everybody, Owner };
 
-/// Makes a directory and those above it; none of that where it exists.  Errors name it.
-/// access: to those that are made; Everybody: as far as the umask says.
+/// Creates a directory and its parents; does nothing if it exists. Errors name it. access:
+/// permissions of the created directories; Everybody: as the umask allows.
 Status makeDirectory(const std::string& path, FolderAccess access = FolderAccess::Everybody);
 
-/// Puts `content` at `path` as NewFile does.
+/// Writes `content` to `path` as NewFile does.
 Status writeFileAtomically(const std::string& path, std::string_view content);
 
 }  // namespace terratact

@@ -8,13 +8,13 @@
 
 namespace terratact {
 
-/// SHA-256 of the bytes as 64 lower-case hexadecimal digits (FIPS 180-4).
+/// Returns the SHA-256 of the bytes as 64 lower-case hexadecimal digits (FIPS 180-4).
 std::string sha256Hex(std::string_view bytes);
 
-/// The same of a file's bytes, at most 1 GiB.  Errors as readFile.
+/// Returns the SHA-256 of a file's bytes, at most 1 GiB. Errors as readFile.
 Result<std::string> sha256OfFile(const std::string& path);
 
-/// SHA-256 of bytes that come piece by piece.
+/// SHA-256 of bytes that arrive in pieces.
 class Sha256 {
 public:
     static constexpr std::size_t kBytes = 32;
@@ -25,7 +25,7 @@ public:
     ~Sha256();
 
     void add(std::string_view bytes);
-    /// The 32 bytes of the hash of all since the beginning or the last take(); begins anew.
+    /// Returns the 32 bytes of the hash of everything since the last take(), and starts a new hash.
     std::string take();
 
 private:
@@ -33,7 +33,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Bytes in lower-case hexadecimal digits.
+/// Returns the bytes in lower-case hexadecimal digits.
 std::string hexOf(std::string_view bytes);
 
 }  // namespace terratact

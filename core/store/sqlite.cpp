@@ -23,7 +23,7 @@ void check(int code, sqlite3* file)
     if (code != SQLITE_OK) throw SqliteError(sqlite3_errmsg(file));
 }
 
-/// A path as an SQLite URI: everything but plain characters in percent code.
+/// Returns a path as an SQLite URI, with all but plain characters percent-encoded.
 std::string uriOf(const std::string& path, std::string_view options)
 {
     constexpr std::string_view kHex = "0123456789ABCDEF";
@@ -41,7 +41,7 @@ std::string uriOf(const std::string& path, std::string_view options)
     return uri.append("?").append(options);
 }
 
-/// Big-endian number of `bytes` bytes.
+/// Returns the big-endian number of `bytes` bytes.
 std::uint64_t bigEndian(const char* at, int bytes)
 {
     std::uint64_t value = 0;
@@ -51,7 +51,7 @@ std::uint64_t bigEndian(const char* at, int bytes)
 
 constexpr std::string_view kMagic("SQLite format 3\0", 16);
 
-/// The file's first 100 bytes, its header.
+/// The first 100 bytes of the file.
 using Header = std::array<char, 100>;
 Header headerOf(const std::string& path)
 {
@@ -73,7 +73,8 @@ Header headerOf(const std::string& path)
     return header;
 }
 
-/// Refuses what is no SQLite file, or is not as long as its header says (sqlite.org/fileformat2.html §1.3).
+/// Refuses a file that is no SQLite file, or whose length differs from its header
+/// (sqlite.org/fileformat2.html §1.3).
 void checkSize(const std::string& path, std::uintmax_t most)
 {
     std::error_code none;
@@ -89,7 +90,7 @@ void checkSize(const std::string& path, std::uintmax_t most)
                       + std::to_string(expected) + (size < expected ? ": it is truncated" : ""));
 }
 
-/// Ends the statements of a hostile file: called every kStepsPerCall steps.
+/// Ends long statements of a hostile file. SQLite calls stopNow() every kStepsPerCall steps.
 constexpr int kStepsPerCall = 100'000;
 constexpr int kCalls = 1'000;
 int stopNow(void* callsLeft)
@@ -136,7 +137,7 @@ void SqliteStatement::bindBlob(int parameter, std::string_view bytes)
           sqlite3_db_handle(statement_.get()));
 }
 
-/// No cell of a page takes less room than this (sqlite.org/fileformat2.html §1.6).
+/// Smallest size of a cell of a page (sqlite.org/fileformat2.html §1.6).
 constexpr std::int64_t kMinCell = 6;
 
 void SqliteStatement::take(std::int64_t bytes) const
@@ -244,7 +245,7 @@ SqliteFile SqliteFile::openUntrusted(const std::string& path, std::uintmax_t mos
 
 bool SqliteFile::isJournaled(const std::string& path)
 {
-    return headerOf(path)[18] == 2;  // the file format's write version
+    return headerOf(path)[18] == 2;  // write version of the file format
 }
 
 bool SqliteFile::lacksJournal(const std::string& path)
@@ -253,7 +254,8 @@ bool SqliteFile::lacksJournal(const std::string& path)
     return isJournaled(path) && !std::filesystem::exists(path + "-wal", none);
 }
 
-/// False where SQLite lacks the right to make or to write what it wants beside the file.  Throws what else fails.
+/// Returns false if SQLite may not create or write files beside this one. Throws for any other
+/// failure.
 bool SqliteFile::isReadable()
 {
     try {
@@ -278,7 +280,8 @@ bool SqliteFile::journalIsDamaged(const std::string& path)
 
 namespace {
 
-/// Throws where the journal beside a file cannot be read, of which SQLite says that it is unable to open the file.
+/// Throws if the journal beside a file cannot be read. SQLite would report that it cannot open the
+/// file.
 void requireReadableJournal(const std::string& path)
 {
     const std::filesystem::path journal = path + "-wal";
@@ -304,7 +307,7 @@ SqliteFile SqliteFile::openLog(const std::string& path, int longest)
         file.path_ = path;
         file.harden();
         sqlite3_limit(file.file_.get(), SQLITE_LIMIT_LENGTH, longest);
-        sqlite3_busy_timeout(file.file_.get(), 200);  // [ms] a checkpoint of the writer's
+        sqlite3_busy_timeout(file.file_.get(), 200);  // [ms] for a checkpoint of the writer
         file.bytesLeft_ = std::make_unique<std::int64_t>(0);
         file.grantBytes(1);
         return file;
@@ -313,8 +316,9 @@ SqliteFile SqliteFile::openLog(const std::string& path, int longest)
     requireReadableJournal(path);
     SqliteFile file = open("mode=ro");
     if (file.isReadable()) return file;
-    // The index of a journal is made beside it, which cannot be done here.  With nobody to share it with it can be
-    // held in memory, which takes a lock that needs the right to write: so without locks.
+    // SQLite cannot create the journal's index beside the file here. It can hold the index in
+    // memory for a single reader. That needs a lock and the right to write, so the file is opened
+    // without locks.
     SqliteFile alone = open("mode=ro&vfs=unix-none");
     check(sqlite3_db_config(alone.file_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr),
           alone.file_.get());
@@ -374,11 +378,12 @@ void SqliteFile::journal()
     if (!mode.step() || mode.text(0) != "wal")
         throw SqliteError("its file system keeps no write-ahead journal");
     run("PRAGMA synchronous = FULL");
-    // A file in WAL mode without its journal beside it is then one whose journal was taken away.
+    // A file in WAL mode without a journal is then one whose journal was removed.
     check(sqlite3_db_config(file_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr),
           file_.get());
     run("PRAGMA journal_size_limit = 67108864");
-    run("PRAGMA wal_autocheckpoint = 0");  // its failure would look like that of a commit: checkpoint()
+    // a failing checkpoint would look like a failing commit; see checkpoint()
+    run("PRAGMA wal_autocheckpoint = 0");
 }
 
 bool SqliteFile::leaveJournal()
@@ -395,7 +400,7 @@ void SqliteFile::grantSteps()
     if (callsLeft_) *callsLeft_ = kCalls;
 }
 
-// sqlite.org/security.html, "Untrusted SQLite Database Files".
+// Applies sqlite.org/security.html, "Untrusted SQLite Database Files".
 void SqliteFile::harden()
 {
     sqlite3* const file = file_.get();

@@ -12,7 +12,8 @@ struct sqlite3_stmt;
 
 namespace terratact {
 
-/// SQLite refused a step: its own words.  Whoever knows the file's name catches it and returns an Error.
+/// SQLite refused a step; the text is SQLite's. A caller that knows the file's name returns an
+/// Error.
 class SqliteError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -31,10 +32,10 @@ public:
 
     /// Goes to the next row; false after the last.
     bool step();
-    /// Executes a statement without rows; it can then be bound anew.
+    /// Executes a statement without rows; new values can then be bound.
     void run();
 
-    /// Columns of the present row.  Throw SqliteError where the column holds another type.
+    /// Return columns of the current row. Throw SqliteError if the column holds another type.
     double real(int column) const;
     std::int64_t integer(int column) const;
     std::string text(int column) const;
@@ -57,75 +58,81 @@ private:
     std::string bytes(int column) const;
 
     std::unique_ptr<sqlite3_stmt, Finalise> statement_;
-    std::int64_t* bytesLeft_;  ///< of the file's, see SqliteFile::grantBytes(); null: no bound
+    /// bytes left for the file, see SqliteFile::grantBytes(); null: no limit
+    std::int64_t* bytesLeft_;
 };
 
-/// An SQLite file.  Every failure is a SqliteError.  Not to be shared between threads.
+/// SQLite file. Every failure throws SqliteError. One thread at a time may use it.
 class SqliteFile {
 public:
-    /// Opens a finished file that may come from anyone, for reading: it has the size its header says,
-    /// its structure has been checked, nothing in it is executed or trusted, no journal beside it is
-    /// looked at, and all statements together end after a bounded number of steps.
-    /// Refuses a file of more than `most` bytes.
+    /// Opens a finished file from an untrusted source for reading. Its size must match its header,
+    /// and its structure is checked. Nothing in it is executed or trusted, and a journal beside it
+    /// is ignored. All statements together end after a bounded number of steps. Refuses a file of
+    /// more than `most` bytes.
     static SqliteFile openUntrusted(const std::string& path, std::uintmax_t most);
 
-    /// Opens a file of any size, for a format that checks its rows itself: its structure is checked when
-    /// structureFault() is asked.  A file in WAL mode, which somebody still writes or whose writer died, is read
-    /// with the journal beside it, also where neither the file nor its folder can be written; without one, as it
-    /// is.  Texts and blobs are at most `longest` bytes, and all values together are bounded: grantBytes().
+    /// Opens a file of any size, for a format that checks its rows itself; structureFault() checks
+    /// the structure on request. A file in WAL mode is still being written, or its writer died. It
+    /// is read with the journal beside it, even if file and folder are write-protected; without a
+    /// journal as it is. Texts and blobs have at most `longest` bytes, and grantBytes() bounds all
+    /// values together.
     static SqliteFile openLog(const std::string& path, int longest);
 
-    /// Whether the file is in WAL mode: not closed by its writer.  Throws as openLog where it is no SQLite file.
+    /// Returns true if the file is in WAL mode: its writer did not close it. Throws as openLog if
+    /// it is no SQLite file.
     static bool isJournaled(const std::string& path);
 
-    /// Whether the journal that belongs to a file in WAL mode is not beside it.
+    /// Returns true if the journal of a file in WAL mode is missing.
     static bool lacksJournal(const std::string& path);
 
-    /// Whether the journal beside a file in WAL mode holds bytes that are none of a journal, so that nothing of it can
-    /// be read.
+    /// Returns true if the file beside a file in WAL mode is no valid journal, so that nothing of
+    /// it can be read.
     static bool journalIsDamaged(const std::string& path);
 
-    /// Creates a file, which must not exist, to be written by one connection while others read it: with a
-    /// write-ahead journal (WAL), flushed to the disk with every commit.  Only its owner can read it (mode 0600).
+    /// Creates a file that one connection writes while others read. It must not exist. It has a
+    /// write-ahead journal (WAL) that every commit flushes to the disk. Only its owner can read it
+    /// (mode 0600).
     static SqliteFile createLog(const std::string& path);
 
-    /// Opens such a file whose writer died to go on with it; its journal is played back.
+    /// Reopens such a file after its writer died; its journal is replayed.
     static SqliteFile reopenLog(const std::string& path);
 
-    /// Moves what the journal holds into the file, as far as no reader still needs the older state.
+    /// Moves the journal into the file, as far as no reader needs the older state.
     void checkpoint();
 
-    /// What is wrong with the structure: pages that two rows share, lost pages, broken cells.  Empty: nothing.
-    /// Takes 4 s for a gigabyte.
+    /// Returns the structural fault of the file: pages that two rows share, lost pages, broken
+    /// cells. Empty: none. It takes 4 s for a gigabyte.
     std::string structureFault();
 
-    /// Moves the journal into the file and leaves WAL mode; false, and nothing happens, while somebody else has it
-    /// open.
+    /// Moves the journal into the file and leaves WAL mode. Returns false and does nothing while
+    /// another process has the file open.
     bool leaveJournal();
 
-    /// Statements of an untrusted file may take as many steps again from now on.
+    /// Allows the statements of an untrusted file as many steps again from now on.
     void grantSteps();
 
-    /// From now on a log's rows may yield `times` as many bytes of values as the file and its journal have.  Rows
-    /// that share pages can hold far more than the file; then a SqliteError says so.
+    /// Allows the rows of a log to return `times` as many bytes as the file and its journal have
+    /// from now on. A SqliteError reports more. Rows that share pages could return far more than
+    /// the file holds.
     void grantBytes(int times);
 
-    /// Bytes of a log and its journal when grantBytes() was last called.
+    /// Returns the bytes of a log and its journal at the last call of grantBytes().
     std::int64_t size() const { return size_; }
 
-    /// Creates an empty file, which must not exist, for its owner alone to read and write (mode 0600).
+    /// Creates an empty file for its owner only (mode 0600). It must not exist.
     static void makeEmpty(const std::string& path);
 
-    /// Opens an empty file to be filled and then renamed (core/store/file_write.h): no journal, no flushing.
+    /// Opens an empty file to fill it and then rename it (core/store/file_write.h): no journal, no
+    /// flushing.
     static SqliteFile fill(const std::string& path);
 
     SqliteStatement prepare(std::string_view sql);
     void run(std::string_view sql) { prepare(sql).run(); }
 
-    /// The one integer that a query yields.
+    /// Returns the single integer of a query.
     std::int64_t integer(std::string_view sql);
 
-    /// Closes; throws where something could not be written.
+    /// Closes the file. Throws if something could not be written.
     void close();
 
 private:
@@ -138,10 +145,10 @@ private:
     void journal();
     bool isReadable();
 
-    std::string path_;                         ///< of a log that is read
-    std::int64_t size_ = 0;                    ///< likewise [bytes]
-    std::unique_ptr<int> callsLeft_;           ///< of the progress handler
-    std::unique_ptr<std::int64_t> bytesLeft_;  ///< that rows may yield; null: no bound
+    std::string path_;                         ///< path of a log that is read
+    std::int64_t size_ = 0;                    ///< size of a log that is read [bytes]
+    std::unique_ptr<int> callsLeft_;           ///< remaining calls of the progress handler
+    std::unique_ptr<std::int64_t> bytesLeft_;  ///< bytes that rows may still return; null: no limit
     std::unique_ptr<sqlite3, Close> file_;
 };
 

@@ -9,11 +9,11 @@ namespace terratact {
 
 struct SqliteTable {
     std::string name;
-    std::string sql;  ///< that makes it
+    std::string sql;  ///< the statement that creates it
 };
 
-/// Whether a file has exactly these tables, made by exactly these words, and nothing else: no view, trigger or index.
-/// tables: sorted by name.  Throws SqliteError.
+/// Returns true if a file has exactly these tables, created by exactly these statements, and no
+/// view, trigger or index. tables: sorted by name. Throws SqliteError.
 bool hasOnlyTables(SqliteFile& file, std::span<const SqliteTable> tables);
 
 }  // namespace terratact

@@ -15,14 +15,14 @@ using Mnemonic = std::array<char, 2>;
 
 constexpr std::uint32_t kStatusBase = 0x180, kReplyBase = 0x280, kRequestBase = 0x300;
 constexpr std::uint8_t kIndexBits = 0x3F, kFlagBit = 0x40, kFloatBit = 0x80;
-constexpr double kPatience = 0.1;         // [s] for a reply; the robot itself waits 0.01 s
-constexpr double kMaxCounts = 1'000'000;  // the modulus that the driver sets (XM)
-constexpr double kMaxCurrent = 50.0;      // [A] peak limit: 16 A
+constexpr double kPatience = 0.1;  // [s] longest wait for a reply; the robot itself waits 0.01 s
+constexpr double kMaxCounts = 1'000'000;  // modulus that the driver sets (XM)
+constexpr double kMaxCurrent = 50.0;      // [A] the drive's peak limit is 16 A
 constexpr std::uint16_t kEmergencyInput = 16;
 
 constexpr Mnemonic kPosition{'P', 'X'}, kCurrent{'I', 'Q'}, kStatus{'S', 'R'}, kFault{'M', 'F'},
     kInput{'I', 'B'};
-// What the robot's driver also says, and nothing is kept of.
+// Further commands of the robot's driver, whose values are not kept.
 constexpr std::string_view kOthers =
     "PA SP JV VX BG AN EC MS UM CL PL UI MO AC DC EF ER GS HM HP KI KP PM "
     "SF SV TR UF XC XM ";
@@ -91,9 +91,9 @@ std::variant<AbsolemFrame, AbsolemVerdict> interpreted(const CanFrame& frame, bo
     return got;
 }
 
-// Angles of a flipper grow with the counts of its encoder, tip up, or against them.  All joints turn about the
-// axis to the left, so that a front flipper's tip goes down with the angle and a rear one's up; the motors on
-// the left are mounted mirrored.
+// Returns 1 if the tip rises with the counts of the flipper's encoder, −1 if it falls. All joints
+// turn about the axis to the left: with the angle a front flipper's tip goes down and a rear one's
+// goes up. The motors on the left are mounted mirrored.
 std::optional<double> upwards(AbsolemNode node)
 {
     switch (node) {
@@ -137,7 +137,8 @@ AbsolemVerdict keepAngle(AbsolemState& state, const AbsolemFrame& reply, double 
 AbsolemVerdict keepCurrent(AbsolemState& state, const AbsolemFrame& reply, double now)
 {
     const double current = reply.asFloat();
-    if (!(std::abs(current) <= kMaxCurrent)) return AbsolemVerdict::OutOfRange;  // NaN, too
+    // true for NaN, too
+    if (!(std::abs(current) <= kMaxCurrent)) return AbsolemVerdict::OutOfRange;
     AbsolemState::Flipper* flipper = flipperOf(state, reply.node);
     if (!flipper) return AbsolemVerdict::Passed;
     flipper->current = {-*upwards(reply.node) * current, now};
@@ -265,7 +266,7 @@ AbsolemVerdict AbsolemListener::takeReply(const AbsolemFrame& reply, double now)
     const bool isAnswer = asked && asked->command == reply.command && asked->index == reply.index
                        && now >= asked->time && now - asked->time <= kPatience;
     if (!isAnswer) return AbsolemVerdict::NotAsked;
-    node.asked.reset();  // one answer each
+    node.asked.reset();  // each request has one reply
     const bool isErrorCode = reply.bits > 0 && reply.bits <= 0xFF;
     if (reply.flagged && !isErrorCode) node.echoes = true;
     if (reply.flagged && !node.echoes) return AbsolemVerdict::Refused;
@@ -278,7 +279,7 @@ AbsolemVerdict AbsolemListener::keep(const AbsolemFrame& reply, double now)
     const bool isEmergency = reply.command == kInput && reply.index == kEmergencyInput;
     if (reply.command == kCurrent && reply.index == 0)
         return keepCurrent(state_, reply,
-                           now);  // whatever its type bit says: the robot does the same
+                           now);  // used whatever the type bit says, as the robot does
     const bool isKept =
         isEmergency
         || (reply.index == 0

@@ -11,19 +11,21 @@
 
 namespace terratact {
 
-// The bus of a real Absolem (NIFTi, TRADR): 500 kbit/s, seven Elmo SimplIQ drives that speak the "binary
-// interpreter" on PDO2 of CANopen, polled by the robot's computer at 20 Hz.  Listened to, never written to.
+// CAN bus of a real Absolem (NIFTi, TRADR): 500 kbit/s, seven Elmo SimplIQ drives. They speak the
+// "binary interpreter" on PDO2 of CANopen, and the robot's computer polls them at 20 Hz. The bus is
+// only read, never written.
 //
-// Request 0x300 + node, reply 0x280 + node: two letters of a command, its index, a byte of type, and for a set
-// or a reply a little-endian int32 or float32.  Status word, unasked: 0x180 + node.  Start: identifier 0.
+// A request has identifier 0x300 + node, a reply 0x280 + node. It holds two letters of a command,
+// its index and a type byte; a set or a reply also holds a little-endian int32 or float32. A drive
+// sends its status word unasked with 0x180 + node. The start command has identifier 0.
 //
-// Sources: NIFTi-BlueBotics/Librover (nodes, counts, which motors are mounted mirrored) and Elmo's MAN-CAN301IG
-// 2.1, chapter 9 (types, refusals).  Assumptions, to be checked on the robot:
-//   – a motor's positive current turns its encoder towards positive counts; from this and from the mirrored
-//     motors follows which current presses down;
-//   – the driver has set the encoders so that 0 is the lower edge flat (it does at start-up, from a
-//     potentiometer).
-// Pitch, roll, forces and the arm are not on this bus: from it alone no terrain can be estimated.
+// Sources: NIFTi-BlueBotics/Librover (nodes, counts, motors that are mounted mirrored) and Elmo's
+// MAN-CAN301IG 2.1, chapter 9 (types, refusals). Assumptions to be checked on the robot:
+//   – A motor's positive current turns its encoder towards positive counts. With the mirrored motors,
+//     this decides which current presses down.
+//   – The driver has set the encoders so that 0 is the lower edge flat. It does so at start-up, from a
+//     potentiometer.
+// Pitch, roll, forces and the arm are not on this bus: it alone cannot give a terrain estimate.
 
 enum class AbsolemNode : std::uint8_t {
     Core = 1,
@@ -37,50 +39,51 @@ enum class AbsolemNode : std::uint8_t {
 inline constexpr std::size_t kAbsolemNodes = 7;
 std::string describe(AbsolemNode node);
 
-inline constexpr double kFlipperCounts = 6000.0;  ///< of the encoder per turn of a flipper
+inline constexpr double kFlipperCounts = 6000.0;  ///< encoder counts per turn of a flipper
 
-/// One frame of the bus, its bytes taken apart.
+/// One decoded frame of the bus.
 struct AbsolemFrame {
     enum class Kind : std::uint8_t { NetworkCommand, StatusWord, Query, Set, Reply };
 
     Kind kind = Kind::Query;
-    AbsolemNode node = AbsolemNode::Core;   ///< of no meaning in a NetworkCommand, which is for all
-    std::array<char, 2> command{' ', ' '};  ///< in capitals
+    /// meaningless in a NetworkCommand, which addresses all nodes
+    AbsolemNode node = AbsolemNode::Core;
+    std::array<char, 2> command{' ', ' '};  ///< upper-case letters
     std::uint16_t index = 0;
-    bool isFloat = false;  ///< the type bit says so
-    bool flagged = false;  ///< bit 6 of the type: in a Reply most often that the drive refuses
+    bool isFloat = false;  ///< value of the type bit
+    bool flagged = false;  ///< bit 6 of the type: in a Reply it mostly means that the drive refuses
     std::uint32_t bits =
-        0;  ///< Set, Reply: the value; StatusWord, NetworkCommand: the first two bytes
+        0;  ///< value of a Set or Reply; first two bytes of a StatusWord or NetworkCommand
 
-    std::string name() const;  ///< "PX", "IB[16]"
+    std::string name() const;  ///< Returns "PX" or "IB[16]".
     std::int32_t asInt() const;
     float asFloat() const;
     bool operator==(const AbsolemFrame&) const = default;
 };
 
-/// What a listener made of a frame.
+/// Result of listening to a frame.
 enum class AbsolemVerdict : std::uint8_t {
     Used,    ///< AbsolemState has a new value
-    Passed,  ///< in order, but nothing that is kept
-    // Not understood:
+    Passed,  ///< valid, but nothing that is kept
+    // Frames that cannot be decoded:
     UnknownId,
     NotClassicData,  ///< extended, remote, error or FD frame
     WrongLength,
-    NotACommand,  ///< no two letters
+    NotACommand,  ///< does not begin with two letters
     // Replies that are not used:
     UnknownCommand,
-    NotAsked,    ///< no request of the last 0.1 s has its header
-    Refused,     ///< the drive says so: `bits` is its error code (EC)
+    NotAsked,    ///< no request of the last 0.1 s has this header
+    Refused,     ///< the drive refuses: `bits` is its error code (EC)
     WrongType,   ///< a float where counts or bits are expected
-    OutOfRange,  ///< NaN, or more than motor or encoder can have
+    OutOfRange,  ///< NaN, or beyond the range of motor or encoder
 };
 inline constexpr std::size_t kAbsolemVerdicts = 11;
 std::string describe(AbsolemVerdict verdict);
 
-/// Takes the bytes apart; a verdict from UnknownId to NotACommand where that cannot be done.
+/// Decodes the bytes. Returns a verdict from UnknownId to NotACommand if that is impossible.
 std::variant<AbsolemFrame, AbsolemVerdict> absolemFrame(const CanFrame& frame);
 
-/// A value and when it arrived.
+/// A value and its time of arrival.
 template <class T>
 struct Dated {
     T value{};
@@ -88,7 +91,7 @@ struct Dated {
     bool operator==(const Dated&) const = default;
 };
 
-/// What the bus has said so far; an empty optional: nothing.
+/// Values from the bus so far; an empty optional: none yet.
 struct AbsolemState {
     struct Flipper {
         std::optional<Dated<double>> angle;    ///< [rad] tip up positive, within half a turn
@@ -102,26 +105,29 @@ struct AbsolemState {
         bool operator==(const Drive&) const = default;
     };
     Flipper frontLeft, frontRight, rearLeft, rearRight;
-    std::array<Drive, kAbsolemNodes> drives;   ///< of node 1 … 7
+    std::array<Drive, kAbsolemNodes> drives;   ///< node 1 … 7
     std::optional<Dated<bool>> emergencyStop;  ///< IB[16]: the button is pressed
     bool operator==(const AbsolemState&) const = default;
 };
 
-/// What of a line of sensors this bus gives: angles and currents that are at most `limit` [s] old.
+/// Returns the sensor line that this bus provides: angles and currents that are at most `limit` [s]
+/// old.
 SensorLine sensorLineOf(const AbsolemState& state, double now, double limit);
 
-/// Follows the conversation between the robot's computer and its drives.  No clock; `now` [s] is any clock.
+/// Follows the requests of the robot's computer and the replies of its drives. It has no clock;
+/// `now` [s] is any clock.
 ///
-/// A reply counts when it has the header of the last request to its node.  The robot's own library does not
-/// look at bit 6 of a reply's type.  Elmo's manual calls it a refusal with an error code of one byte, and so it
-/// is taken; a drive that merely sends the bit of the request back is told by a value that no such code has.
+/// A reply counts if its header equals that of the last request to its node. Bit 6 of a reply's
+/// type is a refusal with an error code of one byte, as Elmo's manual says; the robot's own library
+/// ignores it. A drive may merely echo that bit of the request: a value that is no such code
+/// reveals it.
 class AbsolemListener {
 public:
     struct Heard {
         AbsolemVerdict verdict = AbsolemVerdict::Passed;
-        std::optional<AbsolemFrame> frame{};  ///< where the bytes could be taken apart
+        std::optional<AbsolemFrame> frame{};  ///< empty if the bytes could not be decoded
     };
-    using Counters = std::array<std::uint64_t, kAbsolemVerdicts>;  ///< by AbsolemVerdict
+    using Counters = std::array<std::uint64_t, kAbsolemVerdicts>;  ///< indexed by AbsolemVerdict
 
     /// Throws std::invalid_argument unless `now` is finite.
     Heard take(const CanFrame& frame, double now);
@@ -137,7 +143,7 @@ private:
     };
     struct Node {
         std::optional<Request> asked;
-        bool echoes = false;  ///< it sends bit 6 back as it came
+        bool echoes = false;  ///< it echoes bit 6
     };
 
     AbsolemVerdict follow(const AbsolemFrame& frame, double now);

@@ -13,7 +13,7 @@ struct Bit {
     std::string_view phrase;
 };
 
-// Phrases of the bits that are set; those that nobody names are collected as one number.
+// Returns phrases for the bits that are set. Bits without a name are collected as one number.
 std::vector<std::string> phrasesOf(std::uint32_t bits, std::span<const Bit> names,
                                    std::uint32_t ignored = 0)
 {
@@ -73,7 +73,7 @@ constexpr Bit kMotorFault[]{{0, "analogue feedback not ready"},
                             {7, "speed error over its limit"},
                             {8, "position error over its limit"}};
 
-// Error and its reason, unit mode, motion, recorder, Hall sensors.
+// Bit fields: error and its reason, unit mode, motion, recorder, Hall sensors.
 constexpr std::uint32_t kFields =
     0x0000'000F | 0x0000'0380 | 0x0000'C000 | 0x0003'0000 | 0x0700'0000;
 

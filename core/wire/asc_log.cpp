@@ -1,12 +1,12 @@
-// Logs of Vector's tools (.asc), of log2asc and python-can, and of `session export`:
+// Logs of Vector's tools (.asc), of log2asc, of python-can, and of `session export`:
 //
 //   date Thu Jan  1 00:16:40 1970
 //   base hex  timestamps absolute
 //      0.000000 1  500             Rx   d 3 DD FF 01
 //      0.100000 CANFD   1 Rx  50B  1 0 a 16 00 01 02 ...
 //
-// Times count from the date, which is local time; without a date from 0.  Events that are no frames (statistics, chip
-// states, requests to send) are passed over and counted.
+// Times count from the date, which is local time, or from 0 without a date. Events that are no
+// frames (statistics, chip states, requests to send) are skipped and counted.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -21,9 +21,9 @@ namespace terratact {
 namespace {
 
 constexpr unsigned kMaxChannels = 999;
-constexpr std::uint32_t kBusError = 0x80;  // the class that Linux gives to an error frame
+constexpr std::uint32_t kBusError = 0x80;  // class of an error frame in Linux
 
-/// By its first letters, in English, German or the other way a month is spelt there; 0: none.
+/// Returns the month by its first letters, in the English, German or other usual spelling; 0: none.
 int monthOf(std::string_view word)
 {
     constexpr std::array kMonths{"jan", "feb", "mar", "apr", "may", "jun",
@@ -41,7 +41,7 @@ int monthOf(std::string_view word)
     return begin.starts_with("m\xE4r") ? 3 : 0;  // in a Windows code page
 }
 
-/// Of "Mon Sep 30 10:06:13.191 pm 2017", whatever the language of the day.
+/// Returns the time of "Mon Sep 30 10:06:13.191 pm 2017", whatever the language of the day.
 std::optional<double> secondsOfDateLine(std::string_view text)
 {
     LogDate date;
@@ -86,7 +86,7 @@ public:
         LoggedFrame logged;
         logged.time = base_ + time;
         const std::string_view second = words.next();
-        if (second == "Start") return nothing();  // of measurement
+        if (second == "Start") return nothing();  // start of the measurement
         if (second == "CANFD") return fdFrame(std::move(logged), words);
         if (!isDigits(second)) return passOver();
         if (const Status done = setChannel(logged, second); !done) return done.error();
@@ -109,7 +109,8 @@ private:
         }
         if (first == "base") return bases(words);
         if (first == "Begin" || first == "begin") {
-            // "Triggerblock Thu Apr 28 10:44:52.480 am 2022": that of its times, if it is told.
+            // "Triggerblock Thu Apr 28 10:44:52.480 am 2022" gives the date of the times below, if
+            // present.
             (void)words.next();
             if (const auto seconds = secondsOfDateLine(words.rest())) base_ = *seconds;
             return nothing();
@@ -169,9 +170,9 @@ private:
         frame.remote = kind == "r";
         const std::string_view word = words.next();
         const auto length = integerFrom<unsigned>(word, base());
-        // A remote frame may tell no length.
+        // A remote frame may lack its length.
         if (frame.remote && !length) return std::optional(std::move(logged));
-        // A classic frame may tell a length up to 15, and has eight bytes then.
+        // A classic frame may have a length code up to 15, and then has eight bytes.
         if (!length || *length > 15) return expectedInLog("a length from 0 to 8", word);
         frame.length = static_cast<std::uint8_t>(std::min<std::size_t>(*length, kClassicBytes));
         if (frame.remote) return std::optional(std::move(logged));
@@ -201,7 +202,7 @@ private:
         if (id.starts_with("ErrorFrame")) return errorFrame(std::move(logged));
         CanFrame& frame = logged.frame;
         if (const Status done = setId(frame, id); !done) return done.error();
-        std::string_view switched = words.next();  // the bit rate, or a name before that
+        std::string_view switched = words.next();  // the bit rate switch, or a name before it
         if (switched != "0" && switched != "1") switched = words.next();
         const std::string_view state = words.next(), code = words.next();
         if ((switched != "0" && switched != "1") || (state != "0" && state != "1"))
@@ -217,7 +218,7 @@ private:
         return taken;
     }
 
-    /// Flags behind the bytes: a classic frame may be told of so, and a remote one.
+    /// Reads the flags behind the bytes: they may mark a classic or a remote frame.
     static void takeFlags(CanFrame& frame, unsigned code, LogWords& words)
     {
         constexpr unsigned kRemote = 0x10, kFd = 0x1000;

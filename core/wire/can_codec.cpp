@@ -14,12 +14,12 @@ namespace {
 
 constexpr int kHeaderBits = 8 * static_cast<int>(kE2eHeader);
 constexpr std::uint8_t kLength = 8;
-constexpr FrameKind kFirstSensor = FrameKind::Attitude;  // of those that every line has
+constexpr FrameKind kFirstSensor = FrameKind::Attitude;  // first of the frames that every line has
 constexpr std::size_t kNeededFrames = kSensorFrames - 1;
 
 using Values = std::array<double, kMaxSignals>;
 
-// The frame as one little-endian word: bit i of the DBC is bit i of the word.
+// Returns the frame as one little-endian word: bit i of the DBC is bit i of the word.
 std::uint64_t wordOf(const CanFrame& frame)
 {
     std::uint64_t word = 0;
@@ -74,7 +74,7 @@ struct CommandValues {
     Values values;  ///< in the order of the layout
 };
 
-// One function per command, so that a new command does not compile without its frame.
+// One function per command: a new command does not compile without its frame.
 struct ToValues {
     double epoch, challenge;
     CommandValues operator()(const StopCommand&) const { return {FrameKind::Stop, {}}; }
@@ -164,7 +164,7 @@ void takeVoltages(SensorLine& line, std::size_t set, const Values& v)
         v[3] != 0.0 ? std::optional(SensorLine::Three{v[0], v[1], v[2]}) : std::nullopt;
 }
 
-// Fills in what a sensor frame says.
+// Writes the values of a sensor frame into the line.
 void takeSensors(SensorLine& line, FrameKind kind, const Values& v)
 {
     switch (kind) {
@@ -188,7 +188,7 @@ void takeSensors(SensorLine& line, FrameKind kind, const Values& v)
     }
 }
 
-// A reading without an sd would count as exact.
+// Returns true for a reading without an sd, which would count as exact.
 bool isExactArm(FrameKind kind, const Values& v)
 {
     return kind == FrameKind::ArmResult && v[3] != 0.0 && !(v[2] > 0.0);

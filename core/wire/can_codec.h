@@ -13,23 +13,23 @@
 
 namespace terratact {
 
-// Frames <-> numbers, as resources/dbc/terratact.dbc has it.  Numbers are physical values in SI units; a
-// value is sent as the nearest raw one.  Whoever encodes what does not fit (beyond its range, NaN, a wrong
-// enumerator) gets std::invalid_argument.
+// Packs values into CAN frames and unpacks them, as in resources/dbc/terratact.dbc. Values are
+// physical, in SI units; the nearest raw value is sent. Encoding a value that does not fit (out of
+// range, NaN, invalid enumerator) throws std::invalid_argument.
 
-/// Why a frame is not one of ours.
+/// Reason why a frame does not belong to this protocol.
 enum class FrameFault : std::uint8_t {
     UnknownId,
-    NotClassicData,  ///< extended, remote, error or FD: never ours, even with an identifier of ours
+    NotClassicData,  ///< extended, remote, error or FD: never valid, even with a known identifier
     WrongLength,
     WrongCrc,
-    ReservedBits,  ///< a bit is set that no signal names
+    ReservedBits,  ///< a bit without a signal is set
     OutOfRange,
 };
 inline constexpr int kFrameFaults = 6;
 std::string describe(FrameFault fault);
 
-/// A sound frame.  values: of the layout's signals, in its order; the rest is 0.
+/// A valid frame. values: in the order of the layout's signals; the rest is 0.
 struct Unpacked {
     FrameKind kind = FrameKind::Stop;
     std::uint8_t counter = 0;
@@ -37,40 +37,43 @@ struct Unpacked {
     bool operator==(const Unpacked&) const = default;
 };
 
-/// Throws std::invalid_argument where a value does not fit, or one is given that the frame has no place for.
+/// Packs a frame. Throws std::invalid_argument if a value does not fit, or has no place in the
+/// frame.
 CanFrame pack(const Unpacked& content);
 
-/// The content of a frame that is ours in every bit; counters are for E2eReceiver to judge.
+/// Unpacks a frame that is valid in every bit; E2eReceiver judges its counter.
 std::variant<Unpacked, FrameFault> unpack(const CanFrame& frame);
 
-/// Whether a robot must stop on it: any standard frame with the identifier of Stop, however damaged.
+/// Returns true if a robot must stop on this frame: any standard frame with the identifier of Stop,
+/// however damaged.
 bool meansStop(const CanFrame& frame);
 
 // Commands.
 
-/// epoch: as announced by the robot; without meaning in a Stop, which has none, as HoldFlippers has not.
-/// challenge: of the robot's newest answer, 0 for none; without meaning in what makes safe, but for Arm.
+/// Packs a command. epoch: as announced by the robot; unused in Stop and HoldFlippers, which have
+/// none. challenge: from the robot's newest answer, 0: none; unused in safe commands, except for
+/// Arm.
 CanFrame frameOf(const Command& command, std::uint8_t epoch, std::uint8_t counter,
                  std::uint16_t challenge = 0);
 
-/// The kind of frame a command travels in.
+/// Returns the kind of frame that carries a command.
 FrameKind kindOf(const Command& command);
 
 struct ReceivedCommand {
     Command command;
-    std::optional<std::uint8_t> epoch{};       ///< of the frames that carry one
-    std::optional<std::uint16_t> challenge{};  ///< likewise; 0 is no robot's
+    std::optional<std::uint8_t> epoch{};       ///< from frames that carry one
+    std::optional<std::uint16_t> challenge{};  ///< from frames that carry one; a robot never uses 0
 };
-/// Empty where the frame holds no command (a heartbeat, telemetry).
+/// Returns the command of a frame; empty if it holds none (heartbeat, telemetry).
 std::optional<ReceivedCommand> commandOf(const Unpacked& content);
 
 // Heartbeats.
 
 CanFrame consoleHeartbeat(std::uint16_t token, std::uint8_t counter);
 CanFrame robotHeartbeat(std::uint16_t token, std::uint8_t counter, std::uint16_t challenge = 0);
-/// Empty where the frame is no heartbeat.
+/// Returns the token of a heartbeat; empty for another frame.
 std::optional<std::uint16_t> tokenOf(const Unpacked& content);
-/// Of a RobotHeartbeat or a command; empty where the frame has no such signal.
+/// Returns the challenge of a RobotHeartbeat or a command; empty for a frame without one.
 std::optional<std::uint16_t> challengeOf(const Unpacked& content);
 
 // Telemetry.
@@ -78,18 +81,19 @@ std::optional<std::uint16_t> challengeOf(const Unpacked& content);
 struct RobotStatus {
     std::uint8_t epoch = 1;  ///< never 0
     RobotActivity activity = RobotActivity::Halted;
-    Refusal refusal = Refusal::None;  ///< of the last command
+    Refusal refusal = Refusal::None;  ///< reason for refusing the last command
     bool armed = false;
     bool exploring = false;
-    std::optional<FrameKind> lastCommand{};  ///< obeyed or refused; empty before the first
-    std::uint8_t lastCounter = 0;            ///< of that command's frame
+    std::optional<FrameKind> lastCommand{};  ///< last command, obeyed or refused; empty: none yet
+    std::uint8_t lastCounter = 0;            ///< counter of that command's frame
     bool operator==(const RobotStatus&) const = default;
 };
 CanFrame frameOf(const RobotStatus& status, std::uint8_t counter);
-/// Empty where the frame is no RobotStatus, or names no frame of the console as the last command.
+/// Returns the status; empty if the frame is no RobotStatus, or names a last command that is no
+/// console frame.
 std::optional<RobotStatus> statusOf(const Unpacked& content);
 
-/// Left and right.
+/// Values of the left and right side.
 struct Pair {
     double left = 0.0, right = 0.0;
     bool operator==(const Pair&) const = default;
@@ -117,20 +121,21 @@ struct SensorLine {
     bool operator==(const SensorLine&) const = default;
 };
 
-inline constexpr std::size_t kSensorFrames = 11;  ///< Odometry, and from Attitude to ArmResult
+inline constexpr std::size_t kSensorFrames = 11;  ///< Odometry, and Attitude to ArmResult
 
-/// All frames of one line, with the same counter, Odometry first.
+/// Returns all frames of one line with the same counter, Odometry first.
 std::array<CanFrame, kSensorFrames> framesOf(const SensorLine& line, std::uint8_t counter);
 
 /// Joins frames of one counter to a line.
 class SensorLineReader {
 public:
-    /// The line that this frame completes.  Frames of another counter drop what is unfinished; a frame that
-    /// comes twice replaces the first; frames of other kinds are ignored.  A line needs every frame but
-    /// Odometry, which not every robot sends: it belongs to the line when it comes before the last of them.
+    /// Adds a frame. Returns the line that it completes. A frame with another counter drops the
+    /// unfinished line. A repeated frame replaces the first one; other kinds of frames are ignored.
+    /// A line needs every frame except Odometry, which some robots do not send: it belongs to the
+    /// line if it comes before the last frame.
     std::optional<SensorLine> take(const Unpacked& content);
 
-    std::uint64_t unfinished() const { return unfinished_; }  ///< lines dropped
+    std::uint64_t unfinished() const { return unfinished_; }  ///< number of dropped lines
 
 private:
     struct CountedOdometry {
@@ -139,7 +144,7 @@ private:
     };
 
     SensorLine line_;
-    std::optional<CountedOdometry> odometry_;  ///< the newest since the last line
+    std::optional<CountedOdometry> odometry_;  ///< newest since the last line
     std::uint8_t counter_ = 0;
     std::uint32_t have_ = 0;  ///< one bit per frame
     std::uint64_t unfinished_ = 0;

@@ -28,7 +28,7 @@ constexpr std::array<Word, 6> kPlainClasses{{{0x001, "transmission timed out"},
                                              {kCounters, ""}}};
 constexpr std::uint32_t kKnownClasses = 0x3ff;
 
-// Details of a class: bits of a byte, or its number.
+// Details of a class: bits of a byte, or the value of that byte.
 constexpr std::uint8_t kReceivePassive = 0x10, kTransmitPassive = 0x20, kWarnings = 0x0c,
                        kActive = 0x40;
 constexpr std::array<Word, 7> kControllerBits{{{0x01, "receive buffer overflowed"},
@@ -86,7 +86,7 @@ std::uint8_t byteOf(const CanFrame& frame, std::size_t at)
     return at < frame.length && at < frame.data.size() ? frame.data[at] : std::uint8_t{0};
 }
 
-/// The words of all bits that are set; "unspecified" for none.
+/// Returns the words of all bits that are set; "unspecified" for none.
 std::string ofBits(std::uint32_t bits, std::span<const Word> words)
 {
     std::vector<std::string_view> set;

@@ -8,21 +8,22 @@
 
 namespace terratact {
 
-/// What a CAN controller may do, by its own count of errors.
+/// State of a CAN controller by its own error counters.
 enum class ControllerState : std::uint8_t {
-    Active,   ///< all
-    Warning,  ///< more than 95 errors: still all
-    Passive,  ///< more than 127 errors: sends and receives, but no longer objects
-    BusOff,   ///< more than 255 errors in sending: nothing, until it is restarted
+    Active,   ///< may do everything
+    Warning,  ///< more than 95 errors: may still do everything
+    Passive,  ///< more than 127 errors: sends and receives, but does not signal errors
+    BusOff,   ///< more than 255 transmit errors: no traffic until a restart
 };
 
-// What Linux says in an error frame: classes in the identifier, their details in the data.  Bytes that the
-// frame is too short for count as 0, "unspecified".  Both throw std::invalid_argument unless frame.error.
+// Error frames of Linux: classes in the identifier, details in the data. Bytes beyond the frame's
+// length count as 0, "unspecified". Both functions throw std::invalid_argument unless frame.error.
 
-/// The state that the controller says to be in now; empty where the frame does not tell.
+/// Returns the state that the controller reports; empty if the frame does not report one.
 std::optional<ControllerState> controllerState(const CanFrame& frame);
 
-/// In words: "bus-off; 136 transmit and 12 receive errors".  Bits without a meaning are named by number.
+/// Returns a text: "bus-off; 136 transmit and 12 receive errors". Bits without a meaning are named
+/// by number.
 std::string describeError(const CanFrame& frame);
 
 }  // namespace terratact

@@ -8,24 +8,24 @@
 
 namespace terratact {
 
-inline constexpr std::size_t kClassicBytes = 8;  ///< of data at most, in a classic frame
-inline constexpr std::size_t kFdBytes = 64;      ///< and in one of CAN FD
+inline constexpr std::size_t kClassicBytes = 8;  ///< most data bytes of a classic frame
+inline constexpr std::size_t kFdBytes = 64;      ///< most data bytes of a CAN FD frame
 
-/// What a CAN controller delivers, as plain values; the socket's own layout belongs to drivers.
+/// A frame as a CAN controller delivers it; drivers know the socket's own layout.
 struct CanFrame {
-    std::uint32_t id = 0;  ///< without flags: 11 bits, or 29 where `extended`
+    std::uint32_t id = 0;  ///< without flags: 11 bits, or 29 if `extended`
     bool extended = false;
     bool remote = false;
-    bool error = false;       ///< an error frame of the controller: `id` is then its error class
+    bool error = false;       ///< error frame of the controller: `id` is its error class
     bool fd = false;          ///< CAN FD; `length` may be up to 64
-    std::uint8_t length = 0;  ///< bytes of data
+    std::uint8_t length = 0;  ///< number of data bytes
     std::array<std::uint8_t, kFdBytes> data{};
-    /// Of more than eight bytes only the first eight are known: older sessions kept no more.
+    /// True if only the first eight of more data bytes are known, as in older sessions.
     bool isCut = false;
     bool operator==(const CanFrame&) const = default;
 };
 
-/// The bytes of data that are known; none of a remote frame.
+/// Returns the known data bytes; none for a remote frame.
 inline std::span<const std::uint8_t> bytesOf(const CanFrame& frame)
 {
     if (frame.remote) return {};

@@ -17,7 +17,7 @@ namespace terratact {
 namespace {
 
 constexpr std::uint32_t kErrorBit = 0x2000'0000;
-constexpr std::size_t kMaxNameLength = 15;  // of an interface
+constexpr std::size_t kMaxNameLength = 15;  // of an interface name
 
 Error expectedTime(std::string_view found)
 {
@@ -39,13 +39,13 @@ Result<double> timeFrom(std::string_view word)
     return *time;
 }
 
-// "(2025-01-10", of candump -tA
+// Returns true for a date such as "(2025-01-10" from candump -tA.
 bool isDate(std::string_view word)
 {
     return word.size() == 11 && word[5] == '-' && word[8] == '-';
 }
 
-// The date, and "12:34:56.249713)"
+// Returns the time of a date and a clock such as "12:34:56.249713)".
 Result<double> timeOfDate(std::string_view date, std::string_view clock)
 {
     const std::string_view plain = clock.substr(0, clock.empty() ? 0 : clock.size() - 1);
@@ -78,7 +78,7 @@ Result<CanFrame> frameWithId(std::string_view digits)
     return frame;
 }
 
-// What follows "044#R".
+// Reads what follows "044#R".
 Status takeRemote(CanFrame& frame, std::string_view length)
 {
     if (frame.error) return Error{"an error frame cannot be a remote frame"};
@@ -100,7 +100,7 @@ Status takeBytes(CanFrame& frame, std::string_view digits)
     return Done{};
 }
 
-// "044#2A366C2BBA"
+// Reads "044#2A366C2BBA".
 Result<CanFrame> compactFrame(std::string_view word)
 {
     const std::size_t hash = word.find('#');
@@ -122,7 +122,7 @@ Result<CanFrame> compactFrame(std::string_view word)
     return frame;
 }
 
-// "[5]", or "[05]" of a CAN FD frame
+// Reads "[5]", or "[05]" of a CAN FD frame.
 Status takeLength(CanFrame& frame, std::string_view word)
 {
     const bool isBracketed = word.starts_with('[') && word.ends_with(']') && word.size() > 2;
@@ -146,7 +146,7 @@ Status takeLongBytes(CanFrame& frame, LogWords& words)
     return expectedInLog("no more than the bytes", rest);
 }
 
-// "044   [5]  2A 36 6C 2B BA", `id` being its first word
+// Reads "044 [5] 2A 36 6C 2B BA"; `id` is its first word.
 Result<CanFrame> longFrame(std::string_view id, LogWords& words)
 {
     Result<CanFrame> frame = frameWithId(id);
@@ -164,7 +164,7 @@ Result<CanFrame> longFrame(std::string_view id, LogWords& words)
     return frame;
 }
 
-// The end of a compact line.
+// Reads the end of a compact line.
 Result<LogDirection> directionFrom(LogWords& words)
 {
     const std::string_view word = words.next();
@@ -175,14 +175,14 @@ Result<LogDirection> directionFrom(LogWords& words)
     return expectedInLog("a direction R or T", word);
 }
 
-// "RX - -" of candump -x, of which `word` is the first.
+// Skips "RX - -" of candump -x; `word` is its first word.
 std::string_view skipDirection(std::string_view word, LogWords& words, LogDirection& direction)
 {
     if (word != "RX" && word != "TX") return word;
     direction = word == "RX" ? LogDirection::Received : LogDirection::Sent;
     for (const char flag : {'B', 'E'})
         if (word = words.next(); word.size() != 1 || (word[0] != '-' && word[0] != flag))
-            return word;  // no identifier either
+            return word;  // is no identifier either
     return words.next();
 }
 
@@ -272,10 +272,10 @@ public:
     }
 
 private:
-    // Of candump -e, below an error frame.
+    // Returns true for a text below an error frame (candump -e).
     bool isOfError(std::string_view line) const { return afterError_ && line.starts_with('\t'); }
 
-    // Of candump -d: "DROPCOUNT: dropped 3 CAN frames on 'can0' socket (total drops 5)".
+    // Counts "DROPCOUNT: dropped 3 CAN frames on 'can0' socket (total drops 5)" (candump -d).
     bool countsDrops(std::string_view line)
     {
         LogWords words(line);
@@ -286,7 +286,7 @@ private:
         return true;
     }
 
-    bool afterError_ = false;  ///< the frame before was an error frame
+    bool afterError_ = false;  ///< the last frame was an error frame
 };
 
 }  // namespace

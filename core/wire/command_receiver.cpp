@@ -22,7 +22,8 @@ CommandReceiver::CommandReceiver(std::uint8_t firstEpoch, std::uint16_t firstCha
     if (firstChallenge == 0) throw std::invalid_argument("CommandReceiver: no challenge is 0");
 }
 
-// The same one again where it is young: heartbeats that come fast do not use the numbers up.
+// Returns the newest challenge again if it is young, so that fast heartbeats do not use up the
+// numbers.
 std::uint16_t CommandReceiver::give(double now)
 {
     std::erase_if(challenges_, [now](const Challenge& c) { return !isYoung(c.given, now); });
@@ -40,7 +41,7 @@ bool CommandReceiver::isFresh(std::optional<std::uint16_t> challenge, double now
     });
 }
 
-// Nothing that was sent up to now is obeyed any more.
+// Voids everything that was sent before.
 void CommandReceiver::forget()
 {
     challenges_.clear();
@@ -140,7 +141,7 @@ std::optional<CommandVerdict> CommandReceiver::outOfOrder(const Unpacked& conten
     auto& counter = counters_[static_cast<std::size_t>(content.kind)];
     const int delta = counter ? (content.counter - *counter) & 0xFF : 1;
     if (delta == 0) return CommandVerdict::Repeated;
-    if (delta > 0x7F) return CommandVerdict::WrongSequence;  // an old one, which sets nothing back
+    if (delta > 0x7F) return CommandVerdict::WrongSequence;  // an old one, which changes nothing
     counter = content.counter;
     return delta > E2eReceiver::kMaxDelta ? std::optional(CommandVerdict::WrongSequence)
                                           : std::nullopt;
@@ -149,7 +150,7 @@ std::optional<CommandVerdict> CommandReceiver::outOfOrder(const Unpacked& conten
 void CommandReceiver::obey(const Command& command, double now)
 {
     if (const auto* arm = std::get_if<ArmCommand>(&command)) {
-        disarm();  // whatever was armed before: a new epoch
+        disarm();  // ends an earlier arming and begins a new epoch
         armed_ = arm->armed;
         return;
     }

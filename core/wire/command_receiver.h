@@ -11,62 +11,66 @@
 
 namespace terratact {
 
-/// What a robot's end of the link makes of a frame.
+/// The robot's verdict on a received frame.
 enum class CommandVerdict : std::uint8_t {
     Accepted,
-    Heartbeat,    ///< a sound ConsoleHeartbeat: answer its token
-    NotACommand,  ///< somebody else's frame, or a robot's
+    Heartbeat,    ///< valid ConsoleHeartbeat: answer its token
+    NotACommand,  ///< a frame of another protocol, or of a robot
     Malformed,
-    Repeated,       ///< the counter of its kind stood still
-    WrongSequence,  ///< over two of its kind are missing, or it is an old one
-    WrongEpoch,     ///< of an earlier arming: a frame that waited somewhere
-    TooLate,        ///< its challenge is none, too old, or from before a halt
+    Repeated,       ///< its counter did not change
+    WrongSequence,  ///< more than two frames of its kind are missing, or it is an old one
+    WrongEpoch,     ///< from an earlier arming: the frame was delayed
+    TooLate,        ///< its challenge is missing, too old, or from before a halt
     NotArmed,
-    NoHeartbeat,  ///< arming without a console that has been alive for a second
+    NoHeartbeat,  ///< arming without a second of heartbeats before it
 };
 
-/// The robot's end of the protocol: integrity, order, epoch, freshness and arming of what a console sends;
-/// whether the robot can and will do it is for the robot to say.  What makes safe (Stop, Halt, AbortAtem,
-/// disarming) is taken from any epoch and in any order, Stop even damaged.
+/// The robot's end of the protocol: it checks integrity, order, epoch, freshness and arming of a
+/// console's commands. The robot itself decides whether it can carry them out. Safe commands (Stop,
+/// Halt, AbortAtem, disarming) are accepted from any epoch and in any order, Stop even damaged.
 ///
-/// Freshness is challenge and response: each answer to a heartbeat carries a number, the challenge, and every
-/// other command must carry one that the robot gave out at most kChallengeLife ago.  What makes safe, arming,
-/// and a drive that ran out void all challenges given out before.  So no command that was sent before a halt
-/// is obeyed after it, however late, often or out of order it comes.  A number is given out again only after
-/// 65 534 others, of which each takes at least kChallengePeriod: 54 minutes.
+/// Freshness is a challenge-response protocol. Each answer to a heartbeat carries a number, the
+/// challenge. Every other command must carry a challenge that the robot gave out at most
+/// kChallengeLife ago. Safe commands, arming, and a drive ended by the dead-man void all earlier
+/// challenges. No command from before a halt is therefore obeyed after it, however late, often or
+/// out of order it comes. A number is used again only after 65 534 others, each for at least
+/// kChallengePeriod: 54 minutes.
 ///
-/// No clock: `now` is monotonic time [s].
+/// It has no clock: `now` is monotonic time [s].
 class CommandReceiver {
 public:
-    static constexpr double kHeartbeatLimit = kLinkLostAfter;  ///< [s] without one disarm
-    static constexpr double kDriveLimit = kLinkLostAfter;      ///< [s] without one end a drive
-    static constexpr double kChallengeLife = 0.5;              ///< [s] so old a challenge is void
-    static constexpr double kChallengePeriod = 0.05;           ///< [s] it is given out again within
+    /// watchdog: [s] without a heartbeat that disarm
+    static constexpr double kHeartbeatLimit = kLinkLostAfter;
+    /// dead-man: [s] without a Drive frame that end a drive
+    static constexpr double kDriveLimit = kLinkLostAfter;
+    static constexpr double kChallengeLife = 0.5;  ///< [s] age at which a challenge is void
+    /// [s] for which the same challenge is given out
+    static constexpr double kChallengePeriod = 0.05;
 
     struct Answer {
         CommandVerdict verdict = CommandVerdict::NotACommand;
-        std::optional<Command> command{};      ///< Accepted
-        std::optional<std::uint16_t> token{};  ///< Heartbeat
-        std::uint16_t challenge = 0;           ///< Heartbeat: to send beside the token
-        std::optional<FrameKind> kind{};       ///< of any command, accepted or not, for RobotStatus
-        std::uint8_t counter = 0;              ///< of that frame
+        std::optional<Command> command{};      ///< set with Accepted
+        std::optional<std::uint16_t> token{};  ///< set with Heartbeat
+        std::uint16_t challenge = 0;           ///< set with Heartbeat: to be sent with the token
+        std::optional<FrameKind> kind{};  ///< kind of any command, accepted or not, for RobotStatus
+        std::uint8_t counter = 0;         ///< counter of that frame
     };
 
-    /// firstEpoch, firstChallenge: drawn anew at every boot, so that frames of the life before do not fit.
-    /// Throws std::invalid_argument for 0, which no frame may carry.
+    /// firstEpoch, firstChallenge: random at every boot, so that frames from before the boot do not
+    /// fit. Throws std::invalid_argument for 0, which no frame may carry.
     explicit CommandReceiver(std::uint8_t firstEpoch, std::uint16_t firstChallenge = 1);
 
     Answer receive(const CanFrame& frame, double now);
 
     enum class Silence : std::uint8_t {
         None,
-        OfDrive,    ///< a robot that drives must halt
-        OfConsole,  ///< disarmed: the robot must halt, whatever it is doing
+        OfDrive,    ///< dead-man: a driving robot must halt
+        OfConsole,  ///< watchdog: disarmed; the robot must halt, whatever it does
     };
-    /// Who has fallen silent since the last call.  To be called at least every 50 ms.
+    /// Returns the timeout since the last call. Call it at least every 50 ms.
     Silence tick(double now);
 
-    /// For the robot's own reasons.  Begins a new epoch.
+    /// Disarms for the robot's own reasons. Begins a new epoch.
     void disarm();
 
     bool armed() const { return armed_; }
@@ -74,7 +78,7 @@ public:
     std::uint16_t nextChallenge() const
     {
         return nextChallenge_;
-    }  ///< that no answer has carried yet
+    }  ///< next challenge, which no answer has carried yet
 
 private:
     struct Challenge {
@@ -94,10 +98,10 @@ private:
     std::uint8_t epoch_;
     bool armed_ = false;
     E2eReceiver heartbeat_;
-    std::array<std::optional<std::uint8_t>, kFrameKinds> counters_{};  ///< since forget()
-    std::vector<Challenge> challenges_;  ///< since forget(), from the oldest to the newest
+    std::array<std::optional<std::uint8_t>, kFrameKinds> counters_{};  ///< counters since forget()
+    std::vector<Challenge> challenges_;  ///< since forget(), oldest first
     std::uint16_t nextChallenge_;
-    std::optional<double> lastDrive_;  ///< while driving [s]
+    std::optional<double> lastDrive_;  ///< time of the last Drive frame while driving [s]
 };
 
 }  // namespace terratact

@@ -1,5 +1,5 @@
-// Logs of CAN traffic as CSV: of GVRET and SavvyCAN, with or without their heading, of python-can, and of
-// `session export --what frames`.
+// CSV logs of CAN traffic: of GVRET and SavvyCAN, with or without their heading, of python-can, and
+// of `session export --what frames`.
 //
 //   Time Stamp,ID,Extended,Dir,Bus,LEN,D1,D2,D3,D4,D5,D6,D7,D8        [us], hexadecimal
 //   timestamp,arbitration_id,extended,remote,error,dlc,data           [s], 0x123, base 64
@@ -17,7 +17,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMaxColumns = 80;  // 64 of them bytes
+constexpr std::size_t kMaxColumns = 80;  // 64 of them for bytes
 
 std::string_view withoutBlanks(std::string_view field)
 {
@@ -36,7 +36,7 @@ std::optional<bool> truthOf(std::string_view field)
     return std::nullopt;
 }
 
-/// Bytes of base 64 (RFC 4648); empty: it is none.
+/// Returns the bytes of base 64 (RFC 4648); empty if it is none.
 std::optional<std::vector<std::uint8_t>> bytesOfBase64(std::string_view text)
 {
     constexpr std::string_view kAlphabet =
@@ -104,7 +104,7 @@ private:
         return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
     }
 
-    /// Empty also where there is no such column.
+    /// Returns the field of a column; empty if there is no such column.
     std::string_view field(const Fields& fields, std::string_view column) const
     {
         const auto found = std::find(columns_.begin(), columns_.end(), column);
@@ -153,7 +153,7 @@ private:
         std::string_view digits =
             field(fields, dialect_ == Dialect::PythonCan ? "arbitration_id" : "id");
         if (digits.starts_with("0x")) digits.remove_prefix(2);
-        frame.extended = frame.extended || frame.error;  // of an error class 29 bits count, too
+        frame.extended = frame.extended || frame.error;  // an error class also has 29 bits
         Status done = setFrameId(frame, digits, dialect_ == Dialect::Own ? 10 : 16);
         frame.extended = frame.extended && !frame.error;
         return done;

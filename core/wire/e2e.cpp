@@ -76,7 +76,7 @@ FrameCheck E2eReceiver::receive(std::span<const std::uint8_t> bytes, double now)
 {
     const bool anew = state(now) == LinkState::Lost;
     if (anew) {
-        seen_ = 0;  // history_ has forgotten all before once it counts again
+        seen_ = 0;  // history_ then holds no old frame when it counts again
         wasGood_ = good_ = false;
     }
     const FrameCheck check = judge(bytes, anew);

@@ -7,8 +7,8 @@
 namespace terratact {
 namespace {
 
-constexpr double kTurn = 3.1416;  // [rad] half a turn, to the last digit of its scale
-constexpr double kHeld = 3.14;    // [rad] of a flipper, in 12 bits
+constexpr double kTurn = 3.1416;  // [rad] half a turn, rounded to its scale
+constexpr double kHeld = 3.14;    // [rad] range of a held flipper, in 12 bits
 constexpr SignalLayout kEpoch{"Epoch", 24, 8, false, 1.0, 0.0, 255.0, ""};
 constexpr SignalLayout kToken{"Token", 24, 16, false, 1.0, 0.0, 65535.0, ""};
 constexpr SignalLayout kChallenge{"Challenge", 48, 16, false, 1.0, 0.0, 65535.0, ""};
@@ -71,9 +71,9 @@ constexpr SignalLayout kArmResult[]{{"Bin", 24, 4, false, 1.0, 0.0, 10.0, ""},
                                     {"Sd", 44, 13, false, 1e-4, 0.0, 0.5, "m"},
                                     flag("Measured", 57)};
 
-constexpr double kLine = 0.05;  // [s] of telemetry
+constexpr double kLine = 0.05;  // [s] between telemetry lines
 
-// In the order of FrameKind.
+// Layouts in the order of FrameKind.
 constexpr std::array<FrameLayout, kFrameKinds> kLayouts{{
     {"Stop", 0x010, 0x5410, true, 0.0, {}},
     {"ReleaseStop", 0x011, 0x5411, true, 0.0, kFresh},

@@ -8,7 +8,7 @@
 
 namespace terratact {
 
-/// Every frame of resources/dbc/terratact.dbc, which says in words what each of them means.
+/// Every frame of resources/dbc/terratact.dbc, which describes each of them.
 enum class FrameKind : std::uint8_t {
     Stop,
     ReleaseStop,
@@ -38,40 +38,40 @@ enum class FrameKind : std::uint8_t {
 };
 
 inline constexpr std::size_t kFrameKinds = 25;
-inline constexpr std::size_t kMaxSignals = 7;  ///< of one frame
+inline constexpr std::size_t kMaxSignals = 7;  ///< signals of one frame
 
-/// A signal behind the E2E header: `length` bits from bit `start` on, little-endian, bit 0 being the
-/// lowest of byte 0.  Its value is raw · scale, in SI units.
+/// A signal behind the E2E header: `length` bits from bit `start` on, little-endian. Bit 0 is the
+/// lowest bit of byte 0. Its value is raw · scale, in SI units.
 struct SignalLayout {
     std::string_view name;
     int start = 0;
     int length = 0;
     bool isSigned = false;
     double scale = 1.0;
-    double least = 0.0, most = 0.0;  ///< both belong to the range
+    double least = 0.0, most = 0.0;  ///< both ends belong to the range
     std::string_view unit;
 };
 
-/// A frame as the DBC has it.  Always a standard identifier and eight bytes.
+/// A frame as in the DBC file. It always has a standard identifier and eight bytes.
 struct FrameLayout {
     std::string_view name;
     std::uint32_t id = 0;
-    std::uint16_t dataId = 0;  ///< of E2E Profile 5
+    std::uint16_t dataId = 0;  ///< data ID of E2E Profile 5
     bool fromConsole = false;
-    double period = 0.0;                    ///< [s] 0: on occasion
-    std::span<const SignalLayout> payload;  ///< its signals; that word is a macro of Qt
+    double period = 0.0;                    ///< time between frames [s]; 0: event-driven
+    std::span<const SignalLayout> payload;  ///< its signals; `signals` is a macro of Qt
 };
 
-/// Throws std::invalid_argument for no FrameKind.
+/// Returns the layout of a frame. Throws std::invalid_argument for an invalid FrameKind.
 const FrameLayout& layoutOf(FrameKind kind);
 
-/// The layouts of all frames, in the order of FrameKind.
+/// Returns the layouts of all frames, in the order of FrameKind.
 std::span<const FrameLayout, kFrameKinds> frameLayouts();
 
-/// The frame with this standard identifier.
+/// Returns the frame with this standard identifier.
 std::optional<FrameKind> kindOfId(std::uint32_t id);
 
-/// Raw ends of a signal's range: its least and most over its scale.
+/// Return the raw ends of a signal's range: least and most, divided by the scale.
 std::int64_t leastRaw(const SignalLayout& signal);
 std::int64_t mostRaw(const SignalLayout& signal);
 

@@ -7,23 +7,23 @@
 
 namespace terratact {
 
-/// What is wrong with a frame, for counting.
+/// Fault of a frame, for counters.
 enum class FrameTrouble : std::uint8_t {
     None,
-    Gap,            ///< sound, but others are missing before it
+    Gap,            ///< valid, but others are missing before it
     WrongChecksum,  ///< damaged
     WrongSequence,  ///< repeated, or an old one
-    Other,          ///< no data frame, or bits that mean nothing
-    Unknown,        ///< not of this protocol
+    Other,          ///< no data frame, or meaningless bits
+    Unknown,        ///< not a frame of this protocol
 };
 inline constexpr std::size_t kFrameTroubles = 6;
 
-/// One of the newest frames of a bus.
+/// One of the latest frames of a bus.
 struct TracedFrame {
     std::uint64_t number = 0;  ///< 1 for the first since the bus was opened
-    double time = 0.0;         ///< [s] on the bus's clock
+    double time = 0.0;         ///< on the bus's clock [s]
     CanFrame frame{};
-    bool echo = false;  ///< left from here
+    bool echo = false;  ///< this console sent it
     FrameTrouble trouble = FrameTrouble::None;
 };
 

@@ -9,11 +9,11 @@
 
 namespace terratact {
 
-/// Tells telemetry of now from a replay with right checksums and counters: the robot answers each console
-/// heartbeat with its token.  A recording cannot answer what was not asked then.
+/// Detects a replay of telemetry with right checksums and counters. The robot answers each console
+/// heartbeat with its token. A recording cannot answer a new token.
 class Freshness {
 public:
-    /// A heartbeat with this token left at `now` [s].
+    /// Records that a heartbeat with this token was sent at `now` [s].
     void sent(std::uint16_t token, double now)
     {
         if (!std::isfinite(now)) throw std::invalid_argument("Freshness: the time must be finite");
@@ -21,7 +21,8 @@ public:
         next_ = (next_ + 1) % asked_.size();
     }
 
-    /// A sound RobotHeartbeat brought this token; false: it answers none of the last four.
+    /// Records the token of a valid RobotHeartbeat. Returns false if it answers none of the last
+    /// four heartbeats.
     bool echoed(std::uint16_t token)
     {
         for (const std::optional<Asked>& asked : asked_) {
@@ -32,13 +33,13 @@ public:
         return false;
     }
 
-    /// What is sent from here on is told from what has been sent: see answersAnew().
+    /// Separates earlier heartbeats from later ones, see answersAnew().
     void beginAnew()
     {
         for (std::optional<Asked>& asked : asked_)
             if (asked) asked->before = true;
     }
-    /// Whether this token left after the last beginAnew() and is one of the last four.
+    /// Returns true if this token was sent after the last beginAnew() and is one of the last four.
     bool answersAnew(std::uint16_t token) const
     {
         return std::ranges::any_of(asked_, [token](const std::optional<Asked>& asked) {
@@ -46,7 +47,7 @@ public:
         });
     }
 
-    /// How long ago the newest heartbeat that has been answered left [s]; empty before the first.
+    /// Returns the age of the newest answered heartbeat [s]; empty before the first answer.
     std::optional<double> age(double now) const
     {
         return answered_ ? std::optional(now - *answered_) : std::nullopt;

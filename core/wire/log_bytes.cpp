@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kBlock = std::size_t{16} * 1024;
 
-/// Closes on the way out, unless it is standard input.
+/// Descriptor that its destructor closes, unless it is standard input.
 class LogFile {
 public:
     explicit LogFile(const std::string& path)
@@ -40,9 +40,9 @@ private:
 
 }  // namespace
 
-/// The state of gzip.
+/// State of the gzip decoder.
 struct LogBytes::Packed {
-    Packed() { isReady = ::inflateInit2(&stream, 15 + 16) == Z_OK; }  // gzip alone
+    Packed() { isReady = ::inflateInit2(&stream, 15 + 16) == Z_OK; }  // gzip only
     ~Packed()
     {
         if (isReady) ::inflateEnd(&stream);
@@ -51,7 +51,7 @@ struct LogBytes::Packed {
     Packed& operator=(const Packed&) = delete;
 
     z_stream stream{};
-    std::array<char, 2 * kBlock> input{};  // at first, what begin() has looked at
+    std::array<char, 2 * kBlock> input{};  // begins with the bytes that begin() has read
     bool isReady = false, isWhole = false, isTorn = false, isFollowed = false;
 };
 
@@ -110,7 +110,7 @@ void LogBytes::take(std::size_t bytes)
     at_ += std::min(bytes, block_.size() - at_);
 }
 
-/// What the first bytes say: gzip, a byte order mark, letters of two bytes.
+/// Detects the encoding by the first bytes: gzip, a byte order mark, or letters of two bytes.
 Status LogBytes::begin()
 {
     hasBegun_ = true;
@@ -141,7 +141,7 @@ Status LogBytes::begin()
     return Done{};
 }
 
-/// Adds letters of UTF-16; of a log only those of ASCII matter.
+/// Adds letters of UTF-16. Only ASCII letters matter in a log.
 void LogBytes::addWide(std::string_view bytes)
 {
     half_ += bytes;
@@ -154,7 +154,7 @@ void LogBytes::addWide(std::string_view bytes)
     half_ = wide.substr(whole);
 }
 
-/// Adds to what is at hand; 0: there is no more.
+/// Adds available bytes. Returns 0 at the end of the log.
 Result<std::size_t> LogBytes::more()
 {
     block_.erase(0, at_);
@@ -170,7 +170,7 @@ Result<std::size_t> LogBytes::more()
     return got;
 }
 
-/// Several packed pieces behind each other are one log.
+/// Unpacks bytes. Several packed pieces in a row are one log.
 Result<std::size_t> LogBytes::unpack(std::span<char> room)
 {
     Packed& p = *packed_;
@@ -186,7 +186,8 @@ Result<std::size_t> LogBytes::unpack(std::span<char> room)
             if (*got == 0) break;
         }
         if (std::exchange(p.isWhole, false)) {
-            p.isFollowed = *p.stream.next_in != 0x1F && *p.stream.next_in != 0;  // zeros fill up
+            // zeros are padding
+            p.isFollowed = *p.stream.next_in != 0x1F && *p.stream.next_in != 0;
             if (*p.stream.next_in != 0x1F) return std::size_t{0};
             ::inflateReset(&p.stream);
         }

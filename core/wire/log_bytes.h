@@ -11,12 +11,12 @@
 
 namespace terratact {
 
-/// The bytes of a log as they come: of a file, of a pipe that may be endless, packed by gzip or not.  Holds no more
-/// than two blocks.
+/// Bytes of a log from a file or a pipe, which may be endless and may be packed by gzip. It holds
+/// at most two blocks in memory.
 class LogBytes {
 public:
-    /// Fills what it is given from its beginning and says how many; 0: there is no more.  It waits for one byte, not for
-    /// all.
+    /// Fills the span from its beginning and returns the number of bytes; 0: end of the log. It
+    /// waits for one byte, not for a full span.
     using Source = std::function<Result<std::size_t>(std::span<char>)>;
 
     explicit LogBytes(Source source);
@@ -24,18 +24,18 @@ public:
     LogBytes(LogBytes&&) noexcept;
     LogBytes& operator=(LogBytes&&) noexcept;
 
-    /// A file, a pipe, a device; "-": standard input.  Errors name it.
+    /// Opens a file, a pipe, a device, or "-" for standard input. Errors name it.
     static Result<Source> sourceOf(const std::string& path);
 
-    /// What is at hand and not taken yet, at least `least` bytes where there are so many.  Errors are sentences without
-    /// the file's name.
+    /// Returns the bytes that are available and not taken yet, at least `least` bytes unless the
+    /// log ends. Errors are sentences without the file's name.
     Result<std::string_view> peek(std::size_t least);
     void take(std::size_t bytes);
 
     bool isPacked() const;
-    bool isTorn() const;  ///< the packed bytes ended before they were whole
-    bool isFollowed()
-        const;  ///< bytes that are neither gzip nor zeros stand behind the packed ones; they are left out
+    bool isTorn() const;  ///< the packed bytes ended too early
+    /// Bytes that are neither gzip nor zeros follow the packed bytes; they are ignored.
+    bool isFollowed() const;
 
 private:
     struct Packed;
@@ -46,11 +46,11 @@ private:
 
     Source source_;
     std::unique_ptr<Packed> packed_;
-    std::string block_;   ///< what is at hand
-    std::size_t at_ = 0;  ///< what of it is taken
+    std::string block_;   ///< available bytes
+    std::size_t at_ = 0;  ///< number of taken bytes of the block
     bool hasBegun_ = false, hasEnded_ = false;
-    bool isWide_ = false, isLowFirst_ = false;  ///< UTF-16, and which of two bytes is first
-    std::string half_;                          ///< a byte of UTF-16 that waits for its other
+    bool isWide_ = false, isLowFirst_ = false;  ///< UTF-16, and its byte order
+    std::string half_;                          ///< one byte of UTF-16 that waits for its second
 };
 
 }  // namespace terratact

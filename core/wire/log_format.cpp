@@ -16,7 +16,7 @@ bool isNumber(std::string_view word)
         && word.find_first_not_of("0123456789.") == std::string_view::npos;
 }
 
-/// Fields as CsvFormat takes them.
+/// Returns the fields as CsvFormat needs them.
 std::vector<std::string> plainFieldsOf(std::string_view line)
 {
     std::vector<std::string> fields;
@@ -25,7 +25,7 @@ std::vector<std::string> plainFieldsOf(std::string_view line)
     return fields;
 }
 
-/// A line of GVRET without a heading: "1000000,00000500,false,0,3,DD,FF,01,".
+/// Returns true for a GVRET line without a heading: "1000000,00000500,false,0,3,DD,FF,01,".
 bool isGvretLine(std::string_view line)
 {
     const std::vector<std::string> fields = plainFieldsOf(line);
@@ -41,7 +41,7 @@ bool isCsvHeading(std::string_view line)
         || (fields[0] == "__time" && fields[1] == "id" && fields[2] == "extended");
 }
 
-/// Fields alone; candump writes # or the length in brackets.
+/// Returns true for a line of fields only; candump lines have a # or the length in brackets.
 bool isTable(std::string_view line)
 {
     return line.find_first_of("#[") == std::string_view::npos && logCsvSeparator(line) != '\t'
@@ -55,7 +55,7 @@ bool isAscHeading(std::string_view first, std::string_view line)
         || line.starts_with("no internal events logged") || line.starts_with("// version ");
 }
 
-/// "0.100000 1  500 ..." or "0.100000 CANFD ...": a log of Vector without its heading.
+/// Returns true for "0.100000 1 500 ..." or "0.100000 CANFD ...": a Vector log without its heading.
 bool isAscLine(std::string_view first, std::string_view second)
 {
     return isNumber(first) && first.find('.') != std::string_view::npos
@@ -71,7 +71,7 @@ constexpr std::string_view kConvert =
     "; expected a log of candump, .asc, .trc, or CSV of GVRET or python-can: export it as one of "
     "them";
 
-/// What else a text may be: how it begins, and what it is called.
+/// Returns the kind of another text by its beginning.
 std::string otherKindOf(std::string_view line, std::string_view first)
 {
     const auto is = [](std::string_view what) {

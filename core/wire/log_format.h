@@ -12,26 +12,26 @@
 
 namespace terratact {
 
-/// Reads the lines of one format of logs, in their order.  LogReader chooses it by the content.
+/// Reads the lines of one log format, in their order. LogReader chooses the format by the content.
 class LogFormat {
 public:
     virtual ~LogFormat() = default;
 
-    /// "candump", "Vector .asc"
+    /// Returns "candump" or "Vector .asc".
     virtual std::string_view name() const = 0;
 
-    /// What a line says, without its line end.  Empty: no frame (a heading, a comment, an event).  Errors say what
-    /// was expected where.
+    /// Reads a line, given without its line end. Returns empty for a line without a frame (a
+    /// heading, a comment, an event). Errors say what was expected where.
     virtual Result<std::optional<LoggedFrame>> take(std::string_view line) = 0;
 
-    std::uint64_t dropped() const { return dropped_; }    ///< frames that the log says it lost
+    std::uint64_t dropped() const { return dropped_; }    ///< frames that the log reports as lost
     std::uint64_t passedOver() const { return passed_; }  ///< lines of events that are no frames
 
-    /// What is to be said of the last line; empty: nothing.
+    /// Returns a remark about the last line; empty: none.
     std::string takeRemark();
 
 protected:
-    /// A line that holds no frame and is no heading either.
+    /// Counts a line that is neither a frame nor a heading.
     std::optional<LoggedFrame> passOver();
 
     std::uint64_t dropped_ = 0, passed_ = 0;
@@ -41,21 +41,23 @@ protected:
 std::unique_ptr<LogFormat> candumpFormat();  ///< core/wire/candump_log.h says what it reads
 std::unique_ptr<LogFormat> ascFormat();      ///< core/wire/asc_log.cpp
 std::unique_ptr<LogFormat> trcFormat();      ///< core/wire/trc_log.cpp
-/// core/wire/csv_log.cpp.  heading: its first line, or a line of GVRET without one.
+/// core/wire/csv_log.cpp. heading: its first line, or a GVRET line without a heading.
 std::unique_ptr<LogFormat> csvFormat(std::string_view heading);
 
-/// What separates the fields of a CSV log: a comma, semicolon or tab, whichever its first line has most of.
+/// Returns the separator of a CSV log: comma, semicolon or tab, whichever is most frequent in its
+/// first line.
 char logCsvSeparator(std::string_view line);
-/// Its fields, without blanks and quotation marks around them; at most 80.
+/// Returns the fields without surrounding blanks and quotation marks; at most 80.
 std::vector<std::string_view> logCsvFields(std::string_view line, char separator);
-/// "Time Stamp" as "timestamp"
+/// Returns "timestamp" for "Time Stamp".
 std::string logCsvName(std::string_view field);
 
-/// The format of a log that has this first line which is not blank; null: the line fits several formats (a comment).
-/// Errors name what it is instead, and which program makes a log of it that is read here.
+/// Returns the format of a log by its first line that is not blank; null: the line fits several
+/// formats (a comment). Errors name what the file is instead, and which program makes a readable
+/// log of it.
 Result<std::unique_ptr<LogFormat>> formatOfLine(std::string_view line);
 
-/// Of a file that holds no text: what it is, and which program makes a log of it.  Empty: it may be a log.
+/// Returns what a binary file is, and which program makes a log of it. Empty: it may be a log.
 std::string binaryKindOf(std::string_view begin);
 
 }  // namespace terratact

@@ -10,11 +10,11 @@ namespace terratact {
 
 enum class LogDirection : std::uint8_t { Unknown, Received, Sent };
 
-/// A frame of a log of CAN traffic, whatever program wrote it.
+/// Frame of a log of CAN traffic from any program.
 struct LoggedFrame {
-    std::optional<double> time;  ///< [s] as the log has it: most often since 1970
+    std::optional<double> time;  ///< time in the log [s], mostly since 1970
     std::string interface;
-    CanFrame frame;  ///< its bytes beyond its length are 0; flags of CAN FD (BRS, ESI) are not kept
+    CanFrame frame;  ///< Bytes beyond its length are 0. Flags of CAN FD (BRS, ESI) are not kept.
     LogDirection direction = LogDirection::Unknown;
     bool operator==(const LoggedFrame&) const = default;
 };

@@ -76,7 +76,7 @@ void LogReader::remark(std::string_view what)
     remarks_.push_back(error(what).text);
 }
 
-/// The next line into text_.
+/// Reads the next line into text_.
 Result<LogReader::Line> LogReader::readLine()
 {
     for (std::size_t looked = 0;;) {
@@ -98,7 +98,7 @@ Result<LogReader::Line> LogReader::readLine()
             continue;
         }
         if (got->size() > kMaxLineLength) return endOfLongLine();
-        if (got->size() == looked) {  // there is no more
+        if (got->size() == looked) {  // end of the log
             if (looked == 0) return Line::None;
             ++line_;
             text_ = *got;
@@ -109,7 +109,7 @@ Result<LogReader::Line> LogReader::readLine()
     }
 }
 
-/// The first line is text, and holds a CR that no LF follows.
+/// Returns true if the first line is text and has a CR without an LF.
 bool LogReader::endsLinesWithCr(std::string_view atHand) const
 {
     const std::size_t cr = std::min(atHand.find('\r'), atHand.size());
@@ -120,7 +120,7 @@ bool LogReader::endsLinesWithCr(std::string_view atHand) const
     return line_ == 0 && lineEnd_ == '\n' && cr + 1 < atHand.size() && isText;
 }
 
-/// Where power was lost, file systems leave zeros: they end a log.
+/// After a power loss, file systems leave zeros: they end a log.
 Result<LogReader::Line> LogReader::endOfLongLine()
 {
     ++line_;
@@ -158,7 +158,7 @@ void LogReader::tear(std::string_view what)
     remark(what);
 }
 
-/// What is left to say.
+/// Adds the last remarks.
 std::optional<LoggedFrame> LogReader::end()
 {
     if (std::exchange(hasEnded_, true)) return std::nullopt;
@@ -175,7 +175,7 @@ std::optional<LoggedFrame> LogReader::end()
             fileError(name_, fmt::format("the clock is set {} more times", steps_ - kMaxSteps))
                 .text);
     const std::size_t steps = clock_.frames() > 0 ? clock_.frames() - 1 : 0;
-    // Of candump -td every time is that since the line before.
+    // In candump -td every time is relative to the line before.
     if (format_ && format_->name() == "candump" && clock_.first() == 0.0 && steps >= 3
         && 4 * clock_.notLater() >= steps)
         remarks_.push_back(
@@ -219,7 +219,7 @@ Result<std::optional<LoggedFrame>> LogReader::frameOf(Line line)
     Result<std::optional<LoggedFrame>> taken = format_->take(text_);
     if (passed == 0 && format_->passedOver() > 0) firstPassed_ = line_;
     if (const std::string said = format_->takeRemark(); !said.empty()) remark(said);
-    // Only candump's compact lines do not tell how long they are.
+    // Only candump's compact lines do not state their length.
     const bool mayBeCut = text_.find('#') != std::string::npos && format_->name() == "candump";
     if (taken && *taken && line == Line::Unended && mayBeCut)
         remark("has no line end: it is read as it stands, and may have been longer");

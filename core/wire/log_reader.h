@@ -16,46 +16,48 @@
 
 namespace terratact {
 
-/// Reads a log of CAN traffic line by line, whichever program wrote it: of candump (core/wire/candump_log.h), Vector
-/// (asc_log.cpp), PEAK (trc_log.cpp), or CSV (csv_log.cpp).  The format is found in the content, not in the name.  It
-/// may be packed by gzip, may begin with a byte order mark, may be UTF-16, and may be endless (a pipe).  Holds no more
-/// than one line and two blocks.
+/// Reads a log of CAN traffic line by line: candump (core/wire/candump_log.h), Vector
+/// (asc_log.cpp), PEAK (trc_log.cpp) or CSV (csv_log.cpp). The content decides the format, not the
+/// name. The log may be packed by gzip, begin with a byte order mark, be UTF-16, or be endless (a
+/// pipe). One line and two blocks are held in memory.
 ///
-/// A last line that is torn ends the log, which is said in a remark.
+/// A truncated last line ends the log, and a remark says so.
 class LogReader {
 public:
     static constexpr std::size_t kMaxLineLength = 1000;  ///< bytes
 
-    /// path: "-" for standard input.  Errors name the file.
+    /// Opens a log; path: "-" is standard input. Errors name the file.
     static Result<LogReader> open(const std::string& path);
 
-    /// Reads what is at hand; remarks and errors call it `name`.
+    /// Reads from a stream or source; remarks and errors call it `name`.
     LogReader(std::string name, std::unique_ptr<std::istream> log);
     LogReader(std::string name, LogBytes::Source source);
 
-    /// The next frame; empty after the last.  Errors name file and line: it is no frame, or too long; or it is no log
-    /// that is read here, and what makes one of it.
+    /// Returns the next frame; empty after the last. Errors name file and line: the line is no
+    /// frame or too long, or the file is no readable log, with the program that makes one of it.
     Result<std::optional<LoggedFrame>> next();
 
-    std::uint64_t line() const { return line_; }  ///< of the last frame, the first being 1
-    std::uint64_t dropped() const;                ///< frames that the log says it lost
-    std::string
-    format() const;  ///< "candump", "Vector .asc, packed by gzip"; empty before the first line
+    std::uint64_t line() const { return line_; }  ///< line of the last frame; the first line is 1
+    std::uint64_t dropped() const;                ///< frames that the log reports as lost
+    /// Returns "candump" or "Vector .asc, packed by gzip"; empty before the first line.
+    std::string format() const;
 
-    /// [s] since the first frame on an even clock (LogClock); of the last frame that has a time.
+    /// Returns the time since the first frame on a continuous clock (LogClock) [s], at the last
+    /// frame that has a time.
     double elapsed() const { return clock_.elapsed(); }
-    /// [s] by which the last frame's time lies before that of the frame before, negative where it lies more than
-    /// LogClock::kMaxSilence behind it; empty: neither.
+    /// Returns how far the last frame's time lies before the time of the frame before it [s]. It is
+    /// negative for a jump forward of more than LogClock::kMaxSilence. Empty: no jump.
     const std::optional<double>& stepBack() const { return step_; }
-    std::uint64_t stepsBack() const { return steps_; }  ///< how many frames had a stepBack()
+    std::uint64_t stepsBack() const { return steps_; }  ///< number of frames with a stepBack()
     bool isTorn() const { return isTorn_; }
 
-    /// What is to be said of the log since the last call, each a sentence that names file and line: clock steps
-    /// (the first kMaxSteps), a torn end, lines that hold no frame.  In full after the last frame.
+    /// Returns the remarks since the last call, each a sentence that names file and line: clock
+    /// steps (the first kMaxSteps), a truncated end, lines without a frame. They are complete after
+    /// the last frame.
     std::vector<std::string> takeRemarks();
     static constexpr std::uint64_t kMaxSteps = 5;
 
-    /// "file: line 7: cause".
+    /// Returns "file: line 7: cause".
     Error error(std::string_view cause) const;
 
 private:
@@ -74,12 +76,12 @@ private:
     LogBytes bytes_;
     std::unique_ptr<LogFormat> format_;
     LogClock clock_;
-    std::string text_;  ///< of the line
+    std::string text_;  ///< text of the current line
     std::uint64_t line_ = 0, steps_ = 0;
-    char lineEnd_ = '\n';  ///< or CR, where the log has no other
+    char lineEnd_ = '\n';  ///< CR if the log has no other line ends
     std::optional<double> step_;
     std::vector<std::string> remarks_;
-    std::uint64_t firstPassed_ = 0;  ///< the first line that holds no frame
+    std::uint64_t firstPassed_ = 0;  ///< first line without a frame
     bool isTorn_ = false, hasEnded_ = false, hasLooked_ = false;
 };
 

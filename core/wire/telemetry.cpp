@@ -62,7 +62,7 @@ Pair currents(FrameKind kind, double left, double right)
     return {clamped(kind, 0, left), clamped(kind, 1, right)};
 }
 
-// The resistance at which the curve has this force [Ω].
+// Returns the resistance at which the curve has this force [Ω].
 double curveResistance(double force, const std::vector<ForcePoint>& curve)
 {
     std::size_t i = 1;
@@ -81,7 +81,8 @@ double voltageOf(double force, double bias, const RobotModel& robot)
     return std::clamp(voltage, c.openBelow, c.shortAbove);
 }
 
-/// Empty, too, for a way that its signal cannot hold: its end would look like a robot that stands.
+/// Returns the odometry; empty also for a way that its signal cannot hold, whose end would look
+/// like a standing robot.
 std::optional<SensorLine::Odometry> odometryOf(const Measurement& m)
 {
     const SignalLayout& way = layoutOf(FrameKind::Odometry).payload[0];
@@ -166,7 +167,7 @@ SensorLine sensorLineOf(const Measurement& m, const RobotModel& robot)
     line.arm = m.arm;
     if (line.arm) {
         line.arm->height = clamped(FrameKind::ArmResult, 1, line.arm->height);
-        // At least one raw step: a reading is never exact.
+        // The sd is at least one raw step: a reading is never exact.
         line.arm->sd = std::max(clamped(FrameKind::ArmResult, 2, line.arm->sd),
                                 layoutOf(FrameKind::ArmResult).payload[2].scale);
     }

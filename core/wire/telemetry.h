@@ -10,7 +10,8 @@
 
 namespace terratact {
 
-/// What the elements left and right feel; an empty optional was not measured, or is none of the robot's.
+/// Forces of the left and right elements; an empty optional was not measured, or the robot lacks
+/// the element.
 struct ElementForces {
     std::array<std::optional<ElementForce>, kForceElements> left, right;
     bool operator==(const ElementForces&) const = default;
@@ -18,16 +19,17 @@ struct ElementForces {
 
 ElementForces elementForces(const SensorLine& line, const RobotModel& robot);
 
-/// A line of sensors and the status beside it as the rest of the core knows them.  A force is the mean of
-/// left and right, or the one of them that is not broken; Measurement::missing where both are, and where
-/// currents were not measured.  Empty optional where attitude or angles were not: there is no pose.
+/// Converts a line of sensors and its status to a Measurement. A force is the mean of left and
+/// right, or the value of the one that is not broken. Measurement::missing names forces with both
+/// broken, and currents that were not measured. Empty if attitude or angles are missing: there is
+/// no pose.
 std::optional<Measurement> measurementOf(const SensorLine& line, const RobotStatus& status,
                                          const RobotModel& robot, double time);
 
-/// The other way round, for a robot that is simulated: the voltages are those that give the forces back, and 0
-/// where the robot has no element or its force is missing, which reads as a broken wire.
-/// Angles are wrapped into one turn; values beyond their signal's range are sent as its end, but a travelled
-/// way as not measured.
+/// Converts a Measurement to a line of sensors, for a simulated robot. The voltages are those that
+/// give the forces back; 0 V, which reads as a broken wire, if the robot lacks the element or its
+/// force is missing. Angles are wrapped into one turn. Values beyond their signal's range are sent
+/// as its end; a travelled way beyond it is sent as not measured.
 SensorLine sensorLineOf(const Measurement& measurement, const RobotModel& robot);
 
 }  // namespace terratact

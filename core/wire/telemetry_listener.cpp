@@ -54,8 +54,8 @@ std::optional<Measurement> TelemetryListener::take(const CanFrame& frame, double
     return line ? measured(*line, now) : std::nullopt;
 }
 
-// Bytes that were changed on their way are an error of their link; what was sent wrong with a right checksum is
-// as good as missing.
+// Counts a refused frame. Damaged bytes are an error of their link. A frame with wrong content and
+// a right checksum counts as missing.
 void TelemetryListener::refuse(const CanFrame& frame, FrameFault fault, double now)
 {
     ++counters_.faults[static_cast<std::size_t>(fault)];

@@ -14,51 +14,54 @@
 
 namespace terratact {
 
-/// What became of the frames that a listener took: each is in exactly one of used, fromConsole, faults,
-/// repeated and wrongSequence.
+/// Counters of the frames that a listener received. Each frame is in exactly one of used,
+/// fromConsole, faults, repeated and wrongSequence.
 struct TelemetryCounters {
-    std::uint64_t used = 0;                            ///< a robot's, sound and in order
-    std::uint64_t fromConsole = 0;                     ///< sound, but a console's
-    std::array<std::uint64_t, kFrameFaults> faults{};  ///< by FrameFault; unknown identifiers, too
-    std::uint64_t repeated = 0, wrongSequence = 0;     ///< a robot's, refused for their counter
+    std::uint64_t used = 0;                            ///< valid frame of a robot, in order
+    std::uint64_t fromConsole = 0;                     ///< valid frame of a console
+    std::array<std::uint64_t, kFrameFaults> faults{};  ///< by FrameFault, with unknown identifiers
+    std::uint64_t repeated = 0, wrongSequence = 0;  ///< frame of a robot, refused for its counter
 
-    std::uint64_t gaps = 0;        ///< of `used`: one or two frames were missing before it
-    std::uint64_t lines = 0;       ///< telemetry lines that made a Measurement
-    std::uint64_t unfinished = 0;  ///< lines that never became whole
-    std::uint64_t partial = 0;     ///< whole lines without attitude or flipper angles
-    std::uint64_t orphans = 0;     ///< whole lines without a status of at most 0.25 s beside them
+    std::uint64_t gaps = 0;        ///< of `used`: one or two frames are missing before it
+    std::uint64_t lines = 0;       ///< telemetry lines that became a Measurement
+    std::uint64_t unfinished = 0;  ///< lines that never became complete
+    std::uint64_t partial = 0;     ///< complete lines without attitude or flipper angles
+    std::uint64_t orphans = 0;     ///< complete lines without a status of at most 0.25 s
 
     std::uint64_t of(FrameFault fault) const { return faults[static_cast<std::size_t>(fault)]; }
     bool operator==(const TelemetryCounters&) const = default;
 };
 
-/// Makes measurements of the frames a robot sends: the receiving half of a console, and all of a replay or
-/// of a console that only listens.  Sends nothing, has no clock; `now` is the time [s] at which the frame
-/// arrived, on any clock that does not run backwards (one that does is a lost link, see E2eReceiver).
+/// Makes measurements from a robot's frames. It is the receiving half of a console, and the whole
+/// of a replay or of a receive-only console. It sends nothing and has no clock; `now` is the
+/// arrival time of the frame [s]. A clock that runs backwards is a lost link, see E2eReceiver.
 ///
-/// A frame counts when it is ours in every bit and its counter follows that of its kind; what is refused is
-/// counted.  Nothing here tells telemetry of now from a recording: see Freshness.
+/// A frame counts if every bit is valid and its counter follows the last one of its kind. Refused
+/// frames are counted. This class cannot tell live telemetry from a recording: see Freshness.
 class TelemetryListener {
 public:
     explicit TelemetryListener(RobotModel robot);
 
-    /// The measurement that this frame completes; its time is `now`.  The status in it is the last sound one.
-    /// Throws std::invalid_argument unless `now` is finite.
+    /// Adds a frame. Returns the measurement that it completes, with the time `now` and the last
+    /// valid status. Throws std::invalid_argument unless `now` is finite.
     std::optional<Measurement> take(const CanFrame& frame, double now);
 
-    /// The last sound RobotStatus, however old; link() and age() say what it is worth.
+    /// Returns the last valid RobotStatus, however old; link() and age() tell whether to rely on
+    /// it.
     const std::optional<RobotStatus>& status() const { return status_; }
 
-    /// Of the frames of one kind.  Throw std::invalid_argument for a kind that a console sends.
+    /// Return the link and age of one kind of frame. Throw std::invalid_argument for a kind that a
+    /// console sends.
     LinkState link(FrameKind kind, double now) const;
-    std::optional<double> age(FrameKind kind, double now) const;  ///< [s] see E2eReceiver::age
+    std::optional<double> age(FrameKind kind, double now) const;  ///< [s], see E2eReceiver::age
 
-    /// The token of the last sound RobotHeartbeat, for Freshness::echoed.
+    /// Returns the token of the last valid RobotHeartbeat, for Freshness::echoed.
     std::optional<std::uint16_t> token() const { return token_; }
-    /// The challenge beside it; 0 for none.
+    /// Returns the challenge beside that token; 0: none.
     std::uint16_t challenge() const { return challenge_; }
 
-    /// The last whole line of sensors, whether or not it made a measurement, and what its elements feel.
+    /// Return the last complete line of sensors, even without a measurement, and the forces of its
+    /// elements.
     const std::optional<SensorLine>& line() const { return line_; }
     const ElementForces& forces() const { return forces_; }
 
@@ -70,7 +73,7 @@ private:
     std::optional<Measurement> measured(const SensorLine& line, double now);
 
     RobotModel robot_;
-    std::vector<E2eReceiver> receivers_;  ///< from Odometry to ArmResult
+    std::vector<E2eReceiver> receivers_;  ///< Odometry to ArmResult
     SensorLineReader reader_;
     std::optional<RobotStatus> status_;
     std::optional<std::uint16_t> token_;

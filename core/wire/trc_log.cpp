@@ -1,11 +1,12 @@
-// Logs of PEAK's tools (.trc), of their versions 1.0 to 2.1.  A line of version 1 is
+// Logs of PEAK's tools (.trc), versions 1.0 to 2.1. A line of version 1 is
 //
 //     1)      1059.9  Rx     0300  7  00 00 00 00 04 00 00
 //
-// with a bus before the direction from 1.2 on, and a reserved dash behind the identifier in 1.3.  From 2.0 on a heading
-// tells the columns (;$COLUMNS=N,O,T,B,I,d,R,L,D).  Times are milliseconds since ;$STARTTIME, days since 30 December
-// 1899, taken for UTC, as python-can does.  Version 1.0 has no $STARTTIME: its comment "Start time: 24.09.2008
-// 16:00:35.472.0" is taken for UTC, too.  States, events and error counters are passed over and counted.
+// Version 1.2 adds a bus before the direction, 1.3 a reserved dash behind the identifier. From 2.0
+// on a heading gives the columns (;$COLUMNS=N,O,T,B,I,d,R,L,D). Times are milliseconds since
+// ;$STARTTIME, in days since 30 December 1899, which is taken as UTC like in python-can. Version
+// 1.0 has no $STARTTIME: its comment "Start time: 24.09.2008 16:00:35.472.0" is also taken as UTC.
+// States, events and error counters are skipped and counted.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -21,10 +22,10 @@ namespace terratact {
 namespace {
 
 constexpr double kMilliseconds = 1000.0;
-constexpr std::size_t kLongId = 4;  // an identifier of more digits is an extended one
+constexpr std::size_t kLongId = 4;  // a longer identifier is extended [digits]
 constexpr std::string_view kColumns20 = "NOTIdlD", kColumns21 = "NOTBIdRLD";
 
-/// [s] since 1970 of days since 30 December 1899.
+/// Returns seconds since 1970 from days since 30 December 1899.
 std::optional<double> secondsOfDays(std::string_view text)
 {
     constexpr double kDaysTo1970 = 25569.0, kDay = 86400.0, kMaxDays = 130'000.0;
@@ -33,8 +34,8 @@ std::optional<double> secondsOfDays(std::string_view text)
     return (*days - kDaysTo1970) * kDay;
 }
 
-/// [s] since 1970 of "24.09.2008 16:00:35.472.0", the day first and the tenths of a millisecond last.  Empty: the
-/// order of day and month is not certain, or there is no such moment.
+/// Returns seconds since 1970 of "24.09.2008 16:00:35.472.0": day first, tenths of a millisecond
+/// last. Empty if the order of day and month is uncertain, or there is no such moment.
 std::optional<double> secondsOfStart(std::string_view text)
 {
     LogWords words(text);
@@ -135,7 +136,7 @@ private:
         return setFrameId(frame, word);
     }
 
-    // Of versions 1.0 to 1.3, behind "1)".
+    // Reads a line of versions 1.0 to 1.3, behind "1)".
     Taken oldFrame(std::string_view number, LogWords& words)
     {
         if (!isDigits(number.substr(0, number.size() - 1)))
@@ -164,7 +165,7 @@ private:
         return withBytes(std::move(logged), words);
     }
 
-    // From version 2.0 on, by columns.
+    // Reads a line by its columns, from version 2.0 on.
     Taken newFrame(LogWords words)
     {
         LoggedFrame logged;
@@ -174,7 +175,7 @@ private:
             if (column == 'D') break;
             const std::string_view word = words.next();
             if (column == 'T') type = word;
-            // What is no frame has its own columns.
+            // Lines without a frame have columns of their own.
             if (column == 'T' && !setType(logged.frame, type)) return passOver();
             if (const Status done = setColumn(logged, column, word); !done) return done.error();
         }
@@ -182,7 +183,7 @@ private:
         return withBytes(std::move(logged), words);
     }
 
-    /// False: no frame of data, nor a remote one.
+    /// Returns false for a line that is neither a data frame nor a remote frame.
     static bool setType(CanFrame& frame, std::string_view type)
     {
         frame.fd = type == "FD" || type == "FB" || type == "FE" || type == "BI";
@@ -226,7 +227,7 @@ private:
         return std::optional(std::move(logged));
     }
 
-    std::optional<double> start_;  ///< [s] since 1970; empty: no line told it yet
+    std::optional<double> start_;  ///< start time [s] since 1970; empty: not read yet
     std::string columns_{kColumns21};
 };
 

@@ -10,17 +10,19 @@ namespace {
 
 constexpr int kWordBits = 64;
 
-/// How many bits of data a frame has.
+/// Returns the number of data bits of a frame.
 int dataBits(const CanFrame& frame)
 {
     return frame.error ? 0 : 8 * static_cast<int>(bytesOf(frame).size());
 }
 
-/// Of a signal that the frame has.  A little-endian one lies in the bytes from its first bit on, the lowest first; a
-/// big-endian one in those up to its end, the highest first: nine bytes at most.
+/// Returns the bits of a signal that the frame contains, in at most nine bytes. A little-endian
+/// signal lies in the bytes from its first bit on, lowest first. A big-endian signal lies in the
+/// bytes up to its end, highest first.
 std::uint64_t rawBits(const DbcSignal& signal, const CanFrame& frame)
 {
-    const int first = signal.end() - signal.length, last = signal.end() - 1;  // in its own order
+    // in the signal's own bit order
+    const int first = signal.end() - signal.length, last = signal.end() - 1;
     std::uint64_t word = 0;
     if (signal.isBigEndian) {
         for (int bit = first; bit <= last;) {
@@ -57,7 +59,7 @@ double numberOf(const DbcSignal& signal, std::uint64_t bits)
     throw std::invalid_argument("DbcSignal: no such Type");
 }
 
-/// Whether the multiplexors above a signal select it.
+/// Returns true if the multiplexors above a signal select it.
 bool isSelected(const DbcMessage& message, const DbcSignal& signal, const CanFrame& frame)
 {
     const DbcSignal* below = &signal;
@@ -79,7 +81,7 @@ bool isSelected(const DbcMessage& message, const DbcSignal& signal, const CanFra
 
 int DbcSignal::end() const
 {
-    // From the first byte's highest bit on, the bits of a big-endian signal follow each other.
+    // The bits of a big-endian signal are consecutive, counted from the first byte's highest bit.
     const int first = isBigEndian ? start - start % 8 + 7 - start % 8 : start;
     return first + length;
 }

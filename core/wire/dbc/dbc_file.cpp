@@ -18,7 +18,7 @@
 namespace terratact {
 namespace {
 
-/// The sections of a file, and what they say of messages that stand before them.
+/// Parser of a file's sections. Sections refer to messages that stand before them.
 class DbcParser {
 public:
     DbcParser(const std::string& path, std::string_view utf8) : scan_(utf8) { file_.path = path; }
@@ -75,7 +75,7 @@ private:
         scan_.skipSection();
     }
 
-    // "CM_ SG_ 256 Speed "Over ground.";"
+    // Reads "CM_ SG_ 256 Speed "Over ground.";".
     void comment()
     {
         std::string other;
@@ -91,7 +91,8 @@ private:
         *comment = readable(scan_.text("a comment"), kDbcText, true);
     }
 
-    // "VAL_ 256 Gear 0 "neutral" 1 "first" ;", but not of an environment variable
+    // Reads "VAL_ 256 Gear 0 "neutral" 1 "first" ;", but skips the values of an environment
+    // variable.
     void words(int line)
     {
         if (scan_.isNameNext()) return;
@@ -101,14 +102,14 @@ private:
         while (scan_.failure().empty() && !scan_.isNext(';') && !scan_.atEnd()) {
             const double raw = scan_.number("a raw value");
             std::string word = readable(scan_.text("the word of a raw value"), kDbcText, false);
-            // Of 64 bits the highest are no exact doubles; such a one has no word.
+            // The highest 64-bit values are no exact doubles; they get no text.
             if (place && std::abs(raw) <= 0x1p53)
                 messages_.at(*place).words[static_cast<std::int64_t>(std::round(raw))] =
                     std::move(word);
         }
     }
 
-    // "SIG_VALTYPE_ 256 Torque : 1;"
+    // Reads "SIG_VALTYPE_ 256 Torque : 1;".
     void valueType(int line)
     {
         const auto place = messages_.signalNext();
@@ -128,7 +129,7 @@ private:
         messages_.leaveOut(*place);
     }
 
-    // "SG_MUL_VAL_ 256 Speed Selector 1-1, 4-7;"
+    // Reads "SG_MUL_VAL_ 256 Speed Selector 1-1, 4-7;".
     void selections(int line)
     {
         const auto place = messages_.signalNext();
@@ -145,7 +146,7 @@ private:
             messages_.select(*place, multiplexor, std::move(ranges), line);
     }
 
-    // "BA_ "GenMsgCycleTime" BO_ 256 100;"
+    // Reads "BA_ "GenMsgCycleTime" BO_ 256 100;".
     void attribute()
     {
         const std::string name = readable(scan_.text("an attribute's name"), kDbcName, false);
@@ -178,7 +179,7 @@ private:
         if (m && !name.empty()) m->name = std::move(name);
     }
 
-    /// A format by its name, or by its number in the list that the file has of them.
+    /// Reads a format: its name, or its number in the file's list of formats.
     std::string formatNext()
     {
         if (scan_.isNext('"')) return std::string(scan_.text("a frame format"));
@@ -187,14 +188,14 @@ private:
         return number < formats_.size() ? formats_[number] : "";
     }
 
-    // "BA_ "VFrameFormat" BO_ 2566834709 3;"
+    // Reads "BA_ "VFrameFormat" BO_ 2566834709 3;".
     void frameFormat(const DbcMessage* m, std::size_t index)
     {
         std::string format = formatNext();
         if (m) formatOf_[index] = std::move(format);
     }
 
-    // "BA_DEF_ BO_ "VFrameFormat" ENUM "StandardCAN","ExtendedCAN","reserved","J1939PG";"
+    // Reads "BA_DEF_ BO_ "VFrameFormat" ENUM "StandardCAN","ExtendedCAN","reserved","J1939PG";".
     void attributeKind()
     {
         if (scan_.wordIfAny() != "BO_" || scan_.text("an attribute's name") != "VFrameFormat"
@@ -235,9 +236,10 @@ private:
     double cycleTime_ = 0.0;  // [ms]
 
     static constexpr const char* kJ1939 = "J1939PG";
-    static constexpr std::uint64_t kJ1939Format = 3;  // where a file does not list its formats
+    // number of the J1939 format if a file does not list its formats
+    static constexpr std::uint64_t kJ1939Format = 3;
     std::vector<std::string> formats_;
-    std::map<std::size_t, std::string> formatOf_;  // of a message
+    std::map<std::size_t, std::string> formatOf_;  // frame format of each message
     std::string defaultFormat_;
     bool isJ1939_ = false;
 };
@@ -253,8 +255,8 @@ Result<DbcFile> readDbc(const std::string& path)
 
 namespace {
 
-/// Whether bytes stand in a text that Windows code pages 1250 and 1252 read as different letters; but for ² and ³, which
-/// units have.
+/// Returns true if a text has bytes that Windows code pages 1250 and 1252 map to different letters.
+/// It ignores ² and ³, which occur in units.
 bool dependsOnCodePage(std::string_view text)
 {
     constexpr std::string_view kSame = "\x80\x82\x84\x85\x86\x87\x89\x8A\x8B\x8E\x91\x92\x93\x94"
@@ -268,7 +270,7 @@ bool dependsOnCodePage(std::string_view text)
     });
 }
 
-/// Line ends of old programs: CR alone.
+/// Converts line ends of old programs (CR alone) to LF.
 std::string withLineFeeds(std::string_view text)
 {
     std::string lines(text);

@@ -11,23 +11,25 @@ namespace terratact {
 
 inline constexpr std::size_t kMaxDbcBytes = 8U << 20U;
 
-/// What a DBC file describes.
+/// Contents of a DBC file.
 struct DbcFile {
     std::string path;
-    std::vector<DbcMessage> messages;  ///< in the file's order; no two with one identifier
-    std::vector<std::string> warnings;  ///< "FILE: line 12: …": of what was left out, the first few
+    std::vector<DbcMessage> messages;   ///< in the file's order; every identifier is unique
+    std::vector<std::string> warnings;  ///< "FILE: line 12: …": what was skipped, the first few
 };
 
-/// Reads messages with signals of either byte order, IEEE floats, multiplexors also below others, units, words (VAL_),
-/// comments, long names (SystemSignalLongSymbol, SystemMessageLongSymbol), parameter groups of J1939 (VFrameFormat) and
-/// numeric attributes of messages.  Other sections and comments (//) are passed over.  Text is UTF-8, or else taken as
-/// Windows code page 1252.
+/// Reads a DBC file. It reads messages, signals of either byte order, IEEE floats, nested
+/// multiplexors, units, value texts (VAL_), comments, long names (SystemSignalLongSymbol,
+/// SystemMessageLongSymbol), parameter groups of J1939 (VFrameFormat) and numeric attributes of
+/// messages. Other sections and comments (//) are skipped. Text is UTF-8, or else Windows code page
+/// 1252.
 ///
-/// What cannot be understood, cannot be or is there twice is left out, a line or a signal at a time, with a warning
-/// that names its line.  The Error of a file that describes no message names what was found first.
+/// A line or signal that cannot be understood, is impossible or is a duplicate is skipped, with a
+/// warning that names its line. If the file describes no message, the Error names the first thing
+/// that was skipped.
 Result<DbcFile> readDbc(const std::string& path);
 
-/// The same from its content; path: for what is said of it.
+/// Reads the same from a text; errors and warnings call it `path`.
 Result<DbcFile> dbcFrom(const std::string& path, std::string_view content);
 
 }  // namespace terratact

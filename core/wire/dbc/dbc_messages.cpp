@@ -14,9 +14,9 @@
 namespace terratact {
 namespace {
 
-constexpr std::uint64_t kExtendedId = 0x8000'0000;  // the bit that tells 29 bits from 11
+constexpr std::uint64_t kExtendedId = 0x8000'0000;  // bit that marks an identifier of 29 bits
 constexpr std::uint64_t kMax29Bits = 0x1FFF'FFFF, kMax11Bits = 0x7FF;
-// A message of Vector's that holds the signals of no frame, under one of several identifiers.
+// Vector's message for signals without a frame; it occurs with several identifiers.
 constexpr std::string_view kSignalsOfNoFrame = "VECTOR__INDEPENDENT_SIG_MSG";
 constexpr int kMaxFrameLength = 64;  // [bytes]
 constexpr std::size_t kMaxWarnings = 20;
@@ -44,7 +44,7 @@ void DbcWarnings::end()
             fmt::format("{}: {} more things are left out", file_.path, unsaid_));
 }
 
-// "BO_ 256 Engine: 8 Gateway"
+// Reads "BO_ 256 Engine: 8 Gateway".
 void DbcMessages::message(int line)
 {
     DbcMessage m;
@@ -88,7 +88,7 @@ bool DbcMessages::mayBe(std::uint64_t id, const DbcMessage& m, int length, int l
     return true;
 }
 
-// " SG_ Speed m1 : 8|16@1+ (0.1,-40) [0|250] "km/h" Display,Brake"
+// Reads " SG_ Speed m1 : 8|16@1+ (0.1,-40) [0|250] "km/h" Display,Brake".
 void DbcMessages::signal(int line)
 {
     if (!isOpen_) return scan_.fail("expected a message (BO_) before its signals");
@@ -118,7 +118,7 @@ void DbcMessages::signal(int line)
     if (scan_.failure().empty() && keeps_ && multiplexing) keep(std::move(s), *multiplexing);
 }
 
-// "", "M", "m1" or "m1M"; empty: something else, which is said.
+// Reads "", "M", "m1" or "m1M". Returns empty for anything else, with a warning.
 std::optional<DbcMessages::Multiplexing> DbcMessages::multiplex(DbcSignal& s, int line)
 {
     Multiplexing found{.line = line};
@@ -150,7 +150,7 @@ void DbcMessages::scaleAndRange(DbcSignal& s)
     range(s);
 }
 
-// "[-1|.5]".  Only a display needs it: one that is no pair of numbers is none.
+// Reads "[-1|.5]". Only displays use the range: a range that is no pair of numbers is ignored.
 void DbcMessages::range(DbcSignal& s)
 {
     scan_.expect('[', "before the signal's range");
@@ -196,7 +196,7 @@ void DbcMessages::keep(DbcSignal s, const Multiplexing& multiplexing)
     multiplexing_.push_back(multiplexing);
 }
 
-// What the signals of the message have to do with each other is known at its end.
+// Relates the signals of the message to each other, which is possible only at its end.
 void DbcMessages::endMessage()
 {
     if (isOpen_ && keeps_) {
@@ -249,7 +249,8 @@ void DbcMessages::rename(const Place& place, std::string longName)
     longNames_.emplace_back(place, std::move(longName));
 }
 
-/// Signals below no multiplexor, below one that is left out, or too deep; a circle is that.
+/// Returns signals without a multiplexor, below a removed one, or nested too deep; a circle counts
+/// as too deep.
 std::vector<bool> DbcMessages::unselectable(std::size_t message) const
 {
     const DbcMessage& m = file_.messages[message];

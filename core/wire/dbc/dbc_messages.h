@@ -15,59 +15,60 @@
 
 namespace terratact {
 
-/// What is left out of a file: the first few are said in it, the others counted.
+/// Collects warnings about skipped parts of a file: lists the first few and counts the others.
 class DbcWarnings {
 public:
-    /// file: outlives them.
+    /// file: must outlive this object.
     explicit DbcWarnings(DbcFile& file) : file_(file) {}
 
     void add(int line, const std::string& what);
-    void add(const std::string& what);  ///< it tells its line itself
-    void end();                         ///< says how many more there were
+    void add(const std::string& what);  ///< `what` names its line
+    void end();                         ///< adds the number of further warnings
 
 private:
     DbcFile& file_;
     std::size_t unsaid_ = 0;
 };
 
-/// Reads messages and their signals (BO_, SG_) into a file, and finds them again for what is said of them later.
+/// Reads messages and their signals (BO_, SG_) into a file, and finds them again for later
+/// sections.
 class DbcMessages {
 public:
-    /// Where a signal is: indexes of its message and of its payload.
+    /// Position of a signal: index of its message, and index in that message's payload.
     struct Place {
         std::size_t message = 0, signal = 0;
     };
 
-    /// All outlive it.
+    /// All arguments must outlive this object.
     DbcMessages(DbcScanner& scan, DbcFile& file, DbcWarnings& warnings)
         : scan_(scan), file_(file), warnings_(warnings)
     {
     }
 
-    void message(int line);  ///< what is behind BO_
-    void signal(int line);   ///< what is behind SG_
-    void endMessage();       ///< no signal of it follows
+    void message(int line);  ///< reads what follows BO_
+    void signal(int line);   ///< reads what follows SG_
+    void endMessage();       ///< ends the signals of the message
 
-    /// The message whose identifier is next; null: it is not known, or was left out.
+    /// Returns the message of the next identifier; null: it is unknown, or was skipped.
     DbcMessage* messageNext(std::size_t* index = nullptr);
-    /// Likewise, of identifier and name; empty for the same reasons.
+    /// Returns the signal of the next identifier and name; empty: it is unknown, or was skipped.
     std::optional<Place> signalNext();
     DbcSignal& at(const Place& place);
 
-    /// Which multiplexor of its message selects a signal, and with which values.
+    /// Sets the multiplexor of a signal, and the values that select the signal.
     void select(const Place& place, const std::string& multiplexor,
                 std::vector<DbcSignal::Selection> ranges, int line);
-    void leaveOut(const Place& place);  ///< at the end of the file
+    void leaveOut(const Place& place);  ///< removes it at the end of the file
     void rename(const Place& place, std::string longName);
 
-    /// At the end of the file: takes out the signals of which it is not known when they are there, and gives long names.
+    /// Ends the file: removes signals whose selection is unknown, and assigns long names.
     void finish();
 
 private:
-    /// Of a signal while its message is read.
+    /// Multiplexing of a signal while its message is read.
     struct Multiplexing {
         int line = 0;
-        bool selects = false;  // M
+        bool selects = false;  // true: the signal is a multiplexor (M)
     };
     bool mayBe(std::uint64_t id, const DbcMessage& m, int length, int line);
     std::optional<Multiplexing> multiplex(DbcSignal& s, int line);
@@ -82,14 +83,14 @@ private:
     DbcWarnings& warnings_;
     std::unordered_map<std::uint64_t, std::size_t> byId_;
     std::map<std::pair<std::size_t, std::string>, std::size_t> signals_;
-    std::vector<int> lines_;  // of the first multiplexed signal of each message
+    std::vector<int> lines_;  // line of the first multiplexed signal of each message
     std::map<std::size_t, std::set<std::size_t>> leftOut_;
     std::vector<std::pair<Place, std::string>> longNames_;
 
-    // Of the message that is being read.
+    // State of the message that is being read.
     bool isOpen_ = false, keeps_ = false;
     std::set<std::string> names_;
-    std::vector<Multiplexing> multiplexing_;  // of its signals
+    std::vector<Multiplexing> multiplexing_;  // multiplexing of its signals
 };
 
 }  // namespace terratact

@@ -13,15 +13,15 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-constexpr int kMaxDecimals = 12;  // of a scale that is taken for a decimal number
-constexpr int kMaxShown = 9;      // digits behind the point that people read
-constexpr double kMaxUnits =
-    1e15;  // of a scale in those decimals: exact in a double, and 64 bits times it in Wide
-constexpr double kMaxOffset = 1e30;      // of an offset in the same
-constexpr double kLargestInFull = 1e25;  // beyond, an exponent is read more easily
+constexpr int kMaxDecimals = 12;  // largest number of decimals of a decimal scale
+constexpr int kMaxShown = 9;      // most decimals that are displayed
+// largest scale in those decimals: exact in a double, and its product with 64 bits fits Wide
+constexpr double kMaxUnits = 1e15;
+constexpr double kMaxOffset = 1e30;      // largest offset in those decimals
+constexpr double kLargestInFull = 1e25;  // larger numbers are easier to read with an exponent
 
-/// How many digits behind the point show every step of a scale; of one that never ends, so many as tell its steps
-/// apart.
+/// Returns the number of decimals that show every step of a scale. For an infinite decimal
+/// fraction, it returns enough to tell the steps apart.
 int digitsOf(double scale)
 {
     constexpr int kMaxDigits = 6;
@@ -33,7 +33,7 @@ int digitsOf(double scale)
     return std::max(0, static_cast<int>(std::ceil(-std::log10(size))) + 1);
 }
 
-/// A decimal number of `digits` digits behind the point, in units of the last of them.
+/// Returns a decimal number in units of its last decimal; `digits`: its number of decimals.
 std::optional<Wide> unitsOf(double number, int digits, double most)
 {
     const double units = number * std::pow(10.0, digits), whole = std::round(units);
@@ -62,13 +62,14 @@ bool isFloating(const DbcSignal& signal)
     return signal.type == DbcSignal::Type::Float || signal.type == DbcSignal::Type::Double;
 }
 
-/// Digits behind the point that people read.
+/// Returns the number of decimals that are displayed.
 int shownDigits(const DbcSignal& signal)
 {
     return std::max(digitsOf(signal.scale), digitsOf(signal.offset));
 }
 
-/// Every digit of a whole raw value, scaled; empty: scale and offset are no decimal numbers of so few digits.
+/// Returns every digit of a scaled integer raw value; empty if scale or offset is no decimal number
+/// of so few digits.
 std::optional<std::string> decimalText(const DbcSignal& signal, std::uint64_t bits, int most)
 {
     if (isFloating(signal)) return std::nullopt;

@@ -14,7 +14,7 @@
 namespace terratact {
 namespace {
 
-constexpr char kEndOfDos = '\x1A';  // what DOS ended a text file with
+constexpr char kEndOfDos = '\x1A';  // DOS ended a text file with this character
 
 bool isBlank(char c)
 {
@@ -220,7 +220,7 @@ void DbcScanner::fail(std::string_view expected)
 {
     if (!failure_.empty()) return;
     skipBlanks();
-    // A word, or a semicolon alone.
+    // The token is a word, or a single semicolon.
     const std::size_t end = std::min(text_.find_first_of(" \t\r\n;", at_ + 1), text_.size());
     const std::string_view found = text_.substr(at_, end - at_);
     failure_ = fmt::format("line {}: {}, found {}", line_, expected,

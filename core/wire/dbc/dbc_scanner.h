@@ -7,63 +7,65 @@
 
 namespace terratact {
 
-/// "BO_", "BA_DEF_DEF_", and whatever else may begin a section.
+/// Returns true for a word that may begin a section, such as "BO_" or "BA_DEF_DEF_".
 bool isDbcKeyword(std::string_view word);
 
-/// Takes a DBC file apart into words, numbers and texts.  The first thing that is not as expected is kept as
-/// failure(), and nothing more is found from there on until recover().  Blanks, line ends and comments (//) before what
-/// is looked for are passed over.
+/// Scanner that splits a DBC file into words, numbers and texts. It keeps the first unexpected
+/// token as failure(), and finds nothing more until recover(). It skips blanks, line ends and
+/// comments (//) before each token.
 class DbcScanner {
 public:
-    /// text: in UTF-8; outlives the scanner.
+    /// text: UTF-8; must outlive the scanner.
     explicit DbcScanner(std::string_view text) : text_(text) {}
 
     const std::string& failure() const
     {
         return failure_;
-    }  ///< "line 3: expected …, found …"; empty: none
+    }  ///< Returns "line 3: expected …, found …"; empty: no failure.
 
-    /// Where a section begins.
+    /// Start of a section.
     struct Place {
         std::size_t at = 0;
         int line = 1;
     };
     Place place();
-    /// Forgets the failure in the section that begins there, and goes on with the next line below its first that
-    /// begins as a section does.
+    /// Forgets the failure in the section that begins there. Scanning continues at the next line
+    /// that begins like a section.
     void recover(const Place& place);
 
-    int line();  ///< of what is next
+    int line();  ///< line of the next token
     bool atEnd();
     bool isNext(char c);
     bool isNameNext();
-    bool isLineEndNext();  ///< nothing more stands in this line
-    bool take(char c);     ///< false where another is next
+    bool isLineEndNext();  ///< true if the line holds nothing more
+    bool take(char c);     ///< false if another character is next
 
-    // What has to be there; `what` and `place` tell the failure of it.
+    // Required tokens; `what` and `place` describe the failure if one is missing.
     void expect(char c, std::string_view place);
     std::string_view word(std::string_view what);
     double number(std::string_view what);
     std::uint64_t whole(std::string_view what, std::uint64_t most);
-    std::string_view text(std::string_view what);  ///< between quotation marks, as it is
+    std::string_view text(std::string_view what);  ///< text between quotation marks, unchanged
 
-    std::string_view wordIfAny();   ///< empty where there is none; nothing is wrong then
-    std::string_view restOfLine();  ///< what is left of it
-    std::string_view
-    upTo(char c);  ///< what stands before it in this line; empty where it is not there
-    /// Passes over this line and the indented or empty ones below it, up to one that describes a message or signal.
+    std::string_view wordIfAny();   ///< empty without a failure if there is no word
+    std::string_view restOfLine();  ///< remaining text of the line
+    std::string_view upTo(char c);  ///< text before c in this line; empty if c is not there
+    /// Skips this line and the indented or empty lines below it, up to one that describes a message
+    /// or signal.
     void skipIndented();
-    /// Passes over a section up to its semicolon; one without ends where a line begins with the next.
+    /// Skips a section up to its semicolon. A section without one ends where a line begins the next
+    /// section.
     void skipSection();
 
-    void fail(std::string_view expected);  ///< with what was expected here
-    void refuse(std::string failure);      ///< with a sentence of its own
+    /// sets the failure to `expected` and the text found here
+    void fail(std::string_view expected);
+    void refuse(std::string failure);  ///< sets the failure to this sentence
 
 private:
     void advance();
     void skipBlanks();
     bool isSectionNext();
-    bool isMessageLineNext() const;  ///< a line of BO_ or SG_, indented or not
+    bool isMessageLineNext() const;  ///< true for a line of BO_ or SG_, indented or not
 
     std::string_view text_;
     std::size_t at_ = 0;

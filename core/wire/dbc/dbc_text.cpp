@@ -9,7 +9,7 @@
 namespace terratact {
 namespace {
 
-/// How many bytes the character at `at` has in UTF-8; 0: it is none.
+/// Returns the number of bytes of the UTF-8 character at `at`; 0: it is none.
 std::size_t utf8Length(std::string_view text, std::size_t at)
 {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -42,7 +42,7 @@ bool isUtf8(std::string_view text)
 
 std::string fromWindows1252(std::string_view text)
 {
-    // 0x80 … 0x9F; the five that have no letter are control characters, which readable() drops.
+    // 0x80 … 0x9F. The five without a letter are control characters, which readable() removes.
     constexpr std::array<std::uint16_t, 32> kUpper{
         0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
         0x2039, 0x0152, 0x8D,   0x017D, 0x8F,   0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022,

@@ -6,20 +6,21 @@
 
 namespace terratact {
 
-// What a DBC file says in words: of any program, in one of two encodings.
+// Texts of a DBC file, written by any program in one of two encodings.
 
-inline constexpr std::size_t kDbcName = 128, kDbcText = 2000;  ///< [bytes] at most
-inline constexpr std::size_t kDbcShown = 80;  ///< [bytes] of a text in a line for people
+inline constexpr std::size_t kDbcName = 128, kDbcText = 2000;  ///< [bytes] longest name and text
+inline constexpr std::size_t kDbcShown = 80;  ///< [bytes] longest text in a line for people
 
 bool isUtf8(std::string_view text);
-/// Windows code page 1252 in UTF-8: it has ISO 8859-1, and letters where that has control characters.
+/// Converts Windows code page 1252 to UTF-8. It is ISO 8859-1 with letters in place of its control
+/// characters.
 std::string fromWindows1252(std::string_view text);
 
-/// What a text of the file says, at most so many bytes and "…", without control characters: those of a
-/// terminal have no business here.  Lines are kept only where they may be.
+/// Returns a text of the file, cut after `most` bytes with "…". Control characters are removed,
+/// because they could steer a terminal. Line ends stay only if keepsLines.
 std::string readable(std::string_view utf8, std::size_t most, bool keepsLines);
 
-/// As much of it as a line for people has room for.
+/// Returns a text cut to the length of a line for people.
 inline std::string shownDbcText(std::string_view utf8)
 {
     return readable(utf8, kDbcShown, false);
