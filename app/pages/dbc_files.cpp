@@ -29,13 +29,13 @@ struct DbcSays {
     Q_DECLARE_TR_FUNCTIONS(terratact::SignalsPage)
 };
 
-/// A path that may be wrapped at its folders.
+/// Returns a path that may wrap at its folders.
 QString breakable(QString text)
 {
     return text.replace(QLatin1Char('/'), QStringLiteral("/\u200B"));
 }
 
-/// Empty: it is no longer wanted.
+/// Reads the files; returns empty if the result is no longer wanted.
 std::optional<DbcReading> readDbcFiles(const QStringList& paths,
                                        const std::function<bool()>& isWanted)
 {
@@ -97,7 +97,7 @@ void DbcFiles::addLines(QVBoxLayout& column)
     for (QLabel** label : {&files_, &troubles_}) {
         *label = new PlainLabel(&page_);
         (*label)->setWordWrap(true);
-        QSizePolicy policy = (*label)->sizePolicy();  // names of files are no reason to be wide
+        QSizePolicy policy = (*label)->sizePolicy();  // file names do not widen the page
         policy.setHorizontalPolicy(QSizePolicy::Ignored);
         (*label)->setSizePolicy(policy);
         (*label)->hide();
@@ -108,7 +108,7 @@ void DbcFiles::addLines(QVBoxLayout& column)
     setTone(*troubles_, Tone::Doubt);
 }
 
-/// In a thread of its own: a large file takes longer than an armed robot waits for the operator's sign of life.
+/// Reads in another thread, because a large file takes longer than an armed robot's dead-man timeout.
 void DbcFiles::read()
 {
     const int job = ++readings_;
@@ -164,7 +164,7 @@ void DbcFiles::show(const QStringList& files, const QStringList& troubles)
         const auto removed = [this, path] {
             preferences_.change([path](Preferences& p) { p.dbc.removeAll(path); });
         };
-        // Later, as the menu is filled anew then.
+        // Queued, because the call rebuilds the menu.
         connect(remove, &QAction::triggered, this, removed, Qt::QueuedConnection);
     }
 }

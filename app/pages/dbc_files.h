@@ -25,30 +25,30 @@ namespace terratact {
 
 class PreferenceStore;
 
-/// The protocol's DBC file and those of the operator, read.
+/// The DBC files of the protocol and of the operator, as read.
 struct DbcReading {
     std::vector<DbcMessage> protocol;  ///< empty: its file could not be used
     std::shared_ptr<const DbcBook> book;
     std::vector<std::pair<QString, std::optional<std::size_t>>>
-        files;                          ///< frames used; empty: none is
-    std::vector<std::string> troubles;  ///< a sentence each
+        files;                          ///< files in use as text; empty: none
+    std::vector<std::string> troubles;  ///< one sentence each
 };
 
-/// The preferred DBC files on a page: buttons that add and remove them, and lines that say which are in use and what is
-/// wrong with them, which stderr says, too.  They are read in a thread, when they change.  GUI thread only.
+/// The preferred DBC files on a page: buttons that add and remove files, and labels for the files in use and their
+/// errors. Errors are also printed on stderr. A change is read in another thread. GUI thread only.
 class DbcFiles final : public QObject {
     Q_OBJECT
 public:
-    /// preferences must outlive it, and page be where the buttons and lines are.
+    /// The preferences must outlive the object; `page` holds the buttons and labels.
     DbcFiles(PreferenceStore& preferences, QWidget& page);
-    ~DbcFiles() override;  ///< waits for the one file that is being read
+    ~DbcFiles() override;  ///< waits for the file that is being read
 
     void addButtons(QHBoxLayout& row);
     void addLines(QVBoxLayout& column);
-    void read();  ///< at first; it happens by itself whenever the preferred files change
+    void read();  ///< call once at first; changes of the preferred files trigger it
 
-    QString files() const;     ///< which are in use; empty: none
-    QString troubles() const;  ///< a line each; empty: none
+    QString files() const;     ///< files in use; empty: none
+    QString troubles() const;  ///< one error per line; empty: none
     QPushButton* addButton() const { return add_; }
     QPushButton* removeButton() const { return remove_; }
 
@@ -62,10 +62,11 @@ private:
 
     PreferenceStore& preferences_;
     QWidget& page_;
-    std::atomic<int> readings_ = 0;  ///< that were asked for; only the newest counts
+    std::atomic<int> readings_ = 0;  ///< number of requested readings; only the newest counts
     QLabel *files_ = nullptr, *troubles_ = nullptr;
     QPushButton *add_ = nullptr, *remove_ = nullptr;
-    QThreadPool reader_;  ///< one file after the other; waited for before all else goes
+    /// One thread, so files are read one after another; destroyed before the other members.
+    QThreadPool reader_;
 };
 
 }  // namespace terratact

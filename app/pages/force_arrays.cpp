@@ -8,7 +8,7 @@
 namespace terratact {
 namespace {
 
-// Voltages of a side, as they are numbered in a line.
+// Returns the voltage of an element; the sensor line numbers the voltages per side.
 std::optional<double> voltageOf(const SensorLine& line, Side side, std::size_t element)
 {
     const auto& three = line.voltages[(side == Side::Left ? 0U : 2U) + element / 3];

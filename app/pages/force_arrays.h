@@ -10,13 +10,14 @@
 
 namespace terratact {
 
-/// The arrays of a robot as ForceBars shows them.  Follows the drift of each while nothing presses on it.
+/// Converts forces for ForceBars, per array of the robot. It tracks the bias drift of each element while nothing
+/// presses on it.
 class ForceArrays {
 public:
     explicit ForceArrays(const RobotModel& robot) : robot_(robot) {}
 
-    /// Those of the robot's file, where a line of the bus says what each feels; else one array that feels the
-    /// measured forces, without voltages.  `threshold` [N] of contact.
+    /// Returns the arrays of the robot file, if a sensor line of the bus has their forces. Otherwise returns one array
+    /// with the measured forces, without voltages. threshold: contact threshold [N].
     std::vector<ForceArray> of(const Measurement& measurement,
                                const std::optional<SensorLine>& line, double threshold);
 

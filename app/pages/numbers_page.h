@@ -16,23 +16,23 @@ namespace terratact {
 class KeyTable;
 class NumbersTable;
 
-/// What the numbers are of.
+/// Content of the numbers page.
 struct NumbersViewState {
-    const TerrainEstimate* estimate = nullptr;  ///< null: there is none
+    const TerrainEstimate* estimate = nullptr;  ///< null: no estimate
     QString whyNoEstimate{};
     double stepLimit = kStepLimit;     ///< [m]
-    std::optional<Verdict> verdict{};  ///< of the estimate
-    std::optional<double> age{};       ///< [s] of the newest telemetry; empty: not known
+    std::optional<Verdict> verdict{};  ///< verdict of the estimate
+    std::optional<double> age{};       ///< [s] age of the newest telemetry; empty: unknown
 };
 
-/// The estimate as a table that can be read aloud and copied.
+/// The estimate as a table for screen readers and the clipboard.
 class NumbersPage final : public Page {
     Q_OBJECT
 public:
-    /// look: at what is to be shown.
+    /// look: returns the content to show.
     explicit NumbersPage(std::function<NumbersViewState()> look, QWidget* parent = nullptr);
     void refresh(double now) override;
-    /// Ctrl+C copies the table while the page is seen, wherever the focus is.
+    /// Adds Ctrl+C, which copies the table while the page is visible, whichever widget has the focus.
     void addKeys(KeyTable& keys);
 
     NumbersTable* table() const { return table_; }

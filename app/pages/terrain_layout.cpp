@@ -18,11 +18,11 @@
 namespace terratact {
 namespace {
 
-constexpr int kBetween = 10;                       // [px] cards
-constexpr int kToSpare = 10;                       // [px] before cards have to leave
+constexpr int kBetween = 10;                       // [px] between cards
+constexpr int kToSpare = 10;                       // [px] spare room below which cards leave
 constexpr QSize kMinTerrain{420, 230};             // [px]
-constexpr int kColumn = 404, kNarrowColumn = 281;  // [px] of the decisions, at 100 %
-// [px] of the terrain beside them, likewise: it is the largest part
+constexpr int kColumn = 404, kNarrowColumn = 281;  // [px] width of the decisions, at 100 %
+// [px] minimum width of the terrain beside them, at 100 %; it is the largest part
 constexpr int kRoomyTerrain = 540, kTightTerrain = 324;
 constexpr double kTerrainToColumn = 1.17;
 
@@ -90,7 +90,7 @@ void TerrainLayout::placeDecisions()
 void TerrainLayout::setVerdictBeside(int columnWidth)
 {
     columnWidth_ = columnWidth;
-    if (!verdictBeside_) column_->addStretch();  // where only the verdict is beside
+    if (!verdictBeside_) column_->addStretch();  // if only the verdict is beside the terrain
     verdictBeside_ = true;
     arrange(layout_, fontScale_);
 }
@@ -120,16 +120,16 @@ void TerrainLayout::arrange(Layout layout, int fontScale)
     }
 }
 
-/// [px] of the page, arranged like that.
+/// Returns the size [px] that the page needs in this arrangement.
 QSize TerrainLayout::needs(bool tight)
 {
     setTight(tight);
     forgetSizes(page_);
-    forgetSizes(*lowerPanel_);  // it may be elsewhere
+    forgetSizes(*lowerPanel_);  // the panel may be elsewhere
     const QMargins margins = rows_->contentsMargins();
     QSize size = upper_->minimumSize();
     if (!tight) {
-        // With a banner, what it takes is given; without one, nothing is.
+        // Reserves a banner's line, because fitTightness() adds the height that banners take.
         const int line = window_->bannerLine();
         size.setHeight(
             std::max(size.height() + line,
@@ -152,7 +152,7 @@ void TerrainLayout::fit()
 void TerrainLayout::fitTightness()
 {
     if (!window_ || measures_) return;
-    const QSize room = page_.size() + QSize(0, window_->bannersTake());  // as without a banner
+    const QSize room = page_.size() + QSize(0, window_->bannersTake());  // size without a banner
     const bool tight = room != room.expandedTo(roomyNeeds_);
     if (tight == tight_ && (rows_->indexOf(lowerPanel_) < 0) == tight) return;
     setTight(tight);
@@ -169,12 +169,12 @@ void TerrainLayout::setTight(bool tight)
     parts_.atem->setNarrow(tight);
     parts_.probe->setNarrow(tight);
     parts_.drive->setNarrow(tight);
-    // A banner's line is the terrain's and the question's, where it would else make the cards leave.
+    // A banner takes its line from the terrain and the proposal, so that it never makes the cards leave.
     if (window_)
         parts_.terrain->setMinimumSize(tight ? QSize(0, kMinTerrain.height())
                                              : kMinTerrain - QSize(0, window_->bannerLine()));
     if (window_) parts_.terrainCard->setMinimumWidth(scaled(tight ? kTightTerrain : kRoomyTerrain));
-    // Driving is needed at any time; the rest of its card is looked up.
+    // Driving stays on the page; the rest of its card moves.
     if (tight)
         decide_->addWidget(parts_.drive);
     else
@@ -184,7 +184,7 @@ void TerrainLayout::setTight(bool tight)
     share();
 }
 
-/// Where room is tight the decisions are as wide as leaves the terrain wider.
+/// In the tight arrangement the decisions are narrow enough that the terrain is wider.
 void TerrainLayout::setColumn()
 {
     int wide = scaled(tight_ ? kNarrowColumn : kColumn);
@@ -196,7 +196,7 @@ void TerrainLayout::setColumn()
     }
     for (QWidget* card : std::initializer_list<QWidget*>{parts_.atem, parts_.probe})
         card->setFixedWidth(wide);
-    // Room for the question is kept, so that nothing moves when it comes.
+    // Reserves the proposal's height, so that nothing moves when it appears.
     question_->changeSize(0, verdictBeside_ ? 0
                                             : parts_.atem->leastHeight() + kBetween
                                                   + parts_.probe->leastHeight());
@@ -204,14 +204,14 @@ void TerrainLayout::setColumn()
 
 void TerrainLayout::placeVerdict()
 {
-    // Large letters leave no room for the result beside the card's title; a review's page has its name already.
+    // A large font leaves no room for the result beside the card's title. A review's page already has its name.
     QBoxLayout *beside = parts_.terrainCard->titleRow(), *below = parts_.terrainCard->body();
     const bool large = fontScale_ > 100 || tight_, apart = large && !verdictBeside_;
     for (QBoxLayout* row : {beside, below}) row->removeWidget(parts_.strip);
     (apart ? below : beside)->insertWidget(apart ? 1 : 2, parts_.strip, apart ? 0 : 1);
     beside->setStretch(0, apart ? 1 : 0);
     beside->itemAt(0)->widget()->setVisible(!large || apart);
-    // Nor for the verdict above the terrain alone: it then stands above the whole page.
+    // A large font leaves no room for the verdict above the terrain, so it stands above the whole page.
     for (QBoxLayout* column : {ground_, rows_, column_}) column->removeWidget(parts_.verdict);
     (verdictBeside_ ? column_ : large ? rows_ : ground_)->insertWidget(0, parts_.verdict);
     parts_.verdict->setStacked(verdictBeside_);
@@ -235,7 +235,7 @@ void TerrainLayout::share()
     recent_->setStretch(0, stacked_ ? 0 : shares.robot);
     recent_->setStretch(1, stacked_ ? 1 : shares.events);
     recent_->itemAt(1)->widget()->setVisible(shares.events > 0);
-    // Where large letters leave little room, what exploring needs is seen whole before driving is large.
+    // With a large font the preconditions of exploring are shown completely before driving gets large buttons.
     parts_.drive->setProminent(layout_ == Layout::Drive && !(tight_ && fontScale_ > 120));
     parts_.drive->setVisible(layout_ != Layout::Review);
 }

@@ -20,15 +20,15 @@ class ProbeCard;
 class TerrainProfileView;
 class VerdictStrip;
 
-/// Where the parts of a TerrainPage stand: verdict and terrain, the decisions beside them, forces, robot and events
-/// below; and what leaves where there is no room.
+/// Arranges the parts of a TerrainPage. Verdict and terrain stand at the left, the decisions beside them; forces, robot
+/// and events stand below. Cards leave the page if they do not fit.
 class TerrainLayout final : public QObject {
     Q_OBJECT
 public:
     struct Parts {
         VerdictStrip* verdict = nullptr;
         Card* terrainCard = nullptr;
-        EstimateStrip* strip = nullptr;  ///< in the terrain's title
+        EstimateStrip* strip = nullptr;  ///< in the title of the terrain card
         TerrainProfileView* terrain = nullptr;
         AtemPanel* atem = nullptr;
         ProbeCard* probe = nullptr;
@@ -39,30 +39,34 @@ public:
     };
     TerrainLayout(QWidget& page, const Parts& parts);
 
-    /// Does nothing where it stands like that.  fontScale: [%] of the letters in force.
+    /// Arranges the parts; does nothing if they already are. fontScale: current font scale [%].
     void arrange(Layout layout, int fontScale);
     Layout layout() const { return layout_; }
     int fontScale() const { return fontScale_; }
 
-    /// Forces, robot and events, below the terrain; whoever takes them into a layout of its own gives them back so.
+    /// Returns the panel with forces, robot and events. A window that moves it elsewhere returns it with placeLower().
     QWidget* lower() const { return lowerPanel_; }
     void placeLower();
-    void stackLower(bool stacked);  ///< robot and events one above the other: half as wide
-    /// Likewise exploring and the arm, beside the terrain.
+    void stackLower(bool stacked);  ///< stacks robot and events, at half the width
+    /// Returns the panel with exploration and probe beside the terrain; placeDecisions() puts it back.
     QWidget* decisions() const { return decisions_; }
     void placeDecisions();
-    /// Verdict and decisions in a column beside the terrain, which gets all the height; columnWidth: at 100 %.
+    /// Puts verdict and decisions in a column beside the terrain, which then gets the full height. columnWidth: [px at
+    /// 100 %].
     void setVerdictBeside(int columnWidth);
-    /// From now on, where there is no room for the cards below the terrain, they leave it for somebody else's place
-    /// (tightened()), and what is to be decided stands in a narrow column.  A banner of the window, the page's own,
-    /// moves no card: its line is the terrain's.
+    /// Enables the tight arrangement. If the cards below the terrain do not fit, they move to another place
+    /// (tightened()) and the decisions get a narrow column. The window's banner moves no card: its line is taken from
+    /// the terrain.
     void allowTight(const ConsoleWindow& window);
     bool isTight() const { return tight_; }
-    QSize tightNeeds() const { return tightNeeds_; }  ///< [px]; invalid where it does not tighten
-    void fit();                                       ///< the page has another size
+    QSize tightNeeds() const
+    {
+        return tightNeeds_;
+    }            ///< [px] size needed when tight; invalid if tight is not enabled
+    void fit();  ///< call after a change of the page's size
 
 signals:
-    void tightened(bool tight);  ///< lower() has to leave, or may come back: placeLower()
+    void tightened(bool tight);  ///< emitted when lower() must leave or may return: placeLower()
 
 private:
     QSize needs(bool tight);
@@ -78,22 +82,23 @@ private:
     int fontScale_ = 100;
     bool verdictBeside_ = false;
     bool stacked_ = false;                   ///< robot and events
-    const ConsoleWindow* window_ = nullptr;  ///< null: it does not tighten
+    const ConsoleWindow* window_ = nullptr;  ///< null: tight is not enabled
     bool tight_ = false;
-    bool measures_ = false;          ///< arranged for a moment only
+    bool measures_ = false;          ///< arranged temporarily, to measure sizes
     QSize roomyNeeds_, tightNeeds_;  ///< [px]
     int columnWidth_ = 404;          ///< [px] at 100 %
 
     // Qt's parents own the widgets.
-    QBoxLayout* ground_ = nullptr;     ///< verdict and terrain
-    QBoxLayout* rows_ = nullptr;       ///< terrain and decisions, the cards below
-    QBoxLayout* upper_ = nullptr;      ///< the terrain and the decisions
-    QBoxLayout* column_ = nullptr;     ///< of the decisions
-    QSpacerItem* question_ = nullptr;  ///< the height that a probe's question needs, beside them
+    QBoxLayout* ground_ = nullptr;  ///< verdict and terrain
+    QBoxLayout* rows_ = nullptr;    ///< terrain and decisions, the cards below
+    QBoxLayout* upper_ = nullptr;   ///< the terrain and the decisions
+    QBoxLayout* column_ = nullptr;  ///< column of the decisions
+    QSpacerItem* question_ =
+        nullptr;  ///< reserves the height of a probe proposal beside the decisions
     QWidget* decisions_ = nullptr;
-    QBoxLayout* decide_ = nullptr;  ///< of them
+    QBoxLayout* decide_ = nullptr;  ///< the decisions
     QWidget* lowerPanel_ = nullptr;
-    QBoxLayout* lower_ = nullptr;   ///< forces, and beside them
+    QBoxLayout* lower_ = nullptr;   ///< forces, and the cards beside them
     QBoxLayout* recent_ = nullptr;  ///< robot and events
 };
 

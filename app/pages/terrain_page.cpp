@@ -22,7 +22,7 @@
 namespace terratact {
 namespace {
 
-// What the probe's card says where nobody asks this operator.
+// Returns the text of the probe card when another console approves probes.
 QString followedProbe(const AtemState& state)
 {
     if (state.phase == AtemPhase::Probing) return TerrainPage::tr("Following: the arm is probing.");
@@ -31,7 +31,7 @@ QString followedProbe(const AtemState& state)
     return TerrainPage::tr("Following: probes are approved where the robot is commanded.");
 }
 
-/// There is a probe to tell of, nobody is asked and nothing is under way.
+/// Returns true if a probe's worth is known, nothing is proposed and nothing is running.
 bool isAtRest(const TerrainViewState& viewState)
 {
     if (!viewState.estimate || viewState.live || !viewState.bestProbe) return false;
@@ -50,13 +50,13 @@ bool isAtRest(const TerrainViewState& viewState)
     return false;
 }
 
-/// What the estimate that stands says of a probe counts.
+/// Returns true if the worth of a probe may be shown: at rest, and the verdict is not withheld.
 bool tellsWorth(const TerrainViewState& viewState)
 {
     return isAtRest(viewState) && (!viewState.verdict || viewState.verdict->doubts.empty());
 }
 
-/// What a probe of the bin would tell, in a line.
+/// Returns what a probe of the bin would gain, in one line.
 QString probeTells(const ProbeProposal& probe)
 {
     const QString bin = format::binName(probe.bin);
@@ -91,7 +91,7 @@ QString whyNoProbe(const TerrainViewState& viewState)
         "terrain stays uncertain.");
 }
 
-/// The robot says of its arm where it touched last at this pose, and nothing of where it is.
+/// Returns the arm's tip: the robot reports only where the arm last touched at this pose, not where it is.
 std::optional<ArmTip> armTipOf(const TerrainViewState& viewState, bool asking)
 {
     using State = ArmTip::State;
@@ -102,7 +102,7 @@ std::optional<ArmTip> armTipOf(const TerrainViewState& viewState, bool asking)
     return ArmTip{.state = State::Touched, .bin = touched.bin, .height = touched.height};
 }
 
-/// Of a preview: it stays while the estimate of the scene is computed.
+/// Returns true while the flippers press. A preview stays longer, until the scene's estimate is there.
 bool flippersMove(const TerrainViewState& viewState)
 {
     return viewState.state.phase == AtemPhase::Pressing;
@@ -240,7 +240,7 @@ void TerrainPage::showThreshold()
     }
     const bool raw = forces_->unit() == ForceBars::Unit::Volts;
     const QString value = format::number(threshold_, 1);
-    if (layout_->fontScale() > 100 || forces_->arrays() > 2)  // no room for a word
+    if (layout_->fontScale() > 100 || forces_->arrays() > 2)  // no room for the word
         thresholdText_->setText(raw ? QString() : tr("- - %1 N").arg(value));
     else
         thresholdText_->setText(raw ? tr("raw voltages") : tr("- - threshold %1 N").arg(value));
@@ -290,7 +290,7 @@ void TerrainPage::showRobot(const TerrainViewState& viewState)
             readout_->setMeasurement(*viewState.measurement, viewState.age, captured);
         showAge(viewState);
     }
-    if (!fresh) showAge(viewState);  // it grows
+    if (!fresh) showAge(viewState);  // the age grows
     showForcesAge(viewState);
     if (!fresh || forcesAge_) return forces_->clearForces();
     if (viewState.count == shownCount_ || !viewState.forces) return;
@@ -309,7 +309,7 @@ void TerrainPage::showAge(const TerrainViewState& viewState)
     const double oldest = std::ceil(10.0 * (viewState.age + viewState.numbersFor)) / 10.0;
     QString text;
     if (viewState.measurement == viewState.scene)
-        text = QString();  // a scene of a file
+        text = QString();  // a scene from a file
     else if (viewState.ended)
         text = tr("the log has ended");
     else if (!fresh)
@@ -322,12 +322,12 @@ void TerrainPage::showAge(const TerrainViewState& viewState)
     setTone(*robotAge_, fresh || viewState.ended ? Tone::Muted : Tone::Bad);
 }
 
-/// How old the forces are that are shown stands as their card's tip, and of those that are not shown any more upon it.
+/// Shows the age of the forces: as the card's tip while fresh, on the card when stale.
 void TerrainPage::showForcesAge(const TerrainViewState& viewState)
 {
     const double age = viewState.forcesAge.value_or(viewState.age);
     const bool isScene =
-        !viewState.measurement || viewState.measurement == viewState.scene;  // of a file
+        !viewState.measurement || viewState.measurement == viewState.scene;  // a scene from a file
     const auto said =
         isScene || viewState.ended || age <= kStaleAfter ? std::nullopt : std::optional(age);
     if (viewState.numbersDue || said != forcesAge_)
@@ -379,7 +379,7 @@ void TerrainPage::showPreview(const TerrainViewState& viewState)
 void TerrainPage::showPose(const TerrainViewState& viewState)
 {
     if (!viewState.measurement || viewState.count == shownCount_) return;
-    // An estimate belongs to the scene it rests on, so both are drawn in that pose.
+    // The estimate belongs to its scene, so both are drawn in the scene's pose.
     const Proprioception s =
         proprioception(viewState.scene ? *viewState.scene : *viewState.measurement);
     if (shownPose_ != std::array{s.pitch, s.front, s.rear}) {
@@ -408,7 +408,7 @@ void TerrainPage::showVerdict(const TerrainViewState& viewState)
     verdict_->setVerdict(*viewState.verdict, probe);
 }
 
-/// Where the verdict cannot tell, always: the bin, what is expected of it, and the button that asks for it.
+/// Shows the probe to request whenever the verdict is CANNOT TELL: bin, expected gain and button.
 void TerrainPage::showProbeToAsk(const TerrainViewState& viewState)
 {
     const bool open =
@@ -420,7 +420,7 @@ void TerrainPage::showProbeToAsk(const TerrainViewState& viewState)
 void TerrainPage::showProbe(const TerrainViewState& viewState)
 {
     const bool asking = viewState.proposal && viewState.state.phase == AtemPhase::ProposingProbe;
-    // What asks or moves is shown in every layout.
+    // Proposals and motion are shown in every layout.
     const bool needed = asking || viewState.probingBin;
     const bool open =
         viewState.verdict && viewState.verdict->stepVerdict == StepVerdict::CannotTell;
@@ -428,7 +428,7 @@ void TerrainPage::showProbe(const TerrainViewState& viewState)
         ((layout_->layout() == Layout::Probe || (open && isAtRest(viewState))) && !isTight())
         || needed);
     drive_->setVisible(layout_->layout() != Layout::Review && !(isTight() && needed));
-    // In large letters the question needs the room; the robot stands still while it is asked.
+    // With a large font the proposal takes the room; the robot stands still meanwhile.
     readout_->setVisible(!asking || layout_->fontScale() <= 120 || isTight());
     terrain_->setArmTip(armTipOf(viewState, asking && firstMissing(viewState.probing).isEmpty()));
     if (asking) {

@@ -30,66 +30,68 @@ class EventList;
 class TerrainProfileView;
 class VerdictStrip;
 
-/// What there is to see of the robot and its exploration at one time.  What is pointed to is used in setViewState() only;
-/// null: there is none.
+/// State of robot and exploration at one time, as shown by the page. Pointers are used during setViewState() only;
+/// null: no value.
 struct TerrainViewState {
-    double now = 0.0;    ///< [s] on the clock of the telemetry
-    bool ended = false;  ///< nothing more will come
+    double now = 0.0;    ///< [s] on the telemetry's clock
+    bool ended = false;  ///< no more telemetry will arrive
 
-    const Measurement* measurement = nullptr;  ///< the newest
-    double age = 0.0;                          ///< [s] of it
-    std::optional<RobotReadout::Ages> ages{};  ///< of its values; empty: all are of that age
-    Attitude attitude{};                       ///< of it, for the limits of now
-    bool numbersDue = true;                    ///< its numbers are to be shown, not only drawn
-    double numbersFor = 0.0;                   ///< [s] at most, until they are shown anew
-    std::uint64_t count = 0;                   ///< another for another measurement
-    const std::vector<ForceArray>* forces = nullptr;  ///< of it
-    std::optional<double> forcesAge{};  ///< [s] of the oldest; empty: they are of that age
-    /// Set: the peaks are of these, whatever was shown before.
+    const Measurement* measurement = nullptr;  ///< the newest measurement
+    double age = 0.0;                          ///< [s] age of the measurement
+    std::optional<RobotReadout::Ages> ages{};  ///< ages of its values; empty: all have `age`
+    Attitude attitude{};      ///< tip-over assessment of the measurement with the current limits
+    bool numbersDue = true;   ///< numbers are updated, not only the drawing
+    double numbersFor = 0.0;  ///< [s] longest time until the next update of numbers
+    std::uint64_t count = 0;  ///< changes with every measurement
+    const std::vector<ForceArray>* forces = nullptr;  ///< forces of the measurement
+    std::optional<double> forcesAge{};                ///< [s] age of the oldest force; empty: `age`
+    /// If set, the peaks come from these forces instead of earlier calls.
     const std::vector<TimedForces>* forcesBefore = nullptr;
-    const std::optional<Heights>* truth = nullptr;  ///< that its source knows
+    const std::optional<Heights>* truth = nullptr;  ///< true terrain, if the source knows it
 
-    const Measurement* scene = nullptr;  ///< that was captured
+    const Measurement* scene = nullptr;  ///< the captured scene
     const std::optional<Heights>* sceneTruth = nullptr;
-    const TerrainEstimate* estimate = nullptr;  ///< of it
-    double estimateSeconds = 0.0;               ///< it took
-    const TerrainEstimate* second = nullptr;    ///< of it, too
+    const TerrainEstimate* estimate = nullptr;  ///< estimate of the scene
+    double estimateSeconds = 0.0;               ///< [s] computation time
+    const TerrainEstimate* second = nullptr;    ///< estimate by a second method
     QString secondName{};
-    const TerrainEstimate* live = nullptr;  ///< a preview, shown instead
+    const TerrainEstimate* live = nullptr;  ///< live preview, shown instead of the estimate
     QString whyNoEstimate{};
-    std::optional<Ghost> ghost{};  ///< where the last estimate lies now
-    QString whyNoGhost{};          ///< said where there is none; empty: nothing
+    std::optional<Ghost> ghost{};  ///< the last estimate, moved by odometry
+    QString whyNoGhost{};          ///< reason that there is no ghost; empty: none to show
     std::optional<Verdict> verdict{};
 
     AtemState state{};
-    QString stateWords{};             ///< where more is known than the state itself says
-    std::optional<PhaseTime> time{};  ///< of the phase
+    QString stateWords{};             ///< replaces the state's own text
+    std::optional<PhaseTime> time{};  ///< time of the phase
     double secondsInPhase = 0.0;
-    const ProbeProposal* proposal = nullptr;  ///< of the estimate, whether or not it is asked
+    const ProbeProposal* proposal = nullptr;  ///< proposed probe, or the one a follower sees
     std::optional<ProbeProposal>
-        bestProbe{};          ///< without one: what the best would buy all the same
-    QString whyNotOffered{};  ///< empty: it was, or would be elsewhere
+        /// Without a proposal: the best probe and its worth.
+        bestProbe{};
+    QString
+        whyNotOffered{};  ///< reason that bestProbe is not proposed; empty: it was, or is elsewhere
     std::optional<int> probingBin{};
-    double probeSeconds = 0.0;         ///< a probe takes
-    std::optional<double> progress{};  ///< 0 … 1 of an estimate under way
+    double probeSeconds = 0.0;         ///< [s] expected duration of a probe
+    std::optional<double> progress{};  ///< 0 … 1 of a running estimate
 
-    /// Of exploring, driving, arming, approving a probe and releasing STOP.
+    /// Preconditions of exploring, driving, arming, approving a probe and releasing STOP.
     QList<Precondition> preconditions{}, driving{}, arming{}, probing{}, releasing{};
 };
 
-/// The terrain under the robot, exploring it, and the arm: the cards of both the console and a review, which
-/// fill it with a TerrainViewState and listen to its widgets.
+/// The page of terrain, exploration and probe, used by console and review. They fill it with a TerrainViewState and
+/// listen to its widgets.
 class TerrainPage final : public QWidget {
     Q_OBJECT
 public:
     explicit TerrainPage(RobotModel robot, QWidget* parent = nullptr);
 
     void setViewState(const TerrainViewState& viewState);
-    /// fontScale: [%] of the letters in force.
+    /// fontScale: current font scale [%].
     void arrange(Layout layout, int fontScale);
-    void setThreshold(double newtons);   ///< of contact
-    void addTerrainTool(QWidget* tool);  ///< to the terrain's title
-    // Likewise TerrainLayout's, which see.
+    void setThreshold(double newtons);   ///< contact threshold
+    void addTerrainTool(QWidget* tool);  ///< adds a tool to the terrain's title
+    // The following functions forward to TerrainLayout.
     QWidget* lower() const { return layout_->lower(); }
     void placeLower() { layout_->placeLower(); }
     void stackLower(bool stacked) { layout_->stackLower(stacked); }
@@ -100,9 +102,10 @@ public:
     bool isTight() const { return layout_->isTight(); }
 
     QSize
-    minimumSizeHint() const override;  ///< whatever is shown, so that no text moves the window
+    /// Independent of the content, so that no text resizes the window.
+    minimumSizeHint() const override;
 
-    /// True once what was last shown includes the standing estimate.
+    /// Returns true once the last update showed the present estimate.
     bool showsEstimate() const { return shownEstimate_; }
 
     AtemPanel* atemPanel() const { return atem_; }
@@ -118,7 +121,7 @@ public:
     QPushButton* viewButton() const { return view_; }
 
 signals:
-    void tightened(bool tight);  ///< lower() has to leave, or may come back: placeLower()
+    void tightened(bool tight);  ///< emitted when lower() must leave or may return: placeLower()
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -141,7 +144,7 @@ private:
 
     RobotModel robot_;
     double threshold_ = 0.0;
-    std::optional<double> forcesAge_;  ///< [s] where it is said: they are not shown any more
+    std::optional<double> forcesAge_;  ///< [s] age shown instead of stale forces
 
     // Qt's parents own the widgets.
     VerdictStrip* verdict_ = nullptr;
@@ -157,7 +160,7 @@ private:
     QLabel* thresholdText_ = nullptr;
     RobotReadout* readout_ = nullptr;
     QLabel* robotAge_ = nullptr;
-    bool numbersFresh_ = false;  ///< those of the robot, when they were shown last
+    bool numbersFresh_ = false;  ///< the robot's numbers were fresh in the last update
     DrivePad* drive_ = nullptr;
     EventList* events_ = nullptr;
     TerrainLayout* layout_ = nullptr;

@@ -15,7 +15,7 @@ QString programName()
     return QStringLiteral("Terratact ") + QApplication::applicationVersion();
 }
 
-/// As the package has it, beside what else is shared; empty where the program was installed without it.
+/// Returns the package's licence file; empty if it is not installed.
 QString licencesFile()
 {
     const QFileInfo file(

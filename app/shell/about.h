@@ -5,13 +5,13 @@
 
 namespace terratact {
 
-/// What the licence of Qwt wants to be read wherever the program says what it is; English, as `--version` has it.
+/// Credit that Qwt's licence requires wherever the program describes itself; English, as in `--version`.
 inline constexpr const char* kQwtCredit =
     QT_TRANSLATE_NOOP("About", "Based in part on the work of the Qwt project (http://qwt.sf.net).");
 
-/// Name, version and that credit, in a line.
+/// Returns name, version and that credit in one line.
 QString aboutLine();
-/// What the program is, its licence and those of the libraries in it; HTML.
+/// Returns HTML about the program, its licence and those of its libraries.
 QString aboutHtml();
 
 }  // namespace terratact

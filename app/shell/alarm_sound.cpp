@@ -58,7 +58,9 @@ private:
     std::condition_variable_any changed_;
     bool wanted_ = false;
     QString trouble_;
-    std::jthread thread_{[this](const std::stop_token& stop) { run(stop); }};  // last
+    std::jthread thread_{[this](const std::stop_token& stop) {
+        run(stop);
+    }};  // last member: the thread starts after all others exist
 };
 
 }  // namespace

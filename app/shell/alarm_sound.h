@@ -7,22 +7,22 @@
 
 namespace terratact {
 
-/// Makes one short sound.  GUI thread only.
+/// Plays one short sound. GUI thread only.
 class AlarmSound {
 public:
     virtual ~AlarmSound() = default;
-    virtual void sound() = 0;  ///< does not wait for it
-    /// Why the newest that ended was not heard as it should; empty: it was, or none has ended.
+    virtual void sound() = 0;  ///< returns at once
+    /// Returns why the last finished sound failed; empty: it played, or none has finished.
     virtual QString trouble() const { return {}; }
 };
 
-/// The desktop's bell, which many desktops keep silent.
+/// Returns the desktop's bell, which many desktops mute.
 std::unique_ptr<AlarmSound> desktopBeep();
 
-/// Two rising tones from the loudspeaker, played in a thread of its own; the desktop's bell where they cannot be.
+/// Returns a player of two rising tones on the loudspeaker, in its own thread. It falls back to the desktop's bell.
 std::unique_ptr<AlarmSound> alarmTone();
 
-/// What alarmTone() plays: one channel, so many samples a second.
+/// Returns the samples of alarmTone(): one channel at `rate` samples per second.
 std::vector<std::int16_t> alarmSamples(unsigned rate);
 
 }  // namespace terratact

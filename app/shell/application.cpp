@@ -77,7 +77,8 @@ void tellRefusal(const std::string& file, const std::string& why)
         file.empty() ? QCoreApplication::translate("Application", "Terratact could not start")
                      : QCoreApplication::translate("Application", "Terratact could not open this");
     TextSheet sheet(title, {Qt::Key_Return, Qt::Key_Enter}, nullptr);
-    sheet.setWindowFlags(Qt::Window);  // which the desktop lists, and whose end is the program's
+    sheet.setWindowFlags(
+        Qt::Window);  // a window of its own on the desktop; closing it ends the program
     sheet.setAttribute(Qt::WA_QuitOnClose);
     sheet.setText(
         QStringLiteral("<h3>%1</h3><p>%2</p>").arg(title, format::sentence(why).toHtmlEscaped()),

@@ -12,13 +12,13 @@ namespace terratact {
 
 class ConsoleWindow;
 
-/// The QApplication, made when the first window is to be opened: what is wrong before is told without a display.
+/// Creates the QApplication only when the first window opens, so that earlier errors need no display.
 class Application {
 public:
-    /// Both are QApplication's, and outlive it.
+    /// The arguments are QApplication's and must outlive it.
     Application(int& argc, char** argv) : argc_(argc), argv_(argv) {}
 
-    /// The application in the language and look preferred; `pictures`: without a display.
+    /// Creates the application with the preferred language and theme. `pictures`: without a display.
     Status start(const Preferences& preferences, bool pictures);
 
 private:
@@ -27,12 +27,12 @@ private:
     std::optional<WatchedApplication> application_;
 };
 
-/// Says in a window why there will be no other, until that is closed.  file: that was to be opened, or empty.  Not before
+/// Shows a window with the reason that no other opens, until it is closed. file: the file to open, or empty. Call after
 /// Application::start().
 void tellRefusal(const std::string& file, const std::string& why);
 
-/// Shows a window in the size that the command line says, else as it was left (QWidget::saveGeometry()), else in a
-/// usual one.  A polite signal closes it as its user would, and unasked: the robot is halted and the recording closed.
+/// Shows a window in the size of the command line, else as last saved (QWidget::saveGeometry()), else in a default
+/// size. SIGTERM and similar signals close it without asking: the robot is halted and the recording closed.
 void showWindow(ConsoleWindow& window, const ConsoleOptions& options, const QByteArray& left = {});
 
 }  // namespace terratact

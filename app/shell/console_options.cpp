@@ -10,7 +10,7 @@
 namespace terratact {
 namespace {
 
-/// "1280x720"; an empty one, which no window has, for anything else.
+/// Parses "1280x720"; returns an empty size, which no window has, for anything else.
 QSize sizeFrom(const std::string& text)
 {
     int width = 0, height = 0, end = 0;

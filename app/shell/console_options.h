@@ -12,35 +12,35 @@ class App;
 
 namespace terratact {
 
-/// What the command line of the console says.  Plain values; an empty one: it says nothing of that.
+/// The console's command line as plain values; an empty value means not given.
 struct ConsoleOptions {
     std::string model, robot;  ///< files
-    std::string terrain;       ///< a file of profiles, or varied
+    std::string terrain;       ///< a profile file, or "varied"
     std::string fault = "none";
-    std::string can;  ///< interface
+    std::string can;  ///< CAN interface
     bool transmit = false;
-    std::string replay;     ///< file: a session, scenes, or a log of candump
-    double speed = 1.0;     ///< seconds of a log per second
-    std::string interface;  ///< of a log that has several
+    std::string replay;     ///< file: a session, scenes, or a candump log
+    double speed = 1.0;     ///< replay seconds per second
+    std::string interface;  ///< needed if the log holds several
     std::optional<double> at{};
-    std::string panel;             ///< file
-    std::vector<std::string> dbc;  ///< files
+    std::string panel;             ///< panel file
+    std::vector<std::string> dbc;  ///< DBC files
     std::uint64_t seed = 1;
-    std::string screenshot;               ///< file
-    std::string theme, layout, language;  ///< by their names, see app/shell/preferences.h
+    std::string screenshot;               ///< picture file
+    std::string theme, layout, language;  ///< names as in app/shell/preferences.h
     int fontScale = 0;                    ///< [%] 0: as preferred
     bool safeMode = false;
-    std::string sessions;  ///< folder
+    std::string sessions;  ///< folder of the sessions
     bool noRecord = false;
-    bool errorsInWindow = false;  ///< why it cannot start, for starters without a terminal
+    bool errorsInWindow = false;  ///< shows start errors in a window, for starts without a terminal
     std::optional<QSize> size{};
 
     bool isPicture() const { return !screenshot.empty(); }
-    /// Nothing is recorded that has happened before (a replay), or only for a picture.
+    /// Returns false for a replay and for a picture, which are not recorded.
     bool records() const { return !noRecord && replay.empty() && !isPicture(); }
 };
 
-/// Declares them to CLI11, which fills them in when it parses; `options` must outlive that.
+/// Declares the options to CLI11, which fills them during parsing; `options` must outlive that.
 void declareOptions(CLI::App& app, ConsoleOptions& options);
 
 }  // namespace terratact

@@ -10,20 +10,20 @@
 
 namespace terratact {
 
-// What a window is opened with: what the command line says, else what is preferred, else what is shipped.
+// Settings of a window: the command line's, else the preferred, else the shipped ones.
 
-/// The user's preferences as they were saved.  A picture and a safe start have none.
+/// Returns the saved preferences; defaults for a picture and for safe mode.
 LoadedPreferences preferencesFor(const ConsoleOptions& options);
 
-/// The preferences with what the command line says.
+/// Returns the preferences overridden by the command line.
 Preferences inForce(Preferences preferences, const ConsoleOptions& options);
 
-/// The preferred file, or where that cannot be used the shipped one, and a sentence more among the troubles.  Errors:
-/// the shipped one cannot be used.
+/// Return the preferred file, or the shipped one and an entry in `troubles` if the preferred cannot be used. The Error
+/// is that of the shipped file.
 Result<RobotFile> usableRobot(const QString& preferred, std::vector<LateSentence>& troubles);
 std::string usableModel(const QString& preferred, std::vector<LateSentence>& troubles);
 
-/// The file that the command line names, else the usable one.
+/// Return the file of the command line, else the usable one.
 Result<RobotFile> robotFor(const ConsoleOptions& options, LoadedPreferences& loaded);
 std::string modelFor(const ConsoleOptions& options, LoadedPreferences& loaded);
 

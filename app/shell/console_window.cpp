@@ -45,7 +45,7 @@ constexpr int kPrepareEvery = 20;  // [ms]
 
 ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForce().fontScale)
 {
-    setFocusPolicy(Qt::StrongFocus);  // so that no button has the focus before somebody tabs to it
+    setFocusPolicy(Qt::StrongFocus);  // keeps the focus off the buttons until the user presses Tab
     resize(1440, 900);
     setMinimumSize(kMin);
     header_ = new StatusHeader(this);
@@ -73,7 +73,7 @@ ConsoleWindow::ConsoleWindow() : theme_(lookInForce().theme), wanted_(lookInForc
     all->addWidget(header_);
     all->addLayout(strips_);
     all->addWidget(below_, 1);
-    // STOP's keys have to stop the robot from every dialog, also from those that the desktop would draw by itself.
+    // STOP's keys must work in every dialog, so dialogs are Qt's, not the desktop's.
     QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     qApp->installEventFilter(this);
     qApp->installEventFilter(new CalmWheel(this));
@@ -187,7 +187,7 @@ void ConsoleWindow::addPageKeys()
         keys_.add({{static_cast<Qt::Key>(rail_->keyOf(page))},
                    rail_->button(page)->accessibleName(),
                    [this, page] {
-                       // What has no page of its own now is on the first.
+                       // A page that is no longer offered is replaced by the first page.
                        rail_->choose(rail_->button(page)->isHidden() ? 0 : page);
                    }});
 }
@@ -211,9 +211,10 @@ void ConsoleWindow::addRemoteStop()
     connect(end, &QTimer::timeout, banner, &QWidget::hide);
     const auto say = [this, banner, end](const QString& text) {
         banner->setText(text);
-        QRect place = header_->geometry();  // upon it: nothing moves
+        QRect place = header_->geometry();  // on top of the header, so that nothing moves
         if (const QPushButton& stop = *header_->stopButton(); stop.isVisible())
-            place.setRight(place.left() + stop.x() - 1);  // which may have to be pressed again
+            place.setRight(place.left() + stop.x()
+                           - 1);  // STOP stays free, because it may be needed again
         banner->setGeometry(place);
         banner->raise();
         banner->show();
@@ -280,7 +281,7 @@ void ConsoleWindow::setLook(ThemeName theme, int wanted)
         trying_ = largestToTry();
         return fitLettersInTurns();
     }
-    // No colour needs more room than another.
+    // Themes do not differ in size.
     applyLook(*qApp, theme_, lookInForce().fontScale);
     arrange();
 }
@@ -353,7 +354,7 @@ int ConsoleWindow::bannersTake() const
 
 QSize ConsoleWindow::roomBelowHeader() const
 {
-    const QSize frame = frameGeometry().size() - size();  // the other's is alike
+    const QSize frame = frameGeometry().size() - size();  // both windows have the same frame
     return size() - QSize(0, header_->geometry().bottom() + 1 + bannerLine()) - frame;
 }
 
@@ -383,13 +384,13 @@ void ConsoleWindow::fitLetters()
 void ConsoleWindow::fitLettersInTurns()
 {
     if (tryLetters()) return;
-    setUpdatesEnabled(false);  // nobody is to see letters that are too large
+    setUpdatesEnabled(false);  // hides the intermediate font sizes
     tryLater_.start(0);
 }
 
 bool ConsoleWindow::tryLetters()
 {
-    fits_ = false;  // in the making
+    fits_ = false;  // fitting is in progress
     tryLater_.stop();
     letScroll(false);
     if (trying_ != lookInForce().fontScale || theme_ != lookInForce().theme)
@@ -419,7 +420,7 @@ void ConsoleWindow::layOutAnew()
     forgetSizes(*this);
 }
 
-/// A window that had to grow may have grown over the edge, beyond which STOP must not lie.
+/// Moves the window back if it grew over the screen's edge, where STOP would be out of reach.
 void ConsoleWindow::keepOnScreen()
 {
     if (!isVisible() || isMaximized() || isFullScreen()) return;
@@ -445,7 +446,7 @@ bool ConsoleWindow::event(QEvent* event)
     if (event->type() != QEvent::LayoutRequest || !fits_) return done;
     const QSize needed = needs();
     if (needed.expandedTo(size()) == size()) return done;
-    // More than was foreseen.
+    // The content needs more than the fitted size.
     const bool isSmallest = lookInForce().fontScale <= kSmallestFont;
     if (needed.expandedTo(room()) != room() && !isSmallest) {
         trying_ = largestToTry();
@@ -458,7 +459,7 @@ bool ConsoleWindow::event(QEvent* event)
 
 void ConsoleWindow::prepareSome()
 {
-    constexpr qint64 kBudget = 5;  // [ms] nobody notices
+    constexpr qint64 kBudget = 5;  // [ms] too short to notice
     QElapsedTimer since;
     since.start();
     while (!unprepared_.isEmpty() && since.elapsed() < kBudget)
@@ -485,16 +486,17 @@ void ConsoleWindow::showEvent(QShowEvent* event)
     });
     watch(screen());
     fitLetters();
-    refit();  // once the frame around it is known
+    refit();  // once the frame size is known
 }
 
-/// A menu that is open takes the mouse: a press elsewhere only closes it, and another would be needed for STOP.
+/// An open menu takes the mouse: a press elsewhere only closes it. This detects a press on STOP beside the menu.
 bool ConsoleWindow::pressesStopBesidePopup(const QEvent& event) const
 {
     const QWidget* popup = QApplication::activePopupWidget();
     if (event.type() != QEvent::MouseButtonPress || !popup) return false;
     const auto& mouse = static_cast<const QMouseEvent&>(event);
-    if (popup->geometry().contains(mouse.globalPosition().toPoint())) return false;  // meant for it
+    if (popup->geometry().contains(mouse.globalPosition().toPoint()))
+        return false;  // the press is inside the menu
     const QPushButton& stop = *header_->stopButton();
     return mouse.button() == Qt::LeftButton && stop.isVisible()
         && stop.rect().contains(stop.mapFromGlobal(mouse.globalPosition().toPoint()));
@@ -502,11 +504,12 @@ bool ConsoleWindow::pressesStopBesidePopup(const QEvent& event) const
 
 bool ConsoleWindow::eventFilter(QObject* object, QEvent* event)
 {
-    if (object == qApp && event->type() == QEvent::Quit) unasked_ = true;  // it closes all windows
+    if (object == qApp && event->type() == QEvent::Quit)
+        unasked_ = true;  // Quit closes all windows
     if (object->isWidgetType() && pressesStopBesidePopup(*event)) {
         emit header_->stopPressed();
         while (QWidget* const popup = QApplication::activePopupWidget()) {
-            popup->setAttribute(Qt::WA_NoMouseReplay);  // it was pressed already
+            popup->setAttribute(Qt::WA_NoMouseReplay);  // the press was already delivered to STOP
             if (!popup->close()) break;
         }
         return true;

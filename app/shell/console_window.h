@@ -25,12 +25,11 @@ class PreferenceStore;
 class StatusHeader;
 class TextSheet;
 
-/// The frame of the program's windows: the header, strips below it, and the rail beside the pages, of which one
-/// is seen.  Keys do what the table of the window says, which F1 shows.
+/// The frame of all windows: a header, strips below it, and a rail beside the pages, of which one is visible. Keys
+/// follow the window's key table, which F1 shows.
 ///
-/// It is never smaller than what it shows needs, and never larger than its screen: there the letters are as large as
-/// they can be, which may be smaller than the wanted ones.  Where the smallest are too large, rail and pages scroll;
-/// the header with STOP does not.
+/// The window is never smaller than its content needs and never larger than its screen. The font shrinks until the
+/// window fits the screen. If the smallest font is too large, rail and pages scroll; the header with STOP does not.
 class ConsoleWindow : public QWidget {
     Q_OBJECT
 public:
@@ -38,61 +37,60 @@ public:
     NavigationRail* rail() const { return rail_; }
     const KeyTable& keys() const { return keys_; }
 
-    /// Room for the window [px] instead of its screen's, for a picture that needs no screen.
+    /// Sets the available size [px] instead of the screen's, for pictures without a screen.
     void setRoom(QSize room);
-    /// The letters are being fitted, which may take some turns of the event loop.
+    /// Returns true while the font is being fitted, which takes some turns of the event loop.
     bool isMeasured() const { return !fits_; }
-    int bannerLine() const;   ///< [px] that banners need, whether there are any or not
-    int bannersTake() const;  ///< [px] that they take from the pages now
-    /// Another window's place upon this one: below the header with STOP and a banner's line, and no larger than what is
-    /// left there.
+    int bannerLine() const;   ///< [px] height of a banner, shown or not
+    int bannersTake() const;  ///< [px] height that shown banners take from the pages
+    /// Places another window on this one: below the header with STOP and a banner's line, clamped to the room there.
     void putBelowHeader(QWidget& other) const;
-    QSize roomBelowHeader() const;  ///< [px] for such a window, without the frame the desktop draws
-    /// From now on a thin line says so, and how to leave it.  Before the window is shown.
+    QSize roomBelowHeader() const;  ///< [px] for such a window, without its desktop frame
+    /// Adds a strip that states safe mode and how to leave it. Call before the window is shown.
     void saySafeMode();
-    /// As a signal wants it, and the end of the application (QEvent::Quit), which wait for no answer.
+    /// Closes without asking, as for a signal and for QEvent::Quit.
     void closeUnasked();
-    /// [px] of any window, where its screen has that much.
+    /// [px] minimum size of any window, if its screen is large enough.
     static constexpr QSize kMin{1200, 680};
 
 protected:
     ConsoleWindow();
 
-    /// The window, which is to be closed, may ask first.
+    /// Returns true if the closing window may ask first.
     bool mayAskBeforeClosing() const { return !unasked_; }
 
-    /// A line over the whole width, below those added before.  look: its name in the style sheet.
+    /// Adds a line over the full width, below earlier ones. look: its name in the style sheet.
     QLabel* addStrip(const QString& look);
-    /// A line that comes and goes; those that are there at once share one.
+    /// Adds a line that appears and disappears; simultaneous banners share one line.
     ElidedLabel* addBanner();
     void addPage(QWidget* page, const QString& name, Qt::Key key, const QString& tip);
-    /// One that large letters may make larger than its room: then it scrolls.
+    /// Adds a page that scrolls if a large font makes it larger than its room.
     void addScrolledPage(QWidget* page, const QString& name, Qt::Key key, const QString& tip);
-    QWidget* currentPage() const;                                   ///< as it was added
-    QPushButton* addTool(const QString& text, const QString& tip);  ///< to the rail
-    /// newWindow: when what needs a new window gets one, in words.
+    QWidget* currentPage() const;                                   ///< the page as added
+    QPushButton* addTool(const QString& text, const QString& tip);  ///< adds a button to the rail
+    /// Adds the view menu. newWindow: text on when changes that need a new window take effect.
     void addViewTool(PreferenceStore& preferences, const QString& newWindow);
-    /// The sheet of the keys, what this program is, and a demonstration to open, where there is that file.
+    /// Adds the help button with the key sheet, the about text, and the demonstration if its file exists.
     void addHelpTool(const QString& demonstration = {},
                      std::function<void(const QString& path)> open = {});
     void addBelowPages(QWidget* widget);
     QStackedWidget* pages() const { return pages_; }
 
     KeyTable& keyTable() { return keys_; }
-    void addPageKeys();  ///< of the pages there are
-    /// Below the keys in their sheet: what must be known of all of them.
+    void addPageKeys();  ///< keys for the pages added so far
+    /// Sets a note below the key sheet that applies to all keys.
     void setKeysNote(const QString& note) { keysNote_ = note; }
-    void addHelpKeys();  ///< F1 and ? show the sheet of the keys, Ctrl+F1 what this program is
+    void addHelpKeys();  ///< F1 and ? show the key sheet, Ctrl+F1 the about text
 
-    /// For a window without a robot: STOP, button and key, stops that of the console that opened the window, and says
-    /// what became of it, loudly.  Without one there is no button, and the key says so.
+    /// Adds STOP to a window without a robot. Button and key stop the robot of the console that opened the window, and
+    /// a banner reports the result. Without such a console there is no button, and the key says so.
     void addRemoteStop();
 
-    /// The look from now on; wanted: letters [%].
+    /// Applies the theme. wanted: font scale [%].
     void setLook(ThemeName theme, int wanted);
-    /// Lays out anew what depends on the letters in force, and as for the smallest window while it is measured.
+    /// Arranges everything that depends on the current font; while measuring, as for the smallest window.
     virtual void arrange() {}
-    /// Another for another arrangement, which may need another room.
+    /// Returns a number that differs between arrangements of different size.
     virtual int arrangement() const { return 0; }
 
     bool event(QEvent* event) override;
@@ -106,28 +104,30 @@ private:
     bool pressesStopBesidePopup(const QEvent& event) const;
     QLabel* addStrip(QLabel* strip, const QString& look);
     QSize room() const;
-    QSize needs() const;  ///< [px] with a banner, whether there is one or not
+    QSize needs() const;  ///< [px] minimum size including a banner, shown or not
     void setLeast(QSize needed);
     void letScroll(bool scrolls);  ///< rail and pages
     QWidget* belowBanners() const;
-    void fitLetters();  ///< at once
+    void fitLetters();  ///< fits the font at once
     void
-    fitLettersInTurns();  ///< those of trying_, smaller ones each in a later turn of the event loop
-    bool tryLetters();  ///< those of trying_; false: they are too large, and it is what to try next
+    /// Fits the font from trying_ down, one scale per turn of the event loop.
+    fitLettersInTurns();
+    /// Tries trying_; returns false if it is too large and sets trying_ to the next scale.
+    bool tryLetters();
     void layOutAnew();
     int largestToTry() const;
-    /// Styles some widgets of pages that were never seen, so that a page is there at once when it is first chosen.
+    /// Styles some widgets of pages that were never visible, so that a page opens without delay.
     void prepareSome();
     void keepOnScreen();
 
     KeyTable keys_;
     QString keysNote_;
     ThemeName theme_;
-    int wanted_;         ///< letters [%]
+    int wanted_;         ///< font scale [%]
     QSize room_;         ///< invalid: the screen's
-    bool fits_ = false;  ///< the letters have been fitted
-    int trying_ = 0;     ///< letters [%] to try
-    /// The smallest letters [%] that were too large, and for what: larger ones need not be tried.
+    bool fits_ = false;  ///< the font is fitted
+    int trying_ = 0;     ///< font scale to try [%]
+    /// The smallest font scale [%] that was too large, with its conditions; larger ones need no trial.
     struct TooLarge {
         int percent;
         QSize room;
@@ -143,7 +143,7 @@ private:
     NavigationRail* rail_ = nullptr;
     QStackedWidget* pages_ = nullptr;
     QWidget* below_ = nullptr;       ///< rail and pages
-    QScrollArea* scroll_ = nullptr;  ///< null: they have their room
+    QScrollArea* scroll_ = nullptr;  ///< null: the content fits
     QBoxLayout* banners_ = nullptr;  ///< side by side
     QBoxLayout* strips_ = nullptr;
     QBoxLayout* right_ = nullptr;

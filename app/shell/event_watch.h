@@ -6,31 +6,31 @@
 
 namespace terratact {
 
-/// An event that kept the event loop, and with it the operator, waiting.
+/// An event that blocked the event loop.
 struct LongEvent {
     double seconds = 0.0;
-    QString what{};  ///< "Timer for QTimer of terratact::MainWindow": for whoever reads the source
-    QTime at{};      ///< of the day, when it was done
+    QString what{};  ///< developer text: "Timer for QTimer of terratact::MainWindow"
+    QTime at{};      ///< time of day when it ended
 };
 
-/// The events that took longest.  What an event sends while it is handled counts as part of it, but an event in which
-/// another loop runs (a dialog, a menu) keeps nobody waiting: the events of that loop count instead.  No clock.
+/// Keeps the longest events. An event includes the events it sends while it is handled. An event that runs a nested
+/// loop (dialog, menu) does not block; the nested loop's events count instead. It has no clock.
 class EventWatch {
 public:
     static constexpr std::size_t kKept = 3;
 
-    /// A loop hands out an event; level: QThread::loopLevel(), 0 before there is a loop.  Whether it is to be timed,
-    /// which means that ends() is to be called.
+    /// Call when a loop dispatches an event. level: QThread::loopLevel(), 0 before the loop runs. Returns true if the
+    /// event must be timed; then call ends().
     bool begins(int level);
-    /// The same event is done, after so many seconds; whether it is one of the longest, to be kept.
+    /// Call when the event has ended. Returns true if it is among the longest; then call keep().
     bool ends(int level, double seconds);
     void keep(LongEvent event);
 
-    const std::vector<LongEvent>& longest() const { return longest_; }  ///< the longest first
+    const std::vector<LongEvent>& longest() const { return longest_; }  ///< longest first
 
 private:
-    int timed_ = 0;    ///< level of the event that is being timed; 0: none
-    int deepest_ = 0;  ///< level that was reached during that
+    int timed_ = 0;    ///< loop level of the timed event; 0: none
+    int deepest_ = 0;  ///< deepest level reached during the timed event
     std::vector<int> outer_;
     std::vector<LongEvent> longest_;
 };

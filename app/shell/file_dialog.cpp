@@ -13,14 +13,14 @@
 namespace terratact {
 namespace {
 
-/// Where the last file was chosen, by the dialog's title.
+/// Returns the folder of the last chosen file per dialog title.
 QHash<QString, QString>& lastFolders()
 {
     static QHash<QString, QString> folders;
     return folders;
 }
 
-/// Without the boxes of QFileDialog, each of which would block every window until it is answered.
+/// A file dialog without the message boxes of QFileDialog, which would block every window.
 class FileDialog final : public QFileDialog {
     Q_DECLARE_TR_FUNCTIONS(FileDialog)
 public:
@@ -29,8 +29,8 @@ public:
         const bool writes = wish.kind == FileWish::Kind::ToWrite;
         setAcceptMode(writes ? AcceptSave : AcceptOpen);
         setFileMode(writes ? AnyFile : ExistingFile);
-        setOption(DontConfirmOverwrite);  // whoever writes says what is replaced
-        setOption(ReadOnly);              // nothing is renamed or deleted here
+        setOption(DontConfirmOverwrite);  // the exporter itself asks about replacing a file
+        setOption(ReadOnly);              // no renaming or deleting in this dialog
         setNameFilter(wish.filter);
         setAttribute(Qt::WA_DeleteOnClose);
         const QFileInfo start(wish.start);

@@ -8,21 +8,20 @@ class QWidget;
 
 namespace terratact {
 
-/// Which file is asked for.
+/// Options of a file dialog.
 struct FileWish {
     enum class Kind : std::uint8_t { Existing, ToWrite };
     QString title;
-    /// A file.  Or a folder, for the first time: after that a dialog with this title begins where its last file was.
-    /// Empty: likewise, but for the first time with the folder that any dialog had last, or else where the program was
-    /// started.
+    /// A file, or the start folder of the first call. Later dialogs with the same title begin where their last file
+    /// was. Empty: the last folder of any dialog, else the working directory.
     QString start{};
-    QString filter{};  ///< as QFileDialog has it
+    QString filter{};  ///< in the format of QFileDialog
     Kind kind = Kind::Existing;
 };
 
-/// Shows a dialog for a file and does not wait.  It blocks no other window and leaves the header of the console's free,
-/// so that STOP can be pressed with the mouse, too.  One with this title that is open already comes to the front
-/// instead.  `chosen` is called once with the path; never where none is chosen or the parent has gone.
+/// Shows a file dialog without blocking any window. It leaves the console's header free, so that STOP can be clicked.
+/// If a dialog with this title is open, it comes to the front instead. `chosen` is called once with the path; never if
+/// the dialog is cancelled or the parent is destroyed.
 void askForFile(QWidget& parent, const FileWish& wish,
                 std::function<void(const QString& path)> chosen);
 

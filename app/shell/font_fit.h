@@ -7,18 +7,17 @@ class QWidget;
 
 namespace terratact {
 
-/// The next letters [%] to try where those of `percent` made a window need more than its room [px]: in steps of
-/// kLetterStep down from them, kSmallestFont at the least.  Sizes that do not fit even if all that the window needs
-/// shrinks with its letters are left out.
+/// Returns the next smaller font scale [%] to try after `percent` needed more than the room [px]. Scales go down in
+/// steps of kLetterStep to kSmallestFont. Scales that cannot fit, even if everything shrinks with the font, are
+/// skipped.
 int smallerLetters(int percent, QSize needs, QSize room);
 
 inline constexpr int kLetterStep = 10;  ///< [%]
 
-/// Makes every layout in the widget ask its parts anew what they need: they remember it until the events of a change
-/// have arrived.
+/// Invalidates every cached size hint of layouts in the widget; Qt keeps them until the events of a change arrive.
 void forgetSizes(QWidget& widget);
 
-/// That the letters in force are smaller than the wanted ones, and why; empty: they are not.
+/// Returns a note that the current font scale is smaller than the wanted one, and why; empty: it is not.
 QString lettersNote(int wanted);
 
 }  // namespace terratact

@@ -24,7 +24,7 @@ QString namesOf(const KeyTable::Entry& entry)
     return entry.released ? Says::tr("%1, held").arg(all) : all;
 }
 
-/// Keys that mean something in the widget itself: what is typed into a field must move no robot.
+/// Returns true for keys that the widget itself uses: text typed into a field must not move the robot.
 bool belongsTo(const QWidget& widget, int key)
 {
     const bool isFunctionKey = key >= Qt::Key_F1 && key <= Qt::Key_F12;
@@ -81,7 +81,7 @@ bool KeyTable::filter(const QWidget& window, const QObject& object, const QEvent
         if (press && !key.isAutoRepeat()) entry->pressed();
         return press;
     }
-    // A key that is held is let go wherever that happens: over a menu, in a dialog, with Ctrl held.
+    // The release of a held key counts everywhere: over a menu, in a dialog, with Ctrl held.
     if (!press && !key.isAutoRepeat()) release(key.key());
     const auto& widget = static_cast<const QWidget&>(object);
     if (!entry || !entry->pressed || widget.window() != &window || QApplication::activeModalWidget()
@@ -89,7 +89,7 @@ bool KeyTable::filter(const QWidget& window, const QObject& object, const QEvent
         return false;
     if (belongsTo(widget, key.key())) return false;
     if (entry->applies && !entry->applies()) return false;
-    // Space means the button that has the focus; only without one it has the table's meaning.
+    // Space presses the focused button; it has the table's meaning only without one.
     if (key.key() == Qt::Key_Space && qobject_cast<const QAbstractButton*>(&widget)) return false;
     if (press && (!key.isAutoRepeat() || entry->repeats)) entry->pressed();
     return true;

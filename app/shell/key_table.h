@@ -11,11 +11,10 @@ class QWidget;
 
 namespace terratact {
 
-/// The keys that mean STOP wherever one is: many keyboards have F12 only together with another key.
+/// The keys of STOP. Many keyboards have F12 only in combination, so Pause works, too.
 inline const QList<QKeyCombination> kStopKeys{Qt::Key_F12, Qt::Key_Pause};
 
-/// What the keys of the window mean: both what is done when one is pressed and the sheet that tells of it come
-/// from here.
+/// The key bindings of a window; both the actions and the key sheet are generated from this table.
 class KeyTable {
 public:
     struct Entry {
@@ -23,26 +22,26 @@ public:
         QString meaning;
         std::function<void()> pressed;
         std::function<void()> released = {};  ///< set: the key acts while it is held
-        /// In every window of the program, dialogs included, and whatever else is held down.
+        /// Active in every window of the program including dialogs, with any modifier.
         bool everywhere = false;
-        bool repeats = false;  ///< acts again and again while it stays down
-        /// Set: where it says no, the key is left to the widget that has the focus.
+        bool repeats = false;  ///< acts repeatedly while held
+        /// If it returns false, the key goes to the focused widget.
         std::function<bool()> applies = {};
     };
     void addGroup(const QString& name);
-    void add(Entry entry);  ///< to the last group; throws std::logic_error for a key that is taken
+    void add(Entry entry);  ///< adds to the last group; throws std::logic_error for a used key
 
-    /// The entry a key event means; null: none.  Shift and the keypad do not count, nor for what works everywhere
-    /// any other modifier.
+    /// Returns the entry of a key event; null: none. Shift and the keypad are ignored; entries with `everywhere` ignore
+    /// all modifiers.
     const Entry* entryOf(const QKeyEvent& event) const;
-    /// Lets go of what the key held, whatever else is pressed.
+    /// Releases the held key's action, whatever else is pressed.
     void release(int key) const;
 
-    /// To be called by the event filter of the application for events of the window: true where a key did what it
-    /// means, which a widget that has a use of its own for it does first.
+    /// Handles an event of the window in the application's event filter. Returns true if a key was handled. A widget
+    /// that uses the key itself has precedence.
     bool filter(const QWidget& window, const QObject& object, const QEvent& event) const;
 
-    QString html() const;  ///< the sheet: a table per group, two groups side by side
+    QString html() const;  ///< the key sheet: one table per group, two groups side by side
     const QList<Entry>& entries() const { return entries_; }
 
 private:

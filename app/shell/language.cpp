@@ -6,7 +6,7 @@
 #include <QTranslator>
 
 #if TERRATACT_TRANSLATIONS
-// Outside of any namespace, as the macro asks; a static library's resources are not found otherwise.
+// Q_INIT_RESOURCE must be used outside any namespace; it loads the resources of a static library.
 static void initTranslations()
 {
     Q_INIT_RESOURCE(translations);
@@ -18,7 +18,7 @@ static void initTranslations() {}
 namespace terratact {
 namespace {
 
-/// Replaces the translator that an earlier call installed under this name.
+/// Installs a translator; replaces the one installed earlier under this name.
 bool install(QCoreApplication& application, const QString& name, const QString& file)
 {
     delete application.findChild<QTranslator*>(name);
@@ -39,7 +39,7 @@ QString installLanguage(QCoreApplication& application, const QString& language)
         language.isEmpty() ? QLocale::system().name().section(QLatin1Char('_'), 0, 0) : language;
     const bool found = install(application, QStringLiteral("terratact"),
                                QStringLiteral(":/translations/terratact_%1.qm").arg(wanted));
-    // Qt's own words, such as those of a file dialog.
+    // Qt's own texts, such as those of file dialogs.
     install(application, QStringLiteral("qt"),
             QStringLiteral("%1/qtbase_%2.qm")
                 .arg(QLibraryInfo::path(QLibraryInfo::TranslationsPath), found ? wanted : "en"));

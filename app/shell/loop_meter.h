@@ -5,7 +5,7 @@
 
 namespace terratact {
 
-/// Quantiles of the newest so many values.
+/// Quantiles of the newest values.
 class NewestValues {
 public:
     explicit NewestValues(std::size_t room) : room_(room) { values_.reserve(room); }
@@ -18,7 +18,7 @@ public:
             values_[next_] = value;
         next_ = (next_ + 1) % room_;
     }
-    /// The least value that a share of at least p does not exceed; 0 where there is none.  Throws
+    /// Returns the smallest value such that a share of at least p does not exceed it; 0 without values. Throws
     /// std::invalid_argument unless 0 ≤ p ≤ 1.
     double quantile(double p) const;
     double most() const { return quantile(1.0); }
@@ -30,21 +30,21 @@ private:
     std::size_t next_ = 0;
 };
 
-/// Whether a window keeps up: how late its event loop is, what a frame costs, how old telemetry is when it
-/// is on the screen.  Over the last minute, all in [s].  No clock.
+/// Measures the window's responsiveness over the last minute [s]: lateness of the event loop, cost of a frame, and age
+/// of telemetry when shown. It has no clock.
 class LoopMeter {
 public:
     static constexpr double kMinute = 60.0;  ///< [s]
 
-    /// period: [s] at which beat() is due.
+    /// period: interval of beat() [s].
     explicit LoopMeter(double period);
 
-    void beat(double now);  ///< the timer fires
-    /// A frame was prepared and painted in so many seconds; latency: since the newest telemetry in it came,
-    /// below 0 where it shows none that is new.
+    void beat(double now);  ///< call when the timer fires
+    /// Call after a frame was prepared and painted. seconds: its cost. latency: time since its newest telemetry
+    /// arrived; negative if it shows nothing new.
     void frame(double seconds, double latency);
 
-    /// By how much beats came too late: what an event had to wait for.
+    /// Returns the delays of beat(): the waiting time of an event.
     const NewestValues& lateness() const { return lateness_; }
     const NewestValues& frames() const { return frames_; }
     const NewestValues& latencies() const { return latencies_; }

@@ -20,14 +20,14 @@ struct OpenFile {
     Q_DECLARE_TR_FUNCTIONS(OpenFile)
 };
 
-constexpr qint64 kHead = 4096;            // bytes to judge by
-constexpr qsizetype kApplicationId = 68;  // of an SQLite file, see its format
+constexpr qint64 kHead = 4096;            // bytes that are inspected
+constexpr qsizetype kApplicationId = 68;  // offset in an SQLite header
 
 }  // namespace
 
 FileKind kindOfFile(const QString& path)
 {
-    if (!QFileInfo(path).isFile()) return FileKind::Log;  // of a pipe nothing may be taken
+    if (!QFileInfo(path).isFile()) return FileKind::Log;  // reading would consume a pipe
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) return FileKind::Log;
     const QByteArray head = file.read(kHead);
@@ -35,7 +35,8 @@ FileKind kindOfFile(const QString& path)
         && qFromBigEndian<quint32>(head.constData() + kApplicationId)
                == static_cast<quint32>(kSessionApplicationId))
         return FileKind::Session;
-    // A header, below remarks perhaps, in any of the dialects of core/store/csv_reader.h; no log has these words.
+    // Scenes have a header, possibly below comments, in any dialect of core/store/csv_reader.h. No log contains these
+    // words.
     return head.contains("pitch_rad") && head.contains("t_s") ? FileKind::Scenes : FileKind::Log;
 }
 

@@ -4,13 +4,13 @@
 
 namespace terratact {
 
-/// A page of the console beside the terrain's.
+/// A page of the console besides the terrain page.
 class Page : public QWidget {
     Q_OBJECT
 public:
     using QWidget::QWidget;
 
-    /// Shows the newest state; called with every picture of the window while the page is visible.  now: [s] on the steady clock.
+    /// Shows the newest state; called for every frame of the window while the page is visible. now: steady clock [s].
     virtual void refresh(double now) = 0;
 };
 

@@ -8,18 +8,18 @@
 
 namespace terratact {
 
-/// The preferences in force, which may differ from the saved ones where the command line said so.
+/// The preferences in force. They differ from the saved ones if the command line overrides them.
 class PreferenceStore final : public QObject {
     Q_OBJECT
 public:
-    /// loaded: as the file says.  inForce: the same with what the command line said, which is never saved.
+    /// loaded: from the file. inForce: with the command line's overrides, which are never saved.
     PreferenceStore(LoadedPreferences loaded, Preferences inForce);
-    PreferenceStore() : PreferenceStore({}, {}) {}  ///< the defaults; nothing is read or saved
+    PreferenceStore() : PreferenceStore({}, {}) {}  ///< defaults; reads and saves nothing
 
     const Preferences& current() const { return inForce_; }
-    QStringList troubles() const;  ///< of loading, in words
+    QStringList troubles() const;  ///< errors of loading as text
 
-    /// Applies a change to what is in force and to what is saved, and saves it.
+    /// Applies a change to the values in force and the saved values, and saves.
     void change(const std::function<void(Preferences&)>& edit);
 
 signals:

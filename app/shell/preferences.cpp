@@ -32,12 +32,12 @@ bool isPath(const QString& text)
     return text.size() <= kMaxLength && !text.contains(QChar(0));
 }
 
-/// Reads and writes one value each under its key; every value is kept as text.
+/// Reads one value per key; every value is stored as text.
 struct Reader {
     const QSettings& file;
     std::vector<LateSentence>& troubles;
 
-    /// parse: text → bool, whether it was valid; it sets the value then.
+    /// parse: sets the value from the text; returns false if the text is invalid.
     template <class Parse>
     void value(const char* key, Parse parse)
     {
@@ -153,7 +153,7 @@ struct Writer {
     }
 };
 
-/// Every preference under its key and with its limits, the same for reading and writing.
+/// Visits every preference with its key and limits, for reading and writing.
 template <class Visitor, class Values>
 void visit(Visitor visitor, Values& p)
 {
@@ -184,7 +184,7 @@ void visit(Visitor visitor, Values& p)
     visitor.bytes("window", p.window);
 }
 
-/// Moves the file out of the way; says so, and where nothing may be saved because it could not.
+/// Moves the file aside and reports it. If that fails, nothing may be saved.
 void setAside(const QString& path, const LateSentence& why, LoadedPreferences& loaded)
 {
     const QString bad = path + QStringLiteral(".bad");
@@ -270,7 +270,7 @@ LoadedPreferences loadPreferences(const QString& path)
     loaded.path = path;
     const QFileInfo info(path);
     if (path.isEmpty() || !info.exists()) return loaded;
-    if (!info.isFile()) {  // a folder, or a pipe whose reading would wait for ever
+    if (!info.isFile()) {  // a folder, or a pipe that would block forever
         loaded.path.clear();
         loaded.troubles.emplace_back([path] {
             return Says::tr("Preferences: %1 is no file; defaults are used and nothing is saved")

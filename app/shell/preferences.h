@@ -15,38 +15,39 @@
 
 namespace terratact {
 
-/// What the terrain page makes large.
+/// Layouts of the terrain page, named after their largest part.
 enum class Layout : std::uint8_t { Drive, Probe, Review };
 
-/// What an operator has chosen and finds again at the next start.  Plain values.
+/// Choices of the operator that are restored at the next start; plain values.
 struct Preferences {
     ThemeName theme = ThemeName::Day;
     int fontScale = 100;  ///< [%] kSmallestFont … kLargestFont
     QString language;     ///< "en", "cs" or "de"; empty: the system's
     Layout layout = Layout::Probe;
-    bool sound = true;            ///< alarms may be heard
-    double obstacleLimit = 0.10;  ///< [m] a higher step is an obstacle (hasStep())
+    bool sound = true;            ///< alarms make sounds
+    double obstacleLimit = 0.10;  ///< [m] obstacle height (hasStep())
     Method method = Method::Local;
     Quality quality = Quality::Balanced;
-    int estimateSeconds = 0;  ///< [s] after which sampling ends with what there is; 0: no limit
+    int estimateSeconds = 0;                            ///< [s] time limit of sampling; 0: no limit
     double forceThreshold = Settings{}.forceThreshold;  ///< [N]
     ProbePolicy probes = ProbePolicy::Variance;
     double probeAbove = Settings{}.probeAbove;  ///< [m]
     double rollLimit = Settings{}.rollLimit;    ///< [rad]
     double hazardRate =
-        Settings{}.hazardRate;  ///< per bin that nothing has felt, core/infer/estimate/hazards.h
+        /// Hazard rate per bin that is not felt, core/infer/estimate/hazards.h.
+        Settings{}.hazardRate;
     double asymmetryLimit = Settings{}.asymmetryLimit;                          ///< [rad]
     double tiltAmber = AttitudeLimits{}.amber, tiltRed = AttitudeLimits{}.red;  ///< [rad]
     QString model, robot;                 ///< files; empty: the shipped ones
-    QStringList dbc;                      ///< files, at most kMaxDbcFiles
-    bool record = true;                   ///< what happens at the console
-    int keepDays = 0, keepGigabytes = 0;  ///< of recordings; 0: nothing is ever deleted
-    bool mayDelete = false;               ///< recordings beyond them; else they are only told of
-    QByteArray window;                    ///< QWidget::saveGeometry(); empty: none yet
+    QStringList dbc;                      ///< at most kMaxDbcFiles files
+    bool record = true;                   ///< records sessions
+    int keepDays = 0, keepGigabytes = 0;  ///< retention of recordings; 0: no limit
+    bool mayDelete = false;  ///< deletes recordings beyond the limits; otherwise only reports them
+    QByteArray window;       ///< QWidget::saveGeometry(); empty: none yet
     bool operator==(const Preferences&) const = default;
 };
 
-/// What a preference may be, in the file and on the page of the settings.
+/// Range of a preference in the file and on the settings page.
 struct PreferenceRange {
     double least, most;
 };
@@ -60,47 +61,47 @@ inline constexpr PreferenceRange kRollRange{1.0 * kDegree, 45.0 * kDegree};     
 inline constexpr PreferenceRange kAsymmetryRange{1.0 * kDegree, 90.0 * kDegree};  ///< [rad]
 inline constexpr PreferenceRange kTiltRange{5.0 * kDegree, 80.0 * kDegree};       ///< [rad]
 inline constexpr int kSmallestFont = 80, kLargestFont = 200;                      ///< [%]
-inline constexpr int kMaxEstimateSeconds = 25;  ///< an exploration waits for 30 s
+inline constexpr int kMaxEstimateSeconds = 25;  ///< [s] below the 30 s timeout of an exploration
 inline constexpr int kMaxDays = 10'000, kMaxGigabytes = 100'000;
 inline constexpr qsizetype kMaxDbcFiles = 32;
 inline constexpr int kPreferencesSchema = 1;
 
-/// The methods an operator chooses from; PAFAc is what PAFc becomes once the arm has measured.
+/// Returns the methods that an operator can choose. PAFAc is not among them: PAFc becomes it once the arm has measured.
 std::vector<Method> offeredMethods();
 
-/// The settings with what the preferences say about method, quality and limits.
+/// Returns the settings with the preferred method, quality and limits.
 Settings withPreferences(Settings settings, const Preferences& preferences);
 
-/// terratact/console.ini in the user's configuration folder (XDG base directory specification).
+/// Returns terratact/console.ini in the user's configuration folder (XDG base directory specification).
 QString preferencesPath();
 
-/// A sentence in the language of when it is asked for: what language that is to be stands in the file.
+/// A sentence in the language at the time of the call. The file that is being loaded sets that language.
 using LateSentence = std::function<QString()>;
 
 struct LoadedPreferences {
     Preferences preferences;
-    std::vector<LateSentence> troubles;  ///< one for each thing that was not taken as it stood
-    QString path;  ///< where to save; empty: nowhere, the file there is not ours to replace
+    std::vector<LateSentence> troubles;  ///< one for each value that was not accepted
+    QString path;  ///< where to save; empty: never, because the file must not be replaced
 };
 
-/// Reads a file of preferences; never fails.  A value that is not valid is replaced by its default, a file that
-/// cannot be understood is set aside as PATH.bad, and one of a newer schema is left alone: a sentence each.
-/// An empty path (safe mode) gives the defaults, and no path to save to.
+/// Reads a preferences file; never fails. An invalid value becomes its default, an unreadable file is moved to
+/// PATH.bad, and a file with a newer schema is not touched. Each case adds a sentence to `troubles`. An empty path
+/// (safe mode) gives the defaults without a path to save to.
 LoadedPreferences loadPreferences(const QString& path);
 
-/// Replaces the file, whole or not at all.  Returns why it could not, in one sentence; empty: it is saved.
-/// Does nothing for an empty path.
+/// Replaces the file atomically. Returns the reason of a failure in one sentence; empty: saved. Does nothing for an
+/// empty path.
 QString savePreferences(const QString& path, const Preferences& preferences);
 
-/// Every preference that differs, under its key in the file, for the record of a session: "method: local → pafc;
-/// sound: true → false".  Where the window is, is none of it.
+/// Returns every changed preference by its key in the file, for the session's record: "method: local → pafc; sound:
+/// true → false". The window geometry is omitted.
 QString changesOf(const Preferences& before, const Preferences& now);
 
-// What is said when a preferred file could not be used.
+// Sentences for a preferred file that could not be used.
 LateSentence robotNotUsed(const Error& why);
 LateSentence modelNotUsed(const QString& path);
 
-/// The names used in the file and on the command line: "day", "night-red", "high-contrast"; "drive", …
+/// Return the names used in the file and on the command line: "day", "night-red", "high-contrast"; "drive", …
 std::string_view name(ThemeName theme);
 std::string_view name(Layout layout);
 

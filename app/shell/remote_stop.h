@@ -12,24 +12,24 @@
 
 namespace terratact {
 
-/// Under which name this program's console, where it commands a robot, takes STOP from windows that it has opened; the
-/// same for as long as the program runs.
+/// Returns the name under which this program's console accepts STOP from windows it has opened. The name is constant
+/// for the process.
 const std::string& stopLineName();
 
-/// The variable of the environment that tells a program the line of the console that has started it.
+/// Environment variable with the line of the console that started this program.
 inline constexpr const char* kStopLineVariable = "TERRATACT_STOP_LINE";
 
-/// STOP from a window without a robot: to the console that has opened it, where one has.  GUI thread only.
+/// Sends STOP from a window without a robot to the console that opened it, if any. GUI thread only.
 class RemoteStop final : public QObject {
     Q_OBJECT
 public:
     explicit RemoteStop(QObject* parent = nullptr);
 
     bool exists() const { return !line_.empty(); }  ///< a console has opened this program
-    /// Sends STOP; said() tells at once what became of it, and again when the console has taken it or has not.
+    /// Sends STOP. said() reports the result at once, and again when the console has taken it or not.
     void press();
 
-    static constexpr int kAnswers = 500;  ///< [ms] the console has to take it
+    static constexpr int kAnswers = 500;  ///< [ms] time limit for the console's answer
 
 signals:
     void said(const QString& text, terratact::Weight weight);

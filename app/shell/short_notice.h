@@ -6,16 +6,16 @@ class QLabel;
 
 namespace terratact {
 
-/// A banner over the whole width that says something for some seconds, on whichever page.  GUI thread only.
+/// A banner over the full width that shows a text for some seconds on every page. GUI thread only.
 class ShortNotice {
 public:
     static constexpr double kFor = 8.0;  ///< [s]
 
-    explicit ShortNotice(QLabel& banner);  ///< which must outlive it
+    explicit ShortNotice(QLabel& banner);  ///< the banner must outlive the notice
 
-    /// now: [s] any monotonic clock.  What was said before gives way.
+    /// Shows a text instead of any earlier one. now: any monotonic clock [s].
     void say(const QString& text, double now);
-    /// To be called several times a second.  hasRoom: nothing that matters more stands in its place.
+    /// Call several times a second. hasRoom: no banner with priority is shown.
     void poll(double now, bool hasRoom);
 
 private:

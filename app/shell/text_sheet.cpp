@@ -26,8 +26,8 @@ constexpr int kMargin = 18;  // [px] around the text
 
 }  // namespace
 
-/// Lays the text out twice, where a QLabel does so for each width that it is asked about: 10 ms instead of 50 for the
-/// keys of the console.
+/// Lays the text out twice. QLabel does so for every width it is asked about, which takes 50 ms instead of 10 ms for
+/// the key sheet.
 class SheetText final : public QWidget {
 public:
     using QWidget::QWidget;
@@ -64,7 +64,7 @@ private:
     void layOut()
     {
         document_.setDefaultFont(font());
-        document_.setTextWidth(-1.0);  // so that what it needs is not what it had
+        document_.setTextWidth(-1.0);  // resets the width, so that the natural size is measured
         document_.setTextWidth(std::min<qreal>(std::ceil(document_.idealWidth()), widest_));
         setMinimumSize(sizeHint());
         updateGeometry();
@@ -118,7 +118,7 @@ void TextSheet::setText(const QString& html, QSize room, int widest)
 {
     for (QPushButton* button : {copy_, close_}) button->setMinimumHeight(scaled(kTarget));
     const int bar = area_->verticalScrollBar()->sizeHint().width();
-    text_->ensurePolished();  // in the letters that it is shown in
+    text_->ensurePolished();  // ensures the style sheet's font
     text_->setHtml(withoutResources(html), std::min(widest, room.width() - bar));
     QSize needed = text_->sizeHint();
     const QSize row = layout()->itemAt(1)->sizeHint();

@@ -10,21 +10,21 @@ namespace terratact {
 
 class SheetText;
 
-/// HTML of which no tag can name a file to load: any but those of headings, paragraphs, tables and bold letters, or with
-/// another attribute than theirs, is shown as it is written.  Qt opens what an image names, also a device or a pipe.
+/// Returns HTML that cannot load files. Only headings, paragraphs, tables and bold text without foreign attributes keep
+/// their tags; all other tags are shown as text. Qt would open the file an image names, even a device or a pipe.
 QString withoutResources(const QString& html);
 
-/// A text in a small window of its own: as large as it needs to be, and where there is less room it scrolls.  It can be
-/// copied; Esc closes it.
+/// A text in a small window of its own, as large as the text needs; it scrolls if there is less room. The text can be
+/// copied; Esc closes the window.
 class TextSheet final : public QWidget {
     Q_OBJECT
 public:
-    /// closedBy: other keys that close it.
+    /// closedBy: further keys that close it.
     TextSheet(const QString& title, QList<int> closedBy, QWidget* parent);
 
-    /// html: what it says, in lines no longer than `widest` [px].  room: [px] that it may take at most.
+    /// html: text in lines of at most `widest` [px]. room: maximum size of the window [px].
     void setText(const QString& html, QSize room, int widest = QWIDGETSIZE_MAX);
-    QString plainText() const;  ///< as it is copied
+    QString plainText() const;  ///< text as copied
 
     QScrollArea* area() const { return area_; }
     QPushButton* copyButton() const { return copy_; }

@@ -40,7 +40,7 @@ ViewChoice fontStep(const QString& name, QList<QKeyCombination> keys, int step)
     return {name,
             std::move(keys),
             [step](Preferences& p) {
-                // What does not fit the screen is smaller already.
+                // A scale that does not fit the screen was already reduced.
                 const int from =
                     step < 0 ? std::min(p.fontScale, lookInForce().fontScale) : p.fontScale;
                 p.fontScale = std::clamp(from + step, kSmallestFont, kLargestFont);
@@ -70,7 +70,7 @@ QList<ViewChoice> viewChoices()
         themeChoice(ViewMenu::tr("colours: night, red"), Qt::Key_5, ThemeName::NightRed),
         themeChoice(ViewMenu::tr("colours: high contrast"), Qt::Key_6, ThemeName::HighContrast),
         {},
-        // On some keyboards plus is on a shifted key.
+        // Some keyboards have plus on a shifted key.
         fontStep(
             ViewMenu::tr("larger letters"),
             {QKeyCombination(Qt::CTRL, Qt::Key_Plus), QKeyCombination(Qt::CTRL, Qt::Key_Equal)},

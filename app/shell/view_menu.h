@@ -9,21 +9,22 @@
 
 namespace terratact {
 
-/// One way to see the console: a layout, a theme or a size of the letters.
+/// An entry of the view menu: a layout, a theme or a font scale.
 struct ViewChoice {
     QString name;
     QList<QKeyCombination> keys;  ///< may be empty
     std::function<void(Preferences&)> edit;
-    std::function<bool(const Preferences&)> chosen;  ///< null: it is a step, not a state
-    bool needsNewWindow = false;                     ///< to be seen
+    std::function<bool(const Preferences&)> chosen;  ///< null: the entry is a step, not a state
+    bool needsNewWindow = false;                     ///< takes effect in a new window
 };
 
-/// In the order of the menu; an empty name stands for a separator.
+/// Returns the entries in the menu's order; an empty name is a separator.
 QList<ViewChoice> viewChoices();
 
-void addViewKeys(KeyTable& keys, PreferenceStore& preferences);  ///< of the choices that have any
+void addViewKeys(KeyTable& keys,
+                 PreferenceStore& preferences);  ///< adds the keys of the entries that have any
 
-/// The menu of them.  newWindow: when there is one, in words.
+/// The view menu. newWindow: text on when the new window opens.
 class ViewMenu final : public QMenu {
     Q_OBJECT
 public:

@@ -26,12 +26,12 @@ QString describe(QEvent::Type type, const char* receiver, const char* parent)
 
 bool WatchedApplication::notify(QObject* receiver, QEvent* event)
 {
-    // Every thread's events come through here.
+    // Qt calls this for the events of every thread.
     const QThread* here = QThread::currentThread();
     if (!receiver || here != thread() || !watch_.begins(here->loopLevel()))
         return QApplication::notify(receiver, event);
     const int level = here->loopLevel();
-    // Neither may be asked once the event is done: it may have deleted both.
+    // Both are read before, because the event may delete them.
     const QEvent::Type type = event->type();
     const char* const whose = classOf(receiver);
     const char* const parent = classOf(receiver->parent());

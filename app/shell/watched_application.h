@@ -6,14 +6,14 @@
 
 namespace terratact {
 
-/// A QApplication that knows which of its events took longest.
+/// A QApplication that records its longest events.
 class WatchedApplication final : public QApplication {
 public:
     using QApplication::QApplication;
 
     bool notify(QObject* receiver, QEvent* event) override;
 
-    /// Of the application that runs, since its loop began; empty where that is not of this class.
+    /// Returns the longest events of the running application since its loop began; empty if it has another class.
     static std::vector<LongEvent> longestEvents();
 
 private:
