@@ -1,4 +1,4 @@
-// The console on a robot on a bus, as an operator meets it.
+// Tests the console with a robot on a CAN bus, through real mouse and key events.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -40,7 +40,7 @@ using gui::eventually;
 TEST_F(BusConsole, showsForcesVoltagesAndADriftedBiasOfBothArrays)
 {
     startQuickRobot();
-    model.forceCalibration.biasLeft[1] += 0.5;  // the robot's own is smaller
+    model.forceCalibration.biasLeft[1] += 0.5;  // the robot's own bias is smaller
     openOn(CanSource::Mode::Listen);
     const ForceBars& bars = *window->forces();
     ASSERT_TRUE(eventually([&] { return bars.arrays() == 2 && bars.numberText(0, 1) != "--"; }));

@@ -1,4 +1,4 @@
-// The bus as the console sees it: lost, silent, listened to, or the replay of a log.
+// Tests the console's view of the bus: lost link, silence, receive-only mode, replay of a log.
 #include <gtest/gtest.h>
 
 #include <QLabel>
@@ -135,7 +135,7 @@ TEST_F(BusConsole, reviewShowsOverridesAndTelemetryGaps)
     EXPECT_TRUE(moments.at(last.scene->time).unbroken);
 }
 
-/// [m] of their ways, and of the heights and sd of any bin; infinite where one of them has a bin that the other lacks.
+/// Returns the largest difference [m] of distance, heights and sd; infinite if one ghost lacks a bin of the other.
 double farthestApart(const Ghost& a, const Ghost& b)
 {
     double most = std::abs(a.motion.forward - b.motion.forward);
@@ -163,7 +163,7 @@ TEST_F(BusConsole, aReviewShowsTheGhostThatTheConsoleShowed)
     QTest::keyRelease(window.get(), Qt::Key_W);
     ASSERT_TRUE(robotIs(RobotActivity::Halted));
     QTest::qWait(300);
-    QTest::keyClick(window.get(), Qt::Key_K);  // marks this moment
+    QTest::keyClick(window.get(), Qt::Key_K);  // sets a marker at this moment
     const auto shown = estimation.ghost();
     ASSERT_TRUE(shown);
     QTest::keyClick(window.get(), Qt::Key_Delete);
@@ -183,7 +183,7 @@ TEST_F(BusConsole, aReviewShowsTheGhostThatTheConsoleShowed)
     ReviewGhost ghosts(*session, model);
     const auto reviewed = ghosts.at(moments.at(marked)).ghost;
     ASSERT_TRUE(reviewed);
-    // Which line of telemetry was the newest then, the file tells to some lines; they differ by the pitch's noise.
+    // The file gives the newest telemetry at the marker only to within a few lines, which differ by pitch noise.
     double nearest = std::numeric_limits<double>::infinity();
     for (auto t = moments.frameAfter(marked - sessionTimeOf(0.3));
          t && *t < marked + sessionTimeOf(0.1); t = moments.frameAfter(*t))
@@ -210,7 +210,7 @@ TEST_F(BusConsole, disarmingWhileDrivingIsShownOnEveryPage)
         return std::optional<Alarm>();
     };
     ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
-    QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);  // layout: drive
+    QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);  // selects the drive layout
     bool isDriving = false;
     for (int attempt = 0; attempt < 5 && !isDriving; ++attempt) isDriving = drives();
     ASSERT_TRUE(isDriving);
@@ -239,7 +239,7 @@ TEST_F(BusConsole, aDriveThatWaitsForTheRobotGoesWithItsKey)
         const auto said = window->link()->view().link.robot;
         return said && said->exploring;
     };
-    /// The robot is slow to end what it explored; nothing comes of it once it has.
+    /// Ends an exploration while the robot is still slow to react; its late result must not appear.
     const auto waitsInVain = [&](const std::function<void()>& end) {
         arm();
         slow.stage({.explores = true});
@@ -249,7 +249,7 @@ TEST_F(BusConsole, aDriveThatWaitsForTheRobotGoesWithItsKey)
         end();
         slow.stage({});
         ASSERT_TRUE(eventually([&] { return !explores(); }));
-        QTest::qWait(300);  // nothing is what comes
+        QTest::qWait(300);  // waits for an event that must not come
         EXPECT_EQ(way(), before);
         EXPECT_EQ(window->events()->findItems("command not sent", Qt::MatchContains).size(), 0);
     };
@@ -302,7 +302,7 @@ TEST_F(BusConsole, saysInTheHeaderHowTheBusIs)
     window->header()->busButton()->setFocus(Qt::TabFocusReason);
     QTest::keyClick(window->header()->busButton(), Qt::Key_Space);
     EXPECT_TRUE(eventually([&] { return window->signalsPage()->isVisible(); }));
-    // The rows of the robot are as old as the frames that they came in.
+    // The robot's values are as old as the frames that carried them.
     QTest::keyClick(window.get(), Qt::Key_F2);
     EXPECT_TRUE(eventually(
         [&] { return window->readout()->ageText(RobotReadout::Pitch).endsWith(" ms"); }));
@@ -332,7 +332,7 @@ TEST_F(BusConsole, listensOnlyUnlessToldToTransmit)
     picture("listening");
 }
 
-/// Where the parts of the page are, and what of the terrain they say.
+/// Geometry of the page's parts and the texts of the terrain.
 struct TerrainLook {
     QList<QRect> places;
     QStringList says;
@@ -348,9 +348,9 @@ TerrainLook styleOf(const MainWindow& console)
     const QWidget* const parts[]{console.verdict(), console.terrain(),  console.forces(),
                                  console.readout(), console.drivePad(), console.events()};
     for (const QWidget* part : parts) look.places << place(part);
-    // What is needed to explore is a line more or less, which its neighbour in the column gives.
+    // The preconditions may take one line more; the neighbour in the column gives that line.
     look.places << place(console.atemPanel()).united(place(console.probeCard()));
-    // STOP says so where nobody can be stopped, which takes more letters.
+    // STOP is wider in windows where it has no effect, because its text is longer.
     const QRect stop = console.header()->stopButton()->geometry();
     look.places << QRect(stop.topRight(), stop.bottomRight());
     look.says << console.verdict()->badge() << console.verdict()->question()
@@ -377,7 +377,7 @@ TEST_F(BusConsole, listenerAndReplayShowTheSameEstimates)
     ASSERT_TRUE(exploresAndProbes());
     ASSERT_TRUE(eventually([&] { return heard.all().size() == 2; }));
     const auto ledger = window->exploration().estimation().ledger().entries();
-    const auto isDrawn = [](const MainWindow& console) {  // what the arm found
+    const auto isDrawn = [](const MainWindow& console) {  // a touched bin
         return console.terrain()->accessibleDescription().contains(", arm");
     };
     ASSERT_TRUE(eventually([&] { return isDrawn(*window) && isDrawn(*listener); }));
@@ -428,16 +428,16 @@ TEST_F(BusConsole, aLogHasAnEndAndNoLostLink)
                          return Result<LoadedModel>(madeUp());
                      });
     gui::showActive(*window);
-    QTest::qWait(500);  // longer than the whole log
+    QTest::qWait(500);  // longer than the log
     EXPECT_FALSE(says("END OF THE LOG")) << "its press waits for the model";
     loaded.set_value();
     ASSERT_TRUE(eventually([&] { return says("END OF THE LOG"); }));
-    QTest::qWait(500);  // a link would be lost by now
+    QTest::qWait(500);  // longer than the link watchdog
     EXPECT_TRUE(says("END OF THE LOG"));
     EXPECT_FALSE(says("LINK LOST"));
     EXPECT_TRUE(says("the log has ended"));
     for (const Alarm& alarm : window->alarms().list().alarms()) {
-        // The forces of this log do not belong to its activity, which the sensor watch notices.
+        // This log's forces contradict its activity, so SensorWatch raises alarms.
         if (alarm.id.starts_with("sensor")) continue;
         EXPECT_EQ(alarm.severity, Severity::Caution) << alarm.text;
         for (const char* id : {"link", "silence", "bus"}) EXPECT_NE(alarm.id, id) << alarm.text;

@@ -1,4 +1,4 @@
-// What the page of diagnostics is made of: how late the window's loop is, and which events made it so.
+// Tests the diagnostics page: lateness of the event loop, and the longest events.
 #include <gtest/gtest.h>
 
 #include <QApplication>

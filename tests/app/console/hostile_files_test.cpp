@@ -1,5 +1,4 @@
-// Files whose names and texts are to fool an operator: every window shows them letter by letter, and reads nothing that
-// they name.
+// Tests files whose names and texts imitate markup: every window shows them literally and opens no file they name.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -44,7 +43,7 @@ namespace {
 
 const QString kMarkup = QStringLiteral("<b style=\"color:green\">CLEAR</b>");
 
-/// A text as it may be shown: one that breaks lines where it needs to holds spaces without a width.
+/// Checks a text that may be shown; a wrapping text may contain zero-width spaces.
 void expectReadable(QString text, const char* where)
 {
     text.remove(QChar(0x200B));
@@ -95,7 +94,7 @@ void expectPlain(QWidget& window)
     (void)window.grab();
 }
 
-/// Whether any text of a window holds this, of pages that are not seen, too.
+/// Returns true if any text of a window contains this, hidden pages included.
 bool holds(const QWidget& window, const QString& text)
 {
     for (const QWidget* widget : window.findChildren<QWidget*>()) {
@@ -122,7 +121,7 @@ struct HostileFiles : testing::Test {
     {
         applyLook(*qApp);
         ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-        // The names are relative to the folder of the program.
+        // The names are relative to the working directory.
         before = std::filesystem::current_path();
         std::filesystem::current_path(std::filesystem::path(pipe).parent_path());
         began = peakMegabytes();
@@ -148,7 +147,7 @@ struct HostileFiles : testing::Test {
         }
         window.rail()->choose(0);
     }
-    /// A file of the test's whose name is to fool, with this ending.
+    /// Returns a file of the test with a hostile name and this ending.
     std::string named(const std::string& ending) const
     {
         return directory.file("<b style=\"color:green\">CLEAR<img src=\"pipe\">\x1b[31m\xe2\x80\xae"
@@ -169,7 +168,7 @@ struct HostileFiles : testing::Test {
     TemporaryDirectory directory;
     std::string pipe = directory.file("pipe");
     std::string image = "<img src=\"file://" + pipe + "\">";
-    /// What is to fool within a file.
+    /// Hostile text inside a file.
     std::string text = image + kMarkup.toStdString() + "\x1b[2J\x07\n\xe2\x80\xaeraelc\xe2\x80\xac "
                      + std::string(500, 'x');
     std::filesystem::path before;

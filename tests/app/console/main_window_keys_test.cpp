@@ -1,4 +1,4 @@
-// STOP, which acts whatever is open, and what the other keys do and do not.
+// Tests the keys: STOP acts in every state; other keys act only where they should.
 #include "app/console/main_window.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The question whether the arm shall probe: asked, answered, and told wherever the operator looks.
+// Tests the probe proposal: shown on every page, approved, refused, expired.
 #include "app/console/main_window.h"
 
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ TEST_F(Console, coloursAndLettersChangeWhileAQuestionIsOpen)
     EXPECT_GE(lookInForce().fontScale, 140);
     EXPECT_EQ(window->exploration().proposal()->id, asked);
     ASSERT_TRUE(eventually([&] { return window->probeCard()->asks(); }));
-    ASSERT_TRUE(eventually([&] {  // once it is drawn in these letters
+    ASSERT_TRUE(eventually([&] {  // after drawing in this font
         QTest::keyPress(window.get(), Qt::Key_Space);
         if (window->probeCard()->approveButton()->isHeld()) return true;
         QTest::keyRelease(window.get(), Qt::Key_Space);
@@ -83,7 +83,7 @@ TEST_F(Console, coloursAndLettersChangeWhileAQuestionIsOpen)
     QTest::keyRelease(window.get(), Qt::Key_Space);
 }
 
-/// stepEstimate with draws: at +0.6 and +0.7 m the ground is high or low, each by itself.
+/// Returns stepEstimate with draws: at +0.6 and +0.7 m the ground is high or low, independently.
 TerrainEstimate withDraws(TerrainEstimate e)
 {
     for (int d = 0; d < 400; ++d) {

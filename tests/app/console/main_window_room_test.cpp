@@ -1,4 +1,4 @@
-// The console in every size of window and letters: nothing is cut, nothing moves.
+// Tests the console in every window and font size: no text is cut, nothing moves.
 #include "app/console/main_window.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,8 @@ TEST_F(Console, everyControlCanBeHitAndNamed)
         EXPECT_GE(std::min(button->width(), button->height()), 32) << button->text().toStdString();
         EXPECT_FALSE(button->text().isEmpty() && button->accessibleName().isEmpty());
         EXPECT_FALSE(button->toolTip().isEmpty()) << button->text().toStdString();
-        const int needed = button->fontMetrics().size(0, button->text()).width();  // of its lines
+        const int needed =
+            button->fontMetrics().size(0, button->text()).width();  // width of the widest line
         EXPECT_GE(button->width(), needed) << "text cut: " << button->text().toStdString();
     }
     EXPECT_GE(seen, 7);

@@ -1,4 +1,4 @@
-// From the scene to the picture with a real model, while the window stays alive.
+// Measures the time from scene to painted estimate with a real model, and the window's responsiveness.
 #include "app/console/main_window.h"
 
 #include <gtest/gtest.h>
@@ -67,14 +67,14 @@ TEST_F(Console, theRealChainRunsAndTheWindowStaysAlive)
     window.reset();
 }
 
-/// When a widget was first painted while the condition held [s].
+/// Time [s] of a widget's first paint while a condition holds.
 class FirstPaint final : public QObject {
 public:
     FirstPaint(QWidget* widget, std::function<bool()> condition) : condition_(std::move(condition))
     {
         widget->installEventFilter(this);
     }
-    /// Runs the event loop without a pause until then; empty after 5 s.
+    /// Runs the event loop until the paint; empty after 5 s.
     std::optional<double> wait()
     {
         at_.reset();
@@ -96,7 +96,7 @@ private:
     QEventLoop loop_;
 };
 
-/// Prints the whole way from the telemetry that completes a scene to the picture of its estimate.
+/// Prints the time from the telemetry that completes a scene to the painted estimate.
 TEST_F(Console, theEstimateIsPaintedSoonAfterTheSceneIsComplete)
 {
     SimulatedRobot::Options options;
@@ -124,7 +124,7 @@ TEST_F(Console, theEstimateIsPaintedSoonAfterTheSceneIsComplete)
         ASSERT_TRUE(readyToExplore());
         QTest::keyClick(window.get(), Qt::Key_A);
         ASSERT_TRUE(reaches(AtemPhase::Pressing));
-        QTest::qWait(100 + 7 * i);  // not in step with the window's own beat
+        QTest::qWait(100 + 7 * i);  // out of phase with the window's timer
         const double complete = steadyNow();
         script->setMeasurement(pressed);
         const auto painted = paint.wait();
@@ -139,7 +139,7 @@ TEST_F(Console, theEstimateIsPaintedSoonAfterTheSceneIsComplete)
     EXPECT_LT(seconds.back(), 2.0) << "a hang";
 }
 
-/// For how long an action of the interface keeps the window's thread busy without a pause [ms of its processor time].
+/// Returns the processor time [ms] for which an action blocks the window's thread.
 double longestOf(const std::function<void()>& action)
 {
     LoopBeat beat;
@@ -164,7 +164,7 @@ TEST_F(Console, noActionOfTheInterfaceBlocksForLong)
     ASSERT_TRUE(readyToExplore());
     window->setRoom({1024, 600});
     window->resize(1024, 600);
-    QTest::qWait(1500);  // what is prepared while nothing happens
+    QTest::qWait(1500);  // lets the window prepare pages while idle
     std::vector<Action> actions;
     const auto key = [&](const std::string& name, int pressed, Qt::KeyboardModifiers with = {}) {
         actions.push_back({name, [=, this] {
@@ -184,7 +184,7 @@ TEST_F(Console, noActionOfTheInterfaceBlocksForLong)
         key("theme", theme, Qt::ControlModifier);
     for (const int letters : {Qt::Key_Minus, Qt::Key_Plus, Qt::Key_Plus, Qt::Key_0})
         key("letters", letters, Qt::ControlModifier);
-    wantLetters(200);  // several sizes are tried
+    wantLetters(200);  // tries several sizes
     wantLetters(100);
     for (const int layout : {Qt::Key_1, Qt::Key_3, Qt::Key_2})
         key("layout", layout, Qt::ControlModifier);
@@ -196,7 +196,8 @@ TEST_F(Console, noActionOfTheInterfaceBlocksForLong)
                                    QTest::keyClick(sheet, Qt::Key_F1);
                            }});
     }
-    constexpr int kRounds = 3;  // the shortest counts: processor time, too, is longer beside others
+    constexpr int kRounds =
+        3;  // The minimum counts, because other load lengthens processor time, too.
     for (int round = 0; round < kRounds; ++round)
         for (Action& action : actions) action.took = std::min(action.took, longestOf(action.act));
     for (const Action& action : actions) {

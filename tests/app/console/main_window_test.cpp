@@ -1,4 +1,4 @@
-// The console as an operator meets it: real mouse and key events in, commands and pictures out.
+// Tests the console through real mouse and key events, commands and painted pictures.
 #include "app/console/main_window.h"
 
 #include <gtest/gtest.h>

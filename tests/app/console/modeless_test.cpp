@@ -1,4 +1,4 @@
-// Whatever an operator opens, nothing has to be answered before the console can be used again.
+// Tests that nothing an operator opens blocks the console.
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -23,7 +23,7 @@
 namespace terratact {
 namespace {
 
-/// Looks for windows that block the others, from within whatever loop runs, and closes them for it to end.
+/// Finds modal windows from inside any event loop and closes them, so that their loop ends.
 class ModalWatch final : public QObject {
 public:
     ModalWatch()
@@ -33,7 +33,8 @@ public:
     }
     void poll()
     {
-        if (QWidget* menu = QApplication::activePopupWidget()) menu->close();  // would wait, too
+        if (QWidget* menu = QApplication::activePopupWidget())
+            menu->close();  // a menu would block, too
         QWidget* const modal = QApplication::activeModalWidget();
         if (!modal) return;
         seen.insert(modal->metaObject()->className()
@@ -41,7 +42,7 @@ public:
         modal->close();
     }
     std::set<std::string> seen;
-    std::string after;  ///< what was done last
+    std::string after;  ///< name of the last action
 
 private:
     QTimer timer_;
@@ -74,7 +75,7 @@ struct Modeless : testing::Test, RobotOnBench {
         applyLook(*qApp);
     }
 
-    /// What is done may delete some of them.
+    /// Returns guarded pointers, because an action may delete some of the objects.
     template <class Object>
     static QList<QPointer<Object>> guarded(const QList<Object*>& objects)
     {
@@ -89,7 +90,7 @@ struct Modeless : testing::Test, RobotOnBench {
             settle(name);
         }
     }
-    /// After something was done: looks, answers dialogs for files with one that is nothing, and closes what has opened.
+    /// After an action: checks, cancels file dialogs with an invalid file, and closes opened windows.
     void settle(const std::string& what)
     {
         watch.after = what;
@@ -98,7 +99,7 @@ struct Modeless : testing::Test, RobotOnBench {
         for (const QPointer<QWidget>& opened : guarded(QApplication::topLevelWidgets())) {
             if (!opened || opened == window.get() || !opened->isVisible()) continue;
             ++opens;
-            // "Open" would start this program again with what is chosen.
+            // "Open" would start this program again with the chosen file.
             auto* const name = opened->findChild<QLineEdit*>("fileNameEdit");
             if (name && opened->windowTitle() != "Open") {
                 ++files;
@@ -124,11 +125,11 @@ struct Modeless : testing::Test, RobotOnBench {
         button.click();
         settle(name);
     }
-    /// Every button of a page that can be pressed and has not been yet.
+    /// Presses every enabled button of a page that was not pressed yet.
     void pressAllOf(int page)
     {
         for (const auto& button : guarded(window->findChildren<QAbstractButton*>())) {
-            window->rail()->choose(page);  // another button may have led elsewhere
+            window->rail()->choose(page);  // another button may have changed the page
             if (button && button->isVisible() && button->isEnabled()
                 && pressed.insert(button).second)
                 press(*button);

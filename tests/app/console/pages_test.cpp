@@ -1,4 +1,4 @@
-// The pages of alarms, signals and diagnostics, in a console with a robot on a bus.
+// Tests the pages of alarms, signals and diagnostics in a console with a robot on a bus.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -138,7 +138,7 @@ struct ForeignFramesOnThePage : Pages {
         payload = bus.join("payload");
         QObject::connect(&sending, &QTimer::timeout, [this] {
             std::array<BusFrame, 64> heard;
-            (void)payload->receive(heard, std::chrono::milliseconds(0));  // as an end that lives
+            (void)payload->receive(heard, std::chrono::milliseconds(0));  // keeps the bus end alive
             (void)payload->send({.id = 1280, .length = 3, .data = {0x08, 0x17, 1}});
             (void)payload->send(
                 {.id = 0x18FED101, .extended = true, .length = 4, .data = {0, 0x80, 0x3B, 0x43}});
@@ -247,12 +247,12 @@ TEST_F(ForeignFramesOnThePage, filesComeAndGoWhileItRuns)
     EXPECT_TRUE(eventually([&] { return page->dbc()->removeButton()->isVisible(); }));
 }
 
-/// A file whose reader waits, as on a network that does not answer, until it is let go.
+/// A file whose reader blocks until it is released, like on an unresponsive network share.
 class SlowFile {
 public:
     explicit SlowFile(const std::string& path) : fd_(::open(path.c_str(), O_RDWR | O_CLOEXEC))
     {
-        std::signal(SIGIO, SIG_IGN);  // how the kernel asks for it
+        std::signal(SIGIO, SIG_IGN);  // the kernel requests the lease with it
         waits_ = fd_ >= 0 && ::fcntl(fd_, F_SETLEASE, F_WRLCK) == 0;
     }
     ~SlowFile()
@@ -273,7 +273,7 @@ private:
 TEST_F(ForeignFramesOnThePage, ofWhatIsReadTheWindowWaitsForOneFileAtMost)
 {
     using namespace std::chrono_literals;
-    constexpr double kHang = 20.0;  // [s]; the kernel makes readers of such a file wait for 45 s
+    constexpr double kHang = 20.0;  // [s]; the kernel blocks readers of such a file for 45 s
     const SlowFile first(directory.file("gas.dbc")), second(directory.file("clash.dbc"));
     if (!first.waits() || !second.waits()) GTEST_SKIP() << "no leases of files here";
     open({file("gas.dbc"), file("clash.dbc")});

@@ -1,4 +1,4 @@
-// The console with the operator's panel beside it.
+// Tests the console with an operator's panel.
 #include <gtest/gtest.h>
 
 #include <QDialog>
@@ -93,7 +93,7 @@ struct PanelConsole : testing::Test {
         push(PanelContact::Atem);
         ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
         ASSERT_TRUE(eventually([&] { return window->probeCard()->shown().has_value(); }));
-        QTest::qWait(50);  // no operator is faster
+        QTest::qWait(50);  // operators are slower
     }
 
     RobotModel model = absolem();
@@ -116,7 +116,7 @@ TEST_F(PanelConsole, approvesOnlyWhatIsHeldWhileTheQuestionIsSeen)
     openSimulated();
     ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
     push(PanelContact::Atem);
-    board.close(PanelContact::Approve, true);  // in advance
+    board.close(PanelContact::Approve, true);  // pressed before the proposal
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
     QTest::qWait(2000);
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe)
@@ -124,7 +124,7 @@ TEST_F(PanelConsole, approvesOnlyWhatIsHeldWhileTheQuestionIsSeen)
     board.close(PanelContact::Approve, false);
     QTest::qWait(100);
     push(PanelContact::Approve);
-    QTest::qWait(100);  // contacts bounce: sooner, the next press would be none
+    QTest::qWait(100);  // longer than contact bounce, which would hide the press
     EXPECT_TRUE(window->events()->item(0)->text().contains("held for 1.5 s"));
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe) << "too short";
 
@@ -253,7 +253,7 @@ TEST_F(PanelConsole, coveredProposalIsNeitherShownNorApproved)
                     ->findItems("close the window that covers the question", Qt::MatchContains)
                     .empty();
     }));
-    QTest::qWait(1000 * PanelControl::kApproveHold + 200);  // nothing is what comes
+    QTest::qWait(1000 * PanelControl::kApproveHold + 200);  // waits for an event that must not come
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe);
     board.close(PanelContact::Approve, false);
     dialog.close();

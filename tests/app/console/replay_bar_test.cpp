@@ -1,4 +1,4 @@
-// The bar below a replayed log: by its buttons and by its keys.
+// Tests the replay bar with its buttons and keys.
 #include "app/console/replay_bar.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ struct TheReplayBar : testing::Test {
         bar->addKeys(keys);
         pass(1.0);
     }
-    /// So much time, in which the log is received.
+    /// Lets `seconds` of the log pass.
     void pass(double seconds)
     {
         std::array<BusFrame, 64> frames;

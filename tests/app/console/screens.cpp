@@ -39,8 +39,8 @@ using namespace std::chrono_literals;
 using gui::eventually;
 
 constexpr double kSpeed = 10.0;   // simulated seconds per second
-constexpr int kHold = 1500;       // [ms] of a hold that is seen at its half
-constexpr int kSettles = 50;      // [ms] until all of the window has been drawn anew
+constexpr int kHold = 1500;       // [ms] hold time that is pictured at its half
+constexpr int kSettles = 50;      // [ms] until the whole window is repainted
 constexpr int kPatience = 60000;  // [ms]
 constexpr const char* kLanguages[]{"en", "cs", "de"};
 
@@ -52,7 +52,7 @@ const Chapter& chapterOfThisTest()
     return *found;
 }
 
-/// Names of frames and signals are those of the DBC in every language, and frames' traces full of them.
+/// Names of frames and signals, which are the same in every language.
 const QRegularExpression& namesOfTheBus()
 {
     static const QRegularExpression kNames = [] {
@@ -62,15 +62,14 @@ const QRegularExpression& namesOfTheBus()
             for (const SignalLayout& signal : layout.payload) names << format::text(signal.name);
         }
         names.replaceInStrings(QRegularExpression("[0-9]+"), "#");
-        std::sort(names.begin(), names.end(),  // the longest first
+        std::sort(names.begin(), names.end(),  // longest first
                   [](const QString& a, const QString& b) { return a.size() > b.size(); });
         return QRegularExpression(names.join('|'));
     }();
     return kNames;
 }
 
-/// Whether a text may read in another language as in English: nothing in it but names, units, files and words that the
-/// languages share.
+/// Returns true if a text may be the same as in English: it has only names, units, files and shared words.
 bool isSameEverywhere(const std::string& text)
 {
     static const QRegularExpression kNames(
@@ -78,23 +77,23 @@ bool isSameEverywhere(const std::string& text)
         "REPLAY|English|Deutsch|Eigen|Qwt|OpenBLAS.*|Linux.*|R-hat|ESS|AVX|rad|STOP|Token|"
         "terratact (simulate|train) .*|[Mm]odel|[Pp]anel|[Rr]obot|Bus|Start|Status|Name|Training|"
         "Signal|Rate|Bytes|REC|Export|Format)\\b|can#|"
-        "\\b(Ctrl|PgUp|PgDown|Home|End|Esc|Del)\\b|"  // as the keys of these languages read
+        "\\b(Ctrl|PgUp|PgDown|Home|End|Esc|Del)\\b|"  // key names of these languages
         "/usr/share/doc/terratact/copyright|candump|Vector|Foxglove|Čeština|\\bbit\\b|UTC|/min\\b|"
         "[^ ]*\\.(ttm|toml|csv|log|tts|png|svg|pdf|html|mcap|asc)\\b|"
-        // what the system says, and drivers in its place
+        // texts of the system and of substitute drivers
         "/proc/terratact|no such chip");
     static const QRegularExpression kWord("[A-Za-z]{3}");
     QString rest = QString::fromStdString(text);
     return !rest.remove(kNames).remove(namesOfTheBus()).contains(kWord);
 }
 
-/// The first or the last line of a tip that shows what a DBC file says, in the file's language (plainTip()).
+/// Returns true for the first or last line of a tip that quotes a DBC file (plainTip()).
 bool isWordsOfAFile(const std::string& text)
 {
     return text.starts_with("<p ") || text.ends_with("</p>");
 }
 
-/// A text and what it is put together of.
+/// Returns a text and the parts it is composed of.
 std::set<std::string> partsOf(const std::string& text)
 {
     static const QRegularExpression kJoints(QStringLiteral(" · | — |: "));
@@ -104,7 +103,7 @@ std::set<std::string> partsOf(const std::string& text)
     return parts;
 }
 
-/// Of a text with places for values (%1).
+/// Returns the pattern of a text with placeholders (%1).
 QRegularExpression patternOf(const QString& text)
 {
     static const QRegularExpression kPlaces(QStringLiteral("\\\\%[1-9]"));
@@ -114,7 +113,7 @@ QRegularExpression patternOf(const QString& text)
                                   | QRegularExpression::DotMatchesEverythingOption);
 }
 
-/// Those of `says` that are in none of the texts.
+/// Returns the entries of `says` that occur in none of the texts.
 QStringList missingIn(const QStringList& texts, const QStringList& says)
 {
     QStringList missing;
@@ -173,7 +172,7 @@ void Screens::close()
     holdsEstimates = false;
     scenes.reset();
     review.reset();
-    console.reset();  // its source lives on the bus
+    console.reset();  // its source uses the bus
     robot.reset();
     board.reset();
     sessions_.reset();
@@ -260,7 +259,7 @@ void Screens::pictureOfMenu(QPushButton& button, std::string_view name, const QS
         ADD_FAILURE() << name << " does not say: " << text.toStdString();
     EXPECT_EQ(menu.size().expandedTo(menu.sizeHint()), menu.size()) << name << ": lines are cut";
     QImage image = gui::painted(window());
-    // As the button opens it: below where there is room, else above, and never beyond the window.
+    // The menu opens below the button, or above it, and never beyond the window.
     QRect place(button.mapTo(&window(), QPoint(0, button.height())), menu.size());
     if (place.bottom() > image.height()) place.moveBottom(place.top() - button.height());
     place.moveRight(std::min(place.right(), image.width() - 1));
@@ -320,7 +319,8 @@ void Screens::save(const QImage& image, std::string_view name)
 
 Result<LoadedModel> Screens::shipped() const
 {
-    static std::map<std::string, Result<LoadedModel>> inLanguage;  // once: it takes its time
+    static std::map<std::string, Result<LoadedModel>>
+        inLanguage;  // loaded once, because it takes long
     const auto found = inLanguage.find(language_);
     if (found != inLanguage.end()) return found->second;
     const ModelLoader load = modelFileLoader(resourcePath("models/default.ttm"), model);
@@ -400,7 +400,8 @@ void Screens::open(const Setting& setting)
     console = std::make_unique<MainWindow>(std::move(options));
     if (setting.safeMode) console->saySafeMode();
     show(*console);
-    (void)eventually([&] { return console->probeCard()->isVisible(); }, 5000);  // it has its size
+    (void)eventually([&] { return console->probeCard()->isVisible(); },
+                     5000);  // waits for its size
 }
 
 void Screens::show(ConsoleWindow& opened)

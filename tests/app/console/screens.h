@@ -26,49 +26,49 @@ namespace terratact {
 
 class HoldToConfirmButton;
 
-/// The pictures of one test, which has the chapter's name.
+/// The pictures of one test; the chapter has the test's name.
 struct Chapter {
     std::string_view name;
     std::vector<std::string_view> pictures;
 };
 
-/// Every state of the console, in the order in which a mission meets them.
+/// Returns every state of the console, in the order of a mission.
 const std::vector<Chapter>& chapters();
 
-/// "04-03_hold_to_approve_at_half": chapter, place in it, name.  Empty where no chapter has the picture.
+/// Returns "04-03_hold_to_approve_at_half": chapter, number, name. Empty if no chapter has the picture.
 QString pictureFile(std::string_view name);
 
-/// The real windows, with a simulated robot on a bus, that a test puts into one state after the other and takes a
-/// picture of each.  In every language; in English first, of which no text may be found in the others.
+/// Real windows with a simulated robot on a bus. A test puts them into one state after another and takes a picture of
+/// each in every language. English is first; none of its texts may occur in the others.
 struct Screens : testing::Test {
     Screens();
     ~Screens() override;
 
-    /// Runs `tour` in each language (TERRATACT_LANGUAGE: in that alone), which has to take every picture of the test's
-    /// chapter.
+    /// Runs `tour` in each language, or only in $TERRATACT_LANGUAGE. The tour must take every picture of the chapter.
     void inEveryLanguage(const std::function<void()>& tour);
 
-    /// Takes the picture once it can be read in the window what it is to show: each of `says`, in which %1 stands for
-    /// anything.  No text may be cut, no widget lie upon another, and STOP must be there.
+    /// Takes a picture once the window shows each text of `says`, in which %1 matches anything. No text may be cut, no
+    /// widgets may overlap, and STOP must be visible.
     void picture(std::string_view name, const QStringList& says);
-    /// The same with another window, which may say some of it, or what hides others on purpose, upon it.
+    /// Takes the picture with another window on top, which may show some of `says`.
     void pictureWith(QWidget& above, std::string_view name, const QStringList& says);
-    /// The same with the button's menu, which says each of `says`.
+    /// Takes the picture with the button's open menu, which shows each text of `says`.
     void pictureOfMenu(QPushButton& button, std::string_view name, const QStringList& says);
-    bool reads(const QString& text) const;  ///< somewhere in the window
+    bool reads(const QString& text) const;  ///< true if the text is somewhere in the window
 
-    /// How a console is opened.
+    /// Options of a console under test.
     struct Setting {
-        ModelLoader model{};  ///< empty: the shipped one, of which the test may alter the estimates
-        double before = 0.6;  ///< [m] the robot stands before the step
-        bool isPressed = false;  ///< its flippers are, from the start
+        /// Empty: the shipped model, whose estimates the test may alter.
+        ModelLoader model{};
+        double before = 0.6;     ///< [m] distance of the robot before the step
+        bool isPressed = false;  ///< the flippers are pressed from the start
         CanSource::Mode mode = CanSource::Mode::Transmit;
         std::string busName = "can0";
-        double linkLostAfter = 3.0;  ///< [s]; this machine may be busy
+        double linkLostAfter = 3.0;  ///< [s] long, because the machine may be busy
         AtemLimits limits = kPatient;
         bool hasPanel = false;
         bool safeMode = false;
-        std::string sessions{};  ///< folder of recordings; empty: one of the test's own
+        std::string sessions{};  ///< folder of recordings; empty: a temporary one
         Staging staging{};
     };
     static constexpr AtemLimits kPatient{
@@ -76,34 +76,35 @@ struct Screens : testing::Test {
     void open(const Setting& setting);
     Result<LoadedModel> shipped() const;
 
-    // Of the console.
+    // Actions of the console.
     void arm();
-    /// Until a probe is proposed, once more where a busy machine has let a link become bad.
+    /// Explores until a probe is proposed; tries again if a busy machine made the link degrade.
     void explore();
-    /// Approves what is proposed, without the hold.
+    /// Approves the proposal without the hold.
     void approve();
     bool reaches(AtemPhase phase);
     void press(int key, Qt::KeyboardModifiers with = {});
-    /// Holds the button by its key until half of the hold has passed, and takes the picture; it is still held then.
+    /// Holds the button with its key, takes the picture at half of the hold, and keeps holding.
     void holdAtHalf(HoldToConfirmButton& button, Qt::Key key, std::string_view name,
                     const QStringList& says);
     ConsoleWindow& window() const;
-    /// Opens the windows that have no robot.
+    /// Opens windows without a robot.
     void openReview();
     void openScenes();
-    /// What was recorded is in the language of then.
+    /// Ignores a recorded text, which keeps the language of its recording.
     void unsay(const QString& recorded);
 
-    std::set<std::string> said;  ///< in all pictures of the language so far
+    std::set<std::string> said;  ///< all texts in the pictures of this language
     RobotModel model = absolem();
     MemoryBus bus{steadyNow};
-    std::unique_ptr<PanelBoard> board;  ///< where there is a panel
+    std::unique_ptr<PanelBoard> board;  ///< set if there is a panel
     std::unique_ptr<StagedRobot> robot;
     std::unique_ptr<MainWindow> console;
-    std::unique_ptr<ReviewWindow> review;      ///< seen where there is no console
-    std::unique_ptr<ScenesWindow> scenes;      ///< seen where there is neither
-    std::atomic<bool> holdsEstimates = false;  ///< the next ones stop in their middle
-    void alterEstimates(std::function<void(TerrainEstimate&)> how);  ///< from now on; empty: not
+    std::unique_ptr<ReviewWindow> review;      ///< pictured if there is no console
+    std::unique_ptr<ScenesWindow> scenes;      ///< pictured if there is neither console nor review
+    std::atomic<bool> holdsEstimates = false;  ///< following estimates stop half-way
+    void alterEstimates(std::function<void(TerrainEstimate&)>
+                            how);  ///< alters following estimates; empty: no change
 
 private:
     ModelLoader altered();
@@ -116,7 +117,7 @@ private:
     const Chapter& chapter_;
     std::string language_;
     std::set<std::string> english_;
-    std::multiset<std::string_view> taken_;  ///< in this language
+    std::multiset<std::string_view> taken_;  ///< pictures taken in this language
     std::unique_ptr<TemporaryDirectory> sessions_;
     std::mutex mutex_;  ///< guards alters_
     std::function<void(TerrainEstimate&)> alters_;

@@ -1,5 +1,4 @@
-// An estimate on every page and in every look, training a model, and looking back at a mission, as pictures: see
-// screens_test.cpp.
+// Pictures of an estimate on every page and in every theme, of model training and of reviews; see screens_test.cpp.
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -89,7 +88,7 @@ TEST_F(Screens, result)
         picture("smallest", {stands});
         EXPECT_EQ(console->size(), QSize(1200, 680));
         press(Qt::Key_F7);
-        QTest::qWait(60);  // the card is filled when the page is drawn
+        QTest::qWait(60);  // painting the page fills the card
         auto* area = console->settings()->findChild<QScrollArea*>();
         area->verticalScrollBar()->setValue(area->verticalScrollBar()->maximum());
         picture("settings_down_to_the_model_card", {QStringLiteral("robots/absolem.toml")});
@@ -112,13 +111,13 @@ TEST_F(Screens, result)
             const auto ghost = console->exploration().estimation().ghost();
             return ghost ? ghost->motion.way : 0.0;
         };
-        for (int attempt = 0; attempt < 3 && way() < 0.2; ++attempt) {  // a busy machine
+        for (int attempt = 0; attempt < 3 && way() < 0.2; ++attempt) {  // repeats on a busy machine
             ASSERT_NO_FATAL_FAILURE(explore());
             robot->stage({.explores = true});
             press(Qt::Key_N);
             ASSERT_TRUE(eventually([&] { return console->drivePad()->backButton()->isEnabled(); }));
             QTest::keyPress(&window(), Qt::Key_S);
-            QTest::qWait(100);  // the robot takes its time to end the exploration; the key counts
+            QTest::qWait(100);  // the robot ends the exploration slowly; the key is counted
             robot->stage({});
             (void)eventually([&] { return way() > 0.2; }, 5000);
             QTest::keyRelease(&window(), Qt::Key_S);
@@ -144,7 +143,7 @@ TEST_F(Screens, result)
 
 TEST_F(Screens, training)
 {
-    constexpr int kPatience = 180000;  // [ms] for what takes seconds on an idle machine
+    constexpr int kPatience = 180000;  // [ms] for steps that take seconds on an idle machine
     const TemporaryDirectory files;
     ASSERT_TRUE(writeScenes(files.file("learn.csv"), someScenes(4, 1)));
     ASSERT_TRUE(writeScenes(files.file("test.csv"), someScenes(2, 7)));
@@ -180,7 +179,7 @@ TEST_F(Screens, menus)
         open({});
         ASSERT_TRUE(
             eventually([&] { return console->header()->arming()->armButton()->isEnabled(); }));
-        const auto isMeasured = [&] {  // what is measured is known once the model is loaded
+        const auto isMeasured = [&] {  // the measured costs appear once the model is loaded
             const QMenu* menu = console->header()->qualityButton()->menu();
             return menu && menu->actions().first()->text().contains(QStringLiteral(" ms"));
         };
@@ -210,7 +209,7 @@ TEST_F(Screens, menus)
 
 TEST_F(Screens, review)
 {
-    constexpr int kCanFrames = 3;  // among what can be exported
+    constexpr int kCanFrames = 3;  // index in the export list
     inEveryLanguage([&] {
         ASSERT_NO_FATAL_FAILURE(openReview());
         review->goTo(66.0);

@@ -1,7 +1,7 @@
-// Every state of the console as a picture, in the order of a mission.  The pictures go where TERRATACT_PICTURES says,
-// else nowhere:
-//   TERRATACT_PICTURES=DIR build/release/tests/app.console.screens_test && tests/app/contact_sheet.sh DIR
-// TERRATACT_LANGUAGE=en: in that language alone.
+// Takes a picture of every state of the console, in the order of a mission. Pictures are saved only if
+// TERRATACT_PICTURES is set:
+// TERRATACT_PICTURES=DIR build/release/tests/app.console.screens_test && tests/app/contact_sheet.sh DIR
+// TERRATACT_LANGUAGE=en: only this language.
 #include <QPushButton>
 #include <algorithm>
 #include <cmath>
@@ -148,7 +148,7 @@ TEST_F(Screens, start)
         press(Qt::Key_M);
         ASSERT_TRUE(eventually([&] { return arming.confirmButton()->isVisible(); }));
         picture("arming", {ArmingControl::tr("hold to arm (M)")});
-        QTest::qWait(60);  // a second action, not a repeated key
+        QTest::qWait(60);  // a second action, not key repeat
         holdAtHalf(*arming.confirmButton(), Qt::Key_M, "hold_to_arm_at_half",
                    {ArmingControl::tr("hold to arm (M)")});
         ASSERT_TRUE(eventually([&] { return console->exploration().armed(); }));
@@ -180,7 +180,8 @@ TEST_F(Screens, exploring)
             return latest && console->exploration().estimation().live()
                 && latest->sample.measurement.activity == RobotActivity::Pressing;
         };
-        for (int attempt = 0; attempt < 3 && !isSeenToPress(); ++attempt) {  // a busy machine
+        for (int attempt = 0; attempt < 3 && !isSeenToPress();
+             ++attempt) {  // repeats on a busy machine
             ASSERT_NO_FATAL_FAILURE(arm());
             robot->stage({.says = RobotActivity::Driving});
             ASSERT_TRUE(
@@ -245,7 +246,7 @@ TEST_F(Screens, exploring)
 
 namespace {
 
-/// The limit next to the usual one for which the estimate that stands gives that answer [m]; empty: none does.
+/// Returns the step limit [m] nearest to the default that gives this verdict; empty: none does.
 std::optional<double> limitFor(const Estimation& estimation, StepVerdict stepVerdict)
 {
     std::optional<double> found;
@@ -291,7 +292,7 @@ TEST_F(Screens, verdict)
         e.warnings.emplace_back(
             "unlike the training scenes: 1.8 times the distance that 1 % of them exceed");
     };
-    // A step of half its height, which some limit that can be set surely exceeds, whatever the noise of the scene.
+    // Halves the step, so that some selectable limit certainly exceeds it, whatever the noise.
     const auto halved = [](TerrainEstimate& e) {
         const double ground = e.mean[3];
         const auto halve = [ground](Heights& heights) {
@@ -300,14 +301,14 @@ TEST_F(Screens, verdict)
         for (Heights* heights : {&e.mean, &e.q10, &e.q90, &e.height}) halve(*heights);
         for (Heights& heights : e.draws) halve(heights);
         for (double& sd : e.sd) sd *= 0.5;
-        e.touch.fill(Touch::Felt);  // else the simulated ground would be spanned in places
+        e.touch.fill(Touch::Felt);  // otherwise the robot would span some of the ground
     };
     const auto seldom = [&] {
         console->preferences().change(
             [](Preferences& p) { p.hazardRate = kHazardRateRange.least; });
     };
     inEveryLanguage([&] {
-        open({.before = 1.3});  // on flat ground
+        open({.before = 1.3});  // flat ground
         seldom();
         alterEstimates([&](TerrainEstimate& e) {
             halved(e);
@@ -389,7 +390,7 @@ TEST_F(Screens, probe)
 
         HoldToConfirmButton& approveButton = *console->probeCard()->approveButton();
         if (exploration.state().phase != AtemPhase::ProposingProbe) {
-            ASSERT_NO_FATAL_FAILURE(explore());  // a busy machine
+            ASSERT_NO_FATAL_FAILURE(explore());  // a busy machine may have lost it
         }
         holdAtHalf(approveButton, Qt::Key_Space, "hold_to_approve_at_half", {question});
         QTest::keyRelease(&window(), Qt::Key_Space);
@@ -429,7 +430,7 @@ TEST_F(Screens, probe)
                 [&] { return exploration.estimation().model().name.toStdString() == name; },
                 60000));
         };
-        for (int attempt = 0; attempt < 3; ++attempt) {  // a busy machine
+        for (int attempt = 0; attempt < 3; ++attempt) {  // repeats on a busy machine
             ASSERT_NO_FATAL_FAILURE(explore());
             ASSERT_NO_FATAL_FAILURE(chooseModel("other" + std::to_string(attempt) + ".ttm"));
             if (exploration.state().phase == AtemPhase::ProposingProbe) break;
@@ -468,7 +469,7 @@ TEST_F(Screens, tooLate)
                                    bool holds = false) {
             open({.limits = limits});
             holdsEstimates = holds;
-            for (int attempt = 0; attempt < 3; ++attempt) {  // a busy machine disarms
+            for (int attempt = 0; attempt < 3; ++attempt) {  // a busy machine may disarm
                 ASSERT_NO_FATAL_FAILURE(arm());
                 robot->stage(staging);
                 ASSERT_TRUE(

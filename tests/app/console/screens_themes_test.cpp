@@ -1,4 +1,4 @@
-// What decides, in the colours of the night and of high contrast, in the smallest window and in the largest letters.
+// Pictures of proposals and alarms in the night and high-contrast themes, at the smallest window and largest font.
 #include <string_view>
 
 #include "app/console/link_status.h"

@@ -1,4 +1,4 @@
-// STOP, what goes wrong, and a console that only follows, as pictures: see screens_test.cpp.
+// Pictures of STOP, of faults and of a receive-only console; see screens_test.cpp.
 #include <QPushButton>
 #include <QTimer>
 #include <algorithm>
@@ -116,7 +116,7 @@ TEST_F(Screens, lying)
         ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
         robot->stage({.pitchStuckAt = 0.02});
         for (int attempt = 0; attempt < 4 && !alarmStands(*console, "sensor-fault"); ++attempt) {
-            ASSERT_NO_FATAL_FAILURE(arm());  // anew where a busy machine disarms
+            ASSERT_NO_FATAL_FAILURE(arm());  // again if a busy machine has disarmed
             QTest::keyPress(&window(), Qt::Key_W);
             (void)eventually([&] { return alarmStands(*console, "sensor-fault"); }, 5000);
             QTest::keyRelease(&window(), Qt::Key_W);

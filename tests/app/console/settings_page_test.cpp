@@ -1,4 +1,4 @@
-// What is set on the page of the settings is in force at once.
+// Tests that changes on the settings page take effect at once.
 #include "app/console/settings_page.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ namespace {
 
 using gui::eventually;
 
-/// Tells what it was told, also when the window that owned it is gone.
+/// Records the commands it receives; the record outlives the window that owned it.
 class WitnessedRobot final : public MeasurementSource {
 public:
     WitnessedRobot(const SimulatedRobot& robot, std::vector<Command>& told)
@@ -68,7 +68,7 @@ struct SettingsInForce : testing::Test {
         simulation.startX = 2.0;
         options.source = std::make_unique<WitnessedRobot>(
             SimulatedRobot(options.robot, demoTerrain(), simulation), told);
-        options.exploration.linkLostAfter = 3.0;  // this machine may be busy
+        options.exploration.linkLostAfter = 3.0;  // long, because the machine may be busy
         options.model = [] {
             return Result<LoadedModel>(LoadedModel{
                 .estimate = [](const EstimateRequest&, const Watch&) { return stepEstimate(); },
@@ -105,7 +105,7 @@ struct SettingsInForce : testing::Test {
         told.clear();
     }
 
-    /// Of the operator's decisions on record, those about `subject`; ends the recording.
+    /// Ends the recording and returns the recorded decisions about `subject`.
     std::vector<std::string> decisions(const std::string& subject)
     {
         window.reset();
@@ -236,7 +236,8 @@ TEST_F(SettingsInForce, anotherLanguageLikewiseButNotWhileExploring)
     EXPECT_EQ(wanted, 1);
     explore();
     EXPECT_TRUE(eventually([&] { return !page().languageBox()->isEnabled(); }));
-    window->preferences().change([](Preferences& p) { p.language = "de"; });  // as the menu does
+    window->preferences().change(
+        [](Preferences& p) { p.language = "de"; });  // same call as the menu's
     EXPECT_EQ(wanted, 1);
     EXPECT_TRUE(exploring(window->exploration().state().phase));
     EXPECT_TRUE(window->events()->item(0)->text().contains("next start"));
@@ -352,7 +353,7 @@ TEST(SettingsPageAlone, showsWhateverTheFileMayHold)
               {"tilt-amber", "Pitch or roll is steep from", &Preferences::tiltAmber, kDegrees},
               {"tilt-red", "Pitch or roll is dangerous from", &Preferences::tiltRed, kDegrees}};
     TemporaryDirectory directory;
-    int files = 0;  // another each time: QSettings remembers what it has read
+    int files = 0;  // a new file each time, because QSettings caches what it has read
     PreferenceStore store(LoadedPreferences{}, Preferences{});
     const SettingsPage page(store);
     for (const auto& [key, name, value, unit] : cases) {
@@ -386,7 +387,7 @@ TEST(SessionRetention, closesWhatADeadProgramLeftAndTellsIt)
     const TemporaryDirectory directory;
     const std::string folder = directory.file("sessions"), path = folder + "/dead.tts";
     std::filesystem::create_directory(folder);
-    ASSERT_TRUE(someSession(path, 300));  // whose writer goes without sealing it
+    ASSERT_TRUE(someSession(path, 300));  // the writer is destroyed without sealing
     ASSERT_FALSE(SessionReader::open(path)->sealed());
     SessionRetention house(sessionsIn(folder), folder, {});
     QStringList told;
@@ -405,7 +406,7 @@ TEST(SessionRetention, appliesANewLimitAfterTheGracePeriod)
     const std::string folder = directory.file("sessions"), path = folder + "/old.tts";
     std::filesystem::create_directory(folder);
     ASSERT_TRUE(someSession(path, 300));
-    ASSERT_FALSE(recoverDeadSessions({path}).empty());  // closes it
+    ASSERT_FALSE(recoverDeadSessions({path}).empty());  // closes the session
     const RetentionLimits any{}, small{.gigabytes = 1e-9, .confirmed = true};
     SessionRetention house(sessionsIn(folder), folder, any);
     house.setGrace(300);
@@ -413,7 +414,7 @@ TEST(SessionRetention, appliesANewLimitAfterTheGracePeriod)
     QStringList told;
     QObject::connect(&house, &SessionRetention::news, &house, [&] { told << house.takeNews(); });
     house.setLimits(small);
-    house.setLimits(any);  // a mistake, taken back in time
+    house.setLimits(any);  // a mistake that is undone in time
     QTest::qWait(900);
     EXPECT_TRUE(std::filesystem::exists(path));
     house.setLimits(small);
@@ -437,7 +438,7 @@ TEST(SessionRetention, countsAndDeletesTheSessionsOfThisRunToo)
     house.setLimits({.gigabytes = 1e-9, .confirmed = true});
     EXPECT_TRUE(eventually([&] { return !std::filesystem::exists(folder + "/of-this-run.tts"); }));
     EXPECT_TRUE(std::filesystem::exists(folder + "/under-way.tts"));
-    // Whoever only looked at it must not have dropped the lock that this process holds on it.
+    // Inspecting the session must not release the lock that this process holds on it.
     (void)std::system(
         (TERRATACT_CLI " session recover " + folder + "/under-way.tts >/dev/null 2>&1").c_str());
     EXPECT_TRUE(std::filesystem::exists(folder + "/under-way.tts-wal"))
@@ -452,7 +453,7 @@ TEST(SessionRetention, aLimitThatIsTakenBackDeletesNothingFromThenOn)
     auto session = someSession(path, 300);
     ASSERT_TRUE(session && session->seal());
     SessionRetention house(sessionsIn(folder), folder, {.gigabytes = 1e-9, .confirmed = true});
-    house.setLimits({.days = 1.0, .confirmed = true});  // of the two, this one is stricter
+    house.setLimits({.days = 1.0, .confirmed = true});  // the stricter limit of the two
     house.start();
     QTest::qWait(500);
     EXPECT_TRUE(std::filesystem::exists(path)) << "although the grace has hardly begun";

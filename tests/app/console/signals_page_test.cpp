@@ -1,4 +1,4 @@
-// The parts of the page of signals: sparkline, table, filter, the newest frames.
+// Tests the parts of the signals page: sparkline, table, filter, raw trace.
 #include <gtest/gtest.h>
 
 #include <cmath>

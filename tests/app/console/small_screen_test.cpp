@@ -1,5 +1,5 @@
-// The console on a screen smaller than its least size: what must be at hand is on the screen.  Which screen is for
-// whoever starts this to say (tests/CMakeLists.txt).
+// Tests the console on a screen below its minimum size: essential controls stay on the screen. The caller chooses the
+// screen (tests/CMakeLists.txt).
 #include <gtest/gtest.h>
 
 #include <QScreen>
@@ -17,7 +17,7 @@ namespace {
 using gui::eventually;
 
 constexpr QSize kEnough{940,
-                        500};  // [px] of a window, for nothing to be cut: 960x540 with a title bar
+                        500};  // [px] smallest window without cut texts: 960x540 with a title bar
 
 QRect onScreen(const QWidget& widget)
 {
@@ -34,7 +34,7 @@ struct SmallScreen : BusConsole {
     }
     QRect screenArea() const { return window->screen()->availableGeometry(); }
     bool hasEnough() const { return window->size().expandedTo(kEnough) == window->size(); }
-    /// As it is opened the first time.
+    /// Opens the console like at the first start.
     void openIn(const char* language)
     {
         window.reset();
@@ -48,7 +48,7 @@ struct SmallScreen : BusConsole {
         gui::showActive(*window);
         EXPECT_TRUE(eventually([&] { return screenArea().contains(window->frameGeometry()); }));
     }
-    /// STOP and arming, wherever one looks.
+    /// Checks that STOP and arming are visible.
     void lookAtHeader(const std::string& where)
     {
         picture(QString::fromStdString(where).remove(' ').replace(',', '_'));
@@ -64,7 +64,7 @@ struct SmallScreen : BusConsole {
     {
         window->rail()->choose(0);
         QTest::qWait(60);
-        // What is new in the header may take it to a second line, and a new text more lines, which the rest makes room for.
+        // New header content may need a second line; the rest of the window gives the room.
         (void)eventually(
             [&] {
                 return gui::overlaps(*window).empty()
@@ -79,7 +79,7 @@ struct SmallScreen : BusConsole {
         EXPECT_EQ(seen, onScreen(*window->verdict())) << what;
         EXPECT_EQ(gui::cramped(*window), std::vector<std::string>()) << what;
     }
-    /// Nothing is cut where there is enough room.
+    /// Checks that no page cuts a text if the screen is large enough.
     void lookAtEachPage(const std::string& what)
     {
         lookAtTerrain(what);

@@ -1,6 +1,6 @@
-// What the whole console costs: on a full bus while it estimates and records, with nothing but telemetry, and to be there
-// at all.  TERRATACT_SOAK_SECONDS sets how long; only then are the limits those that are promised, for a machine with two
-// cores and nothing else to do.
+// Measures the cost of the whole console: on a full bus with estimates and recording, with telemetry alone, and at
+// start. TERRATACT_SOAK_SECONDS sets the duration. Only then do the promised limits apply, on an idle machine with two
+// cores.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -40,10 +40,10 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kFramesPerSecond = 9000;
-constexpr double kOneEstimate = 2.0;  // [s] of work on both cores per request, unless overtaken
+constexpr double kOneEstimate =
+    2.0;  // [s] computation on both cores per request, unless replaced by a newer one
 
-/// The window's loop as the program runs it, which wakes for every event; QTest::qWait() sleeps 10 ms between two looks at
-/// what has come.
+/// Runs the event loop like the program, which wakes for every event. QTest::qWait() sleeps 10 ms between polls.
 void runFor(std::chrono::milliseconds time)
 {
     QEventLoop loop;
@@ -51,7 +51,7 @@ void runFor(std::chrono::milliseconds time)
     loop.exec();
 }
 
-/// Frames of other nodes, as many as a full bus of 1 Mbit/s has, from a thread of its own.
+/// Sends frames of other nodes in its own thread, as many as fill a bus of 1 Mbit/s.
 class OtherNodes {
 public:
     explicit OtherNodes(MemoryBus& bus)
@@ -93,7 +93,7 @@ Quality quality()
     return qualityFromName(wanted).value_or(Quality::Balanced);
 }
 
-/// The most memory the process ever had [MB].
+/// Returns the peak memory of the process [MB].
 double mostMemory()
 {
     rusage usage{};
@@ -101,7 +101,8 @@ double mostMemory()
     return static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6;
 }
 
-/// The shipped model at the console's own quality, or TERRATACT_SOAK_METHOD and _QUALITY, but sampling with all cores, again and again for a while.
+/// Runs the shipped model repeatedly at the console's quality (or TERRATACT_SOAK_METHOD and _QUALITY), sampling on all
+/// cores.
 struct Busy {
     std::atomic<double> seconds = 0.0;
     std::atomic<int> estimates = 0;
@@ -133,12 +134,12 @@ struct Busy {
     }
 };
 
-/// Since the process began [s], to a hundredth.
+/// Returns the age of the process [s], with a resolution of 0.01 s.
 double processAge()
 {
     std::ifstream file("/proc/self/stat");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
-    std::istringstream fields(text.substr(text.rfind(')') + 2));  // the third and later
+    std::istringstream fields(text.substr(text.rfind(')') + 2));  // from the third field on
     std::string began;
     for (int field = 3; field <= 22; ++field) fields >> began;
     timespec now{};
@@ -152,12 +153,12 @@ double wantedSeconds()
     return qEnvironmentVariable("TERRATACT_SOAK_SECONDS").toDouble();
 }
 
-/// What the robot's lines of telemetry are about.
+/// Times and counts of the robot's telemetry lines.
 struct Lines {
-    std::atomic<double> pressed = 0.0;  ///< when the newest scene was complete
+    std::atomic<double> pressed = 0.0;  ///< time when the newest scene was complete
     std::atomic<bool> isPressing =
-        false;                      ///< from the command to press until the scene is complete
-    std::atomic<int> pressing = 0;  ///< so many meanwhile
+        false;                      ///< true from the press command until the scene is complete
+    std::atomic<int> pressing = 0;  ///< lines during that time
 };
 
 class TimedSource final : public MeasurementSource {
@@ -183,7 +184,7 @@ public:
     {
         if (std::holds_alternative<PressCommand>(command)) {
             lines_.isPressing = true;
-            ++lines_.pressing;  // the newest one before it is previewed, too
+            ++lines_.pressing;  // the newest earlier line is previewed, too
         }
         return source_->send(command);
     }
@@ -194,7 +195,7 @@ private:
     RobotActivity before_ = RobotActivity::Halted;
 };
 
-/// Called as soon as everything in a window that has changed was painted.
+/// Calls back as soon as all changes of a window are painted.
 class Painted final : public QObject {
 public:
     Painted(QWidget& window, std::function<void()> then) : then_(std::move(then))
@@ -206,7 +207,7 @@ protected:
     bool eventFilter(QObject* window, QEvent* event) override
     {
         if (event->type() != QEvent::UpdateRequest) return QObject::eventFilter(window, event);
-        window->event(event);  // paints; what else there is to show has to wait for the next
+        window->event(event);  // paints; later changes wait for the next paint
         then_();
         return true;
     }
@@ -232,7 +233,7 @@ struct Soak : testing::Test, RobotOnBench {
         options.model = std::move(loader);
         options.recorder = recorder;
         if (!(wantedSeconds() > 0.0))
-            options.exploration.linkLostAfter = 3.0;  // of a machine that is busy with other things
+            options.exploration.linkLostAfter = 3.0;  // long, because the machine may be busy
         window = std::make_unique<MainWindow>(std::move(options));
         window->resize(1440, 900);
         gui::showActive(*window);
@@ -251,7 +252,7 @@ struct Soak : testing::Test, RobotOnBench {
         }
         return armed();
     }
-    /// Explores again as soon as the last exploration is through.
+    /// Starts the next exploration as soon as the last one has ended.
     void keepExploring()
     {
         Exploration& exploration = window->exploration();
@@ -262,7 +263,7 @@ struct Soak : testing::Test, RobotOnBench {
             exploration.abort();
     }
 
-    /// A little, which lifts the flippers, so that there is a new scene.
+    /// Drives a little, which lifts the flippers and leads to a new scene.
     void driveOn()
     {
         window->exploration().abort();
@@ -369,7 +370,7 @@ TEST_F(Soak, costsLittleWhileNothingIsEstimated)
     EXPECT_GT(static_cast<int>(window->meter().frames().count()), frames) << "nothing was drawn";
     EXPECT_EQ(busy.estimates.load(), 0);
     EXPECT_LT(residentMemory() / 1e6, 150.0);
-    constexpr double kAnyMachine = 0.30;  // slow, busy, and looked at for a moment
+    constexpr double kAnyMachine = 0.30;  // limit for a slow or busy machine in a short run
     EXPECT_LT(share, wanted > 0.0 ? 0.10 : kAnyMachine);
 }
 
@@ -385,8 +386,8 @@ TEST_F(Soak, showsAnEstimateSoonAndEveryLivePreview)
         });
     const Estimation& estimation = window->exploration().estimation();
     NewestValues waits(1000);
-    int estimates = 0;                 // of lines on the flippers' way: no two lines give the same
-    double scene = 0.0, shown = -1.0;  // the newest, and that of which an estimate was painted
+    int estimates = 0;  // previews while the flippers move; no two lines give the same estimate
+    double scene = 0.0, shown = -1.0;  // time of the newest scene, and of the newest painted scene
     std::optional<TerrainEstimate> last;
     QObject::connect(&estimation, &Estimation::captured, window.get(),
                      [&] { scene = lines.pressed; });
@@ -428,7 +429,7 @@ TEST_F(Soak, isThereSoonAfterTheProcessBegan)
 {
     open();
     const double shown =
-        processAge();  // showActive() returns once the window is exposed and painted
+        processAge();  // showActive() returns after the window is exposed and painted
     std::printf("a window %.2f s after the process began\n", shown);
     EXPECT_TRUE(window->isVisible());
     EXPECT_LT(shown, wantedSeconds() > 0.0 ? 0.5 : 60.0);

@@ -1,4 +1,4 @@
-// The terrain is the largest part of its page, whatever the letters, the window, the layout and the language.
+// Tests that the terrain is the largest part of its page in every font, window size, layout and language.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -21,7 +21,7 @@ namespace {
 using gui::eventually;
 
 constexpr QSize kWindows[]{{1200, 680}, {1366, 768}, {1440, 900}, {1920, 1080}};
-constexpr double kWider = 1.15;  ///< than any card beside it, at the least
+constexpr double kWider = 1.15;  ///< minimum ratio to the width of any card beside it
 
 std::unique_ptr<MainWindow> openConsole()
 {
@@ -54,7 +54,7 @@ int area(const QWidget& widget)
     return widget.width() * widget.height();
 }
 
-/// The outermost cards of the page that are seen beside that of the terrain.
+/// Returns the outermost visible cards of the page except the terrain's.
 QList<const Card*> otherCards(const MainWindow& window, const QWidget& terrain)
 {
     QList<const Card*> cards;
@@ -76,7 +76,8 @@ void expectTerrainFirst(MainWindow& window, const std::string& where)
         return static_cast<const Card*>(nullptr);
     };
     QTest::qWait(20);
-    (void)eventually([&] { return !smaller() && gui::cramped(window).empty(); }, 1000);  // laid out
+    (void)eventually([&] { return !smaller() && gui::cramped(window).empty(); },
+                     1000);  // waits for the layout
     for (const std::string& text : gui::cramped(window))
         ADD_FAILURE() << where << ", letters " << lookInForce().fontScale << ": " << text;
     if (const Card* card = smaller())

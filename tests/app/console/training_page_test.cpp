@@ -1,4 +1,4 @@
-// The training page as an operator meets it: real mouse and key events in the whole console.
+// Tests the training page in the whole console, through real mouse and key events.
 #include "app/console/training_page.h"
 
 #include <dirent.h>
@@ -37,9 +37,9 @@ namespace {
 
 using gui::eventually;
 
-constexpr int kPatience = 180000;  // [ms] for what takes seconds on an idle machine
+constexpr int kPatience = 180000;  // [ms] for steps that take seconds on an idle machine
 
-/// How many threads of this process are that nice.
+/// Returns how many threads of this process have this nice value.
 int threadsOfNice(int nice)
 {
     int count = 0;
@@ -82,7 +82,7 @@ struct TrainingConsole : testing::Test {
         options.source = std::move(scripted);
         options.modelPath = files->file("old.ttm");
         options.model = modelFileLoader(options.modelPath, robot);
-        options.exploration.linkLostAfter = 60.0;  // this machine may be busy
+        options.exploration.linkLostAfter = 60.0;  // long, because the machine may be busy
         options.exploration.settings.draws = 50;
         options.exploration.limits.halt = 600.0;
         options.training = load;
@@ -128,7 +128,7 @@ struct TrainingConsole : testing::Test {
         ASSERT_TRUE(ends());
         ASSERT_TRUE(said().starts_with("Compared on")) << said();
     }
-    /// As the exploration's preconditions tell it.
+    /// Returns the model named by the preconditions of exploring.
     std::string modelInUse() const
     {
         for (const Precondition& p : window->exploration().preconditions())
@@ -191,8 +191,8 @@ TEST_F(TrainingConsole, trainsComparesAndAdopts)
             EXPECT_NE(page->comparison()->item(row, column)->text(), "--");
     EXPECT_TRUE(gui::cutText(*page).empty()) << gui::cutText(*page).front();
 
-    // Not while an exploration runs.
-    Measurement driving;  // and so it never halts
+    // A robot that keeps driving, so that the exploration never ends halting.
+    Measurement driving;  // it never halts
     driving.activity = RobotActivity::Driving;
     source->setMeasurement(driving);
     window->exploration().request();

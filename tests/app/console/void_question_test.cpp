@@ -1,4 +1,4 @@
-// A probe's question whose grounds have changed under it: nothing brings it back but another exploration.
+// Tests void proposals: after its basis changed, only a new exploration gives a valid one.
 #include "core/atem/atem_machine.h"
 #include "tests/support/exploration_bench.h"
 #include "widgets/control/precondition.h"
@@ -9,7 +9,7 @@ namespace {
 struct VoidQuestion : Bench {
     VoidQuestion()
     {
-        withDraws = true;  // which tell what the other bins are worth
+        withDraws = true;  // draws give the other bins a worth
         press();
         EXPECT_TRUE(reaches(AtemPhase::ProposingProbe));
     }

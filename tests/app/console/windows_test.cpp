@@ -1,4 +1,4 @@
-// Every window that the program opens beside its own: not modal, and STOP works while it has the focus.
+// Tests every secondary window: it is not modal, and STOP works while it has the focus.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -48,7 +48,7 @@ namespace {
 
 using namespace gui;
 
-/// The end of the line to the console that has opened what is under test.
+/// The receiving end of the STOP line of an opening console.
 struct OpeningConsole {
     OpeningConsole()
     {
@@ -113,7 +113,7 @@ struct Windows : testing::Test {
         showActive(*window);
         return window;
     }
-    /// With the mouse, as the desktop would bring it.
+    /// Presses STOP with the mouse through the desktop's window.
     static void pressStop(ConsoleWindow& window)
     {
         const QPushButton& stop = *window.header()->stopButton();
@@ -127,8 +127,8 @@ struct Windows : testing::Test {
                             stop.mapTo(&window, stop.rect().center()));
     }
 
-    /// Presses every button on every page, and every line of the menu for help; in each window that this opens, the keys for STOP.
-    /// The names of those windows.
+    /// Presses every button on every page and every entry of the help menu. STOP keys must work in each opened window.
+    /// Returns the names of those windows.
     static std::set<std::string> stopsInEveryWindow(ConsoleWindow& window,
                                                     const std::function<bool()>& wasStopped)
     {
@@ -158,14 +158,14 @@ struct Windows : testing::Test {
             }
         };
         for (int page = 0; page < window.rail()->pages(); ++page) {
-            QList<QPointer<QPushButton>> buttons;  // some pages build theirs anew
+            QList<QPointer<QPushButton>> buttons;  // some pages rebuild their buttons
             for (QPushButton* button : window.findChildren<QPushButton*>())
                 if (button->window() == &window && !qobject_cast<HeldButton*>(button)
                     && !button->menu() && button != window.header()->stopButton()
                     && button->property("role") != QLatin1String("page"))
                     buttons << button;
             for (const QPointer<QPushButton>& button : std::as_const(buttons)) {
-                window.rail()->choose(page);  // another button may have led away
+                window.rail()->choose(page);  // another button may have changed the page
                 if (!button || !button->isVisible() || !button->isEnabled()) continue;
                 const std::string name = button->text().toStdString();
                 QTest::mouseClick(button, Qt::LeftButton);
@@ -238,11 +238,11 @@ TEST_F(Windows, aSheetOpensNothingThatItsTextNames)
     const QString image = QStringLiteral("<IMG src=\"%1\">").arg(QString::fromStdString(pipe));
     sheet.setText(QStringLiteral("<h3>a</h3>%1<p style=\"background:url(%2)\">b</p>")
                       .arg(image, QString::fromStdString(pipe)),
-                  QSize(800, 600));  // who reads the pipe waits for ever
+                  QSize(800, 600));  // reading the pipe would block forever
     EXPECT_TRUE(sheet.plainText().contains(image)) << sheet.plainText().toStdString();
 }
 
-/// A window with nothing but its help.
+/// A window with only the help button.
 struct HelpingWindow : ConsoleWindow {
     explicit HelpingWindow(const QString& demonstration)
     {
@@ -370,7 +370,7 @@ TEST_F(Windows, thatAskForASessionBeginAmongThem)
     };
     QFileDialog* const dialog = ask();
     EXPECT_EQ(dialog->directory().absolutePath().toStdString(), sessions);
-    dialog->reject();  // a file that is chosen would be opened: by this program, started again
+    dialog->reject();  // the chosen file would start this program again
 }
 
 TEST(FileDialogs, beginWhereTheLastFileWasChosen)

@@ -12,7 +12,8 @@
 namespace terratact {
 namespace {
 
-constexpr unsigned kPa = 0x7b8794, kPafc = 0x12804a;  // app/figures/evaluation_figure.cpp
+constexpr unsigned kPa = 0x7b8794,
+                   kPafc = 0x12804a;  // Colours of app/figures/evaluation_figure.cpp.
 
 MethodSummary summary(const std::string& label, double scale)
 {
@@ -35,7 +36,7 @@ protected:
 
 TEST_F(EvaluationFigure, ofHistogramsHasBarsAsHighAsTheirShares)
 {
-    // PA: half of the errors in its highest class; PAFc: three quarters.
+    // PA has half of its errors in its highest class, PAFc three quarters.
     const std::vector<ErrorHistogram> h{{"pa", 0.01, {4, 2, 2}, 8}, {"pafc", 0.01, {0, 1, 3}, 4}};
     ASSERT_TRUE(writeHistogramFigure(path_, h));
     const Picture picture = readPng(path_);
@@ -45,7 +46,8 @@ TEST_F(EvaluationFigure, ofHistogramsHasBarsAsHighAsTheirShares)
     const auto pa = picture.extent(kPa);
     const auto pafc = picture.extent(kPafc);
     EXPECT_NEAR((floor - pa[2]) / (floor - pafc[2]), 0.50 / 0.75, 0.01);
-    EXPECT_GT(picture.count(kPa), picture.count(kPafc) * 8 / 9);  // equal areas but for the key
+    EXPECT_GT(picture.count(kPa),
+              picture.count(kPafc) * 8 / 9);  // equal areas except for the legend
 }
 
 TEST_F(EvaluationFigure, ofQuartilesStaysInsideTheFrameWhateverTheErrors)
@@ -58,7 +60,7 @@ TEST_F(EvaluationFigure, ofQuartilesStaysInsideTheFrameWhateverTheErrors)
         EXPECT_LE(right, 1170) << scale;
         EXPECT_GE(top, 84) << scale;
         if (scale > 0.001) {
-            EXPECT_LT(top, 240) << scale;  // and makes use of it
+            EXPECT_LT(top, 240) << scale;  // and it uses the height
         }
     }
 }

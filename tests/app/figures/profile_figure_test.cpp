@@ -20,7 +20,7 @@
 namespace terratact {
 namespace {
 
-// The colours that tell the kinds of bin apart (app/figures/profile_figure.cpp).
+// Colours of the kinds of bins in app/figures/profile_figure.cpp.
 constexpr unsigned kContact = 0x1558a6, kArm = 0x6a1b9a, kPrior = 0xb06400, kZone = 0xfff4d2,
                    kTruth = 0xd32f2f;
 
@@ -43,7 +43,7 @@ FigureInput flatGround()
     return input;
 }
 
-/// The picture above its key.
+/// Returns the picture above its legend.
 Picture plotOf(Picture picture)
 {
     constexpr std::size_t kRows = 600;
@@ -71,7 +71,7 @@ TEST_F(ProfileFigure, is1200By700WithAWhiteMarginAllAround)
     input.estimate.warnings = {std::string(300, 'w'), "another"};
     input.previous = input.estimate;
     input.truth = input.estimate.height;
-    input.estimate.origin[6] = Origin::Contact;  // with every entry the key is two rows long
+    input.estimate.origin[6] = Origin::Contact;  // with every entry the legend has two rows
     input.estimate.ceiling[5] = -0.22;
     input.estimate.origin[9] = Origin::Arm;
     input.estimate.ceiling[10] = std::numeric_limits<double>::infinity();
@@ -125,7 +125,7 @@ TEST_F(ProfileFigure, tellsKindsOfBinApartByPatternsThatAreTheScreens)
     };
     FigureInput input = flatGround();
     input.estimate.origin.fill(Origin::Contact);
-    const std::set<std::string> solid = dashesOf(input);  // of the ceilings
+    const std::set<std::string> solid = dashesOf(input);  // dashes of the ceilings
     input.estimate.origin[4] = Origin::Sampled;
     EXPECT_EQ(dashesOf(input).count("30 10 "), 1U) << "6 and 2 widths";
     EXPECT_EQ(dashesOf(input).size(), solid.size() + 1);
@@ -167,7 +167,7 @@ TEST_F(ProfileFigure, growsWithWhatItShows)
         input.estimate.q10[10] = height - 0.1;
         input.estimate.q90[10] = height + 0.1;
         const auto [left, right, top, bottom] = drawn(input).extent(kArm);
-        EXPECT_GE(top, 84) << height;  // within the frame
+        EXPECT_GE(top, 84) << height;  // inside the frame
         EXPECT_LE(right, 1170) << height;
     }
 }

@@ -10,7 +10,7 @@ CanFrame frame(std::uint8_t length, bool extended = false)
     return {.id = 0x44, .extended = extended, .length = length};
 }
 
-// Frames per second at 1 Mbit/s as can-utils computes them.
+// Compares with the frame rates of can-utils at 1 Mbit/s.
 TEST(FrameBitsOnTheBus, areThoseOfCanUtils)
 {
     EXPECT_EQ(1'000'000 / bitsOf(frame(8)).most, 7407);

@@ -10,7 +10,7 @@ namespace {
 
 using Level = CanFinding::Level;
 
-// As ip 6.1 prints them.
+// Output of ip 6.1.
 constexpr const char* kWorking =
     "3: can0: <NOARP,UP,LOWER_UP,ECHO> mtu 16 qdisc pfifo_fast state UP mode DEFAULT group default "
     "qlen 10\n    link/can  promiscuity 0  allmulti 0 minmtu 0 maxmtu 0 \n"
@@ -43,7 +43,7 @@ struct Checking : testing::Test {
             if (finding.level == level) found.push_back(finding);
         return found;
     }
-    /// The one finding that is not fine.
+    /// Returns the only finding that is not Fine.
     CanFinding finding(Level level) const
     {
         const auto found = of(level);

@@ -23,7 +23,7 @@ SimulatedRobot robotBeforeAStep()
     return SimulatedRobot(absolem(), stepTerrain(0.24, 3.0, 6.0), options);
 }
 
-/// A console's source and a simulated robot in threads of their own, and an operator who answers.
+/// A console's source and a simulated robot in their own threads, with a present operator.
 struct Link : testing::Test {
     explicit Link(CanSource::Mode mode = CanSource::Mode::Transmit)
         : robot(bus, absolem(), robotBeforeAStep(), {.speed = 4.0}),
@@ -67,7 +67,7 @@ struct Link : testing::Test {
     {
         ASSERT_TRUE(eventually([&] { return whyNotArming(source.view()).empty(); }))
             << whyNotArming(source.view());
-        // The robot wants ten heartbeats, too.
+        // The robot also needs ten heartbeats first.
         ASSERT_TRUE(eventually([&, began = steadyNow()] { return steadyNow() - began > 0.5; }));
         source.wantArming();
         ASSERT_TRUE(is(ArmingPhase::Confirming));
@@ -118,7 +118,7 @@ TEST_F(Link, bringsTheTrueTerrainOfTheRobotsPose)
     ASSERT_TRUE(source.send(DriveCommand{0.2}));
     EXPECT_TRUE(eventually([&] {
         const std::scoped_lock lock(mutex);
-        return truth->back() - truth->front() > 0.2;  // the step ahead
+        return truth->back() - truth->front() > 0.2;  // true height of the step ahead
     }));
     ASSERT_TRUE(source.send(HaltCommand{}));
     ASSERT_TRUE(does(RobotActivity::Halted));
@@ -179,10 +179,10 @@ TEST_F(Link, sendsStopWhateverWasCommandedAfterIt)
 TEST_F(Link, sendsDisarmAsSoonAsTheBusIsBack)
 {
     arm();
-    bus.setState(BusState::BusOff, "console");  // hears, but cannot say anything
+    bus.setState(BusState::BusOff, "console");  // the console receives, but cannot send
     source.disarm();
     ASSERT_TRUE(is(ArmingPhase::Disarmed));
-    bus.setState(BusState::Up, "console");  // before the robot misses a heartbeat
+    bus.setState(BusState::Up, "console");  // before the robot's watchdog expires
     EXPECT_TRUE(eventually([&] { return !source.view().link.robot->armed; }, 5.0));
 }
 

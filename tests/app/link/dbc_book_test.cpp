@@ -1,4 +1,4 @@
-// What DBC files say of frames that are not the robot's.
+// Tests DBC descriptions of frames outside the robot's protocol.
 #include "app/link/dbc_book.h"
 
 #include <gtest/gtest.h>

@@ -32,7 +32,7 @@ struct Tapping : testing::Test {
             .time = time};
     }
     void take(const BusFrame& frame) { tap.take(std::span(&frame, 1)); }
-    /// 20 Hz from `from` to `to` [s], with the ticks between.
+    /// Runs at 20 Hz from `from` to `to` [s], with ticks in between.
     void run(double from, double to, double pitch)
     {
         for (double t = from; t < to - 1e-9; t += 0.05) {
@@ -166,7 +166,7 @@ TEST_F(Tapping, survivesATimeThatJumps)
     EXPECT_TRUE(std::isfinite(tap.load().framesPerSecond));
 }
 
-/// A payload's frames, by a DBC file: 100 Hz, of which those with an even number are of group 0.
+/// Frames of a payload described by a DBC file: 100 Hz; even numbers belong to group 0.
 struct Described : Tapping {
     Described()
     {
@@ -277,7 +277,7 @@ TEST_F(Described, areFreshUntilTheirNextTurn)
         take({.frame = {.id = 293, .length = 2, .data = {static_cast<std::uint8_t>(i % 10), 7}},
               .time = 0.1 * i});
         tap.tick(0.1 * i);
-        if (i < 20) continue;  // each has had two turns
+        if (i < 20) continue;  // each group has had two turns
         const TappedFrame frame = described(293, 0.1 * i);
         EXPECT_NEAR(frame.times[0].fresh, 0.3, 1e-9) << "the file's";
         EXPECT_LE(frame.times[1].age.value(), frame.times[1].fresh) << i;
@@ -342,7 +342,7 @@ TEST_F(Described, areBytesAgainWithoutTheirFile)
     EXPECT_EQ(tap.trace().front().trouble, FrameTrouble::None) << "as it was judged then";
 }
 
-/// A file of so many messages, each with so many signals of a byte.
+/// Returns a book with `messages` messages of `signalsOfEach` one-byte signals.
 std::shared_ptr<const DbcBook> wideBook(unsigned messages, unsigned signalsOfEach)
 {
     std::string text;
@@ -380,7 +380,7 @@ double cpuSeconds()
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// A second of a full bus: a robot's telemetry, and other nodes.
+/// Returns one second of a full bus: a robot's telemetry and other nodes.
 std::vector<BusFrame> fullBus(std::size_t frames)
 {
     std::vector<BusFrame> made;
@@ -424,7 +424,7 @@ TEST(FrameHistoryCost, isLessThanThatOfWordsForEveryFrame)
     };
     double tapped = costOf(tap);
     double described = costOf(describing);
-    for (int again = 0; again < 2; ++again) {  // in turns: what else the machine does costs both
+    for (int again = 0; again < 2; ++again) {  // alternates, so that other load affects both
         tapped = std::min(tapped, costOf(tap));
         described = std::min(described, costOf(describing));
     }

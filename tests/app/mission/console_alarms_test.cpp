@@ -1,4 +1,4 @@
-// What makes an alarm, and the table of them.
+// Tests the conditions of alarms, and the alarm table.
 #include <gtest/gtest.h>
 
 #include "app/mission/console_alarms.h"
@@ -206,7 +206,7 @@ TEST_F(Alarming, aPausedOrEndedReplayRaisesNoAlarm)
 {
     viewState.link = {};
     viewState.bus->waits = true;
-    pass(2.0 * ConsoleAlarms::kFirstTelemetry);  // while its model is being loaded
+    pass(2.0 * ConsoleAlarms::kFirstTelemetry);  // while its model is loading
     viewState.bus->waits = false;
     pass(ConsoleAlarms::kFirstTelemetry - 0.5);
     viewState.link = {.standing = LinkStanding::Ended};
@@ -281,7 +281,7 @@ TEST_F(Alarming, unwantedDisarmingAlarmsUntilTheRobotIsRearmed)
         goes(ArmingPhase::Armed);
         goes(ArmingPhase::Disarmed, cause);
         EXPECT_TRUE(says("disarmed", "Disarmed: " + describe(cause)));
-        goes(ArmingPhase::Disarmed, DisarmCause::LinkNotGood);  // of an attempt to arm
+        goes(ArmingPhase::Disarmed, DisarmCause::LinkNotGood);  // reported after an attempt to arm
         EXPECT_TRUE(says("disarmed", "Disarmed: " + describe(cause)));
         goes(ArmingPhase::Confirming);
         pass(2.0);
@@ -372,7 +372,7 @@ TEST(AlarmTableWidget, choosesNoOtherAlarmWhenTheChosenOneGoes)
     table.table()->selectRow(1);
     const std::string chosen = list.alarms()[1].id;
     list.clear(chosen, 2.0);
-    list.acknowledge(chosen);  // now it is gone
+    list.acknowledge(chosen);  // the alarm is gone
     table.setAlarms(list.alarms(), 3.0, 0.0);
     ASSERT_EQ(table.table()->rowCount(), 2);
     EXPECT_FALSE(table.acknowledgeButton()->isEnabled());

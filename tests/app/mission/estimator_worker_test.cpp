@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Hears the worker in the test's own thread.  A signal spy would record in the worker's.
+/// Receives the worker's signals in the test's thread; a signal spy would record in the worker's thread.
 struct Listener : QObject {
     explicit Listener(EstimatorWorker& worker)
     {
@@ -49,10 +49,10 @@ ModelLoader loaderOf(Estimator estimator)
     };
 }
 
-/// An estimate that runs until it is cancelled or let through.
+/// An estimate that runs until it is cancelled or released.
 struct Gate {
     std::atomic<bool> open = false;
-    std::atomic<bool> deaf = false;  ///< to being cancelled
+    std::atomic<bool> deaf = false;  ///< ignores cancellation
     std::atomic<int> started = 0, cancelled = 0;
 
     Estimator estimator()
@@ -105,7 +105,7 @@ TEST(Worker, theNewestRequestWins)
     worker.request(withSeed(1));
     ASSERT_TRUE(gui::eventually([&] { return gate.started == 1; }));
     int last = 0;
-    gate.deaf = true;  // this thread may be kept from asking for all of them at once
+    gate.deaf = true;  // this thread may be too slow to make all requests at once
     for (std::uint64_t seed = 2; seed <= 20; ++seed) last = worker.request(withSeed(seed));
     gate.deaf = false;
     ASSERT_TRUE(gui::eventually([&] { return gate.started == 2; }))

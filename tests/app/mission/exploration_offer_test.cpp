@@ -1,4 +1,4 @@
-// When a probe is offered, for which limit and policy; and that the estimate is recorded before.
+// Tests when a probe is proposed, with which limit and policy, and that the estimate is recorded before.
 #include "app/mission/session_event_logger.h"
 #include "core/log/session_reader.h"
 #include "tests/support/exploration_bench.h"
@@ -34,9 +34,9 @@ TEST_F(Bench, reasonForNoProbeUsesTheCurrentStepLimit)
 TEST_F(Bench, aLimitChangedDuringAnEstimateDecidesWhatIsOffered)
 {
     withDraws = true;
-    stepInHalf = true;  // of the draws: a step of some 0.15 m
+    stepInHalf = true;  // half of the draws have a step of about 0.15 m
     exploration->setProbePolicy(ProbePolicy::Question);
-    exploration->setStepLimit(1.0);  // certainly none so high: nothing to ask
+    exploration->setStepLimit(1.0);  // no step is that high, so no probe is proposed
     ASSERT_NO_FATAL_FAILURE(beginToEstimate());
     exploration->setStepLimit(kStepLimit);
     blocked = false;
@@ -51,7 +51,7 @@ TEST_F(Bench, stepLimitChangedAndRestoredDelaysNothing)
     const double limit = exploration->options().stepLimit;
     exploration->setStepLimit(0.5);
     ASSERT_TRUE(answerIsQueued());
-    QCoreApplication::processEvents();  // it is asked for advice anew
+    QCoreApplication::processEvents();  // requests advice again
     exploration->setStepLimit(limit);
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
     EXPECT_EQ(exploration->proposal()->stepLimit, limit);
@@ -60,7 +60,7 @@ TEST_F(Bench, stepLimitChangedAndRestoredDelaysNothing)
 TEST_F(Bench, estimateKeepsItsProbeAdviceAfterStop)
 {
     withDraws = true;
-    draws = 50'000;  // so many that the advice asks whether it is still wanted
+    draws = 50'000;  // enough draws that the advice polls for cancellation
     ASSERT_NO_FATAL_FAILURE(beginToEstimate());
     workerHeld = true;
     ASSERT_TRUE(answerIsQueued());
@@ -75,7 +75,7 @@ TEST_F(Bench, estimateKeepsItsProbeAdviceAfterStop)
     EXPECT_FALSE(exploration->proposal());
 }
 
-/// Its estimate stands, for which advice for another limit is under way: the worker is held before it gives that.
+/// An estimate whose advice for another limit is under way; the worker is held before its answer.
 struct WaitingForAdvice : Bench {
     void wait()
     {
@@ -115,7 +115,7 @@ TEST_F(WaitingForAdvice, recordsTheEstimateThatStopEnds)
             SessionRecorder::Options{.folder = folder, .start = someStart()});
         EventList list;
         const SessionEventLogger eventLogger(recorder, *exploration, *worker, list);
-        emit worker->modelLoaded("fake.ttm", {}, {}, {});  // before, nobody wrote it down
+        emit worker->modelLoaded("fake.ttm", {}, {}, {});  // no recorder was connected earlier
         ASSERT_NO_FATAL_FAILURE(wait());
         exploration->stop();
         tick();
@@ -146,7 +146,8 @@ TEST_F(Bench, adviceOfTheEstimateBeforeIsNotTakenForTheNewOne)
     std::optional<ProbeAdvice> offered;
     QObject::connect(&estimation, &Estimation::offered, [&] { offered = estimation.advice(); });
     exploration->setStepLimit(
-        0.2);  // of the first estimate, which waits behind the second in the worker
+        // Advice of the first estimate, which waits behind the second in the worker.
+        0.2);
     blocked = false;
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
     ASSERT_TRUE(offered);
@@ -247,7 +248,7 @@ TEST_F(Bench, lastMinutesUseTheOperatorsStepLimit)
         EXPECT_TRUE(event.contains(QStringLiteral("more than 240 mm"))) << event.toStdString();
 }
 
-/// The robot of this program, as far as its name goes.
+/// A source with the name of the simulated robot.
 struct BuiltInSource final : MeasurementSource {
     std::string name() const override { return "SIMULATED ROBOT"; }
     Result<std::optional<Sample>> next(std::chrono::milliseconds /*patience*/) override
@@ -290,7 +291,7 @@ TEST_F(Bench, aDriveThatMovesNothingForgetsNothing)
     exploration->refuse(exploration->proposal()->id);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
     telemetry.activity = RobotActivity::Driving;
-    telemetry.frontLeft += 0.3;  // they come up first
+    telemetry.frontLeft += 0.3;  // the flippers rise first
     tick(10);
     EXPECT_TRUE(exploration->estimation().estimate());
     *telemetry.travelled += 0.1;

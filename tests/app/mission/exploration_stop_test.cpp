@@ -1,4 +1,4 @@
-// STOP and its release, the lost link, and driving: what halts the robot.
+// Tests STOP and its release, the lost link, and driving: everything that halts the robot.
 #include <QLabel>
 #include <QPushButton>
 
@@ -36,7 +36,7 @@ TEST_F(Bench, stopIsOnlySentUntilTheRobotConfirmsIt)
     exploration->stop();
     EXPECT_EQ(exploration->stopViewState().state, State::Sent) << "before any tick";
     tick(10);
-    exploration->stop();  // pressing it again makes it no younger
+    exploration->stop();  // pressing again does not restart the time
     tick(10);
     EXPECT_EQ(exploration->stopViewState().state, State::Sent);
     EXPECT_NEAR(exploration->stopViewState().seconds, 0.8, 1e-6);
@@ -185,7 +185,7 @@ TEST_F(Bench, theVerdictIsWithheldAsSoonAsTheTelemetryIsStale)
     EXPECT_FALSE(withheld());
 }
 
-/// A verdict that stands with an open question, and then an outage.
+/// A decided verdict with an open proposal, followed by an outage.
 struct Outage : Bench {
     Outage()
     {
@@ -194,7 +194,8 @@ struct Outage : Bench {
     }
     void linkIsLostFor(double seconds)
     {
-        tickInSilence(static_cast<int>(seconds / 0.04 + 0.5) - 1);  // the next line ends it
+        tickInSilence(static_cast<int>(seconds / 0.04 + 0.5)
+                      - 1);  // the next line ends the silence
         tick(3);
     }
     std::vector<Doubt> doubts() const { return exploration->estimation().verdict()->doubts; }
@@ -227,7 +228,7 @@ TEST_F(Outage, withholdsTheVerdictThoughNobodyPolled)
 {
     exploration->refuse(exploration->proposal()->id);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    now += kMaxSilence + 0.04;  // the window stands still meanwhile
+    now += kMaxSilence + 0.04;  // the window is frozen meanwhile
     line();
     line();
     tick();
@@ -247,7 +248,7 @@ TEST_F(Outage, voidsAnOpenQuestion)
 {
     const quint64 question = exploration->proposal()->id;
     EXPECT_EQ(firstMissing(exploration->toProbe()), "");
-    now += kMaxSilence + 0.04;  // unseen: else the exploration has failed long before
+    now += kMaxSilence + 0.04;  // not polled, otherwise the exploration would have failed
     line();
     tick();
     ASSERT_EQ(phase(), AtemPhase::ProposingProbe);
@@ -259,7 +260,7 @@ TEST_F(Outage, voidsAnOpenQuestion)
     EXPECT_EQ(sent<ProbeCommand>(), 0);
 }
 
-/// What a window shows of an exploration whose time is in the test's hands.
+/// The displays of an exploration with simulated time.
 struct LinkBench : Bench {
     LinkBench() : display(header, banner, list, acquisition, nullptr) {}
     void showAt(double time)
@@ -316,7 +317,7 @@ TEST_F(LinkBench, linkWatchdogExpiresAfter250msAndShowsTheBanner)
 
 TEST_F(LinkBench, aLinkThatFluttersIsOneEventAndTheBannerStands)
 {
-    int banners = 0;  // times that one came
+    int banners = 0;  // number of times a banner appeared
     const auto pass = [&](double seconds, bool comes) {
         for (const double until = now + seconds; now < until;) {
             const bool was = !banner.isHidden();

@@ -27,7 +27,7 @@ TEST_F(Bench, theWholeLoop)
     ASSERT_TRUE(exploration->proposal());
     EXPECT_EQ(exploration->proposal()->bin, kBin06);
     EXPECT_EQ(exploration->estimation().estimate()->settings.method, Method::Local);
-    const int pressed = estimates;  // and the live ones while the flippers moved
+    const int pressed = estimates;  // live previews while the flippers moved
 
     exploration->approve(exploration->proposal()->id);
     tick();
@@ -54,7 +54,7 @@ TEST_F(Bench, theWholeLoop)
     EXPECT_FALSE(exploration->estimation().estimate()) << "it held for another place";
 }
 
-/// A bench whose robot stands on an estimate and then drives.
+/// A robot that stands on an estimate and then drives on.
 struct DrivingOn : Bench {
     void stand()
     {
@@ -118,7 +118,7 @@ TEST_F(DrivingOn, leavesAGhostThatIsNotShownWhileTheLinkIsLost)
     EXPECT_EQ(exploration->estimation().whyNoGhost(), "No ghost while telemetry is missing");
     tick();
     EXPECT_TRUE(exploration->estimation().ghost());
-    telemetry.time += 2.0;  // of silence
+    telemetry.time += 2.0;  // two seconds of silence
     tick();
     EXPECT_FALSE(exploration->estimation().ghost());
     EXPECT_TRUE(exploration->estimation().whyNoGhost().contains("may have moved"));
@@ -277,10 +277,10 @@ TEST_F(Bench, telemetryFromBeforeACommandIsNoAnswer)
 {
     telemetry.activity = RobotActivity::Halted;
     exploration->request();
-    tick();  // halting
+    tick();  // enters Halting
     tick();
     EXPECT_EQ(phase(), AtemPhase::Halting) << "this line may have been measured before the halt";
-    telemetry.activity = RobotActivity::Pressed;  // from an earlier exploration
+    telemetry.activity = RobotActivity::Pressed;  // state of an earlier exploration
     tick();
     EXPECT_EQ(phase(), AtemPhase::Pressing);
     tick();

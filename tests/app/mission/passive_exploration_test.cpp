@@ -4,13 +4,13 @@
 namespace terratact {
 namespace {
 
-/// The bus that a console only listens to.
+/// The bus of a receive-only console.
 struct SilentBus {
     MemoryBus bus{steadyNow};
     CanSource link{bus.join("can0"), RobotModel{}, {.mode = CanSource::Mode::Listen}};
 };
 
-/// An exploration that follows what the telemetry says.
+/// An exploration that only follows the telemetry.
 struct PassiveExplorationBench : SilentBus, Bench {
     PassiveExplorationBench() : Bench(&link) {}
 

@@ -1,4 +1,4 @@
-// What speaks against an exploration and the other commands, and overriding what is doubtful.
+// Tests the preconditions of exploring and of the other commands, and overriding doubtful ones.
 
 #include "tests/support/exploration_bench.h"
 

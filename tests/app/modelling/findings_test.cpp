@@ -27,7 +27,7 @@ BinError errorOf(std::size_t scene, const std::string& label)
     return e;
 }
 
-/// What an evaluation of the scenes of one part has found.
+/// Returns the findings of one part's scenes.
 Findings findingsOf(Shard shard)
 {
     Findings f;

@@ -1,4 +1,4 @@
-// Training a model and comparing two, without a window.
+// Tests training a model and comparing two, without a window.
 #include "app/modelling/model_training.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST_F(Training, tellsOfInducingRowsWhereThereAreManyScenes)
 {
     const std::vector<Scene> few = someScenes(4, 1);
     std::vector<Scene> scenes;
-    // Each time with other rear flippers: copies would be left out.
+    // Varies the rear flippers, because repeated scenes would be omitted.
     for (double rear = 0.0; scenes.size() <= 11 * kManyRows / 10; rear += 0.02)
         for (Scene scene : few) {
             scene.s.rear += rear;
@@ -98,7 +98,7 @@ TEST_F(Training, saysWhenEachBinOfEachKindBeginsAndEnds)
 
 TEST_F(Training, isCancelledInTheMiddleOfASearch)
 {
-    // The first search alone asks more often than this.
+    // The first search alone polls more often than this.
     constexpr int kAsked = 50;
     bool begun = false;
     int asked = 0;

@@ -101,7 +101,7 @@ TEST(PresetsCsv, refusesWhatItIsNot)
                         {"line 3", "another model"}));
 }
 
-// app/figures/tradeoff_figure.cpp and app/figures/method_style.cpp.
+// Colours and geometry of app/figures/tradeoff_figure.cpp and app/figures/method_style.cpp.
 constexpr int kLeft = 96, kRight = 856, kTop = 110, kBottom = 620, kSecondLeft = 990;
 constexpr unsigned kPafc = 0x12804a, kJoint = 0x0b7f8c, kLocal = 0xb01e4f;
 
@@ -122,7 +122,7 @@ protected:
         return readPng(path);
     }
 
-    /// The panel that begins at this column, without the key and the other panel.
+    /// Returns the panel that begins at this column, without legend and other panel.
     static Picture panel(const Picture& picture, int left)
     {
         Picture part = picture;
@@ -175,7 +175,8 @@ TEST_F(TradeoffFigure, drawsPresetsLargerThanOtherSettings)
 
 TEST_F(TradeoffFigure, drawsTheParetoFrontOnly)
 {
-    // From corner to corner, through the panel's centre; or no line, where one of the two is beaten or of another method.
+    // The front is a line through the panel's centre. There is no line if one point is dominated or belongs to another
+    // method.
     const auto darkPixels = [&](double firstMm, double secondMm, Method second = Method::Pafc) {
         const Picture picture = drawn(
             {marker(Method::Pafc, 1.0, firstMm, 10.0), marker(second, 100.0, secondMm, 10.0)});

@@ -1,4 +1,4 @@
-// The recorder is in nobody's way, counts what it cannot keep, and goes on where it can again.
+// Tests that the recorder blocks nobody, counts what it drops, and resumes when it can.
 #include "app/recording/session_recorder.h"
 
 #include <fcntl.h>
@@ -25,12 +25,12 @@
 
 namespace {
 
-/// While it is set, the disk takes as long as it stays set.
+/// While set, writing to the disk blocks.
 std::atomic<bool> stalled{false};
 
 }  // namespace
 
-// SQLite's, before the C library's: a disk that stalls.
+// Replaces the C library's function for SQLite: a disk that stalls.
 extern "C" int fdatasync(int file)
 {
     while (stalled) std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -216,8 +216,8 @@ TEST_F(Recorder, goesOnInTheNextFileWhereOneHasAsManyBatchesAsItMay)
     }
 }
 
-/// Three seconds of a stalled disk at the rate of a full bus: whoever records is not held up, the trouble is told
-/// while it lasts, what found room is kept, the rest is counted in the file.
+/// Stalls the disk for three seconds at the rate of a full bus. The caller is not blocked, and the trouble is reported
+/// meanwhile. Queued frames are kept; dropped ones are counted in the file.
 TEST_F(Recorder, aStalledDiskHoldsNobodyUpAndIsTold)
 {
     constexpr int kTurns = 150;
@@ -244,7 +244,7 @@ TEST_F(Recorder, aStalledDiskHoldsNobodyUpAndIsTold)
     }
     EXPECT_GT(told, 0.5);
     EXPECT_LT(told, 3.0) << "before the stall was over";
-    EXPECT_LT(longest, 1.0);  // a hang guard: the stall takes three times as long
+    EXPECT_LT(longest, 1.0);  // hang guard: the stall takes three times as long
     const auto files = filesIn(folder);
     ASSERT_EQ(files.size(), 1U);
     auto reader = SessionReader::open(files.front());
@@ -273,7 +273,7 @@ TEST_F(Recorder, keepsNothingWhileItIsOff)
     EXPECT_EQ(recorder.state().trouble, "");
     EXPECT_TRUE(SessionReader::open(first)->sealed());
     recorder.take(busFrames(0, 10));
-    std::this_thread::sleep_for(100ms);  // ten turns of its thread
+    std::this_thread::sleep_for(100ms);  // ten turns of the recorder's thread
     recorder.setOn(true);
     recorder.take(busFrames(10, 10));
     ASSERT_TRUE(eventually([&] { return recorder.state().frames == 10; }));
@@ -291,7 +291,7 @@ TEST_F(Recorder, knowsInEveryFileWhatWasSaidWhileItWasOffOrBefore)
         recorder.record(someScene(1, 0));
         recorder.record(someEstimate(1, 0));
         recorder.record(someProposal(0));
-        std::this_thread::sleep_for(100ms);  // ten turns of its thread
+        std::this_thread::sleep_for(100ms);  // ten turns of the recorder's thread
         for (const char* const what : {"approve", "stop"}) {
             recorder.setOn(true);
             recorder.record(EventRow{
@@ -390,10 +390,10 @@ TEST_F(Recorder, leavesNoFileOfAConsoleThatDidNotComeToBe)
 }
 
 constexpr std::int64_t kSecond = 1'000'000'000;                           // [ns]
-constexpr std::int64_t kOctober = std::int64_t{1'793'000'000} * kSecond;  // of someSession()
+constexpr std::int64_t kOctober = std::int64_t{1'793'000'000} * kSecond;  // start of someSession()
 constexpr std::int64_t kLater = kOctober + 100 * 86'400 * kSecond;
 
-/// A closed session; by its own clock and the file system's it ended at these times.
+/// Makes a closed session that ended at these times, by its own clock and by the file system's.
 void makeClosed(const std::string& path, std::int64_t recorded = kOctober,
                 std::int64_t written = kOctober, std::int64_t frames = 2000)
 {
@@ -496,7 +496,7 @@ TEST_F(Recorder, symbolicLinksInItsFolderAreNotFollowed)
 {
     const std::string elsewhere = directory.file("elsewhere.tts"), link = folder + "/link.tts";
     std::filesystem::create_directories(folder);
-    ASSERT_TRUE(someSession(elsewhere, 300));  // whose writer goes without sealing it
+    ASSERT_TRUE(someSession(elsewhere, 300));  // the writer is destroyed without sealing
     const std::string before = contentOf(elsewhere);
     std::filesystem::create_symlink(elsewhere, link);
     EXPECT_TRUE(sessionsIn(folder).empty());
@@ -585,7 +585,7 @@ TEST_F(Recorder, anOpenSessionIsNoneOfThoseThatCount)
     EXPECT_TRUE(std::filesystem::exists(folder + "/1.tts"));
 }
 
-// 3.6 million frames as in an hour at 1 kHz, as fast as they are taken; TERRATACT_RECORD_FRAMES sets the number.
+// Records 3.6 million frames, an hour at 1 kHz, as fast as they are accepted. TERRATACT_RECORD_FRAMES sets the number.
 TEST_F(Recorder, costsLittle)
 {
     const char* const given = std::getenv("TERRATACT_RECORD_FRAMES");
@@ -594,7 +594,7 @@ TEST_F(Recorder, costsLittle)
     std::int64_t bytes = 0;
     const double begin = cpu(), began = steadyNow();
     {
-        options.batch = 50ms;  // a batch of 9,000 frames at most
+        options.batch = 50ms;  // batches of at most 9,000 frames
         options.mostBytes = std::int64_t{1} << 40U;
         SessionRecorder recorder(options);
         for (std::int64_t n = 0; n < frames; n += 250) {

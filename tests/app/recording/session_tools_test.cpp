@@ -1,4 +1,4 @@
-// What the command line makes of sessions: estimates again, logs, tables, one session of several, pages.
+// Tests the session commands: recomputed estimates, logs, tables, merged sessions, reports.
 #include <cblas.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ namespace {
 constexpr const char* kModel = TERRATACT_SOURCE_DIR "/resources/models/default.ttm";
 constexpr const char* kRobot = TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml";
 
-/// The largest of the numbers that follow `key` in the text.
+/// Returns the largest of the numbers that follow `key` in the text.
 double largest(const std::string& text, const std::string& key)
 {
     double most = 0.0;
@@ -41,7 +41,7 @@ double largest(const std::string& text, const std::string& key)
 struct Tools : testing::Test {
     Tools() { openblas_set_num_threads(1); }
 
-    /// A session of the shipped robot with the rows that `fill` adds.
+    /// Writes a session of the shipped robot with the rows that `fill` adds.
     template <class Fill>
     std::string session(const std::string& name, Fill fill, std::int64_t laterBy = 0)
     {
@@ -139,7 +139,7 @@ TEST_F(Drive, aRowThatCannotBeEstimatedIsAnErrorThatNamesTheFile)
                         {"scene is not there"}));
 }
 
-/// Along all frames by hand: where a scene's estimate has come to at the next scene.
+/// Integrates all frames by hand, to know where a scene's estimate lies at the next scene.
 TEST_F(Drive, estimatesAreFollowedToTheScenesBehindTheirs)
 {
     const RobotModel robot = *readRobotModel(kRobot);
@@ -198,7 +198,7 @@ TEST_F(Drive, theReportHasWhatWasDecidedAndFitsItsPage)
     ASSERT_FALSE(report.events.empty());
     EXPECT_NE(report.events[0].find("approve"), std::string::npos);
     EXPECT_NE(report.events[0].find("on the screen"), std::string::npos);
-    // More than there is room for: the last line counts them, on the page.
+    // Too many for the page; its last line counts the rest.
     report.events.assign(400, report.events[0]);
     const std::string path = directory.file("page.svg");
     ASSERT_TRUE(writeReport(path, report));

@@ -1,5 +1,5 @@
-// Why a chosen file is not taken is said in the operator's language.  The refusals are not listed here: they are what the
-// readers say of files that are broken in every way that can be thought of, and no word of English may be left in them.
+// Tests that refused files are explained in the operator's language. The errors are not listed here: the readers
+// produce them for files broken in many ways. No English word may remain in the translations.
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
@@ -34,7 +34,7 @@ namespace {
 
 const std::string kSource = TERRATACT_SOURCE_DIR;
 
-/// Quoted pieces of the file are data, and so is what is no plain word: keys, columns, numbers, paths.
+/// Returns the plain words of a text. Quoted parts of the file, keys, columns, numbers and paths are data.
 QStringList plainWords(QString text)
 {
     static const QRegularExpression kQuoted(
@@ -45,7 +45,7 @@ QStringList plainWords(QString text)
     return text.split(kBetween, Qt::SkipEmptyParts).filter(kPlain);
 }
 
-/// What the parsers of others say stays as it is, and is left out here.
+/// Removes messages of foreign parsers, which are not translated.
 QString withoutForeign(const std::string& english)
 {
     static const QRegularExpression kHead(QStringLiteral(
@@ -55,10 +55,10 @@ QString withoutForeign(const std::string& english)
     return head.hasMatch() ? head.captured() : whole;
 }
 
-/// Sentences that the readers say, one of each form.
+/// Error sentences of the readers, one of each form.
 class Refusals {
 public:
-    /// data: plain words that such a file has: keys, tables, names.
+    /// data: plain words that such a file contains: keys, tables, names.
     explicit Refusals(QSet<QString> data) : data_(std::move(data)) {}
 
     template <class Value>
@@ -94,7 +94,7 @@ public:
 private:
     QStringList englishIn(const QString& english, const QString& translated) const
     {
-        // Names, units, and words that the languages have in common.
+        // Names, units and words that the languages share.
         static const QSet<QString> kSame{
             "SQLite",     "TOML",    "Terratact", "ISO",           "IEEE", "CAN", "DBC",   "FD",
             "ERRORFRAME", "float",   "double",    "little-endian", "rad",  "in",  "model", "text",
@@ -108,7 +108,7 @@ private:
     }
 
     QSet<QString> data_;
-    std::map<QString, QString> forms_;  ///< without their data, and the first of each
+    std::map<QString, QString> forms_;  ///< form without data, and its first sentence
 };
 
 void execute(const std::string& path, const std::string& sql)
@@ -116,12 +116,12 @@ void execute(const std::string& path, const std::string& sql)
     sqlite3* file = nullptr;
     sqlite3_open(path.c_str(), &file);
     const std::string quickly = "PRAGMA synchronous = OFF; PRAGMA journal_mode = MEMORY; ";
-    // What a constraint forbids changes nothing.
+    // A violated constraint leaves the file unchanged.
     sqlite3_exec(file, (quickly + sql).c_str(), nullptr, nullptr, nullptr);
     sqlite3_close(file);
 }
 
-/// Tables and their columns.
+/// Returns tables and their columns.
 std::vector<std::pair<std::string, std::string>> columnsOf(const std::string& path)
 {
     std::vector<std::pair<std::string, std::string>> columns;
@@ -139,7 +139,7 @@ std::vector<std::pair<std::string, std::string>> columnsOf(const std::string& pa
     return columns;
 }
 
-/// The file with each of its columns, in one row and in all, set to what does not belong there, and its bytes cut.
+/// Breaks the file: each column, in one row and in all rows, gets an invalid value; also cuts the bytes.
 void breakTables(const TemporaryDirectory& dir, const std::string& path,
                  const std::vector<std::string>& more,
                  const std::function<void(const std::string& file)>& read)
@@ -196,7 +196,7 @@ std::string joined(const std::vector<std::string>& lines)
     return text;
 }
 
-/// The text with each of its lines left out, said twice, cut, and its value set to what does not belong there.
+/// Breaks the text: omits, repeats and cuts each line, and gives it invalid values.
 void breakToml(const std::string& text, const std::function<void(const std::string& broken)>& read)
 {
     const std::vector<std::string> lines = linesOf(text);

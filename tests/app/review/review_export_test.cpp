@@ -1,4 +1,4 @@
-// What a review writes to files, and the dialog that asks which.
+// Tests the files that a review writes, and its export dialog.
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
@@ -47,7 +47,7 @@ TEST_F(ReviewOf, whatIsShownIsExported)
     EXPECT_FALSE(savePicture(terrain, "picture.bmp").isEmpty());
     const QString day = QString::fromStdString(directory.file("day.png"));
     terrain.setFixedSize(800, 400);
-    for (const Qt::Key theme : {Qt::Key_6, Qt::Key_4})  // fits the letters to the room that is left
+    for (const Qt::Key theme : {Qt::Key_6, Qt::Key_4})  // fits the font to the remaining room
         QTest::keyClick(window.get(), theme, Qt::ControlModifier);
     QTest::qWait(50);
     EXPECT_TRUE(savePicture(terrain, day).isEmpty());
@@ -76,13 +76,13 @@ TEST_F(ReviewOf, whatIsShownIsExported)
 }
 
 struct ExportOf : ReviewOf {
-    /// Opens the dialog by its key.
+    /// Opens the dialog with its key.
     ReviewExportDialog& ask()
     {
         press(Qt::Key_E, Qt::ControlModifier);
         return *window->exportDialog();
     }
-    /// Chooses by what a list says, and the name of the file.
+    /// Chooses list entries by their text, and sets the file name.
     void choose(const QString& what, const QString& format, const std::string& name)
     {
         ReviewExportDialog& dialog = ask();
@@ -108,7 +108,7 @@ struct ExportOf : ReviewOf {
     {
         return *readFile(directory.file(name), 1U << 26U);
     }
-    /// What the command line would write.
+    /// Returns the output of the command line.
     std::string commandWrites(const std::string& name, const ExportSelection& selection)
     {
         auto session = SessionReader::open(path.toStdString());
@@ -153,7 +153,7 @@ TEST_F(ExportOf, visibleAndWholeExportsEqualTheCommandLines)
     EXPECT_EQ(written("cursors.mcap"), commandWrites("command-cursors.mcap", cursors));
 }
 
-/// A session with frames of a gas sensor and a battery, and the DBC file that describes them.
+/// A session with frames of a gas sensor and a battery, and their DBC file.
 struct PayloadOf : ExportOf {
     static QString dbcFile()
     {
@@ -300,7 +300,7 @@ TEST_F(ExportOf, whatIsShownIsWrittenByTheSameDialog)
     choose("Numbers", ".csv", "numbers.csv");
     write();
     EXPECT_EQ(written("numbers.csv").rfind("t_s,measured_s,pitch_rad", 0), 0U);
-    choose("Report", ".html", "report");  // the ending is added
+    choose("Report", ".html", "report");  // the dialog adds the ending
     write();
     EXPECT_NE(written("report.html").find("Scene 1 of review.tts"), std::string::npos);
     window->goTo(0.0);
@@ -411,7 +411,7 @@ TEST_F(ExportOf, cancelledExportLeavesNoFileAndBlocksNothing)
     EXPECT_TRUE(dialog.isVisible());
 
     QTest::mouseClick(dialog.exportButton(), Qt::LeftButton);
-    window.reset();  // closed while it is written
+    window.reset();  // closes the window during the export
     EXPECT_EQ(files(), before);
 }
 

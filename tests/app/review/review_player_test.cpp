@@ -1,4 +1,4 @@
-// Moving in a session under review: played, stepped through, looped, followed.
+// Tests moving in a reviewed session: playback, steps, loops, following.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -30,7 +30,7 @@ TEST(ReviewPlayer, playsByDataTimeAndSkipsNothingAfterAPause)
     player.setSpeed(50.0);
     player.advance(0.1);
     EXPECT_NEAR(player.position(), 5.1, 1e-12);
-    player.advance(3600.0);  // the machine slept
+    player.advance(3600.0);  // the machine was suspended
     EXPECT_NEAR(player.position(), 5.1 + 50.0 * ReviewPlayer::kMaxStepTime, 1e-9);
     player.pause();
     const double stood = player.position();
@@ -200,8 +200,8 @@ TEST_F(ReviewOf, forcePeaksAtATimeDoNotDependOnThePath)
         window->goTo(time);
         return peaks();
     };
-    constexpr double kLetGo = 20.0;  // [s] from where on it is looked for
-    double at = 0.0;                 // where an element feels less than it did
+    constexpr double kLetGo = 20.0;  // [s] start of the search
+    double at = 0.0;                 // time at which an element's force falls
     std::vector<std::optional<double>> jumped;
     for (double t = kLetGo; at == 0.0 && t < window->player().end(); t += 0.5) {
         jumped = shown(t);
@@ -220,7 +220,7 @@ TEST_F(ReviewOf, forcePeaksAtATimeDoNotDependOnThePath)
     EXPECT_EQ(shown(at), jumped) << "in a window that was nowhere else";
 }
 
-/// What playing costs, by a command: TERRATACT_REVIEW_SECONDS=3600 app.review.review_test --gtest_filter=*Costs*
+/// Measures the cost of playback: TERRATACT_REVIEW_SECONDS=3600 app.review.review_test --gtest_filter=*Costs*
 TEST_F(ReviewOf, playbackCostsLittle)
 {
     const char* given = std::getenv("TERRATACT_REVIEW_SECONDS");

@@ -1,4 +1,4 @@
-// A session under review: it looks like one, offers no command, and whatever is damaged is seen to be.
+// Tests a reviewed session: it is recognizable as a review, offers no command, and shows damage.
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 #include <unistd.h>
@@ -98,7 +98,7 @@ TEST_F(ReviewOf, aSessionOpenedByAConsoleStopsItsRobot)
     EXPECT_TRUE(line->take());
     EXPECT_TRUE(saysUponTheHeader(*window, "STOP SENT to the console"));
     EXPECT_TRUE(eventually([&] { return saysUponTheHeader(*window, "has taken it"); }));
-    press(Qt::Key_F12);  // and nobody looks
+    press(Qt::Key_F12);  // nobody reads the line
     EXPECT_TRUE(eventually([&] { return saysUponTheHeader(*window, "STOP NOT TAKEN"); }));
     line.reset();
     press(Qt::Key_F12);
@@ -244,7 +244,7 @@ TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
         writer->add(ModelRow{.id = 1, .name = "default.ttm", .hash = *sha256OfFile(model)}));
     SceneRow scene{.id = 1, .time = sessionTimeOf(1.0)};
     scene.measurement.pitch = 0.05;
-    scene.measurement.roll = 0.2;  // warned of
+    scene.measurement.roll = 0.2;  // causes a warning
     scene.measurement.force = {0.0, 0.0, 0.0, 0.0, 0.0, 7.0};
     ASSERT_TRUE(writer->add(scene));
     EstimateRow row{.id = 1, .time = sessionTimeOf(1.5), .scene = 1, .model = 1};
@@ -252,7 +252,7 @@ TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
     settings.seed = 18'446'744'073'709'551'557U;
     row.estimate = loaded->estimate({scene.measurement, {}, settings}, Watch{});
     ASSERT_TRUE(writer->add(row));
-    EstimateRow rounded = row;  // as another processor has it
+    EstimateRow rounded = row;  // rounded like on another processor
     rounded.id = 2;
     rounded.time = sessionTimeOf(1.7);
     rounded.estimate.height[4] += 1e-12;
@@ -284,7 +284,7 @@ TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
         << page.result()->text().toStdString();
 }
 
-/// Other processors and later versions may round its last bits otherwise.
+/// Other processors and later versions may round the last bits differently.
 TEST_F(ReviewOf, theShippedSessionIsRepeated)
 {
     path = TERRATACT_SOURCE_DIR "/resources/sessions/demo.tts";
@@ -313,7 +313,7 @@ TEST_F(ReviewOf, everyTextHasItsRoomAndEveryControlAName)
         window->rail()->choose(page);
         window->goTo(At::kMarker);
         QCoreApplication::processEvents();
-        // The table of numbers is seen to by its own test; four draws that fall apart are too much for it.
+        // The numbers table has its own test; four diverging draws are too wide for it.
         if (window->rail()->keyOf(page) != Qt::Key_F3) {
             EXPECT_EQ(cutWhenSettled(), std::vector<std::string>{}) << page;
         }
@@ -339,7 +339,7 @@ TEST_F(ReviewOf, largeFontsCutNothingAndTerrainTakesFreeSpace)
     struct Case {
         int scale;  // [%]
         QSize size;
-        double terrain;  // [px] of a metre, at least
+        double terrain;  // [px] minimum length of a metre
     };
     const Case cases[]{{100, {1200, 680}, 300.0}, {100, {1440, 900}, 320.0},
                        {120, {1200, 680}, 200.0}, {150, {1200, 680}, 170.0},
@@ -403,7 +403,7 @@ TEST(ScenesOfAFile, areEstimatedOneByOneAndCommandNothing)
     scenes[1] = scenes[0];
     scenes[1].run = "second";
     scenes[1].s.pitch = 0.2;
-    scenes[1].truth[3] = -0.2;  // the other bins are not known
+    scenes[1].truth[3] = -0.2;  // the other bins are unknown
     ScenesWindow window({.path = "/some/scenes.csv",
                          .scenes = scenes,
                          .robot = absolem(),

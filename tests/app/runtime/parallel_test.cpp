@@ -13,7 +13,7 @@
 namespace terratact {
 namespace {
 
-/// Leaves this thread, and those it starts, the first processor it has; gives them all back.
+/// Restricts this thread, and those it starts, to its first processor; the destructor restores all.
 class OneProcessor {
 public:
     OneProcessor()
@@ -58,7 +58,7 @@ TEST(ParallelFor, takesNoMoreThreadsThanItMayUse)
     std::mutex mutex;
     std::set<std::thread::id> threads;
     parallelFor(20, [&](int) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));  // time for others to come in
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));  // lets other threads interleave
         const std::scoped_lock lock(mutex);
         threads.insert(std::this_thread::get_id());
     });

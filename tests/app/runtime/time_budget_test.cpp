@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 TEST(TimeBudget, beginsWhenItIsFirstAsked)
 {
     const Watch watch = endingAfter(0.2);
-    std::this_thread::sleep_for(250ms);  // what a model makes once for all scenes
+    std::this_thread::sleep_for(250ms);  // one-time preparation of a model
     EXPECT_FALSE(watch.outOfTime());
     std::this_thread::sleep_for(250ms);
     EXPECT_TRUE(watch.outOfTime());

@@ -23,13 +23,13 @@
 
 namespace {
 
-/// As many samples as a card takes at once, and before it took any, it was full.
+/// Maximum samples the card accepts at once, and whether it was full before.
 std::optional<snd_pcm_uframes_t> mostAtOnce;
 bool isFull = false;
 
 }  // namespace
 
-/// The library's own, which the card above stands before.
+/// The library's function, replaced by the one above.
 extern "C" snd_pcm_sframes_t snd_pcm_writei(snd_pcm_t* pcm, const void* samples,
                                             snd_pcm_uframes_t count)
 {
@@ -45,7 +45,7 @@ namespace {
 
 constexpr unsigned kRate = 48'000;  // [Hz]
 
-/// A sound card that writes what it is given to a file.
+/// A sound card that writes its samples to a file.
 struct SoundCard : testing::Test {
     SoundCard()
     {
@@ -53,7 +53,7 @@ struct SoundCard : testing::Test {
                 "pcm.!default { type file slave.pcm silent format raw file \""
                 + played + "\" }\n");
     }
-    /// Before the first sound: the library reads it once.
+    /// Call before the first sound, because the library reads the file once.
     void install(const std::string& config)
     {
         ::setenv("ALSA_CONFIG_PATH", directory.write("asound.conf", config).c_str(), 1);

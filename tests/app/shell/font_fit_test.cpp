@@ -1,4 +1,4 @@
-// Every page follows the size of the letters when it is changed at run time, tables and all.
+// Tests that every page follows a change of the font size at run time, including tables.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -22,7 +22,7 @@ using gui::eventually;
 constexpr const char* kLanguages[]{"en", "cs", "de"};
 constexpr std::pair<int, QSize> kLetters[]{{150, {1920, 1080}}, {200, {2560, 1440}}};  // [%]
 
-/// Shows the window in each size of letters, and each of its pages, on which nothing may be cut.
+/// Shows each page of the window in each font size; no text may be cut.
 void lookAtEachPage(ConsoleWindow& window, NavigationRail& rail,
                     const std::function<void(int)>& resizeLetters, const std::string& language)
 {

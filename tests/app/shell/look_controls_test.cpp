@@ -1,4 +1,4 @@
-// Every control of the console: it has a name and a size, keys reach it, and it says why it cannot be pressed.
+// Tests every control of the console: name, size, keyboard access, and the reason if it is disabled.
 #include <gtest/gtest.h>
 
 #include <QAbstractSpinBox>
@@ -23,12 +23,12 @@ namespace {
 
 using gui::eventually;
 
-/// Whatever an operator can point at or tab to.
+/// Returns every widget that an operator can point at or tab to.
 QList<QWidget*> controls(const MainWindow& window)
 {
     QList<QWidget*> found;
     for (QWidget* widget : window.findChildren<QWidget*>()) {
-        // What Qt put into one of our own widgets speaks through it.
+        // Qt's inner widgets are announced by our own widget around them.
         const bool inner = widget->objectName().startsWith("qt_");
         const bool control =
             qobject_cast<QAbstractButton*>(widget) || (widget->focusPolicy() & Qt::TabFocus);
@@ -37,7 +37,7 @@ QList<QWidget*> controls(const MainWindow& window)
     return found;
 }
 
-/// Parts of a control that are pressed on their own: the arrows of a spin box, the entries of its menu or list; [px].
+/// Returns the sizes [px] of separately pressable parts: arrows of a spin box, entries of a menu or list.
 QList<QSize> partsOf(const QWidget& control)
 {
     QList<QSize> parts;
@@ -108,7 +108,7 @@ TEST_F(Look, aButtonThatCannotBePressedSaysWhyNot)
     window->preferences().change([](Preferences& p) { p.model = "/nowhere/none.ttm"; });
     explore();
     lookEverywhere();
-    window->exploration().stop();  // which is an alarm, too
+    window->exploration().stop();  // STOP raises an alarm, too
     ASSERT_TRUE(eventually([&] { return window->atemPanel()->releaseButton()->isVisible(); }));
     lookEverywhere();
     EXPECT_EQ(tips.silent(), std::vector<std::string>());
@@ -162,7 +162,7 @@ TEST_F(Look, theSheetTellsOfEveryKeyAndEveryKeyActs)
     EXPECT_EQ(twice.entryOf(withAlt), nullptr);
 }
 
-/// Pixels of the window that are unlike in two pictures of it.
+/// Returns the number of pixels that differ between two pictures.
 int unlike(const QImage& a, const QImage& b)
 {
     int count = 0;
@@ -184,10 +184,11 @@ TEST_F(Look, whatHasTheFocusIsSeenInEveryTheme)
                 if (!control->isEnabled() || !(control->focusPolicy() & Qt::TabFocus)
                     || !seen.insert(control).second)
                     continue;
-                const auto picture = [&] {  // of the window: the mark lies upon it
-                    const QPoint corner = control->mapTo(window.get(), QPoint(0, 0));
-                    return window->grab({corner, control->size()}).toImage();
-                };
+                const auto picture =
+                    [&] {  // picture of the window, because the mark lies over the control
+                        const QPoint corner = control->mapTo(window.get(), QPoint(0, 0));
+                        return window->grab({corner, control->size()}).toImage();
+                    };
                 window->setFocus();
                 const QImage before = picture();
                 control->setFocus(Qt::TabFocusReason);

@@ -1,4 +1,4 @@
-// Preferences come back as they were saved, and no file of them can stand in the way of a start.
+// Tests that preferences are restored as saved, and that no preferences file prevents a start.
 #include "app/shell/preferences.h"
 
 #include <gtest/gtest.h>

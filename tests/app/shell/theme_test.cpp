@@ -1,4 +1,4 @@
-// Letters, layouts, languages and preferences: that the console can be read by everybody.
+// Tests fonts, layouts, languages and preferences, so that everyone can read the console.
 #include <gtest/gtest.h>
 
 #include <QDoubleSpinBox>
@@ -47,7 +47,7 @@ namespace {
 
 using gui::eventually;
 
-/// The share of a picture that lights more than red.
+/// Returns the share of pixels that emit more than red.
 double notRed(const QImage& image)
 {
     int count = 0;
@@ -86,7 +86,8 @@ TEST_F(Look, nothingIsCutInLargeLetters)
             window->resize(size);
             QTest::qWait(100);
             EXPECT_EQ(window->size(), size) << "the layout needs more than this";
-            (void)eventually([&] { return gui::cutText(*window).empty(); }, 2000);  // laid out
+            (void)eventually([&] { return gui::cutText(*window).empty(); },
+                             2000);  // waits for the layout
             EXPECT_EQ(gui::cutText(*window), std::vector<std::string>())
                 << scale << " % " << layout;
         }
@@ -105,7 +106,8 @@ TEST_F(Look, nothingIsCutInAnyLanguage)
             window->resize(size);
             QTest::qWait(100);
             eachPage([&] {
-                (void)eventually([&] { return gui::cutText(*window).empty(); }, 2000);  // laid out
+                (void)eventually([&] { return gui::cutText(*window).empty(); },
+                                 2000);  // waits for the layout
                 EXPECT_EQ(gui::cutText(*window), std::vector<std::string>())
                     << language << ", width " << size.width() << ", page "
                     << window->rail()->chosen();
@@ -116,7 +118,7 @@ TEST_F(Look, nothingIsCutInAnyLanguage)
     installLanguage(*qApp, "en");
 }
 
-/// What describe() says of every value of an enumeration, from 0 to its last, after which it knows none.
+/// Returns describe() of every enumerator from 0 to `last`; describe() knows none beyond it.
 template <class Enum>
 QStringList allTo(Enum last)
 {
@@ -138,12 +140,11 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
         estimate.draws.push_back(estimate.height);
         if (i % 2 == 0) estimate.draws.back()[9] -= 0.3;
     }
-    QStringList said = allTo(AtemPhase::Failed) + allTo(AtemFailure::Disarmed)
-                     + allTo(DisarmCause::EpochChanged) + allTo(GateRefusal::OtherBin)
-                     + allTo(Doubt::Contradiction) + allTo(RobotActivity::Stopped)
-                     + allTo(Refusal::OutOfLimits)
-                     + allTo(ElementState::Short).mid(1)  // a sound one is not told of
-                     + QStringList{"yes", "no", "none", "not measured"};
+    QStringList said =
+        allTo(AtemPhase::Failed) + allTo(AtemFailure::Disarmed) + allTo(DisarmCause::EpochChanged)
+        + allTo(GateRefusal::OtherBin) + allTo(Doubt::Contradiction) + allTo(RobotActivity::Stopped)
+        + allTo(Refusal::OutOfLimits) + allTo(ElementState::Short).mid(1)  // Sound has no text
+        + QStringList{"yes", "no", "none", "not measured"};
     for (int i = 0; i <= static_cast<int>(AtemPhase::Failed); ++i)
         said << QString::fromStdString(describeFollowed(static_cast<AtemPhase>(i)));
     for (std::size_t i = 0; i < kSensors; ++i)
@@ -152,7 +153,7 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
         for (const double way : {0.0, 0.6})
             said << QString::fromStdString(describeTrouble(
                 {.trouble = static_cast<SensorTrouble>(i), .amount = 12.0, .way = way}));
-    for (const double limit : {0.1, 0.9})  // open, and all but certain
+    for (const double limit : {0.1, 0.9})  // an undecided and an almost certain value
         for (const std::string& sentence : hiddenByBands(estimate, limit))
             said << QString::fromStdString(sentence);
     said << QString::fromUtf8(
@@ -193,7 +194,7 @@ TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
 TEST(Languages, numbersAreWrittenAndReadTheSameInEach)
 {
     for (const char* language : {"en", "cs", "de"}) {
-        QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));  // as with LANG=de_DE
+        QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));  // like LANG=de_DE
         (void)installLanguage(*qApp, language);
         QDoubleSpinBox box;
         box.setRange(0.0, 100'000.0);
@@ -346,7 +347,7 @@ TEST(About, namesNoFileThatIsNotThere)
     }
 }
 
-/// The letters that a window ends with, and after how many tries.
+/// Returns the final font scale of a window and the number of trials.
 std::pair<int, int> lettersThatFit(int wanted, QSize room, const std::function<QSize(int)>& needs)
 {
     int percent = wanted, tries = 1;
@@ -522,7 +523,8 @@ TEST_F(Look, safeModeIsSaidOnEveryPageAndCutsNothing)
                 return text.contains("SAFE MODE") && text.contains("without --safe-mode");
             }));
             EXPECT_EQ(window->size(), size);
-            (void)eventually([&] { return gui::cutText(*window).empty(); }, 2000);  // laid out
+            (void)eventually([&] { return gui::cutText(*window).empty(); },
+                             2000);  // waits for the layout
             EXPECT_EQ(gui::overlaps(*window), std::vector<std::string>());
             EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
         });

@@ -1,4 +1,4 @@
-// The colours of each theme: contrast, and what stays apart for every eye.
+// Tests the colours of each theme: contrast, and distinctness with colour vision deficiency.
 #include <gtest/gtest.h>
 #include <qwt_plot_curve.h>
 #include <qwt_symbol.h>
@@ -16,7 +16,7 @@
 namespace terratact {
 namespace {
 
-using Rgb = std::array<double, 3>;  // linear
+using Rgb = std::array<double, 3>;  // linear RGB
 
 constexpr std::array kThemes{ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast};
 
@@ -28,7 +28,7 @@ Rgb linear(const QColor& colour)
     return {one(colour.redF()), one(colour.greenF()), one(colour.blueF())};
 }
 
-/// WCAG 2.1, relative luminance and contrast ratio.
+/// Returns the contrast ratio of WCAG 2.1, from relative luminance.
 double contrast(const QColor& a, const QColor& b)
 {
     const auto luminance = [](const QColor& colour) {
@@ -96,7 +96,7 @@ TEST(Themes, marksStandOutFromTheirGround)
     }
 }
 
-/// CIELAB, D65.
+/// Converts to CIELAB, D65.
 Rgb lab(const Rgb& c)
 {
     const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116.0; };
@@ -106,8 +106,8 @@ Rgb lab(const Rgb& c)
     return {116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
 }
 
-/// How eyes without one kind of cone see, from Machado, Oliveira and Fernandes, "A physiologically-based model for
-/// simulation of color vision deficiency", IEEE TVCG 15 (2009), severity 1.
+/// Simulates dichromatic vision, from Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of
+/// color vision deficiency", IEEE TVCG 15 (2009), severity 1.
 constexpr std::array<std::array<std::array<double, 3>, 3>, 3> kDeficiencies{
     {{{{0.152286, 1.052583, -0.204868},
        {0.114503, 0.786281, 0.099216},
@@ -143,7 +143,7 @@ double leastDifference(const std::array<QColor, 4>& colours)
 
 TEST(Themes, originsOfABinStayApartForEveryEye)
 {
-    // ΔE*ab of 2.3 is just noticeable.  Reds have no hues to tell apart: there the shapes alone must do.
+    // A ΔE*ab of 2.3 is just noticeable. The red theme has no hues, so only shapes distinguish there.
     for (const ThemeName name : {ThemeName::Day, ThemeName::HighContrast}) {
         const Theme t = themeOf(name);
         const double least = leastDifference({t.sampled, t.contact, t.arm, t.prior});

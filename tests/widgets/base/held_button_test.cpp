@@ -151,7 +151,7 @@ TEST_F(Hold, beingHiddenOrDisabledLetsGo)
 TEST_F(Hold, anotherActiveWindowLetsGo)
 {
     button->setHoldTime(100000);
-    other->setFocus();  // so that it is not the lost focus that lets go
+    other->setFocus();  // so that not the lost focus releases the button
     button->hold();
     ASSERT_TRUE(button->isHeld());
     QWidget dialog;
@@ -163,8 +163,8 @@ TEST_F(Hold, aFrozenWindowHoldsNothing)
 {
     button->setHoldTime(400);
     QTest::mousePress(button, Qt::LeftButton);
-    QThread::msleep(600);  // the window's own thread stands still while the operator lets go
-    QApplication::processEvents();  // the timer comes before the release that waits behind it
+    QThread::msleep(600);           // the window's thread is frozen while the operator releases
+    QApplication::processEvents();  // the timer fires before the queued release
     QTest::mouseRelease(button, Qt::LeftButton);
     EXPECT_EQ(confirmed, 0);
 }

@@ -1,4 +1,4 @@
-// Texts of somebody's files that look like HTML: they are shown letter by letter and load nothing.
+// Tests texts from files that look like HTML: they are shown literally and load nothing.
 #include <gtest/gtest.h>
 #include <qwt_text.h>
 #include <sys/stat.h>
@@ -31,7 +31,7 @@ namespace {
 const QString kGreen =
     QStringLiteral("<table bgcolor='#00ff00' width='100%'><tr><td>CLEAR</td></tr></table>");
 
-/// A FIFO that nobody writes to: whoever opens it to read waits for ever.
+/// A FIFO without writer: opening it for reading blocks forever.
 class HostileTexts : public testing::Test {
 protected:
     void SetUp() override
@@ -39,7 +39,7 @@ protected:
         applyLook(*qApp);
         ASSERT_EQ(::mkfifo(pipe().c_str(), 0600), 0);
     }
-    /// Whether somebody has the FIFO open to read.
+    /// Returns true if a reader has the FIFO open.
     bool isRead() const
     {
         const int fd = ::open(pipe().c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);

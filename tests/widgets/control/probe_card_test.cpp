@@ -35,7 +35,7 @@ struct Probe : testing::Test {
         QObject::connect(&card, &ProbeCard::approved, [this](quint64 id) { approved << id; });
         QObject::connect(&card, &ProbeCard::refused, [this](quint64 id) { refused << id; });
     }
-    /// Asks, and waits until that is seen.
+    /// Shows the proposal and waits until it is visible.
     void ask(const ProbeProposal& proposal)
     {
         card.setProposal(proposal);
@@ -158,7 +158,7 @@ TEST_F(Probe, saysWhereTheAnswerStandsWithoutIt)
     EXPECT_TRUE(allText().contains("only the shape would gain"));
     EXPECT_TRUE(card.refuseButton()->text().contains("BLOCKED stands"));
 
-    decided.worth->bitsAfter = -0.2;  // it would still say something
+    decided.worth->bitsAfter = -0.2;  // it would still have information
     card.setProposal(decided);
     EXPECT_TRUE(allText().contains("a probe makes it surer"));
     EXPECT_TRUE(allText().contains(QStringLiteral("→")));
@@ -246,7 +246,7 @@ TEST_F(Probe, thatAnotherWindowCoversIsNotApproved)
     ASSERT_TRUE(card.approveButton()->isHeld());
     beside.move(card.mapToGlobal(QPoint()));
     EXPECT_TRUE(gui::eventually([&] { return !card.approveButton()->isHeld(); }));
-    QTest::qWait(600);  // nothing is what comes
+    QTest::qWait(600);  // waits for an event that must not come
     EXPECT_TRUE(approved.isEmpty());
     QTest::mouseRelease(card.approveButton(), Qt::LeftButton);
     QTest::mousePress(card.approveButton(), Qt::LeftButton);
@@ -262,7 +262,7 @@ TEST_F(Probe, thatAnotherWindowCoversIsNotApproved)
 TEST_F(Probe, isCoveredByAnOpenMenuWhereThatLiesOverIt)
 {
     ASSERT_NO_FATAL_FAILURE(ask(kProposal));
-    QMenu menu;  // without a parent
+    QMenu menu;  // has no parent
     menu.addAction("an entry");
     menu.popup(card.mapToGlobal(QPoint(20, 20)));
     ASSERT_TRUE(gui::eventually([&] { return menu.isVisible(); }));

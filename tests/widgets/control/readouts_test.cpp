@@ -1,4 +1,4 @@
-// The widgets that only show text: readout, header, strip, events.
+// Tests the widgets that only show text: readout, header, strip, events.
 #include <gtest/gtest.h>
 
 #include <QAccessible>
@@ -245,7 +245,7 @@ TEST(Header, whatIsBadIsSeenInEveryWidth)
     applyLook(*qApp);
 }
 
-/// What a screen reader is told while this lives: name and description of what is announced.
+/// Records what a screen reader is told: name and description of announced widgets.
 struct Listener final : QObject {
     Listener() { qApp->installEventFilter(this); }
     bool eventFilter(QObject* object, QEvent* event) override

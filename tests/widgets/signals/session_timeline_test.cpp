@@ -99,7 +99,7 @@ TEST_F(TheTimeline, followsThePlayheadWhereItWasInView)
     timeline.setPlayhead(31.0);
     EXPECT_LE(timeline.first(), 31.0);
     EXPECT_GE(timeline.last(), 31.0);
-    timeline.showSpan(80.0, 90.0);  // the operator looks elsewhere
+    timeline.showSpan(80.0, 90.0);  // the operator has scrolled elsewhere
     timeline.setPlayhead(32.0);
     EXPECT_DOUBLE_EQ(timeline.first(), 80.0);
 }

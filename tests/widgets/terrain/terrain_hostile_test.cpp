@@ -1,4 +1,4 @@
-// Numbers that no robot should send: they are left out, and the rest is drawn at once.
+// Tests numbers that no robot should send: they are left out, and the rest is drawn at once.
 #include "widgets/terrain/terrain_profile_view.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST_F(TerrainView, aGhostThatIsNotFiniteOrHasHolesIsDrawnWhereItCanBe)
     view.setGhost(broken);
     const QImage image = painted(*view.canvas());
     ASSERT_FALSE(image.isNull());
-    int drawn = 0;  // of a thin line of dashes
+    int drawn = 0;  // pixels of the thin dashed line
     for (int dy = -5; dy <= 5; ++dy)
         for (const int dx : {-1, 0, 1})
             drawn += image.pixelColor(view.pixelOf(-0.1, -0.22).toPoint() + QPoint(dx, dy))

@@ -1,4 +1,4 @@
-// What stands for a bin: mark, bar and letter of what speaks for its height.
+// Tests the marks of a bin: symbol, bar and letter of its provenance.
 #include "widgets/terrain/terrain_profile_view.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 using gui::painted;
 
-/// Bins 3 to 7 in the order of kProvenances, each with a band of 0.3 m.
+/// Returns an estimate with bins 3 to 7 in the order of kProvenances, each with a band of 0.3 m.
 TerrainEstimate oneOfEachKind()
 {
     TerrainEstimate e = stepEstimate();
@@ -38,8 +38,7 @@ TerrainEstimate oneOfEachKind()
     return e;
 }
 
-/// Of the upper half of a bin's bar in greys: how many pieces of ink lie one below the other, how long they are in all
-/// [% of the bar] and how wide [px].
+/// Returns for the upper half of a bin's bar: number of ink pieces, their total length [% of the bar], width [px].
 std::array<int, 3> inkOfBar(const TerrainProfileView& view, const QImage& image, int bin)
 {
     const QPointF top = view.pixelOf(binCentre(bin), 0.04), bottom = view.pixelOf(0.0, -0.06);
@@ -61,7 +60,7 @@ std::array<int, 3> inkOfBar(const TerrainProfileView& view, const QImage& image,
     return {pieces, 100 * length / height, width};
 }
 
-/// Of the strip below `top`, around x: how many pixels stand out from the card.
+/// Returns the number of pixels around x, in the strip below `top`, that differ from the card.
 int inkIn(const QImage& image, double x, double top)
 {
     int ink = 0;
@@ -125,7 +124,7 @@ TEST_F(TerrainView, marksStandWhereTheMeansAre)
 
 TEST_F(TerrainView, kindsDifferInShapeAndNotOnlyInColour)
 {
-    // A square fills its corner; a circle and a triangle of that size do not fill their upper left one.
+    // A square fills its corner; a circle or triangle of that size leaves its upper left corner empty.
     TerrainEstimate e = probedEstimate();
     e.q10 = e.q90 = e.height;  // no bars in the way
     view.setEstimate(e);

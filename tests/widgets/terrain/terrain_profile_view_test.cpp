@@ -38,7 +38,7 @@ TEST_F(TerrainView, whatIsNotLiveIsMutedAndSaysOfWhen)
     const QImage live = painted(*view.canvas());
     view.setStale(1.2);
     const QImage stale = painted(*view.canvas());
-    // How far a spot stands out against the card.
+    // Returns the contrast of a spot against the card.
     const auto contrast = [&](const QImage& image, double x, double z) {
         const QPoint at = view.pixelOf(x, z).toPoint();
         double sum = 0.0;
@@ -94,7 +94,8 @@ TEST_F(TerrainView, everyBinAndItsBarLieOnTheCanvas)
 TEST_F(TerrainView, aNoteLiesBelowTheZonesWords)
 {
     view.setEstimate(stepEstimate());
-    const auto strip = [&](int from, int to) {  // [px] below the upper edge
+    const auto strip = [&](int from,
+                           int to) {  // rows from `from` to `to` [px] below the upper edge
         return painted(*view.canvas()).copy(0, from, view.canvas()->width(), to - from);
     };
     const int words = 5 + scaled(20);
@@ -118,7 +119,7 @@ TEST_F(TerrainView, theArmsWordLiesUponNoWordOfTheZones)
     ASSERT_TRUE(zones && arm);
     for (const QSize size : {QSize(900, 480), QSize(620, 300), QSize(480, 260)}) {
         view.resize(size);
-        for (int felt = 7; felt < kBins; ++felt) {  // bounded beyond, and then not felt
+        for (int felt = 7; felt < kBins; ++felt) {  // bounded beyond the felt bins, then not felt
             TerrainEstimate ramp = stepEstimate();
             for (int bin = 0; bin < kBins; ++bin)
                 ramp.touch[static_cast<std::size_t>(bin)] = bin <= felt     ? Touch::Felt
@@ -176,7 +177,7 @@ TEST_F(TerrainView, theGhostIsDashedInABandAndSaysHowFarItWasDriven)
         const int y = static_cast<int>(std::lround(view.pixelOf(0.0, z).y()));
         int count = 0, all = 0;
         for (double x = -0.25; x < 0.2; x += 0.002, ++all) {
-            const auto isGreen = [&](int row) {  // it may lie between two
+            const auto isGreen = [&](int row) {  // the line may lie between two rows
                 const int column = static_cast<int>(view.pixelOf(x, 0.0).x());
                 return alike(image.pixelColor(column, row), theme().sampled);
             };

@@ -151,7 +151,7 @@ TEST_F(Strip, withNothingToSayHasNoTipOfTheVerdictBefore)
     EXPECT_EQ(reason->toolTip(), "");
 }
 
-/// What a widget is told to say to a screen reader.
+/// Records what a widget announces to a screen reader.
 class Announcements final : public QObject {
 public:
     explicit Announcements(const VerdictStrip& strip)
