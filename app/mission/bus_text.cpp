@@ -104,7 +104,7 @@ QString stillComes(const std::vector<TappedFrame>& frames, double silence)
     if (!youngest || *youngest > std::min(kLinkLostAfter, 0.5 * silence)) return {};
     if (heartbeat)
         return BusWords::tr("frames still come, heartbeat %1 old").arg(format::age(*heartbeat));
-    // A robot's heart answers that of a console that commands; who listens has only this.
+    // The robot sends heartbeats only to a commanding console; a receive-only console sees only the status.
     if (status) return BusWords::tr("frames still come, status %1 old").arg(format::age(*status));
     return BusWords::tr("frames still come");
 }

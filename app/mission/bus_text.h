@@ -10,28 +10,27 @@
 
 namespace terratact {
 
-/// What is the matter with a bus, and the command that mends it.
+/// Returns the fault of a bus and the command that fixes it.
 QString busWords(BusState state, const std::string& bus);
 
-/// One word for it: "ACTIVE", "BUS-OFF".
+/// Returns the bus state in one word: "ACTIVE", "BUS-OFF".
 QString glance(BusState state);
 
-/// Bad where it does not work as it has to.
+/// Returns Bad for a bus that does not work.
 Tone toneOf(BusState state);
 
-/// "≤ 14 %": the load with all the stuff bits that there can be; "--- %" where the bit rate is not known.
+/// Returns the load with the maximum stuff bits: "≤ 14 %"; "--- %" for an unknown bit rate.
 QString loadGlance(const BusLoad& load, const BitRate& bitrate);
 
-/// Why nothing arrives from a robot, or leaves for it: of its bus where there is one that does not work, else what its
-/// source said.
+/// Returns why nothing is received or sent: the fault of the robot's bus, else the source's own text.
 QString troubleWords(const CanSource* link, const std::string& said);
 
-/// What still comes of a robot whose telemetry has stopped for so many seconds: "frames still come, heartbeat 0.1 s old";
-/// empty: no frame of it that could be used is younger than kLinkLostAfter and half the silence, as none is that came with
-/// the last telemetry.
+/// Returns what is still received after telemetry has stopped for `silence` seconds: "frames still come, heartbeat 0.1
+/// s old". Only usable frames younger than kLinkLostAfter and half the silence count, because others may have come with
+/// the last telemetry. Empty: none.
 QString stillComes(const std::vector<TappedFrame>& frames, double silence);
 
-/// Why this console only follows; empty where it commands.
+/// Returns why this console only follows; empty if it commands.
 QString whyFollowing(const CanSource* link);
 
 }  // namespace terratact

@@ -7,7 +7,7 @@
 namespace terratact {
 namespace {
 
-constexpr double kAlike = 0.005;  // relative: shown as 0 %
+constexpr double kAlike = 0.005;  // relative difference that is shown as 0 %
 
 QString millimetres(double metres)
 {

@@ -8,7 +8,7 @@
 
 namespace terratact {
 
-/// A comparison of two models as an operator reads it.
+/// Texts of a comparison of two models.
 class ComparisonWords {
     Q_DECLARE_TR_FUNCTIONS(ComparisonWords)
 public:
@@ -17,10 +17,10 @@ public:
     };
     static QList<Row> rows(const ModelComparison& comparison);
 
-    /// "The new model errs 12 % less near the robot on 300 scenes …"
+    /// Returns "The new model errs 12 % less near the robot on 300 scenes …".
     static QString sentence(const ModelComparison& comparison);
 
-    /// What makes it less than it seems; empty where nothing does.
+    /// Returns what weakens the result; empty: nothing.
     static QString caution(const ModelComparison& comparison);
 };
 

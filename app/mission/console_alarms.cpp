@@ -12,10 +12,10 @@
 namespace terratact {
 namespace {
 
-constexpr double kTiltFlutter = 0.15;  // [s] longer than a line of noise
-constexpr double kFlutter = 1.0;       // [s] such a state lasts now and then on a bus that works
+constexpr double kTiltFlutter = 0.15;  // [s] longer than noise in one sample
+constexpr double kFlutter = 1.0;       // [s] such states occur this long on a working bus
 
-/// Causes of which nothing else on the screen tells in words.
+/// Causes that no other text on the screen shows.
 const std::set<std::string> kOnlyHere{"bus",      "foreign", "dropped",
                                       "checksum", "sensors", std::string(kSensorAlarm),
                                       "attitude", "halted"};
@@ -26,7 +26,7 @@ bool comesAndGoes(BusState state)
         || state == BusState::ErrorPassive;
 }
 
-/// "left 3 open, right 1 short"; one that is saturated is pressed hard, and the bars say so.
+/// Returns "left 3 open, right 1 short". Saturated elements are pressed hard and are shown by the bars.
 QString unsoundElements(const ElementForces& forces)
 {
     QStringList unsound;
@@ -44,7 +44,7 @@ QString unsoundElements(const ElementForces& forces)
     return unsound.join(QStringLiteral(", "));
 }
 
-/// "Danger of tipping over: pitch +48°, tips over at +51°".
+/// Returns "Danger of tipping over: pitch +48°, tips over at +51°".
 QString tiltWords(const Measurement& m, const Attitude& attitude)
 {
     QStringList angles;
@@ -119,7 +119,7 @@ void ConsoleAlarms::lookAtLink(const AlarmViewState& viewState)
     const bool came = link.standing != LinkStanding::Silent;
     const bool waits = viewState.bus && viewState.bus->waits;
     const bool ended = viewState.bus && viewState.bus->ended;
-    if (waits) began_ = now_;  // nothing is due yet
+    if (waits) began_ = now_;  // no alarm is due yet
     judge("silence", !came && !ended && now_ - *began_ >= kFirstTelemetry,
           tr("No telemetry has come since the start%1").arg(why), Severity::Critical);
     QString what = format::sentence(describe(link));
@@ -152,7 +152,8 @@ void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmViewState& viewStat
     lookAtArming(bus.link.arming);
 }
 
-/// It stands until the operator arms anew: a robot that has stopped driving looks like one that was told to.
+/// An unwanted disarming stays an alarm until the operator arms again, because a robot that has stopped looks the same
+/// as one told to stop.
 void ConsoleAlarms::lookAtArming(const ArmingState& arming)
 {
     const bool isArmed = arming.phase == ArmingPhase::Armed;
@@ -173,7 +174,7 @@ void ConsoleAlarms::lookAtSensors(const ElementForces& forces)
           Severity::Caution, kFlutter);
 }
 
-/// It stands as long as a verdict is withheld for it: then it tells what was suspected.
+/// A suspicion stays an alarm while a verdict is withheld because of it, and then names what was suspected.
 void ConsoleAlarms::lookAtSuspicions(const AlarmViewState& viewState)
 {
     if (!viewState.suspicions.empty()) suspected_ = suspicionWords(viewState.suspicions);
@@ -191,7 +192,7 @@ void ConsoleAlarms::lookAtAttitude(const AlarmViewState& viewState)
           kTiltFlutter);
 }
 
-/// A robot that halts with a refusal was not told to: it says why.  It stands until the next drive or press.
+/// A robot that halts with a refusal halted itself; the alarm gives its reason until the next drive or press.
 void ConsoleAlarms::lookAtHalt(const AlarmViewState& viewState)
 {
     if (viewState.measurement) {

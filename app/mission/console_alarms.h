@@ -19,35 +19,37 @@
 
 namespace terratact {
 
-/// What can be wrong, as it stands now.  An empty text: it is not.
+/// Current inputs of the alarms. An empty text means no trouble.
 struct AlarmViewState {
     LinkAccount link{};
-    QString sourceTrouble{};       ///< why there is no telemetry
-    std::optional<CanView> bus{};  ///< empty: the source is none
+    QString sourceTrouble{};       ///< reason that there is no telemetry
+    std::optional<CanView> bus{};  ///< empty: the source has no bus
     std::string busName{};
     std::uint64_t wrongChecksums = 0;  ///< since the bus was opened
     QString noModel{}, panelTrouble{}, failedExploration{}, notRecorded{};
-    bool isStopped = false;                     ///< the robot says so
-    std::vector<SensorSuspicion> suspicions{};  ///< of sensors, now
-    bool isSceneSuspected = false;              ///< a verdict is withheld for one
-    std::optional<Measurement> measurement{};   ///< the newest, while it is heard
-    Attitude attitude{};                        ///< of it
+    bool isStopped = false;                     ///< the robot reports that it is stopped
+    std::vector<SensorSuspicion> suspicions{};  ///< current suspicions of sensors
+    bool isSceneSuspected = false;              ///< a verdict is withheld because of a suspicion
+    std::optional<Measurement> measurement{};   ///< newest measurement while telemetry is fresh
+    Attitude attitude{};                        ///< tip-over assessment of the measurement
 };
 
-/// "pitch angle: not changed for 12 s …; force 1, force 2: loaded while …", in the operator's language.
+/// Returns suspicions in the operator's language: "pitch angle: not changed for 12 s …; force 1, force 2: loaded while
+/// …".
 QString suspicionWords(const std::vector<SensorSuspicion>& suspicions);
 
-/// Finds the alarms in what is seen and lets them sound.  A cause must be away for a while before its alarm
-/// returns, and what comes now and then on a sound bus must stay for a while before it is one.  GUI thread only.
+/// Derives alarms from the console's state and makes them sound. A cause must be absent for a while before its alarm
+/// can return. A cause that occurs occasionally on a working bus must persist before it becomes an alarm. GUI thread
+/// only.
 class ConsoleAlarms final : public QObject {
     Q_OBJECT
 public:
-    static constexpr double kFirstTelemetry = 3.0;  ///< [s] may pass before there is any
-    static constexpr double kGoneFor = 1.0;  ///< [s] a cause is away before its alarm returns
+    static constexpr double kFirstTelemetry = 3.0;  ///< [s] grace period for the first telemetry
+    static constexpr double kGoneFor = 1.0;  ///< [s] absence of a cause before its alarm can return
 
     explicit ConsoleAlarms(std::unique_ptr<AlarmSound> alarmSound, QObject* parent = nullptr);
 
-    /// now: [s] on the steady clock.  To be called several times a second.
+    /// Updates the alarms; call several times a second. now: steady clock [s].
     void poll(double now, const AlarmViewState& viewState);
 
     const AlarmList& list() const { return list_; }
@@ -56,20 +58,20 @@ public:
     void silence(double until) { list_.silence(until); }
     void setSoundOn(bool on) { soundOn_ = on; }
     bool soundOn() const { return soundOn_; }
-    void trySound();  ///< sounds, wanted or not
+    void trySound();  ///< plays the sound even if muted
     QString soundTrouble() const { return alarmSound_->trouble(); }
 
 signals:
-    /// It stands now, or is graver now, and no other part of the window tells of it.
+    /// Emitted for a new or more severe alarm that no other part of the window shows.
     void raised(const QString& text, Severity severity);
-    void sounded();  ///< just now: sound is wanted, or was tried
+    void sounded();  ///< emitted when a sound is due or was tried
 
 private:
     struct Cause {
-        std::optional<double> stands{}, gone{};  ///< [s] since
-        std::optional<Severity> told{};          ///< the gravest that was raised
+        std::optional<double> stands{}, gone{};  ///< [s] start of the cause, of its absence
+        std::optional<Severity> told{};          ///< highest severity raised so far
     };
-    /// after: [s] it has to stand before it is an alarm.
+    /// after: time [s] a cause must persist before it becomes an alarm.
     void judge(const std::string& id, bool stands, const QString& text, Severity severity,
                double after = 0.0);
     void lookAtLink(const AlarmViewState& viewState);
@@ -85,11 +87,12 @@ private:
     std::map<std::string, Cause> causes_;
     std::map<std::string, GrowingCount> counted_;
     std::optional<double> began_;
-    QString suspected_{};  ///< the last suspicions, in words
-    QString halted_{};     ///< why the robot has ended its last drive by itself; empty: it has not
+    QString suspected_{};  ///< last suspicions as text
+    QString halted_{};     ///< reason that the robot ended its last drive itself; empty: it did not
     RobotActivity activity_ = RobotActivity::Halted;
     bool wasArmed_ = false;
-    std::optional<DisarmCause> disarmedBy_{};  ///< not the operator, who has not armed anew since
+    /// Cause of an unwanted disarming; empty after the operator has armed again.
+    std::optional<DisarmCause> disarmedBy_{};
     double now_ = 0.0;
     bool soundOn_ = true;
 };

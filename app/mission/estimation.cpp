@@ -9,7 +9,7 @@
 namespace terratact {
 namespace {
 
-constexpr int kLiveDraws = 200;  // enough for what a glance asks of a preview
+constexpr int kLiveDraws = 200;  // enough draws for a preview
 
 }  // namespace
 
@@ -24,10 +24,10 @@ Estimation::Estimation(EstimatorWorker& worker, const RobotModel& robot, const O
 
 void Estimation::takeAdvice(int job, const ProbeAdvice& advice)
 {
-    // That of an estimate before may come after the one that stands: it had to wait for that in the worker.
+    // Advice for an older estimate may arrive late, because it waited behind the new request in the worker.
     if (!estimate_ || job != estimateJob_ || advice.stepLimit != options_.stepLimit) return;
     if (!unadvised_ && advice == advice_)
-        return;  // asked twice: the limit was changed there and back
+        return;  // the limit was changed and restored, so the advice came twice
     advice_ = advice;
     if (unadvised_)
         offer();
@@ -48,7 +48,7 @@ void Estimation::listenToModels()
             [this](const QString& name, const QString& details, const QString& /*hash*/,
                    const QString& content) {
                 model_ = {.name = name, .details = details, .content = content};
-                if (!estimate_) track_.reset();  // it rests on the model before
+                if (!estimate_) track_.reset();  // the ghost belongs to the previous model
                 aside_.reset();
                 emit modelChanged();
                 emit happened(tr("model %1 loaded").arg(name), Weight::Note);
@@ -175,8 +175,9 @@ void Estimation::cancel()
 {
     worker_.cancel();
     endWarmUp();
-    job_ = liveJob_ = secondJob_ = 0;                    // a result on its way is not ours any more
-    if (std::exchange(unadvised_, false)) adviseAnew();  // that of an estimate which stands
+    job_ = liveJob_ = secondJob_ = 0;  // results of these jobs are dropped when they arrive
+    if (std::exchange(unadvised_, false))
+        adviseAnew();  // repeats the cancelled advice for the existing estimate
 }
 
 void Estimation::adviseAnew()
@@ -223,7 +224,7 @@ bool Estimation::restore()
     track_ = std::move(aside.track);
     whyNone_.clear();
     emit stands(false);
-    adviseAnew();  // where the limit has changed meanwhile
+    adviseAnew();  // if the limit has changed meanwhile
     return true;
 }
 
@@ -241,7 +242,7 @@ EstimateRequest Estimation::requestFor(Method method) const
 
 void Estimation::start()
 {
-    liveJob_ = secondJob_ = 0;  // this request overtakes them
+    liveJob_ = secondJob_ = 0;  // this request replaces them
     endWarmUp();
     unadvised_ = false;
     second_.reset();
@@ -253,7 +254,7 @@ void Estimation::start()
 
 void Estimation::startSecond()
 {
-    // It would overtake that one, and the advice would have to wait for it.
+    // A request would replace the running job, and the advice would wait behind it.
     if (!secondMethod_ || !estimate_ || !scene_ || job_ != 0 || unadvised_) return;
     endWarmUp();
     secondJob_ = worker_.request(requestFor(*secondMethod_));
@@ -262,7 +263,7 @@ void Estimation::startSecond()
 void Estimation::resume()
 {
     liveJob_ = warmUpJob_ = 0;
-    made_.clear();  // those of the model before
+    made_.clear();  // they belong to the previous model
     const bool second = secondJob_ != 0;
     secondJob_ = 0;
     if (job_ != 0)
@@ -297,7 +298,7 @@ void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds
     emit stands(false);
     tellOf(estimate);
     unadvised_ = true;
-    // The advice follows, unless the limit has been changed meanwhile: another probe may be worth asking for.
+    // Advice follows, unless the step limit has changed; then another probe may be the best one.
     if (askedLimit_ != options_.stepLimit) adviseAnew();
 }
 

@@ -16,101 +16,111 @@
 
 namespace terratact {
 
-/// The scene an estimate rests on.
+/// The captured scene that an estimate belongs to.
 struct CapturedScene {
     Measurement measurement;
     std::optional<Heights> truth;
 };
 
-/// The model that the estimator works with, in words.
+/// Texts about the estimator's model.
 struct ModelInUse {
-    QString name{}, details{};  ///< empty: none was loaded yet
+    QString name{}, details{};  ///< empty: no model has been loaded
     QString content{};          ///< LoadedModel::content
-    QString trouble{};          ///< why there is none
+    QString trouble{};          ///< reason that there is no model
 };
 
-/// What is estimated of the terrain: of the scene captured last and what the arm has measured there, by the method of
-/// the settings and by a second one beside it; before, of the flippers' way down, a preview; afterwards, where
-/// the last estimate lies now that the robot has moved on.  It is told what to estimate, lets the worker do it, and
-/// does not take an answer that something newer has overtaken.  GUI thread only.
+/// Owns the estimates of the present scene: by the method of the settings, by an optional second method, and with the
+/// arm's readings. Before the scene it gives live previews while the flippers move down; after it, the last estimate
+/// moved by odometry (ghost). The worker computes; answers to outdated requests are dropped. GUI thread only.
 class Estimation final : public QObject {
     Q_OBJECT
 public:
     struct Options {
         Settings settings;
-        double stepLimit = kStepLimit;  ///< [m] what counts as an obstacle
+        double stepLimit = kStepLimit;  ///< [m] obstacle height
         double seconds = 0.0;           ///< EstimateRequest::seconds
     };
 
-    /// options: as they are whenever something is asked of them.  All three must outlive it.
+    /// options: read at every request. Worker, robot and options must outlive the object.
     Estimation(EstimatorWorker& worker, const RobotModel& robot, const Options& options);
 
-    // What to estimate.
-    /// The newest telemetry and whether it is fresh, every tick, before all else.
+    // Requests.
+    /// Passes the newest telemetry and whether it is fresh. Call at every tick, before all other calls.
     void poll(const std::optional<Received>& latest, bool heard);
-    /// What an exploration will need of the model, made while nothing else is under way.
+    /// Prepares the model's Gaussian processes for an exploration while the worker is idle.
     void prepare();
-    /// A preview by the local method, as often as the estimator keeps up with the telemetry; stays until one fails, an
-    /// estimate stands, or endPreview().
+    /// Makes a preview with the local method as often as the worker keeps up with telemetry. It stays until a preview
+    /// fails, an estimate is ready, or endPreview().
     void preview(const Received& latest);
     void endPreview() { live_.reset(); }
-    /// Captures a scene and estimates it: the first line of the press, so that everybody who sees it captures the
-    /// same; where that did not come after line `since`, the newest line.
+    /// Captures a scene and estimates it. The scene is the first sample of the press, so that every console captures
+    /// the same one. If that did not come after sample `since`, the newest sample is used.
     void begin(const Received& latest, std::uint64_t since);
-    /// What the arm has measured in the scene of the estimate that stands: scores that, and estimates again.
+    /// Scores the estimate against the arm's reading in its scene, and estimates again with it.
     void take(const ArmReading& reading);
     void setSecondMethod(std::optional<Method> method);  ///< empty: none
-    void cancel();                                       ///< all that is under way
-    void adviseAnew();  ///< for the limit of now, where it is another
-    /// The scene, its readings and estimates, and an answer that is still to come; not the ghost, nor a preview.
+    void cancel();                                       ///< cancels all running jobs
+    void adviseAnew();  ///< requests advice for the present step limit if it has changed
+    /// Drops scene, readings, estimates and pending answers, but not the ghost or a preview.
     void forget(const QString& why);
     void forgetGhost() { track_.reset(); }
-    /// forget() and forgetGhost(), which restore() takes back as long as the robot has not left the place, another scene
-    /// was not captured and the model is the same.
+    /// Combines forget() and forgetGhost() so that restore() can undo them. Restoring needs the same model and pose,
+    /// and no newer scene.
     void setAside(const QString& why);
     bool isAside() const { return aside_ && !aside_->pose.hasLeft(); }
-    bool restore();  ///< false: nothing is aside
+    bool restore();  ///< returns false if nothing is set aside
 
-    // What there is.
+    // Results.
     const std::optional<CapturedScene>& scene() const { return scene_; }
-    bool hasMoved() const { return pose_ && pose_->hasMoved(); }  ///< the robot, since scene()
-    bool hasLeft() const { return pose_ && pose_->hasLeft(); }    ///< the place of scene()
-    /// For so long, since scene(), that the robot may have moved all the same: only another scene tells.
+    bool hasMoved() const
+    {
+        return pose_ && pose_->hasMoved();
+    }  ///< the robot has moved since scene()
+    bool hasLeft() const
+    {
+        return pose_ && pose_->hasLeft();
+    }  ///< the robot has left the pose of scene()
+    /// Returns true if telemetry was missing so long since scene() that the robot may have moved. Only a new scene
+    /// resets it.
     bool wasUnheard() const { return wasUnheard_; }
-    /// A sensor was suspected while the robot stood at scene().
+    /// Returns true if a sensor was suspected while the robot stood at scene().
     bool wasSuspected() const { return wasSuspected_; }
-    const Settings& wanted() const { return options_.settings; }           ///< of the next estimate
-    const std::vector<ArmReading>& readings() const { return readings_; }  ///< in scene()
+    const Settings& wanted() const { return options_.settings; }  ///< settings of the next estimate
+    const std::vector<ArmReading>& readings() const
+    {
+        return readings_;
+    }  ///< arm readings in scene()
     const std::optional<TerrainEstimate>& estimate() const { return estimate_; }
-    double seconds() const { return seconds_; }  ///< that estimate() took
-    /// Why there was no estimate() when that was last asked for; empty: no reason of a scene's.
+    double seconds() const { return seconds_; }  ///< computation time of estimate() [s]
+    /// Returns why the last request gave no estimate(); empty: no reason that concerns a scene.
     QString whyNone() const { return whyNone_; }
-    const ProbeAdvice& advice() const { return advice_; }  ///< of estimate()
-    /// What estimate() says about driving on, for the limit of now; empty without an estimate.
+    const ProbeAdvice& advice() const { return advice_; }  ///< probe advice for estimate()
+    /// Returns the verdict of estimate() for the present step limit; empty without an estimate.
     std::optional<Verdict> verdict() const;
     std::optional<Method> secondMethod() const { return secondMethod_; }
     const std::optional<TerrainEstimate>& second() const { return second_; }
-    const std::optional<TerrainEstimate>& live() const { return live_; }  ///< the preview
-    /// Where the last estimate lies now, until there is a new one; it decides nothing.
+    const std::optional<TerrainEstimate>& live() const { return live_; }  ///< the live preview
+    /// Returns the last estimate moved by odometry until a new one exists. It affects no decision.
     std::optional<Ghost> ghost() const;
-    QString whyNoGhost() const;  ///< of the last estimate; empty: there is, or was none
-    /// Every probe beside the band shown before it, since the console started.
+    QString whyNoGhost()
+        const;  ///< reason of the last estimate; empty: there is a ghost, or was no estimate
+    /// Returns every probe with the band shown before it, since the console started.
     const CalibrationLedger& ledger() const { return ledger_; }
     const ModelInUse& model() const { return model_; }
 
 signals:
     void happened(const QString& text, terratact::Weight weight);
-    void modelChanged();  ///< an estimate that stands rests on the one before
+    void modelChanged();  ///< an existing estimate still belongs to the previous model
     void captured(const terratact::CapturedScene& scene);
-    void stands(bool second);  ///< an estimate, of the second method or not, as soon as it does
-    void offered();            ///< advice() of estimate() for the limit of now, for the first time
-    void failed();             ///< the estimate of scene()
-    void advised();            ///< anew, for another limit
-    void unheard();            ///< wasUnheard() has become true, or the ghost has ended for that
-    void forgotten(const QString& why);  ///< the estimate that stood
+    void stands(bool second);  ///< a new estimate is ready; second: of the second method
+    void offered();  ///< the first advice for estimate() with the present step limit is ready
+    void failed();   ///< the estimate of scene() failed
+    void advised();  ///< new advice for another step limit is ready
+    void unheard();  ///< wasUnheard() became true, or the ghost ended for that reason
+    void forgotten(const QString& why);  ///< the estimate was dropped
 
 private:
-    /// What a sampling method's processes depend on besides the model.
+    /// Key of a sampling method's Gaussian processes besides the model.
     struct Processes {
         Method method;
         int inducing;
@@ -118,7 +128,7 @@ private:
         bool operator==(const Processes&) const = default;
     };
 
-    /// An estimate that the operator has taken off the screen.
+    /// An estimate that the operator has cleared.
     struct Aside {
         CapturedScene scene;
         PoseWatch pose;
@@ -135,14 +145,14 @@ private:
     void offer();
     void accept(int job, const TerrainEstimate& estimate, double seconds);
     void refuse(int job, const QString& why);
-    /// Has the worker make the processes of a sampling method, so that nobody waits for them once the flippers rest.
-    /// False where it has done so, or the method needs none.
+    /// Makes the worker prepare the Gaussian processes of a sampling method, so that no estimate waits for them.
+    /// Returns false if that is done already or the method needs none.
     bool warmUp(Method method);
     Processes processesOf(Method method) const;
-    void endWarmUp();  ///< something overtakes it
+    void endWarmUp();  ///< another request replaces it
     void start();
     void startSecond();
-    void resume();  ///< what the worker has given up to load a model
+    void resume();  ///< repeats the request that the worker dropped to load a model
     EstimateRequest requestFor(Method method) const;
     void tellOf(const TerrainEstimate& estimate);
     bool wantsGhost() const { return track_ && !estimate_ && !live_; }
@@ -154,33 +164,34 @@ private:
     bool heard_ = false;
 
     std::optional<CapturedScene> scene_;
-    std::optional<PoseWatch> pose_;  ///< of scene_
-    std::uint64_t capturedAt_ = 0;   ///< count of the telemetry that is scene_
+    std::optional<PoseWatch> pose_;  ///< watches the pose of scene_
+    std::uint64_t capturedAt_ = 0;   ///< count of the sample that became scene_
     bool wasUnheard_ = false;
     bool wasSuspected_ = false;
     std::vector<ArmReading> readings_;
     std::optional<Aside> aside_;
 
-    // Of the worker's jobs; 0: none is under way.
+    // Numbers of the worker's jobs; 0: not running.
     int job_ = 0, secondJob_ = 0, liveJob_ = 0, warmUpJob_ = 0;
-    int estimateJob_ = 0;  ///< of estimate_
+    int estimateJob_ = 0;  ///< job of estimate_
     std::optional<TerrainEstimate> estimate_, second_, live_;
     double seconds_ = 0.0;
-    double askedLimit_ = 0.0;  ///< [m] of the request that is under way or came last
+    double askedLimit_ = 0.0;  ///< [m] step limit of the current or last request
     ProbeAdvice advice_;
-    bool unadvised_ = false;  ///< offered() of estimate_ waits for advice of the limit of now
+    bool unadvised_ = false;  ///< offered() waits for advice with the present step limit
     QString whyNone_;
     std::optional<Method> secondMethod_;
     std::vector<Processes>
-        made_;  ///< by the worker; where warmUpJob_ is not 0, the last of them is under way
-    std::uint64_t previewed_ = 0;  ///< count of the telemetry that the newest preview is about
+        /// Processes made by the worker; while warmUpJob_ runs, the last entry is in progress.
+        made_;
+    std::uint64_t previewed_ = 0;  ///< count of the sample in the newest preview
 
     CalibrationLedger ledger_;
-    std::optional<GhostTrack> track_;  ///< of the last estimate
-    std::uint64_t tracked_ = 0;        ///< count of the telemetry it has taken last
+    std::optional<GhostTrack> track_;  ///< track of the last estimate
+    std::uint64_t tracked_ = 0;        ///< count of the last sample it used
 };
 
-/// Why no ghost of an estimate is shown: it has none, or the robot is not heard.  Empty: it is shown.
+/// Returns why no ghost is shown: there is none, or no telemetry. Empty: a ghost is shown.
 QString noGhostWords(std::optional<NoGhost> why, bool heard);
 
 }  // namespace terratact

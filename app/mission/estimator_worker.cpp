@@ -25,7 +25,7 @@ ModelLoader modelFileLoader(std::string path, RobotModel robot)
     return [path = std::move(path), robot = std::move(robot)]() -> Result<LoadedModel> {
         auto stored = readModel(path);
         if (!stored) return stored.error();
-        // Shared because an Estimator is a copyable value while the models are not.
+        // Shared, because an Estimator must be copyable and models are not.
         const auto models = std::make_shared<const Models>(stored->data, robot);
 
         LoadedModel model;
@@ -110,7 +110,7 @@ void EstimatorWorker::giveAdvice(int job, const TerrainEstimate& estimate, const
         emit advised(job, adviseProbe(estimate, prober, stepLimit, poll));
     } catch (const Cancelled&) {
         return;
-    } catch (const std::exception&) {  // the estimate stands without
+    } catch (const std::exception&) {  // the estimate is valid without advice
         ProbeAdvice none;
         none.stepLimit = stepLimit;
         emit advised(job, none);
@@ -156,14 +156,14 @@ void EstimatorWorker::run(int job, const EstimateRequest& request)
     if (overtaken(job)) return;
     clearUpperVectorHalves();
     const std::optional<TerrainEstimate> result = estimateFor(job, request);
-    // Here and not in the window's thread, which has the picture to make meanwhile.
+    // Runs here, because the window's thread paints the estimate meanwhile.
     if (result && request.prober)
         giveAdvice(job, *result, *request.prober, request.stepLimit, [this, job] {
             if (overtaken(job)) throw Cancelled{};
         });
 }
 
-/// Tells what comes of the request; empty where that is no estimate.
+/// Computes a request and emits its result; returns empty if it gave no estimate.
 std::optional<TerrainEstimate> EstimatorWorker::estimateFor(int job, const EstimateRequest& request)
 {
     QString why;

@@ -18,73 +18,73 @@
 
 namespace terratact {
 
-/// A captured scene and how to estimate it.
+/// A captured scene and the settings of its estimate.
 struct EstimateRequest {
     Measurement measurement;
     std::vector<ArmReading> arm;
     Settings settings;
     std::optional<RobotModel>
-        prober{};  ///< whose arm might probe: advised() follows; empty: it does not
-    double stepLimit = kStepLimit;  ///< [m] of the question what a probe would tell
-    double seconds = 0.0;           ///< after which sampling ends with what there is; 0: no limit
-    /// Only what a sampling method will need of the model is made, whatever the scene; the estimate is empty.
+        prober{};  ///< robot whose arm may probe: advised() follows; empty: no advice
+    double stepLimit = kStepLimit;  ///< [m] obstacle height for the advice
+    double seconds = 0.0;           ///< time limit of the sampling; 0: no limit
+    /// Only prepares the Gaussian processes of a sampling method; the estimate is empty.
     bool prepares = false;
 };
 
-/// Computes an estimate; throws what reconstruct() throws.
+/// Computes an estimate; throws the exceptions of reconstruct().
 using Estimator = std::function<TerrainEstimate(const EstimateRequest&, const Watch&)>;
 
-/// An estimator with its model's name as the operator reads it.
+/// An estimator with texts about its model.
 struct LoadedModel {
     Estimator estimate;
     QString name;       ///< "default.ttm"
-    QString details;    ///< its card, in words
+    QString details;    ///< its card as text
     QString hash{};     ///< SHA-256 of its file
     QString content{};  ///< StoredModel::contentHash
 };
 using ModelLoader = std::function<Result<LoadedModel>()>;
 
-/// Reads a model file.  A Gaussian process of the sampling methods is factorised when it is first needed.
+/// Returns a loader of a model file. The Gaussian processes of sampling methods are factorised on first use.
 ModelLoader modelFileLoader(std::string path, RobotModel robot);
 
-/// Estimates in its own thread, where it also loads the model first.  The newest request wins: it
-/// cancels the one in flight.  Every request ends in exactly one of estimated, failed or, when a newer
-/// one, cancel() or load() overtook it, nothing.  request(), cancel(), load() and progress() may be called from
-/// any thread.
+/// Loads the model and estimates in its own thread. The newest request replaces and cancels the running one. Every
+/// request ends in exactly one of estimated or failed; replaced or cancelled requests emit nothing. request(),
+/// cancel(), load() and progress() may be called from any thread.
 class EstimatorWorker final : public QObject {
     Q_OBJECT
 public:
     explicit EstimatorWorker(ModelLoader load);
     ~EstimatorWorker() override;
 
-    void start();  ///< loads the model; call once, when everybody listens
-    /// Another model for the requests that follow; cancels the one in flight, which is to be made again.  Ends in
-    /// modelLoaded or, where it cannot be loaded, in modelKept or modelFailed.
+    void start();  ///< loads the model; call once, after connecting the signals
+    /// Loads another model for the following requests and cancels the running one, which the caller must repeat. Ends
+    /// in modelLoaded; if loading fails, in modelKept or modelFailed.
     void load(const ModelLoader& load);
 
-    int request(const EstimateRequest& request);  ///< the job's number
+    int request(const EstimateRequest& request);  ///< returns the job's number
     void cancel();
-    /// Asks anew what `prober` should touch in the estimate of that job, once the requests before it are done;
-    /// cancels no request, and ends in advised() unless it is asked once more before that.
+    /// Recomputes the probe advice for that job's estimate after the pending requests. It cancels no request. It ends
+    /// in advised(), unless advise() is called again before that.
     void advise(int job, const TerrainEstimate& estimate, const RobotModel& prober,
                 double stepLimit);
-    /// 0 … 1 of the job in flight; empty when there is none.  To be looked at, not to be signalled.
+    /// Returns 0 … 1 for the running job; empty: none. Clients poll it; there is no signal.
     std::optional<double> progress() const;
 
 signals:
-    void requested(int job, const terratact::EstimateRequest& request);  ///< to its own thread
-    void loadRequested(const terratact::ModelLoader& load);              ///< likewise
+    void requested(int job, const terratact::EstimateRequest& request);  ///< to the worker's thread
+    void loadRequested(const terratact::ModelLoader& load);              ///< to the worker's thread
     void adviceRequested(int number, int job, const terratact::TerrainEstimate& estimate,
-                         const terratact::RobotModel& prober, double stepLimit);  ///< likewise
+                         const terratact::RobotModel& prober,
+                         double stepLimit);  ///< to the worker's thread
     void modelLoaded(const QString& name, const QString& details, const QString& hash,
                      const QString& content);
-    void modelFailed(const QString& why);  ///< there is none
-    void modelKept(const QString& why);    ///< the one before stays
-    /// seconds: it took.
+    void modelFailed(const QString& why);  ///< there is no model
+    void modelKept(const QString& why);    ///< the previous model stays
+    /// seconds: computation time.
     void estimated(int job, const terratact::TerrainEstimate& estimate, double seconds);
     void failed(int job, const QString& why);
-    /// What the prober of a request, or of advise(), should touch in that job's estimate, and what that buys; does not
-    /// come where a newer request, cancel() or load() overtook a request after its estimate.
+    /// Probe advice for that job's estimate, with its expected gain. Not emitted if a newer request, cancel() or load()
+    /// came after the estimate.
     void advised(int job, const terratact::ProbeAdvice& advice);
 
 private:
@@ -99,7 +99,7 @@ private:
 
     ModelLoader load_;
     Estimator estimate_;  // used in the worker's thread only
-    QString trouble_;     // why there is no model; likewise
+    QString trouble_;     // why there is no model; used in the worker's thread only
     std::atomic<int> newest_ = 0, newestAdvice_ = 0;
     std::atomic<double> progress_ = -1.0;
     QThread thread_;

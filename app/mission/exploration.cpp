@@ -10,8 +10,8 @@ namespace terratact {
 namespace {
 
 constexpr double kRepeatStop = 0.2;  // [s]
-constexpr double kReleaseFor = 5.0;  // [s] a release of STOP is tried
-constexpr double kEndsWithin = 1.0;  // [s] a robot ends an exploration, once told to
+constexpr double kReleaseFor = 5.0;  // [s] a release of STOP is retried
+constexpr double kEndsWithin = 1.0;  // [s] a robot needs to end an exploration
 
 }  // namespace
 
@@ -31,7 +31,7 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
     connect(&estimation_, &Estimation::advised, this, &Exploration::askAnew);
     connect(&estimation_, &Estimation::failed, this, [this] { pending_.estimateFailed = true; });
     connect(&estimation_, &Estimation::modelChanged, this, [this] {
-        // What is shown rests on the model before.
+        // The displayed estimate belongs to the previous model.
         if (estimation_.estimate() && !exploring(state_.phase)) pending_.aborted = true;
     });
 }
@@ -49,7 +49,7 @@ void Exploration::takeAdvice()
 
 void Exploration::askAnew()
 {
-    if (!probes_.stands()) return;  // the same words on other grounds would be another question
+    if (!probes_.stands()) return;  // the same text with other data would be another proposal
     probes_.propose(probes_.current()->bin);
     if (state_.phase == AtemPhase::ProposingProbe) emit proposed();
 }
@@ -69,7 +69,7 @@ QString Exploration::whyNoEstimate() const
 QString Exploration::whyNotOffered() const
 {
     if (!estimation_.estimate() || offered_) return {};
-    const ProbeOffer now = probes_.offer();  // limit, policy and telemetry may have changed since
+    const ProbeOffer now = probes_.offer();  // limit, policy and telemetry may have changed
     if (now.bin) return tr("Not offered when the estimate came: explore again to be asked");
     return wordsOf(now.why);
 }
@@ -101,7 +101,7 @@ void Exploration::explore()
 {
     emit decided("explore", {});
     pending_.requested = true;
-    driving_ = false;  // the halt comes from the exploration
+    driving_ = false;  // the exploration itself sends the halt
     driveWanted_.reset();
 }
 
@@ -217,11 +217,11 @@ void Exploration::drive(int direction)
 
 void Exploration::driveOn()
 {
-    // A robot that has just been told to end its exploration says so with its next status; before, it takes no drive.
+    // After an abort the robot accepts a drive only once its next status reports the end of the exploration.
     if (!driveWanted_) return;
     const auto robot = link_ ? link_->view().link.robot : std::nullopt;
     if (robot && robot->exploring && now_ - driveBegan_ < kEndsWithin) return;
-    if (!whyNotDriving().isEmpty()) return driveWanted_.reset();  // not any more
+    if (!whyNotDriving().isEmpty()) return driveWanted_.reset();  // driving is no longer allowed
     command(*std::exchange(driveWanted_, std::nullopt));
 }
 
@@ -242,13 +242,13 @@ void Exploration::stopFrom(const QString& where)
 {
     if (following()) {
         emit stoppedNothing(following_->why());
-        return;  // nothing is stopped, so nothing must look so
+        return;  // nothing is stopped, so the display must not say so
     }
     emit decided("stop", where);
     if (stopViewState().state != StopViewState::State::Sent
         && stopViewState().state != StopViewState::State::NotSent)
         stopBegan_ = now_;
-    // Pressed again, what the robot has confirmed already is not to be confirmed anew.
+    // A repeated press keeps an existing confirmation.
     stopConfirmed_ = stopConfirmed_ && linkAlive_ && !releasing_;
     sendStop();
     pending_.stop = true;
@@ -275,7 +275,7 @@ void Exploration::confirmStop(bool latched)
     if (latched)
         emit happened(tr("the robot says that it is stopped"), Weight::Note);
     else
-        stopBegan_ = now_;  // it is asked for anew
+        stopBegan_ = now_;  // the request starts again
 }
 
 StopViewState Exploration::stopViewState() const
@@ -335,13 +335,13 @@ bool Exploration::armed() const
 
 bool Exploration::answered() const
 {
-    // The next line may have been measured before the command got there; the one after was not.
+    // The next sample may have been measured before the command arrived; the one after it was not.
     return latest_ && latest_->count >= commandedAt_ + 2;
 }
 
 bool Exploration::hasPressed() const
 {
-    // A press that began since the command is its answer, with the first line that shows it.
+    // A press that began after the command is its answer at the first sample that shows it.
     return latest_->sample.measurement.activity == RobotActivity::Pressed
         && (answered() || (latest_->press && latest_->press->count > commandedAt_));
 }
@@ -354,7 +354,7 @@ void Exploration::repeatStop(AtemInput& in)
     if (state_.phase != AtemPhase::Stopped) return;
     if (answered() && releasing_ && !latched) in.stopReleased = true;
     if (releasing_ && now_ - releaseBegan_ > kReleaseFor) {
-        releasing_ = false;  // a word of the operator's that old is none
+        releasing_ = false;  // the operator's request has expired
         emit happened(tr("the robot did not release STOP: hold R again"), Weight::Bad);
     }
     if (now_ - stopSent_ < kRepeatStop || latched != releasing_) return;
@@ -366,7 +366,7 @@ void Exploration::repeatStop(AtemInput& in)
 void Exploration::poll(AtemInput& in)
 {
     in.linkAlive = linkAlive_;
-    repeatStop(in);  // to a robot of which nothing is heard, too
+    repeatStop(in);  // also without telemetry
     if (!latest_) return;
     const Measurement& m = latest_->sample.measurement;
     in.poseChanged = estimation_.hasMoved();
@@ -452,7 +452,7 @@ void Exploration::advance()
     watchDrive();
 }
 
-/// A drive that gets nowhere is told of: at the end of the built-in ground nothing else tells.
+/// Reports a drive without motion. At the end of the simulated ground nothing else reports it.
 void Exploration::watchDrive()
 {
     if (!latest_ || !linkAlive_ || !driveWatch_.poll(latest_->sample.measurement, now_)) return;
@@ -472,14 +472,15 @@ void Exploration::watchDrive()
 void Exploration::preview()
 {
     if (state_.phase == AtemPhase::Pressing) return estimation_.preview(*latest_);
-    if (state_.phase == AtemPhase::Estimating) return;  // it stays until there is better
+    if (state_.phase == AtemPhase::Estimating)
+        return;  // the preview stays until the estimate is ready
     estimation_.endPreview();
     if (linkAlive_ && armed() && !exploring(state_.phase)) estimation_.prepare();
 }
 
 void Exploration::enter(const AtemState& before)
 {
-    // Also one that was offered in the very tick that ended the exploration.
+    // This includes a probe proposed in the tick that ended the exploration.
     if (state_.phase != AtemPhase::ProposingProbe && state_.phase != AtemPhase::Probing)
         probes_.withdraw();
     if (!exploring(state_.phase)) askedBin_.reset();
@@ -609,7 +610,7 @@ QList<Precondition> Exploration::toDrive() const
     return list;
 }
 
-/// Though this console knows of no probe, or gave it up.
+/// Returns true if the robot reports probing although no exploration runs, for example after an abort.
 bool Exploration::armIsOut() const
 {
     return linkAlive_ && !following() && !exploring(state_.phase)
@@ -644,7 +645,7 @@ QString Exploration::whyNotArmed() const
 
 void Exploration::overrideDoubts()
 {
-    if (following() || !linkAlive_) return;  // nobody knows what would be overridden
+    if (following() || !linkAlive_) return;  // the doubtful values are unknown
     const Measurement& m = latest_->sample.measurement;
     for (const QString& doubt : ground_.overrideDoubts(m, options_.settings)) {
         emit decided("override", doubt);

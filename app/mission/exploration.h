@@ -24,113 +24,116 @@
 
 namespace terratact {
 
-/// Joins the exploration's state machine to the world: telemetry, the operator and the estimation go in,
-/// commands go out.  Over a link that takes no commands none do, and what the robot does for somebody else is
-/// followed instead.  GUI thread only; it looks at the world when tick() is called.  Source, worker and
-/// link must outlive it.
+/// Connects the exploration's state machine with telemetry, operator, estimation and command link. On a receive-only
+/// link it sends nothing and follows another console's exploration. GUI thread only; tick() polls all inputs. Source,
+/// worker and link must outlive it.
 class Exploration final : public QObject {
     Q_OBJECT
 public:
     struct Options : Estimation::Options {
         AtemLimits limits;
         ProbePolicy probes = ProbePolicy::Variance;
-        double pressTorque = 18.0;              ///< [N m] sum of both front flippers
-        double driveSpeed = 0.2;                ///< [m/s]
-        double linkLostAfter = kLinkLostAfter;  ///< [s] without telemetry
-        double staleAfter =
-            kStaleAfter;             ///< [s] older telemetry is none of now: no verdict, no ghost
-        double probeSeconds = 45.0;  ///< what a probe costs, as told to the operator
-        std::string groundFile;      ///< of the built-in robot; empty: its ground is from no file
+        double pressTorque = 18.0;  ///< [N m] sum of both front flippers
+        double driveSpeed = 0.2;    ///< [m/s]
+        double linkLostAfter =
+            kLinkLostAfter;  ///< [s] telemetry watchdog: longer silence means a lost link
+        double staleAfter = kStaleAfter;  ///< [s] older telemetry is stale: no verdict, no ghost
+        double probeSeconds = 45.0;       ///< expected duration of a probe, shown to the operator
+        std::string groundFile;           ///< of the simulated robot; empty: ground without a file
     };
 
-    /// link: the source again where its robot has to be armed; else null.
+    /// link: the same source if its robot needs arming; else null.
     Exploration(MeasurementSource& source, RobotModel robot, EstimatorWorker& worker,
                 const Options& options, CanSource* link = nullptr);
 
-    // What the operator did.
+    // Actions of the operator.
     void request();
     void abort();
-    /// Takes what is doubtful now upon the operator, until it is so no more or has become worse.
+    /// Overrides the present doubtful preconditions. Each override ends when its reason ends or grows.
     void overrideDoubts();
     void approve(quint64 proposal);
     void refuse(quint64 proposal);
-    void choose(quint64 proposal, int bin);  ///< asks for another bin of the ranking instead
-    /// A probe of this bin, whatever the advice says of it: in place of the question that stands, or by exploring anew at
-    /// this pose, after which it is what is asked.  It is approved and sent like any other.
+    void choose(quint64 proposal, int bin);  ///< proposes another bin of the ranking instead
+    /// Requests a probe of this bin, whatever the advice. It replaces the current proposal, or starts a new exploration
+    /// at this pose that proposes it. Approval is needed as for any other probe.
     void askProbe(int bin);
-    QString whyNotAsking(int bin) const;  ///< a probe of it; empty: askProbe() may
-    void forgetResult();   ///< takes estimate and ghost off the screen, while nothing is explored
-    void restoreResult();  ///< brings back what forgetResult() took
-    void setStepLimit(double metres);  ///< what counts as an obstacle
-    /// Probes are offered by it from the next estimate on; what bestProbe() ranks by changes at once.
+    QString whyNotAsking(int bin) const;  ///< why askProbe() is refused; empty: it is allowed
+    void forgetResult();                  ///< clears estimate and ghost unless exploring
+    void restoreResult();                 ///< restores what forgetResult() cleared
+    void setStepLimit(double metres);     ///< obstacle height
+    /// Sets the policy of proposals from the next estimate on; bestProbe() uses it at once.
     void setProbePolicy(ProbePolicy policy) { options_.probes = policy; }
     void setEstimateSeconds(double seconds) { options_.seconds = seconds; }  ///< 0: no limit
-    /// Estimated beside the first; empty: none.
+    /// Sets the method of the second estimate; empty: none.
     void setSecondMethod(std::optional<Method> method);
-    void drive(int direction);  ///< as soon as the robot has ended what it explored
-    void halt();                ///< ends drive(); does nothing when not driving
-    /// Goes out at once and again until the robot confirms it; over a link that takes no commands it only says so.
+    void drive(int direction);  ///< starts as soon as the robot has ended its exploration
+    void halt();                ///< ends drive(); does nothing otherwise
+    /// Sends STOP at once and repeats it until the robot confirms. On a receive-only link it only reports that.
     void stop();
-    void stopFrom(const QString& where);  ///< likewise, with a word about who pressed it
+    void stopFrom(const QString& where);  ///< the same, with a text about the origin of the press
     void releaseStop();
-    void setSettings(const Settings& settings);  ///< of the estimates from now on; the seed stays
-    void leave();  ///< the window closes: halts what was set in motion from here
+    void
+    setSettings(const Settings& settings);  ///< settings of following estimates; the seed stays
+    void leave();  ///< call when the window closes: halts motion commanded from here
 
-    /// now: [s] on the steady clock.
+    /// Polls all inputs. now: steady clock [s].
     void tick(double now, const std::optional<Received>& latest);
 
-    // What there is to see.
+    // State.
     const Estimation& estimation() const { return estimation_; }
     const AtemState& state() const { return state_; }
     std::optional<PhaseTime> time() const;
-    /// Where more is known than the state itself says: why it has failed, whether STOP is confirmed.  Else empty.
+    /// Returns a text with more detail than the state: why it failed, whether STOP is confirmed. Empty: none.
     QString stateWords() const;
     double secondsInPhase() const { return now_ - state_.since; }
-    /// The estimate of a captured scene is under way.
+    /// Returns true while the estimate of a captured scene is running.
     bool estimating() const
     {
         return state_.phase == AtemPhase::Estimating || state_.phase == AtemPhase::EstimatingAgain;
     }
     StopViewState stopViewState() const;
     bool linkAlive() const { return linkAlive_; }
-    bool armed() const;  ///< true without a link: such a source needs no arming
+    bool armed() const;  ///< true without a link, because such a source needs no arming
     bool following() const { return following_ != nullptr; }
-    bool ended() const { return ended_; }  ///< a log that is replayed
+    bool ended() const { return ended_; }  ///< end of a replayed log
     bool canRestore() const { return estimation_.isAside() && !estimation_.scene(); }
-    QString whyNoEstimate() const;  ///< and what brings one
+    QString whyNoEstimate() const;  ///< reason, and how to get an estimate
     const std::optional<ProbeProposal>& proposal() const { return probes_.current(); }
-    /// What a probe would buy by the estimate that stands, whether or not one is proposed; empty: nothing can be told.
+    /// Returns the best probe for the present estimate, proposed or not; empty: its gain is unknown.
     std::optional<ProbeProposal> bestProbe() const { return probes_.best(); }
-    /// Why none was offered for it; empty: one was, or would be where commands leave.
+    /// Returns why the best probe is not proposed; empty: it was, or would be if commands could be sent.
     QString whyNotOffered() const;
-    /// Fingerprint of what the proposal rests on.
+    /// Returns the fingerprint of the data behind the proposal.
     const std::string& proposedOn() const { return probes_.proposedOn(); }
     std::optional<int> probingBin() const;
-    QString whyNotDriving() const { return firstMissing(toDrive()); }  ///< empty: it is allowed
-    QList<Precondition> preconditions() const;                         ///< of exploring
+    QString whyNotDriving() const
+    {
+        return firstMissing(toDrive());
+    }                                           ///< empty: driving is allowed
+    QList<Precondition> preconditions() const;  ///< preconditions of exploring
     QList<Precondition> toDrive() const;
-    QList<Precondition> toProbe() const;  ///< to approve what is proposed
+    QList<Precondition> toProbe() const;  ///< preconditions of approving the proposal
     QList<Precondition> toReleaseStop() const;
-    /// What the operator has overridden, in words, as it was then; empty: nothing.
+    /// Returns the overridden values as text; empty: none.
     QString overridden() const { return ground_.overridden().join(QStringLiteral("; ")); }
     const Options& options() const { return options_; }
 
 signals:
     void happened(const QString& text, terratact::Weight weight);
-    void stoppedNothing(const QString& why);  ///< stop() could do nothing
-    // For whoever keeps a record.
-    void proposed();                                      ///< to the operator, a probe
-    void decided(const char* what, const QString& text);  ///< by the operator
+    void stoppedNothing(const QString& why);  ///< stop() had no effect
+    // Signals for the session's record.
+    void proposed();                                      ///< a probe was proposed
+    void decided(const char* what, const QString& text);  ///< a decision of the operator
 
 private:
     void takeAdvice();
     void explore();
     bool inReach(int bin) const;
     QString wordsOf(NoProbe why) const;
-    /// The same probe by the newest advice: another question, with an id of its own.
+    /// Proposes the same probe with the newest advice, as a new proposal with its own id.
     void askAnew();
 
-    // The state by one tick.
+    // Steps of one tick.
     void advance();
     void follow();
     void poll(AtemInput& in);
@@ -148,12 +151,12 @@ private:
     void driveOn();
     void watchDrive();
     void command(const Command& command);
-    bool answered() const;    ///< the newest telemetry was measured after the last command
-    bool hasPressed() const;  ///< the flippers, as they were last commanded to
+    bool answered() const;    ///< the newest sample was measured after the last command
+    bool hasPressed() const;  ///< the flippers have executed the last press command
     void endOverrides();
     bool armIsOut() const;
-    void forget(const QString& why);  ///< the estimate and what is proposed on it
-    QString whyNotArmed() const;      ///< of a link; empty: it is
+    void forget(const QString& why);  ///< drops the estimate and the proposal on it
+    QString whyNotArmed() const;      ///< reason on a link; empty: armed
 
     MeasurementSource& source_;
     CanSource* link_;
@@ -161,35 +164,35 @@ private:
     Options options_;
     Estimation estimation_;
     ProbeProposals probes_;
-    bool offered_ = false;  ///< a probe, when the estimate that stands came
-    std::optional<int>
-        askedBin_;  ///< of the operator, before the estimate that it is to be asked with
-    std::unique_ptr<PassiveExploration> following_;  ///< null: commands leave
+    bool offered_ = false;         ///< a probe was proposed for the present estimate
+    std::optional<int> askedBin_;  ///< bin requested by the operator, until its estimate is ready
+    std::unique_ptr<PassiveExploration> following_;  ///< null: this console sends commands
 
     AtemState state_;
-    AtemInput pending_;  ///< what the operator and the worker did since the last tick
+    AtemInput pending_;  ///< actions of operator and worker since the last tick
     double now_ = 0.0;
     std::optional<Received> latest_;
     bool linkAlive_ = false;
     bool ended_ = false;
     PlanarGround ground_;
-    /// Count of the newest telemetry at the last command: what it and those before it say is no answer.
+    /// Count of the newest sample at the last command; earlier samples cannot be its answer.
     std::uint64_t commandedAt_ = 0;
 
     bool driving_ = false;
     DriveWatch driveWatch_;
-    std::optional<DriveCommand> driveWanted_;  ///< that has not been sent yet
+    std::optional<DriveCommand> driveWanted_;  ///< drive command that is not sent yet
     double driveBegan_ = 0.0;                  ///< [s]
     bool releasing_ = false;
     double stopBegan_ = 0.0, stopSent_ = 0.0, releaseBegan_ = 0.0;  ///< [s]
-    bool stopConfirmed_ = false;  ///< by the robot; telemetry that fails to come takes nothing back
-    QString stopTrouble_;         ///< why the newest STOP did not leave
+    bool stopConfirmed_ =
+        false;             ///< the robot has confirmed STOP; missing telemetry does not revoke it
+    QString stopTrouble_;  ///< reason that the newest STOP was not sent
 
     double approvedAt_ = 0.0;              ///< [s]
-    std::optional<double> pressTook_;      ///< [s] the last press of this run
-    Refusal refusal_ = Refusal::None;      ///< with which the robot refused
-    int probing_ = 0;                      ///< bin of the probe under way
-    std::optional<ArmReading> armBefore_;  ///< the newest reading before
+    std::optional<double> pressTook_;      ///< [s] duration of the last press in this run
+    Refusal refusal_ = Refusal::None;      ///< reason of the robot's last refusal
+    int probing_ = 0;                      ///< bin of the running probe
+    std::optional<ArmReading> armBefore_;  ///< newest reading before the probe
     bool sawProbing_ = false;
 };
 

@@ -9,23 +9,23 @@
 
 namespace terratact {
 
-/// Which model file the estimator works with.  A model is preferred once it is in use; one that cannot be loaded while
-/// another is in use is not preferred any more.
+/// Selects the estimator's model file. A model becomes the preferred one after it has loaded. A preferred model that
+/// cannot be loaded loses its preference if another is in use.
 class ModelChoice final : public QObject {
     Q_OBJECT
 public:
-    /// inUse: what the worker loads at its start.  The others must outlive it.
+    /// inUse: file that the worker loads at its start. The other arguments must outlive the object.
     ModelChoice(EstimatorWorker& worker, PreferenceStore& preferences, const RobotModel& robot,
                 QString inUse);
 
     const QString& inUse() const { return inUse_; }
-    /// Ends in loaded(), or in the worker's modelKept or modelFailed.  While one is being loaded the next one waits, of
-    /// which the last is loaded.
+    /// Loads a model; ends in loaded(), or in the worker's modelKept or modelFailed. A call during loading waits; of
+    /// several waiting calls only the last is loaded.
     void load(const QString& path);
-    void loadPreferred();  ///< where that is another than inUse()
+    void loadPreferred();  ///< if it differs from inUse()
 
 signals:
-    void loaded();  ///< inUse()
+    void loaded();  ///< inUse() has changed
 
 private:
     void begin(const QString& path);
@@ -36,8 +36,8 @@ private:
     PreferenceStore& preferences_;
     const RobotModel& robot_;
     QString inUse_;
-    QString wanted_;  ///< being loaded; empty: none
-    QString next_;    ///< waits for that; empty: none
+    QString wanted_;  ///< file being loaded; empty: none
+    QString next_;    ///< next file; empty: none
 };
 
 }  // namespace terratact

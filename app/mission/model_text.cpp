@@ -9,7 +9,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::ptrdiff_t kShownScores = 6;  // the newest
+constexpr std::ptrdiff_t kShownScores = 6;  // newest scores shown
 constexpr qsizetype kDay = 10;              // characters of "2026-11-22"
 constexpr int kShownHash = 16;              // digits
 

@@ -7,11 +7,11 @@
 
 namespace terratact {
 
-/// A model as an operator reads it.
+/// Texts about a model.
 class ModelWords {
     Q_DECLARE_TR_FUNCTIONS(ModelWords)
 public:
-    /// When, on what ground and on how much it was trained, its hash, and how it did: a few lines.
+    /// Returns date, ground and amount of training, the hash, and the scores, in a few lines.
     static QString card(const ModelFacts& facts);
 };
 

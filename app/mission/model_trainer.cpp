@@ -20,7 +20,7 @@
 namespace terratact {
 namespace {
 
-constexpr double kPaceFrom = 0.02;  // of the work: before, the pace says nothing
+constexpr double kPaceFrom = 0.02;  // share of the work below which the pace is unknown
 
 TrainingProgress::State stateAfter(TrainingEvent event)
 {
@@ -53,7 +53,7 @@ Status trainInto(const std::string& path, const TrainingPlan& plan, const Traini
     return writeNewCard(path, *model, plan.data);
 }
 
-/// What the new model errs, for whoever asks later.
+/// Writes the new model's errors into its card.
 Status keepInCard(const ComparisonPlan& plan, const ModelComparison& comparison)
 {
     const ErrorStatistics& all = comparison.after.all;
@@ -84,7 +84,7 @@ ModelTrainer::ModelTrainer(TrainingLoad load, QObject* parent) : QObject(parent)
 {
     thread_.setObjectName(QStringLiteral("trainer"));
     there_.moveToThread(&thread_);
-    // Linux keeps a nice value per thread; the threads it starts inherit it.
+    // Linux keeps a nice value per thread, and new threads inherit it.
     connect(
         &thread_, &QThread::started, &there_,
         [nice = load_.nice] {
@@ -109,7 +109,7 @@ void ModelTrainer::cancel()
 
 TrainingProgress ModelTrainer::progress() const
 {
-    // Never waits: who holds the lock may be last in the queue for a processor.
+    // Never blocks, because the thread with the lock may have the lowest priority.
     if (const std::unique_lock lock(mutex_, std::try_to_lock); lock) {
         seen_ = progress_;
         seen_.seconds = steadyNow() - began_;

@@ -15,17 +15,17 @@
 
 namespace terratact {
 
-/// How much of the machine training may take beside the live console.
+/// Share of the machine that training may use beside the live console.
 struct TrainingLoad {
-    int threads = 1;  ///< at most
+    int threads = 1;  ///< maximum
     int nice =
-        19;  ///< nice value of the threads that train: 0, as the rest of the console, … 19, last in the queue
+        19;  ///< nice value of the training threads: 0, like the console, … 19, lowest priority
 };
 
-/// All processors but one, of a machine with one that one, and last in the queue.
+/// Returns all processors but one (at least one), at the lowest priority.
 TrainingLoad politeLoad();
 
-/// How far a training or a comparison is.
+/// Progress of a training or comparison.
 struct TrainingProgress {
     enum class State : std::uint8_t { Waiting, Running, Done, Skipped };
     struct Cell {
@@ -33,37 +33,38 @@ struct TrainingProgress {
         std::optional<double> logLikelihood;
         bool operator==(const Cell&) const = default;
     };
-    std::array<std::array<Cell, kTrainingKinds.size()>, kBins> cells{};  ///< of the newest training
-    double share = 0.0;    ///< 0 … 1 of the work under way
-    double seconds = 0.0;  ///< since it began
+    std::array<std::array<Cell, kTrainingKinds.size()>, kBins>
+        cells{};           ///< state of the newest training
+    double share = 0.0;    ///< 0 … 1 of the running work
+    double seconds = 0.0;  ///< since its start
     bool operator==(const TrainingProgress&) const = default;
 
-    /// [s] at the pace so far; empty while there is none to judge by.
+    /// Returns the remaining time [s] at the present pace; empty if the pace is unknown.
     std::optional<double> secondsLeft() const;
 };
 
-/// Trains models and compares them, in a thread of its own.  One thing at a time: start nothing before the last
-/// one has ended.  Every start ends in exactly one of its signals.  GUI thread only, where the signals arrive.
+/// Trains and compares models in its own thread, one job at a time: start a job only after the last has ended. Every
+/// job ends in exactly one of its signals. GUI thread only; signals arrive there.
 class ModelTrainer final : public QObject {
     Q_OBJECT
 public:
     explicit ModelTrainer(TrainingLoad load = politeLoad(), QObject* parent = nullptr);
-    ~ModelTrainer() override;  ///< cancels what runs and waits for it
+    ~ModelTrainer() override;  ///< cancels a running job and waits for it
 
     bool busy() const { return busy_; }
 
-    /// Trains a model and puts it at `path`, whose directory is made where it is missing.  The file is there only
-    /// when it is whole; one that was there is not replaced.  The load is the trainer's, not the plan's.
+    /// Trains a model and writes it to `path`, creating its directory if needed. The file appears only when complete
+    /// and never replaces another. The trainer's load overrides the plan's.
     void train(TrainingPlan plan, const QString& path);
-    /// Likewise for the load.
+    /// Compares two models; the trainer's load overrides the plan's.
     void compare(ComparisonPlan plan);
-    void cancel();  ///< ends in `cancelled`, soon
+    void cancel();  ///< ends in `cancelled` soon
 
-    /// To be looked at, not to be signalled.
+    /// Clients poll it; there is no signal.
     TrainingProgress progress() const;
 
 signals:
-    void noticed(const QString& text);  ///< something about the training's file
+    void noticed(const QString& text);  ///< a notice about the training file
     void trained(const QString& path, int scenes);
     void compared(const terratact::ModelComparison& comparison);
     void failed(const QString& why);
@@ -80,10 +81,10 @@ private:
     QObject there_;  ///< lives in thread_
     bool busy_ = false;
     std::atomic<bool> cancelled_ = false;
-    mutable std::mutex mutex_;  ///< guards the two below
+    mutable std::mutex mutex_;  ///< guards the two members below
     TrainingProgress progress_;
     double began_ = 0.0;             ///< [s] steady clock
-    mutable TrainingProgress seen_;  ///< as progress() last told it
+    mutable TrainingProgress seen_;  ///< last value of progress()
 };
 
 }  // namespace terratact

@@ -14,14 +14,15 @@ PanelControl::PanelControl(std::unique_ptr<OperatorPanel> panel, MeasurementSour
 
 void PanelControl::tick(double now, const ViewState& viewState)
 {
-    if (now_ == 0.0) answeredAt_ = now;  // it has a while to begin
+    if (now_ == 0.0) answeredAt_ = now;  // grace period at the start
     now_ = now;
     if (std::exchange(shown_, viewState.shown) != viewState.shown) shownSince_ = now;
     report_ = reader_.latest();
     if (answers(now)) answeredAt_ = now;
     const bool stopped = report_.state.stop || isLost();
     if (stopped && !wasStopped_) {
-        exploration_.stop();  // again, after the reader's own: the window has to know, too
+        // The reader sends STOP itself; this second STOP also updates the window.
+        exploration_.stop();
         emit happened(report_.state.present && !isLost() ? tr("STOP pressed on the panel")
                       : exploration_.following()         ? tr("the panel is lost")
                                                  : tr("the panel is lost, which means STOP"),

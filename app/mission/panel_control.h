@@ -7,39 +7,39 @@
 
 namespace terratact {
 
-/// Means by the panel's buttons what the window's buttons mean, and lights its lamps.  GUI thread only.
+/// Maps the panel's buttons to the window's actions and drives its lamps. GUI thread only.
 class PanelControl final : public QObject {
     Q_OBJECT
 public:
     static constexpr double kAnswersWithin = 0.1;  ///< [s]
     static constexpr double kLostAfter = 0.3;      ///< [s]
-    static constexpr double kApproveHold = 1.5;    ///< [s] as on the screen
-    static constexpr double kBuzz = 0.5;           ///< [s] of one sound
-    static constexpr double kAskAgain = 10.0;      ///< [s] between two sounds of one question
+    static constexpr double kApproveHold = 1.5;    ///< [s] hold time, equal to the screen's
+    static constexpr double kBuzz = 0.5;           ///< [s] duration of one sound
+    static constexpr double kAskAgain = 10.0;      ///< [s] between two sounds for one proposal
 
-    /// Exploration and source must outlive it.
+    /// Exploration and source must outlive the object.
     PanelControl(std::unique_ptr<OperatorPanel> panel, MeasurementSource& source,
                  Exploration& exploration);
 
-    /// What the window shows at one time.
+    /// State of the window that the panel depends on.
     struct ViewState {
-        bool mayExplore = false;         ///< its button that asks for an exploration would do so
-        std::optional<quint64> shown{};  ///< the proposal that the operator has before him
-        bool covered = false;            ///< there it is, but for another window that covers it
-        bool mayAsk = true;              ///< a question may sound
+        bool mayExplore = false;         ///< the window's button would start an exploration
+        std::optional<quint64> shown{};  ///< proposal that is visible to the operator
+        bool covered = false;            ///< the proposal is hidden only by another window
+        bool mayAsk = true;              ///< a proposal may sound
     };
-    /// An approval needs its contact held for kApproveHold with the question before the operator all the time: what
-    /// was pressed before is no answer to it.
+    /// Polls the panel. An approval needs its contact held for kApproveHold while the proposal stays visible. A press
+    /// from before the proposal does not count.
     void tick(double now, const ViewState& viewState);
-    void buzz();  ///< once: something of the console's sounds
+    void buzz();  ///< sounds once, with a sound of the console
 
-    /// The panel is there and was read lately: what an armed robot needs of it.
+    /// Returns true if the panel was read recently; an armed robot requires it (dead-man condition).
     bool answers(double now) const;
-    bool isLost() const { return now_ - answeredAt_ > kLostAfter; }  ///< not only late
+    bool isLost() const { return now_ - answeredAt_ > kLostAfter; }  ///< lost, not only late
     bool stopPressed() const { return report_.state.stop; }
     const PanelState& state() const { return report_.state; }
     Precondition precondition(double now) const;
-    QString whyNotReleased() const;  ///< STOP, by the window; empty: it may be
+    QString whyNotReleased() const;  ///< why STOP cannot be released at the window; empty: it can
     const PanelReader& reader() const { return reader_; }
     const PanelReport& report() const { return report_; }
 
@@ -60,8 +60,8 @@ private:
     bool wasStopped_ = true;
     std::optional<quint64> shown_;
     double shownSince_ = 0.0;      ///< [s]
-    bool approving_ = false;       ///< the contact is held, not yet long enough
-    std::optional<double> asked_;  ///< [s] when the question sounded last
+    bool approving_ = false;       ///< the contact is held, but not long enough yet
+    std::optional<double> asked_;  ///< [s] time of the last sound for a proposal
     double buzzUntil_ = 0.0;       ///< [s]
     QString trouble_;
 };

@@ -29,7 +29,7 @@ void PassiveExploration::tick(AtemState& state, FollowInput in, const Received& 
 {
     poll(in, latest);
     if (in.aborted) estimation_.forgetGhost();
-    if (in.linkLost) {  // who knows what the robot did meanwhile
+    if (in.linkLost) {  // the robot may have moved meanwhile
         captured_ = 0;
         lostAt_ = latest.count;
     }

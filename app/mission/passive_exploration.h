@@ -9,17 +9,17 @@
 
 namespace terratact {
 
-/// What an exploration is over a link that takes no commands: the robot does it for somebody else.  Every press is
-/// captured and estimated, every reading of the arm estimated again and scored.  GUI thread only.
+/// Follows another console's exploration over a receive-only link. It captures and estimates every press, and scores
+/// every arm reading and estimates again with it. GUI thread only.
 class PassiveExploration final : public QObject {
     Q_OBJECT
 public:
-    /// why: no command leaves, in words.  The others must outlive it.
+    /// why: reason that no command is sent. The other arguments must outlive the object.
     PassiveExploration(QString why, Estimation& estimation, const AtemLimits& limits);
 
     const QString& why() const { return why_; }
-    /// Takes `state` one tick on.  in: what the console knows by itself (now, linkLost, aborted, estimateReady,
-    /// estimateFailed); the rest is seen in the telemetry.
+    /// Advances `state` by one tick. in: what this console knows itself (now, linkLost, aborted, estimateReady,
+    /// estimateFailed). Everything else comes from telemetry.
     void tick(AtemState& state, FollowInput in, const Received& latest);
 
 signals:
@@ -35,7 +35,7 @@ private:
     Estimation& estimation_;
     const AtemLimits& limits_;
     std::uint64_t captured_ = 0;  ///< Press::count; 0: none
-    std::uint64_t lostAt_ = 0;    ///< count of the newest telemetry while the link was lost
+    std::uint64_t lostAt_ = 0;    ///< count of the newest sample when the link was last lost
 };
 
 }  // namespace terratact

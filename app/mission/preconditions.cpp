@@ -155,7 +155,8 @@ QStringList PlanarGround::overrideDoubts(const Measurement& m, const Settings& s
 QStringList PlanarGround::endOverrides(const Measurement& m, const Settings& settings)
 {
     const auto stands = [](const auto& doubt) { return doubt.has_value(); };
-    if (std::ranges::none_of(overridden_, stands)) return {};  // asked often
+    if (std::ranges::none_of(overridden_, stands))
+        return {};  // quick exit, because this is called often
     const auto all = doubts(m, settings);
     QStringList reasons;
     for (std::size_t kind = 0; kind < kKinds; ++kind) {

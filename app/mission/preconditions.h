@@ -15,43 +15,46 @@
 
 namespace terratact {
 
-/// What has to be so before a command may leave, in the operator's words.
+/// Preconditions of commands, as texts for the operator.
 class Preconditions {
     Q_DECLARE_TR_FUNCTIONS(Preconditions)
 public:
     static Precondition telemetry(bool alive, bool logEnded);
-    /// heard: the robot's telemetry is live.  Without it nothing of the robot's own is known, and nothing is said to be
-    /// met that only the robot knows.
+    /// heard: telemetry is fresh. Without it, no condition that only the robot knows counts as met.
     static Precondition stop(bool latched, bool releasing,  ///< releasing: not yet confirmed
                              bool heard);
-    static Precondition groundNotKnown();               ///< nor how the robot stands on it
+    static Precondition groundNotKnown();  ///< ground and the robot's pose on it are unknown
     static Precondition arming(const QString& whyNot);  ///< empty: the robot is armed
     static Precondition model(const ModelInUse& model);
-    static Precondition released(bool latched, bool heard);  ///< STOP, for what it forbids at once
+    static Precondition
+    released(bool latched, bool heard);  ///< STOP as a precondition of commands that it blocks
     static Precondition nothingToRelease();
     static Precondition noProbeProposed();
     static Precondition notExploring(bool explores);
-    static Precondition stands(bool asThen);  ///< what was shown with a proposal
-    static Precondition armIsOut();           ///< the robot says that it probes
-    static Precondition wasUnheard();         ///< the robot, since then
+    static Precondition
+    stands(bool asThen);               ///< the proposal still has the data that was shown with it
+    static Precondition armIsOut();    ///< the robot reports that it probes
+    static Precondition wasUnheard();  ///< telemetry was missing since the estimate
     static Precondition stopConfirmed(bool confirmed, bool heard);
     static QList<Precondition> toArm(const CanView& view);
 };
 
-/// The method takes the ground as the same left and right.  Where roll or flippers speak against that, the operator
-/// may take each such doubt upon himself, as large as it is then: not one that comes later, nor one that grows by more
-/// than its limit.
+/// The methods assume equal ground left and right (planar ground). If roll or flippers contradict that, the operator
+/// may override each contradiction at its present size. New contradictions, and growth beyond the limit, are not
+/// covered.
 class PlanarGround {
     Q_DECLARE_TR_FUNCTIONS(PlanarGround)
 public:
-    /// One for each doubt by the limits of the settings, Doubtful or Overridden; a single Met one where there is none.
+    /// Returns a Doubtful or Overridden precondition per contradiction of the settings' limits; a single Met one
+    /// without any.
     QList<Precondition> judge(const Measurement& measurement, const Settings& settings) const;
 
-    /// Overrides every doubt there is.  Those that were not yet, in words.
+    /// Overrides all present contradictions. Returns the new ones as text.
     QStringList overrideDoubts(const Measurement& measurement, const Settings& settings);
-    /// Ends the overrides whose doubt is gone or has grown too much.  Why each has ended, in words.
+    /// Ends overrides whose contradiction has ended or grown too much. Returns the reasons as text.
     QStringList endOverrides(const Measurement& measurement, const Settings& settings);
-    QStringList overridden() const;  ///< what, in words, with the values of then
+    QStringList
+    overridden() const;  ///< overridden contradictions as text, with their values at that time
 
 private:
     enum Kind { kRoll, kAsymmetry, kKinds };
@@ -64,7 +67,7 @@ private:
                                             const Settings& settings);
     static QString goneWords(int kind);
 
-    std::array<std::optional<Doubt>, kKinds> overridden_;  ///< each as it was then
+    std::array<std::optional<Doubt>, kKinds> overridden_;  ///< each at its size when overridden
 };
 
 }  // namespace terratact

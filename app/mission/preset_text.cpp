@@ -12,7 +12,7 @@ struct PresetWords {
     Q_DECLARE_TR_FUNCTIONS(PresetWords)
 };
 
-/// Its numbers in words.
+/// The numbers of a preset as text.
 struct CostWords {
     QString name, milliseconds, error, off, converged;
 };

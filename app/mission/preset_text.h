@@ -7,10 +7,10 @@
 
 namespace terratact {
 
-// What each preset, in the order of kQualities, costs with a method and what it gives, as `costs` has it; of those that
-// were not measured they say so.
+// Texts with time and error of each preset, in the order of kQualities, for a method. The texts say if a preset was not
+// measured.
 
-QStringList presetLines(Method method, std::span<const PresetCost> costs);    ///< a sentence each
-QStringList presetEntries(Method method, std::span<const PresetCost> costs);  ///< likewise, short
+QStringList presetLines(Method method, std::span<const PresetCost> costs);    ///< one sentence each
+QStringList presetEntries(Method method, std::span<const PresetCost> costs);  ///< short texts
 
 }  // namespace terratact

@@ -16,7 +16,7 @@ ProbeWorth worthOf(const ProbeGain& gain, const Uncertainty& before)
             .bitsAfter = std::max(0.0, before.entropy - gain.entropyReduction) / std::numbers::ln2};
 }
 
-/// Of those in the arm's reach that it has not measured.
+/// Returns the unread bin in the arm's reach with the largest sd.
 std::optional<int> leastCertain(const ProbeBasis& basis)
 {
     std::optional<int> widest;
@@ -64,7 +64,7 @@ std::optional<ProbeProposal> bestProbe(const ProbeBasis& basis)
     const bool isRanked = basis.policy == ProbePolicy::Question && !gains.empty();
     if (basis.advice.bin && !isRanked) return describeProbe(basis, *basis.advice.bin);
     if (!gains.empty()) return describeProbe(basis, gains.front().bin);
-    if (basis.advice.stepLimit <= 0.0) return std::nullopt;  // not told yet
+    if (basis.advice.stepLimit <= 0.0) return std::nullopt;  // no advice yet
     const std::optional<int> widest = leastCertain(basis);
     return widest ? std::optional(describeProbe(basis, *widest)) : std::nullopt;
 }

@@ -10,48 +10,50 @@
 
 namespace terratact {
 
-/// What touching a bin buys, and what it rests on.
+/// Data that a probe's expected gain is computed from.
 struct ProbeBasis {
     const TerrainEstimate& estimate;
-    const ProbeAdvice& advice;  ///< of it
+    const ProbeAdvice& advice;  ///< advice for the estimate
     const RobotModel& robot;
-    double seconds;  ///< a probe takes
+    double seconds;  ///< expected duration of a probe
     ProbePolicy policy;
 };
-ProbeProposal describeProbe(const ProbeBasis& basis, int bin);  ///< its id is 0
-/// Of the bin that a probe is best spent on, whether or not it is asked for: without a ranking, the least certain one in
-/// the arm's reach that it has not measured.  Empty where there is none.
+ProbeProposal describeProbe(const ProbeBasis& basis, int bin);  ///< the result has id 0
+/// Returns the bin most worth probing, whether or not it is proposed. Without a ranking it is the unread bin in reach
+/// with the largest sd. Empty: no bin is left.
 std::optional<ProbeProposal> bestProbe(const ProbeBasis& basis);
 
-/// The probes that are put to the operator, one at a time, each with an id of its own: what the estimate says of a
-/// bin, what touching it buys, and what the other bins of the advice would.
+/// The probe proposals, one at a time, each with its own id: the bin's estimate, the gain of probing it, and the gain
+/// of the other bins.
 class ProbeProposals {
 public:
-    /// seconds: a probe takes.  policy: as it is when it is asked for.  The others must outlive it, too.
+    /// seconds: expected duration of a probe. policy: read at every offer. The other arguments must outlive the object,
+    /// too.
     ProbeProposals(const Estimation& estimation, const RobotModel& robot, double seconds,
                    const ProbePolicy& policy);
 
-    /// What is to be proposed by the estimate that stands, which there is.
+    /// Returns what to propose for the present estimate, which must exist.
     ProbeOffer offer() const;
 
     std::optional<ProbeProposal>
-    best() const;  ///< bestProbe() of the estimate that stands, if one does
+    best() const;  ///< bestProbe() of the present estimate; empty without one
 
-    /// By the estimate that stands, which there is; in place of the one before.
+    /// Proposes a bin of the present estimate, which must exist; replaces the last proposal.
     void propose(int bin);
     void withdraw() { current_.reset(); }
 
     const std::optional<ProbeProposal>& current() const { return current_; }
     bool isCurrent(quint64 id) const { return current_ && current_->id == id; }
-    /// Fingerprint of what current() rested on when it was proposed.
+    /// Returns the fingerprint of the data behind current() at its proposal.
     const std::string& proposedOn() const { return proposedOn_; }
-    /// There is a question, and what it rests on is as it was then.
+    /// Returns true if there is a proposal and its data is unchanged.
     bool stands() const;
-    /// Of what it rests on now; empty where nothing is proposed or estimated, and once the robot may have moved.
+    /// Returns the fingerprint of the present data. Empty without proposal or estimate, and once the robot may have
+    /// moved.
     std::string grounds() const;
 
 private:
-    ProbeBasis basis() const;  ///< the estimate that stands, which there is
+    ProbeBasis basis() const;  ///< of the present estimate, which must exist
 
     const Estimation& estimation_;
     const RobotModel& robot_;
@@ -59,7 +61,7 @@ private:
     const ProbePolicy& policy_;
     std::optional<ProbeProposal> current_;
     std::string proposedOn_;
-    quint64 last_ = 0;  ///< id
+    quint64 last_ = 0;  ///< last id
 };
 
 }  // namespace terratact

@@ -7,7 +7,7 @@
 
 namespace terratact {
 
-/// What a robot does, short enough for the header; the whole sentence is describe()'s.
+/// Returns the robot's activity in few words for the header; describe() has the whole sentence.
 QString glance(RobotActivity activity);
 Tone toneOf(RobotActivity activity);
 

@@ -19,7 +19,7 @@ std::string inWords(Weight weight)
     return {};
 }
 
-/// EventRow::number of an alarm; 0: gone.
+/// Returns EventRow::number of an alarm state; 0: ended.
 double numberOf(AlarmState state)
 {
     switch (state) {
@@ -187,7 +187,7 @@ void SessionEventLogger::lookAtLink(const LinkAccount& link, const std::optional
     if (link.standing == LinkStanding::Silent) return;
     const bool isUp = link.standing == LinkStanding::Up;
     const std::string subject{isUp ? kLinkUp : link.alone ? kTelemetryLost : kLinkLost};
-    // What comes and goes is one loss, unless it becomes worse.
+    // A flapping link is recorded as one loss, unless it becomes worse.
     if (subject == linkTold_ || (linkTold_ == kLinkLost && !isUp)) return;
     linkTold_ = subject;
     if (!isUp) return tell(EventKind::Link, subject, bus ? describe(bus->bus, "bus") : "");

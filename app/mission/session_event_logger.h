@@ -15,9 +15,8 @@
 
 namespace terratact {
 
-/// Tells the recorder what happens at the console: scenes, estimates and proposals as they come, what the operator
-/// does with the numbers that were on the screen, and every change of link, arming, exploration, alarms and panel.
-/// What rows say of themselves is in English; words that were on the screen are as they stood there, in its language.
+/// Records the console's events: scenes, estimates, proposals, the operator's decisions, and changes of link, arming,
+/// exploration, alarms and panel. Texts of rows are English; texts from the screen are recorded in the language shown.
 /// GUI thread only.
 class SessionEventLogger final : public QObject {
     Q_OBJECT
@@ -25,15 +24,15 @@ public:
     SessionEventLogger(std::shared_ptr<SessionRecorder> recorder, Exploration& exploration,
                        EstimatorWorker& worker, EventList& events, QObject* parent = nullptr);
 
-    /// What else there is to see; to be called several times a second.
+    /// Records state changes that have no signal; call several times a second.
     void poll(const LinkAccount& link, const std::optional<CanView>& bus, const AlarmList& alarms,
               const std::optional<PanelState>& panel);
 
-    /// A marker of the operator's.
+    /// Records a marker of the operator.
     void mark(const QString& note);
 
     RecordingState state() const { return recorder_->state(); }
-    void decision(const char* what, const QString& text);  ///< by the operator
+    void decision(const char* what, const QString& text);  ///< a decision of the operator
 
 private:
     void connectTo(Exploration& exploration);
@@ -49,10 +48,10 @@ private:
 
     std::shared_ptr<SessionRecorder> recorder_;
     Exploration& exploration_;
-    std::int64_t model_ = 0, scene_ = 0, estimate_ = 0, proposal_ = 0;  ///< ids; 0: none stands
+    std::int64_t model_ = 0, scene_ = 0, estimate_ = 0, proposal_ = 0;  ///< ids; 0: none
     std::optional<AtemPhase> phase_;
     LinkAccount link_;
-    std::string linkTold_;  ///< subject of the last event; empty: there was none
+    std::string linkTold_;  ///< subject of the last event; empty: none
     std::optional<ArmingPhase> arming_;
     std::string overridden_;
     std::map<std::string, AlarmState> alarms_;

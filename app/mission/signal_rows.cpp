@@ -15,14 +15,14 @@ struct SignalSays {
     Q_DECLARE_TR_FUNCTIONS(terratact::SignalsPage)
 };
 
-/// Of the robot's protocol; empty: of no frame of it.
+/// Returns the frame's kind in the robot's protocol; empty: none.
 std::optional<FrameKind> kindOf(const CanFrame& frame)
 {
     const bool mayBeOurs = !frame.error && !frame.extended && !frame.remote && !frame.fd;
     return mayBeOurs ? kindOfId(frame.id) : std::nullopt;
 }
 
-/// As wordsOf() says it; names are those of the DBC in every language, and so are the words of others' DBC files.
+/// Returns the text of wordsOf(). Names and texts from DBC files are the same in every language.
 QString contentOf(const CanFrame& frame, const std::vector<NamedValue>& values)
 {
     if (isNotMeasured(values)) return format::sentence("not measured");
@@ -56,7 +56,7 @@ QString valueText(const SignalLayout& layout, const std::optional<double>& value
     return value ? withMinus(format::sentence(wordOf(layout, *value))) : format::kNothing;
 }
 
-/// A number that only names something has neither least nor most.
+/// Returns false for identifiers, which have no meaningful extremes.
 bool isQuantity(const SignalLayout& layout)
 {
     return !layout.unit.empty();
@@ -88,7 +88,7 @@ QString valueText(const DbcSignal& signal, const std::optional<double>& value)
     return wordOf(signal, *value) ? text : withMinus(text);
 }
 
-/// Of the newest value every digit is known.
+/// Returns the newest value with all its digits.
 QString newestText(const DbcSignal& signal, const TappedSignal& tapped)
 {
     if (!tapped.last) return format::kNothing;
@@ -96,7 +96,7 @@ QString newestText(const DbcSignal& signal, const TappedSignal& tapped)
     return wordOfBits(signal, tapped.bits) ? text : withMinus(text);
 }
 
-/// Of a message that says how often it comes, an old value is none; of others it is the last word.
+/// Returns Stale for an old value of a periodic message, Said for one of an occasional message.
 SignalRow::Standing standingOf(const SignalTimes& times, const DbcMessage& message)
 {
     using Standing = SignalRow::Standing;
@@ -198,7 +198,7 @@ QString frameName(const CanFrame& frame, const DbcBook* book)
 
 TraceWords traceWords(const CanFrame& frame, const std::shared_ptr<const DbcBook>& book)
 {
-    // A reader of its own: what the frame says is the same whatever came before.
+    // A new reader, so that the text does not depend on earlier frames.
     const FrameWords said = frameReader(CanProtocol::Terratact, book)->read(frame, 0.0);
     return {.id = format::text(idText(frame)),
             .name = frameName(frame, book.get()),

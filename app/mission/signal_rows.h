@@ -12,15 +12,15 @@
 
 namespace terratact {
 
-/// Rows of the table: a robot's signals and commands, then what DBC files describe, then kinds that nobody knows.
-/// protocol: readProtocolDbc(), for what the robot's signals mean; empty: nothing is said of that.
+/// Returns the rows of the signal table: signals and commands of the robot, DBC signals, then unknown kinds. protocol:
+/// from readProtocolDbc(), for the meaning of the robot's signals; empty: no meanings.
 std::vector<SignalRow> signalRows(const std::vector<TappedFrame>& frames,
                                   std::span<const DbcMessage> protocol = {});
 
-/// "Attitude", "error frame", "unknown".  book: null: no DBC files.
+/// Returns "Attitude", "error frame", "unknown". book: null: no DBC files.
 QString frameName(const CanFrame& frame, const DbcBook* book);
 
-/// Of any frame of the bus.
+/// Returns the texts of any frame of the bus.
 TraceWords traceWords(const CanFrame& frame, const std::shared_ptr<const DbcBook>& book);
 
 }  // namespace terratact
