@@ -11,7 +11,7 @@ std::optional<int> binFrom(std::string_view text)
     return bin && *bin >= 0 && *bin < kBins ? bin : std::nullopt;
 }
 
-/// Adds the bins of "4" or "4-6"; false where that is not possible.
+/// Adds the bins of "4" or "4-6". Returns false if that is impossible.
 bool addRange(std::string_view text, BinSet& bins)
 {
     const std::size_t dash = text.find('-');

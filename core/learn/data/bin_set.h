@@ -10,19 +10,19 @@
 
 namespace terratact {
 
-/// Some of the bins: bit i is bin i, 0 the rearmost (-0.3 m).
+/// Set of bins: bit i is bin i, 0 the rearmost (-0.3 m).
 using BinSet = std::bitset<kBins>;
 
 inline constexpr BinSet kAllBins{(1ULL << kBins) - 1};
 
-/// "0-3", "0,4,10", "0-2,9-10": the bins a text names.  Empty where it names none, one beyond 0 … 10,
-/// one twice, or is no such list.
+/// Returns the bins that a text names: "0-3", "0,4,10", "0-2,9-10". Empty if it names none, one
+/// beyond 0 … 10 or one twice, or is no such list.
 std::optional<BinSet> binSetFrom(std::string_view text);
 
-/// The shortest such text; "none" for no bin.
+/// Returns the shortest such text; "none" for no bin.
 std::string text(const BinSet& bins);
 
-/// The bins in order.
+/// Returns the bins in order.
 std::vector<int> binsOf(const BinSet& bins);
 
 }  // namespace terratact

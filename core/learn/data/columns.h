@@ -11,29 +11,29 @@
 
 namespace terratact {
 
-/// A number of a scene as files call it, and the range in which it is believed.
+/// Column of a scenes file: its name, and the range of plausible values.
 struct Column {
     std::string_view name;
     std::string_view unit;
-    double least, most;      ///< both belong to the range
-    std::string_view doubt;  ///< what a value beyond the range suggests
+    double least, most;      ///< both ends belong to the range
+    std::string_view doubt;  ///< likely cause of a value beyond the range
 
     bool holds(double value) const { return value >= least && value <= most; }
-    /// Why a value that it does not hold is refused.
+    /// Returns why a value beyond the range is refused.
     std::string refusal(double value) const;
 };
 
-/// The features of s in order: pitch, flipper angles, currents, forces.
+/// Returns the features of s in order: pitch, flipper angles, currents, forces.
 std::span<const Column, kFeatures> featureColumns();
 
-/// Features of one s in that order; the first three, pitch and the flipper angles, are never empty.
+/// Features of one s in that order. The first three, pitch and the flipper angles, are never empty.
 using FeatureValues = std::array<std::optional<double>, kFeatures>;
 FeatureValues featureValues(const Proprioception& s);
 
-/// The other way round.  Throws std::invalid_argument where one of the first three is empty.
+/// Returns s from its features. Throws std::invalid_argument if one of the first three is empty.
 Proprioception proprioception(const FeatureValues& values);
 
-/// The heights, rear to front.
+/// Returns the columns of the heights, rear to front.
 std::span<const Column, kBins> heightColumns();
 
 }  // namespace terratact

@@ -10,7 +10,7 @@
 namespace terratact {
 namespace {
 
-constexpr double kMaxHeight = 5.0;  ///< [m] from the profile's first
+constexpr double kMaxHeight = 5.0;  ///< largest distance from the profile's first height [m]
 constexpr double kMaxX = 1000.0;    ///< [m]
 
 bool isHeader(const CsvReader& csv)
@@ -27,7 +27,8 @@ bool isHeader(const CsvReader& csv)
     return true;
 }
 
-/// Whether one of more than two columns is called as those of points are: then the lines are no heights.
+/// Returns true if one of more than two columns has the name of a point's column: the lines are
+/// then no heights.
 bool namesMoreThanPoints(const CsvReader& csv)
 {
     const auto isOfPoints = [](std::string_view name) {
@@ -43,7 +44,7 @@ bool namesPoints(const CsvReader& csv)
     return (names[0] == "x" && names[1] == "z") || (names[0] == "x_m" && names[1] == "z_m");
 }
 
-/// The numbers of a line.
+/// Returns the numbers of a line.
 Result<std::vector<double>> numbers(CsvReader& csv)
 {
     std::vector<double> values;
@@ -55,7 +56,7 @@ Result<std::vector<double>> numbers(CsvReader& csv)
     return values;
 }
 
-/// Done where a height is believable beside the profile's first.
+/// Returns Done if a height is plausible beside the profile's first.
 Status checkHeight(const CsvReader& csv, double height, double first)
 {
     if (std::abs(height - first) <= kMaxHeight) return Done{};
@@ -64,8 +65,8 @@ Status checkHeight(const CsvReader& csv, double height, double first)
                      + " (is it in mm?)");
 }
 
-/// Heights with decimal commas, whose commas look as if they separated fields: all parts are whole numbers.  "0,05" is
-/// then 0 and 5.
+/// Detects heights with decimal commas that look like separators: all fields are integers. "0,05"
+/// then reads as 0 and 5.
 class DecimalCommas {
 public:
     void take(const CsvReader& csv)
@@ -80,7 +81,7 @@ public:
         }
     }
 
-    /// Whether a part has leading zeros, which no whole number has and many fractions have.
+    /// Returns true if a field has leading zeros, which no integer has but many fractions have.
     bool certain() const { return allWhole_ && anyLikeFraction_; }
     bool possible() const { return allWhole_; }
 
@@ -88,10 +89,10 @@ private:
     bool allWhole_ = true, anyLikeFraction_ = false;
 };
 
-/// Reads lines of points into one profile, the present line being the first.
+/// Reads lines of points into one profile, starting with the current line.
 class PointReader {
 public:
-    /// headed: the header says that the columns are x and z.
+    /// headed: the header names the columns x and z.
     explicit PointReader(bool headed) : headed_(headed) {}
 
     Status take(const CsvReader& csv, const std::vector<double>& line)
@@ -136,7 +137,7 @@ private:
     bool headed_;
     std::vector<Vec2> points_;
     DecimalCommas commas_;
-    int sameX_ = 0, mostOfOneX_ = 0;  ///< points one after the other
+    int sameX_ = 0, mostOfOneX_ = 0;  ///< consecutive points
 };
 
 /// Reads every line of heights as a profile.
@@ -163,7 +164,8 @@ public:
     Result<ProfileFile> finish(const CsvReader&) { return std::move(file_); }
 
 private:
-    /// Every other number is the same, as the metres of heights below 1 m are, and the others differ.
+    /// Returns true if every other number is the same, like the metres of heights below 1 m, and
+    /// the others differ.
     static bool alternates(const std::vector<double>& line)
     {
         if (line.size() < 6 || line.size() % 2 != 0) return false;
@@ -180,7 +182,7 @@ private:
     ProfileFile file_;
 };
 
-/// Takes the present line and all that follow.
+/// Reads the current line and all that follow.
 template <class Reader>
 Result<ProfileFile> readLines(CsvReader& csv, Reader reader)
 {

@@ -8,9 +8,9 @@
 
 namespace terratact {
 
-/// One terrain profile measurement: what the robot felt and, where known, the terrain.
+/// One measured scene: the proprioception and, if known, the true terrain.
 struct Scene {
-    std::string run;    ///< drive it belongs to
+    std::string run;    ///< drive that it belongs to
     double time = 0.0;  ///< [s] since the drive's start
     Proprioception s;
     OptionalHeights truth{};

@@ -11,7 +11,7 @@ namespace terratact {
 
 namespace {
 
-// As core/sim/sensor_noise.h has them.
+// Noise as in core/sim/sensor_noise.h.
 constexpr double kPitchSd = 0.0087, kAngleSd = 0.0017;   // [rad]
 constexpr double kCurrentSd = 0.05;                      // [A]
 constexpr double kForceShare = 0.10, kForceFloor = 0.3;  // share, [N]
@@ -36,7 +36,7 @@ Key keyOf(const Scene& scene)
     return key;
 }
 
-/// One scene, but for digits that a number format took away.
+/// Returns true for the same scene, except for digits that a number format dropped.
 bool isRewritten(const Key& a, const Key& b)
 {
     double sum = 0.0;
@@ -48,7 +48,7 @@ bool isRewritten(const Key& a, const Key& b)
     return std::sqrt(sum / kFeatures) <= kRewrittenRms;
 }
 
-/// Kept scenes by their front flippers' angle, in which near copies hardly differ.
+/// Kept scenes, sorted by the front flippers' angle, which hardly differs between near copies.
 class Kept {
 public:
     explicit Kept(SceneCopies& copies) : copies_(copies) {}

@@ -11,27 +11,30 @@
 
 namespace terratact {
 
-/// Scenes that training takes once.  A copy tells nothing new, but residuals that leave out one row at a time, and the
-/// likelihood, would take it for a second witness: σ_n and the bands would shrink to nothing.
+/// Scenes without copies, for training. A copy adds no information, but leave-one-out residuals and
+/// the likelihood would count it as a second observation: σ_n and the bands would shrink to
+/// nothing.
 struct SceneCopies {
-    std::vector<const Scene*> kept;  ///< the first of each, in order
-    std::size_t exact = 0;           ///< left out: features and heights are those of a kept scene
-    std::size_t near = 0;            ///< left out: the same within the sensors' noise (isNearCopy)
-    std::set<std::string> runs;      ///< that the near ones are of
+    std::vector<const Scene*> kept;  ///< first scene of each kind, in order
+    std::size_t exact = 0;       ///< copies whose features and heights equal those of a kept scene
+    std::size_t near = 0;        ///< copies within the sensors' noise (isNearCopy)
+    std::set<std::string> runs;  ///< drives of the near copies
 };
 
-/// scenes: complete ones.
+/// Removes copies. scenes: complete ones.
 SceneCopies withoutCopies(const std::vector<const Scene*>& scenes);
 
-/// Whether one pose on one ground explains both: every feature differs by at most kCopySd √2 standard deviations of its
-/// noise (core/sim/sensor_noise.h), and the root mean square of the heights' differences is at most 26 mm, which a
-/// scanner's noise of 12 mm exceeds once in a hundred times.
+/// Returns true if one pose on one ground can explain both scenes. Every feature differs by at most
+/// kCopySd √2 standard deviations of its noise (core/sim/sensor_noise.h). The root mean square of
+/// the height differences is at most 26 mm; a scanner's noise of 12 mm exceeds that once in a
+/// hundred times.
 bool isNearCopy(const Scene& a, const Scene& b);
 inline constexpr double kCopySd = 3.5;
 
-/// How many scenes are training rows, whatever number format they went through: no feature differs by more than
-/// kRewrittenSd of its noise, which three decimals do, and their root mean square by at most kRewrittenRms.
-/// features: U × 11 as in ModelData.
+/// Returns the number of scenes that are training rows, whatever their number format. No feature
+/// differs by more than kRewrittenSd of its noise, which rounding to three decimals stays below.
+/// The root mean square of these differences is at most kRewrittenRms. features: U × 11 as in
+/// ModelData.
 std::size_t trainingScenes(const std::vector<Scene>& scenes, const Eigen::MatrixXd& features);
 inline constexpr double kRewrittenSd = 0.31, kRewrittenRms = 0.13;
 

@@ -20,7 +20,7 @@
 namespace terratact {
 namespace {
 
-// What a column of the file is: one of these, or the n-th feature or height counted from there.
+// Meaning of a column: one of these, or the n-th feature or height, counted from there.
 constexpr int kUnknown = -1;
 constexpr int kRun = 0;
 constexpr int kTime = 1;
@@ -60,7 +60,7 @@ int slotNamed(std::string_view name)
     return kUnknown;
 }
 
-/// A column that means a height but is not spelt like one: it must not get lost as "unknown".
+/// Returns true for a misspelt height column: it must not be ignored as "unknown".
 bool looksLikeHeight(std::string_view name)
 {
     constexpr std::string_view kNumberBegins = "+-0123456789";
@@ -75,7 +75,8 @@ bool isRunName(std::string_view text)
                         [](char c) { return isControl(c) || c == ',' || c == '"'; });
 }
 
-/// Why a value is refused in a column; empty where it is fine.  An infinity is beyond every range.
+/// Returns why a value is refused in a column; empty if it is accepted. An infinity is beyond every
+/// range.
 std::string refusal(int slot, double value)
 {
     if (slot == kTime) return std::isfinite(value) ? "" : "t_s is not finite";
@@ -84,7 +85,7 @@ std::string refusal(int slot, double value)
     return column.holds(value) ? "" : column.refusal(value);
 }
 
-/// What every column of the file is.
+/// Meaning of every column of the file.
 struct Layout {
     std::vector<int> slots;
     std::vector<std::string> notices;
@@ -118,7 +119,7 @@ Result<Layout> layoutOf(CsvReader& csv)
     return layout;
 }
 
-/// A scene while its fields come in.
+/// A scene whose fields are being read.
 struct Draft {
     std::string run;
     double time = 0.0;
@@ -177,7 +178,7 @@ std::string header()
     return line + "\n";
 }
 
-/// One field of a scene as text; throws what the reader would refuse.
+/// Returns one field of a scene as text. Throws for what the reader would refuse.
 std::string field(const std::optional<double>& value, int slot)
 {
     if (!value) return "";

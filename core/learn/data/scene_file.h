@@ -9,39 +9,41 @@
 
 namespace terratact {
 
-/// No file holds more; it would take a day's drive at two scenes a second.
+/// Largest number of scenes in one file: a day's drive at two scenes per second.
 inline constexpr std::size_t kMaxScenes = 200'000;
 
 struct SceneFile {
     std::vector<Scene> scenes;
-    std::vector<std::string> notices;  ///< e.g. unknown columns that were kept out
-    std::string
-        hash;  ///< SHA-256 of the file's bytes, in hexadecimal digits; empty where it had no file
+    std::vector<std::string> notices;  ///< notices such as ignored unknown columns
+    std::string hash;  ///< SHA-256 of the file's bytes, hexadecimal; empty without a file
 };
 
-/// Reads scenes as CSV (core/store/csv_reader.h): a header, then one scene per line.  Columns in any order:
+/// Reads scenes from CSV (core/store/csv_reader.h): a header, then one scene per line. Columns in
+/// any order:
 ///   run,t_s,pitch_rad,front_rad,rear_rad,front_current_a,rear_current_a,
 ///   force_1_n … force_6_n,h_-0.3_m,h_-0.2_m,…,h_+0.0_m,…,h_+0.7_m
-/// The h columns may be missing; an empty field, or NaN, NA and the like, means unknown (allowed for currents, forces,
-/// heights); unknown columns are kept out with a notice; so is a last line without its line end named.  A line of
-/// units below the header is passed over if they are these.
-/// Errors name file, line and cause: missing, doubled or misspelt columns, wrong numbers, NaN or
+/// The h columns may be missing. An empty field, NaN, NA and so on mean unknown, which currents,
+/// forces and heights may be. Unknown columns are ignored with a notice; a last line without its
+/// line end is also noticed. A line of units below the header is skipped if the units are right.
+/// Errors name file, line and cause: missing, duplicate or misspelt columns, wrong numbers, NaN or
 /// infinity, heights beyond ±5 m, angles beyond ±π, forces below 0 or above 1000 N, currents beyond
-/// ±100 A, other units, a wrong number of fields, an empty file, more than kMaxScenes scenes, what CsvReader refuses.
+/// ±100 A, other units, a wrong number of fields, an empty file, more than kMaxScenes scenes, and
+/// what CsvReader refuses.
 /// The file is read once, so that it may be a pipe.
 Result<SceneFile> readScenes(const std::string& path);
 
-/// readScenes() of a file from its first line on.
+/// Reads scenes from an open CSV, as readScenes().
 Result<SceneFile> readScenes(CsvReader csv);
 
-/// readScenes() without the scenes of which no height is known; a notice says how many.  Also an error: none is left.
+/// Reads scenes, and drops those without any known height; a notice says how many. It is an error
+/// if none is left.
 Result<SceneFile> readScenesWithTruth(const std::string& path);
 
-/// Scenes in the same format, numbers shortest that read back equal.  Throws std::invalid_argument for what
-/// readScenes would refuse.
+/// Returns scenes in the same format. Numbers are the shortest that read back equal. Throws
+/// std::invalid_argument for what readScenes would refuse.
 std::string scenesText(const std::vector<Scene>& scenes);
 
-/// Writes them to a temporary name, then renamed.
+/// Writes scenes to a temporary file and renames it.
 Status writeScenes(const std::string& path, const std::vector<Scene>& scenes);
 
 }  // namespace terratact

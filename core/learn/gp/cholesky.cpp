@@ -19,13 +19,14 @@ int size(const Eigen::MatrixXd& A)
     return static_cast<int>(A.rows());
 }
 
-/// Columns that lie between two polls where each takes a product of kBlock × inner and a triangle of kBlock rows.
+/// Returns the number of columns between two polls, if each takes a product of kBlock × inner and a
+/// triangle of kBlock rows.
 int columnsAtOnce(int inner)
 {
     return std::max(1, static_cast<int>(kMaxMultiplications / (kBlock * (0.5 * kBlock + inner))));
 }
 
-/// Rows first … first + rows of R right of the diagonal block, from the rows above them.
+/// Computes rows first … first + rows of R, right of the diagonal block, from the rows above them.
 void solveRow(Eigen::MatrixXd& K, int first, int rows, const Poll& poll)
 {
     const int n = size(K);
@@ -40,7 +41,7 @@ void solveRow(Eigen::MatrixXd& K, int first, int rows, const Poll& poll)
     }
 }
 
-/// For every block of kVectorBlock rows from the first to the last: work(its first row, how many).
+/// Calls work(first row, number of rows) for every block of kVectorBlock rows.
 template <class Work>
 void forBlocks(int from, int to, Work work)
 {
@@ -48,7 +49,7 @@ void forBlocks(int from, int to, Work work)
         work(first, std::min(kVectorBlock, to - first));
 }
 
-/// A block's rows of y, from its own triangle.
+/// Solves for a block's rows of y with its own triangle.
 void solveBlock(const Eigen::MatrixXd& R, CBLAS_TRANSPOSE side, int first, int rows,
                 Eigen::VectorXd& y, const Poll& poll)
 {
@@ -88,7 +89,7 @@ void solveBackward(const Eigen::MatrixXd& R, Eigen::VectorXd& y, const Poll& pol
 
 }  // namespace
 
-// By block rows: R_kk from K_kk − Σ_p R_pkᵀ R_pk, then R_kj = R_kk⁻ᵀ (K_kj − Σ_p R_pkᵀ R_pj).
+// Works by block rows: R_kk from K_kk − Σ_p R_pkᵀ R_pk, then R_kj = R_kk⁻ᵀ (K_kj − Σ_p R_pkᵀ R_pj).
 bool choleskyUpper(Eigen::MatrixXd& K, const Poll& poll)
 {
     const int n = size(K);
@@ -102,10 +103,10 @@ bool choleskyUpper(Eigen::MatrixXd& K, const Poll& poll)
         if (info != 0) return false;
         solveRow(K, first, rows, poll);
     }
-    return K.diagonal().allFinite();  // a NaN is no error to dpotrf
+    return K.diagonal().allFinite();  // dpotrf reports no error for a NaN
 }
 
-// By block columns, from the left: X_0j = −X_00 R_0j X_jj, where X_00 is already inverted.
+// Works by block columns, from the left: X_0j = −X_00 R_0j X_jj, where X_00 is already inverted.
 void invertUpper(Eigen::MatrixXd& R, const Poll& poll)
 {
     const int n = size(R);
@@ -183,7 +184,7 @@ double reciprocalCondition(const Eigen::MatrixXd& R, double norm, const Poll& po
         blas(LAPACKE_dlacn2_work, n, v.data(), x.data(), sign.data(), &inverseNorm, &next,
              memory.data());
         if (next == 0) break;
-        solveWithFactor(R, x, poll);  // K⁻¹ is symmetric: the same where K⁻ᵀ is wanted
+        solveWithFactor(R, x, poll);  // K⁻¹ is symmetric, so this is also K⁻ᵀ
         if (!x.allFinite()) return 0.0;
     }
     return 1.0 / (norm * inverseNorm);
@@ -198,7 +199,7 @@ double symmetricNorm(const Eigen::MatrixXd& K, const Poll& poll)
         sum.head(j) += K.col(j).head(j).cwiseAbs();
         sum[j] += K.col(j).head(j + 1).lpNorm<1>();
     }
-    return sum.maxCoeff();  // NaN is for the factorisation to find
+    return sum.maxCoeff();  // the factorisation detects NaN
 }
 
 }  // namespace terratact

@@ -20,13 +20,15 @@ namespace terratact {
 
 namespace {
 
-/// How far off single precision may be at the probes: next to nothing of the least variance, the noise.
+/// Returns the largest error of single precision at the probes: a small share of the least
+/// variance, the noise.
 double mostSingleError(const Hyperparameters& hyper)
 {
     return 2e-3 * hyper.noiseSd * hyper.noiseSd;
 }
 
-/// The signal part k(X, X), upper triangle (lower one not set), by blocks of columns.
+/// Returns the signal part k(X, X), upper triangle, by blocks of columns; the lower triangle is not
+/// set.
 Eigen::MatrixXd signalCovariance(const Eigen::MatrixXd& X, const Hyperparameters& hyper,
                                  const Poll& poll)
 {
@@ -39,7 +41,7 @@ Eigen::MatrixXd signalCovariance(const Eigen::MatrixXd& X, const Hyperparameters
         callPoll(poll);
         columns.resize(static_cast<std::size_t>(std::min(kGroup, U - first)));
         std::iota(columns.begin(), columns.end(), first);
-        // Rows before the block are the upper triangle of its columns.
+        // The rows before the block are the upper triangle of its columns.
         const double* covariances = block.with(columns, columns.back() + 1);
         for (const int c : columns)
             for (int u = 0; u <= c; ++u) K(u, c) = covariances[u * kGroup + c - first];
@@ -52,7 +54,7 @@ struct Factor {
     double jitter = 0.0, rcond = 0.0;
 };
 
-/// K + jitter (σ_f² + σ_n²) I with the noise in it, upper triangle.
+/// Returns K + jitter (σ_f² + σ_n²) I with the noise included, upper triangle.
 Eigen::MatrixXd noisyCovariance(const Eigen::MatrixXd& X, const Hyperparameters& hyper,
                                 double jitter, const Poll& poll)
 {
@@ -63,7 +65,7 @@ Eigen::MatrixXd noisyCovariance(const Eigen::MatrixXd& X, const Hyperparameters&
     return K;
 }
 
-/// rcond 0 where it is not positive definite.
+/// Returns rcond 0 if the matrix is not positive definite.
 Factor tryFactor(const Eigen::MatrixXd& X, const Hyperparameters& hyper, double jitter,
                  const Poll& poll)
 {
@@ -73,7 +75,7 @@ Factor tryFactor(const Eigen::MatrixXd& X, const Hyperparameters& hyper, double 
     return factor;
 }
 
-/// With the least jitter that makes K well enough conditioned.
+/// Factorises K with the least jitter that makes it well enough conditioned.
 Factor factorWithJitter(const Eigen::MatrixXd& X, const Hyperparameters& hyper, const Poll& poll)
 {
     for (const double jitter : {0.0, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6}) {
@@ -87,8 +89,8 @@ Factor factorWithJitter(const Eigen::MatrixXd& X, const Hyperparameters& hyper, 
                     X.rows(), kMinRcond, hyper.signalSd, hyper.noiseSd));
 }
 
-/// Covariances with InverseFactor::kProbes of those rows, from the first to the last: with every other one as it is, with the
-/// others one and two length scales beside it.
+/// Returns covariances with InverseFactor::kProbes of those rows, from the first to the last. Every
+/// other row is unchanged, the others are moved by one and two length scales.
 Eigen::MatrixXd columnsBeside(const ScaledRows& X, const std::vector<int>& rows, double signal2,
                               const Poll& poll)
 {
@@ -194,15 +196,15 @@ std::unique_ptr<GaussianProcess> GaussianProcess::sparse(Eigen::MatrixXd X,
 Eigen::MatrixXd GaussianProcess::factor(const Poll& poll) const
 {
     Eigen::MatrixXd K = noisyCovariance(X_, hyper_, jitter_, poll);
-    choleskyUpper(K, poll);  // as it did when this process was built
+    choleskyUpper(K, poll);  // as when this process was built
     return K;
 }
 
-/// Judged by what the variance is there, at rows that were left out and beside such rows.
+/// Judges the reduction by the true variance at rows that were left out, and beside such rows.
 std::optional<ReducedInverse> GaussianProcess::reduce(const Eigen::MatrixXd& R,
                                                       const Poll& poll) const
 {
-    if (jitter_ > 0.0) return std::nullopt;  // then R is of another covariance
+    if (jitter_ > 0.0) return std::nullopt;  // R then belongs to another covariance
     std::optional<ReducedVariance> reduced = reducedVariance(X_, hyper_, poll);
     if (!reduced) return std::nullopt;
     const std::vector<int> others = rowsNotIn(reduced->rows, X_.rows());

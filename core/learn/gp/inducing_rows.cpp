@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kMaxAhead = 48;
 
-/// What the rows chosen so far leave of covariances, and the columns of the rows that are likely to be next: of them
-/// all at once, for one column at a time would read the whole of V for each.
+/// Covariances that the chosen rows leave, and the columns of the likely next rows. These columns
+/// are computed together, because one column at a time would read the whole of V for each.
 class Choice {
 public:
     Choice(const ScaledRows& X, double signal2, Eigen::Index most)
@@ -29,7 +29,8 @@ public:
 
     double largestVariance() const { return variance_.maxCoeff(); }
 
-    /// The row with the largest variance among those at hand, if that is good enough, or else among all.
+    /// Chooses the prepared row with the largest variance if it is good enough, else the best of
+    /// all rows.
     void take(double goodEnough, const Poll& poll)
     {
         callPoll(poll);
@@ -73,7 +74,8 @@ private:
                                 [this](int a, int b) { return variance_[a] < variance_[b]; });
     }
 
-    /// Those with the largest variances, the largest first: a few more than the last time were of use.
+    /// Prepares the rows with the largest variances, largest first: a few more than the last time
+    /// were useful.
     void lookAhead(const Poll& poll)
     {
         const Eigen::Index count =
@@ -91,7 +93,7 @@ private:
         PolledWork work(poll);
         for (Eigen::Index k = 0; k < chosen_; ++k) {
             ofAhead.col(k) = V_.col(k)(ahead_);
-            work.done(8 * count);  // numbers far apart
+            work.done(8 * count);  // numbers far apart in memory
         }
         const Eigen::Index step = linesAtOnce(count * chosen_);
         for (Eigen::Index first = 0; chosen_ > 0 && first < V_.rows(); first += step) {
@@ -105,7 +107,7 @@ private:
         taken_ = 0;
     }
 
-    /// columns_ of ahead_[first] and up to seven more.
+    /// Computes columns_ of ahead_[first] and up to seven more.
     void covariances(std::size_t first, const Poll& poll)
     {
         callPoll(poll);
@@ -119,15 +121,15 @@ private:
     }
 
     CovarianceBlock covariances_;
-    Eigen::VectorXd variance_;  // of every row given the chosen ones; 0 of those
+    Eigen::VectorXd variance_;  // variance of every row given the chosen ones; 0 for chosen rows
     Eigen::MatrixXd V_;
     std::vector<int> rows_;
     Eigen::Index chosen_ = 0;
     std::vector<int> ahead_;
-    // Covariances with ahead_, less what columnsFrom_ columns of V_ explain.
+    // Covariances with ahead_, without what columnsFrom_ columns of V_ explain.
     Eigen::MatrixXd columns_;
     Eigen::Index columnsFrom_ = 0;
-    Eigen::Index taken_ = 0;  // of ahead_
+    Eigen::Index taken_ = 0;  // number of taken rows of ahead_
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kProbes = InverseFactor::kProbes;
 
-/// Rows of the lower triangle L⁻¹ = (R⁻¹)ᵀ in panels.
+/// Packs rows of the lower triangle L⁻¹ = (R⁻¹)ᵀ in panels.
 template <class T>
 AlignedArray<T> pack(const Eigen::MatrixXd& inverseR, const Poll& poll)
 {
@@ -37,7 +37,7 @@ AlignedArray<T> pack(const Eigen::MatrixXd& inverseR, const Poll& poll)
     return panels;
 }
 
-/// K e_i = Rᵀ R e_i for the rows that it is judged at: U × kProbes.
+/// Returns K e_i = Rᵀ R e_i for the rows at which it is judged: U × kProbes.
 Eigen::MatrixXd probeColumns(const Eigen::MatrixXd& R, const Poll& poll)
 {
     const Eigen::Index U = R.rows();
@@ -50,7 +50,7 @@ Eigen::MatrixXd probeColumns(const Eigen::MatrixXd& R, const Poll& poll)
     return columns;
 }
 
-/// |T k|² of every column k, from Tᵀ.
+/// Returns |T k|² of every column k, from Tᵀ.
 Eigen::VectorXd squaresOf(const Eigen::MatrixXd& transposed, Eigen::MatrixXd columns,
                           const Poll& poll)
 {
@@ -58,7 +58,8 @@ Eigen::VectorXd squaresOf(const Eigen::MatrixXd& transposed, Eigen::MatrixXd col
     return columns.colwise().squaredNorm();
 }
 
-/// Differences of |panels · k|² from what is expected of every column k; infinite where that is not a number.
+/// Returns the differences of |panels · k|² from the expected values; infinite if one is not a
+/// number.
 Eigen::VectorXd errorsAt(const Eigen::MatrixXd& columns, const Eigen::VectorXd& expected,
                          const AlignedArray<float>& panels, const Poll& poll)
 {
@@ -81,7 +82,8 @@ Eigen::VectorXd errorsAt(const Eigen::MatrixXd& columns, const Eigen::VectorXd& 
     return errors;
 }
 
-/// The largest, and one rounding at least: of few rows, all probes may be luckier than any other column.
+/// Returns the largest error, at least one rounding: with few rows all probes may be more accurate
+/// than other columns.
 double largestError(const Eigen::VectorXd& errors, const Eigen::VectorXd& expected)
 {
     return std::max(errors.maxCoeff(), std::numeric_limits<float>::epsilon() * expected.maxCoeff());
@@ -139,7 +141,7 @@ const double* InverseFactor::panels(const Poll& poll) const
     return double_->data();
 }
 
-/// None where there is nothing to reduce, or where that is not good enough.
+/// Returns nothing if there is nothing to reduce, or if the result is not good enough.
 std::optional<InverseFactor::Single> InverseFactor::reduced(const Eigen::MatrixXd& R,
                                                             const Poll& poll) const
 {

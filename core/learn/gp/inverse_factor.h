@@ -13,59 +13,65 @@
 
 namespace terratact {
 
-/// A triangle that is inverse already, and covariances to judge single precision at.
+/// A triangle that is already inverted, and covariances at which single precision is judged.
 struct GivenInverse {
     Eigen::MatrixXd transposed;  ///< Fᵀ: U × U, upper triangle
     Eigen::MatrixXd probes;      ///< U × InverseFactor::kProbes, full columns
 };
 
-/// What may take the place of L⁻¹ in single precision: |F k_m|² of some rows k_m of k, and what to judge it at.
+/// Replacement of L⁻¹ in single precision: |F k_m|² with some rows k_m of k, and the data to judge
+/// it.
 struct ReducedInverse {
-    std::vector<int> order;  ///< k's rows: first the m that F needs, in its order, then the others
+    /// k's rows: first the m rows that F needs, in its order, then the others
+    std::vector<int> order;
     Eigen::MatrixXd transposed;  ///< Fᵀ: m × m, upper triangle
     Eigen::MatrixXd probes;      ///< m × InverseFactor::kProbes: k_m
-    Eigen::VectorXd squares;     ///< |L⁻¹k|² of the probes
-    Eigen::VectorXd weights;     ///< of the probes: what a difference from that counts
-    double mostError = 0.0;      ///< F is not used where the largest difference counts more
+    Eigen::VectorXd squares;     ///< |L⁻¹k|² at the probes
+    Eigen::VectorXd weights;     ///< weights of the differences at the probes
+    double mostError = 0.0;      ///< largest weighted difference with which F is used
 };
 
-/// L⁻¹ of K = L Lᵀ, U × U, packed in panels for CovarianceKernels when it is first needed, in the precision that
-/// is needed: U² / 2 numbers each, or m² / 2 of a ReducedInverse.  Safe to share between threads; one that waits for another's packing polls, too.
-/// What a poll throws leaves the packing to the next caller.
+/// L⁻¹ of K = L Lᵀ, U × U. It is packed in panels for CovarianceKernels when it is first needed, in
+/// the precision that is needed: U² / 2 numbers each, or m² / 2 for a ReducedInverse. It may be
+/// shared between threads; a thread that waits for the packing polls too. An exception of a poll
+/// leaves the packing to the next caller.
 ///
-/// Single precision changes |L⁻¹k|² by about ε Σ_i |v_i| Σ_j |L⁻¹_ij k_j|, ε = 6e-8, and the products grow with
-/// the condition of K.  The error is therefore measured, at columns of K itself, where |L⁻¹ K e_i|² = K_ii is
-/// known: Single::error.  A GivenInverse is compared with itself in double at its probes.  Where there is a
-/// ReducedInverse, single precision goes through that, and the error is measured at its probes.
+/// Single precision changes |L⁻¹k|² by about ε Σ_i |v_i| Σ_j |L⁻¹_ij k_j|, ε = 6e-8, and the
+/// products grow with the condition number of K. The error is therefore measured at columns of K
+/// itself, where |L⁻¹ K e_i|² = K_ii is known: Single::error. A GivenInverse is compared with its
+/// double version at its probes. A ReducedInverse is used for single precision if there is one, and
+/// judged at its own probes.
 class InverseFactor {
 public:
-    static constexpr int kProbes = 2 * kGroup;  ///< columns that single precision is judged at
-    /// The p-th of kProbes among `count`, from the first to the last.
+    /// number of columns at which single precision is judged
+    static constexpr int kProbes = 2 * kGroup;
+    /// Returns the p-th of kProbes indices below `count`, from the first to the last.
     static Eigen::Index probe(Eigen::Index p, Eigen::Index count)
     {
         return p * (count - 1) / (kProbes - 1);
     }
 
-    /// In single precision.
+    /// The factor in single precision.
     struct Single {
-        std::vector<int> order;      ///< k's rows, those that the panels are multiplied with first
-        int kept = 0;                ///< how many of them that is: all but where they are reduced
+        std::vector<int> order;      ///< k's rows; the panels multiply the first ones
+        int kept = 0;                ///< number of these rows: all, unless reduced
         AlignedArray<float> panels;  ///< kept × kept
-        /// Largest difference of |L⁻¹k|² from what it should be, over kProbes columns: K e_i for rows i from the first to
-        /// the last, or those of GivenInverse; at least 2⁻²³ of the largest.  Of |F k_m|²: at the probes of
-        /// ReducedInverse, each times its weight.
+        /// Largest error of |L⁻¹k|² over kProbes columns: K e_i for rows i from the first to the
+        /// last, or those of GivenInverse. It is at least 2⁻²³ of the largest value. For |F k_m|²
+        /// it is the largest weighted error at the probes of ReducedInverse.
         double error = 0.0;
     };
     using Again = std::function<Eigen::MatrixXd(const Poll&)>;
     using Reduce =
         std::function<std::optional<ReducedInverse>(const Eigen::MatrixXd& R, const Poll&)>;
 
-    /// R = Lᵀ, upper triangle (the lower one is not read); `again` makes the same R once more, for R is given
-    /// up when panels are packed.  reduce: from R, called at most once at a time; may be empty, and throw what
-    /// its poll throws.
+    /// R = Lᵀ, upper triangle; the lower one is not read. `again` makes the same R again, because R
+    /// is released when panels are packed. reduce: makes a ReducedInverse from R, one call at a
+    /// time; may be empty, and may throw what its poll throws.
     InverseFactor(Eigen::MatrixXd R, Again again, Reduce reduce = {});
 
-    /// Packs F of a sparse process as it is; compared with |F k|² in double precision.
+    /// Packs the given F of a sparse process. Single precision is compared with |F k|² in double
+    /// precision.
     explicit InverseFactor(GivenInverse given);
 
     int rows() const { return rows_; }
@@ -73,7 +79,7 @@ public:
     const Single& single(const Poll& poll = {}) const;
 
 private:
-    /// The inverse, transposed, with columns k and what |T k|² is there.
+    /// The inverse, transposed, with columns k and the values of |T k|² there.
     struct Judged {
         Eigen::MatrixXd inverse, columns;
         Eigen::VectorXd squares;
@@ -89,7 +95,7 @@ private:
     std::optional<GivenInverse> given_;
     Again again_;
     Reduce reduce_;
-    mutable PolledMutex mutex_;  // of everything below; the values never change once there
+    mutable PolledMutex mutex_;  // guards everything below; values never change once made
     mutable std::optional<Eigen::MatrixXd> R_;
     mutable std::optional<AlignedArray<double>> double_;
     mutable std::optional<Single> single_;

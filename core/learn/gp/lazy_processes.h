@@ -10,24 +10,26 @@
 
 namespace terratact {
 
-/// Inducing rows of a process over `rows` rows: at most `wanted` and at most `trained` of them, each unless it is 0.
+/// Returns the number of inducing rows of a process over `rows` rows: at most `wanted` and at most
+/// `trained`, where 0 means no limit.
 int rowsToInduce(int wanted, int trained, Eigen::Index rows);
 
-/// One bin's Gaussian process for every number of inducing rows that was asked for, each made once, when first
-/// needed.  Safe to share between threads; what get() returned stays where it is.
+/// One bin's Gaussian processes, by number of inducing rows, each made when it is first needed. It
+/// may be shared between threads; the result of get() stays valid.
 class LazyProcesses {
 public:
-    /// What make() throws leaves the making to the next caller.  poll: while another thread makes it.
+    /// Returns the process. An exception of make() leaves the making to the next caller. poll:
+    /// called while another thread makes it.
     const GaussianProcess& get(int inducing,
                                const std::function<std::unique_ptr<GaussianProcess>()>& make,
                                const Poll& poll) const;
 
 private:
     struct Entry {
-        PolledMutex mutex;  // of the making
+        PolledMutex mutex;  // held while the process is made
         std::unique_ptr<GaussianProcess> gp;
     };
-    mutable std::mutex mutex_;  // of the map; an entry's making does not hold it
+    mutable std::mutex mutex_;  // guards the map; not held while a process is made
     mutable std::map<int, Entry> entries_;
 };
 

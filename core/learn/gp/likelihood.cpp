@@ -19,14 +19,14 @@ namespace terratact {
 namespace {
 
 constexpr int kColumns = SymmetricPanels::kPanelColumns;
-constexpr int kRows = 64;  // of covariances at a time: they stay in the cache
+constexpr int kRows = 64;  // rows of covariances at a time: they stay in the cache
 
 std::size_t area(int a, int b)
 {
     return static_cast<std::size_t>(a) * static_cast<std::size_t>(b);
 }
 
-/// Inputs, and the signal covariance k(X, X) between them, panel by panel.
+/// Inputs and their signal covariance k(X, X), panel by panel.
 class SignalCovariance {
 public:
     SignalCovariance(const Eigen::MatrixXd& X, const Hyperparameters& hyper)
@@ -44,7 +44,8 @@ public:
     int inputs() const { return d_; }
     double perLength(int d) const { return perLength_.data()[d]; }
     const double* row(int u) const { return rows_.data() + static_cast<long>(u) * d_; }
-    const double* columns() const { return columns_.data(); }  ///< d × kColumns, of the panel
+    /// d × kColumns, of the current panel
+    const double* columns() const { return columns_.data(); }
 
     void setPanel(int panel)
     {
@@ -57,7 +58,7 @@ public:
             }
     }
 
-    /// k of `count` ≤ kRows rows from u on with the panel's columns: count × kColumns.
+    /// Computes k of `count` ≤ kRows rows from u on with the panel's columns: count × kColumns.
     void rows(int u, int count, double* out)
     {
         const CovarianceInput in{
@@ -74,9 +75,10 @@ public:
 private:
     int U_, d_;
     double signal2_;
-    AlignedArray<double> rows_;              // U × d
-    AlignedArray<double> perLength_;         // d
-    AlignedArray<double> columns_, groups_;  // the panel's: d × kColumns; d × kGroup by groups
+    AlignedArray<double> rows_;       // U × d
+    AlignedArray<double> perLength_;  // d
+    // of the current panel: d × kColumns; d × kGroup by groups
+    AlignedArray<double> columns_, groups_;
     AlignedArray<double> zeros_{kRows};
     AlignedArray<double> block_{area(kRows, kGroup)}, unused_{kGroup};
 };
@@ -96,7 +98,7 @@ void fill(SymmetricPanels& K, SignalCovariance& signal, double noiseSd, const Po
     }
 }
 
-/// To working precision.
+/// Returns true if K is singular to working precision.
 bool isSingular(const SymmetricPanels::Factors& factors)
 {
     constexpr double kRounding = 1e-14;
@@ -104,7 +106,7 @@ bool isSingular(const SymmetricPanels::Factors& factors)
     return !(ratio * ratio >= kRounding);
 }
 
-/// Σ over i > j of G_ij (z_id − z_jd)² for every input d, then of G_ij:
+/// Returns Σ over i > j of G_ij (z_id − z_jd)² for every input d, then the sum of G_ij:
 ///   G = (K⁻¹ − α αᵀ) ∘ k(X, X), z inputs in length scales.  K: −K⁻¹.
 Eigen::VectorXd weightedSquares(const SymmetricPanels& K, SignalCovariance& signal,
                                 const Eigen::VectorXd& alpha, const Poll& poll)
@@ -125,7 +127,7 @@ Eigen::VectorXd weightedSquares(const SymmetricPanels& K, SignalCovariance& sign
                 signal.rows(u, std::min(kRows, K.size() - u), block.data());
             }
             double* S = block.data() + area(r, kColumns);
-            const int left = std::min(kColumns, u - first);  // of the diagonal
+            const int left = std::min(kColumns, u - first);  // entries left of the diagonal
             const int columns = kGroup * groupsOf(left);
             std::fill(S + left, S + columns, 0.0);
             likelihoodKernels().addWeightedSquares(K.row(panel, u), S, alpha[u],
@@ -162,7 +164,7 @@ Likelihood negativeLogLikelihood(const Eigen::MatrixXd& X, const Eigen::VectorXd
         0.5 * (factors.quadratic + factors.logDeterminant + U * std::log(2.0 * std::numbers::pi));
 
     const Eigen::VectorXd sums = weightedSquares(K, signal, alpha, poll);
-    double trace = -alpha.squaredNorm();  // of K⁻¹ − α αᵀ
+    double trace = -alpha.squaredNorm();  // trace of K⁻¹ − α αᵀ
     for (int u = 0; u < U; ++u) trace -= K.row(u / kColumns, u)[u % kColumns];
     result.gradient.resize(d + 2);
     result.gradient.head(d) = sums.head(d);

@@ -33,7 +33,7 @@ void check(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const std::vector
             throw std::invalid_argument("projected process: an inducing row does not exist");
 }
 
-/// k(A, B).
+/// Returns k(A, B).
 Eigen::MatrixXd covariance(const ScaledRows& A, const Eigen::MatrixXd& B, double signalSd,
                            const Poll& poll)
 {
@@ -46,7 +46,8 @@ Eigen::MatrixXd covariance(const ScaledRows& A, const Eigen::MatrixXd& B, double
     return K;
 }
 
-/// Cholesky factor in the lower triangle, in place.  The reciprocal condition number.
+/// Writes the Cholesky factor into the lower triangle, in place. Returns the reciprocal condition
+/// number.
 double factorise(Eigen::MatrixXd& K)
 {
     const int n = blasSize(K.rows());
@@ -62,7 +63,7 @@ double factorise(Eigen::MatrixXd& K)
     return rcond;
 }
 
-/// work(first, count) for columns of B, each of which takes so many multiplications.
+/// Calls work(first, count) for columns of B; each: multiplications per column.
 template <class Work>
 void forColumns(const Eigen::MatrixXd& B, Eigen::Index each, const Poll& poll, Work work)
 {
@@ -83,7 +84,7 @@ void solveLower(const Eigen::MatrixXd& L, Eigen::MatrixXd& B, const Poll& poll)
     });
 }
 
-/// 1 + V Vᵀ, lower triangle.
+/// Returns 1 + V Vᵀ, lower triangle.
 Eigen::MatrixXd onePlusGram(const Eigen::MatrixXd& V, const Poll& poll)
 {
     const int m = blasSize(V.rows());

@@ -24,13 +24,13 @@ void makeRoom(AlignedArray<T>& array, std::size_t size)
     if (array.size() < size) array = AlignedArray<T>(size);
 }
 
-/// Numbers of one block of covariances.
+/// Returns the number of entries of one block of covariances.
 std::size_t blockSize(Eigen::Index rows)
 {
     return entries(paddedRows(static_cast<int>(rows)), kGroup);
 }
 
-/// The rows beyond U, where another process has left its numbers.
+/// Clears the rows beyond U, which another process may have written.
 template <class T>
 void clearPadding(T* block, Eigen::Index rows)
 {
@@ -104,7 +104,7 @@ SceneConditional::SceneConditional(const GaussianProcess& gp, const Eigen::Vecto
     }
 }
 
-/// The process's rows, in that order.
+/// Copies the process's rows, in that order.
 void SceneConditional::takeRows(const Eigen::VectorXd& x, const std::vector<int>& order)
 {
     const Eigen::VectorXd& scale = gp_.hyper_.lengthScale;
@@ -131,7 +131,7 @@ bool SceneConditional::sharesFactorWith(const SceneConditional& other) const
         && panelsSingle_ == other.panelsSingle_;
 }
 
-/// Columns first … first + count − 1 of the inputs: m × 8.
+/// Copies columns first … first + count − 1 of the inputs: m × 8.
 void SceneConditional::copyInputs(const Eigen::MatrixXd& inputs, Eigen::Index first, int count,
                                   double* z) const
 {
@@ -141,8 +141,8 @@ void SceneConditional::copyInputs(const Eigen::MatrixXd& inputs, Eigen::Index fi
                 inputs(static_cast<Eigen::Index>(j), first + c);
 }
 
-/// Writes the scene's covariances and means into the columns from `first` on of those that are predicted together.
-/// What is behind them in their last block is undefined until the next scene's are written.
+/// Writes the scene's covariances and means into the joint columns from `first` on. The columns
+/// behind them in their last block are undefined until the next scene writes them.
 template <class T>
 void SceneConditional::covariances(const Eigen::MatrixXd& inputs, int first, PredictionRoom& room,
                                    const Poll& poll) const
@@ -175,7 +175,7 @@ void SceneConditional::covariances(const Eigen::MatrixXd& inputs, int first, Pre
     }
 }
 
-/// asked: of one process.
+/// asked: scenes of one process.
 template <class T>
 void SceneConditional::pass(std::span<const ScenePrediction> asked, PredictionRoom& room,
                             const Poll& poll)
@@ -212,13 +212,13 @@ void SceneConditional::pass(std::span<const ScenePrediction> asked, PredictionRo
     }
 }
 
-/// mean, variance: have as many numbers as the scene has columns.
+/// mean, variance: sized to the scene's columns.
 void SceneConditional::finish(const PredictionRoom& room, int first, Eigen::VectorXd& mean,
                               Eigen::VectorXd& variance) const
 {
     const double noise2 = gp_.hyper_.noiseSd * gp_.hyper_.noiseSd;
     const double prior = gp_.hyper_.signalSd * gp_.hyper_.signalSd + noise2;
-    // Rounding must not go below the noise, nor to 0 where there is none.
+    // Rounding must not go below the noise, nor to 0 without noise.
     const double least = std::max(noise2, kMinVariance * prior);
     const Eigen::Index n = mean.size();
     mean = Eigen::Map<const Eigen::ArrayXd>(room.means.data() + first, n) + gp_.outputMean_;

@@ -13,21 +13,21 @@ namespace terratact {
 struct PredictionRoom;
 struct ScenePrediction;
 
-/// A Gaussian process at one scene: the inputs that stay fixed are folded into one log weight per
-/// training row, so a prediction costs only the inputs that move.  Refers to the process.
+/// Gaussian process at one scene. The fixed inputs are folded into one log weight per training row,
+/// so that a prediction only costs the moving inputs. The process must outlive this object.
 class SceneConditional {
 public:
-    /// x: d standardised input; moving: indices of inputs that will be given anew for each prediction.
-    /// precision: of the variance, where usable() grants it; the mean is double in both, and the same but
-    /// for rounding.  poll: likewise.
-    /// Throws std::invalid_argument for another size or a value of x that is not finite.
+    /// x: d standardised inputs. moving: indices of inputs that are given for each prediction.
+    /// precision: of the variance, if usable() grants it; the mean is double, and the same in both
+    /// except for rounding. poll: as usable().
+    /// Throws std::invalid_argument for another size, or a value of x that is not finite.
     SceneConditional(const GaussianProcess& gp, const Eigen::VectorXd& x, std::vector<int> moving,
                      Precision precision, const Poll& poll = {},
                      const CovarianceKernels& kernels = covarianceKernels());
 
-    /// Predicts for several settings of the moving inputs at once.  A column's result does not depend on
-    /// the others.  inputs: moving.size() × n standardised; mean, variance: n.
-    /// Throws std::invalid_argument for an input that is not finite.
+    /// Predicts for several values of the moving inputs. A column's result does not depend on the
+    /// others. inputs: moving.size() × n standardised; mean, variance: n. Throws
+    /// std::invalid_argument for an input that is not finite.
     void predict(const Eigen::MatrixXd& inputs, Eigen::VectorXd& mean,
                  Eigen::VectorXd& variance) const;
 
@@ -53,23 +53,24 @@ private:
     AlignedArray<double> X_;                  // U × m, row-major
     AlignedArray<double> perLength_;          // m
     AlignedArray<double> logWeight_, alpha_;  // U
-    const double* panels_ = nullptr;       // of the precision that is used; the other one is null
-    const float* panelsSingle_ = nullptr;  // likewise
+    const double* panels_ = nullptr;  // panels of the precision in use; the other pointer is null
+    // panels of the precision in use; the other pointer is null
+    const float* panelsSingle_ = nullptr;
 };
 
-/// What predictTogether works in, kept from call to call; one per thread.
+/// Buffers of predictTogether, kept between calls; one per thread.
 struct PredictionRoom {
     template <class T>
     struct Covariances {
         AlignedArray<T> all;    ///< blocks of 8 columns, see CovarianceKernels
-        AlignedArray<T> block;  ///< one more
+        AlignedArray<T> block;  ///< one more block
     };
     Covariances<double> full;
     Covariances<float> single;
     AlignedArray<double> z, means, blockMeans{kGroup}, squares;
 };
 
-/// What one scene asks: SceneConditional::predict(inputs, mean, variance).
+/// Question of one scene: SceneConditional::predict(inputs, mean, variance).
 struct ScenePrediction {
     const SceneConditional* conditional = nullptr;
     const Eigen::MatrixXd* inputs = nullptr;
@@ -77,10 +78,11 @@ struct ScenePrediction {
     Eigen::VectorXd* variance = nullptr;
 };
 
-/// SceneConditional::predict for every one, bit for bit the same.  The columns of scenes of one process go through
-/// its factor side by side, whatever inputs move in each: the factor, which is what fills the caches, is then
-/// read once, and groups of columns are full that a scene alone would leave half empty.
-/// Throws as predict, and what the poll throws; then some means and variances may be new and others not.
+/// Predicts for several scenes, bit for bit like SceneConditional::predict for each. Scenes of one
+/// process pass through its factor together, whatever inputs move in each. The factor, which fills
+/// the caches, is then read once, and groups of columns are full.
+/// Throws as predict, and what the poll throws; some means and variances may then be new and others
+/// not.
 void predictTogether(std::span<const ScenePrediction> asked, PredictionRoom& room,
                      const Poll& poll = {});
 

@@ -20,15 +20,16 @@ namespace terratact {
 
 namespace {
 
-/// Of σ_f²: a row that adds less is not worth inducing.  Where those that add more make K_mm singular, the next.
+/// Least gain of an inducing row, as a share of σ_f². If rows with more gain make K_mm singular,
+/// the next value applies.
 constexpr double kMinPivots[] = {1e-8, 1e-7, 1e-6};
-constexpr double kMinLambda = 1e-9;  // of σ_f²
+constexpr double kMinLambda = 1e-9;  // share of σ_f²
 constexpr int kCandidatesPerRow = 4;
 constexpr long kWorkOfACovariance = 4;  // units of PolledWork
-constexpr int kColumnsAtOnce = 64;      // of a product at once: enough that a factor is read seldom
-constexpr double kShare = 0.3;          // of the largest variance, for rows of a reduction
-constexpr double kMaxReduced = 0.92;    // of the rows: more would save little
-constexpr int kPowerSteps = 32;  // enough for an eigenvalue that is too low by a tenth at most
+constexpr int kColumnsAtOnce = 64;  // columns of a product at once: enough to read a factor seldom
+constexpr double kShare = 0.3;      // share of the largest variance, for rows of a reduction
+constexpr double kMaxReduced = 0.92;  // share of the rows: more would save little
+constexpr int kPowerSteps = 32;       // enough for an eigenvalue that is at most a tenth too low
 constexpr double kPowerLow = 1.1;
 
 std::vector<int> evenlySpread(Eigen::Index rows, Eigen::Index wanted)
@@ -39,8 +40,8 @@ std::vector<int> evenlySpread(Eigen::Index rows, Eigen::Index wanted)
     return chosen;
 }
 
-/// Inducing rows, the factor of their covariance, K_mm = L Lᵀ, with its reciprocal condition number, and V = L⁻¹ K_mn,
-/// transposed: n × m.
+/// Inducing rows, the factor of their covariance, K_mm = L Lᵀ, with its reciprocal condition
+/// number, and V = L⁻¹ K_mn, stored transposed: n × m.
 struct Inducing {
     std::vector<int> rows;
     Eigen::MatrixXd L;
@@ -48,7 +49,8 @@ struct Inducing {
     Eigen::MatrixXd V{};
 };
 
-/// Reciprocal condition number of K = L Lᵀ, whose columns are covariances of the rows of Z.
+/// Returns the reciprocal condition number of K = L Lᵀ, whose columns are covariances of the rows
+/// of Z.
 double conditionOf(const Eigen::MatrixXd& L, const ScaledRows& Z, double signal2, const Poll& poll)
 {
     double norm = 0.0;
@@ -59,7 +61,7 @@ double conditionOf(const Eigen::MatrixXd& L, const ScaledRows& Z, double signal2
     return reciprocalCondition(L.transpose(), norm, poll);
 }
 
-/// V = L⁻¹ K_mn, transposed, for rows that were chosen among some of X.
+/// Returns V = L⁻¹ K_mn, transposed, for rows that were chosen among some rows of X.
 Eigen::MatrixXd projection(const ScaledRows& X, const std::vector<int>& rows,
                            const Eigen::MatrixXd& L, double signal2, const Poll& poll)
 {
@@ -79,7 +81,7 @@ Eigen::MatrixXd projection(const ScaledRows& X, const std::vector<int>& rows,
     return V;
 }
 
-/// Among `candidates` of the rows, as many of `count` as K_mm stays well conditioned with.
+/// Chooses up to `count` of the candidate rows, as many as keep K_mm well conditioned.
 Inducing chooseAmong(const ScaledRows& X, const std::vector<int>& candidates, int count,
                      double signal2, const Poll& poll)
 {
@@ -91,7 +93,7 @@ Inducing chooseAmong(const ScaledRows& X, const std::vector<int>& candidates, in
             inducing.rows.push_back(candidates[static_cast<std::size_t>(p)]);
         inducing.rcond = conditionOf(inducing.L, X.some(inducing.rows), signal2, poll);
         if (!(inducing.rcond >= kMinRcond)) continue;
-        inducing.V = among.V.rows() == X.X.rows()  // then candidates are all rows, in order
+        inducing.V = among.V.rows() == X.X.rows()  // the candidates are then all rows, in order
                        ? std::move(among.V)
                        : projection(X, inducing.rows, inducing.L, signal2, poll);
         return inducing;
@@ -102,7 +104,7 @@ Inducing chooseAmong(const ScaledRows& X, const std::vector<int>& candidates, in
                     kMinRcond));
 }
 
-/// work(j) for every column of `each` numbers.
+/// Calls work(j) for every column of `each` numbers.
 template <class Work>
 void forColumns(Eigen::Index columns, Eigen::Index each, const Poll& poll, Work work)
 {
@@ -113,7 +115,7 @@ void forColumns(Eigen::Index columns, Eigen::Index each, const Poll& poll, Work 
     }
 }
 
-/// 1 + Vᵀ V, upper triangle.
+/// Returns 1 + Vᵀ V, upper triangle.
 Eigen::MatrixXd onePlusGram(const Eigen::MatrixXd& V, const Poll& poll)
 {
     const int n = blasSize(V.rows());
@@ -133,7 +135,8 @@ Eigen::MatrixXd onePlusGram(const Eigen::MatrixXd& V, const Poll& poll)
     return B;
 }
 
-/// Upper Cholesky factor in place, zeros below.  False where A is not positive definite.
+/// Writes the upper Cholesky factor in place, zeros below. Returns false if A is not positive
+/// definite.
 bool factorise(Eigen::MatrixXd& A, const Poll& poll)
 {
     if (!choleskyUpper(A, poll)) return false;
@@ -142,7 +145,7 @@ bool factorise(Eigen::MatrixXd& A, const Poll& poll)
     return true;
 }
 
-/// U Uᵀ for an upper triangle U with zeros below: upper triangle.
+/// Returns U Uᵀ for an upper triangle U with zeros below: upper triangle.
 Eigen::MatrixXd gramOfRows(const Eigen::MatrixXd& U, const Poll& poll)
 {
     const int m = blasSize(U.rows());
@@ -157,13 +160,14 @@ Eigen::MatrixXd gramOfRows(const Eigen::MatrixXd& U, const Poll& poll)
     return product;
 }
 
-/// Lower C with Cᵀ C = 1 − B⁻¹, from R of B = Rᵀ R; none where rounding leaves nothing of a direction.
+/// Returns the lower triangle C with Cᵀ C = 1 − B⁻¹, from R of B = Rᵀ R; nothing if rounding
+/// dominates a direction.
 std::optional<Eigen::MatrixXd> factorOfGain(Eigen::MatrixXd R, const Poll& poll)
 {
     constexpr double kRounding = 1e-13;
     invertUpper(R, poll);
     const Eigen::Index m = R.cols();
-    Eigen::MatrixXd gain(m, m);  // from the last row and column to the first
+    Eigen::MatrixXd gain(m, m);  // rows and columns in reverse order
     {
         const Eigen::MatrixXd inverse = gramOfRows(R, poll);
         forColumns(m, m, poll, [&](Eigen::Index j) {
@@ -171,7 +175,8 @@ std::optional<Eigen::MatrixXd> factorOfGain(Eigen::MatrixXd R, const Poll& poll)
         });
     }
     gain.diagonal().array() += 1.0 + kRounding;
-    if (!factorise(gain, poll)) return std::nullopt;  // lower times upper, of what was
+    // the factor is lower times upper of the original order
+    if (!factorise(gain, poll)) return std::nullopt;
     forColumns(m, m, poll, [&](Eigen::Index j) { R.col(j) = gain.col(m - 1 - j).reverse(); });
     return R;
 }
@@ -190,14 +195,15 @@ void divide(Eigen::MatrixXd& C, const Eigen::MatrixXd& L, const Poll& poll)
     }
 }
 
-/// What inducing rows say of the others: Λ, and A = L B Lᵀ with B = 1 + V Λ⁻¹ Vᵀ = Rᵀ R, well conditioned.
+/// What the inducing rows explain: Λ, and A = L B Lᵀ with B = 1 + V Λ⁻¹ Vᵀ = Rᵀ R, well
+/// conditioned.
 struct Explained {
     Eigen::ArrayXd lambda;
     Eigen::MatrixXd R;
-    double rcond;  // of B; 0 where it is not positive definite
+    double rcond;  // of B; 0 if it is not positive definite
 };
 
-/// V: on return divided by √Λ.
+/// Computes Explained. V: divided by √Λ on return.
 Explained explain(Eigen::MatrixXd& V, double signal2, double noise2, const Poll& poll)
 {
     const Eigen::Index n = V.rows();
@@ -213,7 +219,7 @@ Explained explain(Eigen::MatrixXd& V, double signal2, double noise2, const Poll&
     return explained;
 }
 
-/// k(O, O) − V_O V_Oᵀ of the rows O that were not chosen: what those chosen leave of their covariance.
+/// Returns k(O, O) − V_O V_Oᵀ for the remaining rows O: the covariance that the chosen rows leave.
 Eigen::MatrixXd leftOf(const ScaledRows& X, const InducingRows& chosen, double signal2,
                        const Poll& poll)
 {
@@ -241,7 +247,8 @@ Eigen::MatrixXd leftOf(const ScaledRows& X, const InducingRows& chosen, double s
     return left;
 }
 
-/// The largest eigenvalue of a positive semidefinite matrix, by the power method from a start that no row prefers.
+/// Returns the largest eigenvalue of a positive semidefinite matrix by the power method, from a
+/// start that prefers no row.
 double largestEigenvalue(const Eigen::MatrixXd& A, const Poll& poll)
 {
     Eigen::VectorXd x(A.cols());
@@ -261,7 +268,7 @@ double largestEigenvalue(const Eigen::MatrixXd& A, const Poll& poll)
     return largest;
 }
 
-/// F of SparseProcess; none as factorOfGain.
+/// Returns F of SparseProcess; nothing if factorOfGain returns nothing.
 std::optional<Eigen::MatrixXd> explainedFactor(Explained explained, const Eigen::MatrixXd& L,
                                                const Poll& poll)
 {

@@ -9,51 +9,54 @@
 
 namespace terratact {
 
-/// A Gaussian process learnt from all rows, predicting through m inducing rows Z of them.  With K_mm = k(Z, Z),
-/// K_mn = k(Z, X), Λ = diag(k(X, X) − K_nm K_mm⁻¹ K_mn) + (σ_n² + jitter (σ_f² + σ_n²)) I and
-/// A = K_mm + K_mn Λ⁻¹ K_nm:
+/// Sparse Gaussian process that is learnt from all rows and predicts through m inducing rows Z.
+/// With K_mm = k(Z, Z), K_mn = k(Z, X), Λ = diag(k(X, X) − K_nm K_mm⁻¹ K_mn) + (σ_n² + jitter (σ_f²
+/// + σ_n²)) I and A = K_mm + K_mn Λ⁻¹ K_nm:
 ///   mean = k_mᵀ w,  w = A⁻¹ K_mn Λ⁻¹ y,   variance = σ_f² + σ_n² − |F k_m|²,  Fᵀ F = K_mm⁻¹ − A⁻¹
-/// The fully independent training conditional (Snelson & Ghahramani 2005; Rasmussen & Williams 2006, §8.3.4
-/// has it without the first part of Λ); exact where every row is one of Z.
+/// This is the fully independent training conditional (Snelson & Ghahramani 2005; Rasmussen &
+/// Williams 2006, §8.3.4 give it without the first part of Λ). It is exact if every row belongs to
+/// Z.
 struct SparseProcess {
     std::vector<int> inducing;  ///< rows of X, in the order chosen
     Eigen::VectorXd weights;    ///< w: m
     Eigen::MatrixXd F;          ///< m × m, lower triangle, zeros above
-    /// Where σ_n² is below 1e-9 σ_f², what makes up for the difference; 0 elsewhere.
+    /// Raises a σ_n² below 1e-9 σ_f² to that value; else 0.
     double jitter = 0.0;
-    /// The least of the reciprocal condition numbers (1-norm, estimated) of K_mm and of L⁻¹ A L⁻ᵀ, K_mm = L Lᵀ, and of
-    /// Λ, a difference, as a share of σ_f² + σ_n².
+    /// Smallest of three numbers: the estimated reciprocal condition numbers (1-norm) of K_mm and
+    /// of L⁻¹ A L⁻ᵀ, with K_mm = L Lᵀ, and Λ as a share of σ_f² + σ_n², because Λ is a difference.
     double rcond = 1.0;
 };
 
-/// At most `count` inducing rows (core/learn/gp/inducing_rows.h), fewer where those explain every row or where the next ones
-/// would make K_mm singular, among at most 4 · count evenly spread rows.
+/// Learns the process with at most `count` inducing rows (core/learn/gp/inducing_rows.h), chosen
+/// among at most 4 · count evenly spread rows. It takes fewer if these explain every row, or if the
+/// next ones would make K_mm singular.
 ///   X: n × d standardised, y: n centred.  Cost: n m² + 2 m³ multiplications; memory: 2 n m doubles.
-/// poll: as in cholesky.h; what it throws comes out of here.
-/// Throws std::invalid_argument as requireTrainable, for count < 1, for numbers that overflow, and where rcond would
-/// be below kMinRcond (gaussian_process.h).
+/// poll: as in cholesky.h; what it throws is rethrown.
+/// Throws std::invalid_argument as requireTrainable, for count < 1, for numbers that overflow, and
+/// if rcond would be below kMinRcond (gaussian_process.h).
 SparseProcess sparseProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, int count,
                             const Hyperparameters& hyper, const Poll& poll = {});
 
-/// Rows that explain all others so well that variances need no more of them, and |F k_m|², which then takes the
-/// place of kᵀ (k(X, X) + σ_n² 1)⁻¹ k: F as in SparseProcess.
+/// Rows that explain all others so well that variances need no more rows. |F k_m|², with F as in
+/// SparseProcess, then replaces kᵀ (k(X, X) + σ_n² 1)⁻¹ k.
 struct ReducedVariance {
-    std::vector<int> rows;  ///< of X, in the order chosen
+    std::vector<int> rows;  ///< rows of X, in the order chosen
     Eigen::MatrixXd F;      ///< m × m, lower triangle, zeros above
 };
 
-/// Of σ_n²: what may be left of the variance of a row, given the inducing rows.
+/// Largest remaining variance of a row given the inducing rows, as a share of σ_n².
 inline constexpr double kUnexplainedOfNoise = 1e-4;
 
-/// Of σ_n²: what the rows that are left out may still say together, the largest eigenvalue of k(X, X) − V Vᵀ
-/// (InducingRows).  Many that each say next to nothing may all say the same.  The variance of a prediction is then off by
-/// about that share of itself at most.
+/// Largest eigenvalue of k(X, X) − V Vᵀ (InducingRows) as a share of σ_n²: what the remaining rows
+/// may still say together. Many rows that each say little may all say the same. The relative error
+/// of a predicted variance is about this share at most.
 inline constexpr double kLeftTogether = 1e-2;
 
-/// None where that takes more than 92 % of the rows, or no row, where half as many explain too little for that, where the
-/// rows left out say more than kLeftTogether, or where σ_n² is too small to judge by (below 1e-4 σ_f²).
-/// X, hyper: of a GaussianProcess.  Cost: n m² + m³ + (n − m)² m multiplications; memory: 0.92 n² doubles, n m of them used, and
-/// (n − m) n more or 4 m².
+/// Returns nothing in these cases: it needs more than 92 % of the rows, or no row; half as many
+/// rows explain too little; the remaining rows say more than kLeftTogether; σ_n² is too small for a
+/// decision (below 1e-4 σ_f²).
+/// X, hyper: of a GaussianProcess. Cost: n m² + m³ + (n − m)² m multiplications. Memory: 0.92 n²
+/// doubles, n m of them used, and (n − m) n more or 4 m².
 std::optional<ReducedVariance> reducedVariance(const Eigen::MatrixXd& X,
                                                const Hyperparameters& hyper, const Poll& poll = {});
 

@@ -10,17 +10,18 @@
 
 namespace terratact {
 
-/// For an AlignedArray that is filled before it is read.
+/// Tag for an AlignedArray that is filled before it is read.
 struct Unset {};
 
-/// Numbers on a 64-byte boundary, zero at first unless the caller says Unset.  From 2 MiB on in whole huge pages where
-/// the system has them (preferHugePages).
+/// Array on a 64-byte boundary, initialised to zero unless the caller passes Unset. From 2 MiB on
+/// it uses whole huge pages if the system has them (preferHugePages).
 template <class T>
 class AlignedArray {
 public:
     AlignedArray(std::size_t size, Unset) : size_(size), values_(allocate(size * sizeof(T))) {}
     explicit AlignedArray(std::size_t size = 0) : AlignedArray(size, Poll{}) {}
-    /// poll: before every huge page, for which the system may take milliseconds; what it throws comes out.
+    /// poll: called before every huge page, which may take the system milliseconds; what it throws
+    /// is rethrown.
     AlignedArray(std::size_t size, const Poll& poll) : AlignedArray(size, Unset{})
     {
         constexpr std::size_t kOfPage = kHugePage / sizeof(T);

@@ -9,14 +9,15 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kBuffer = std::size_t{128} << 20U;  // of OpenBLAS on every processor it knows
-constexpr std::size_t kBeside = std::size_t{4} << 20U;    // what else may be allocated meanwhile
+// buffer of OpenBLAS on every processor it supports
+constexpr std::size_t kBuffer = std::size_t{128} << 20U;
+constexpr std::size_t kBeside = std::size_t{4} << 20U;  // other allocations meanwhile
 
-// Of the process, as OpenBLAS's buffers are.
+// One per process, like OpenBLAS's buffers.
 std::mutex turns;
 bool hasBuffer = false;
 
-// OpenBLAS keeps a buffer once it has it.
+// Ensures the buffer. OpenBLAS keeps it once it has it.
 void takeBuffer()
 {
     if (hasBuffer) return;

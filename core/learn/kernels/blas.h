@@ -7,19 +7,20 @@
 
 namespace terratact {
 
-/// Where memory is limited (core/base/memory_limit.h), one thread at a time may call OpenBLAS, and the first one makes
-/// sure that OpenBLAS gets its buffer.  OpenBLAS asks for one of 128 MB for each thread that calls it, and where it
-/// is refused asks again for ever.  Elsewhere this does nothing.
+/// Serialises OpenBLAS where memory is limited (core/base/memory_limit.h): one thread at a time may
+/// call it, and the first call ensures that OpenBLAS gets its buffer. OpenBLAS asks for 128 MB for
+/// each calling thread, and retries for ever if that is refused. Without a memory limit this does
+/// nothing.
 class BlasTurn {
 public:
-    /// Throws std::runtime_error with outOfMemory() where there is no room for the buffer.
+    /// Throws std::runtime_error with outOfMemory() if there is no room for the buffer.
     BlasTurn();
 
 private:
     std::unique_lock<std::mutex> lock_;
 };
 
-/// Calls a function of OpenBLAS; core calls none in any other way.
+/// Calls a function of OpenBLAS. Core calls OpenBLAS only through this function.
 template <class Function, class... Arguments>
 auto blas(Function function, Arguments... arguments)
 {

@@ -4,7 +4,7 @@
 
 namespace terratact {
 
-/// A size as BLAS and LAPACK take it.
+/// Returns a size in the type of BLAS and LAPACK.
 inline int blasSize(Eigen::Index n)
 {
     return static_cast<int>(n);

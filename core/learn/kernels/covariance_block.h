@@ -9,8 +9,8 @@
 
 namespace terratact {
 
-/// Rows of inputs, and what turns their differences into length scales: differences come first, for inputs in length
-/// scales round by 2⁻⁵³ |x| / ℓ of them, which is much where ℓ is tiny.
+/// Rows of inputs and the factors that scale their differences. Differences are scaled, because
+/// scaled inputs would have rounding errors of 2⁻⁵³ |x| / ℓ, which is much if ℓ is tiny.
 struct ScaledRows {
     Eigen::MatrixXd X;             ///< n × d
     Eigen::RowVectorXd perLength;  ///< d: 1 / ℓ
@@ -18,20 +18,21 @@ struct ScaledRows {
     ScaledRows some(const std::vector<int>& rows) const { return {X(rows, Eigen::all), perLength}; }
 };
 
-/// Throws std::invalid_argument where 1 / ℓ or an input in length scales overflows.
+/// Returns the scaled rows. Throws std::invalid_argument if 1 / ℓ or a scaled input overflows.
 ScaledRows inLengthScales(Eigen::MatrixXd X, const Hyperparameters& hyper);
 
-/// signal² exp(−½ Σ_d ((a_d − b_d) / ℓ_d)²) for every row a.
+/// Returns signal² exp(−½ Σ_d ((a_d − b_d) / ℓ_d)²) for every row a.
 Eigen::VectorXd covarianceColumn(const ScaledRows& rows, const Eigen::RowVectorXd& b,
                                  double signal2);
 
-/// Covariances among the rows of one matrix, up to kGroup columns at a time, by covarianceKernels().
+/// Covariances among the rows of one matrix by covarianceKernels(), up to kGroup columns at a time.
 class CovarianceBlock {
 public:
     CovarianceBlock(const ScaledRows& rows, double signal2);
 
-    /// What covarianceColumn gives, but for rounding, for u < rows and each v of `columns`, at most kGroup of them.
-    /// rows × kGroup, row-major, valid until the next call; what is behind the last of the columns is undefined.
+    /// Returns the covariances of rows u < rows with each of at most kGroup columns, like
+    /// covarianceColumn except for rounding. The result is rows × kGroup, row-major, and valid
+    /// until the next call; unused columns are undefined.
     const double* with(std::span<const int> columns, int rows);
 
 private:

@@ -5,7 +5,7 @@
 
 namespace terratact {
 
-/// A kernel's view of a poll, which must live as long.
+/// Returns a kernel's view of a poll; the poll must outlive it.
 inline KernelPoll kernelPoll(const Poll& poll)
 {
     return {[](const void* context) { callPoll(*static_cast<const Poll*>(context)); }, &poll};

@@ -4,22 +4,23 @@
 
 namespace terratact {
 
-/// The two loops that training waits for, compiled for several instruction sets from one source
-/// (likelihood_kernels.inl).  All pointers 64-byte aligned unless they say otherwise.
+/// The two hot loops of training, compiled for several instruction sets from one source
+/// (likelihood_kernels.inl). All pointers must be 64-byte aligned unless stated otherwise.
 ///
 /// Rows are packed in groups of kGroup: group g holds rows 8g … 8g + 7 of a matrix M as
 ///   packed[g · stride + k · kGroup + r] = M[8g + r][k].
 struct LikelihoodKernels {
     const char* name;  ///< "AVX-512", "AVX2", "baseline"
 
-    /// C −= A Bᵀ for one tile of kGroup × kTileColumns: A is one group, B three of them, `length` products.
+    /// Computes C −= A Bᵀ for one tile of kGroup × kTileColumns: A is one group, B three of them,
+    /// `length` products.
     ///   C[r · rowStride + (c / 8) · groupStride + c % 8]
     void (*subtractProducts)(const double* A, const double* B, long stride, int length, double* C,
                              long rowStride, long groupStride);
 
-    /// For one row of a symmetric matrix G = (−N − α αᵀ) ∘ S, its first `columns` entries (a multiple
-    /// of 8):  sums[d] += Σ_c G_c (x[d] − Z[d · stride + c])² for d < m,  sums[m] += Σ_c G_c,
-    /// each as 8 partial sums: sums: (m + 1) × 8.
+    /// Adds weighted squares for one row of a symmetric matrix G = (−N − α αᵀ) ∘ S, over its first
+    /// `columns` entries (a multiple of 8): sums[d] += Σ_c G_c (x[d] − Z[d · stride + c])² for d <
+    /// m, sums[m] += Σ_c G_c, each as 8 partial sums: sums: (m + 1) × 8.
     ///   N, S: the row, `columns` entries; alphaOfRow: α of the row; alpha: of the columns;
     ///   x: m (any alignment), Z: m × stride.
     void (*addWeightedSquares)(const double* N, const double* S, double alphaOfRow,
@@ -29,11 +30,11 @@ struct LikelihoodKernels {
 
 inline constexpr int kTileColumns = 24;
 
-/// Fastest kernels this processor runs.
+/// Returns the fastest kernels that this processor runs.
 const LikelihoodKernels& likelihoodKernels();
 
-/// Every variant this processor runs, fastest first (for tests and benchmarks).
-/// count: how many; the array lives as long as the program.
+/// Returns every variant that this processor runs, fastest first, for tests and benchmarks. count:
+/// their number. The array lives as long as the program.
 const LikelihoodKernels* const* availableLikelihoodKernels(int& count);
 
 }  // namespace terratact

@@ -4,10 +4,12 @@
 
 namespace terratact {
 
-/// Of the products in a variance.  Covariances and means are always double, and through all rows of a process.
+/// Precision of the products in a variance. Covariances and means are always double and through all
+/// rows.
 enum class Precision : std::uint8_t {
-    Single,  ///< in float, and through no more rows than matter: docs/speed.md says what that saves, and
-             ///< GaussianProcess::usable how far off it is
+    /// float, and only the rows that matter; docs/speed.md gives the gain, GaussianProcess::usable
+    /// the error
+    Single,
     Double
 };
 

@@ -13,9 +13,9 @@ namespace terratact {
 namespace {
 
 constexpr int kPanel = SymmetricPanels::kPanelColumns;
-constexpr long kStride = long{kPanel} * kGroup;  // of a packed group
-constexpr int kCachedRows = 512;                 // their packed groups stay in a core's own cache
-constexpr long kUnitsOfTile = 512;               // of PolledWork: some microseconds
+constexpr long kStride = long{kPanel} * kGroup;  // stride of a packed group
+constexpr int kCachedRows = 512;    // the packed groups of so many rows stay in a core's own cache
+constexpr long kUnitsOfTile = 512;  // units of PolledWork: some microseconds
 
 int roundUp(int n, int multiple)
 {
@@ -27,13 +27,13 @@ std::size_t count(long n)
     return static_cast<std::size_t>(n);
 }
 
-/// Room for the groups of n rows, and for the last tile's excess.
+/// Returns room for the groups of n rows and the excess of the last tile.
 AlignedArray<double> packedRows(int n, const Poll& poll = {})
 {
     return {count((roundUp(n, kTileColumns) / kGroup) * kStride), poll};
 }
 
-/// The pivot block's L⁻¹, packed by rows and by columns.
+/// L⁻¹ of the pivot block, packed by rows and by columns.
 struct PivotInverse {
     AlignedArray<double> rows = packedRows(kPanel);
     AlignedArray<double> columns = packedRows(kPanel);
@@ -50,7 +50,7 @@ void pack(const Eigen::MatrixXd& inverseL, PivotInverse& pivot)
         }
 }
 
-/// One matrix being inverted: the steps of SymmetricPanels::invert for one pivot block after the other.
+/// Inversion of one matrix: the steps of SymmetricPanels::invert, pivot block by pivot block.
 class Sweep {
 public:
     Sweep(SymmetricPanels& A, Eigen::VectorXd& y, const Poll& poll)
@@ -81,7 +81,7 @@ private:
         return packed.data() + row / kGroup * kStride;
     }
 
-    /// One tile of C −= A Bᵀ; polls.
+    /// Computes one tile of C −= A Bᵀ and polls.
     void subtract(const double* a, const double* b, int length, double* C, long rowStride,
                   long groupStride)
     {
@@ -106,7 +106,7 @@ private:
         return true;
     }
 
-    /// V = A_·k, packed; the pivot's own rows are not written and not read.
+    /// Packs V = A_·k; the pivot's own rows are neither written nor read.
     void packColumns()
     {
         for (int left = 0; left < panel_; ++left)
@@ -124,7 +124,7 @@ private:
         }
     }
 
-    /// W = −V L⁻ᵀ; the sign cancels wherever W is used.
+    /// Computes W = −V L⁻ᵀ; the sign cancels wherever W is used.
     void multiply()
     {
         W_.setZero();
@@ -136,7 +136,7 @@ private:
         }
     }
 
-    /// y as one more row of A.
+    /// Treats y as one more row of A.
     void sweepOutput(SymmetricPanels::Factors& factors)
     {
         Eigen::VectorXd w = Eigen::VectorXd::Zero(width_);
@@ -158,7 +158,7 @@ private:
         }
     }
 
-    /// A_ij −= W_i W_jᵀ for rows from … to of the lower triangle.
+    /// Computes A_ij −= W_i W_jᵀ for rows from … to of the lower triangle.
     void update(int from, int to)
     {
         for (int j = 0; j < to; j += kTileColumns) {
@@ -171,7 +171,7 @@ private:
         }
     }
 
-    /// A_·k = W L⁻¹ and A_kk = −L⁻ᵀ L⁻¹.
+    /// Computes A_·k = W L⁻¹ and A_kk = −L⁻ᵀ L⁻¹.
     void replaceColumns()
     {
         const auto tile = [&](const double* a, const double* b, int k, double* C) {

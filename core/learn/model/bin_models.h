@@ -10,18 +10,19 @@
 
 namespace terratact {
 
-/// Training inputs of the conditionals as V × (11 + f): scanned heights, then the features of the set.
+/// Returns the training inputs of the conditionals as V × (11 + f): scanned heights, then the
+/// features of the set.
 Eigen::MatrixXd rawInputs(const ModelData& model, FeatureSet set);
 
-/// (raw − mean) / sd, column by column.
+/// Returns (raw − mean) / sd, column by column.
 Eigen::MatrixXd standardised(const Eigen::MatrixXd& raw, const Eigen::VectorXd& mean,
                              const Eigen::VectorXd& sd);
 
-/// The input of bin i's model: all columns but the i-th.
+/// Returns the input of bin i's model: all columns except the i-th.
 Eigen::MatrixXd withoutBin(const Eigen::MatrixXd& standardisedInputs, int bin);
 
-/// The eleven conditionals p(hᵢ | h_{J∖i}, s) of one feature set, ready to predict.  A bin's model is
-/// factorised when it is first asked for.  Safe to share between threads.
+/// The eleven conditionals p(hᵢ | h_{J∖i}, s) of one feature set, ready to predict. A bin's model
+/// is factorised when it is first needed. It may be shared between threads.
 class BinModels {
 public:
     BinModels(const ModelData& model, FeatureSet set);
@@ -30,16 +31,17 @@ public:
     int inputSize() const;  ///< 10 + number of features
     const BinModelData& data() const { return data_; }
 
-    /// The Gaussian process of a bin, through at most `inducing` rows; as trained where that is 0.  Factorised at the
-    /// first call with these numbers.  poll: as for GaussianProcess; what it throws leaves the bin to the next
-    /// caller.  A thread that waits for another one's factorisation polls, too.
+    /// Returns the Gaussian process of a bin, through at most `inducing` rows; 0: as trained. The
+    /// first call with these numbers factorises it.
+    /// poll: as for GaussianProcess; an exception leaves the bin to the next caller. A thread that
+    /// waits for another's factorisation polls too.
     /// Throws std::invalid_argument unless i is 0 to 10 and inducing ≥ 0.
     const GaussianProcess& bin(int i, int inducing = 0, const Poll& poll = {}) const;
 
-    /// The bins whose Gaussian process has been asked for, and so factorised.
+    /// Returns the bins whose Gaussian process is already factorised.
     BinSet factorised() const { return factorised_.load(); }
 
-    /// Standardised input of bin i: the ten other heights, then s (see BinModelData).
+    /// Returns the standardised input of bin i: the ten other heights, then s (see BinModelData).
     Eigen::VectorXd input(int i, const Heights& h, const Eigen::VectorXd& s) const;
 
     double heightMean(int i) const { return data_.mean[i]; }
@@ -49,7 +51,7 @@ private:
     BinModelData data_;
     Eigen::MatrixXd standardised_;  ///< V × (11 + f)
     Eigen::MatrixXd heights_;       ///< V × 11 [m]
-    int inducing_;                  ///< as trained; 0: all rows
+    int inducing_;                  ///< rows as trained; 0: all
     mutable std::array<LazyProcesses, kBins> lazy_;
     mutable std::atomic<unsigned long> factorised_{0};
 };

@@ -19,7 +19,7 @@ namespace terratact {
 namespace {
 
 constexpr double kForceScale =
-    3.0;  // [N] forces are told apart by ratio above it, by difference below
+    3.0;  // [N] larger forces are compared by ratio, smaller ones by difference
 constexpr double kMinSd = 1e-12;
 constexpr SearchBounds kBounds{1e-3, 10.0, 5e-4,
                                3.0};  // log clearances: noise may exceed a factor e
@@ -62,7 +62,8 @@ void require(const ClearanceTraining& training)
     requireNumbers(training);
 }
 
-/// log(1 + force / 3 N) for the six forces, which noise may make negative; the rest as it is.
+/// Returns s with log(1 + force / 3 N) for the six forces, which noise may make negative; other
+/// features are unchanged.
 Eigen::VectorXd onModelScale(const Eigen::VectorXd& s)
 {
     Eigen::VectorXd scaled = s;

@@ -19,7 +19,7 @@
 
 namespace terratact {
 
-/// Whether the robot is above a bin: its ceiling is finite.
+/// Regime of a bin: Covered if its ceiling is finite (the robot is above it), else Open.
 enum class Regime : std::uint8_t { Covered, Open };
 inline constexpr std::array kRegimes{Regime::Covered, Regime::Open};
 
@@ -28,92 +28,94 @@ inline Regime regimeOf(double ceiling)
     return std::isinf(ceiling) ? Regime::Open : Regime::Covered;
 }
 
-/// A scene in a regime that training saw too rarely; says which, in a sentence.
+/// Thrown for a scene in a regime that training saw too rarely; the sentence names it.
 class NotLearnt : public std::invalid_argument {
 public:
     using std::invalid_argument::invalid_argument;
 };
 
-/// What the conditionals over clearances are trained on, one scene per row.
+/// Training data of the conditionals over clearances, one scene per row.
 struct ClearanceTraining {
     Eigen::MatrixXd heights;   ///< U × 11 [m]
-    Eigen::MatrixXd ceilings;  ///< U × 11 [m], +infinity where there is none
-    Eigen::MatrixXd features;  ///< U × 11, raw, order of featureNames(Paf)
+    Eigen::MatrixXd ceilings;  ///< U × 11 [m], +infinity: no ceiling
+    Eigen::MatrixXd features;  ///< U × 11, raw, in the order of featureNames(Paf)
 };
 
-/// One bin in one regime.
+/// Data of one bin in one regime.
 struct ClearanceRegimeData {
-    int rows = 0;             ///< training rows in this regime
-    double mean = 0.0;        ///< of y over them
-    double sd = 1.0;          ///< likewise; 1 where y does not vary
-    Hyperparameters hyper{};  ///< inputs: ten bins, eleven features; no length scales: not trained
+    int rows = 0;       ///< training rows in this regime
+    double mean = 0.0;  ///< mean of y over these rows
+    double sd = 1.0;    ///< sd of y over these rows; 1 if y does not vary
+    /// inputs: ten bins, eleven features; without length scales: not trained
+    Hyperparameters hyper{};
     double logLikelihood = 0.0;
 };
 
-/// Everything the conditionals p(yᵢ | y_{J∖i}, s) are made of besides the training rows: one Gaussian process
-/// per bin and regime, y of core/learn/model/clearance.h.  Input of the i-th: the other bins' y, rear to front, each
-/// standardised with mean and sd of that bin in the regime it has in that row or scene; then s.
+/// Data of the conditionals p(yᵢ | y_{J∖i}, s), besides the training rows. There is one Gaussian
+/// process per bin and regime, with y of core/learn/model/clearance.h. The input of the i-th is the
+/// other bins' y, rear to front, then s. Each y is standardised with mean and sd of its bin in the
+/// regime that it has in that row or scene.
 ///   s: the features with log(1 + force / 3 N) for the six forces, standardised.
-/// Output: y centred with the mean of (bin, regime).
+/// The output is y, centred with the mean of (bin, regime).
 struct ClearanceConditionalData {
-    double offset = kClearanceOffset;        ///< δ it was made with [m]
-    Eigen::VectorXd featureMean, featureSd;  ///< 11, of s
+    double offset = kClearanceOffset;        ///< δ of the training [m]
+    Eigen::VectorXd featureMean, featureSd;  ///< 11, for s
     std::array<std::array<ClearanceRegimeData, kRegimes.size()>, kBins> bins{};
 
-    /// Throws std::invalid_argument unless bin is 0 to 10.
+    /// Return the data of a bin and regime. Throw std::invalid_argument unless bin is 0 to 10.
     const ClearanceRegimeData& at(int bin, Regime regime) const;
     ClearanceRegimeData& at(int bin, Regime regime);
 };
 
-/// At most this many rows, the first ones, go into one Gaussian process.
+/// Largest number of rows of one Gaussian process; the first rows are used.
 inline constexpr int kMaxClearanceRows = 1400;
 
-/// The training rows of a model that the conditionals learn from: the first kClearanceScenes.
+/// Number of the model's first training rows that the conditionals learn from.
 inline constexpr int kClearanceScenes = 2000;
 ClearanceTraining clearanceTraining(const ModelData& model, const RobotModel& robot);
 
-/// The data of the conditionals from a model's hyper-parameters and those rows.
+/// Returns the data of the conditionals from a model's hyper-parameters and those rows.
 ClearanceConditionalData clearanceConditionalData(const ModelData& model,
                                                   const ClearanceTraining& training);
 
-/// Standardisation; hyper-parameters still unset.
-/// Throws std::invalid_argument where sizes disagree, a height or feature is not finite, a ceiling is NaN or
-/// −infinity, there are fewer than kMinTrainingRows rows or a feature never varies.
+/// Returns the data with standardisation, but without hyper-parameters. Throws
+/// std::invalid_argument if sizes disagree, a height or feature is not finite, a ceiling is NaN or
+/// −infinity, there are fewer than kMinTrainingRows rows, or a feature never varies.
 ClearanceConditionalData prepareClearanceConditionals(const ClearanceTraining& training);
 
-/// Maximises the likelihood of one bin in one regime: maximiseLikelihood, σ_f and σ_n up to 10 and 3 in the unit
-/// of y.  The seed of the subset is options.seed + 2 bin + regime.
-/// Throws std::invalid_argument for fewer than kMinTrainingRows rows in that regime.
+/// Trains one bin in one regime with maximiseLikelihood; σ_f and σ_n may reach 10 and 3 in the unit
+/// of y. The seed of the subset is options.seed + 2 bin + regime. Throws std::invalid_argument for
+/// fewer than kMinTrainingRows rows in that regime.
 TrainedBin trainClearanceConditional(const ClearanceTraining& training,
                                      const ClearanceConditionalData& data, int bin, Regime regime,
                                      const TrainingOptions& options, const Poll& poll = {});
 
-/// The conditionals p(yᵢ | y_{J∖i}, s), ready to predict.  A Gaussian process is factorised when it is first asked
-/// for.  Safe to share between threads.
+/// The conditionals p(yᵢ | y_{J∖i}, s), ready to predict. A Gaussian process is factorised when it
+/// is first needed. It may be shared between threads.
 class ClearanceConditionals {
 public:
-    /// Throws std::invalid_argument as prepareClearanceConditionals, for another offset than kClearanceOffset
-    /// and where data and training do not fit each other.
+    /// Throws std::invalid_argument as prepareClearanceConditionals, for an offset other than
+    /// kClearanceOffset, and if data and training do not fit each other.
     ClearanceConditionals(ClearanceTraining training, ClearanceConditionalData data);
 
     const ClearanceConditionalData& data() const { return data_; }
 
-    /// There is a Gaussian process of that bin in that regime.
+    /// Returns true if that bin has a Gaussian process in that regime.
     bool isTrained(int bin, Regime regime) const;
 
-    /// Of y of one bin in one regime; factorises it at the first call.  Throws std::invalid_argument, a sentence,
-    /// unless isTrained: where the regime has fewer than kMinTrainingRows training rows or was not trained.
-    /// inducing: predicts through at most so many rows; 0: all.  poll: as BinModels::bin.
+    /// Returns the process for y of one bin in one regime; the first call factorises it. Throws
+    /// std::invalid_argument with a sentence unless isTrained. inducing: number of rows to predict
+    /// through; 0: all. poll: as BinModels::bin.
     const GaussianProcess& gp(int bin, Regime regime, int inducing = 0,
                               const Poll& poll = {}) const;
 
-    /// The bins whose Gaussian process in that regime has been asked for, and so factorised.
+    /// Returns the bins whose Gaussian process in that regime is already factorised.
     BinSet factorised(Regime regime) const
     {
         return factorised_[static_cast<std::size_t>(regime)].load();
     }
 
-    /// Standardised input of bin i: the ten other bins, then s.
+    /// Returns the standardised input of bin i: the ten other bins, then s.
     ///   y: states of all bins, that of i is not read; ceiling: [m]; s: 11 raw features, order of
     ///   featureNames(Paf).
     Eigen::VectorXd input(int i, const Heights& y, const Heights& ceiling,

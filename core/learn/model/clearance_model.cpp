@@ -14,12 +14,12 @@ namespace terratact {
 
 namespace {
 
-constexpr Eigen::Index kNonForces = 5;  // pitch, two angles, two currents come before the forces
+constexpr Eigen::Index kNonForces = 5;  // pitch, two angles and two currents come before the forces
 constexpr double kForceScale = 3.0;     // [N]
 constexpr int kNoveltyNeighbour = 10;
 constexpr double kNoveltyShare = 0.99;
 
-/// D² of the n-th nearest, n from 1; of the last where there are fewer.
+/// Returns D² of the n-th nearest, n from 1; of the last if there are fewer.
 double nthSmallest(const Eigen::VectorXd& values, int n)
 {
     std::vector<double> least(static_cast<std::size_t>(std::min<Eigen::Index>(n, values.size())));
@@ -27,7 +27,7 @@ double nthSmallest(const Eigen::VectorXd& values, int n)
     return least.back();
 }
 
-/// Standardised features of all rows times the metric: d × U.
+/// Returns the standardised features of all rows times the metric: d × U.
 Eigen::MatrixXd scenesInMetric(const ModelData& model, const Eigen::VectorXd& metric,
                                MissingFeatures without)
 {
@@ -39,8 +39,8 @@ Eigen::MatrixXd scenesInMetric(const ModelData& model, const Eigen::VectorXd& me
     return scenes;
 }
 
-/// Pairs from different scenes need not form a covariance: negative eigenvalues become a small positive one,
-/// the variances stay.
+/// Pairs from different scenes need not form a covariance. Negative eigenvalues become a small
+/// positive one; the variances stay.
 Eigen::MatrixXd nearestCovariance(const Eigen::MatrixXd& symmetric)
 {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric);

@@ -12,14 +12,15 @@
 
 namespace terratact {
 
-/// s as the surface processes see it: the features of FeatureSet::Paf, each force F [N] as log(1 + F / 3).
+/// Returns s as input of the surface processes: the features of FeatureSet::Paf, each force F [N]
+/// as log(1 + F / 3).
 Eigen::VectorXd surfaceFeatures(const Eigen::VectorXd& features);
 
-/// (surfaceFeatures − mean) / sd, and 0 for the features that `without` names.
+/// Returns (surfaceFeatures − mean) / sd, and 0 for the features in `without`.
 Eigen::VectorXd standardisedFeatures(const Eigen::VectorXd& mean, const Eigen::VectorXd& sd,
                                      const Eigen::VectorXd& features, MissingFeatures without = {});
 
-/// Bit i is set where ceiling i is finite: the robot is above bin i.
+/// Returns a bit mask: bit i is set if ceiling i is finite, so that the robot is above bin i.
 unsigned coveredBins(const Heights& ceiling);
 
 constexpr bool isCovered(unsigned mask, int bin)
@@ -27,55 +28,58 @@ constexpr bool isCovered(unsigned mask, int bin)
     return (mask >> static_cast<unsigned>(bin) & 1U) != 0;
 }
 
-/// Training rows of the bin in that regime, in order.
+/// Returns the training rows of the bin in that regime, in order.
 std::vector<int> rowsOf(const std::vector<unsigned>& coveredBins, int bin, bool covered);
 
-/// At most kInducing of the rows, evenly spread.
+/// Returns at most kInducing of the rows, evenly spread.
 inline constexpr int kInducing = 600;
 std::vector<int> inducingRows(const std::vector<int>& rows);
 
-/// Scenes whose residuals make up the `local` method's errors.
+/// Number of training scenes whose residuals form the errors of method `local`.
 inline constexpr int kNeighbours = 30;
 
-/// What was left unexplained in training scenes: K weighted vectors of residuals [y].
+/// Unexplained part of training scenes: K weighted vectors of residuals [y].
 struct ResidualSample {
     Eigen::VectorXd weight;    ///< K, sum 1
     Eigen::MatrixXd residual;  ///< 11 × K
 };
 
-/// The surface processes of a model, ready to predict.  Immutable; safe to share between threads.
+/// Surface processes of a model, ready to predict. Immutable; may be shared between threads.
 class ClearanceModel {
 public:
-    /// without: features of s that the processes were trained without (reduced_clearances.h); nothing depends on
-    /// their value.
-    /// Throws std::invalid_argument where the model's clearance part is missing or its sizes disagree.
+    /// without: features of s that the processes were trained without (reduced_clearances.h); their
+    /// values have no effect. Throws std::invalid_argument if the model's clearance part is missing
+    /// or its sizes disagree.
     explicit ClearanceModel(const ModelData& model, MissingFeatures without = {});
 
     MissingFeatures without() const { return without_; }
 
-    /// Mean surface coordinate of every bin.  features: FeatureSet::Paf, raw.
+    /// Returns the mean surface coordinate of every bin. features: FeatureSet::Paf, raw.
     Heights predict(const Eigen::VectorXd& features, unsigned covered) const;
 
-    /// Residuals of the kNeighbours training scenes with the same bins covered that lie nearest in s:
+    /// Returns the residuals of the kNeighbours nearest training scenes in s with the same bins
+    /// covered:
     ///   D² = Σ_d (x_d − x'_d)² w_d²,  w_d² = mean over the processes of 1 / ℓ_d²
     ///   weight ∝ exp(−½ (D² − D²_min) / (D²_median − D²_min))
-    /// Where fewer scenes have the same bins covered, others follow, and a bin in which they differ borrows
-    /// the residual of the nearest scenes in which it does not; a bin that no training scene knows in this
-    /// regime gets normal quantiles times its residual sd.
+    /// If too few scenes have the same bins covered, other scenes follow. A bin whose regime
+    /// differs there takes the residual of the nearest scenes with the right regime. A bin that no
+    /// training scene has in this regime gets normal quantiles times its residual sd.
     ResidualSample localResiduals(const Eigen::VectorXd& features, unsigned covered) const;
 
-    /// Second moments of the residuals, pair by pair over the scenes in which both
-    /// bins are in this regime: 11 × 11, positive definite.
+    /// Returns the second moments of the residuals, each pair over the scenes in which both bins
+    /// are in this regime: 11 × 11, positive definite.
     Eigen::MatrixXd residualCovariance(unsigned covered) const;
 
-    /// D to the 10th nearest training scene over the distance that 1 % of the training scenes exceed.
+    /// Returns the novelty: D to the 10th nearest training scene, over the distance that 1 % of the
+    /// training scenes exceed.
     double novelty(const Eigen::VectorXd& features) const;
 
     double contactBias() const { return contactBias_; }
     double contactSd() const { return contactSd_; }
 
-    /// w_d and the distance a model's noveltyScale is made of; used by training.  Where features are left out, a
-    /// process counts in w_d by its rows: one of few rows may have found a length scale that suits no other.
+    /// Returns w_d, and the distance of a model's noveltyScale; used by training. If features are
+    /// left out, a process counts in w_d by its rows, because one with few rows may have an unusual
+    /// length scale.
     static Eigen::VectorXd metric(const ClearanceData& data, MissingFeatures without = {});
     static double noveltyScale(const ModelData& model, const Poll& poll = {},
                                MissingFeatures without = {});
@@ -87,7 +91,7 @@ private:
         Eigen::VectorXd perLength;  ///< d: 1 / ℓ
         Eigen::VectorXd weights;    ///< m
     };
-    /// Of the scenes that cover the same bins.
+    /// Sums over the scenes that cover the same bins.
     struct ResidualProducts {
         Eigen::Matrix<double, kBins, kBins> sum = Eigen::Matrix<double, kBins, kBins>::Zero();
         double count = 0.0;

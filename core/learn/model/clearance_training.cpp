@@ -15,9 +15,9 @@ namespace terratact {
 
 namespace {
 
-constexpr double kMaxNoise = 3.0;  // of surface coordinates, no metres
+constexpr double kMaxNoise = 3.0;  // of surface coordinates, not metres
 
-/// Standardised surface features of those rows: n × 11.
+/// Returns the standardised surface features of those rows: n × 11.
 Eigen::MatrixXd inputs(const ModelData& model, const std::vector<int>& rows,
                        MissingFeatures without)
 {
@@ -35,7 +35,8 @@ double surfaceOf(const ModelData& model, const Eigen::MatrixXd& ceilings, Eigen:
     return toSurface(model.heights(row, bin), ceilings(row, bin));
 }
 
-/// y of these bins wherever they are in that regime, or, open, of all rows' heights.
+/// Returns y of these bins wherever they are in that regime; for an open bin, the heights of all
+/// rows.
 std::vector<double> substitutes(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
                                 bool covered)
 {
@@ -66,7 +67,7 @@ TrainedSurface constantSurface(const ModelData& model, const Eigen::MatrixXd& ce
     return trained;
 }
 
-/// Positions among `rows` of the inducing ones.
+/// Returns the positions of the inducing rows among `rows`.
 std::vector<int> inducingPositions(std::size_t rows)
 {
     std::vector<int> positions(rows);
@@ -74,7 +75,7 @@ std::vector<int> inducingPositions(std::size_t rows)
     return inducingRows(positions);
 }
 
-/// The s of a training row.
+/// Returns s of a training row.
 Proprioception proprioceptionOf(const ModelData& model, Eigen::Index row)
 {
     FeatureValues values;
@@ -83,12 +84,12 @@ Proprioception proprioceptionOf(const ModelData& model, Eigen::Index row)
     return proprioception(values);
 }
 
-/// What a surface process learns from.
+/// Training rows of a surface process.
 struct SurfaceRows {
     std::vector<int> rows;
     Eigen::MatrixXd X;  ///< n × 11
     Eigen::VectorXd y;  ///< n, centred
-    double mean = 0.0;  ///< taken off y
+    double mean = 0.0;  ///< subtracted from y
 };
 
 SurfaceRows surfaceRows(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
@@ -108,7 +109,7 @@ double rootMeanSquare(const Eigen::VectorXd& values)
     return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
 }
 
-/// Weights and leave-one-out residuals with those hyper-parameters.
+/// Returns weights and leave-one-out residuals with these hyper-parameters.
 TrainedSurface fitted(SurfaceRows own, Hyperparameters hyper, const Poll& poll)
 {
     TrainedSurface trained;
@@ -123,7 +124,7 @@ TrainedSurface fitted(SurfaceRows own, Hyperparameters hyper, const Poll& poll)
     return trained;
 }
 
-/// What a contact adds: pairs of z − m and h − m.
+/// Gain of contacts: pairs of z − m and h − m.
 struct ContactErrors {
     std::vector<double> contact, height;
 };

@@ -11,42 +11,44 @@
 
 namespace terratact {
 
-/// Everything eleven conditionals p(hᵢ | h_{J∖i}, s) are made of: what a model file holds.  Input of the
+/// Data of the eleven conditionals p(hᵢ | h_{J∖i}, s), as a model file holds them. Input of the
 /// i-th: the ten other bins rear to front, then the features of s.
 ///   standardised input x_d = (raw_d − mean_d) / sd_d, centred output y = hᵢ − heightMean_i.
 struct BinModelData {
     FeatureSet set = FeatureSet::Pa;
-    Eigen::VectorXd mean, sd;  ///< size 11 + f: of the eleven heights [m], then of the f features
+    Eigen::VectorXd mean, sd;  ///< size 11 + f: the eleven heights [m], then the f features
     std::array<Hyperparameters, kBins> bins;
     std::array<double, kBins> logLikelihood{};  ///< of the training set
 };
 
-/// One bin, open or covered: its surface coordinate y (core/learn/model/clearance.h) as a Gaussian process on
-/// s alone, through inducing rows (core/learn/gp/projected_process.h).
+/// Gaussian process of one bin, open or covered. It predicts the surface coordinate y
+/// (core/learn/model/clearance.h) from s alone, through inducing rows
+/// (core/learn/gp/projected_process.h).
 ///   mean(x) = mean + Σ_k weight_k k(x, z_k);  without weights (too few training rows): mean
 struct SurfaceProcess {
     Hyperparameters hyper;
-    double mean = 0.0;        ///< of y
+    double mean = 0.0;        ///< mean of y
     double residualSd = 0.0;  ///< root mean square of the leave-one-out residuals
     Eigen::VectorXd weights;  ///< one per inducing row, see inducingRows()
 };
 
-/// What the methods over clearances are made of.
+/// Data of the methods over clearances.
 struct ClearanceData {
-    Eigen::VectorXd featureMean, featureSd;  ///< of surfaceFeatures(), size 11
+    Eigen::VectorXd featureMean, featureSd;  ///< for surfaceFeatures(), size 11
     std::array<SurfaceProcess, kBins> open, covered;
-    /// Hyper-parameters of the conditionals p(yᵢ | y_{J∖i}, s) of clearance_conditionals.h; no length scales
-    /// where a regime had too few rows.
+    /// Hyper-parameters of the conditionals p(yᵢ | y_{J∖i}, s) of clearance_conditionals.h; without
+    /// length scales if a regime had too few rows.
     std::array<Hyperparameters, kBins> conditionalOpen, conditionalCovered;
-    std::vector<unsigned> coveredBins;  ///< per training row: bit i where bin i's ceiling is finite
-    Eigen::MatrixXd residuals;          ///< U × 11: leave-one-out, of the bin's own process [y]
-    double noveltyScale = 0.0;          ///< scene distance that 1 % of the training rows exceed
-    double contactBias = 0.0;           ///< [m] mean of true bin height − contact height
-    double contactSd = 0.0;             ///< [m] its standard deviation
+    /// per training row: bit i is set if bin i's ceiling is finite
+    std::vector<unsigned> coveredBins;
+    Eigen::MatrixXd residuals;  ///< U × 11: leave-one-out residuals of the bin's own process [y]
+    double noveltyScale = 0.0;  ///< scene distance that 1 % of the training rows exceed
+    double contactBias = 0.0;   ///< mean of true bin height − contact height [m]
+    double contactSd = 0.0;     ///< standard deviation of that difference [m]
 };
 
-/// A trained model over U training rows.  The conditionals `pa` and `paf` use the first V ≤ U of them, their
-/// heights as a scanner reports them; `clearance` uses all.
+/// Trained model over U training rows. The conditionals `pa` and `paf` use the first V ≤ U rows,
+/// with heights as a scanner reports them. `clearance` uses all rows.
 struct ModelData {
     Eigen::MatrixXd heights;  ///< U × 11 [m]
     Eigen::MatrixXd
@@ -54,10 +56,10 @@ struct ModelData {
     Eigen::MatrixXd scannedHeights;  ///< V × 11 [m]
     BinModelData pa, paf;
     ClearanceData clearance;
-    int inducing = 0;     ///< rows the conditionals predict through, at most; 0: all of theirs
-    std::string command;  ///< how it was made
+    int inducing = 0;     ///< largest number of rows that the conditionals predict through; 0: all
+    std::string command;  ///< command that trained it
     std::uint64_t seed = 0;
-    std::string dataHash;  ///< SHA-256 of the scenes it was trained on, hex
+    std::string dataHash;  ///< SHA-256 of the training scenes, hex
 };
 
 }  // namespace terratact

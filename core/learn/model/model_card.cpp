@@ -18,7 +18,7 @@ constexpr std::size_t kMaxWords = 100;
 constexpr double kMaxEvaluated = 1e9;
 constexpr double kMaxError = 10.0;  // [m]: heights are within ±5 m
 
-/// "0000-00-00T00:00:00Z", digits anywhere else than that refused.
+/// Returns true for a date such as "0000-00-00T00:00:00Z", with digits only in place of the zeros.
 bool isDate(const std::string& text)
 {
     constexpr std::string_view kForm = "dddd-dd-ddTdd:dd:ddZ";

@@ -12,7 +12,8 @@ namespace terratact::model_file {
 namespace {
 
 constexpr std::size_t kMaxText = 100'000;
-constexpr double kMinScale = 1e-9, kMaxScale = 1e9;  // what squares and quotients survive
+// range in which squares and quotients do not overflow
+constexpr double kMinScale = 1e-9, kMaxScale = 1e9;
 constexpr double kMaxWeight = 1e15;
 
 void requireScale(double value, const std::string& what)
@@ -146,7 +147,7 @@ void requireSet(const BinModelData& data, FeatureSet set, const BinSet& bins)
     }
 }
 
-/// Nothing of what a portion leaves to others.
+/// Throws Refused if the model holds what a portion leaves to others.
 void requireNoMore(const ModelData& model, const BinSet& bins)
 {
     const ClearanceData& clearance = model.clearance;

@@ -6,16 +6,16 @@
 
 namespace terratact::model_file {
 
-/// Why a model is refused: a sentence that lacks the file's name.  Does not leave model_file.cpp.
+/// Refusal of a model: a sentence without the file's name. model_file.cpp catches it.
 struct Refused {
     std::string cause;
 };
 
-/// Throws Refused{cause} unless it holds.
+/// Throws Refused{cause} unless the condition holds.
 void require(bool holds, const std::string& cause);
 
-/// Throws Refused unless the model can predict: sizes, finite numbers, ranges as readModel says; with a
-/// portion: unless it holds that portion and nothing else.
+/// Throws Refused unless the model can predict: sizes, finite numbers, and ranges as in readModel.
+/// With a portion, the model must hold that portion and nothing else.
 void requireModel(const ModelData& model, const Portion* portion = nullptr);
 
 }  // namespace terratact::model_file

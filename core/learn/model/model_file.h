@@ -7,26 +7,26 @@
 
 namespace terratact {
 
-/// A model as read, with the hash of its content.
+/// A model that was read, with the hash of its content.
 struct StoredModel {
     ModelData data;
     std::string contentHash;  ///< SHA-256, hex
 };
 
-/// SHA-256 (hex) over everything that decides predictions and how the model was made, in a fixed order.
-/// Throws std::invalid_argument for a model that readModel would refuse.
+/// Returns the SHA-256 (hex) of everything that decides predictions, and of the training command,
+/// in a fixed order. Throws std::invalid_argument for a model that readModel would refuse.
 std::string contentHash(const ModelData& model);
 
-/// Writes a *.ttm: one SQLite file (application_id 0x54544D31, user_version 3) with feature order,
-/// units, standardisation, hyper-parameters, training rows, how it was made and the content's hash.
-/// The same model gives the same bytes.  Written under a temporary name, then renamed.
-/// Throws std::invalid_argument for a model that readModel would refuse.
+/// Writes a *.ttm file: one SQLite file (application_id 0x54544D31, user_version 3). It holds
+/// feature order, units, standardisation, hyper-parameters, training rows, the training command and
+/// the content's hash. The same model gives the same bytes. The file is written under a temporary
+/// name and then renamed. Throws std::invalid_argument for a model that readModel would refuse.
 Status writeModel(const std::string& path, const ModelData& model);
 
-/// Opens read-only and validates: application_id, user_version, integrity, schema, feature order and
-/// units, sizes (1 … 20 000 training rows), finite numbers, training rows in the ranges of the scenes file,
-/// ℓ, σ_f and sd from 1e-9 to 1e9, σ_n from 0, and the content's hash.  Errors are one sentence naming the
-/// file and the cause.
+/// Opens a model read-only and validates it: application_id, user_version, integrity, schema,
+/// feature order and units, sizes (1 … 20 000 training rows), finite numbers, training rows in the
+/// ranges of the scenes file, ℓ, σ_f and sd from 1e-9 to 1e9, σ_n from 0, and the content's hash.
+/// Errors are one sentence that names the file and the cause.
 Result<StoredModel> readModel(const std::string& path);
 
 }  // namespace terratact

@@ -10,13 +10,13 @@
 namespace terratact::model_file {
 namespace {
 
-/// A model as bytes; of a portion what belongs to its bins.
+/// Bytes of a model for hashing; with a portion, only those of its bins.
 class Canonical : public CanonicalBytes {
 public:
     using CanonicalBytes::add;
 
     explicit Canonical(const BinSet& bins) : bins_(binsOf(bins)) {}
-    /// Row by row.
+    /// Adds the matrix row by row.
     void add(const Eigen::MatrixXd& matrix)
     {
         add(static_cast<std::uint64_t>(matrix.rows()));

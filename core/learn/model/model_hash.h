@@ -6,7 +6,7 @@
 
 namespace terratact::model_file {
 
-/// contentHash() of a model that has been checked; with a portion: the hash of that part.
+/// Returns contentHash() of a checked model; with a portion: the hash of that part.
 std::string hashOf(const ModelData& model, const Portion* portion = nullptr);
 
 }  // namespace terratact::model_file

@@ -14,7 +14,8 @@ std::size_t inputs(FeatureSet set)
 
 namespace {
 
-/// A table of numbered rows: `more` columns, then one number for each of the first `columns` inputs.
+/// Returns a table of numbered rows: the columns `more`, then one number for each of the first
+/// `columns` inputs.
 SqliteTable rowTable(const std::string& name, std::size_t columns, const std::string& more = {})
 {
     std::string sql = "CREATE TABLE " + name + "(row INTEGER PRIMARY KEY" + more;

@@ -13,7 +13,7 @@
 
 namespace terratact::model_file {
 
-// What a *.ttm looks like: its marks, its limits and its tables.
+// Layout of a *.ttm file: its identifiers, its limits and its tables.
 
 inline constexpr std::int64_t kApplicationId = 0x54544D31;      // "TTM1"
 inline constexpr std::int64_t kPartApplicationId = 0x54545031;  // "TTP1"
@@ -23,16 +23,17 @@ inline constexpr Eigen::Index kMaxRows = 20'000;
 inline constexpr std::array kSets{FeatureSet::Pa,
                                   FeatureSet::Paf};  ///< in the order of their names
 
-/// A column of the inputs: the eleven heights, then the features.
+/// Returns a column of the inputs: the eleven heights, then the features.
 const Column& inputColumn(std::size_t position);
 
-/// How many inputs a set has, the heights included.
+/// Returns the number of inputs of a set, with the heights.
 std::size_t inputs(FeatureSet set);
 
-/// Every table of a model, sorted by name.
+/// Returns every table of a model, sorted by name.
 std::vector<SqliteTable> schema();
 
-/// Rows of the table meta in every file: what the file says of itself, for people who open it with other tools.
+/// Returns the rows of the table meta that every file has: explanations for people who open it with
+/// other tools.
 const std::map<std::string, std::string>& explanations();
 
 }  // namespace terratact::model_file

@@ -14,7 +14,7 @@
 namespace terratact {
 namespace {
 
-/// Something all parts of one training have in common.
+/// Property that all parts of one training share.
 struct Mark {
     std::string name;
     std::string found, expected;
@@ -68,7 +68,7 @@ Status requireSameTraining(const NamedModelPart& part, const NamedModelPart& fir
     return Done{};
 }
 
-/// Every bin in one part: none twice, none in no part.
+/// Checks that every bin is in exactly one part.
 Status requireEveryBin(std::span<const NamedModelPart> parts, const std::string& out)
 {
     BinSet held;

@@ -14,7 +14,7 @@
 namespace terratact::model_file {
 namespace {
 
-/// Goes to a row that must be there.
+/// Goes to a row that must exist.
 void nextRow(SqliteStatement& statement, const std::string& table)
 {
     require(statement.step(), "its table " + table + " ends too early");
@@ -69,7 +69,7 @@ BinSet binsFrom(const std::string& list)
     return *bins;
 }
 
-/// Reads meta into the model and, of a part, its portion; the content's hash as the file has it.
+/// Reads meta into the model and, for a part, its portion. Returns the content's hash as stored.
 std::string readMeta(SqliteFile& file, ModelData& model, Portion* portion)
 {
     std::map<std::string, std::string> meta;
@@ -86,7 +86,7 @@ std::string readMeta(SqliteFile& file, ModelData& model, Portion* portion)
     model.dataHash = take("data_sha256");
     model.seed = seedFrom(take("seed"));
     std::string hash = take("content_sha256");
-    if (meta.contains("inducing_rows"))  // only a sparse model has it
+    if (meta.contains("inducing_rows"))  // only a sparse model has this key
         model.inducing = inducingFrom(take("inducing_rows"));
     if (portion) {
         portion->bins = binsFrom(take("bins"));
@@ -98,7 +98,7 @@ std::string readMeta(SqliteFile& file, ModelData& model, Portion* portion)
     return hash;
 }
 
-/// "pitch_rad [rad]"
+/// Returns "pitch_rad [rad]".
 std::string named(std::string_view name, std::string_view unit)
 {
     return std::string(name) + " [" + std::string(unit) + "]";
@@ -169,7 +169,7 @@ void readLengthScales(SqliteFile& file, BinModelData& data, const BinSet& bins)
     noMoreRows(row, "length_scale");
 }
 
-/// All rows of a table whose first column numbers them from 0: the `columns` behind it.
+/// Returns all rows of a table whose first column numbers them from 0: the `columns` behind it.
 Eigen::MatrixXd readMatrix(SqliteFile& file, const std::string& table, Eigen::Index columns)
 {
     const std::int64_t rows = file.integer("SELECT count(*) FROM " + table);
@@ -197,7 +197,8 @@ void readRows(SqliteFile& file, ModelData& model)
     model.scannedHeights = readMatrix(file, "scanned_row", kBins);
 }
 
-/// The numbers of a table's rows that belong to one bin and regime, in the order of column `order`, which counts from 0.
+/// Returns the numbers of a table's rows for one bin and regime, in the order of column `order`,
+/// which counts from 0.
 Eigen::VectorXd readNumbers(SqliteFile& file, const std::string& table, const std::string& order,
                             int bin, bool covered)
 {
@@ -280,7 +281,7 @@ void readClearance(SqliteFile& file, ClearanceData& data, const BinSet& bins)
     data.residuals = rows.rightCols(kBins);
 }
 
-/// Rows of no bin, regime or key would not be seen by the reader.
+/// Refuses rows of no bin, regime or key, which the reader would not see.
 void requireNothingElse(SqliteFile& file, const BinSet& bins)
 {
     std::string list;
@@ -305,7 +306,7 @@ void requireNoOtherSet(SqliteFile& file)
                 "its table " + std::string(table) + " holds a feature set other than pa and paf");
 }
 
-/// Everything behind the file's marks; its hash.
+/// Reads everything behind the file's identifiers. Returns the stored hash.
 std::string readContent(SqliteFile& file, ModelData& model, Portion* portion)
 {
     checkVersion(file);

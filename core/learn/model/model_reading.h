@@ -6,10 +6,10 @@
 
 namespace terratact::model_file {
 
-/// Reads and checks a whole model, its hash included.  Throws Refused and SqliteError.
+/// Reads and checks a whole model with its hash. Throws Refused and SqliteError.
 StoredModel readStored(SqliteFile& file);
 
-/// The same for a part of a model.
+/// Reads and checks a part of a model in the same way.
 ModelPart readStoredPart(SqliteFile& file);
 
 }  // namespace terratact::model_file

@@ -67,7 +67,7 @@ void writeSet(SqliteFile& file, const BinModelData& data, const BinSet& bins)
     }
 }
 
-/// One row of `table`: its number, then the values.
+/// Writes rows of `table`: the number of each row, then its values.
 void writeMatrix(SqliteFile& file, const std::string& table, const Eigen::MatrixXd& values)
 {
     std::string sql = "INSERT INTO " + table + " VALUES(?";

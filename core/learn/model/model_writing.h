@@ -6,7 +6,7 @@
 
 namespace terratact::model_file {
 
-/// Fills the empty file at `path` with a model, or a portion of one, that has been checked.  Throws SqliteError.
+/// Fills the empty file at `path` with a checked model or a portion of one. Throws SqliteError.
 void fill(const std::string& path, const ModelData& model, const Portion* portion = nullptr);
 
 }  // namespace terratact::model_file

@@ -12,10 +12,10 @@ namespace terratact {
 
 namespace {
 
-constexpr std::size_t kFewRows = 800;  ///< a regime with fewer rows keeps all
+constexpr std::size_t kFewRows = 800;  ///< a regime with fewer rows keeps all rows
 
-/// The model's hyper-parameters with length scales between these bounds.  A feature that the missing ones made needless
-/// has a length scale of hundreds: it must speak again.
+/// Returns the model's hyper-parameters with length scales between these bounds. A feature that the
+/// missing ones made redundant has a length scale of hundreds, and must have an effect again.
 Hyperparameters withoutNeedless(const Hyperparameters& known)
 {
     constexpr double kMinLength = 0.5, kMaxTotalLength = 6.0;
@@ -24,7 +24,7 @@ Hyperparameters withoutNeedless(const Hyperparameters& known)
     return hyper;
 }
 
-/// In order: every n-th row, and all rows of a bin's regime that has few.
+/// Returns the rows in order: every n-th row, and all rows of a bin's regime with few rows.
 std::vector<int> chosenRows(const std::vector<unsigned>& coveredBins)
 {
     const std::size_t rows = coveredBins.size();

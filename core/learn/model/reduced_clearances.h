@@ -14,43 +14,45 @@
 
 namespace terratact {
 
-/// Training rows that processes without some features learn from: about so many, evenly spread, and every row of a
-/// regime that has few.
+/// Approximate number of training rows of processes without some features: evenly spread rows, and
+/// every row of a regime with few rows.
 inline constexpr int kReducedRows = 4000;
 
-/// Surface processes for scenes in which currents or forces were not measured.  For each set of missing features the
-/// processes are trained anew on the model's own rows without those features, with the model's hyper-parameters (length
-/// scales within 0.5 … 6): weights, leave-one-out residuals, scale of novelty and the contacts' sd are made as in
-/// clearance_training.h.  Bands widen because the residuals do.
-/// Made when first asked for, in two seconds of a processor; the kKept sets used last are kept.  The result does not depend on
-/// what was asked for before.  Safe to share between threads.
+/// Surface processes for scenes without currents or forces. For each set of missing features, the
+/// processes are trained again on the model's own rows without them. Hyper-parameters are the
+/// model's, with length scales within 0.5 … 6. Weights, leave-one-out residuals, scale of novelty
+/// and the contacts' sd are computed as in clearance_training.h. Bands widen because the residuals
+/// do.
+/// Each set is made when it is first needed, in two seconds of processor time. The kKept latest
+/// sets are kept. The result does not depend on earlier requests. It may be shared between threads.
 class ReducedClearances {
 public:
     static constexpr std::size_t kKept = 16;
 
-    /// robot: the one the model was trained for.
+    /// robot: the robot that the model was trained for.
     ReducedClearances(const ModelData& model, RobotModel robot);
 
-    /// missing: not empty, without pitch and the flipper angles; else std::invalid_argument.
-    /// sideBySide: runs the processes' training; empty: one after the other.
-    /// poll: every few milliseconds; what it throws comes out, and the next caller begins anew.
+    /// Returns the model for missing features. missing: not empty, without pitch and flipper
+    /// angles. Throws std::invalid_argument otherwise. sideBySide: runs the training of processes
+    /// in parallel; empty: one after the other. poll: called every few milliseconds; what it throws
+    /// is rethrown, and the next caller starts again.
     std::shared_ptr<const ClearanceModel>
     without(MissingFeatures missing, const ForEach& sideBySide = {}, const Poll& poll = {}) const;
 
 private:
     struct Entry {
         MissingFeatures missing;
-        PolledMutex mutex{};  // of the making
+        PolledMutex mutex{};  // held while the model is made
         std::shared_ptr<const ClearanceModel> model{};
     };
     std::shared_ptr<Entry> entry(MissingFeatures missing) const;
     std::shared_ptr<const ClearanceModel> train(MissingFeatures missing, const ForEach& sideBySide,
                                                 const Poll& poll) const;
 
-    ModelData rows_;  ///< of the model's rows; residuals and weights are not theirs
+    ModelData rows_;  ///< the model's rows; residuals and weights do not belong to them
     RobotModel robot_;
-    mutable std::mutex mutex_;                           // of the list
-    mutable std::list<std::shared_ptr<Entry>> entries_;  // the last used first
+    mutable std::mutex mutex_;                           // guards the list
+    mutable std::list<std::shared_ptr<Entry>> entries_;  // latest first
 };
 
 }  // namespace terratact

@@ -51,8 +51,8 @@ struct Search {
     nlopt_opt optimiser;
     double best = std::numeric_limits<double>::infinity();
     Eigen::VectorXd bestTheta;
-    std::exception_ptr
-        thrown{};  ///< what must come out, though not through the optimiser, which is C
+    /// exception to rethrow later: it must not pass through the optimiser, which is C code
+    std::exception_ptr thrown{};
 };
 
 double uphill(unsigned n, double* gradient)
@@ -64,12 +64,12 @@ double uphill(unsigned n, double* gradient)
 double objective(unsigned n, const double* x, double* gradient, void* context)
 {
     auto& search = *static_cast<Search*>(context);
-    if (search.thrown) return uphill(n, gradient);  // a line search asks on for a while
+    if (search.thrown) return uphill(n, gradient);  // a line search may continue for a while
     const Eigen::Map<const Eigen::VectorXd> theta(x, n);
     const Poll poll = [&search] {
         try {
             callPoll(search.poll);
-        } catch (...) {  // whatever its type
+        } catch (...) {  // of any type
             search.thrown = std::current_exception();
             throw;
         }
@@ -90,7 +90,7 @@ double objective(unsigned n, const double* x, double* gradient, void* context)
     return uphill(n, gradient);
 }
 
-/// Best theta found in at most `evaluations` evaluations from `start`.
+/// Returns the best theta found in at most `evaluations` evaluations from `start`.
 Eigen::VectorXd minimise(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
                          const Eigen::VectorXd& start, int evaluations, const SearchBounds& bounds,
                          const Poll& poll, double& best)
