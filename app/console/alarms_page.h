@@ -7,7 +7,7 @@ namespace terratact {
 class AlarmTable;
 class ConsoleAlarms;
 
-/// The alarms and what the operator does about them.
+/// The page of the alarm table.
 class AlarmsPage final : public Page {
     Q_OBJECT
 public:

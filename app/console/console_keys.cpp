@@ -24,7 +24,7 @@ void addHeld(KeyTable& keys, QList<QKeyCombination> of, const QString& meaning, 
         {std::move(of), meaning, [button] { button->hold(); }, [button] { button->letGoSoon(); }});
 }
 
-/// A key that is held to drive, and says why where it does not.
+/// Adds a hold-to-run drive key (dead-man control) that says why if it has no effect.
 void addDriveKey(KeyTable& keys, QList<QKeyCombination> of, const QString& meaning,
                  HeldButton* button, MainWindow& window)
 {
@@ -38,7 +38,7 @@ void addDriveKey(KeyTable& keys, QList<QKeyCombination> of, const QString& meani
     keys.add({std::move(of), meaning, press, [button] { button->letGoSoon(); }});
 }
 
-/// A key acts only where one sees what it acts on.
+/// A key acts only if the control it acts on is visible.
 enum class Needs { ViewState, Use };
 std::function<void()> ifSeen(const QPushButton* button, std::function<void()> act,
                              Needs needs = Needs::Use)
@@ -58,7 +58,7 @@ void addAnswerKeys(KeyTable& keys, const ProbeCard* card)
     addHeld(keys, {Qt::Key_Space},
             MainWindow::tr("approve the proposed probe, or press the button that has the focus"),
             card->approveButton());
-    // A refusal harms nobody: it needs no look at what a window may cover.
+    // Refusing is always safe, so it is allowed even if a window covers the card.
     QPushButton* const refuse = card->refuseButton();
     keys.add(
         {{Qt::Key_N}, MainWindow::tr("refuse it"), ifSeen(refuse, [refuse] { refuse->click(); })});
@@ -127,7 +127,7 @@ void addExplorationKeys(KeyTable& keys, MainWindow& window, QAction& draws)
     keys.add({{Qt::Key_Escape},
               MainWindow::tr("abort the exploration; its result stays"),
               [exploration] {
-                  // From every page.  One that only follows has nothing to abort.
+                  // Works on every page. A following console has nothing to abort.
                   if (exploring(exploration->state().phase) && !exploration->following())
                       exploration->abort();
               }});

@@ -7,11 +7,11 @@ namespace terratact {
 class KeyTable;
 class MainWindow;
 
-// The keys with which the operator commands robot and exploration, a group of the table each.
+// Key bindings of the console; each function adds one group to the table.
 
-/// STOP, driving, arming.
+/// Adds STOP, driving and arming.
 void addRobotKeys(KeyTable& keys, MainWindow& window);
-/// Asking for an exploration, answering its questions, reading its result.  draws: shows them in the terrain.
+/// Adds exploring, answering proposals, and reading results. draws: action that shows the draws in the terrain.
 void addExplorationKeys(KeyTable& keys, MainWindow& window, QAction& draws);
 
 }  // namespace terratact

@@ -12,10 +12,10 @@
 namespace terratact {
 namespace {
 
-constexpr double kPatience = 120.0;     // [s] for the whole demonstration
-constexpr double kDrivesAtMost = 15.0;  // [s] then it explores where it stands
-constexpr double kSettle = 0.4;         // [s] the picture stands before it is taken
-constexpr double kStepSeen = 0.08;      // [m] the ground 0.5 m ahead has risen by more than this
+constexpr double kPatience = 120.0;     // [s] limit of the whole demonstration
+constexpr double kDrivesAtMost = 15.0;  // [s] longest drive; then it explores where it stands
+constexpr double kSettle = 0.4;         // [s] the content stays this long before the picture
+constexpr double kStepSeen = 0.08;      // [m] rise of the ground 0.5 m ahead that counts as a step
 
 }  // namespace
 
@@ -31,7 +31,8 @@ void ScreenshotDemo::tick()
     Exploration& exploration = window_.exploration();
     if (steadyNow() - began_ > kPatience) return giveUp(tr("the demonstration took too long"));
     if (!window_.modelTrouble().isEmpty()) return fail(window_.modelTrouble());
-    if (stage_ != Stage::Settling && !exploration.armed()) {  // at first, or for a busy machine
+    if (stage_ != Stage::Settling
+        && !exploration.armed()) {  // at the start, or disarmed by delays of a busy machine
         stage_ = Stage::Loading;
         return arm();
     }
@@ -79,7 +80,7 @@ bool ScreenshotDemo::seesStep() const
     return truth[ahead] - truth[below] >= kStepSeen;
 }
 
-// Says both words of an operator; an arming that fails is begun anew.
+// Performs both actions of arming; begins again if arming fails.
 void ScreenshotDemo::arm()
 {
     CanSource& link = *window_.link();
@@ -89,7 +90,7 @@ void ScreenshotDemo::arm()
         link.wantArming();
 }
 
-/// Empty: the picture is in its file.
+/// Returns an error text; empty: the picture was saved.
 QString ScreenshotDemo::save()
 {
     QSaveFile file(file_);
@@ -106,7 +107,7 @@ void ScreenshotDemo::finish()
     QApplication::exit(0);
 }
 
-/// A picture of what stands in the way tells more than none.
+/// Saves a picture of the failure and ends with an error.
 void ScreenshotDemo::giveUp(const QString& why)
 {
     const QString trouble = save();

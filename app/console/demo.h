@@ -9,10 +9,9 @@ namespace terratact {
 
 class MainWindow;
 
-/// Plays the operator of the simulated robot: arms it, drives up to the step, asks for an exploration, and
-/// saves a picture of the window once the first estimate stands on it.  Where no step comes, it explores where it stands,
-/// and stderr says so.  Ends the program's event loop with 0; or with 1 and a sentence on stderr, and a picture of
-/// what stood in the way where the console itself works.
+/// Plays the operator of the simulated robot: it arms, drives to the step, explores, and saves a picture of the window
+/// with the first estimate. Without a step it explores where it stands and says so on stderr. It ends the event loop
+/// with 0. On failure it ends with 1 and a sentence on stderr, and saves a picture of the failure if it can.
 class ScreenshotDemo final : public QObject {
     Q_OBJECT
 public:
@@ -34,7 +33,7 @@ private:
     Stage stage_ = Stage::Loading;
     double began_ = 0.0;           // [s]
     double settled_ = 0.0;         // [s]
-    std::optional<double> drove_;  // [s] since when
+    std::optional<double> drove_;  // [s] start of the drive
 };
 
 }  // namespace terratact

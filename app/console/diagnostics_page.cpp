@@ -90,7 +90,8 @@ QString groupWords()
 {
     std::vector<gid_t> ids(static_cast<std::size_t>(std::max(0, ::getgroups(0, nullptr))));
     const int got = ::getgroups(static_cast<int>(ids.size()), ids.data());
-    ids.resize(static_cast<std::size_t>(std::max(0, got)));  // they may have changed meanwhile
+    ids.resize(static_cast<std::size_t>(
+        std::max(0, got)));  // the groups may have changed between the calls
     QStringList names;
     for (const gid_t id : ids) {
         const group* found = ::getgrgid(id);
@@ -168,7 +169,7 @@ QString contactWords(const PanelFacts& panel, PanelContact contact)
     const QString edges = QString::number(panel.report.counters.edges[contact]);
     if (contact == PanelContact::Stop)
         return DiagnosticsPage::tr("%1 · edges %2").arg(level, edges);
-    // A clean press makes two edges; the rest are bounces.
+    // A clean press makes two edges; further edges are contact bounce.
     return DiagnosticsPage::tr("%1 · edges %2 · presses %3")
         .arg(level, edges, QString::number(panel.presses[contact]));
 }
@@ -182,7 +183,7 @@ QString latencyWords(const std::vector<double>& seconds)
         .arg(seconds.size());
 }
 
-/// The same lines whether there is a panel or not.
+/// Returns the same lines with and without a panel.
 DiagnosticsSection panelDiagnostics(const std::optional<PanelFacts>& panel)
 {
     DiagnosticsSection section{DiagnosticsPage::tr("Operator's panel"), {}};

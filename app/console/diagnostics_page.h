@@ -27,14 +27,14 @@ struct DiagnosticsSection {
     QList<std::pair<QString, QString>> lines{};
 };
 
-/// What stays as it is while the program runs: versions, processor, permissions.  Looks at /dev, /proc and the
-/// network stack once.
+/// Returns facts that do not change while the program runs: versions, processor, permissions. It reads /dev, /proc and
+/// the network stack once.
 QList<DiagnosticsSection> standingDiagnostics();
 
-/// Whether CAN sockets can be opened; why not and what mends it, where not.  socketError: of canSocketError().
+/// Returns whether CAN sockets can be opened; if not, why and how to fix it. socketError: of canSocketError().
 QString canSocketWords(int socketError);
 
-/// An operator's panel, and how it fares.
+/// State and counts of an operator's panel.
 struct PanelFacts {
     PanelReport report{};
     bool answers = false;
@@ -42,40 +42,42 @@ struct PanelFacts {
     std::vector<double> stopLatencies{};  ///< [s]
 };
 
-/// What a console works with, and how it fares.
+/// State of the parts that the console uses.
 struct ConsoleFacts {
-    std::optional<double> telemetryAge{};  ///< [s]; empty: none came yet
-    double telemetryRate = 0.0;            ///< [Hz]
-    QString bus{};                         ///< what is the matter with it; empty: there is none
-    std::optional<CanSource::Waiting> waiting{};  ///< of a bus
-    std::optional<PanelFacts> panel{};            ///< empty: there is none
+    std::optional<double> telemetryAge{};         ///< [s]; empty: none received yet
+    double telemetryRate = 0.0;                   ///< [Hz]
+    QString bus{};                                ///< fault of the bus; empty: none
+    std::optional<CanSource::Waiting> waiting{};  ///< queue of a bus
+    std::optional<PanelFacts> panel{};            ///< empty: no panel
     bool estimating = false;
     QString source{}, robot{}, robotDetails{};
     ModelInUse model{};
     std::vector<LongEvent> longest{};  ///< since the start
 };
 
-/// These facts, and frame times, latency and the lateness of the event loop.
+/// Returns these facts with frame times, latency and lateness of the event loop.
 QList<DiagnosticsSection> consoleDiagnostics(const ConsoleFacts& facts, const LoopMeter& meter);
 
-/// Resident memory of this process [B]; 0 where it cannot be read.
+/// Returns the resident memory of this process [B]; 0 if unknown.
 double residentMemory();
 
-/// "Title\n  name: value\n…", for a report.
+/// Returns the sections as text for a report: "Title
+/// name: value
+/// …".
 QString plainText(const QList<DiagnosticsSection>& sections);
 
-/// What somebody who helps from afar asks for first; as text by one button.
+/// Facts for remote support; a button copies them as text.
 class DiagnosticsPage final : public Page {
     Q_OBJECT
 public:
     using Look = std::function<QList<DiagnosticsSection>()>;
 
-    /// look: what changes, asked for once a second while the page is visible; the same sections and lines each
-    /// time.
+    /// look: returns the changing sections; called once a second while the page is visible. Sections and lines must be
+    /// the same each time.
     explicit DiagnosticsPage(Look look, QWidget* parent = nullptr);
     void refresh(double now) override;
 
-    QString text() const;  ///< what the button copies
+    QString text() const;  ///< text that the button copies
     QPushButton* copyButton() const { return copy_; }
 
 private:
@@ -83,7 +85,7 @@ private:
 
     Look look_;
     QList<DiagnosticsSection> standing_;
-    QList<QLabel*> values_;  ///< of what changes
+    QList<QLabel*> values_;  ///< labels of the changing values
     QPushButton* copy_ = nullptr;
     double shownAt_ = 0.0;  ///< [s]
 };

@@ -18,7 +18,7 @@
 namespace terratact {
 namespace {
 
-constexpr double kRateEvery = 0.5;  // [s] the rate of telemetry is shown anew
+constexpr double kRateEvery = 0.5;  // [s] update interval of the telemetry rate
 
 QString sentence(const LinkAccount& link)
 {
@@ -54,7 +54,7 @@ void LinkStatus::show(const LinkViewState& viewState)
     showRobot(viewState.newest, age);
 }
 
-/// What a doubt is only while it happens: the counts stand for ever.
+/// Detects new errors. The totals never fall, so only a recent increase counts as a doubt.
 void LinkStatus::count(const CanView& view, double now)
 {
     const BusCounters& frames = view.frames;
@@ -91,9 +91,9 @@ void LinkStatus::showBus(const CanView& view, double now)
     busShownAt_ = now;
     busShown_ = view.bus;
     const BusLoad load = link_->tap().load();
-    // Of a log the state says only whether it goes on.
+    // For a log, the state only tells whether it continues.
     const bool isLog = link_->mode() == CanSource::Mode::Replay;
-    const bool isOurs = link_->bitrate().nominal;  // a robot in this program
+    const bool isOurs = link_->bitrate().nominal;  // the simulated robot of this program
     QStringList parts{isLog ? tr("log") : isOurs ? tr("bus") : format::shownName(link_->busName())};
     QStringList brief = parts;
     if (!isLog || view.bus != BusState::Up) parts << glance(view.bus);
@@ -115,7 +115,7 @@ void LinkStatus::showRate(double now)
 {
     const auto view = link_ ? std::optional(link_->view()) : std::nullopt;
     const std::uint64_t dropped = view ? view->frames.dropped : 0;
-    // The rate is that of the last second.
+    // The rate covers one second, so it is shown after one second.
     QString text = now - upSince_ < 1.0
                      ? tr("link ≤ %1").arg(format::age(worstAge_))
                      : tr("link %1 Hz · ≤ %2")
@@ -163,7 +163,7 @@ void LinkStatus::showBanner(const LinkViewState& viewState, double age)
     if (!text.isEmpty() && banner_.text() != text) banner_.setText(text);
 }
 
-/// Of a link that comes and goes its loss and its end; and when nothing comes any more where other frames did.
+/// Adds events: loss and return of a flapping link once each, and the end of the frames that came without telemetry.
 void LinkStatus::tellChange(const LinkAccount& link)
 {
     const auto isDown = [](const LinkAccount& one) {

@@ -17,28 +17,28 @@ namespace terratact {
 class EventList;
 class StatusHeader;
 
-/// What a window knows of the robot's telemetry at one time.
+/// State of the robot's telemetry at one time.
 struct LinkViewState {
     double now = 0.0;                  ///< [s] on the steady clock
-    const Received* newest = nullptr;  ///< null: none came yet
+    const Received* newest = nullptr;  ///< null: none received yet
     LinkAccount link{};
-    QString heard{};  ///< what comes where telemetry does not; empty: nothing
+    QString heard{};  ///< frames still received without telemetry; empty: none
 };
 
-/// Says how the link is and what the robot at its other end does: in the header, in a banner over the whole width
-/// where nothing on the screen is live, and in the list of events when that changes.  GUI thread only.
+/// Shows link and robot activity: in the header, in a banner if nothing on the screen is live, and in the event list on
+/// changes. GUI thread only.
 class LinkStatus {
     Q_DECLARE_TR_FUNCTIONS(LinkStatus)
 public:
-    /// link: the source where it is a bus; else null.  All must outlive it.
+    /// link: the source if it is a bus; else null. All arguments must outlive the object.
     LinkStatus(StatusHeader& header, QLabel& banner, EventList& events,
                const Acquisition& acquisition, CanSource* link);
 
-    /// To be called whenever the window is drawn.
+    /// Call for every frame of the window.
     void show(const LinkViewState& viewState);
-    /// Likewise.  panel: what it says to setting something in motion; empty: there is none.
+    /// Call for every frame of the window. panel: precondition of the panel for motion; empty: no panel.
     void showArming(const std::optional<Precondition>& panel);
-    bool says(const QString& text) const;  ///< the banner does, in capitals
+    bool says(const QString& text) const;  ///< true if the banner shows the text in capitals
 
 private:
     void count(const CanView& view, double now);
@@ -56,15 +56,15 @@ private:
     EventList& events_;
     const Acquisition& acquisition_;
     CanSource* link_;
-    LinkAccount told_;  ///< in the list of events
+    LinkAccount told_;  ///< state last listed as an event
     ArmingPhase armingWas_ = ArmingPhase::Disarmed;
     GrowingCount dropped_, errors_;
     bool droppedLately_ = false, erredLately_ = false;
-    double rateShownAt_ = 0.0;  ///< [s]; 0: the link was not up since
+    double rateShownAt_ = 0.0;  ///< [s]; 0: not since the link came up
     double busShownAt_ = 0.0;   ///< [s]
     BusState busShown_ = BusState::Up;
-    double upSince_ = 0.0;   ///< [s] the link; 0: it is not
-    double worstAge_ = 0.0;  ///< [s] of telemetry, since then
+    double upSince_ = 0.0;   ///< [s] time when the link came up; 0: it is down
+    double worstAge_ = 0.0;  ///< [s] largest age of telemetry since then
 };
 
 }  // namespace terratact

@@ -34,7 +34,7 @@ void addEstimation(TerrainViewState& viewState, const Estimation& estimation)
     viewState.verdict = estimation.verdict();
 }
 
-/// Of the frames that the readout's rows come in.
+/// Returns the ages of the frames that carry the readout's rows.
 RobotReadout::Ages agesOf(const FrameHistory& tap, double now)
 {
     using enum FrameKind;
@@ -47,7 +47,7 @@ RobotReadout::Ages agesOf(const FrameHistory& tap, double now)
     return ages;
 }
 
-/// [s] of the oldest of the frames that the forces come in; empty: none has arrived.
+/// Returns the age [s] of the oldest frame that carries forces; empty: one was never received.
 std::optional<double> forcesAgeOf(const FrameHistory& tap, double now)
 {
     using enum FrameKind;
@@ -105,7 +105,7 @@ AlarmViewState LiveViewState::alarms(double now, const std::optional<Received>& 
     viewState.noModel = exploration.estimation().model().trouble;
     if (parts_.recorder) viewState.notRecorded = format::sentence(parts_.recorder->state().trouble);
     if (parts_.panel && !parts_.panel->answers(now))
-        viewState.panelTrouble = exploration.following()  // then it stops nothing
+        viewState.panelTrouble = exploration.following()  // a following console stops nothing
                                    ? tr("The operator's panel does not answer")
                                    : tr("The operator's panel does not answer, which means STOP");
     if (exploration.state().phase == AtemPhase::Failed)
@@ -140,7 +140,7 @@ TerrainViewState LiveViewState::terrain(double now, const std::optional<Received
     viewState.whyNotOffered = exploration.whyNotOffered();
     viewState.probingBin = exploration.probingBin();
     viewState.probeSeconds = exploration.options().probeSeconds;
-    // A preview takes a telemetry's time: its progress would only flicker.
+    // A preview takes one telemetry period, so its progress would only flicker.
     if (exploration.estimating()) viewState.progress = parts_.worker.progress();
     viewState.preconditions = exploration.preconditions();
     viewState.driving = exploration.toDrive();

@@ -18,11 +18,11 @@
 
 namespace terratact {
 
-/// Reads off what runs behind a console the plain values that its pages show.  GUI thread only.
+/// Computes the values that the console's pages show from its running parts. GUI thread only.
 class LiveViewState {
     Q_DECLARE_TR_FUNCTIONS(LiveViewState)
 public:
-    /// What runs; null: there is none.
+    /// The running parts; null: absent.
     struct Parts {
         const Acquisition& acquisition;
         const Exploration& exploration;
@@ -32,20 +32,20 @@ public:
         const SessionRecorder* recorder = nullptr;
         const PreferenceStore* preferences = nullptr;  ///< null: the defaults
     };
-    /// All parts must outlive it.
+    /// All parts must outlive the object.
     LiveViewState(const Parts& parts, const RobotModel& robot)
         : parts_(parts), model_(robot), robot_(robot.name), forceArrays_(robot)
     {
     }
 
-    // newest: the telemetry of the exploration's last tick.  now: [s] on the steady clock.
+    // newest: telemetry of the exploration's last tick. now: steady clock [s].
     LinkViewState link(double now, const std::optional<Received>& newest);
-    /// link: of the same time.
+    /// link: at the same time.
     AlarmViewState alarms(double now, const std::optional<Received>& newest,
                           const LinkAccount& link) const;
     TerrainViewState terrain(double now, const std::optional<Received>& newest);
     ConsoleFacts facts(double now, const QString& source, const QString& robotDetails) const;
-    /// What the panel says to setting something in motion; empty: there is none.
+    /// Returns the panel's precondition for motion; empty: no panel.
     std::optional<Precondition> panel(double now) const;
 
 private:
@@ -54,11 +54,11 @@ private:
 
     Parts parts_;
     RobotModel model_;
-    std::string robot_;  ///< its name
+    std::string robot_;  ///< name of the robot
     LinkWatch link_;
     ForceArrays forceArrays_;
     std::vector<ForceArray> forces_;
-    std::uint64_t forcesCount_ = 0;  ///< of the telemetry they are of
+    std::uint64_t forcesCount_ = 0;  ///< count of the sample that the forces belong to
 };
 
 }  // namespace terratact

@@ -44,11 +44,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kLook = 10ms;       // at the world
+constexpr auto kLook = 10ms;       // polling period
 constexpr double kRedraw = 0.04;   // [s] 25 Hz
-constexpr double kUnheard = 0.06;  // [s] without new telemetry: ages go on
-constexpr double kToRead = 0.7;    // [s] sooner it is a double click, or a key that repeats
-constexpr double kNumbers = 0.2;   // [s]; what changes more often cannot be read
+constexpr double kUnheard = 0.06;  // [s] redraw period without new telemetry, for growing ages
+constexpr double kToRead = 0.7;    // [s] an earlier request is a double click or key repeat
+constexpr double kNumbers = 0.2;   // [s] update period of numbers, slow enough to read
 
 }  // namespace
 
@@ -100,7 +100,7 @@ MainWindow::MainWindow(Options options)
 
 MainWindow::~MainWindow()
 {
-    exploration_->leave();  // however the window goes
+    exploration_->leave();  // halts motion however the window is destroyed
 }
 
 void MainWindow::build(const Options& options)
@@ -231,7 +231,7 @@ void MainWindow::applyPreferences(const Preferences& before)
     const QString changes = changesOf(before, now);
     if (eventLogger_ && !changes.isEmpty()) eventLogger_->decision("settings", changes);
     const Settings& set = exploration_->options().settings;
-    // Only what was changed now: other settings void a question, other colours do not.
+    // Applies changed settings only, because they void a proposal; other changes, such as colours, do not.
     if (const Settings wanted = withPreferences(set, now); wanted != withPreferences(set, before)) {
         exploration_->setSettings(wanted);
         offerQualities();
@@ -252,7 +252,7 @@ void MainWindow::applyPreferences(const Preferences& before)
     if (now.robot != before.robot || now.language != before.language) reopen();
 }
 
-/// Of a dialog that may have stood open since before the robot was armed.
+/// Takes the robot file of a dialog that may have been open since before arming.
 void MainWindow::takeRobot(const QString& path)
 {
     if (const QString why = whyNotReopening(); !why.isEmpty())
@@ -363,7 +363,7 @@ void MainWindow::connectExploration()
     if (panel_) connect(panel_.get(), &PanelControl::happened, this, &MainWindow::tell);
 }
 
-/// What goes wrong is told on every page, and where the list of events is not seen.
+/// Reports trouble on every page, in a banner if the event list is hidden.
 void MainWindow::notice(const QString& text, Weight weight)
 {
     const QString state = exploration_->stateWords();
@@ -375,7 +375,7 @@ void MainWindow::notice(const QString& text, Weight weight)
 
 void MainWindow::connectWorker()
 {
-    // Queued, for it is told while the rest of what made it stand is still being done.
+    // Queued, because the signal is emitted while the estimate's other state is still changing.
     connect(&exploration_->estimation(), &Estimation::stands, this, &MainWindow::poll,
             Qt::QueuedConnection);
     connect(worker_.get(), &EstimatorWorker::advised, this, &MainWindow::poll);
@@ -383,7 +383,7 @@ void MainWindow::connectWorker()
             [this](const QString& name, const QString& details) {
                 header()->setModel(tr("model %1").arg(name), Tone::Plain, details);
                 offerQualities();
-                if (link_) link_->begin();  // a replay, so that no press comes too early
+                if (link_) link_->begin();  // begins a replay now, so that no press is missed
             });
     connect(worker_.get(), &EstimatorWorker::modelFailed, this, [this](const QString& why) {
         header()->setModel(tr("no model"), Tone::Bad, why);
@@ -419,9 +419,9 @@ void MainWindow::poll()
     latest_ = acquisition_->latest();
     const AtemPhase before = exploration_->state().phase;
     exploration_->tick(now, latest_);
-    // An estimate is shown as soon as it is there, and what another phase asks and allows; telemetry and previews as
-    // often as can be seen; all else can wait.  So does what painting would keep from the processors that compute an
-    // estimate: the next picture is due when most estimates are there.
+    // An estimate is drawn at once, and so is a phase that changes what is offered. Telemetry and previews are drawn at
+    // 25 Hz, everything else later. Painting would also take processors from a running estimate; by the next frame most
+    // estimates are ready.
     const AtemPhase phase = exploration_->state().phase;
     const bool computes = phase == AtemPhase::Estimating || phase == AtemPhase::EstimatingAgain;
     if (computes && phase != before) redrawn_ = now;
@@ -431,7 +431,7 @@ void MainWindow::poll()
     if (news || now - redrawn_ >= (isLive ? kRedraw : kUnheard) - 1e-3) redraw(now);
 }
 
-/// Where commands can leave: the robot has been kept from moving for so long, or has been halted for it.
+/// Reports a stall of a console that can send commands: motion was blocked for that time, or the robot was halted.
 void MainWindow::tellOfStall(double seconds)
 {
     if (link_ && exploration_->armed())
@@ -475,7 +475,7 @@ void MainWindow::redraw(double now)
 void MainWindow::showPanelLost()
 {
     panelLost_->setVisible(panel_ && panel_->isLost());
-    // A console that only listens stops nothing, nor can it release what others have stopped.
+    // A receive-only console stops nothing and cannot release another console's STOP.
     panelLost_->setText(
         exploration_->following() ? tr("PANEL LOST: connect the operator's panel")
         : exploration_->state().phase == AtemPhase::Stopped
@@ -497,7 +497,7 @@ bool MainWindow::event(QEvent* event)
 {
     if (event->type() != QEvent::UpdateRequest) return ConsoleWindow::event(event);
     const double began = steadyNow();
-    const bool done = ConsoleWindow::event(event);  // paints all that has changed
+    const bool done = ConsoleWindow::event(event);  // paints all changes
     const double ended = steadyNow();
     meter_.frame(prepared_ + ended - began, newestIn_ < 0.0 ? -1.0 : ended - newestIn_);
     prepared_ = 0.0;

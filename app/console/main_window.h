@@ -46,33 +46,33 @@ class NumbersPage;
 class ProfileMenu;
 class TrainingPage;
 
-/// The operator's console: lays the widgets out, shows them the newest telemetry, 25 times a second at most, and what
-/// time changes every 60 ms, and passes on what the operator does.  It owns the source and everything that runs.
+/// The operator's console. It arranges the widgets and forwards the operator's actions. New telemetry is shown at up to
+/// 25 Hz, values that depend on time every 60 ms. It owns the source and all running parts.
 class MainWindow final : public ConsoleWindow {
     Q_OBJECT
 public:
     struct Options {
         RobotModel robot;
-        QString robotDetails{};  ///< where it is from, and its hash
+        QString robotDetails{};  ///< file and hash
         std::unique_ptr<MeasurementSource> source;
-        CanSource* link = nullptr;             ///< the source again, where it is a bus
-        LogReplay* replay = nullptr;           ///< of the source, where it is a log
-        std::unique_ptr<OperatorPanel> panel;  ///< null: there is none
+        CanSource* link = nullptr;             ///< the source, if it is a bus
+        LogReplay* replay = nullptr;           ///< replay of the source, if it is a log
+        std::unique_ptr<OperatorPanel> panel;  ///< null: no panel
         ModelLoader model;
-        std::string modelPath;  ///< what `model` loads, for the page that compares models
+        std::string modelPath;  ///< file that `model` loads, for comparing models
         TrainingLoad training = politeLoad();
         Exploration::Options exploration;
         std::unique_ptr<AlarmSound> alarmSound = desktopBeep();
-        std::unique_ptr<PreferenceStore> preferences;  ///< null: the defaults, and nothing is saved
-        std::shared_ptr<SessionRecorder> recorder{};   ///< null: nothing is recorded
-        PresetTable presets{};                         ///< as `terratact tradeoff` measured them
+        std::unique_ptr<PreferenceStore> preferences;  ///< null: defaults, and nothing is saved
+        std::shared_ptr<SessionRecorder> recorder{};   ///< null: no recording
+        PresetTable presets{};                         ///< measured by `terratact tradeoff`
     };
     explicit MainWindow(Options options);
     ~MainWindow() override;
 
     Exploration& exploration() { return *exploration_; }
     const Acquisition& acquisition() const { return *acquisition_; }
-    /// True once what was last drawn includes the standing estimate.
+    /// Returns true once the last painted frame includes the present estimate.
     bool showsEstimate() const { return terrainPage_->showsEstimate(); }
     QString modelTrouble() const { return exploration_->estimation().model().trouble; }
 
@@ -97,19 +97,20 @@ public:
     void restartMeter();
     void sayWhyNot(
         const QString&
-            text);  ///< of what a key or a button did not do: an event, and a banner for a while
-    /// Of the bin that is shown up close, else the one that a probe is best spent on.
+            /// Reports why a key or button had no effect: as an event and in a temporary banner.
+            text);
+    /// Requests a probe of the bin shown in detail, else of the best bin.
     void askProbe();
     AlarmsPage* alarmsPage() const { return alarmsPage_; }
     SignalsPage* signalsPage() const { return signalsPage_; }
     DiagnosticsPage* diagnosticsPage() const { return diagnosticsPage_; }
 
 signals:
-    /// Another robot or language was chosen: the window has to be built anew.  What it had set in motion is ended.
+    /// Another robot or language was chosen, so the window must be rebuilt. Motion commanded from here was ended.
     void reopenWanted();
 
 protected:
-    /// Of an armed robot it closes when that was asked for twice, or by a signal.
+    /// The window of an armed robot closes only after a second request, or by a signal.
     void closeEvent(QCloseEvent* event) override;
     bool event(QEvent* event) override;
 
@@ -124,9 +125,9 @@ private:
     void connectAll();
     void connectHeader();
     void connectExploration();
-    void tell(const QString& text, Weight weight);  ///< among the events
+    void tell(const QString& text, Weight weight);  ///< adds an event
     void connectWorker();
-    /// At telemetry, panel and estimator: as telemetry and estimates come, and every 10 ms.  Draws at 25 Hz at most.
+    /// Polls telemetry, panel and estimator: on new telemetry and estimates, and every 10 ms. It draws at up to 25 Hz.
     void poll();
     void lookSoon();  ///< from any thread
     void tellOfStall(double seconds);
@@ -140,24 +141,24 @@ private:
     std::function<void(const QString& why)> notOpened();
     void defineKeys();
     void applyPreferences(const Preferences& before);
-    /// The terrain page in the layout in force, at the font scale in force.
+    /// Arranges the terrain page for the current layout and font scale.
     void arrange() override;
     int arrangement() const override;
-    /// Forces, robot and events: on the page of the terrain, or on one of their own.
+    /// Places forces, robot and events on the terrain page, or on a page of their own.
     void placeCards();
-    void showCards();  ///< of model and robot, on the page of the settings
+    void showCards();  ///< shows model and robot on the settings page
     void leave();
     void reopen();
     void takeRobot(const QString& path);
-    QString whyNotReopening() const;  ///< empty: the window may be built anew
-    void offerQualities();  ///< with what they cost, where that was measured with the model in use
+    QString whyNotReopening() const;  ///< empty: the window may be rebuilt
+    void offerQualities();  ///< offers the presets, with costs if measured with this model
 
     std::unique_ptr<PreferenceStore> preferences_;
     PresetTable presets_;
     RobotModel robot_;
     std::unique_ptr<MeasurementSource> source_;
-    CanSource* link_;                      ///< null where the source is no bus
-    std::atomic<bool> lookComes_ = false;  ///< as lookSoon() was called
+    CanSource* link_;                      ///< null if the source has no bus
+    std::atomic<bool> lookComes_ = false;  ///< a poll() requested by lookSoon() is pending
     std::unique_ptr<Acquisition> acquisition_;
     std::unique_ptr<EstimatorWorker> worker_;
     std::unique_ptr<Exploration> exploration_;
@@ -171,18 +172,18 @@ private:
     std::unique_ptr<SharedStop> sharedStop_;
     std::unique_ptr<ConsoleAlarms> alarms_;
     std::shared_ptr<SessionRecorder> recorder_;        ///< may be null
-    std::unique_ptr<SessionEventLogger> eventLogger_;  ///< likewise
+    std::unique_ptr<SessionEventLogger> eventLogger_;  ///< may be null
     std::unique_ptr<LiveViewState> viewStates_;
     LoopMeter meter_;
-    double prepared_ = 0.0;    ///< [s] the frame that is to be painted took to prepare
-    double newestIn_ = -1.0;   ///< [s] when the telemetry in it came, where that is new
-    std::uint64_t drawn_ = 0;  ///< Received::count of the telemetry that was drawn last
+    double prepared_ = 0.0;    ///< [s] preparation time of the frame to be painted
+    double newestIn_ = -1.0;   ///< [s] arrival of the new telemetry in that frame
+    std::uint64_t drawn_ = 0;  ///< Received::count of the last drawn sample
     QTimer look_;
     std::optional<Received> latest_;
-    StallWatch stalls_;           ///< of poll()
+    StallWatch stalls_;           ///< stalls of poll()
     double redrawn_ = 0.0;        ///< [s] steady clock
-    double numbersShown_ = 0.0;   ///< [s] those of the robot
-    double closeRefused_ = -1e9;  ///< [s] the armed robot's window was to be closed, and asked
+    double numbersShown_ = 0.0;   ///< [s] time of the last update of the robot's numbers
+    double closeRefused_ = -1e9;  ///< [s] time of the last refused request to close
 
     // Qt's parents own the widgets.
     QWidget* cardsPage_ = nullptr;

@@ -22,9 +22,9 @@ namespace {
 
 constexpr int kReopen = 1000;  // never an exit code
 
-/// What outlives a window that is opened anew.
+/// State that outlives a rebuilt window.
 struct Lasting {
-    std::optional<Preferences> inForce;  ///< in the window before; empty: there was none
+    std::optional<Preferences> inForce;  ///< preferences of the previous window; empty: none
     std::optional<SessionRetention> house;
 };
 
@@ -68,7 +68,7 @@ std::shared_ptr<SessionRecorder> recorderFor(const ConsoleOptions& options, cons
     return std::make_shared<SessionRecorder>(std::move(recording));
 }
 
-/// What the shipped model's presets cost.
+/// Returns the costs of the shipped model's presets.
 PresetTable shippedPresets()
 {
     auto presets = readPresets(resourcePath("models/default.presets.csv"));
@@ -76,7 +76,8 @@ PresetTable shippedPresets()
     return presets ? *presets : PresetTable{};
 }
 
-/// "Absolem: robots/absolem.toml\nfile of 2026-01-31, 1234 bytes; content 0123456789abcdef"
+/// Returns "Absolem: robots/absolem.toml
+/// file of 2026-01-31, 1234 bytes; content 0123456789abcdef".
 QString fileDetails(const RobotFile& robot)
 {
     const QFileInfo file(QString::fromStdString(robot.path));
@@ -95,12 +96,12 @@ Exploration::Options explorationFor(const ConsoleOptions& options, const Prefere
     exploration.probes = preferences.probes;
     exploration.seconds = preferences.estimateSeconds;
     if (options.terrain != "varied") exploration.groundFile = options.terrain;
-    if (options.isPicture())  // must not fail on a busy machine
+    if (options.isPicture())  // pictures must not fail on a busy machine
         exploration.linkLostAfter = exploration.staleAfter = 5.0;
     return exploration;
 }
 
-/// All but the connection.
+/// Returns the window's options except the connection.
 MainWindow::Options windowOptions(const ConsoleOptions& options, Chosen chosen)
 {
     const RobotModel& robot = chosen.robot.model;
@@ -124,7 +125,7 @@ RetentionLimits retentionOf(const Preferences& preferences)
             .confirmed = preferences.mayDelete};
 }
 
-/// Looks after the earlier recordings, once there is a window to tell of it.
+/// Starts the retention of earlier recordings; the window shows its news.
 void keepHouse(Lasting& lasting, std::vector<std::string> earlier, const std::string& folder,
                MainWindow& window)
 {
@@ -144,7 +145,7 @@ void keepHouse(Lasting& lasting, std::vector<std::string> earlier, const std::st
     QTimer::singleShot(0, house, &SessionRetention::start);
 }
 
-/// kReopen: it is to be opened anew.
+/// Opens one window; returns kReopen to request another.
 Result<int> openOnce(Application& application, const ConsoleOptions& options, Lasting& lasting)
 {
     auto chosen = choose(options, lasting.inForce);
@@ -152,10 +153,11 @@ Result<int> openOnce(Application& application, const ConsoleOptions& options, La
     std::vector<std::string> earlier;
     std::shared_ptr<SessionRecorder> recorder;
     if (options.records()) {
-        earlier = sessionsIn(sessionsOf(options));  // before there is one of this run
+        earlier = sessionsIn(sessionsOf(options));  // before this run adds its own session
         recorder = recorderFor(options, *chosen);
     }
-    auto connection = connectRobot(chosen->robot.model, options, recorder);  // outlives the window
+    auto connection =
+        connectRobot(chosen->robot.model, options, recorder);  // must outlive the window
     if (!connection) return connection.error();
     auto panel = openPanel(options);
     if (!panel) return panel.error();

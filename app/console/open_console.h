@@ -6,8 +6,8 @@
 
 namespace terratact {
 
-/// Opens the console on a robot and stays until it is closed, or has saved the picture that was asked for; opens it
-/// anew where that is wanted.  The program's exit code.
+/// Opens the console on a robot until it is closed or has saved the requested picture. It rebuilds the window on
+/// request. Returns the program's exit code.
 Result<int> openConsole(Application& application, const ConsoleOptions& options);
 
 }  // namespace terratact

@@ -8,13 +8,13 @@
 namespace terratact {
 namespace {
 
-/// No wider than the longest name in the rail, with a time behind it.
+/// Returns the phase in one word, no wider with a time than the longest name in the rail.
 QString phaseWord(AtemPhase phase)
 {
     switch (phase) {
     case AtemPhase::Idle:
     case AtemPhase::ProposingProbe:
-    case AtemPhase::Stopped: return {};  // said elsewhere on every page
+    case AtemPhase::Stopped: return {};  // shown elsewhere on every page
     case AtemPhase::Halting: return ProbeNotice::tr("halting");
     case AtemPhase::Pressing: return ProbeNotice::tr("pressing");
     case AtemPhase::Estimating:
@@ -26,7 +26,7 @@ QString phaseWord(AtemPhase phase)
     return {};
 }
 
-/// "probe 0:31": what is left of it, where that is known and takes long.
+/// Returns "probe 0:31": the remaining time, if it is known and long.
 QString progressWords(AtemPhase phase, const std::optional<PhaseTime>& time)
 {
     const QString word = phaseWord(phase);

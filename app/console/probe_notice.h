@@ -12,29 +12,28 @@ namespace terratact {
 
 class NavigationRail;
 
-/// Tells an operator who does not see the terrain's page how far an exploration is, in the rail; that a probe is proposed there, how long it waits for an
-/// answer and what brings it before him; and, once nobody has answered, that this meant no.  GUI thread only.
+/// Informs an operator on another page. The rail shows the progress of an exploration. A banner shows a proposed probe,
+/// its approval expiry and the key that shows it. An expired proposal is reported as refused. GUI thread only.
 class ProbeNotice {
     Q_DECLARE_TR_FUNCTIONS(ProbeNotice)
 public:
-    /// Both must outlive it.
+    /// Both arguments must outlive the object.
     ProbeNotice(NavigationRail& rail, QLabel& banner);
 
-    /// Where the page of the terrain is, which says all that itself.
+    /// Visibility of the terrain page, which shows all of this itself.
     enum class Terrain {
-        Seen,       ///< before the operator
-        Covered,    ///< likewise, but for another window that covers the card of the probe
-        Elsewhere,  ///< he looks at another page
+        Seen,       ///< the operator sees the page
+        Covered,    ///< the page is visible, but another window covers the probe card
+        Elsewhere,  ///< the operator sees another page
     };
-    /// To be called whenever the window is drawn.  proposal: where there is one, asked or not.  isVoid: it cannot be
-    /// approved as things are.
+    /// Call for every frame of the window. proposal: the current one, proposed or not. isVoid: it cannot be approved.
     void show(const AtemState& state, const std::optional<PhaseTime>& time,
               const std::optional<ProbeProposal>& proposal, bool isVoid, Terrain terrain);
 
 private:
     NavigationRail& rail_;
     QLabel& banner_;
-    bool toldExpiry_ = false;  ///< the operator has seen the page since the answer came too late
+    bool toldExpiry_ = false;  ///< the operator has seen the page since the proposal expired
 };
 
 }  // namespace terratact

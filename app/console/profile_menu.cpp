@@ -20,7 +20,7 @@ ProfileMenu::ProfileMenu(TerrainProfileView& view, Exploration& exploration, QWi
 void ProfileMenu::offerSecondMethods(Exploration& exploration)
 {
     QAction* title = addAction(tr("A second method beside it"));
-    title->setEnabled(false);  // addSection() draws no title where there is a style sheet
+    title->setEnabled(false);  // addSection() shows no title with a style sheet
     auto* group = new QActionGroup(this);
     const auto offer = [&](const QString& text, std::optional<Method> method) {
         QAction* action = addAction(text);

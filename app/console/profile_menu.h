@@ -7,13 +7,13 @@ namespace terratact {
 class Exploration;
 class TerrainProfileView;
 
-/// What else is drawn in the terrain: draws, a second method.
+/// Menu of the terrain's layers: draws, second method.
 class ProfileMenu final : public QMenu {
     Q_OBJECT
 public:
     ProfileMenu(TerrainProfileView& view, Exploration& exploration, QWidget* parent = nullptr);
 
-    QAction& draws() const { return *draws_; }  ///< shows them
+    QAction& draws() const { return *draws_; }  ///< toggles the draws
 
 private:
     void offerSecondMethods(Exploration& exploration);

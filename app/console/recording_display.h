@@ -9,12 +9,11 @@ class QPushButton;
 
 namespace terratact {
 
-/// Says whether the session is recorded: on the button that marks a moment, and, where recording fails, in a strip
-/// over the whole width.
+/// Shows whether the session is recorded: on the marker button, and in a strip if recording fails.
 class RecordingDisplay {
     Q_DECLARE_TR_FUNCTIONS(RecordingDisplay)
 public:
-    /// Both must outlive it.
+    /// Both arguments must outlive the object.
     RecordingDisplay(QPushButton& button, QLabel& strip);
 
     void show(const RecordingState& state);

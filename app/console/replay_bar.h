@@ -10,16 +10,16 @@ namespace terratact {
 class LogReplay;
 class KeyTable;
 
-/// Below the pages of a console that replays a log: how far it is, to pause, to go back and on, to begin again at its end.
+/// The bar below the pages while a log is replayed: position, pause, back, forward, and repeat at the end.
 class ReplayBar final : public QWidget {
     Q_OBJECT
 public:
     static constexpr double kStep = 10.0;  ///< [s]
 
-    explicit ReplayBar(LogReplay& replay, QWidget* parent);  ///< which must outlive it
+    explicit ReplayBar(LogReplay& replay, QWidget* parent);  ///< the replay must outlive the bar
 
     void addKeys(KeyTable& keys);
-    void poll();  ///< several times a second
+    void poll();  ///< call several times a second
 
     QPushButton* pauseButton() const { return pause_; }
     QPushButton* repeatButton() const { return repeat_; }

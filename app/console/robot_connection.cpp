@@ -18,8 +18,8 @@ namespace {
 
 using Heard = std::function<void(std::span<const BusFrame>)>;
 
-constexpr double kNominalBitrate = 500e3;  // [bit/s] of the robot's real bus
-constexpr double kDemoSpeed = 4.0;         // simulated seconds per second of a picture's drive
+constexpr double kNominalBitrate = 500e3;  // [bit/s] bit rate of the real robot's bus
+constexpr double kDemoSpeed = 4.0;         // simulated seconds per second while a picture is made
 
 std::uint64_t drawn()
 {

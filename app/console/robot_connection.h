@@ -14,7 +14,7 @@
 
 namespace terratact {
 
-/// The built-in robot and its bus; whoever talks to it on an end of that must not outlive it.
+/// The simulated robot and its bus. Users of an end of that bus must not outlive it.
 struct BuiltInRobot {
     BuiltInRobot(const RobotModel& model, const SimulatedRobot& simulated,
                  const RobotOnBus::Options& options);
@@ -22,19 +22,19 @@ struct BuiltInRobot {
     RobotInProcess robot;
 };
 
-/// Where telemetry comes from and commands go to.
+/// The source of telemetry and target of commands.
 struct RobotConnection {
-    std::unique_ptr<BuiltInRobot> builtIn;  ///< null: the robot is on a bus, or in a log
+    std::unique_ptr<BuiltInRobot> builtIn;  ///< null: the robot is on a bus or in a log
     std::unique_ptr<CanSource> source;
-    LogReplay* replay = nullptr;  ///< of the source, where it is a log
+    LogReplay* replay = nullptr;  ///< replay of the source, if it is a log
 };
 
-/// The robot on the bus or in the log that the command line names, else the built-in one.  Every frame goes to the
-/// recorder, which may be null.
+/// Connects to the bus or log of the command line, else to the simulated robot. Every frame goes to the recorder, which
+/// may be null.
 Result<RobotConnection> connectRobot(const RobotModel& robot, const ConsoleOptions& options,
                                      const std::shared_ptr<SessionRecorder>& recorder);
 
-/// The panel that the command line names, else null.
+/// Opens the panel of the command line; null without one.
 Result<std::unique_ptr<OperatorPanel>> openPanel(const ConsoleOptions& options);
 
 }  // namespace terratact

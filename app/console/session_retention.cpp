@@ -26,7 +26,7 @@ SessionRetention::SessionRetention(std::vector<std::string> earlier, std::string
 
 SessionRetention::~SessionRetention()
 {
-    thread_ = {};  // asks it to end, and waits
+    thread_ = {};  // requests the end and waits
 }
 
 void SessionRetention::start()

@@ -13,29 +13,28 @@
 
 namespace terratact {
 
-/// Looks after the recordings in a thread of its own, however large they are: closes those of earlier runs whose program
-/// died, then deletes what is beyond the user's limits, never what is not closed.  Between two files it can be ended.
-/// GUI thread only.
+/// Maintains the recordings in its own thread, whatever their size. It closes sessions of earlier runs whose program
+/// died. Then it deletes closed sessions beyond the user's limits. It can end between two files. GUI thread only.
 class SessionRetention final : public QObject {
     Q_OBJECT
 public:
-    /// earlier: the folder's sessions as sessionsIn() found them before this run's own recording began.
+    /// earlier: sessions of the folder, found by sessionsIn() before this run's recording began.
     SessionRetention(std::vector<std::string> earlier, std::string folder,
                      const RetentionLimits& limits);
     ~SessionRetention() override;
 
     void start();  ///< at the first call
-    /// Other limits.  A looser one is in force at once, also for a deletion that is under way.  A stricter one deletes
-    /// once it has stood for the grace, so that a number that is being typed, or was mistaken, deletes nothing.
+    /// Sets the limits. A looser limit applies at once, even to a running deletion. A stricter limit applies after the
+    /// grace period, so that a number being typed, or a mistake, deletes nothing.
     void setLimits(const RetentionLimits& limits);
     void setGrace(int milliseconds) { grace_.setInterval(milliseconds); }
     static constexpr int kGrace = 10'000;  ///< [ms]
 
-    /// What there was to tell since the last call, a sentence each.
+    /// Returns the news since the last call, one sentence each.
     QStringList takeNews();
 
 signals:
-    void news();  ///< to takeNews()
+    void news();  ///< takeNews() has news
 
 private:
     void run(const std::stop_token& stop);
@@ -47,12 +46,12 @@ private:
     std::string folder_;
     RetentionLimits wanted_;
     QTimer grace_;
-    std::mutex mutex_;  // guards what follows
+    std::mutex mutex_;  // guards the members below
     RetentionLimits limits_;
-    bool due_ = true;  ///< they have not been applied yet
+    bool due_ = true;  ///< the limits are not applied yet
     std::condition_variable_any limitsSet_;
     std::vector<std::string> news_;
-    std::jthread thread_;  // last: it ends before all else goes
+    std::jthread thread_;  // last member: it ends before all others are destroyed
 };
 
 }  // namespace terratact

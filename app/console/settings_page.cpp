@@ -57,7 +57,7 @@ QString languageTip()
 }
 
 constexpr int kDefaultsAnswer = 8000,
-              kDefaultsRead = 700;  // [ms] as for closing the armed robot's window
+              kDefaultsRead = 700;  // [ms] the same as for closing an armed robot's window
 
 QString defaultsTip()
 {
@@ -167,7 +167,7 @@ QDoubleSpinBox* SettingsPage::number(QFormLayout* form, const QString& label, Pr
     box->setRange(range.least / unit, range.most / unit);
     box->setSingleStep(decimals == 2 ? 0.01 : decimals == 1 ? 0.1 : 1.0);
     box->setSuffix(QLatin1Char(' ') + suffix);
-    box->setKeyboardTracking(false);  // a number is told when it is whole
+    box->setKeyboardTracking(false);  // reports only complete numbers
     box->setMinimumHeight(kTarget);
     box->setAccessibleName(label);
     setTip(*box, tip);

@@ -18,19 +18,19 @@ class QSpinBox;
 
 namespace terratact {
 
-/// What the operator may set: how is estimated, what counts as an obstacle, how the console looks, and which model
-/// and robot it works with.  Every change is a change of the preferences, at once.
+/// The operator's settings: estimation, obstacle height, appearance, model and robot. Every change changes the
+/// preferences at once.
 class SettingsPage final : public Page {
     Q_OBJECT
 public:
     explicit SettingsPage(PreferenceStore& store, QWidget* parent = nullptr);
 
-    /// What the presets cost with the model in use; those not measured with it are left out.
+    /// Sets the costs of the presets; those not measured with the present model are left out.
     void setPresets(std::vector<PresetCost> presets);
-    // What is in use, in a few lines.
+    // Descriptions of the model and robot in use.
     void setModelCard(const QString& card);
     void setRobotCard(const QString& card);
-    /// Why the window cannot be built anew now, as another robot or language needs it; empty: it can.
+    /// Sets why the window cannot be rebuilt now, which another robot or language needs; empty: it can.
     void setReopenBlocked(const QString& why);
     void refresh(double now) override;
 
@@ -50,7 +50,7 @@ public:
     QString modelCard() const;
 
 signals:
-    void robotChosen(const QString& path);  ///< a file that the window may be built anew with
+    void robotChosen(const QString& path);  ///< a robot file that needs a rebuilt window
 
 private:
     void buildEstimate(QFormLayout* form);
@@ -58,12 +58,12 @@ private:
     void buildRecording(QFormLayout* form);
     QWidget* buildFiles();
 
-    // A control of one preference each, which it shows and of which alone it writes: the others may be finer than
-    // their controls.
+    // Each creates the control of one preference. A control writes only its own preference, because others may be finer
+    // than their controls.
     QComboBox* choice(QFormLayout* form, const QString& label, const QStringList& names,
                       const QString& tip, std::function<int(const Preferences&)> get,
                       std::function<void(Preferences&, std::size_t)> set);
-    /// unit: [SI] of what the box counts in.
+    /// unit: one unit of the box in SI.
     QDoubleSpinBox* number(QFormLayout* form, const QString& label, PreferenceRange range,
                            int decimals, const QString& suffix, const QString& tip,
                            double Preferences::*value, double unit = 1.0);
@@ -72,15 +72,15 @@ private:
     QCheckBox* flag(QFormLayout* form, const QString& text, const QString& tip,
                     bool Preferences::*value);
 
-    void show();  ///< the preferences in the controls
+    void show();  ///< shows the preferences in the controls
     void change(const std::function<void(Preferences&)>& edit);
     void showCosts();
-    void showDefaults();  ///< that button, which asks once more
+    void showDefaults();  ///< shows the defaults button, which asks for a second press
 
     PreferenceStore& store_;
     std::vector<PresetCost> presets_;
-    std::vector<std::function<void(const Preferences&)>> shows_;  // one of each control
-    bool showing_ = false;  // the controls are being set, not the operator's doing
+    std::vector<std::function<void(const Preferences&)>> shows_;  // one function per control
+    bool showing_ = false;  // the controls are being set by the program, not the operator
     QComboBox* method_ = nullptr;
     QComboBox* quality_ = nullptr;
     QSpinBox* seconds_ = nullptr;
@@ -98,7 +98,7 @@ private:
     QPushButton* shippedModel_ = nullptr;
     QPushButton* shippedRobot_ = nullptr;
     QPushButton* defaults_ = nullptr;
-    QTimer defaultsAsked_;  ///< runs while another press takes all back
+    QTimer defaultsAsked_;  ///< runs while a second press restores the defaults
 };
 
 }  // namespace terratact

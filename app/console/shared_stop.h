@@ -10,28 +10,28 @@
 
 namespace terratact {
 
-/// STOP between the windows of several programs: a console that commands a robot takes it from those that were opened
-/// from it, and one that stops nothing hands it on to the console that has opened it.  GUI thread only.
+/// STOP between windows of several processes. A console that commands a robot accepts STOP from windows it has opened.
+/// A console that stops nothing forwards STOP to the console that opened it. GUI thread only.
 class SharedStop final : public QObject {
     Q_OBJECT
 public:
-    /// exploration: of this console; it must outlive it.
+    /// exploration: of this console; it must outlive the object.
     explicit SharedStop(Exploration& exploration, QObject* parent = nullptr);
 
-    /// Begins to take it; happened() may tell at once that it cannot.
+    /// Starts listening; happened() may report at once that it failed.
     void listen();
-    /// To be called often: takes what was pressed elsewhere.
+    /// Handles STOP presses of other windows; call often.
     void poll();
-    /// Where windows that are opened from here send theirs; empty: here it stops nothing.
+    /// Returns the line for windows opened from here; empty: this console stops nothing.
     std::string line() const;
-    /// Where this console stops nothing, another does.
+    /// Returns true if another console takes the STOP of this one.
     bool hasOther() const { return remote_.exists(); }
 
 signals:
     void happened(const QString& text, terratact::Weight weight);
-    void taken(
-        const QString& text);  ///< STOP was pressed elsewhere; Exploration::decided() tells it, too
-    void said(const QString& text);  ///< so that nobody overlooks it
+    void taken(const QString&
+                   text);  ///< STOP was pressed elsewhere; Exploration::decided() records it, too
+    void said(const QString& text);  ///< important text for a banner
 
 private:
     void stoppedNothing(const QString& why);

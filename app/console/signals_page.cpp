@@ -23,7 +23,7 @@
 namespace terratact {
 namespace {
 
-// A number that changes more often cannot be read.
+// Update periods slow enough to read.
 constexpr double kRows = 0.1, kTrace = 0.2;  // [s]
 
 SignalRow quantity(const QString& name, double value, const QString& unit)

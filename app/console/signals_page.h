@@ -21,15 +21,16 @@ class DbcFiles;
 class PreferenceStore;
 class RawTrace;
 
-/// "load 10.9 to 13.1 % of 500 kbit/s (without stuff bits, with all there can be)"; without a bit rate "---".
+/// Returns "load 10.9 to 13.1 % of 500 kbit/s (without stuff bits, with all there can be)"; "---" for an unknown bit
+/// rate.
 QString loadWords(const BusLoad& load, const BitRate& bitrate);
 
-/// What is on the bus: its load, every signal, and the newest frames as they were.  Preferred DBC files say what
-/// frames mean that are not the robot's; what is wrong with them, the page and stderr say.
+/// Shows the bus: its load, every signal, and the newest raw frames. Preferred DBC files describe frames outside the
+/// robot's protocol; their errors appear on the page and on stderr.
 class SignalsPage final : public Page {
     Q_OBJECT
 public:
-    /// link: null where the source is no bus.  All must outlive it.
+    /// link: null if the source has no bus. All arguments must outlive the page.
     SignalsPage(const Acquisition& acquisition, CanSource* link, PreferenceStore& preferences,
                 QWidget* parent = nullptr);
     void refresh(double now) override;
@@ -47,7 +48,7 @@ private:
 
     const Acquisition& acquisition_;
     CanSource* link_;
-    std::vector<DbcMessage> protocol_;  ///< empty: its file could not be used
+    std::vector<DbcMessage> protocol_;  ///< empty: the protocol's file could not be used
     std::shared_ptr<const DbcBook> book_;
     QLabel* headline_ = nullptr;
     DbcFiles* dbc_ = nullptr;  ///< null without a bus

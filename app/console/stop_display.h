@@ -8,19 +8,18 @@ class QLabel;
 
 namespace terratact {
 
-/// Says what is known of STOP: on its button, and in a banner over the whole width as long as the robot has not
-/// confirmed it.  GUI thread only.
+/// Shows the state of STOP: on its button, and in a banner until the robot has confirmed it. GUI thread only.
 class StopDisplay {
     Q_DECLARE_TR_FUNCTIONS(StopDisplay)
 public:
-    /// [s] a robot may take to confirm before that is called late
+    /// [s] a later confirmation is reported as late
     static constexpr double kConfirmsWithin = 0.3;
 
-    /// Both must outlive it.
+    /// Both arguments must outlive the object.
     StopDisplay(StatusHeader& header, QLabel& banner);
 
     void show(const StopViewState& viewState);
-    bool isLate() const;  ///< the banner is there, and needs all of its line
+    bool isLate() const;  ///< the banner is visible and needs its whole line
 
 private:
     static QString late(const StopViewState& viewState);

@@ -37,9 +37,9 @@ namespace terratact {
 namespace {
 
 constexpr int kColumnBefore = 1, kColumnAfter = 2, kColumnDifference = 3;
-constexpr int kPerMille = 1000;  // of the bar
+constexpr int kPerMille = 1000;  // range of the progress bar
 
-/// runs: what waits will have its turn.
+/// Returns the text of a cell. runs: waiting cells will still be trained.
 QString cellText(const TrainingProgress::Cell& cell, bool runs)
 {
     switch (cell.state) {
@@ -97,7 +97,7 @@ QLabel* makeSentence(const QString& name, QWidget* parent)
     return label;
 }
 
-/// The first name that no model has.
+/// Returns the first unused model name.
 QString freeName(const QString& directory)
 {
     for (int k = 1;; ++k) {
@@ -178,7 +178,7 @@ QWidget* TrainingPage::trainCard()
     seed_->setMinimumHeight(kTarget);
     seed_->setAccessibleName(tr("Seed of the search"));
     setTip(*seed_, tr("Same scenes and seed: the same model"));
-    start_ = makeButton(tr("Start"), {}, card);  // showButtons() gives the tips
+    start_ = makeButton(tr("Start"), {}, card);  // showButtons() sets the tips
     start_->setProperty("role", "primary");
     cancel_ = makeButton(tr("Cancel"), {}, card);
     auto* what = new QHBoxLayout;
@@ -221,13 +221,13 @@ QWidget* TrainingPage::trainCard()
     for (int column = 0; column < tips.size(); ++column)
         setTip(*bins_->horizontalHeaderItem(column), tips[column]);
     for (int bin = 0; bin < kBins; ++bin) bins_->item(bin, 0)->setText(format::binName(bin));
-    for (const int wide : {0, 3, 5, 6})  // whose names are
+    for (const int wide : {0, 3, 5, 6})  // columns with names
         bins_->horizontalHeader()->setSectionResizeMode(wide, QHeaderView::ResizeToContents);
     card->body()->addWidget(bins_, 1);
     return card;
 }
 
-/// So that the table stays in its place.
+/// Reserves the status's height, so that the table does not move.
 void TrainingPage::keepRoomForStatus()
 {
     status_->setMinimumHeight(2 * fontMetrics().lineSpacing());
@@ -530,7 +530,7 @@ void TrainingPage::showBins(const TrainingProgress& progress)
                 && item->font() == font)
                 continue;
             item->setText(text);
-            setTip(*item, text);  // there may be no room for all of it
+            setTip(*item, text);  // the column may be too narrow for the text
             item->setFont(font);
             item->setForeground(colour);
         }

@@ -18,18 +18,18 @@ namespace terratact {
 class Exploration;
 class HoldToConfirmButton;
 
-/// terratact/models in the user's data folder (XDG base directory specification).
+/// Returns terratact/models in the user's data folder (XDG base directory specification).
 QString modelsDirectory();
 
-/// Trains a model from a file of scenes, compares it with the one in use and, when the operator wants it, puts it
-/// in its place.  The robot goes on meanwhile.
+/// Trains a model from a scene file, compares it with the one in use and, if the operator adopts it, replaces that one.
+/// The live console continues meanwhile.
 class TrainingPage final : public Page {
     Q_OBJECT
 public:
     struct Options {
         RobotModel robot;
         QString model;                          ///< file in use
-        QString directory = modelsDirectory();  ///< of new models
+        QString directory = modelsDirectory();  ///< folder of new models
         TrainingLoad load = politeLoad();
     };
     TrainingPage(const Exploration& exploration, Options options, QWidget* parent = nullptr);
@@ -60,12 +60,12 @@ public:
     void setModelInUse(const QString& path) { options_.model = path; }
 
 public slots:
-    void adoptionDone();                      ///< the console has loaded a model
-    void adoptionFailed(const QString& why);  ///< and this: it could not
+    void adoptionDone();  ///< call when the console has loaded the adopted model
+    void adoptionFailed(const QString& why);  ///< call when loading failed
 
 signals:
-    void adopted(const QString& path);           ///< the operator wants this model in use
-    void adoptionFinished(const QString& path);  ///< it is in use
+    void adopted(const QString& path);           ///< the operator adopts this model
+    void adoptionFinished(const QString& path);  ///< the adopted model is in use
 
 private:
     enum class Phase { Idle, Training, Trained, Comparing, Compared, Adopting };
@@ -90,7 +90,7 @@ private:
     void showComparison(const ModelComparison& comparison);
     void clearComparison();
     QString pathOfName() const;
-    // Empty: it may.
+    // Each returns a reason; empty: allowed.
     QString whyBusy() const;
     QString whyNotStart() const;
     QString whyNotCompare() const;
@@ -101,7 +101,7 @@ private:
     Options options_;
     ModelTrainer trainer_;
     Phase phase_ = Phase::Idle;
-    QString trained_;  ///< the new model's file; empty: there is none
+    QString trained_;  ///< file of the new model; empty: none
 
     QLineEdit *scenes_ = nullptr, *name_ = nullptr, *test_ = nullptr;
     QSpinBox* seed_ = nullptr;
