@@ -168,12 +168,13 @@ void SessionEventLogger::poll(const LinkAccount& link, const std::optional<CanVi
 {
     lookAtLink(link, bus);
     if (bus && std::exchange(arming_, bus->link.arming.phase) != bus->link.arming.phase)
-        tell(EventKind::Arming, describe(*arming_),
-             *arming_ == ArmingPhase::Disarmed ? describe(bus->link.arming.cause) : std::string());
+        tell(EventKind::Arming, std::string(name(*arming_)),
+             *arming_ == ArmingPhase::Disarmed ? std::string(name(bus->link.arming.cause))
+                                               : std::string());
     const AtemState& state = exploration_.state();
     if (std::exchange(phase_, state.phase) != state.phase)
-        tell(EventKind::Phase, describe(state.phase),
-             state.phase == AtemPhase::Failed ? describe(state.failure) : std::string());
+        tell(EventKind::Phase, std::string(name(state.phase)),
+             state.phase == AtemPhase::Failed ? std::string(name(state.failure)) : std::string());
     const std::string overridden = exploration_.overridden().toStdString();
     if (std::exchange(overridden_, overridden) != overridden)
         tell(EventKind::Override, {}, overridden);

@@ -6,6 +6,7 @@
 
 #include "app/mission/bus_text.h"
 #include "app/recording/session_text.h"
+#include "core/log/event_text.h"
 #include "core/log/review_moment.h"
 #include "widgets/base/format.h"
 
@@ -143,7 +144,7 @@ private:
 
     void takePhase(const EventRow& event, double at)
     {
-        const auto phase = phaseFrom(event.subject);
+        const auto phase = phaseOf(event);
         probes_.end("probe", at);
         if (phase == AtemPhase::ProposingProbe)
             probes_.begin("probe", {at, at, TimelineWeight::Doubt, sentenceOf(event)});
@@ -186,8 +187,8 @@ QString alarmSentence(const EventRow& event)
 
 QString subjectOf(const EventRow& event)
 {
-    return event.kind == EventKind::Phase ? format::sentence(event.subject)
-                                          : format::eventWord(event.subject);
+    const bool isWord = event.kind != EventKind::Phase;
+    return isWord ? format::eventWord(subjectWords(event)) : format::sentence(subjectWords(event));
 }
 
 QString textOf(const EventRow& event)
@@ -200,7 +201,7 @@ QString textOf(const EventRow& event)
     if (event.kind == EventKind::Link)
         for (const BusState state : kBusStates)
             if (event.text == describe(state, "bus")) return busWords(state, "bus");
-    return format::sentence(event.text);
+    return format::sentence(textWords(event));
 }
 
 }  // namespace

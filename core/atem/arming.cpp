@@ -1,7 +1,10 @@
 #include "core/atem/arming.h"
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
+
+#include "core/base/named.h"
 
 namespace terratact {
 namespace {
@@ -109,6 +112,45 @@ std::string describe(DisarmCause cause)
     case DisarmCause::EpochChanged: return "the robot has begun anew";
     }
     throw std::invalid_argument("describe: no such DisarmCause");
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kArmingNames{"disarmed", "confirming", "requested",
+                                                       "armed"};
+
+constexpr std::array<std::string_view, 11> kCauseNames{"none",
+                                                       "operator",
+                                                       "stop",
+                                                       "operator-absent",
+                                                       "foreign-sender",
+                                                       "link-not-good",
+                                                       "already-armed",
+                                                       "confirm-timeout",
+                                                       "request-timeout",
+                                                       "robot-disarmed",
+                                                       "epoch-changed"};
+
+}  // namespace
+
+std::string_view name(ArmingPhase phase)
+{
+    return nameIn(kArmingNames, phase);
+}
+
+std::optional<ArmingPhase> armingPhaseFromName(std::string_view text)
+{
+    return valueIn<ArmingPhase>(kArmingNames, text);
+}
+
+std::string_view name(DisarmCause cause)
+{
+    return nameIn(kCauseNames, cause);
+}
+
+std::optional<DisarmCause> disarmCauseFromName(std::string_view text)
+{
+    return valueIn<DisarmCause>(kCauseNames, text);
 }
 
 }  // namespace terratact

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace terratact {
 
@@ -66,5 +68,11 @@ ArmingState nextArming(const ArmingState& state, const ArmingInput& in, const Ar
 
 std::string describe(ArmingPhase phase);
 std::string describe(DisarmCause cause);
+
+/// As a session has them.
+std::string_view name(ArmingPhase phase);
+std::string_view name(DisarmCause cause);
+std::optional<ArmingPhase> armingPhaseFromName(std::string_view text);
+std::optional<DisarmCause> disarmCauseFromName(std::string_view text);
 
 }  // namespace terratact

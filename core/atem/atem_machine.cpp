@@ -1,7 +1,10 @@
 #include "core/atem/atem_machine.h"
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
+
+#include "core/base/named.h"
 
 namespace terratact {
 namespace {
@@ -190,6 +193,39 @@ std::string describe(AtemFailure failure)
     case AtemFailure::Disarmed: return "the robot is not armed";
     }
     throw std::invalid_argument("describe: no such AtemFailure");
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 10> kPhaseNames{
+    "idle",    "halting",          "pressing",   "estimating", "proposing-probe",
+    "probing", "estimating-again", "presenting", "stopped",    "failed"};
+
+constexpr std::array<std::string_view, 12> kFailureNames{
+    "none",           "halt-timeout",  "press-timeout", "estimate-timeout",
+    "estimate-error", "probe-timeout", "probe-refused", "press-refused",
+    "link-lost",      "pose-changed",  "approval-void", "disarmed"};
+
+}  // namespace
+
+std::string_view name(AtemPhase phase)
+{
+    return nameIn(kPhaseNames, phase);
+}
+
+std::optional<AtemPhase> atemPhaseFromName(std::string_view text)
+{
+    return valueIn<AtemPhase>(kPhaseNames, text);
+}
+
+std::string_view name(AtemFailure failure)
+{
+    return nameIn(kFailureNames, failure);
+}
+
+std::optional<AtemFailure> atemFailureFromName(std::string_view text)
+{
+    return valueIn<AtemFailure>(kFailureNames, text);
 }
 
 }  // namespace terratact

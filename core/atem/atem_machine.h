@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/limits.h"
 
@@ -117,5 +118,11 @@ bool mayDrive(AtemPhase phase);
 /// Return a text for the operator.
 std::string describe(AtemPhase phase);
 std::string describe(AtemFailure failure);
+
+/// As a session has them.
+std::string_view name(AtemPhase phase);
+std::string_view name(AtemFailure failure);
+std::optional<AtemPhase> atemPhaseFromName(std::string_view text);
+std::optional<AtemFailure> atemFailureFromName(std::string_view text);
 
 }  // namespace terratact

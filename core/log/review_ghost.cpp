@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/log/event_text.h"
+
 namespace terratact {
 
 ReviewGhost::ReviewGhost(SessionReader& reader, RobotModel robot)
@@ -67,7 +69,7 @@ AtemPhase ReviewGhost::phaseAt(SessionTime time) const
     AtemPhase phase{};
     for (const EventRow& event : reader_.events())
         if (event.kind == EventKind::Phase && event.time <= time)
-            phase = phaseFrom(event.subject).value_or(phase);
+            phase = phaseOf(event).value_or(phase);
     return phase;
 }
 

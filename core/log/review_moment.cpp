@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "core/log/event_text.h"
 #include "core/wire/telemetry_listener.h"
 
 namespace terratact {
@@ -23,15 +24,6 @@ bool isHeard(const ReviewMoment& moment)
 double silenceBefore(const EventRow& up, SessionTime lost)
 {
     return up.number.value_or(kLinkLostAfter + secondsOf(up.time - lost));
-}
-
-/// Returns the value of first … last with this text.
-template <class Enum>
-std::optional<Enum> fromWords(std::string_view words, Enum last)
-{
-    for (int i = 0; i <= static_cast<int>(last); ++i)
-        if (describe(static_cast<Enum>(i)) == words) return static_cast<Enum>(i);
-    return std::nullopt;
 }
 
 /// Returns the last row up to a time. The rows are nearly in the order of time.
@@ -78,11 +70,6 @@ SessionTime standsSince(const std::vector<EventRow>& events, SessionTime time)
 }
 
 }  // namespace
-
-std::optional<AtemPhase> phaseFrom(std::string_view subject)
-{
-    return fromWords(subject, AtemPhase::Failed);
-}
 
 ReviewMoments::ReviewMoments(SessionReader& reader, RobotModel robot)
     : reader_(reader), robot_(std::move(robot))
@@ -182,16 +169,15 @@ void ReviewMoments::takeEvents(ReviewMoment& moment)
         }
         switch (event.kind) {
         case EventKind::Phase:
-            if (const auto phase = phaseFrom(event.subject)) {
+            if (const auto phase = phaseOf(event)) {
                 moment.state.phase = *phase;
                 moment.state.since = secondsOf(event.time);
                 moment.state.failure = AtemFailure::None;
                 if (*phase == AtemPhase::Failed)
-                    moment.state.failure = fromWords(event.text, AtemFailure::Disarmed)
-                                               .value_or(AtemFailure::EstimateError);
+                    moment.state.failure = failureOf(event).value_or(AtemFailure::EstimateError);
             }
             break;
-        case EventKind::Arming: moment.arming = fromWords(event.subject, ArmingPhase::Armed); break;
+        case EventKind::Arming: moment.arming = armingOf(event); break;
         case EventKind::Link:
             moment.linkAlive = event.subject == kLinkUp;
             moment.telemetryAlone = event.subject == kTelemetryLost;

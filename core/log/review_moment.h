@@ -78,7 +78,4 @@ private:
     std::deque<std::shared_ptr<const EstimateRow>> drawn_{};  ///< newest first
 };
 
-/// Returns the phase that an event of kind Phase names; empty for another name.
-std::optional<AtemPhase> phaseFrom(std::string_view subject);
-
 }  // namespace terratact

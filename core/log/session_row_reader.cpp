@@ -8,6 +8,8 @@
 #include "core/infer/estimate/contradiction.h"
 #include "core/infer/estimate/missing_sensors.h"
 #include "core/log/checked_row.h"
+#include "core/log/message_json.h"
+#include "core/log/recorded_words.h"
 #include "core/log/session_schema.h"
 
 namespace terratact {
@@ -182,9 +184,9 @@ EstimateRow estimateFrom(CheckedRow& row, std::int64_t id, const SessionRows& ro
     e.ending = row.named(endingFromName);
     e.converged = row.flag();
     e.warnings = linesOf(row.text());
-    e.contradicts = sayContradiction(e.warnings);
     row.skip(1);  // the hash of the draws
     if (row.hasMore()) e.feltTo = row.real();
+    e.contradicts = row.hasMore() ? row.flag() : sayContradiction(e.warnings);
     const SceneRow* const scene = byId(rows.scenes, r.scene);
     e.missing = missingFor(e.settings.method, proprioception(scene->measurement));
     return r;
@@ -231,6 +233,10 @@ EventRow eventFrom(CheckedRow& row, std::int64_t id)
     e.estimate = row.idOrNone();
     e.proposal = row.idOrNone();
     e.shown = row.text();
+    if (!row.hasMore()) return withNames(std::move(e));
+    const auto message = messageFromJson(row.text());
+    require(message.has_value(), "a message is no JSON");
+    e.message = *message;
     return e;
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/infer/estimate/estimate.h"
 #include "core/robot/measurement.h"
 #include "core/terrain/bins.h"
@@ -120,8 +121,9 @@ struct ProposalRow {
 enum class EventKind : std::uint8_t {
     Word,      ///< line in the console's event list; subject: note, doubt, bad
     Decision,  ///< action of the operator; subject: which; shown: the numbers on the screen
-    Phase,     ///< phase of the exploration; subject: its name
-    Arming,    ///< arming; subject: its phase
+    /// Phase of the exploration; subject: its name; text: the name of the failure, where it failed.
+    Phase,
+    Arming,  ///< arming; subject: name of its phase; text: name of the cause, where it is disarmed
     /// Link state; subject: kLinkUp, kLinkLost, kTelemetryLost. number: with kLinkUp, the longest
     /// silence [s].
     Link,
@@ -150,6 +152,7 @@ struct EventRow {
     std::int64_t estimate = 0,
                  proposal = 0;  ///< rows that it refers to, or 0
     std::string shown{};        ///< text on the screen at that time
+    Message message{};  ///< the text in parts, for translation; empty: only the text is known
     bool operator==(const EventRow&) const = default;
 };
 

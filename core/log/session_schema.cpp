@@ -1,5 +1,8 @@
 #include "core/log/session_schema.h"
 
+#include <algorithm>
+#include <span>
+#include <stdexcept>
 #include <string_view>
 
 namespace terratact {
@@ -126,16 +129,46 @@ constexpr std::array kVersion2{
         "asymmetry_limit_rad REAL NOT NULL, hazard_rate REAL NOT NULL) STRICT"},
 };
 
+/// What version 3 says in another way.
+constexpr std::array kVersion3{
+    SchemaEntry{"table", "estimate",
+                "CREATE TABLE estimate(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+                "t INTEGER NOT NULL, scene INTEGER NOT NULL, settings INTEGER NOT NULL, "
+                "model INTEGER NOT NULL, role TEXT NOT NULL, seconds REAL NOT NULL, "
+                "step_limit_m REAL NOT NULL, novelty REAL NOT NULL, ending TEXT NOT NULL, "
+                "converged INTEGER NOT NULL, warnings TEXT NOT NULL, "
+                "draws_sha256 BLOB NOT NULL, felt_to_m REAL NOT NULL, "
+                "contradicts INTEGER NOT NULL, messages TEXT NOT NULL) STRICT"},
+    SchemaEntry{
+        "table", "event",
+        "CREATE TABLE event(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+        "t INTEGER NOT NULL, kind TEXT NOT NULL, subject TEXT NOT NULL, text TEXT NOT NULL, "
+        "number REAL, estimate INTEGER NOT NULL, proposal INTEGER NOT NULL, "
+        "shown TEXT NOT NULL, message TEXT NOT NULL) STRICT"},
+};
+
+void replace(SessionSchema& schema, std::span<const SchemaEntry> newer)
+{
+    for (const SchemaEntry& entry : newer)
+        *std::ranges::find(schema, std::string_view(entry.name), &SchemaEntry::name) = entry;
+}
+
 }  // namespace
 
 SessionSchema sessionSchema(std::int64_t version)
 {
     SessionSchema schema = kVersion1;
-    if (version < 2) return schema;
-    for (const SchemaEntry& newer : kVersion2)
-        for (SchemaEntry& entry : schema)
-            if (std::string_view(entry.name) == newer.name) entry = newer;
+    if (version >= 2) replace(schema, kVersion2);
+    if (version >= 3) replace(schema, kVersion3);
     return schema;
+}
+
+int sessionColumns(std::int64_t version, std::string_view table)
+{
+    const SessionSchema schema = sessionSchema(version);
+    const auto entry = std::ranges::find(schema, table, &SchemaEntry::name);
+    if (entry == schema.end()) throw std::invalid_argument("sessionColumns: no such table");
+    return 1 + static_cast<int>(std::ranges::count(std::string_view(entry->sql), ','));
 }
 
 }  // namespace terratact

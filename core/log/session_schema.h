@@ -12,8 +12,9 @@ namespace terratact {
 // Tables of a session file (`*.tts`), an SQLite file; docs/sessions.md explains them. Readers
 // refuse any other schema.
 
-inline constexpr std::int64_t kSessionVersion = 2;
-/// Version 1 does not record how a bin was touched; all its forces and currents count as measured.
+inline constexpr std::int64_t kSessionVersion = 3;
+/// Version 1 does not record how a bin was touched; all its forces and currents count as measured. Versions 1 and 2
+/// hold phases, failures and causes of disarming in words (core/log/recorded_words.h), and no messages.
 inline constexpr std::int64_t kFirstSessionVersion = 1;
 
 struct SchemaEntry {
@@ -28,12 +29,8 @@ using SessionSchema = std::array<SchemaEntry, 15>;
 /// tables of kSessionRowTables, the column `batch` holds the number of the batch.
 SessionSchema sessionSchema(std::int64_t version);
 
-/// Returns the number of columns that version 2 adds at the end of settings, estimate and
-/// estimate_bin.
-constexpr int addedColumns(std::int64_t version)
-{
-    return version >= 2 ? 1 : 0;
-}
+/// Returns the number of columns of a table in that version.
+int sessionColumns(std::int64_t version, std::string_view table);
 
 /// Tables whose rows make a batch's `rows_hash`, in this order, each in the order of rowid.
 inline constexpr std::array<std::string_view, 10> kSessionRowTables{

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/log/message_json.h"
 #include "core/log/session_hash.h"
 #include "core/log/session_schema.h"
 #include "core/log/session_tables.h"
@@ -27,8 +28,8 @@ struct Blob {
 /// Inserts rows of one table and hashes them.
 class Table {
 public:
-    Table(SqliteFile& file, std::string_view name, int columns)
-        : insert_(prepare(file, name, columns))
+    Table(SqliteFile& file, std::int64_t version, std::string_view name)
+        : insert_(prepare(file, name, sessionColumns(version, name)))
     {
         for (; index_ < kSessionRowTables.size() && kSessionRowTables.at(index_) != name;
              ++index_) {
@@ -90,6 +91,13 @@ std::string joined(const std::vector<std::string>& lines)
     return text;
 }
 
+/// A message in JSON; one that is too long for a row is left out, for JSON cannot be cut.
+std::string shortJsonOf(const Message& message)
+{
+    std::string json = jsonOf(message);
+    return json.size() <= kMaxTextBytes ? json : std::string();
+}
+
 std::int64_t flagsOf(const FrameRow& row)
 {
     const CanFrame& f = row.frame;
@@ -103,13 +111,12 @@ std::int64_t flagsOf(const FrameRow& row)
 struct SessionWriter::Impl {
     explicit Impl(std::string name, SqliteFile opened)
         : path(std::move(name)), file(std::move(opened)),
-          added(addedColumns(file.integer("PRAGMA user_version"))),
-          frameTable(file, "can_frame", 6), modelTable(file, "model", 6),
-          settingsTable(file, "settings", 18 + added), sceneTable(file, "scene", 27),
-          truthTable(file, "scene_truth", 5), estimateTable(file, "estimate", 14 + added),
-          binTable(file, "estimate_bin", 13 + added), readingTable(file, "reading", 6),
-          proposalTable(file, "proposal", 15), offerTable(file, "proposal_offer", 6),
-          eventTable(file, "event", 10),
+          version(file.integer("PRAGMA user_version")), frameTable(file, version, "can_frame"),
+          modelTable(file, version, "model"), settingsTable(file, version, "settings"),
+          sceneTable(file, version, "scene"), truthTable(file, version, "scene_truth"),
+          estimateTable(file, version, "estimate"), binTable(file, version, "estimate_bin"),
+          readingTable(file, version, "reading"), proposalTable(file, version, "proposal"),
+          offerTable(file, version, "proposal_offer"), eventTable(file, version, "event"),
           drawsInsert(file.prepare("INSERT INTO estimate_draws VALUES(?, ?)")),
           batchInsert(file.prepare("INSERT INTO batch VALUES(?, ?, ?, ?, ?, ?, ?, ?)")),
           begin(file.prepare("BEGIN IMMEDIATE")), end(file.prepare("COMMIT"))
@@ -150,12 +157,13 @@ struct SessionWriter::Impl {
     void addScene(const SceneRow& row);
     void addEstimate(const EstimateRow& row);
     void addProposal(const ProposalRow& row);
+    void addEvent(const EventRow& row);
     void commit();
     void goOn();  ///< continues after the rows in the file
 
     std::string path;
     SqliteFile file;
-    int added;  ///< columns beyond version 1 in this file
+    std::int64_t version;  ///< of the file; only events are added to an older one
     Table frameTable, modelTable, settingsTable, sceneTable, truthTable, estimateTable, binTable,
         readingTable, proposalTable, offerTable, eventTable;
     SqliteStatement drawsInsert, batchInsert, begin, end;
@@ -226,7 +234,7 @@ void SessionWriter::Impl::addEstimate(const EstimateRow& r)
     const std::int64_t settingsOf = settingsId(e.settings);
     row(estimateTable, r.id, batch.id, r.time, r.scene, settingsOf, r.model, name(r.role),
         r.seconds, r.stepLimit, e.novelty, name(e.ending), int{e.converged}, joined(e.warnings),
-        Blob{drawsHash.take()}, e.feltTo);
+        Blob{drawsHash.take()}, e.feltTo, int{e.contradicts}, std::string());
     drawsInsert.bind(0, r.id);
     drawsInsert.bindBlob(1, draws);
     drawsInsert.run();
@@ -249,6 +257,18 @@ void SessionWriter::Impl::addProposal(const ProposalRow& r)
     for (const OfferedBin& offer : r.offers)
         row(offerTable, ++offerCount, batch.id, r.id, offer.bin, offer.varianceShare,
             offer.bitsAfter);
+}
+
+void SessionWriter::Impl::addEvent(const EventRow& r)
+{
+    const std::int64_t id = ++lastEvent;
+    const std::string_view kind = name(r.kind);
+    if (version < 3)
+        row(eventTable, id, batch.id, r.time, kind, r.subject, r.text, r.number, r.estimate,
+            r.proposal, r.shown);
+    else
+        row(eventTable, id, batch.id, r.time, kind, r.subject, r.text, r.number, r.estimate,
+            r.proposal, r.shown, shortJsonOf(r.message));
 }
 
 void SessionWriter::Impl::commit()
@@ -448,8 +468,7 @@ Status SessionWriter::add(const EventRow& row)
     requireKnown(row.proposal, impl_->lastProposal, true);
     return attempt(*impl_, [&] {
         impl_->start(row.time);
-        impl_->row(impl_->eventTable, ++impl_->lastEvent, impl_->batch.id, row.time, name(row.kind),
-                   row.subject, row.text, row.number, row.estimate, row.proposal, row.shown);
+        impl_->addEvent(row);
     });
 }
 

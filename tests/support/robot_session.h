@@ -55,13 +55,13 @@ inline Result<SessionWriter> robotSession(const std::string& path, double second
             (void)writer->add(
                 ModelRow{.id = 1, .name = "default.ttm", .hash = std::string(64, 'c')});
             tell(0.0, EventKind::Session, "begun");
-            tell(0.0, EventKind::Phase, describe(AtemPhase::Idle));
-            tell(0.0, EventKind::Arming, describe(ArmingPhase::Disarmed));
+            tell(0.0, EventKind::Phase, name(AtemPhase::Idle));
+            tell(0.0, EventKind::Arming, name(ArmingPhase::Disarmed));
         }
         if (passes(At::kLinkUp)) tell(now, EventKind::Link, "up");
         if (passes(At::kAlarm)) tell(now, EventKind::Alarm, "frames", "frames are lost", 3.0);
         if (passes(At::kAlarmGone)) tell(now, EventKind::Alarm, "frames", "", 0.0);
-        if (passes(At::kPressing)) tell(now, EventKind::Phase, describe(AtemPhase::Pressing));
+        if (passes(At::kPressing)) tell(now, EventKind::Phase, name(AtemPhase::Pressing));
         if (passes(At::kScene)) {
             SceneRow scene = someScene(1, sessionTimeOf(now));
             scene.measurement.travelled = 0.0;  // as the telemetry
@@ -71,17 +71,16 @@ inline Result<SessionWriter> robotSession(const std::string& path, double second
             (void)writer->add(someEstimate(1, sessionTimeOf(now)));
             (void)writer->add(someProposal(sessionTimeOf(now)));
         }
-        if (passes(At::kProposing))
-            tell(now, EventKind::Phase, describe(AtemPhase::ProposingProbe));
+        if (passes(At::kProposing)) tell(now, EventKind::Phase, name(AtemPhase::ProposingProbe));
         if (passes(At::kMarker)) tell(now, EventKind::Marker, "operator", "look here");
         if (passes(At::kApproved)) tell(now, EventKind::Decision, "approve", "probe at 0.6 m");
-        if (passes(At::kProbing)) tell(now, EventKind::Phase, describe(AtemPhase::Probing));
+        if (passes(At::kProbing)) tell(now, EventKind::Phase, name(AtemPhase::Probing));
         if (passes(At::kAgain)) {
             EstimateRow again = someEstimate(2, sessionTimeOf(now));
             again.scene = 1;
             (void)writer->add(again);
         }
-        if (passes(At::kPresenting)) tell(now, EventKind::Phase, describe(AtemPhase::Presenting));
+        if (passes(At::kPresenting)) tell(now, EventKind::Phase, name(AtemPhase::Presenting));
         if (passes(At::kForgotten)) tell(now, EventKind::Forgotten, "", "The robot has moved");
         if (!silent || !silent(now)) {
             for (const CanFrame& frame : robot.tick(now))

@@ -101,7 +101,7 @@ TEST_F(GhostOf, aRobotThatWasNotHeardHasEnded)
 
 TEST_F(GhostOf, anEstimateGivesWayToTheNextExploration)
 {
-    record({event(kLeft + 0.1, EventKind::Phase, "pressing the front flippers down")});
+    record({event(kLeft + 0.1, EventKind::Phase, "pressing")});
     EXPECT_TRUE(at(kLeft).ghost);
     EXPECT_EQ(at(kLater), kNone);
 }

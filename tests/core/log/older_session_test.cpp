@@ -1,0 +1,167 @@
+// Sessions that older versions recorded read as they did when they were recorded.
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "core/infer/verdict/verdict.h"
+#include "core/log/event_text.h"
+#include "core/log/recorded_words.h"
+#include "core/log/review_moment.h"
+#include "tests/support/absolem.h"
+#include "tests/support/sessions.h"
+#include "tests/support/temporary_directory.h"
+
+namespace terratact {
+namespace {
+
+const std::string kDemo = TERRATACT_SOURCE_DIR "/resources/sessions/demo.tts";  // of version 1
+const std::string kVersion2 = TERRATACT_SOURCE_DIR "/tests/core/log/session_of_version_2.sql";
+
+/// The file as SQLite has it: what the operator read when it was recorded.
+std::vector<std::string> recordedEvents(const std::string& path)
+{
+    std::vector<std::string> lines;
+    sqlite3* file = nullptr;
+    const auto take = [](void* all, int, char** row, char**) {
+        const auto part = [row](int column) { return std::string(row[column]); };
+        static_cast<std::vector<std::string>*>(all)->push_back(part(0) + '|' + part(1) + '|'
+                                                               + part(2));
+        return 0;
+    };
+    sqlite3_open_v2(path.c_str(), &file, SQLITE_OPEN_READONLY, nullptr);
+    sqlite3_exec(file, "SELECT kind, subject, text FROM event ORDER BY id", take, &lines, nullptr);
+    sqlite3_close(file);
+    return lines;
+}
+
+std::vector<std::string> readEvents(const SessionReader& session)
+{
+    std::vector<std::string> lines;
+    for (const EventRow& event : session.events())
+        lines.push_back(std::string(name(event.kind)) + '|' + subjectWords(event) + '|'
+                        + textWords(event));
+    return lines;
+}
+
+SessionReader opened(const std::string& path)
+{
+    auto session = SessionReader::open(path);
+    if (!session) throw std::runtime_error(session.error().text);
+    return std::move(*session);
+}
+
+struct OlderSession : testing::Test {
+    std::string version2()
+    {
+        std::string path = directory.file("version_2.tts");
+        std::ostringstream sql;
+        sql << std::ifstream(kVersion2).rdbuf();
+        sqlite3* file = nullptr;
+        sqlite3_open(path.c_str(), &file);
+        EXPECT_EQ(sqlite3_exec(file, sql.str().c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+        sqlite3_close(file);
+        return path;
+    }
+    TemporaryDirectory directory;
+};
+
+TEST_F(OlderSession, everyEventReadsAsItWasRecorded)
+{
+    for (const std::string& path : {kDemo, version2()}) {
+        const SessionReader session = opened(path);
+        EXPECT_TRUE(session.damage().empty());
+        const std::vector<std::string> recorded = recordedEvents(path);
+        EXPECT_GT(recorded.size(), 30U);
+        EXPECT_EQ(readEvents(session), recorded) << path;
+    }
+}
+
+TEST_F(OlderSession, everyPhaseAndFailureIsRecognised)
+{
+    SessionReader session = opened(version2());
+    int phase = 0, failure = 0, cause = 0;
+    ReviewMoments moments(session, absolem());
+    for (const EventRow& event : session.events()) {
+        EXPECT_TRUE(phaseOf(event) || event.kind != EventKind::Phase || event.id == 50) << event.id;
+        if (armingOf(event) == ArmingPhase::Disarmed) {
+            EXPECT_EQ(causeOf(event), static_cast<DisarmCause>(cause++));
+        }
+        if (event.kind != EventKind::Phase || event.id > 39) continue;
+        const AtemState state = moments.at(event.time).state;
+        EXPECT_EQ(phaseOf(event), state.phase);
+        if (phase < static_cast<int>(AtemPhase::Failed)) {
+            EXPECT_EQ(state.phase, static_cast<AtemPhase>(phase++));
+            continue;
+        }
+        EXPECT_EQ(state.phase, AtemPhase::Failed);
+        EXPECT_EQ(state.failure, static_cast<AtemFailure>(failure++));
+    }
+    EXPECT_EQ(phase, 9);
+    EXPECT_EQ(failure, 12);
+    EXPECT_EQ(cause, 11);
+}
+
+TEST_F(OlderSession, aContradictionIsReadFromItsWarning)
+{
+    const SessionReader session = opened(version2());
+    ASSERT_EQ(session.estimates().size(), 1U);
+    EXPECT_TRUE(session.estimates()[0].estimate.contradicts);
+}
+
+TEST_F(OlderSession, theDemoShowsTheSamePhasesAndVerdicts)
+{
+    SessionReader session = opened(kDemo);
+    ReviewMoments moments(session, absolem());
+    std::string phases;
+    for (const EventRow& event : session.events())
+        if (event.kind == EventKind::Phase)
+            phases += describe(moments.at(event.time).state.phase) + "; ";
+    EXPECT_EQ(
+        phases,
+        "ready; halting the robot; pressing the front flippers down; arm probe proposed; arm is "
+        "probing; estimate stands; ready; ");
+    ASSERT_EQ(session.estimates().size(), 2U);
+    for (const EstimateRow& row : session.estimates()) {
+        const SceneRow* scene = session.scene(row.scene);
+        ASSERT_TRUE(scene);
+        TerrainEstimate estimate = row.estimate;
+        estimate.draws = *session.draws(row.id);
+        const Verdict verdict = verdictOf(estimate, scene->measurement, {}, row.stepLimit);
+        EXPECT_EQ(describeStepVerdict(verdict), "BLOCKED");
+        EXPECT_TRUE(verdict.doubts.empty());
+    }
+}
+
+TEST_F(OlderSession, aNewSessionHoldsNamesAndMessages)
+{
+    const std::string path = directory.file("new.tts");
+    auto writer = SessionWriter::create(path, someStart());
+    ASSERT_TRUE(writer) << writer.error().text;
+    std::vector<EventRow> rows;
+    const auto add = [&](EventRow row) {
+        row.id = static_cast<std::int64_t>(rows.size()) + 1;
+        row.time = row.id;
+        ASSERT_TRUE(writer->add(row));
+        rows.push_back(std::move(row));
+    };
+    add({.kind = EventKind::Phase,
+         .subject = std::string(name(AtemPhase::Failed)),
+         .text = std::string(name(AtemFailure::HaltTimeout))});
+    add({.kind = EventKind::Arming,
+         .subject = std::string(name(ArmingPhase::Disarmed)),
+         .text = std::string(name(DisarmCause::Stop))});
+    const Message message(TR_NOOP("core", "roll %1°: the ground is not the same left and right"),
+                          fixed(-5.24, 1));
+    add({.kind = EventKind::Word, .text = message.english(), .message = message});
+    ASSERT_TRUE(writer->seal());
+    const SessionReader session = opened(path);
+    EXPECT_EQ(session.events(), rows);
+    EXPECT_EQ(readEvents(session)[0], "phase|exploration failed|the robot did not halt in time");
+    EXPECT_EQ(readEvents(session)[1], "arming|disarmed|STOP is latched");
+    EXPECT_EQ(rows[2].text, "roll -5.2°: the ground is not the same left and right");
+}
+
+}  // namespace
+}  // namespace terratact
