@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Sets up, builds and starts Terratact on the built-in simulated robot with the shipped model:
+# Sets up, builds and starts Terratact on the simulated robot with the shipped model:
 #   ./run.sh [argument...]              the console; without a display as with --headless
 #   ./run.sh --headless [argument...]   no window: one exploration, printed and written to build/demo
 # Other arguments are passed on (./run.sh --headless --out DIR; ./run.sh --help).

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Sets up, builds and runs every test: core, command line, and GUI offscreen.
-# Arguments go to ctest: ./test.sh -R gibbs.  The last line counts what passed.
+# Sets up, builds and runs every test: core, command line, and GUI offscreen. Arguments go to ctest: ./test.sh -R gibbs.
+# The last line counts the passed tests.
 set -euo pipefail
 cd "$(dirname "$0")"
 cmake/setup.sh core gui test

@@ -1,11 +1,10 @@
-# Finds Qwt for Qt 6: the system's if there is one, else the one cmake/setup.sh built in .deps/.
-# Distributions disagree on names, and some also have a Qwt for Qt 5; so every candidate must
-# prove by linking that it speaks Qt 6. Needs Qt6 (Widgets, Svg, PrintSupport) found before.
-# Sets Qwt_FOUND, Qwt_VERSION and the target Qwt::Qwt.
+# Finds Qwt for Qt 6: the system's, else the one that cmake/setup.sh built in .deps/. Distributions use different names,
+# and some have Qwt for Qt 5, too. Each candidate must therefore link a test program against Qt 6. Qt6 (Widgets, Svg,
+# PrintSupport) must be found before. Sets Qwt_FOUND, Qwt_VERSION and the target Qwt::Qwt.
 
 include(FindPackageHandleStandardArgs)
 
-# QVector<QPointF> is QList<QPointF> in Qt 6, so this symbol has another name in a Qt 5 library.
+# QVector<QPointF> is QList<QPointF> in Qt 6, so a Qt 5 library has another symbol here.
 set(_qwt_probe [[
 #include <qwt_plot_curve.h>
 int main()
@@ -16,7 +15,7 @@ int main()
 }
 ]])
 
-# Tries the header and library found with the given find_path/find_library arguments.
+# Tests the header and library found with these find_path/find_library arguments.
 function(_qwt_try where)
   find_path(Qwt_INCLUDE_DIR qwt_global.h NO_CACHE
     PATH_SUFFIXES qwt-qt6 qt6/qwt qwt6-qt6 qwt6 qwt x86_64-linux-gnu/qt6/qwt ${ARGN})

@@ -1,8 +1,8 @@
-# What `cmake --install` puts where, and the Debian package that `cpack -G DEB` makes of it.
+# Install rules for `cmake --install`, and the Debian package made by `cpack -G DEB`.
 
 include(GNUInstallDirs)
 
-# Programs find their files at ../share/terratact (app/runtime/resources.h): in the build tree, too.
+# Programs find their files at ../share/terratact (app/runtime/resources.h), also in the build tree.
 file(RELATIVE_PATH _data ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR})
 if(NOT _data STREQUAL "../share")
   message(FATAL_ERROR "the programs look for ../share, but from CMAKE_INSTALL_BINDIR to CMAKE_INSTALL_DATADIR it is ${_data}")
@@ -36,7 +36,7 @@ install(FILES
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/terratact)
 install(DIRECTORY ${_docs}/screens DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/terratact)
 
-# bash-completion loads the file that is called like the program.
+# bash-completion loads the file that has the program's name.
 foreach(_program IN LISTS _programs)
   install(FILES ${_resources}/desktop/completion.bash RENAME ${_program}
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
@@ -52,7 +52,7 @@ if(TERRATACT_GUI)
     DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
 endif()
 
-# A package is made of what is built; it builds nothing, so that one needs no tests.
+# Packaging uses the existing build and builds nothing, so it needs no tests.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME terratact)
@@ -72,14 +72,13 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian_files.cmake)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)   # the versions of this release's libraries; Qwt is linked statically
-set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)   # figures and console have text, libraries bring no font
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)   # versions of this release's libraries; Qwt is linked statically
+set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)   # figures and console show text, and no library depends on a font
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "can-utils, gpiod")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS iproute2)   # `terratact can check` names its commands
 if(TERRATACT_GUI)
-  # Qt's plugins are loaded at run time: that of X11 and the offscreen one come with libqt6gui6.
-  # Its own words, such as those of a file dialog, in Czech and German come apart.
-  # And ALSA plays to the sound server of a desktop through a plugin of its own.
+  # Qt loads plugins at run time; X11 and offscreen come with libqt6gui6. Qt's own Czech and German texts are in a
+  # separate package. ALSA needs a plugin to play through a desktop's sound server.
   string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", qt6-wayland, qt6-translations-l10n, pipewire-alsa | libasound2-plugins")
 endif()
 include(CPack)

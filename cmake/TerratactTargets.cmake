@@ -1,11 +1,11 @@
-# Helpers for the build: packages that name what to install, and the header check.
+# Build helpers: find_package() that names Debian packages, libraries, clang-tidy, and the header check.
 
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 # terratact_find(<name> [version] [COMPONENTS c...] DEBIAN <package>...)
-# find_package() whose failure says which Debian package is missing.
+# Calls find_package(); on failure it names the missing Debian package.
 macro(terratact_find name)
   cmake_parse_arguments(_find "" "" "DEBIAN" ${ARGN})
   find_package(${name} ${_find_UNPARSED_ARGUMENTS} QUIET)
@@ -14,7 +14,8 @@ macro(terratact_find name)
   endif()
 endmacro()
 
-# terratact_find_pkg(<module> DEBIAN <package>): the same through pkg-config, as PkgConfig::<module>.
+# terratact_find_pkg(<module> DEBIAN <package>)
+# Does the same with pkg-config; the target is PkgConfig::<module>.
 macro(terratact_find_pkg module)
   cmake_parse_arguments(_find "" "" "DEBIAN" ${ARGN})
   find_package(PkgConfig QUIET)
@@ -34,11 +35,11 @@ function(terratact_missing name)
     "which installs all that is missing.")
 endfunction()
 
-# terratact_library(<target> [APART source...]), after its sources are named: its headers are compiled alone
-# (below), and with CMAKE_UNITY_BUILD the sources of one directory are joined and compiled as one, for presets whose
-# cost is the parsing of headers. APART: joined with each other instead, since they have a name of their own that
-# another source of that directory has, too. (What has compile options of its own is compiled alone anyway.) A source
-# that is told of a name defined twice goes to that list, or its name is made its own.
+# terratact_library(<target> [APART source...])
+# Call after the target's sources are named. Its headers are also compiled alone (below). With CMAKE_UNITY_BUILD the
+# sources of a directory are compiled as one, which saves parsing headers. APART: sources that are joined separately,
+# because they define a name that another source of that directory defines, too. If the compiler reports a name defined
+# twice, add the source to APART or rename it. Sources with their own compile options are compiled alone anyway.
 function(terratact_library target)
   cmake_parse_arguments(library "" "" "APART" ${ARGN})
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
@@ -51,8 +52,8 @@ function(terratact_library target)
     string(MAKE_C_IDENTIFIER "${target}_${room}" group)
     set_property(SOURCE "${source}" PROPERTY UNITY_GROUP ${group})
   endforeach()
-  # False in joined sources: types without linkage are of the one file that is compiled, and g++ 12 loses sight of
-  # what its own allocator frees.
+  # Both warnings are wrong in joined sources: types without linkage belong to the one compiled file, and g++ 12 loses
+  # track of allocations.
   if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage -Wno-free-nonheap-object)
   endif()
@@ -60,9 +61,9 @@ function(terratact_library target)
   set_property(SOURCE ${library_APART} PROPERTY UNITY_GROUP "${target}_apart")
 endfunction()
 
-# The target tidy: clang-tidy, and with it clang's warnings, for every joined source and every one compiled alone, and
-# every header alone. It takes its configuration from where a source lies, which is in the build tree for joined ones;
-# those do include sources.
+# Target tidy: runs clang-tidy with clang's warnings on every joined source, every source compiled alone, and every
+# header. clang-tidy takes its configuration from the folder of a source. For joined sources that is the build tree,
+# where the check against including sources is switched off.
 function(terratact_tidy)
   find_program(TERRATACT_CLANG_TIDY clang-tidy-14 REQUIRED)
   set(project ${PROJECT_SOURCE_DIR}/.clang-tidy)
@@ -76,12 +77,13 @@ function(terratact_tidy)
   add_dependencies(tidy headers)
 endfunction()
 
-# terratact_included(<header> <variable>): what a header of ours includes, and what those of ours among that include, as
-# written: <QWidget>, "core/base/poll.h", …
+# terratact_included(<header> <variable>)
+# Sets the includes of one of our headers, including those of our headers among them, as written: <QWidget>,
+# "core/base/poll.h", …
 function(terratact_included header variable)
   get_property(known GLOBAL PROPERTY terratact_included_by_${header} SET)
   if(NOT known)
-    set_property(GLOBAL PROPERTY terratact_included_by_${header})  # against a circle
+    set_property(GLOBAL PROPERTY terratact_included_by_${header})  # guards against a cycle
     file(STRINGS ${PROJECT_SOURCE_DIR}/${header} lines REGEX "^#include ")
     set(all)
     foreach(line IN LISTS lines)
@@ -99,10 +101,10 @@ function(terratact_included header variable)
   set(${variable} "${all}" PARENT_SCOPE)
 endfunction()
 
-# The target headers: compiles every header of every FILE_SET alone. A header that leans on its includer, or on
-# a library that its target does not link, does not get in. Most of the time goes into a few large headers of others:
-# where one of ours includes such a one anyway, that comes precompiled. Which one does is read when the build is
-# configured: a header that stops including it is checked as before until then.
+# Target headers: compiles every header of every FILE_SET alone. A header that relies on its includer, or on a library
+# its target does not link, fails. Most of the time goes into a few large foreign headers, so a header that includes one
+# uses it precompiled. The includes are read at configure time; a header that drops such an include is checked with it
+# until the next configuration.
 function(terratact_check_headers)
   add_custom_target(headers)
   set(large QWidget QObject QPen QString Eigen/Core thread memory string functional vector none)
@@ -135,7 +137,7 @@ function(terratact_check_headers)
         string(MAKE_C_IDENTIFIER ${library}_headers_${name} target)
         add_library(${target} OBJECT ${sources_${library}_${name}})
         set_target_properties(${target} PROPERTIES UNITY_BUILD OFF AUTOMOC OFF)
-        # What linking the library brings, but for waiting until it is built.
+        # These properties give the effect of linking the library without waiting for its build.
         target_compile_features(${target} PRIVATE cxx_std_20)
         target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
         set(directories $<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>)

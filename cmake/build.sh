@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Configures a preset if it is new or CMakePresets.json changed, and builds it:
-#   cmake/build.sh PRESET             all of the preset, tests included
-#   cmake/build.sh PRESET TARGET...   these targets; a new configuration leaves the tests out
-# On a terminal the build shows its progress; otherwise it speaks only when it fails.
+#   cmake/build.sh PRESET             builds the whole preset, tests included
+#   cmake/build.sh PRESET TARGET...   builds these targets; a new configuration leaves the tests out
+# On a terminal the build shows its progress; otherwise it prints only failures.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=$1
@@ -17,7 +17,7 @@ fail() {
   exit 1
 }
 
-# CMake's own re-runs know nothing of presets; and a build made for a few targets lacks the tests.
+# CMake's own re-runs do not read presets, and a build made for a few targets lacks the tests.
 without_tests=()
 [ $# = 0 ] || without_tests=(-D TERRATACT_TESTS=OFF)
 if [ ! "$dir/build.ninja" -nt CMakePresets.json ] ||

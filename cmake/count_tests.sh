@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Adds up the results that ctest left in the given JUnit files: "N passed, N failed, N skipped".
-# A test that could not be started counts as failed, not as skipped.
+# Adds up the results in ctest's JUnit files: "N passed, N failed, N skipped". A test that could not be started counts
+# as failed, not as skipped.
 awk '
   /^[ \t]*<testcase .*status="run"/      { passed++ }
   /^[ \t]*<testcase .*status="fail"/     { failed++ }

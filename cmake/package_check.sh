@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Builds the Debian package and tries it on a clean Debian 12, as root and with a network:
-#   cmake/package_check.sh [PACKAGE.deb]      this one instead of a new one
-# lintian; a minimal system by debootstrap (from $MIRROR, if set); the package installed there by apt without what it
-# only recommends; both programs run as a user of that system; the package purged, and nothing of it left.
-# What apt and the programs say goes to build/package/check.log, the console's picture beside it.
+# Builds the Debian package and tests it on a clean Debian 12; needs root and a network:
+#   cmake/package_check.sh [PACKAGE.deb]      tests this package instead of building one
+# It runs lintian and creates a minimal system with debootstrap (from $MIRROR, if set). There apt installs the package
+# without recommended packages, and a user runs both programs. Then the package is purged, and nothing of it may remain.
+# The log is build/package/check.log; the console's picture is beside it.
 set -euo pipefail
 [ $# = 0 ] || set -- "$(realpath "$1")"
 cd "$(dirname "$0")/.."
@@ -22,7 +22,7 @@ clean_up() {
 }
 trap clean_up EXIT
 
-# step WORDS COMMAND...: says what is done, and ends the check with the log's end where it fails.
+# step WORDS COMMAND...: prints the step and runs it; on failure it prints the end of the log and exits.
 step() {
   local words=$1
   shift
@@ -35,7 +35,7 @@ inside() {
     ${http_proxy:+http_proxy="$http_proxy"} "$@"
 }
 
-# A user who owns nothing but a home, with the display that is always there.
+# A user with only a home folder and the offscreen display.
 as_user() {
   inside setpriv --reuid=1000 --regid=1000 --clear-groups env HOME=/home/operator QT_QPA_PLATFORM=offscreen \
     sh -c 'cd && exec "$@"' sh "$@"
@@ -46,7 +46,7 @@ libraries_found() {
   ! grep 'not found' "$root/tmp/ldd"
 }
 
-# What dpkg keeps of former states does not count, nor do the logs.
+# dpkg's backups of earlier states and its logs do not count.
 nothing_left() {
   ! find "$root" -mindepth 1 -xdev -iname '*terratact*' -not -path "$root/home/*" -print | grep . &&
     ! grep -rIil terratact "$root/etc" "$root/usr" "$root/var/lib" --exclude='status-old'

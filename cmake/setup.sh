@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Installs what is missing for the named groups, and says nothing if nothing is missing:
+# Installs missing packages of the named groups; prints nothing if none is missing:
 #   cmake/setup.sh [core] [gui] [test] [tidy] [package] [kernel]
 #   core  compiler and libraries of the core, the drivers and the command line
-#   gui   Qt 6, and Qwt for Qt 6: the system's where it has one, else built into .deps/qwt
+#   gui   Qt 6, and Qwt for Qt 6: the system's, else built into .deps/qwt
 #   test  libraries and tools of the tests      tidy  clang, clang-tidy, clang-format
-#   package  what makes the Debian package and checks it: cmake/package_check.sh
-#   kernel  what tests/kernel/ needs to build and use a kernel of its own; libgpiod 2 into .deps/libgpiod2
-# Packages come through apt (sudo where needed); the system's apt sources stay as they are.
+#   package  tools to make and check the Debian package: cmake/package_check.sh
+#   kernel  tools to build and run the kernel of tests/kernel/; libgpiod 2 in .deps/libgpiod2
+# Packages are installed by apt (with sudo if needed); the system's apt sources are not changed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -38,7 +38,7 @@ fail() {
   exit 1
 }
 
-# Names those of the given packages that are not installed.
+# Prints the given packages that are not installed.
 missing() {
   comm -23 <(printf '%s\n' "$@" | sort -u) \
     <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null |
@@ -63,7 +63,7 @@ install_packages() {
     fail "apt-get install failed: $(grep '^E:' "$log" | tail -n 1) (all of it in ${log#"$PWD"/})"
 }
 
-# The mirror from which this machine takes its own release.
+# Prints the mirror that this machine uses for its release.
 debian_mirror() {
   local release
   # shellcheck disable=SC1091
@@ -73,8 +73,8 @@ debian_mirror() {
     awk -v release="$release" '$1 == release || $1 ~ /^(old)*stable$/ { print $2; exit }'
 }
 
-# fetch_source PACKAGE VERSION SHA256 SUITES DIR: its source tarball into DIR, from the first of the
-# suites that has this very one, through a second, private set of apt lists.
+# fetch_source PACKAGE VERSION SHA256 SUITES DIR: puts the source tarball into DIR. It comes from the first of the
+# suites that has this version, through a private set of apt lists.
 fetch_source() {
   local package=$1 version=$2 sha256=$3 suites=$4 dir=$5 mirror suite
   mirror=$(debian_mirror)
@@ -95,8 +95,8 @@ fetch_source() {
   fail "could not fetch the source of $package $version from the Debian mirror (see ${log#"$PWD"/})"
 }
 
-# build_source NAME PACKAGE VERSION SHA256 SUITES PREFIX COMMAND: fetches and unpacks a source and has
-# COMMAND build and install it into PREFIX, which is then marked complete.
+# build_source NAME PACKAGE VERSION SHA256 SUITES PREFIX COMMAND: fetches and unpacks a source, and COMMAND builds and
+# installs it into PREFIX. PREFIX is then marked complete.
 build_source() {
   local name=$1 package=$2 version=$3 sha256=$4 suites=$5 prefix=$6 build=$7
   local dir=$prefix-build
@@ -117,7 +117,7 @@ build_qwt() {
     qmake6 && make -j"$(nproc)" && make install
 }
 
-# A library only, to be linked into the tests.
+# Only a library, linked into the tests.
 build_gpiod() {
   ./configure --prefix="$gpiod_prefix" --enable-tools=no --disable-shared --with-pic &&
     make -j"$(nproc)" && make install

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# clang-tidy for every joined source of a build directory and every one that is compiled alone, as many at once as there
-# are processors, the largest first: none that takes long is left for the end.
+# Runs clang-tidy on every joined source of a build directory and every source compiled alone. It runs one process per
+# processor, largest sources first, so that no long one is left for the end.
 #   cmake/tidy.sh BUILD_DIRECTORY CLANG_TIDY
 set -euo pipefail
 build=$1 tidy=$2
 
-# Bytes of a source, with those that it joins.
+# Prints the size in bytes of a source, including the sources it joins.
 size() { { cat "$1" && sed -n 's/^#include "\(.*\)"/\1/p' "$1" | grep '^/' | xargs -r cat; } | wc -c; }
 
 sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' "$build/compile_commands.json" | grep -E '/Unity/|/core/learn/.*_kernels_' |

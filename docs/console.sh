@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Writes docs/console.md: what the console costs and how soon it answers, about two minutes on a machine that has nothing
-# else to do.  Wants a build of the preset release.
+# Writes docs/console.md: cost and response times of the console. Takes about two minutes on an idle machine. Needs a
+# build of the preset release.
 # Usage: docs/console.sh [build directory] [seconds]       default: build/release 60
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -12,8 +12,8 @@ folder=$(mktemp -d)
 export XDG_RUNTIME_DIR=$folder
 trap 'rm -rf "$ran" "$folder"' EXIT
 
-# One test of the soak program for so many seconds, with a sampling method or the usual one; what it says, below its
-# command.  A failure ends all.
+# Runs one test of the soak program for some seconds, with the given or the default method, and writes its output below
+# its command. A failure ends the script.
 soak() {
   local what=$1 long=$2 method=${3:+TERRATACT_SOAK_METHOD=$3}
   echo "> TERRATACT_SOAK_SECONDS=$long${method:+ $method} app.console.soak_test --gtest_filter='$what'" >>"$ran"

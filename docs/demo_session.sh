@@ -1,14 +1,14 @@
 #!/bin/sh
-# Records resources/sessions/demo.tts anew: the console on its built-in robot, driven by keys as an operator drives it:
-# arm, drive up to the step, explore, approve the probe that is proposed, wait for the arm, drive on.  Takes two
-# minutes on a machine that has nothing else to do.  Wants xvfb and xdotool.
+# Records resources/sessions/demo.tts again. The console runs on its simulated robot, driven by keys like an operator's:
+# arm, drive up to the step, explore, approve the proposed probe, wait for the arm, drive on. Takes two minutes on an
+# idle machine. Needs xvfb and xdotool.
 #   docs/demo_session.sh
 set -eu
 cd "$(dirname "$0")/.."
 [ "${1:-}" = inside ] || exec xvfb-run -a -s '-screen 0 1440x900x24' "$0" inside
 folder=$(mktemp -d)
 trap 'kill "$console" 2>/dev/null || true; rm -rf "$folder"' EXIT
-# In the folder of its files: a session holds the model's path as it was given.
+# Runs in the folder of its files, because a session stores the model's path as given.
 (cd resources && exec ../build/release/app/terratact-console --model models/default.ttm --safe-mode --language en \
   --size 1440x900 --sessions "$folder") &
 console=$!
@@ -29,7 +29,7 @@ press k
 press a
 sleep 5
 hold space 2.2
-sleep 60  # the arm is on its way, measures, and the second estimate stands
+sleep 60  # the arm moves, measures, and the second estimate is ready
 hold w 2.5
 sleep 1
 kill -TERM "$console"

@@ -1,8 +1,8 @@
 #!/bin/sh
-# Writes docs/evaluation.md and the figures beside it: every method on terrain the shipped model has never
-# seen.  About half an hour on two cores.
+# Writes docs/evaluation.md and its figures: every method on terrain outside the shipped model's training data. Takes
+# about half an hour on two cores.
 # Usage: docs/evaluate.sh path/to/terratact PROFILES.csv [INDEX.csv COLUMN]
-#   PROFILES.csv   terrain to drive over, as `terratact simulate --terrain` reads it
+#   PROFILES.csv   terrain to drive over, in the format of `terratact simulate --terrain`
 #   INDEX.csv      its classes: COLUMN of the row whose `row` is the profile's number
 set -eu
 terratact=$(realpath "$1")
@@ -19,17 +19,17 @@ page=$folder/evaluation.md
 
 say() { printf '%s\n' "$@" >>"$page"; }
 
-# Runs terratact quietly.
+# Runs terratact without output.
 quiet() { "$terratact" "$@" >/dev/null 2>&1; }
 
-# Runs terratact, shows the command and what it printed.
+# Runs terratact and prints the command with its output.
 show() {
   say '' "    terratact $(printf '%s ' "$@" | sed "s#$(dirname "$profiles")/##g")" '' '```'
   "$terratact" "$@" 2>/dev/null | grep -v '^written to' >>"$page"
   say '```'
 }
 
-# The line of one method in the table of scores, under another name.
+# Prints the line of one method in the table of scores, under another name.
 scores() {
   "$terratact" evaluate --data "$2" --methods local --seed 1 --out scratch 2>/dev/null |
     awk -v name="$1" '/^Scores/ {on = 1} on && $1 == "local" {sub("^local *", ""); printf "%-16s%s\n", name, $0; exit}' >>"$page"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes docs/extremes.md: every test of the extremes and their long forms, some twenty minutes.
+# Writes docs/extremes.md: every test of extremes and its long form. Takes about twenty minutes.
 # Usage: docs/extremes.sh [build directory]       default: build/headless
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -9,10 +9,10 @@ ran=$(mktemp)
 waits=$(mktemp)
 trap 'rm -f "$ran" "$waits"' EXIT
 
-# Plain, doubled, collinear rows and a constant column, the exact process and those through few rows.
+# Plain, doubled and collinear rows and a constant column, for the exact process and the sparse ones.
 many='*Sizes.*/plain:*Sizes.*/doubledRows:*Sizes.*/collinear:*Sizes.*/constantColumn:*ofAModelsSize*'
 
-# What a command says, below the command itself; a failure ends all.
+# Prints a command and its output; a failure ends the script.
 show() {
   what=$1
   shift
@@ -21,7 +21,7 @@ show() {
   echo >>"$ran"
 }
 
-# What a test program says, without what every one says.
+# Prints the output of a test program without GoogleTest's standard lines.
 results() {
   sed -n '/^\(Running main\|Note: \)/d; /^[^[]/p; /OK/p; /PASSED/p; /FAILED/p'
 }

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Writes docs/faults.md: which sensors that lie are noticed, and what they cost.  About ten minutes on two cores.
+# Writes docs/faults.md: which sensor faults are detected, and their effect. Takes about ten minutes on two cores.
 # Usage: docs/faults.sh path/to/terratact
 set -eu
 terratact=$(realpath "$1")

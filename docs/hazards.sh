@@ -1,7 +1,7 @@
 #!/bin/sh
 # Writes docs/hazards.md: how often the verdict is wrong before hazards that no model is trained on.
 # Usage: docs/hazards.sh path/to/terratact [DRIVES]
-#   DRIVES   per kind of hazard and ground, default 40: about five minutes on two cores
+#   DRIVES   number per kind of hazard and ground, default 40: about five minutes on two cores
 set -eu
 terratact=$(realpath "$1")
 drives=${2:-40}

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Makes the pictures of the README and of docs/manual.md anew from a release build: the console on its built-in robot,
-# the review of the shipped session, and nine of the states that tests/app/console/screens_test.cpp takes a picture of.  Wants
-# imagemagick, to make the files smaller.
+# Makes the pictures of the README and of docs/manual.md again from a release build. They show the console on its
+# simulated robot, the review of the shipped session, and nine states of tests/app/console/screens_test.cpp. Needs
+# imagemagick to make the files smaller.
 #   docs/screens.sh
 set -eu
 cd "$(dirname "$0")/.."

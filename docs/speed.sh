@@ -1,5 +1,6 @@
 #!/bin/sh
-# Writes docs/speed.md.  Usage: docs/speed.sh [build directory] [rounds]       default: build/headless 3
+# Writes docs/speed.md.
+# Usage: docs/speed.sh [build directory] [rounds]       default: build/headless 3
 set -eu
 cd "$(dirname "$0")/.."
 build=${1:-build/headless}

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Writes docs/tradeoff.md, the figure beside it, and the presets' costs that the console shows
-# (resources/models/default.presets.csv).  Usage: docs/tradeoff.sh path/to/terratact
+# Writes docs/tradeoff.md, its figure, and the presets' costs that the console shows
+# (resources/models/default.presets.csv).
+# Usage: docs/tradeoff.sh path/to/terratact
 set -eu
 terratact=$(realpath "$1")
 docs=$(cd "$(dirname "$0")" && pwd)

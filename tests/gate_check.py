@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How well the tests watch over what may leave the console.
+"""Measures how well the tests cover the command gate and everything that may leave the console.
 
   gate_check.py coverage            line and branch coverage of gate, arming and E2E; fails below
                                     100 % of lines and 95 % of branches
@@ -36,13 +36,13 @@ SUBJECTS = {
                          ["core/wire/e2e", *BESIDE]),
 }
 
-# Survivors, by subject and text of the line, and why no test can or need kill them.
+# Surviving mutants, by subject and text of the line, with the reason that no test can or need kill them.
 EXPECTED = {
     ("command_gate", "return value >= least - kSlack && value <= most + kSlack;"):
         "no raw number lies exactly a billionth beside a limit",
 }
 
-# What a mutant does to one piece of text; the pieces lie outside comments and texts in quotes.
+# Mutations of a piece of text outside comments and quoted texts.
 REPLACEMENTS = [
     (r" <= ", [" < ", " >= "]), (r" >= ", [" > ", " <= "]), (r" == ", [" != "]), (r" != ", [" == "]),
     (r"(?<![<]) < ", [" <= ", " > "]), (r" > ", [" >= ", " < "]), (r" && ", [" || "]), (r" \|\| ", [" && "]),
@@ -117,8 +117,8 @@ def coverage():
 
 
 def covered(name, folder):
-    """[lines run, lines, branches taken, branches] and what was not; branches of exceptions that the standard
-    library might throw do not count."""
+    """Returns [lines run, lines, branches taken, branches] and the uncovered places. Branches of exceptions thrown by
+    the standard library do not count."""
     shown = run(["gcov", "-b", "--json-format", "--stdout", str(folder / (name.replace("/", "_") + ".o"))],
                 cwd=folder)
     counts, missed = [0, 0, 0, 0], []
@@ -140,7 +140,7 @@ def covered(name, folder):
 
 
 def code_only(text):
-    """The text with comments, quotes and #includes blanked out, of the same length."""
+    """Returns the text with comments, quotes and #includes blanked, at the same length."""
     blank = lambda m: re.sub(r"[^\n]", "\0", m.group())
     return re.sub(r'//[^\n]*|"[^"\n]*"|^#[^\n]*|^constexpr[^\n]*= [0-9];', blank, text, flags=re.M)
 
@@ -163,7 +163,7 @@ def mutants(text):
 
 
 def trial(folder, index, changed, parts, test_name):
-    """'killed', 'survived' or 'no program'."""
+    """Returns 'killed', 'survived' or 'no program'."""
     source, output, program = (folder / f"m{index}{e}" for e in (".cpp", ".o", ""))
     source.write_text(changed)
     try:

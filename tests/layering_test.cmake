@@ -1,20 +1,22 @@
-# Who may include whom, and is every file built?  Run with cmake -P; fails with a list of all
-# offences.  -D ROOT=<tree> checks another tree.  The rules:
-#   core     a room includes itself and the rooms before it in core_rooms; no Qt, no Linux (learn/kernels/huge_pages.cpp asks it, where it is there)
+# Checks which file may include which, and that every file is built. Run with cmake -P; it fails with a list of all
+# violations. -D ROOT=<tree> checks another tree. The rules of includes:
+#   core     a room includes itself and rooms before it in core_rooms; no Qt; no Linux headers except in
+#   learn/kernels/huge_pages.cpp
 #   drivers  core/base/result.h and core/{wire,robot,sim,log}, text, the bins, the panel; no Qt
-#   widgets  a room includes itself and those before it in widgets_rooms; the values of core that they draw, Qt, Qwt
-#   app      all four; a room includes itself and those before it in app_rooms; up to cli no Qt;
-#            nobody includes cli; review and console do not know each other
+#   widgets  a room includes itself and rooms before it in widgets_rooms; core values that they draw, Qt, Qwt
+#   app      all four; a room includes itself and rooms before it in app_rooms; no Qt up to cli;
+#            nobody includes cli; review and console do not include each other
 #   tests    anything, through headers
-# And nothing that has to be answered before all else: a modal window would stand between the operator and STOP:
-#   widgets, app  no box of Qt's that asks, no exec() but the application's, no loop of events, no modality
-# And a text of somebody's file is shown as it is, whatever it looks like:
-#   widgets, app  no label but a PlainLabel, no tip but by widgets/base/tips.h, no other widget or document for rich text
-# And a text of a file must not move a terminal's cursor:
-#   all but tests  print with say() (app/runtime/say.h), nothing else
-# And the same seed gives the same draws with every compiler and standard library (docs/extremes.md):
-#   core/{infer,learn}  no distribution nor shuffle of the standard library, whose algorithms differ from one to the next
-#   build files         no option that lets a compiler reorder sums or forget NaN
+# Nothing may be modal, because a modal window would block STOP:
+#   widgets, app  no Qt message boxes, no exec() except the application's, no event loops, no modality
+# Text from a file is always shown literally:
+#   widgets, app  every label is a PlainLabel, every tip is set by widgets/base/tips.h, no other rich text widget or
+#   document
+# Text from a file cannot move a terminal's cursor:
+#   all but tests  print with say() (app/runtime/say.h) only
+# The same seed gives the same draws with every compiler and standard library (docs/extremes.md):
+#   core/{infer,learn}  no distribution or shuffle of the standard library, whose algorithms differ
+#   build files         no option that lets a compiler reorder sums or ignore NaN
 cmake_minimum_required(VERSION 3.25)
 if(NOT ROOT)
   cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH ROOT)
@@ -31,11 +33,11 @@ set(widgets_core "^core/(limits|base/text|robot/(attitude|command|force_drift|me
 
 set(blocking "(QMessageBox|QInputDialog|QErrorMessage|QProgressDialog|QWizard|QFileDialog::get|QColorDialog::get|QFontDialog::get|QMenu::exec[(]|[Dd]ialog[A-Za-z0-9_]*([.]|->)open[(]|setModal|setWindowModality|(Application|Window)Modal|QEventLoop|([.]|->)exec[(])")
 set(rich "(new[ \t]+QLabel|QLabel[ \t]+[A-Za-z_]+[ \t]*[;({]|public[ \t]+QLabel|setToolTip[(]|QToolTip::showText|setTextFormat|setWhatsThis|setStatusTip|QTextEdit|QTextBrowser|QTextDocument|setHtml|insertHtml|RichText|QGraphicsTextItem|[Aa]ddRow[(][^(]*(tr[(]|QString|label,|name,))")
-# The label and the tips themselves; the sheet of the keys, whose HTML is the program's own; how a label is read aloud.
+# Exceptions: the label and the tips themselves, the key sheet with the program's own HTML, and reading labels aloud.
 set(may_be_rich "^(widgets/base/(plain_label|tips|spoken)\\.(h|cpp)|app/shell/text_sheet\\.cpp)$")
 set(printing "(fmt::v?print|std::v?f?printf|std::f?puts|(^|[^A-Za-z_:])(f?printf|fputs|puts)|std::(cout|cerr|clog)) *[(<]")
 set(unlike "std::([a-z_]+_distribution|shuffle|sample|generate_canonical|random_device)")
-# A campaign's rows for a search and a simulated scanner's noise: what training draws is kept in the model.
+# Exceptions: rows of a campaign for a search, and a simulated scanner's noise; the model stores what training drew.
 set(may_be_unlike "^core/learn/model/training\\.cpp$")
 set(loose "[-\"](Ofast|f?fast-math|f?unsafe-math-optimizations|f?associative-math|f?reciprocal-math|f?finite-math-only)")
 
@@ -44,7 +46,7 @@ macro(offence text)
   list(APPEND offences "${file}: ${text}")
 endmacro()
 
-# The rank of a file's room in its layer; a room includes those before it.
+# Returns the rank of a file's room in its layer; a room includes rooms before it.
 function(room_rank layer path result)
   cmake_path(GET path PARENT_PATH room)
   string(REGEX REPLACE "^${layer}/?" "" room "${room}")
@@ -65,10 +67,10 @@ file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/core/*.h ${ROOT}/core/*.cpp ${R
 foreach(file IN LISTS files)
   string(REGEX REPLACE "/.*" "" layer ${file})
 
-  # Built? Named by its room's CMakeLists.txt, or a header nobody checks, a test nobody runs.
+  # Every file must be in its room's CMakeLists.txt; otherwise a header is not checked or a test not run.
   if(layer STREQUAL "tests")
     set(lists tests/CMakeLists.txt)
-    string(REGEX REPLACE "^tests/|\\.cpp$" "" name ${file})   # a test is listed without its suffix
+    string(REGEX REPLACE "^tests/|\\.cpp$" "" name ${file})   # tests are listed without suffix
   else()
     cmake_path(GET file PARENT_PATH room)
     cmake_path(GET file FILENAME name)
@@ -125,7 +127,7 @@ foreach(file IN LISTS files)
   endforeach()
 endforeach()
 
-# An offence for every line of `file` with `pattern` in it: before, what was found, after.
+# Reports a violation for every line of `file` that matches `pattern`.
 macro(refuse pattern before after)
   file(STRINGS ${ROOT}/${file} lines REGEX "${pattern}")
   foreach(line IN LISTS lines)

@@ -1,4 +1,4 @@
-"""The console's command line: what it answers without a display, its exit codes, its screenshot."""
+"""Tests the console's command line: answers without a display, exit codes, screenshot."""
 
 import os
 import pathlib
@@ -47,7 +47,7 @@ class Console(unittest.TestCase):
 
     def test_an_argument_is_the_log_of_a_replay(self):
         log = os.path.join(os.environ["TERRATACT_SOURCE_DIR"], "docs", "can_demo.log")
-        done = run(log)  # as far as it gets without a display: the log is read before
+        done = run(log)  # without a display it still reads the log first
         self.assertIn("no display", done.stderr)
         for path, why in (("/nowhere/x.log", "No such file"), (CONSOLE, "this is no log of CAN frames as text")):
             done = run(path)
@@ -72,7 +72,7 @@ class Console(unittest.TestCase):
             self.assertEqual(run("--fault", "silence", other, "x").returncode, 2, other)
 
     def started(self, folder, *arguments, until):
-        """Starts the console with its preferences in folder, and ends it once until() holds."""
+        """Starts the console with its preferences in folder, and ends it once until() is true."""
         console = subprocess.Popen([CONSOLE, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                    env={**os.environ, "QT_QPA_PLATFORM": "offscreen", "XDG_CONFIG_HOME": folder})
         try:

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Puts the pictures of a folder (tests/app/console/screens_test.cpp) on sheets of nine that can still be read, in their order:
-# DIR/sheet-01.png, …; wants imagemagick.  NAMES: of the pictures, as the shell matches them (default: all).
+# Arranges the pictures of a folder (tests/app/console/screens_test.cpp) on readable sheets of nine, in their order:
+# DIR/sheet-01.png, … Needs imagemagick. NAMES: shell pattern of the pictures (default: all).
 #   tests/app/contact_sheet.sh DIR [NAMES]
 set -eu
 cd "$1"
@@ -8,7 +8,7 @@ rm -f sheet-*.png
 # shellcheck disable=SC2086 # the names are a pattern
 set -- ${2:-*.png}
 sheet=1
-# One sheet at a time: all pictures at once are more than imagemagick takes in.
+# Makes one sheet at a time, because imagemagick cannot load all pictures at once.
 while [ $# -gt 0 ]; do
   nine=
   while [ $# -gt 0 ] && [ "$(printf '%s' "$nine" | wc -w)" -lt 9 ]; do

@@ -1,6 +1,6 @@
-"""terratact-console on its built-in robot, as an operator uses it: with an X server's mouse and keys, letters of 100 and 200 %.
+"""Tests terratact-console on its simulated robot with an X server's mouse and keys, at font scales of 100 and 200 %.
 
-The operator goes by what the console records and shows, never by the clock.
+The operator reacts to what the console records and shows, never to the clock.
 """
 
 import os
@@ -15,7 +15,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cli"))
 from x_operator import Operator, Screen, begin, begin_console, begin_display  # noqa: E402
 
 CONSOLE = sys.argv.pop()
-APPROVE = 0x5A1490  # the button's colour, of widgets/base/palette.h
+APPROVE = 0x5A1490  # colour of the button in widgets/base/palette.h
 PROPOSED, STANDS = "arm probe proposed", "estimate stands"
 
 
@@ -27,7 +27,7 @@ class Console(unittest.TestCase):
         self.screen = Screen(folder.name)
         self.console, session, hands = begin_console(
             self, CONSOLE, "--size", size, "--language", "en", *arguments, name="Terratact — SIMULATED ROBOT",
-            preferences=["probe-above=0.01", "theme=day"])  # there is always something to probe
+            preferences=["probe-above=0.01", "theme=day"])  # the low threshold always proposes a probe
         self.operator = Operator(hands, session)
         self.operator.until(lambda: any("model" in text for *_, text in self.operator.events("word")), what="a model")
 
@@ -38,7 +38,7 @@ class Console(unittest.TestCase):
         return self.operator.events("arming")[-1][1] == "armed"
 
     def begins_to_explore(self):
-        """Whatever disarms a console that a busy machine has kept waiting; the phases before."""
+        """Requests an exploration; arms again if a busy machine disarmed. Returns the number of earlier phases."""
         operator, since = self.operator, len(self.operator.phases())
         while len(operator.phases()) == since:
             while not self.is_armed():
@@ -49,7 +49,7 @@ class Console(unittest.TestCase):
         return since
 
     def explores(self):
-        """Until the arm is proposed."""
+        """Explores until a probe is proposed."""
         while True:
             since = self.begins_to_explore()
             self.operator.until(lambda: self.came(PROPOSED, since) or self.came("exploration failed", since), what="a proposal")
@@ -92,7 +92,7 @@ class Console(unittest.TestCase):
                 operator.does("mouseup 1")
                 operator.presses("F12")
                 operator.until(lambda: self.came("STOPPED", since), what="STOPPED")
-                operator.presses("ctrl+shift+q")  # nothing's key
+                operator.presses("ctrl+shift+q")  # a key without meaning
                 since = len(operator.phases())
                 operator.holds("r", lambda: len(operator.phases()) > since, 20)
                 self.assertGreater(len(operator.phases()), since, "STOP is released by a hold")
@@ -114,7 +114,7 @@ class Console(unittest.TestCase):
         self.begins()
 
         def blue():
-            """Share of the screen's points that are rather blue, of which night has none."""
+            """Returns the share of blue pixels; the night theme has none."""
             return float(((self.screen.pixels() & 0xFF) > 0x80).mean())
 
         self.operator.until(lambda: blue() > 0.5, what="day")

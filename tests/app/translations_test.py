@@ -1,4 +1,4 @@
-"""The translations know every text of the sources, and keep its places for numbers, names and keys."""
+"""Tests that every source text is translated and that translations keep placeholders, names and keys."""
 import os
 import pathlib
 import re
@@ -8,10 +8,10 @@ import tempfile
 import xml.etree.ElementTree as ElementTree
 
 FOLDER = pathlib.Path(os.environ["TERRATACT_SOURCE_DIR"]) / "resources" / "translations"
-# A place for a value, a progress bar's percentage, a key as a text names it, and a command to be typed.
+# Placeholders of values, a progress bar's percentage, keys in texts, and commands to type.
 KEPT = re.compile(r"%[1-9]|%p|sudo \w+ \w+|\((?:A|M|N|R|S|W|Esc|Space|F12)\)|F1\b|ATEM|STOP")
-STOPS = {"stop": "STOP", "release stop": "release STOP", "atem": "ATEM"}  # what the operator did, as sessions have it
-# STOP is a software stop: no text may promise the one that cuts the power.
+STOPS = {"stop": "STOP", "release stop": "release STOP", "atem": "ATEM"}  # operator actions in session records
+# STOP is a software stop. No text may promise an emergency stop that cuts the power.
 EMERGENCY = re.compile(r"nouzov.*(zastav|stop)|\bnot-?(aus|halt|stopp)|\be-?stop|emergency stop", re.IGNORECASE)
 
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# What training costs: the paper's 22 processes, its growth with the rows, and processes of many rows through few.
+# Benchmarks training: the paper's 22 processes, its cost by number of rows, and sparse processes of many rows.
 #   tests/bench/training.sh [build directory] [most rows]       default: build/headless 11200
-# The build directory holds an optimised build (presets headless, release).  Some twenty-five minutes, 4 GB of memory.
+# The build directory holds an optimised build (presets headless, release). Takes about twenty-five minutes and 4 GB of
+# memory.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=$(realpath "${1:-build/headless}")
@@ -22,7 +23,7 @@ show() {
 }
 scenes --count 1400 --seed 5 --out scenes.csv
 scenes --count $((most + most / 9)) --seed 6 --out many.csv # a few stops give no scene
-scenes --count 5000 --seed 7 --out test.csv # of fewer the choice shows
+scenes --count 5000 --seed 7 --out test.csv # with fewer scenes the random choice matters
 sizes=()
 for ((rows = most; rows >= most / 32 && rows > 1; rows /= 2)); do sizes=("$rows" "${sizes[@]}"); done
 {

@@ -1,5 +1,5 @@
-"""docs/can.md against the DBC and the program: the table of frames is written from the DBC, and what the commands
-print is what they print.  With --write it is written anew, and the logs beside it, too."""
+"""Checks docs/can.md against the DBC and the program. The frame table is generated from the DBC, and examples show the
+real output. --write updates the document and the logs beside it."""
 
 import pathlib
 import re
@@ -44,14 +44,14 @@ def table():
 
 
 def demo_log():
-    """A third of a second: telemetry, heartbeats, a press that the robot obeys, a damaged frame, a stop."""
+    """Returns a third of a second of traffic: telemetry, heartbeats, an obeyed press, a damaged frame, a stop."""
     begin = 1767225600
     statuses = [{"Activity": 0, "LastCommand": 18, "LastCounter": 0}] + 4 * [{"Activity": 2, "LastCounter": 0}]
     statuses += [{"Activity": 3, "LastCounter": 0}, {"Activity": 5, "Armed": 0, "Epoch": 8, "LastCommand": 16, "LastCounter": 0}]
     frames = []
     for i, status in enumerate(statuses):
         for j, sent in enumerate(telemetry(i, pitch=0.0521 + 0.0013 * i, Refusal=0, **status)):
-            if (i, j) == (3, 1):  # Attitude, on its way changed by one bit
+            if (i, j) == (3, 1):  # an Attitude frame with one flipped bit
                 sent = (sent[0], sent[1][:5] + bytes([sent[1][5] ^ 4]) + sent[1][6:])
             frames.append((begin + 0.05 * i + 0.0003 * j, sent))
         if i % 2 == 0:
@@ -64,7 +64,7 @@ def demo_log():
 
 
 def absolem_log():
-    """What the robot's computer asks in one turn of its loop, and what the drives of the flippers say."""
+    """Returns the requests of the robot's computer in one loop, and the answers of the flippers' drives."""
     text, time = "", 1767225600.0
 
     def ask(node, letters, value, float_bit=0):
@@ -82,7 +82,7 @@ def absolem_log():
 
 
 def payload_log():
-    """A gas sensor and a battery beside the robot, as docs/can_payload.dbc describes them."""
+    """Returns frames of a gas sensor and a battery on the robot's bus, as described by docs/can_payload.dbc."""
     begin, battery, text = 1767225600, 0x18FED101, ""
     for i in range(2):
         now = begin + 0.1 * i
@@ -98,7 +98,7 @@ LOGS = {"can_demo.log": demo_log, "can_absolem.log": absolem_log, "can_payload.l
 
 
 def printed(command):
-    """What a command of the page prints, indented as there."""
+    """Returns the output of a command in the document, with the document's indentation."""
     done = subprocess.run(command.replace("terratact", f"'{CLI}'", 1), shell=True, capture_output=True, text=True, cwd=DOCS,
                           timeout=60)
     assert done.returncode == 0, done.stderr
@@ -106,13 +106,13 @@ def printed(command):
 
 
 def blocks(page):
-    """(command, whole block) of every example that can be run anywhere."""
+    """Returns (command, whole block) of every example that runs on any machine."""
     for match in re.finditer(r"    \$ (terratact can (?:decode|monitor).*)\n((?:    .*\n|\n(?=    ))*)", page):
         yield match[1], match[0]
 
 
 def without_times(text):
-    """A monitor's rates, ages and load depend on the machine."""
+    """Replaces rates, ages and load of a monitor, which depend on the machine."""
     return re.sub(r" *\d+\.\d+", " N", text)
 
 

@@ -1,4 +1,4 @@
-"""Frames of our protocol as resources/dbc/terratact.dbc describes them, made without any of our code."""
+"""Makes frames of our protocol from resources/dbc/terratact.dbc, independently of the product's code."""
 
 import pathlib
 import re
@@ -23,7 +23,7 @@ class Message:
 
 
 def messages():
-    """The DBC's messages by name."""
+    """Returns the DBC's messages by name."""
     found, text = {}, DBC.read_text()
     for line in text.splitlines():
         if match := re.match(r"BO_ (\d+) (\w+): 8 (\w+)", line):
@@ -57,7 +57,7 @@ def crc16(data):
 
 
 def frame(name, counter, **values):
-    """(identifier, eight bytes) with counter and checksum of AUTOSAR E2E Profile 5."""
+    """Returns (identifier, eight bytes) with counter and checksum of AUTOSAR E2E Profile 5."""
     message = MESSAGES[name]
     word = (counter & 0xFF) << 16
     for signal, value in values.items():
@@ -69,13 +69,13 @@ def frame(name, counter, **values):
 
 
 def line(time, content, interface="can0"):
-    """As candump -L writes it; an identifier beyond 11 bits is one of 29."""
+    """Returns a line in the format of candump -L; an identifier beyond 11 bits is extended (29 bits)."""
     identifier = f"{content[0]:03X}" if content[0] < 0x800 else f"{content[0]:08X}"
     return f"({time:017.6f}) {interface} {identifier}#{content[1].hex().upper()}\n"
 
 
 def telemetry(counter, pitch=0.21, **status):
-    """All that a robot sends every 50 ms; status: of RobotStatus."""
+    """Returns all frames that a robot sends every 50 ms. status: values of RobotStatus."""
     status = {"Epoch": 7, "Activity": 3, "Refusal": 2, "Armed": 1, "LastCommand": 23, "LastCounter": 4} | status
     pair = {"Left": -0.3, "Right": -0.31, "Measured": 1}
     current = {"Left": 1.6, "Right": 1.7, "Measured": 1}

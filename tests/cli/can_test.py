@@ -1,5 +1,4 @@
-"""terratact can, without any CAN: logs whose frames are made from the DBC by other code, and what a monitor and a
-check say here."""
+"""Tests `terratact can` without CAN hardware: logs made from the DBC by independent code, monitor and check."""
 
 import gzip
 import pathlib
@@ -16,7 +15,7 @@ BEGIN = 1436509052.249713
 
 
 def session(lines=40, missing=()):
-    """A log of telemetry at 20 Hz, without the lines whose numbers are missing."""
+    """Returns a log of telemetry at 20 Hz, without the numbered lines in `missing`."""
     text = ""
     for i in range(lines):
         if i not in missing:
@@ -25,7 +24,7 @@ def session(lines=40, missing=()):
 
 
 def elmo(time, identifier, letters, index=0, type_byte=0x40, value=None):
-    """A frame of an Absolem's bus."""
+    """Returns a frame of an Absolem's bus."""
     data = letters.encode() + bytes([index, type_byte]) + (value if value is not None else b"")
     return line(time, (identifier, data))
 
@@ -44,12 +43,12 @@ class Logs(unittest.TestCase):
         return run("can", "decode", self.log, *arguments)
 
     def values(self, text, *arguments):
-        """The CSV's rows."""
+        """Returns the rows of the CSV."""
         self.decode(text, "--csv", self.csv, "--summary", *arguments)
         return rows(self.csv)
 
     def totals(self, text):
-        """Wrong checksums, out of sequence, gaps, otherwise wrong, unknown frames, unknown kinds."""
+        """Returns wrong checksums, out of sequence, gaps, other faults, unknown frames, unknown kinds."""
         found = re.search(r"frames(?: in .*)?: (\d+) with .*, (\d+) out of .*, (\d+) gaps, (\d+) otherwise .*; "
                           r"(\d+) frames of (\d+) unknown", text)
         return tuple(map(int, found.groups()))
@@ -194,7 +193,7 @@ class Decode(Logs):
 
 class Absolem(Logs):
     def conversation(self):
-        """What the robot's computer asks 20 times a second, and the drives' answers."""
+        """Returns the requests of the robot's computer at 20 Hz and the drives' answers."""
         text = line(BEGIN, (0x000, bytes([1, 0, 0, 0])))
         for i in range(20):
             time = BEGIN + 0.05 * i
@@ -225,10 +224,10 @@ class Absolem(Logs):
 
     def test_hostile_replies_are_counted(self):
         nan = struct.pack("<f", float("nan"))
-        text = elmo(BEGIN, 0x302, "iq") + elmo(BEGIN, 0x282, "IQ", type_byte=0x80, value=nan)  # other
-        text += elmo(BEGIN, 0x282, "PX", type_byte=0, value=bytes(4))  # not asked: out of sequence
-        text += elmo(BEGIN, 0x302, "bg") + elmo(BEGIN, 0x282, "BG", value=bytes([58, 0, 0, 0]))  # refused: other
-        text += elmo(BEGIN, 0x282, "PX", type_byte=0)  # too short: other
+        text = elmo(BEGIN, 0x302, "iq") + elmo(BEGIN, 0x282, "IQ", type_byte=0x80, value=nan)  # other fault
+        text += elmo(BEGIN, 0x282, "PX", type_byte=0, value=bytes(4))  # not requested: out of sequence
+        text += elmo(BEGIN, 0x302, "bg") + elmo(BEGIN, 0x282, "BG", value=bytes([58, 0, 0, 0]))  # refused: other fault
+        text += elmo(BEGIN, 0x282, "PX", type_byte=0)  # too short: other fault
         text += line(BEGIN, (0x022, bytes(8)))  # unknown
         out = self.decode(text, "--protocol", "absolem")
         self.assertIn("refused by the drive; BG error 58", out)
@@ -237,7 +236,7 @@ class Absolem(Logs):
 
 
 class Described(Logs):
-    """Frames that are not of the protocol, by a DBC file."""
+    """Frames outside the protocol, described by a DBC file."""
 
     DBC = """BO_ 291 Payload: 8 Gas
  SG_ Oxygen : 7|16@0+ (0.01,0) [0|25] "%" Console

@@ -1,4 +1,4 @@
-"""The command line as a person meets it: the chain of commands, their files, exit codes and complaints."""
+"""Tests the command line: chains of commands, files, exit codes and error messages."""
 
 import math
 import os
@@ -52,7 +52,7 @@ class Commands(unittest.TestCase):
             self.assertTrue(complaint(*arguments, code=2))
 
     def limited(self, megabytes, *arguments):
-        """(exit code, stderr) with so much address space, as after ulimit -v; a program that hangs fails the test."""
+        """Returns (exit code, stderr) with limited address space (ulimit -v); a program that hangs fails the test."""
         limit = megabytes << 20
         done = subprocess.run([CLI, *map(str, arguments)], capture_output=True, text=True, timeout=100,
                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
@@ -111,7 +111,7 @@ class Commands(unittest.TestCase):
                 self.assertTrue(0.0 <= float(p[number]) < 1e5, p)
             self.assertLessEqual(1, int(p["used"]))
             self.assertLess(int(p["used"]), int(p["draws"]) + int(p["chains"]))
-            self.assertIn(float(p["converged"]), (0.0, 1.0))  # of one scene
+            self.assertIn(float(p["converged"]), (0.0, 1.0))  # share for one scene
         self.assertEqual({p["converged"] for p in points if p["method"] == "local"}, {"1"})
         self.assertTrue(all(float(p["quantile_off_mm"]) > 0.0 for p in points if p["method"] == "pafc"))
         self.assertIn("1", {p["front_reference"] for p in points})
@@ -149,7 +149,7 @@ class Commands(unittest.TestCase):
         run("simulate", "--terrain", "boxes", "--count", 90, "--seed", 3, "--soft-drives", 0, "--out", none)
         run("simulate", "--terrain", "boxes", "--count", 90, "--seed", 3, "--soft-drives", 1, "--out", all_soft)
         self.assertEqual(self.data.read_bytes(), none.read_bytes())
-        # Sunk, the robot is nearer to the ground under it.
+        # A sunken robot is nearer to the ground.
         below = [[float(row["h_+0.0_m"]) for row in rows(file)] for file in (self.data, all_soft)]
         self.assertGreater(sum(below[1]) / len(below[1]), sum(below[0]) / len(below[0]) + 0.005)
         complaint("simulate", "--terrain", "boxes", "--soft-drives", 1.5, "--out", none, code=2)
@@ -233,7 +233,7 @@ class Commands(unittest.TestCase):
         self.assertIn("another model", complaint("model", "card", self.swapped(model), "--terrain", "boxes"))
 
     def swapped(self, model):
-        """A model beside another one's card."""
+        """Makes a model beside another model's card."""
         other = self.path / "other.ttm"
         run("train", "--data", self.data, "--out", other, "--seed", 3, "--inducing", 40)
         (self.path / "other.card.toml").write_bytes(model.with_suffix(".card.toml").read_bytes())
@@ -285,7 +285,7 @@ class Commands(unittest.TestCase):
         self.assertNotEqual(*sampled)
 
     def test_scenes_side_by_side_are_the_scenes_alone(self):
-        """Chains of several scenes share their passes, on any number of processors; a scene's seed is seed + number."""
+        """Several scenes share a pass over any number of processors; scene k uses seed + k."""
         header, *scenes = self.data.read_text().splitlines(keepends=True)[:12]
         few, one = self.first_scenes(len(scenes)), self.path / "one.csv"
         for method in ("pafac", "clearance"):
@@ -322,7 +322,7 @@ class Commands(unittest.TestCase):
         model.write_bytes(self.model.read_bytes())
         done = subprocess.run([CLI, "evaluate", "--card", "--model", model, "--data", self.first_scenes(6), "--methods",
                                "joint", "--out", self.path / "learnt"], capture_output=True, text=True, timeout=500)
-        # Training has left out those that repeat another.
+        # Training omits scenes that repeat another.
         known = re.search(r"([3-6]) of 6 scenes are training scenes of this model", done.stderr)
         self.assertTrue(known, done.stderr)
         self.assertIn(f"training_scenes = {known[1]}", (self.path / "learnt.card.toml").read_text())
@@ -363,7 +363,7 @@ class Commands(unittest.TestCase):
         methods = ["pa", "pac", "pafc", "pafac", "clearance", "joint", "local", "flat", "linear", "nearest", "gp-s"]
         for method in methods:
             errors = [row for row in rows(out / "errors.csv") if row["method"] == method]
-            if method == "clearance":  # declines poses of which the small model has seen too few
+            if method == "clearance":  # declines poses with too few similar training scenes
                 self.assertIn(len(errors), range(8 * 11, 12 * 11 + 1))
             else:
                 self.assertEqual(len(errors), 12 * 11, method)
@@ -378,7 +378,7 @@ class Commands(unittest.TestCase):
         self.assertIn(b"<svg", (out / "pit.svg").read_bytes())
 
     def test_calibrate_prints_a_robot_file_section(self):
-        def volts(force):  # of an element of 9 kΩ at 1 N, whose sandwich presses with 0.4 N
+        def volts(force):  # returns the voltage of an element of 9 kΩ at 1 N with a preload of 0.4 N
             return 5e4 / (1e4 + 9000 / (force + 0.4) ** 0.9)
 
         lines = [f"{side},{element},{force},{volts(force)}" for side in ("left", "right")

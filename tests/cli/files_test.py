@@ -1,4 +1,5 @@
-"""Files in and out: nothing that is read is overwritten, no recording is replaced, pipes, full disks, CSV of others."""
+"""Tests input and output files: inputs are never overwritten, recordings never replaced; pipes, full disks, foreign
+CSV."""
 
 import os
 import pathlib
@@ -17,7 +18,7 @@ REFUSED = "no input is overwritten"
 
 
 def shell(command, code=0):
-    """What a line of bash prints, `$T` being the program."""
+    """Returns the result of a bash command line; `$T` is the program."""
     done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, timeout=300,
                           env=os.environ | {"T": CLI}, check=False)
     assert done.returncode == code, f"{command}: exit {done.returncode}\n{done.stdout}\n{done.stderr}"
@@ -153,7 +154,7 @@ class Overwriting(Folder):
 
 
     def test_every_command_declares_its_files(self):
-        """addInput() and its like: an option that says nothing of its file is not guarded."""
+        """Options must use addInput() and similar functions, because other options are not guarded."""
         for source in pathlib.Path(SOURCE, "app").glob("cli_*.cpp"):
             bare = re.findall(r'add_option\(\s*"(?:--(?:out|csv|data|model|robot|dbc|classes)|files?|log|parts)"', source.read_text())
             self.assertEqual(bare, [], source.name)
@@ -226,7 +227,7 @@ class Ranges(Folder):
 
 class Csv(Folder):
     def estimated(self, content):
-        """The estimates of scenes in a file with this content."""
+        """Returns the estimates of the scenes in a file with this content."""
         data, out = self.path / "data.csv", self.path / "est.csv"
         data.write_bytes(content)
         run("reconstruct", "--data", data, "--out", out)

@@ -1,5 +1,5 @@
-"""Session files that attack whoever opens them: each is small, and asks for far more memory or time than its size, or
-prints what is to fool an operator. As a program it makes them and prints the time and the peak memory of each command:
+"""Session files that attack their readers. Each is small and demands far more memory or time than its size, or prints
+text that deceives an operator. As a program it makes them and prints time and peak memory of each command:
 
     tests/hostile/run.sh [BUILD]
 """
@@ -19,10 +19,10 @@ ROW_TABLES = ("settings", "model", "scene", "scene_truth", "estimate", "reading"
 ESCAPE = "\x1b[2K\rholds      yes\x1b[8m"
 
 
-# -- what a forger can do who knows docs/sessions.md: every hash anew --------------------------------------------------
+# -- A forger who knows docs/sessions.md recomputes every hash. ---------------------------------------------------------
 
 def canonical(value):
-    """A value as the chain of hashes has it."""
+    """Returns a value in the canonical form of the hash chain."""
     if value is None:
         return struct.pack("<Q", 5)
     if isinstance(value, int):
@@ -44,7 +44,7 @@ def rows_hash(file, batch):
 
 
 def forge(file, known=None):
-    """Puts hashes and chain in that hold. known: rows_hash of batches that need not be computed."""
+    """Recomputes hashes and chain. known: rows_hash of batches that need no computing."""
     meta = b"".join(canonical(key) + canonical(value)
                     for key, value in file.execute("SELECT key, value FROM meta ORDER BY key"))
     chain = hashlib.sha256(meta).digest()
@@ -63,7 +63,7 @@ def forge(file, known=None):
 
 
 def changed(base, path, *statements):
-    """A copy of a session in which statements were executed, and every hash computed anew."""
+    """Returns a copy of a session after executing statements, with every hash recomputed."""
     shutil.copy(base, path)
     file = sqlite3.connect(path)
     for sql, *values in statements:
@@ -73,7 +73,7 @@ def changed(base, path, *statements):
     return path
 
 
-# -- pages that SQLite would not write ---------------------------------------------------------------------------------
+# -- These pages would never be written by SQLite. ----------------------------------------------------------------------
 
 def varint(value):
     out = [value & 0x7F]
@@ -98,7 +98,7 @@ def record(values):
 
 
 class Pages:
-    """The pages of an SQLite file, to be changed."""
+    """The pages of an SQLite file, for modification."""
 
     def __init__(self, path):
         self.path = path
@@ -126,7 +126,7 @@ class Pages:
         return page
 
     def inner(self, children):
-        """children: (page, largest rowid)."""
+        """Writes an inner page. children: (page, largest rowid)."""
         page = bytearray(self.size)
         end = self.size
         for i, (child, row) in enumerate(children[:-1]):
@@ -138,7 +138,7 @@ class Pages:
         return page
 
     def overflow(self, data):
-        """A chain of overflow pages; the first one's number."""
+        """Writes a chain of overflow pages; returns the number of the first."""
         room = self.size - 4
         chunks = [data[i:i + room] for i in range(0, len(data), room)]
         first = len(self.pages) + 1
@@ -147,7 +147,7 @@ class Pages:
         return first
 
     def local(self, size):
-        """Bytes of a payload that stand in the cell."""
+        """Returns how many bytes of a payload are stored in the cell."""
         most, least = self.size - 35, (self.size - 12) * 32 // 255 - 23
         if size <= most:
             return size
@@ -155,7 +155,7 @@ class Pages:
         return there if there <= most else least
 
     def put_tree(self, root, cells):
-        """cells: (rowid, bytes), ascending; in leaves under the root."""
+        """Writes leaves below the root. cells: (rowid, bytes), ascending."""
         level, leaf, room = [], [], self.size - 16
         for row, cell in cells + [(None, None)]:
             if leaf and (cell is None or sum(len(c) + 2 for _, c in leaf) + len(cell) + 2 > room):
@@ -171,7 +171,7 @@ class Pages:
 
 
 def small_pages(base, path, size=1024):
-    """The session with small pages: many cells with a long way on."""
+    """Makes the session with small pages, so that many cells use overflow pages."""
     shutil.copy(base, path)
     file = sqlite3.connect(path)
     file.execute(f"PRAGMA page_size = {size}")
@@ -195,7 +195,8 @@ def last_batch(path):
 
 
 def shared_texts(base, path, rows, length):
-    """Events of which each has the same long text: all rows' cells go on in one chain of pages. Every hash holds."""
+    """Makes events that share one long text: the cells of all rows use one chain of overflow pages. Every hash is
+    valid."""
     small_pages(base, path)
     text = "x" * length
     number, when = last_batch(path)
@@ -234,7 +235,7 @@ def shared_texts(base, path, rows, length):
 
 
 def shared_draws(base, path, count):
-    """Estimates of which each has the same draws: their rows go on in one chain of pages. Every hash holds."""
+    """Makes estimates that share their draws: their rows use one chain of overflow pages. Every hash is valid."""
     small_pages(base, path)
     number, _ = last_batch(path)
     file = sqlite3.connect(path)
@@ -264,7 +265,7 @@ def shared_draws(base, path, count):
 
 
 def shared_leaves(base, path, table, depth=6):
-    """A tree whose inner pages all have one child, again and again: more rows than there are atoms."""
+    """Makes a tree whose inner pages have one child, repeatedly: it has more rows than there are atoms."""
     shutil.copy(base, path)
     pages = Pages(path)
     root = root_of(path, table)
@@ -278,7 +279,7 @@ def shared_leaves(base, path, table, depth=6):
 
 
 def many_rows(base, path, count):
-    """As many small rows as fit: what the largest values in memory cost."""
+    """Makes as many small rows as fit, to measure the memory of the largest values."""
     shutil.copy(base, path)
     file = sqlite3.connect(path)
     number, when = last_batch(path)
@@ -289,7 +290,7 @@ def many_rows(base, path, count):
 
 
 def make_all(folder, rows, drive, large):
-    """(name, file, commands) of each."""
+    """Returns (name, file, commands) of each hostile file."""
     factor = 10 if large else 1
     escape = changed(rows, folder / "escapes.tts",
                      ("UPDATE meta SET value = ? WHERE key IN ('source', 'program', 'bus')", ESCAPE),
@@ -315,7 +316,7 @@ def make_all(folder, rows, drive, large):
     ]
 
 
-# Linux counts the memory of whoever starts a program as the program's own: so this small one does.
+# Linux counts the memory of the starting process for the new program, so this small process starts it.
 STARTER = """import os, sys, time
 began = time.monotonic()
 program = os.posix_spawnp(sys.argv[2], sys.argv[2:], os.environ)
@@ -326,7 +327,7 @@ with open(sys.argv[1], "w") as out:
 
 
 class Run:
-    """A command: its exit status (137: it was ended after most_seconds), what it said, seconds and peak megabytes."""
+    """Runs a command. Returns its exit status (137: killed after most_seconds), output, seconds and peak megabytes."""
 
     def __init__(self, program, command, file, out, most_seconds=120):
         arguments = ["timeout", "-s", "KILL", str(most_seconds), program, "session", command, str(file)]

@@ -1,5 +1,5 @@
-"""The manual pages and the completion of bash against what the programs' --help says: the same subcommands, options,
-choices and defaults, both ways.  Arguments: more programs than $TERRATACT_CLI, such as the console."""
+"""Checks manual pages and bash completion against --help: subcommands, options, choices and defaults must be equal in
+both directions. Arguments: programs besides $TERRATACT_CLI, such as the console."""
 
 import os
 import pathlib
@@ -22,7 +22,7 @@ def page_of(program):
 
 
 class Option:
-    """One option as --help has it: its default and the words to choose from, both "" or () where there are none."""
+    """An option as in --help: its default, and its choices; "" and () if it has none."""
 
     def __init__(self, head, text):
         self.takes_value = bool(re.match(r"\S+ [A-Z]", head)) and not re.match(r"\S+ (Needs|Excludes):", head)
@@ -34,10 +34,10 @@ class Option:
 
 
 def help_of(program, *command):
-    """{option: Option}, [subcommand] of a (sub)command's --help."""
+    """Returns {option: Option} and [subcommand] from the --help of a command."""
     text = subprocess.run([PROGRAMS[program], *command, "--help"], capture_output=True, text=True, timeout=60,
                           check=True).stdout
-    # The text begins in column 30, on the next line where the head is too long.
+    # The text begins in column 30, or on the next line after a long head.
     entries = re.findall(r"^  (-.*)\n {30}(.*)$|^  (-.{27})(.*)$", text, re.MULTILINE)
     heads = [(long or short.rstrip(), below or beside) for long, below, short, beside in entries]
     options = {re.search(r"--[\w-]+", head)[0]: Option(head, rest) for head, rest in heads}
@@ -46,7 +46,7 @@ def help_of(program, *command):
 
 
 def commands(program, *above):
-    """{"model show": {option: Option}} of all that can be run; "" is the program itself."""
+    """Returns {"model show": {option: Option}} for every command; "" is the program itself."""
     options, below = help_of(program, *above)
     found = {" ".join(above): options}
     for name in below:
@@ -58,7 +58,7 @@ HELP = {program: commands(program) for program in PROGRAMS}
 
 
 def plain(roff):
-    """Roff without its fonts, escapes and requests."""
+    """Removes fonts, escapes and requests from roff."""
     roff = re.sub(r"\\f.", "", roff).replace(r"\-", "-")
     roff = re.sub(r"^\.(B|I|R|BR|BI|RB|RI|IR) (.*)$", lambda m: re.sub(r'"([^"]*)"|(\S+)\s?', r"\1\2", m[2]) if len(m[1]) > 1
                   else m[2], roff, flags=re.MULTILINE)
@@ -66,7 +66,7 @@ def plain(roff):
 
 
 def sections(program):
-    """{title: {option: its paragraph}} of the page, and {title: text before the first of them}."""
+    """Returns {title: {option: paragraph}} of the page, and {title: text before the first option}."""
     options, texts = {}, {}
     for section in re.split(r"^\.S[HS] ", page_of(program).read_text(), flags=re.MULTILINE)[1:]:
         title, _, body = section.partition("\n")
@@ -81,7 +81,7 @@ def sections(program):
 
 
 def documented(program, command):
-    """{option: its paragraph} of what the page says of a (sub)command."""
+    """Returns {option: paragraph} of a command in the page."""
     options, texts = sections(program)
     found = dict(options[command or "OPTIONS"])
     if "ESTIMATE OPTIONS" in texts.get(command, ""):
@@ -92,7 +92,7 @@ def documented(program, command):
 
 
 def completed(program, *words):
-    """What bash proposes for the last of the words."""
+    """Returns bash's completions of the last word."""
     script = f"""
         . '{COMPLETION}'
         COMP_WORDS=("$@") COMP_CWORD=$(($# - 1))

@@ -1,6 +1,6 @@
-"""The Debian package as cpack makes it of this build, and what it tells a desktop: contents, dependencies, and that both
-programs run from where it is unpacked with the files of the package alone.  Arguments: cpack, the build folder.
-Installing it on a clean system is for cmake/package_check.sh."""
+"""Tests the Debian package made by cpack: contents, dependencies and desktop files. Both programs must run from where
+it is unpacked, with the packaged files only. Arguments: cpack, the build folder. cmake/package_check.sh tests the
+installation on a clean system."""
 
 import configparser
 import gzip
@@ -42,7 +42,7 @@ def entry():
 
 
 class Debian:
-    """This system's packages, as dpkg knows them: who needs whom, and whose a file is.  Needs no network."""
+    """This system's packages from dpkg: dependencies and owners of files. Needs no network."""
 
     def __init__(self):
         self.depends, self.providers = {}, {}
@@ -60,7 +60,7 @@ class Debian:
         return [re.match(r"[a-z0-9][a-z0-9.+-]*", part.strip()).group() for part in re.split("[,|]", field) if part.strip()]
 
     def closure(self, depends):
-        """The packages that a field Depends brings with it: of alternatives the first that is here."""
+        """Returns the packages that a Depends field requires; of alternatives, the first installed one."""
         found, fields = set(), [depends]
         while fields:
             for group in filter(str.strip, fields.pop().split(",")):
@@ -72,13 +72,13 @@ class Debian:
         return found
 
     def strangers(self, files, depends):
-        """Those of the files, and of the libraries that they need, that no package of the closure has: file -> owner."""
+        """Returns file -> owner for files, and libraries they need, that no package of the closure contains."""
         closure, owners = self.closure(depends), self.owners(files)
         return {file: owners.get(file) for file in files if owners.get(file) not in closure}
 
     @staticmethod
     def owners(files):
-        """Debian has moved /lib below /usr; dpkg knows some files by their old names."""
+        """Returns the package of each file, also under old names: Debian moved /lib below /usr."""
         names = {name: file for file in files for real in [os.path.realpath(file)] for name in (real, real.removeprefix("/usr"))}
         said = subprocess.run(["dpkg-query", "-S", *names], capture_output=True, text=True, timeout=60, check=False).stdout
         found = re.findall(r"^([a-z0-9.+-]+)(?::\w+)?(?:, .*)?: (/.*)$", said, re.MULTILINE)
@@ -86,7 +86,7 @@ class Debian:
 
 
 def libraries(*files):
-    """All that the loader would bring with these programs and plugins; it itself has a name without an arrow."""
+    """Returns all libraries that the loader loads for these programs and plugins; the loader itself has no arrow."""
     told = "".join(output("ldd", file) for file in files)
     assert "not found" not in told, told
     return set(re.findall(r"=> (/\S+)", told))
@@ -185,7 +185,7 @@ class Package(unittest.TestCase):
                 if path.is_file() and not path.is_symlink() and path.read_bytes()[:4] == b"\x7fELF"]
 
     def needed(self, *files):
-        """What must come from other packages."""
+        """Returns the needed files that other packages must provide."""
         return {file for file in libraries(*files) if not pathlib.Path(file).is_relative_to(self.root)}
 
     def test_dependencies_cover_every_linked_library(self):
@@ -195,7 +195,7 @@ class Package(unittest.TestCase):
         self.assertEqual(Debian().strangers(needed, depends), {})
 
     def test_dependencies_cover_every_loaded_library(self):
-        """Qt's platforms, and its engine for the window's icon, an SVG; what ALSA reads before it opens a device; a font."""
+        """Covers Qt's platform plugins and SVG icon engine, ALSA's configuration, and a font."""
         depends = output("dpkg-deb", "-f", self.package, "Depends").strip()
         gui, = (file for file in libraries(self.root / "usr/bin/terratact-console") if "libQt6Gui.so" in file)
         plugins = [pathlib.Path(gui).parent / "qt6/plugins" / name

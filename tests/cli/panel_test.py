@@ -1,4 +1,4 @@
-"""terratact panel check on whatever computer this is: what it says where the panel is not there."""
+"""Tests `terratact panel check` on a computer without an operator's panel."""
 
 import pathlib
 import tempfile

@@ -1,4 +1,4 @@
-"""Our Gaussian processes and our Gibbs sampler against NumPy and SciPy, from `model show --csv` alone."""
+"""Compares our Gaussian processes and Gibbs sampler with NumPy and SciPy, using only `model show --csv`."""
 
 import csv
 import io
@@ -45,7 +45,7 @@ class PeerModel:
             self.bins.append((A, ell, signal2, noise2, L, alpha))
 
     def predict(self, i, inputs):
-        """Mean and sd of bin i for raw inputs n × (11 + f)."""
+        """Returns mean and sd of bin i for raw inputs n × (11 + f)."""
         A, ell, signal2, noise2, L, alpha = self.bins[i]
         x = numpy.delete((inputs - self.mean) / self.sd, i, axis=1) / ell
         k = signal2 * numpy.exp(-0.5 * ((x[:, None, :] - A[None, :, :]) ** 2).sum(-1))
@@ -58,7 +58,7 @@ def raw_inputs(scene, model):
 
 
 def gibbs(model, scene, ceiling, rng, chains=48, burn_in=80, sweeps=250):
-    """Means of the free bins and their Monte-Carlo standard errors, chains side by side."""
+    """Returns the means of the free bins and their Monte-Carlo standard errors, from parallel chains."""
     state = numpy.repeat(raw_inputs(scene, model)[None, :], chains, axis=0)
     state[:, :11] = model.mean[:11] + model.sd[:11] * rng.standard_normal((chains, 11))
     state[:, :11] = numpy.minimum(state[:, :11], ceiling)

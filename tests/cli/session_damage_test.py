@@ -1,5 +1,5 @@
-"""terratact session: files that are cut, have holes, lack their journal, stand where nothing can be written, or attack
-whoever opens them. Argument: the program make_session, which records a simulated drive."""
+"""Tests `terratact session` with damaged files: cut, with holes, without journal, in read-only places, or hostile.
+Argument: the program make_session, which records a simulated drive."""
 
 import os
 import pathlib
@@ -50,14 +50,14 @@ class Damaged(unittest.TestCase):
         self.path = pathlib.Path(self.folder.name)
 
     def damaged(self, change, name="hurt.tts"):
-        """The drive's bytes after change(bytes, size of a page)."""
+        """Returns the path of the drive after change(bytes, page size)."""
         path = self.path / name
         data = self.drive.read_bytes()
         path.write_bytes(change(bytearray(data), int.from_bytes(data[16:18], "big")))
         return path
 
     def recovered(self, path):
-        """What recover says of it; the new session holds, and the old file is as it was."""
+        """Returns recover's output; the new session is valid, and the old file is unchanged."""
         before = path.read_bytes()
         said = run("session", "recover", path)
         self.assertEqual(path.read_bytes(), before)
@@ -177,7 +177,7 @@ class WithoutJournal(Damaged):
 
 
 class NothingCanBeWritten(Damaged):
-    """As another user where this one may write everything: bits of permission do not count for root."""
+    """Commands run as another user, because permission bits do not limit root."""
 
     def as_nobody(self, *arguments, code=0):
         options = {}
@@ -240,7 +240,7 @@ class NothingCanBeWritten(Damaged):
 
 
 class Hostile(Damaged):
-    """Small files that ask for much. hostile_files.py prints the numbers, for larger ones, too."""
+    """Small files that demand much memory or time. hostile_files.py prints the numbers, for larger files, too."""
 
     MOST_SECONDS, MOST_MEGABYTES = 20.0, 120.0
 
@@ -335,7 +335,7 @@ class Hostile(Damaged):
 
 
 class HostileParts(Damaged):
-    """Models, parts of a training and parts of an evaluation are bounded, too."""
+    """Limits of models, parts of a training and parts of an evaluation."""
 
     MOST_SECONDS, MOST_MEGABYTES = 20.0, 120.0
 

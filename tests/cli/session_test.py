@@ -1,5 +1,5 @@
-"""terratact session: what other programs make of the files, and what is said of files that were tampered with.
-Argument: the program make_session, which records a simulated drive."""
+"""Tests `terratact session`: other programs read its exports, and tampered files are reported. Argument: the program
+make_session, which records a simulated drive."""
 
 import collections
 import gzip
@@ -24,7 +24,7 @@ except ImportError:
     can = None
 
 MAKE = sys.argv.pop(1)
-BEGIN = 1793000000  # [s] since 1970, of the sessions that MAKE makes
+BEGIN = 1793000000  # [s since 1970] start of the sessions made by MAKE
 
 
 def make(kind, path):
@@ -32,7 +32,7 @@ def make(kind, path):
 
 
 def frames_of(path):
-    """(time [ns since 1970], identifier, data) of a session, read by SQLite alone."""
+    """Returns (time [ns since 1970], identifier, data) of a session, read with SQLite only."""
     file = sqlite3.connect(f"file:{path}?mode=ro", uri=True)
     found = file.execute("SELECT t, can_id, data FROM can_frame ORDER BY seq").fetchall()
     file.close()
@@ -87,7 +87,7 @@ class OtherPrograms(Session):
         log, asc = self.export("drive.log"), self.export("drive.asc")
         there = subprocess.run(["log2asc", "-I", log, "can0"], capture_output=True, text=True, check=True).stdout
         ours = [line.split() for line in asc.read_text().splitlines()[3:]]
-        # Theirs begins with the first frame and knows no direction; dates are in the machine's time zone.
+        # Python-can's log begins with the first frame and has no direction; its dates are in the machine's time zone.
         theirs = [line.split() for line in there.splitlines()[3:]]
         self.assertEqual(len(ours), len(theirs))
         for mine, other in zip(ours, theirs):
@@ -101,7 +101,7 @@ class OtherPrograms(Session):
     @unittest.skipUnless(can, "python-can is not installed")
     def test_python_can_reads_logs_and_the_session_itself(self):
         expected = frames_of(self.drive)
-        named = self.copy("drive.db")  # python-can goes by the ending
+        named = self.copy("drive.db")  # python-can chooses by the ending
         for path in (named, self.export("drive.log"), self.export("drive.asc")):
             with self.subTest(path=path.name):
                 if path.suffix == ".asc":
@@ -271,7 +271,7 @@ class Tables(Session):
 
 
 class Mcap:
-    """A reader of MCAP files that was written from the specification and shares no code with the writer."""
+    """A reader of MCAP files, written from the specification without the writer's code."""
 
     MAGIC = b"\x89MCAP0\r\n"
     NAMES = {1: "header", 2: "footer", 3: "schema", 4: "channel", 5: "message", 6: "chunk", 7: "message index",
@@ -284,7 +284,7 @@ class Mcap:
         self.records = list(self.split(self.bytes, 8, len(self.bytes) - 8))
 
     def split(self, data, at, end):
-        """(offset, name, content) of the records."""
+        """Yields (offset, name, content) of the records."""
         while at < end:
             opcode, length = struct.unpack_from("<BQ", data, at)
             assert at + 9 + length <= end, "a record is longer than what holds it"
@@ -303,7 +303,7 @@ class Mcap:
 
     @staticmethod
     def pairs(content, at, form):
-        """What an array or map of pairs of numbers holds."""
+        """Returns the content of an array or map of pairs of numbers."""
         length, = struct.unpack_from("<I", content, at)
         body = content[at + 4:at + 4 + length]
         assert len(body) == length and length % struct.calcsize(form) == 0
@@ -553,7 +553,7 @@ class WhatIf(Session):
         self.assertIn(f"by {worst:.0f} mm", text)
 
     def test_an_estimate_that_was_not_computed_so_is_found(self):
-        """A recorder that lies, with hashes that hold: made by the recorder itself."""
+        """The recorder itself writes a false estimate, so all hashes are valid."""
         path = self.path / "lie.tts"
         make("lie", path)
         run("session", "verify", path)

@@ -1,4 +1,4 @@
-"""Work shared out: train --bins and evaluate --shard, put together by merge, give what one run gives."""
+"""Tests distributed work: train --bins and evaluate --shard, combined by merge, equal one run."""
 
 import os
 import pathlib
@@ -13,19 +13,19 @@ from support import CLI, SOURCE, complaint, run
 
 
 def documented(heading):
-    """The lines that docs/clusters.md shows under a heading."""
+    """Returns the lines that docs/clusters.md shows below a heading."""
     text = (pathlib.Path(SOURCE) / "docs/clusters.md").read_text()
     section = text.split(f"## {heading}", 1)[1].split("\n## ", 1)[0]
     return [line.strip() for line in section.splitlines() if line.startswith("    ") or not line]
 
 
 def job_array():
-    """The commands for GNU parallel."""
+    """Returns the documented commands for GNU parallel."""
     return [line for line in documented("GNU parallel") if line]
 
 
-# What stands in for Slurm: runs a job at once, one task of its array after the other, in an order that no script may
-# count on; refuses to run before the jobs it is said to depend on.
+# A stand-in for Slurm's sbatch. It runs a job at once and its array tasks one after another, in an order that scripts
+# must not rely on. It refuses a job before its dependencies.
 SBATCH = r"""#!/bin/sh -e
 parsable= script= array=
 while [ $# -gt 0 ]; do
@@ -79,14 +79,14 @@ class Shards(unittest.TestCase):
         pathlib.Path(name).write_text("".join(lines[: count + 1]))
 
     def shell(self, script, folder):
-        """Runs a script in a folder as a person would, terratact being in the PATH."""
+        """Runs a script in a folder, with terratact in the PATH."""
         surroundings = dict(os.environ, HOME=str(self.path), PATH=f"{pathlib.Path(CLI).parent}:{os.environ['PATH']}")
         done = subprocess.run(["sh", "-e", "-c", script], cwd=folder, env=surroundings, capture_output=True, text=True,
                               timeout=500)
         self.assertEqual(done.returncode, 0, f"{script}\n{done.stdout}\n{done.stderr}")
 
     def assert_same_evaluation(self, one, merged):
-        """Every file equal to the byte, but the column of measured times."""
+        """Every file must be equal to the byte, except the column of measured times."""
         one, merged = pathlib.Path(one), pathlib.Path(merged)
         names = sorted(p.name for p in one.iterdir())
         self.assertEqual(names, sorted(p.name for p in merged.iterdir() if p.suffix != ".tte"))
@@ -99,7 +99,7 @@ class Shards(unittest.TestCase):
             self.assertEqual(ours, theirs, name)
 
     def assert_same_words(self, one, merged):
-        """The same text but for times and the name of the directory."""
+        """The text must be equal, except times and the directory's name."""
         def timeless(text):
             text = re.sub(r"[0-9.e+-]+ ms per scene", "", text)
             text = re.sub(r"written to \S+:", "", text)
@@ -108,7 +108,7 @@ class Shards(unittest.TestCase):
 
     def test_a_merged_model_equals_one_run_to_the_byte(self):
         os.makedirs("merged", exist_ok=True)
-        os.chdir("merged")  # the model remembers the name it was written to
+        os.chdir("merged")  # the model stores the name it was written to
         try:
             said = run("merge", "--out", "model.ttm", "../2.ttp", "../0.ttp", "../1.ttp")
             self.assertEqual(pathlib.Path("model.ttm").read_bytes(), pathlib.Path("../model.ttm").read_bytes())
@@ -204,7 +204,7 @@ class Shards(unittest.TestCase):
         self.shell("\n".join(job_array()), "array")
         parallel = [shlex.split(line) for line in job_array() if line.startswith("parallel ")]
         self.assertEqual([words[words.index("terratact") + 1] for words in parallel], ["train", "evaluate"])
-        for words in parallel:  # one run of the same work: what GNU parallel runs, without the share
+        for words in parallel:  # the same work without the share, as GNU parallel would run it
             alone = words[words.index("terratact"): words.index(":::")]
             share = alone.index("--bins" if "--bins" in alone else "--shard")
             alone[share: share + 2] = []
@@ -226,7 +226,7 @@ class Shards(unittest.TestCase):
             elif line.startswith("$ "):
                 commands.append(line.removeprefix("$ "))
             elif line:
-                few = line.replace("--array=1-32", "--array=1-3")  # each of them fits the baselines anew
+                few = line.replace("--array=1-32", "--array=1-3")  # each task fits the baselines again
                 script.write_text(f"{script.read_text()}{few}\n")
         self.assertEqual(len(commands), 4)
         self.shell("PATH=$PWD/bin:$PATH\n" + "\n".join(commands), "slurm")

@@ -1,4 +1,4 @@
-"""What the command line tests share: running the program and reading its CSV files."""
+"""Helpers of the command line tests: running the program and reading its CSV files."""
 
 import csv
 import os
@@ -11,14 +11,14 @@ SOURCE = os.environ["TERRATACT_SOURCE_DIR"]
 
 
 def run(*arguments, code=0):
-    """Runs terratact; its stdout. Any other exit code than `code` fails the test."""
+    """Runs terratact and returns its stdout. An exit code other than `code` fails the test."""
     done = subprocess.run([CLI, *map(str, arguments)], capture_output=True, text=True, timeout=500)
     assert done.returncode == code, f"{arguments}: exit {done.returncode}\n{done.stdout}\n{done.stderr}"
     return done.stdout
 
 
 def complaint(*arguments, code=1):
-    """Runs terratact, which must fail; what it says on stderr."""
+    """Runs terratact, which must fail, and returns its stderr."""
     done = subprocess.run([CLI, *map(str, arguments)], capture_output=True, text=True, timeout=500)
     assert done.returncode == code, f"{arguments}: exit {done.returncode}\n{done.stdout}\n{done.stderr}"
     return done.stderr
@@ -30,7 +30,7 @@ def rows(path):
 
 
 class Running:
-    """A running terratact: what it says, line by line as it says it."""
+    """A running terratact whose output is read line by line."""
 
     def __init__(self, *arguments):
         self.process = subprocess.Popen([CLI, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -42,32 +42,32 @@ class Running:
     def _read(self):
         for text in self.process.stdout:
             self.lines.put(text)
-        self.lines.put(None)  # it has ended
+        self.lines.put(None)  # end of the output
 
     def line(self):
-        """The next line it says."""
+        """Returns the next line of output."""
         text = self.lines.get(timeout=100)
         assert text is not None, f"it has ended, and said:\n{''.join(self.said)}"
         self.said.append(text)
         return text
 
     def until(self, words):
-        """The next line with these words."""
+        """Returns the next line that contains these words."""
         while words not in (text := self.line()):
             pass
         return text
 
     def has_said_more(self):
-        """Than was looked at; its end counts."""
+        """Returns true if there is output that was not read; the end counts as output."""
         return not self.lines.empty()
 
     def wait(self):
-        """Its exit status."""
+        """Waits for the end and returns the exit status."""
         self.reader.join(timeout=100)
         self.process.stdout.close()
         return self.process.wait(timeout=20)
 
     def end(self):
-        """Ends it as Ctrl-C would; its exit status."""
+        """Interrupts it like Ctrl-C and returns the exit status."""
         self.process.terminate()
         return self.wait()

@@ -1,4 +1,4 @@
-"""Somebody at the console with an X server's keys and mouse, who sees what the console records and what is on the screen."""
+"""An operator at the console: uses an X server's keys and mouse, and sees the recorded session and the screen."""
 
 import os
 import pathlib
@@ -10,20 +10,20 @@ import time
 
 import numpy as np
 
-PATIENCE = 200.0  # [s] for all together
+PATIENCE = 200.0  # [s] for all waits together
 
 
 class Operator:
     def __init__(self, hands, session):
-        """hands: a running `xdotool -`, whose standard input is text."""
+        """hands: a running `xdotool -` whose standard input is text."""
         self.hands, self.session = hands, session
         self.deadline = time.monotonic() + PATIENCE
 
     def look(self):
-        """At what else there is to see, whenever something is awaited."""
+        """Reads other state; called while waiting."""
 
     def until(self, condition, seconds=None, what="what was awaited"):
-        """Whether it came about; without a limit of its own it must."""
+        """Returns whether the condition came true; without a limit of its own it must."""
         end = self.deadline if seconds is None else min(self.deadline, time.monotonic() + seconds)
         while True:
             self.look()
@@ -40,7 +40,7 @@ class Operator:
 
     def presses(self, key):
         self.does(f"key {key}")
-        time.sleep(0.1)  # a second action, not a repeated key
+        time.sleep(0.1)  # makes a second action, not key repeat
 
     def holds(self, key, condition, seconds):
         self.does(f"keydown {key}")
@@ -50,7 +50,7 @@ class Operator:
         return came
 
     def events(self, *kinds):
-        """(kind, subject, text) of what is recorded so far."""
+        """Returns (kind, subject, text) of the events recorded so far."""
         with sqlite3.connect(f"file:{self.session}?mode=ro", uri=True) as database:
             found = database.execute("SELECT kind, subject, text FROM event ORDER BY id").fetchall()
         return [event for event in found if not kinds or event[0] in kinds]
@@ -63,7 +63,7 @@ class Operator:
 
 
 def begin(test, *command, **options):
-    """A process that ends with the test."""
+    """Starts a process that ends with the test."""
     process = subprocess.Popen(command, **options)
     test.addCleanup(process.wait)
     test.addCleanup(process.kill)
@@ -71,7 +71,7 @@ def begin(test, *command, **options):
 
 
 def begin_display(test, *arguments, size):
-    """Xvfb as the test's DISPLAY; arguments: more of its own."""
+    """Starts Xvfb as the test's DISPLAY. arguments: further arguments of Xvfb."""
     ready, told = os.pipe()
     begin(test, "Xvfb", *arguments, "-screen", "0", f"{size}x24", "-noreset", "-displayfd", str(told), pass_fds=[told])
     os.close(told)
@@ -80,8 +80,8 @@ def begin_display(test, *arguments, size):
 
 
 def begin_console(test, *command, name, preferences):
-    """(The console's process, its session, hands for an Operator), once its window of this name has the focus.
-    preferences: lines of its file."""
+    """Starts a console and waits until its window of this name has the focus. Returns the process, its session, and
+    hands for an Operator. preferences: lines of its file."""
     folder = tempfile.TemporaryDirectory(dir="/dev/shm")
     test.addCleanup(folder.cleanup)
     path = pathlib.Path(folder.name)
@@ -99,13 +99,13 @@ def begin_console(test, *command, name, preferences):
 
 
 class Screen:
-    """What an Xvfb that was begun with -fbdir shows."""
+    """The screen of an Xvfb started with -fbdir."""
 
     def __init__(self, folder):
         self.file = pathlib.Path(folder) / "Xvfb_screen0"
 
     def pixels(self):
-        """0xRRGGBB, row by row: an XWD file of 24 bits in words of 32."""
+        """Returns 0xRRGGBB row by row, from an XWD file of 24 bits in words of 32."""
         data = self.file.read_bytes()
         header = struct.unpack(">25I", data[:100])
         size, width, height, row, colours = header[0], header[4], header[5], header[12], header[19]
@@ -114,8 +114,8 @@ class Screen:
         return words[:, :width] & 0xFFFFFF
 
     def middle_of(self, colour):
-        """(x, y) of the middle of the largest area of a colour that has nothing else left and right in it, such as a
-        button's; None: there is none of 40 pixels."""
+        """Returns (x, y), the middle of the largest area of one uninterrupted colour, such as a button's; None: no area
+        is 40 pixels wide."""
         longest = []
         for y, row in enumerate(self.pixels() == colour):
             edges = np.flatnonzero(np.diff(np.concatenate(([0], row.view(np.int8), [0]))))

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Feeds the readers of foreign bytes with what libFuzzer thinks of:
+# Fuzzes the parsers of untrusted input with libFuzzer:
 #   tests/fuzz/run.sh SECONDS [TARGET...]     e.g. 60, or 28800 scene_file for a night
-# Runs the programs of `cmake/build.sh fuzz`, all of them by default, SECONDS each and two at a time, from the seeds in
-# the repository and from what earlier runs found (build/fuzz/corpora).  Fails where a program crashed, broke a promise,
-# took over 2 s for one input or over 256 MiB, and names the input: the program reproduces it with that file as its
-# argument.  TERRATACT_FUZZ_JOBS: how many run at a time; TERRATACT_FUZZ_TIMEOUT: those 2 s, which are of the wall's
-# clock, for a machine that is busy otherwise.
+# Runs the programs of `cmake/build.sh fuzz`, by default all, SECONDS each and two at a time. They start from the seeds
+# in the repository and from earlier findings (build/fuzz/corpora). A program fails if it crashes, violates a promise,
+# needs over 2 s for one input or over 256 MiB. The script names the input; the program reproduces the failure with that
+# file as argument. TERRATACT_FUZZ_JOBS: number of parallel programs. TERRATACT_FUZZ_TIMEOUT: replaces the 2 s of
+# wall-clock time on a busy machine.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=build/fuzz
@@ -17,10 +17,10 @@ targets=("$@")
 scratch=$(mktemp -d -p "$([ -w /dev/shm ] && echo /dev/shm || echo "${TMPDIR:-/tmp}")")
 trap 'kill $(jobs -p) 2>/dev/null || true; wait; rm -rf "$scratch"' EXIT
 export TMPDIR=$scratch OPENBLAS_NUM_THREADS=1 UBSAN_OPTIONS=print_stacktrace=1
-export ASAN_OPTIONS=quarantine_size_mb=16:malloc_context_size=8:strict_string_checks=1  # quicker, and within 256 MiB
+export ASAN_OPTIONS=quarantine_size_mb=16:malloc_context_size=8:strict_string_checks=1  # faster, and within 256 MiB
 mkdir -p "$build/findings"
 
-# run_target NAME: runs it; its output in $build/findings/NAME.log
+# run_target NAME: runs a program with its output in $build/findings/NAME.log.
 run_target() {
   local name=$1 own=$build/corpora/$1 options=() seeds=()
   mkdir -p "$own"
@@ -32,7 +32,7 @@ run_target() {
     -print_final_stats=1 -artifact_prefix="$build/findings/$name-" "${options[@]}" >"$build/findings/$name.log" 2>&1
 }
 
-# report NAME STATUS: one line of numbers; of a failure, what and the input.
+# report NAME STATUS: prints one line of numbers; for a failure, its kind and the input.
 report() {
   local name=$1 log=$build/findings/$1.log executions rate covered corpus
   executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")

@@ -1,7 +1,7 @@
 #!/bin/sh -e
-# Makes session files that attack whoever opens them (tests/cli/hostile_files.py) and prints the time and the peak memory
-# of every command for each.
-#   tests/hostile/run.sh [BUILD] [--large]   BUILD: folder of the built programs, else build/release
+# Makes session files that attack their readers (tests/cli/hostile_files.py). Prints time and peak memory of every
+# command for each file.
+#   tests/hostile/run.sh [BUILD] [--large]   BUILD: folder of the built programs, default build/release
 cd "$(dirname "$0")/../.."
 build=build/release
 case ${1:---large} in --*) ;; *) build=$1; shift ;; esac

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Builds the user-mode Linux of the kernel tests into .deps/kernel/linux, unless it is there already:
-# three minutes, from Debian's kernel source.  Installs nothing; exit status 77 and one line where it
-# cannot be built (cmake/setup.sh kernel installs what is missing).
+# Builds the user-mode Linux of the kernel tests into .deps/kernel/linux, unless it exists. Takes three minutes, from
+# Debian's kernel source. Installs nothing. If it cannot be built, it prints one line and exits with 77 (cmake/setup.sh
+# kernel installs what is missing).
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source=/usr/src/linux-source-6.1.tar.xz
@@ -14,10 +14,10 @@ cannot() {
   exit 77
 }
 
-# A kernel is good for this configuration of this source.
+# A built kernel is valid for one configuration of one source.
 key=$(cat "$config" tests/kernel/build.sh <(stat -L -c '%s %Y' "$source" 2>/dev/null || true) | sha256sum | cut -d ' ' -f 1)
 
-# All that the fragment asks for has to be in the kernel's own configuration.
+# Every line of the fragment must be in the kernel's final configuration.
 check_config() {
   local line wrong=0
   while read -r line; do
@@ -26,8 +26,8 @@ check_config() {
   return $wrong
 }
 
-# This kernel keeps 2696 bytes of vector registers for its processes and hands them back as such, which
-# hosts that have more of them (AMX) refuse: as many as the host has, then.
+# This kernel reserves 2696 bytes of vector registers per process. Hosts with more registers (AMX) refuse that size, so
+# the host's size is used.
 fit_registers() {
   sed -i 's/HOST_FP_SIZE, 2696/HOST_FP_SIZE, 16384/' arch/x86/um/user-offsets.c &&
     sed -i -e 's/^int have_xstate_support;/&\nstatic unsigned long xstate_size = FP_SIZE * sizeof(unsigned long);/' \

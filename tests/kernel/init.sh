@@ -1,6 +1,5 @@
 #!/bin/bash
-# Process 1 inside the kernel of run.sh, which left in $terratact_state what is to be done.
-# shellcheck disable=SC2154  # that variable comes from the kernel's command line
+# Process 1 inside the kernel of run.sh; run.sh passes its task in $terratact_state.
 stty -opost -echo 2>/dev/null   # the console is a pipe to a file, not a terminal
 mount -t proc proc /proc
 mount -t sysfs sysfs /sys
@@ -12,14 +11,14 @@ mount -t devpts devpts /dev/pts
 mount -t tmpfs tmpfs /dev/shm
 mount -t tmpfs tmpfs /run
 
-# Nothing here makes entropy, and getrandom() would wait for it: the host's, as RNDADDENTROPY takes it.
+# The guest has no entropy source, and getrandom() would block; it gets the host's, in RNDADDENTROPY's format.
 perl -e 'open(my $pool, ">", "/dev/random"); ioctl($pool, 0x40085203, pack("iia32", 256, 32, join("", <>)))' \
   "$terratact_state/seed"
 
 ip link set lo up
 ip link add dev vcan0 type vcan && ip link set vcan0 up
 
-# A gpio-sim chip from LABEL:NAME,NAME...
+# Creates a gpio-sim chip from LABEL:NAME,NAME...
 make_chip() {
   local label=${1%%:*} bank=/sys/kernel/config/gpio-sim/panel/bank0 names i
   IFS=, read -ra names <<<"${1#*:}"

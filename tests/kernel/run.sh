@@ -1,15 +1,14 @@
 #!/usr/bin/env bash
-# Runs a program inside the user-mode Linux that tests/kernel/build.sh makes, as root of that kernel, on
-# the host's files, with the caller's environment and directory:
+# Runs a program as root inside the user-mode Linux of tests/kernel/build.sh, on the host's files, with the caller's
+# environment and directory:
 #   tests/kernel/run.sh [--timeout SECONDS] [--clock host|guest] [--gpio LABEL:NAME,NAME...] PROGRAM [ARGUMENT...]
-#   --timeout  of the host's clock, until the kernel is ended from outside; 120 unless given
-#   --clock    host: as it goes outside, and the default. guest: computing takes no time, and what all wait for comes at
-#              once: no deadline is missed however busy the host is, and nothing that computes can be seen to be slow.
-#              What spins without waiting or asking for the time never ends
-#   --gpio     a gpio-sim chip with this label and lines of these names
-# vcan0 is there and up; its frames come back to their sender when they have left, as a controller's do.
-# Output goes to standard output while it comes.  Exit status: the program's; 77 where there is no
-# kernel, 124 after the timeout, 125 where the kernel ended without the program.
+#   --timeout  host time until the kernel is killed; default 120
+#   --clock    host (default): the host's clock. guest: the clock advances only when every process waits, so no deadline
+#              is missed on a busy host, and computing takes no time. A busy loop without clock calls never ends
+#   --gpio     creates a gpio-sim chip with this label and lines of these names
+# vcan0 exists and is up; its frames return to their sender after sending, like those of a controller.
+# Output goes to standard output as it arrives. Exit status: the program's; 77 without a kernel, 124 after the timeout,
+# 125 if the kernel ended without the program.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 linux=$(cd "$here/../.." && pwd)/.deps/kernel/linux
@@ -40,7 +39,7 @@ printf '%s\n' "$gpio" >"$state/gpio"
 printf '%q ' "$@" >"$state/command"
 head -c 32 /dev/urandom >"$state/seed"
 
-# The guest's memory is a file: in /dev/shm where that is large enough.
+# The guest's memory is a file, in /dev/shm if that is large enough.
 memory=$state
 [ "$(df --output=avail -k /dev/shm 2>/dev/null | tail -n 1)" -lt 1048576 ] 2>/dev/null || memory=/dev/shm
 
