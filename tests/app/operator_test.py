@@ -16,7 +16,7 @@ from x_operator import Operator, Screen, begin, begin_console, begin_display  # 
 
 CONSOLE = sys.argv.pop()
 APPROVE = 0x5A1490  # colour of the button in widgets/base/palette.h
-PROPOSED, STANDS = "arm probe proposed", "estimate stands"
+PROPOSED, STANDS = "proposing-probe", "presenting"
 
 
 class Console(unittest.TestCase):
@@ -52,7 +52,7 @@ class Console(unittest.TestCase):
         """Explores until a probe is proposed."""
         while True:
             since = self.begins_to_explore()
-            self.operator.until(lambda: self.came(PROPOSED, since) or self.came("exploration failed", since), what="a proposal")
+            self.operator.until(lambda: self.came(PROPOSED, since) or self.came("failed", since), what="a proposal")
             if self.came(PROPOSED, since):
                 break
         self.operator.until(lambda: self.screen.middle_of(APPROVE), what="a button to approve")
@@ -91,7 +91,7 @@ class Console(unittest.TestCase):
                 operator.until(lambda: "approve" in operator.decisions(), what="an approval by mouse")
                 operator.does("mouseup 1")
                 operator.presses("F12")
-                operator.until(lambda: self.came("STOPPED", since), what="STOPPED")
+                operator.until(lambda: self.came("stopped", since), what="STOPPED")
                 operator.presses("ctrl+shift+q")  # a key without meaning
                 since = len(operator.phases())
                 operator.holds("r", lambda: len(operator.phases()) > since, 20)
@@ -103,7 +103,7 @@ class Console(unittest.TestCase):
         operator = self.operator
         self.begins_to_explore()
         operator.presses("Escape")
-        operator.until(lambda: operator.events("phase")[-1][1] in ("ready", "exploration failed"), what="the end of it")
+        operator.until(lambda: operator.events("phase")[-1][1] in ("idle", "failed"), what="the end of it")
         self.explores()
         since = len(operator.phases())
         operator.until(lambda: self.came(STANDS, since), what="a proposal that expires")

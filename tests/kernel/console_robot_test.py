@@ -96,12 +96,12 @@ class BusOperator(Operator):
                 return any(phase in phases for phase in self.phases()[before:])
 
             self.presses("a")
-            self.until(lambda: came("arm probe proposed", "exploration failed"), 20)
-            if not came("arm probe proposed"):
+            self.until(lambda: came("proposing-probe", "failed"), 20)
+            if not came("proposing-probe"):
                 continue
             self.holds("space", lambda: self.is_doing("probing with the arm") or not self.armed(), 20)
-            self.until(lambda: came("estimate stands", "exploration failed"), 60)
-            if came("estimate stands"):
+            self.until(lambda: came("presenting", "failed"), 60)
+            if came("presenting"):
                 return
 
 
@@ -127,7 +127,7 @@ class Programs(unittest.TestCase):
         operator.presses("F12")
         robot.until("stopped, disarmed")
         operator.until(lambda: operator.is_doing("stopped"), what="stopped")
-        operator.until(lambda: "STOPPED" in operator.phases(), what="STOPPED on the screen")
+        operator.until(lambda: "stopped" in operator.phases(), what="STOPPED on the screen")
 
         robot.process.kill()
         operator.until(lambda: ("link", "lost") in [event[:2] for event in operator.events()], what="a lost link")
