@@ -12,14 +12,14 @@ namespace terratact {
 namespace {
 
 constexpr unsigned kLatency = 100'000;                // [us]
-constexpr std::chrono::milliseconds kPatience{1000};  // until there is room for more
+constexpr std::chrono::milliseconds kPatience{1000};  // longest wait for room in the buffer
 
 struct Close {
     void operator()(snd_pcm_t* pcm) const { snd_pcm_close(pcm); }
 };
 using Pcm = std::unique_ptr<snd_pcm_t, Close>;
 
-// Its own words would go to the terminal.
+// ALSA would print its messages on the terminal.
 void sayNothing(const char* /*file*/, int /*line*/, const char* /*function*/, int /*error*/,
                 const char* /*format*/, ...)
 {
@@ -37,7 +37,7 @@ Status playAudio(const std::string& device, std::span<const std::int16_t> sample
     };
     snd_lib_error_set_handler(sayNothing);
     snd_pcm_t* opened = nullptr;
-    // Not blocking: another program may have it to itself.
+    // Non-blocking, because another program may hold the device.
     if (const int error =
             snd_pcm_open(&opened, device.c_str(), SND_PCM_STREAM_PLAYBACK, SND_PCM_NONBLOCK);
         error < 0)
@@ -59,7 +59,8 @@ Status playAudio(const std::string& device, std::span<const std::int16_t> sample
         if (wrote == -EAGAIN && error == 0) return failed("takes no more", -ETIMEDOUT);
         if (error < 0) return failed("cannot be written to", error);
     }
-    if (snd_pcm_state(opened) == SND_PCM_STATE_PREPARED) snd_pcm_start(opened);  // it was short
+    // short sounds do not start by themselves
+    if (snd_pcm_state(opened) == SND_PCM_STATE_PREPARED) snd_pcm_start(opened);
     snd_pcm_sframes_t left = 0;
     if (snd_pcm_delay(opened, &left) == 0 && left > 0)
         std::this_thread::sleep_for(

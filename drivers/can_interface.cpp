@@ -30,7 +30,7 @@ bool isName(std::string_view name)
     return static_cast<bool>(checkInterfaceName(name));
 }
 
-// "0x10" and "280" alike.
+// Reads hexadecimal and decimal numbers: "0x10" and "280".
 std::optional<unsigned long> numberIn(const fs::path& file)
 {
     std::ifstream in(file);

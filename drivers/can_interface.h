@@ -6,7 +6,7 @@
 
 namespace terratact {
 
-/// What Linux says of an interface without its being opened.
+/// Facts about a Linux interface without opening it.
 struct CanInterfaceFacts {
     std::string name;
     bool present = false;
@@ -16,19 +16,19 @@ struct CanInterfaceFacts {
     std::optional<long> sendQueue;     ///< frames (txqueuelen)
     std::optional<long> receiveLimit;  ///< [B] net.core.rmem_max
     bool mayForce = false;             ///< this process may exceed it (CAP_NET_ADMIN)
-    std::vector<std::string> others;   ///< CAN interfaces that are there, sorted
+    std::vector<std::string> others;   ///< existing CAN interfaces, sorted
     bool operator==(const CanInterfaceFacts&) const = default;
 };
 
-/// Reads /sys/class/net and /proc below `root`; what cannot be read is absent, false or empty.  The name may be
-/// any text: what cannot be an interface is not present.
+/// Reads /sys/class/net and /proc below `root`. Facts that cannot be read are absent, false or
+/// empty. The name may be any text: one that cannot be an interface is not present.
 CanInterfaceFacts lookAtInterface(const std::string& name, const std::string& root = "");
 
-/// 0, or why this process cannot have a CAN socket (errno).
+/// Returns 0, or the errno that prevents this process from opening a CAN socket.
 int canSocketError();
 
-/// What `ip -details link show` prints of an interface: its controller's bit rate and state.  Empty where the
-/// command is not there, fails, or the name is none.
+/// Returns the output of `ip -details link show` for an interface: its controller's bit rate and
+/// state. Empty if the command is missing or fails, or if the name is invalid.
 std::string linkDetails(const std::string& name);
 
 }  // namespace terratact

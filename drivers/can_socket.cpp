@@ -41,21 +41,21 @@ ifreq requestFor(const std::string& interface)
     return request;
 }
 
-/// Of the interface that has this name now; 0 where there is none.
+/// Returns the index of the interface that has this name now; 0: none.
 int indexOf(int socket, const std::string& interface)
 {
     ifreq request = requestFor(interface);
     return ::ioctl(socket, SIOCGIFINDEX, &request) == 0 ? request.ifr_ifindex : 0;
 }
 
-/// Where the kernel puts one datagram.
+/// Buffer of one datagram for the kernel.
 struct Slot {
     canfd_frame frame;
     alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(timespec))> control;
     iovec vector;
 };
 
-/// [s] since 1970; 0 without a stamp.
+/// Returns seconds since 1970; 0 without a stamp.
 double stampOf(msghdr& header)
 {
     for (cmsghdr* c = CMSG_FIRSTHDR(&header); c; c = CMSG_NXTHDR(&header, c)) {
@@ -67,7 +67,7 @@ double stampOf(msghdr& header)
     return 0.0;
 }
 
-/// The kernel's frame as plain values; empty where the datagram is none.
+/// Converts the kernel's frame to plain values; empty if the datagram is no frame.
 std::optional<CanFrame> frameOf(const canfd_frame& raw, std::size_t bytes)
 {
     const bool fd = bytes == CANFD_MTU;
@@ -129,7 +129,8 @@ public:
         return request.ifr_flags & IFF_UP ? Link::Up : Link::Down;
     }
 
-    // Not SO_RXQ_OVFL, whose count rides on the next frame: when none follows, it is never told.
+    // SO_RXQ_OVFL is no alternative: its count comes with the next frame, and never if none
+    // follows.
     std::uint64_t drops() const override
     {
         std::array<std::uint32_t, SK_MEMINFO_VARS> information{};
@@ -191,7 +192,7 @@ private:
     PosixFd fd_;
     std::string interface_;
     int index_;
-    std::array<Slot, kBatch> slots_{};  // of read()
+    std::array<Slot, kBatch> slots_{};  // buffers of read()
 };
 
 template <class T>
@@ -204,7 +205,7 @@ bool configure(const PosixFd& fd, int receiveBuffer)
 {
     const int on = 1;
     const can_err_mask_t errors = CAN_ERR_MASK;
-    // The first needs a privilege; how much was granted is asked for later.
+    // SO_RCVBUFFORCE needs a privilege; receiveBuffer() returns the granted size.
     if (!set(fd, SOL_SOCKET, SO_RCVBUFFORCE, receiveBuffer))
         set(fd, SOL_SOCKET, SO_RCVBUF, receiveBuffer);
     return set(fd, SOL_SOCKET, SO_TIMESTAMPNS, on) && set(fd, SOL_CAN_RAW, CAN_RAW_FD_FRAMES, on)

@@ -12,8 +12,8 @@
 
 namespace terratact {
 
-/// One raw CAN socket: system calls and no policy, so that SocketCan can be tested without a kernel that
-/// knows CAN.  An Error has the errno.
+/// One raw CAN socket: system calls without policy, so that SocketCan can be tested on a kernel
+/// without CAN. The code of an Error is errno.
 class CanSocket {
 public:
     enum class Link : std::uint8_t { Up, Down, Gone };
@@ -25,26 +25,27 @@ public:
 
     virtual ~CanSocket() = default;
 
-    /// Waits at most `patience` [s] for the first frame; nothing at all after a signal.  Fills all of a
-    /// BusFrame but its time; wallTime is 0 where the kernel gave no stamp.
+    /// Waits at most `patience` [s] for the first frame; returns none after a signal. Fills a
+    /// BusFrame except its time; wallTime is 0 without a kernel stamp.
     virtual Result<Reading> read(std::span<BusFrame> frames, double patience) = 0;
 
     /// Never waits.
     virtual Status write(const CanFrame& frame) = 0;
 
-    /// Of the interface that this socket is bound to; another of the same name does not count.
+    /// State of the interface that this socket is bound to; another one of the same name does not
+    /// count.
     virtual Link link() const = 0;
 
-    virtual std::uint64_t drops() const = 0;        ///< frames that found no room, up to now
-    virtual std::size_t receiveBuffer() const = 0;  ///< [B] as granted
+    virtual std::uint64_t drops() const = 0;        ///< frames that found no room so far
+    virtual std::size_t receiveBuffer() const = 0;  ///< granted size [B]
 };
 
-/// Bound to the interface, with everything that it receives: data, errors, FD and own frames that left.
-/// receiveBuffer: [B], of which the kernel grants twice as much or less.  The Error's code is ENODEV where
-/// there is no such interface; every other one will not mend itself.
+/// Opens a socket on the interface that receives data, errors, FD frames and its own sent frames.
+/// receiveBuffer: [B]; the kernel grants up to twice as much. The Error's code is ENODEV if there
+/// is no such interface; any other Error is permanent.
 Result<std::unique_ptr<CanSocket>> openCanSocket(const std::string& interface, int receiveBuffer);
 
-/// On a socket that is there; a test's socketpair, which carries what the kernel would.
+/// Uses an existing socket: a test's socketpair, which carries what the kernel would.
 std::unique_ptr<CanSocket> canSocketOn(PosixFd fd, const std::string& interface);
 
 }  // namespace terratact

@@ -27,7 +27,7 @@ std::string textOf(const char* name, std::size_t most)
     return {name, ::strnlen(name, most)};
 }
 
-/// Nothing where the file is no GPIO chip.
+/// Returns the chip; empty if the file is no GPIO chip.
 std::optional<GpioChip> chipOf(const std::filesystem::path& path)
 {
     GpioChip chip;
@@ -70,7 +70,7 @@ std::string placeName(const GpioPlace& place)
                               : fmt::format("line {} ({})", place.offset, shown(place.name));
 }
 
-/// Names of the chip's lines, for somebody who has asked for one that is not there.
+/// Returns the names of the chip's lines, for an error about a missing line.
 std::string lineNames(const std::vector<GpioLineInfo>& lines)
 {
     constexpr std::size_t kMax = 60;

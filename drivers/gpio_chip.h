@@ -10,44 +10,44 @@
 
 namespace terratact {
 
-// What finding and asking for GPIO lines has in common for every version of libgpiod.
+// Common parts of finding and requesting GPIO lines, for every version of libgpiod.
 
 struct GpioChip {
     std::string path, name, label;
     unsigned lines = 0;
-    int error = 0;  ///< errno where it could not be opened; label and lines are unknown then
+    int error = 0;  ///< errno if it could not be opened; label and lines are then unknown
 };
 
-/// The GPIO chips among the device files of a directory, in the order of their names.
+/// Returns the GPIO chips among the device files of a directory, in the order of their names.
 std::vector<GpioChip> listGpioChips(const std::string& directory = "/dev");
 
-/// The chip of that label, or of that name where the label is empty.  Errors say which chips there are.
+/// Returns the chip of that label, or of that name if the label is empty. Errors list the chips.
 Result<GpioChip> chooseGpioChip(const std::vector<GpioChip>& chips, const std::string& label,
                                 const std::string& name);
 
-/// One line of a chip as the kernel describes it.
+/// A line of a chip as the kernel describes it.
 struct GpioLineInfo {
     std::string name;
     bool used = false;
-    std::string holder;  ///< who uses it, where the kernel says so
+    std::string holder;  ///< program that uses it, if the kernel names it
 };
 
-/// Where the request's lines are on the chip.  Errors: no line has the name, several have, the chip has
-/// no such offset, two of the request are one line.
+/// Returns the positions of the request's lines on the chip. Errors: no line has the name, several
+/// have it, the chip has no such offset, two requested lines are the same.
 Result<GpioFound> placeGpioLines(const GpioRequest& request, const GpioChip& chip,
                                  const std::vector<GpioLineInfo>& lines);
 
-/// Why the kernel did not hand the lines out: an errno, and the lines as they were before.
+/// Returns why the kernel refused the lines, from an errno and the state of the lines before.
 Error gpioRefused(int code, const GpioFound& found, const std::vector<GpioLineInfo>& lines);
 
-/// Whose the device file is and what lets this user open it.
+/// Returns the owner of the device file, and what gives this user access.
 Error gpioForbidden(const std::string& path, int code);
 
-/// A chip that answers no longer, or not as it should.
+/// Returns the Error of a chip that fails, or is gone.
 Error gpioFailed(const GpioFound& found, const std::string& action, int code);
 
-/// Waits until one of the descriptors has something to read; which of them have.  None where the time is
-/// over or a signal came.  An Error with ENODEV where a descriptor's chip is gone.
+/// Waits until one of the descriptors is readable, and returns which are. Returns none after the time,
+/// or after a signal. The Error's code is ENODEV if a descriptor's chip is gone.
 Result<std::vector<bool>> waitForGpio(const GpioFound& found, std::span<const int> descriptors,
                                       std::chrono::milliseconds patience);
 

@@ -12,79 +12,82 @@
 
 namespace terratact {
 
-/// What holds a line that nothing drives.
+/// Bias resistor of a line that nothing drives.
 enum class GpioBias : std::uint8_t {
-    AsIs,  ///< something on the board, or as the chip was set before
+    AsIs,  ///< a resistor on the board, or the chip's earlier setting
     PullUp,
     PullDown,
 };
 
 struct GpioInput {
     std::string name;
-    std::optional<unsigned> offset;  ///< counts where the name is empty
+    std::optional<unsigned> offset;  ///< used if the name is empty
     bool activeLow = false;
     GpioBias bias = GpioBias::AsIs;
 };
 
 struct GpioOutput {
     std::string name;
-    std::optional<unsigned> offset;  ///< counts where the name is empty
+    std::optional<unsigned> offset;  ///< used if the name is empty
     bool activeLow = false;
 };
 
-/// Lines of one chip, which is found by its label, or by its name where the label is empty.
+/// Lines of one chip, found by its label, or by its name if the label is empty.
 struct GpioRequest {
     std::string chipLabel, chipName;
-    std::string consumer;  ///< who others are told holds the lines
+    std::string consumer;  ///< shown to other programs as the holder of the lines
     std::vector<GpioInput> inputs;
     std::vector<GpioOutput> outputs;
 };
 
 struct GpioPlace {
     unsigned offset = 0;
-    std::string name;  ///< empty: the line has none
+    std::string name;  ///< empty: the line has no name
 };
 
-/// What was asked for, and where it is.
+/// Requested lines and their positions.
 struct GpioFound {
     std::string path, chip, label;           ///< "/dev/gpiochip0", "gpiochip0", "pinctrl-bcm2711"
-    unsigned lines = 0;                      ///< of the chip
+    unsigned lines = 0;                      ///< number of the chip's lines
     std::vector<GpioPlace> inputs, outputs;  ///< in the order of the request
 };
 
 struct GpioEdge {
-    std::size_t input = 0;  ///< of the request
-    bool active = false;    ///< became active
-    double time = 0.0;      ///< [s] steady clock, the kernel's stamp
+    std::size_t input = 0;  ///< index in the request
+    bool active = false;    ///< true: became active
+    double time = 0.0;      ///< steady clock, the kernel's stamp [s]
 };
 
 struct GpioEdges {
     std::vector<GpioEdge> edges;
-    bool lost = false;  ///< there were more, and of which inputs is not known
+    bool lost = false;  ///< edges were lost; their inputs are unknown
 };
 
-/// Holds the lines of one chip until it is destroyed.  Moves levels and gives them no meaning.  For one
-/// thread.  A chip that is gone is an Error with the code ENODEV; nothing works again then.
+/// Holds the lines of one chip until it is destroyed. Moves levels without knowing their meaning.
+/// One thread may use it. If the chip is gone, calls return an Error with the code ENODEV; the
+/// object then never works again.
 class GpioLines {
 public:
     virtual ~GpioLines() = default;
 
     virtual const GpioFound& found() const = 0;
 
-    /// Edges of the inputs, waiting at most `patience` for the first.  A kernel keeps few of a burst, and
-    /// not always the last: an input's edges say that it moved, levels() where it stands.
+    /// Returns edges of the inputs, waiting at most `patience` for the first. The kernel keeps few
+    /// edges of a burst, and not always the last. Edges tell that an input changed; levels()
+    /// returns its value.
     virtual Result<GpioEdges> readEdges(std::chrono::milliseconds patience) = 0;
 
-    /// Whether each input is active now.
+    /// Returns true for each input that is active now.
     virtual Result<std::vector<bool>> levels() = 0;
 
-    /// Throws std::invalid_argument where the request had no such output.
+    /// Throws std::invalid_argument if the request has no such output.
     virtual Status set(std::size_t output, bool active) = 0;
 };
 
-/// Takes the lines; outputs begin inactive.  Errors say what is missing and how to mend it: no such chip
-/// (which there are), no such line, a line that somebody else holds, no permission.
-/// In gpio_lines_v1.cpp for libgpiod 1.x, in gpio_lines_v2.cpp for 2.x; a program links one of them.
+/// Requests the lines; outputs start inactive. Errors say what is missing and how to repair it: no
+/// such chip (with the list of chips), no such line, a line that another program holds, no
+/// permission. gpio_lines_v1.cpp defines it for libgpiod 1.x, gpio_lines_v2.cpp for 2.x; a program
+/// links one of them.
 Result<std::unique_ptr<GpioLines>> openGpioLines(const GpioRequest& request);
 
 }  // namespace terratact

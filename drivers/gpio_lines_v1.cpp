@@ -1,5 +1,5 @@
-// For libgpiod 1.x.  The kernel keeps 16 edges of each line and drops the newest beyond, without a word:
-// an input of which edges were dropped always has others left.
+// Implementation for libgpiod 1.x. The kernel keeps 16 edges of each line and silently drops newer
+// ones. An input with dropped edges therefore always has edges left.
 #include <gpiod.h>
 
 #include <array>
@@ -14,7 +14,7 @@ namespace terratact {
 namespace {
 
 struct CloseChip {
-    void operator()(gpiod_chip* chip) const { gpiod_chip_close(chip); }  // and gives its lines back
+    void operator()(gpiod_chip* chip) const { gpiod_chip_close(chip); }  // also releases its lines
 };
 using ChipPointer = std::unique_ptr<gpiod_chip, CloseChip>;
 
@@ -53,7 +53,7 @@ class Lines final : public GpioLines {
 public:
     Lines(ChipPointer chip, GpioFound found) : chip_(std::move(chip)), found_(std::move(found)) {}
 
-    /// 0, or errno.
+    /// Requests the lines. Returns 0, or errno.
     int take(const GpioRequest& request)
     {
         const char* const consumer = request.consumer.c_str();
@@ -113,7 +113,7 @@ public:
     }
 
 private:
-    /// What the kernel holds of one input's edges; 0, or errno.
+    /// Appends the kernel's edges of one input. Returns 0, or errno.
     int append(std::size_t input, std::vector<GpioEdge>& edges)
     {
         std::array<gpiod_line_event, 16> events{};
@@ -129,8 +129,8 @@ private:
 
     ChipPointer chip_;
     GpioFound found_;
-    std::vector<gpiod_line*> inputs_, outputs_;  // the chip's
-    std::vector<int> descriptors_;               // of the inputs; the chip's, too
+    std::vector<gpiod_line*> inputs_, outputs_;  // owned by the chip
+    std::vector<int> descriptors_;               // of the inputs; owned by the chip
 };
 
 }  // namespace

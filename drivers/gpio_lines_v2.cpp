@@ -1,5 +1,5 @@
-// For libgpiod 2.x.  The kernel keeps the edges of all lines together and drops the oldest beyond what
-// it has room for; their numbers then have a gap.
+// Implementation for libgpiod 2.x. The kernel keeps the edges of all lines together and drops the
+// oldest ones if it has no room. Their numbers then have a gap.
 #include <gpiod.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMaxEdges = 256;  ///< that the kernel keeps, and hands out at once
+constexpr std::size_t kMaxEdges = 256;  ///< edges that the kernel keeps and returns at once
 
 template <auto release>
 struct Release {
@@ -80,7 +80,7 @@ bool add(gpiod_line_config* config, unsigned offset, const GpioOutput& output)
         && gpiod_line_config_add_line_settings(config, &offset, 1, settings.get()) == 0;
 }
 
-/// All lines in one request; null with errno where the kernel refuses.
+/// Requests all lines at once. Returns null with errno if the kernel refuses.
 LinesPointer take(gpiod_chip* chip, const GpioRequest& request, const GpioFound& found)
 {
     const ConfigPointer config(gpiod_line_config_new());
@@ -165,8 +165,8 @@ private:
     LinesPointer lines_;
     BufferPointer buffer_;
     GpioFound found_;
-    std::vector<unsigned> offsets_;  // of the inputs
-    unsigned long lastNumber_ = 0;   // of the edges; the kernel begins with 1
+    std::vector<unsigned> offsets_;  // offsets of the inputs
+    unsigned long lastNumber_ = 0;   // number of the last edge; the kernel starts with 1
 };
 
 }  // namespace

@@ -15,14 +15,14 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMaxNames = 16;  // of interfaces that are remembered
+constexpr std::size_t kMaxNames = 16;  // interfaces that are listed
 
 Error fileError(const std::string& path, const std::string& cause)
 {
     return Error{path + ": " + cause};
 }
 
-/// Where a log can be read from as often as needed.
+/// A log that can be read as often as needed.
 class LogSource {
 public:
     static Result<LogSource> of(const std::string& path)
@@ -75,11 +75,11 @@ private:
     std::shared_ptr<const std::string> kept_;  // null: it is a file
 };
 
-/// What a log holds.
+/// Contents of a log.
 struct LogScan {
     struct Interface {
-        double last = 0.0;                  ///< [s] of its newest frame, on the even clock
-        std::vector<std::string> silences;  ///< that a replay shortens
+        double last = 0.0;  ///< time of its newest frame [s], on the continuous clock
+        std::vector<std::string> silences;  ///< silences that a replay shortens
     };
     std::map<std::string, Interface> interfaces;
     std::vector<std::string> remarks;
@@ -95,7 +95,7 @@ std::string silenceText(const LogReader& log, double seconds)
 
 Result<LogScan> scan(const LogSource& source, double speed)
 {
-    constexpr std::size_t kMaxSilences = 10;  // that are said of one interface
+    constexpr std::size_t kMaxSilences = 10;  // silences listed for one interface
     Result<LogReader> log = source.read();
     if (!log) return log.error();
     LogScan found;
@@ -126,7 +126,7 @@ std::string listed(const LogScan& scan)
     return text;
 }
 
-/// The interface to be replayed.
+/// Returns the interface to replay.
 Result<std::string> chosen(const std::string& path, const LogScan& scan, const std::string& wanted)
 {
     if (scan.interfaces.empty()) return fileError(path, "holds no frame");
@@ -191,7 +191,7 @@ std::string LogReplay::name() const
     return name_;
 }
 
-// Goes to the next frame of the interface, and moves what is due on by the time between the two.
+// Goes to the next frame of the interface, and advances the due time by the time between the two.
 Status LogReplay::fetch()
 {
     const double before = logTime_;
@@ -211,7 +211,7 @@ Status LogReplay::fetch()
     return Done{};
 }
 
-/// What was asked for since the last time.
+/// Applies the controls that were set since the last call.
 Status LogReplay::obey(double now)
 {
     std::optional<double> to;

@@ -13,22 +13,22 @@
 
 namespace terratact {
 
-/// A log of CAN traffic (core/wire/log_reader.h) as if it were a bus: its frames come at the pace at which
-/// they were recorded.  Takes no commands.  Time that runs backwards in the log is no time at all, and a silence of the
-/// log that would last longer than kMaxWait takes kShortWait.
+/// Replays a log of CAN traffic (core/wire/log_reader.h) as a bus, at the pace of its recording. It
+/// sends no commands. Time that runs backwards in the log takes no time. A silence longer than
+/// kMaxWait takes kShortWait.
 ///
-/// A frame's `time` is when it was due on the steady clock, so that ages and time limits hold as on a bus; at
-/// another speed than 1 they are off by that factor.  Its `wallTime` is the log's own time.
+/// A frame's `time` is when it was due on the steady clock, so that ages and time limits hold as on
+/// a bus. At a speed other than 1 they change by that factor. Its `wallTime` is the log's own time.
 class LogReplay final : public CanBus {
 public:
     struct Options {
         std::string interface {
-        };                   ///< of which frames are replayed; empty: of the only one there is
+        };  ///< Interface whose frames are replayed; empty: the only one in the log.
         double speed = 1.0;  ///< seconds of the log per second
     };
-    /// How far it is.
+    /// Progress of the replay.
     struct Progress {
-        double at = 0.0, length = 0.0;  ///< [s] of the log since its first frame
+        double at = 0.0, length = 0.0;  ///< time of the log since its first frame [s]
         bool paused = false, repeats = false;
     };
     struct Clock {
@@ -38,45 +38,47 @@ public:
 
     static constexpr double kMaxWait = 60.0, kShortWait = 2.0;  ///< [s]
     static constexpr std::size_t kMaxPiped = std::size_t{512}
-                                          << 20U;  ///< bytes of a log that is no file
+                                          << 20U;  ///< bytes of a log that is a pipe
 
-    /// Reads the log once from end to end, so that nothing surprises later; one that is no file (a pipe; "-" for
-    /// standard input) is kept in memory.  Errors name the log: it is no log, holds no frame or one without a time, none
-    /// of the interface, or those of several and none was named.  Throws std::invalid_argument unless
-    /// 0 < speed ≤ 1000.
+    /// Opens a log and reads it once from end to end, so that errors show at the start. A pipe
+    /// (also "-", standard input) is kept in memory. Errors name the log: it is no log; it holds no
+    /// frame, or one without a time; it has no frame of the interface; it has several interfaces
+    /// and none was named. Throws std::invalid_argument unless 0 < speed ≤ 1000.
     static Result<std::unique_ptr<LogReplay>> open(const std::string& path, const Options& options);
     static Result<std::unique_ptr<LogReplay>> open(const std::string& path, const Options& options,
                                                    Clock clock);
 
-    /// "REPLAY demo.log"
+    /// Returns "REPLAY demo.log".
     std::string name() const override;
 
-    /// The replay begins with the first call.  After the last frame it waits and brings nothing.
-    /// Throws std::invalid_argument where there is no room for one frame.
+    /// Delivers frames. The replay begins with the first call. After the last frame it waits and
+    /// delivers nothing. Throws std::invalid_argument if there is no room for one frame.
     Result<std::size_t> receive(std::span<BusFrame> frames,
                                 std::chrono::milliseconds patience) override;
 
-    // From any thread; what is asked for last holds at the next receive().
-    void setPaused(bool paused);    ///< brings nothing meanwhile, and misses nothing
-    void setRepeats(bool repeats);  ///< begins again after the last frame
-    /// Goes on with the first frame at or after so many seconds of the log, also from its end.  A receiver sees a gap.
+    // Controls for any thread; the latest values apply at the next receive().
+    void setPaused(bool paused);    ///< true: delivers nothing meanwhile, and skips nothing
+    void setRepeats(bool repeats);  ///< true: starts again after the last frame
+    /// Continues with the first frame at or after this time of the log, even after its end. A
+    /// receiver sees a gap.
     void seek(double seconds);
     Progress progress() const;
 
-    /// Always an Error.
+    /// Always returns an Error.
     Status send(const CanFrame& frame) override;
 
-    /// Up, and Ended once the last frame has been handed out.
+    /// Returns Up, and Ended once the last frame was delivered.
     BusState state() const override;
 
-    /// dropped: what the log says was lost when it was recorded.
+    /// Returns the counters. dropped: frames that the log reports as lost.
     BusCounters counters() const override;
 
-    /// What is to be said of the log (LogReader::takeRemarks), and the silences that are shortened: a sentence each.
+    /// Returns one sentence for each remark about the log (LogReader::takeRemarks) and each
+    /// shortened silence.
     const std::vector<std::string>& remarks() const { return remarks_; }
 
-    /// [s] until the next frame; empty before the first receive() and after the last frame.  Of the thread that
-    /// receives.
+    /// Returns the time until the next frame [s]; empty before the first receive() and after the
+    /// last frame. For the receiving thread.
     std::optional<double> wait() const;
 
 private:
@@ -88,18 +90,19 @@ private:
 
     std::string name_;
     LogReader log_;
-    std::function<Result<LogReader>()> again_;  ///< the log from its begin
+    std::function<Result<LogReader>()> again_;  ///< opens the log from its beginning
     Options options_;
     Clock clock_;
     std::optional<LoggedFrame> next_;
     std::vector<std::string> remarks_;
-    double logTime_ = 0.0;    ///< [s] of next_, since the log's beginning, on its even clock
-    double firstTime_ = 0.0;  ///< [s] likewise, of the first frame
-    std::optional<double> pausedAt_;  ///< [s] on the clock
-    std::optional<double> due_;       ///< of next_, on the clock; empty before the first receive()
-    mutable std::mutex mutex_;        ///< guards those below
+    /// Time of next_ since the log's beginning [s], on its continuous clock.
+    double logTime_ = 0.0;
+    double firstTime_ = 0.0;          ///< the same time of the first frame [s]
+    std::optional<double> pausedAt_;  ///< time of the pause [s on the clock]
+    std::optional<double> due_;  ///< time of next_ on the clock; empty before the first receive()
+    mutable std::mutex mutex_;   ///< guards the members below
     Progress told_;
-    std::optional<double> wanted_;  ///< [s] to seek
+    std::optional<double> wanted_;  ///< time to seek [s]
     BusCounters counters_;
     bool ended_ = false;
 };

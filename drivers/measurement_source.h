@@ -11,26 +11,27 @@
 
 namespace terratact {
 
-/// A measurement, and the true terrain where the source knows it (only a simulation does).
+/// A measurement, and the true terrain if the source knows it, as only a simulation does.
 struct Sample {
     Measurement measurement;
     std::optional<Heights> truth;
 };
 
-/// A robot on a bus, a replayed log or the simulator: anything that yields measurements in time order
-/// and may take commands.  next() and send() may be called from different threads.
+/// Source of measurements in time order that may accept commands: a robot on a bus, a replayed log
+/// or the simulator. next() and send() may be called from different threads.
 class MeasurementSource {
 public:
     virtual ~MeasurementSource() = default;
 
-    /// What the operator reads in the corner: "SIMULATED ROBOT", "can0", "REPLAY demo.log".
+    /// Returns the name that the operator reads in the corner: "SIMULATED ROBOT", "can0", "REPLAY
+    /// demo.log".
     virtual std::string name() const = 0;
 
-    /// Waits at most `patience`; an empty optional means nothing came in that time.
+    /// Returns the next sample; empty if none came within `patience`.
     virtual Result<std::optional<Sample>> next(std::chrono::milliseconds patience) = 0;
 
-    /// Passes a command on.  An Error says why it could not be sent; a refusal by the robot comes back
-    /// in Measurement::refusal.
+    /// Sends a command. An Error says why it could not be sent; Measurement::refusal reports a
+    /// refusal by the robot.
     virtual Status send(const Command& command) = 0;
 };
 

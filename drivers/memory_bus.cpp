@@ -24,15 +24,15 @@ struct MemoryBus::Socket {
     BusState state = BusState::Up;
     BusCounters counters;
     std::size_t unconfirmed = 0;
-    std::deque<CanFrame> kept;      // sent, not yet on the bus
-    std::deque<BusFrame> received;  // not yet asked for
+    std::deque<CanFrame> kept;      // sent, but not yet on the bus
+    std::deque<BusFrame> received;  // not read yet
 };
 
 struct MemoryBus::Wire {
     explicit Wire(Clock time) : clock(std::move(time)) {}
 
     Clock clock;
-    std::mutex mutex;  // guards what follows
+    std::mutex mutex;  // guards the members below
     std::condition_variable arrived;
     std::vector<std::shared_ptr<Socket>> sockets;
     std::size_t toDrop = 0;

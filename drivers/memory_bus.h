@@ -8,31 +8,32 @@
 
 namespace terratact {
 
-/// A bus within this program, without a kernel: what one end sends, all others receive in the same order, and
-/// the sender as its echo.  Its ends may be used from any threads and may outlive it.
+/// Bus within this program, without a kernel. All other ends receive a sent frame in the same
+/// order, and the sender receives its echo. Any thread may use an end, and an end may outlive the
+/// bus.
 class MemoryBus {
 public:
-    using Clock = std::function<double()>;  ///< [s] steady; called from any thread
+    using Clock = std::function<double()>;  ///< steady clock [s]; any thread may call it
 
-    /// clock: of the frames' times.
+    /// clock: for the frames' times.
     explicit MemoryBus(Clock clock);
     ~MemoryBus();
     MemoryBus(const MemoryBus&) = delete;
     MemoryBus& operator=(const MemoryBus&) = delete;
 
-    /// Another end.  window: how many frames may be unconfirmed, as SocketCan has it; 0 = any number.  An end
-    /// keeps what it has not been asked for, so it wants to be read.
+    /// Adds an end. window: number of unconfirmed frames, as in SocketCan; 0: any number. An end
+    /// keeps frames that were not read, so it must be read.
     std::unique_ptr<CanBus> join(const std::string& name, std::size_t window = 2);
 
-    /// Of one end, or of all.  Stalled: what an end sends is kept, and leaves, late as it is, when it is Up
-    /// again.  Down and Absent lose what was kept, and neither send nor receive.  Throws
-    /// std::invalid_argument where no end has that name.
+    /// Sets the state of one end, or of all. Stalled: an end's frames are kept, and leave late once
+    /// it is Up again. Down and Absent discard kept frames, and neither send nor receive. Throws
+    /// std::invalid_argument if no end has that name.
     void setState(BusState state, const std::string& end = {});
 
-    /// The next frames find no room at any receiver, which count them.
+    /// Drops the next frames at every receiver; the receivers count them.
     void dropNext(std::size_t frames);
 
-    /// A frame of somebody else: of another process here where `local`, else of another node.
+    /// Puts a frame on the bus: from a process of this computer if `local`, else from another node.
     void put(const CanFrame& frame, bool local = false);
 
 private:

@@ -113,7 +113,7 @@ void OperatorPanel::poll(std::chrono::milliseconds patience)
 {
     const auto edges = lines_->readEdges(patience);
     if (!edges) return lose(edges.error());
-    const auto levels = lines_->levels();  // after the edges: what a burst has ended in
+    const auto levels = lines_->levels();  // after the edges: the result of a burst
     if (!levels) return lose(levels.error());
     PerContact<bool> closed;
     for (std::size_t i = 0; i < kPanelContacts; ++i) closed.values[i] = levels->at(i);
@@ -156,7 +156,7 @@ void OperatorPanel::light(const LampState& lamps)
                 .append(done.error().text);
     }
     lampTrouble_ = failed;
-    lit_ = failed.empty();  // else all are set again with the next look
+    lit_ = failed.empty();  // otherwise all are set again at the next reading
     if (lit_) report_.lamps = lamps;
 }
 

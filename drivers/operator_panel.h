@@ -14,49 +14,50 @@
 
 namespace terratact {
 
-/// The lines that a panel's file asks for.  Inputs: the contacts in their order, active while closed.
+/// Returns the lines that a panel file needs. Inputs: the contacts in their order, active while
+/// closed.
 GpioRequest requestOf(const PanelConfig& panel);
 
 struct PanelCounters {
-    PerContact<std::uint64_t> edges;  ///< seen of each contact
-    std::uint64_t lostEdges = 0;      ///< times the kernel had no room for all
-    std::uint64_t losses = 0;         ///< times the panel was there and went
+    PerContact<std::uint64_t> edges;  ///< seen edges of each contact
+    std::uint64_t lostEdges = 0;      ///< number of times that the kernel had no room for all edges
+    std::uint64_t losses = 0;         ///< number of times that the panel was lost
 };
 
 struct PanelReport {
     PanelState state;
-    LampState lamps;  ///< as they are lit, as far as known
-    /// [s] steady clock, the kernel's stamp of STOP's newest edge; 0: none yet
+    LampState lamps;  ///< as they are lit, if known
+    /// Kernel's stamp of STOP's newest edge on the steady clock [s]; 0: none yet.
     double stopEdge = 0.0;
     PanelCounters counters;
-    /// Why the panel is absent, which lamp does not obey, which button is stuck: the gravest of these in
-    /// one sentence; empty where all is well.
+    /// One sentence about the worst fault: the panel is absent, a lamp fails, or a button is stuck.
+    /// Empty: no fault.
     std::string trouble;
 };
 
-/// The operator's panel on GPIO lines.  For one thread that calls poll() in a loop.
+/// The operator panel on GPIO lines. One thread must call poll() in a loop.
 class OperatorPanel {
 public:
     using Open = std::function<Result<std::unique_ptr<GpioLines>>(const GpioRequest&)>;
-    using Clock = std::function<double()>;  ///< [s] monotonic
+    using Clock = std::function<double()>;  ///< monotonic clock [s]
 
-    static constexpr std::chrono::milliseconds kPeriod{10};  ///< between two looks, at most
+    static constexpr std::chrono::milliseconds kPeriod{10};  ///< longest time between two readings
 
-    /// Opens nothing yet.  `open` is openGpioLines, or a test's.
+    /// Opens nothing yet. `open` is openGpioLines, or a test's function.
     OperatorPanel(PanelConfig panel, Open open);
     OperatorPanel(PanelConfig panel, Open open, Clock clock);
 
-    /// All lamps go dark.
+    /// Switches all lamps off.
     ~OperatorPanel();
     OperatorPanel(const OperatorPanel&) = delete;
     OperatorPanel& operator=(const OperatorPanel&) = delete;
 
-    /// Waits for an edge, at most `patience` and kPeriod, and looks at the panel; lights the lamps where
-    /// they are to change.  A panel that is not there is a state: it is looked for again every 0.1 s, later
-    /// every second.  Where it comes up for the first time, it tests its lamps before it shows `lamps`.
+    /// Waits for an edge, at most `patience` and kPeriod, and reads the panel. Lights the lamps if
+    /// they must change. An absent panel is a state: it is searched every 0.1 s, later every
+    /// second. At its first appearance it tests its lamps before it shows `lamps`.
     PanelReport poll(const LampState& lamps, std::chrono::milliseconds patience);
 
-    /// Where its lines are; nothing while it is absent.
+    /// Returns the positions of its lines; empty while it is absent.
     std::optional<GpioFound> found() const;
 
 private:
@@ -75,8 +76,8 @@ private:
     double nextOpening_ = 0.0;           // [s]
     double backOff_ = 0.0;               // [s]
     PanelReport report_;
-    std::string absence_, lampTrouble_;  // sentences
-    bool lit_ = false;                   // report_.lamps is what the lines are set to
+    std::string absence_, lampTrouble_;  // texts
+    bool lit_ = false;                   // true if the lines are set to report_.lamps
 };
 
 }  // namespace terratact

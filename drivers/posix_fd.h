@@ -6,7 +6,7 @@
 
 namespace terratact {
 
-/// Owns a file descriptor, or none (-1).
+/// Owner of a file descriptor, or of none (-1).
 class PosixFd {
 public:
     PosixFd() = default;
@@ -25,7 +25,7 @@ public:
     int get() const { return fd_; }
     explicit operator bool() const { return fd_ >= 0; }
 
-    /// Closes it.  Linux frees the descriptor even where close() fails, so nothing can be done about that.
+    /// Closes the descriptor. Linux frees it even if close() fails, so an error needs no handling.
     void reset()
     {
         if (fd_ >= 0) ::close(fd_);

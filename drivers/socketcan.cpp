@@ -13,11 +13,11 @@ namespace terratact {
 namespace {
 
 constexpr double kFirstBackOff = 0.1,
-                 kMaxBackOff = 1.0;        // [s] between looks for what is not there
-constexpr double kLookEvery = 0.1;         // [s] at what is there
-constexpr double kFullCounts = 0.5;        // [s] that a full queue is remembered
-constexpr double kPauseAfterError = 0.01;  // [s] so that no error can spin
-constexpr double kFrameInBuffer = 768.0;   // [B] that the kernel accounts for a frame
+                 kMaxBackOff = 1.0;        // [s] between searches for an absent interface
+constexpr double kLookEvery = 0.1;         // [s] between checks of a present one
+constexpr double kFullCounts = 0.5;        // [s] for which a full queue is remembered
+constexpr double kPauseAfterError = 0.01;  // [s] so that no error causes a busy loop
+constexpr double kFrameInBuffer = 768.0;   // [B] that the kernel charges for a frame
 constexpr double kFullBus = 9009.0;        // [1/s] frames of 8 bytes at 1 Mbit/s
 
 template <class Clock>
@@ -26,7 +26,7 @@ double secondsOf()
     return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
-/// As it will come back: what lies behind its end is not sent.
+/// Returns the frame as its echo will be: bytes behind its end are not sent.
 CanFrame trimmed(CanFrame frame)
 {
     std::fill(frame.data.begin() + frame.length, frame.data.end(), std::uint8_t{0});
@@ -168,7 +168,7 @@ std::string SocketCan::warning() const
         name(), frames, frames / kFullBus, options_.receiveBuffer);
 }
 
-/// Opens the socket.  The mutex is held.
+/// Opens the socket. The mutex must be held.
 Status SocketCan::connect()
 {
     auto socket = system_.openSocket();
@@ -179,8 +179,8 @@ Status SocketCan::connect()
     return Done{};
 }
 
-/// Looks at the interface, when it is time to: a socket alone does not tell that it is up again, or that
-/// another one has its name now.
+/// Checks the interface when it is due. A socket alone does not tell that the interface is up
+/// again, or that another one has its name.
 void SocketCan::poll()
 {
     const double now = system_.steadyTime();
@@ -194,7 +194,7 @@ void SocketCan::poll()
             became(BusState::Absent);
         } else {
             became(link == CanSocket::Link::Up ? BusState::Up : BusState::Down);
-            // An echo that found no room never comes: the window begins anew.
+            // An echo that found no room never comes: the window is cleared.
             if (const std::uint64_t dropped = drops(); dropped != knownDrops_) {
                 knownDrops_ = dropped;
                 unconfirmed_.clear();
@@ -218,8 +218,8 @@ double SocketCan::untilLook() const
     return std::max(0.0, nextLook_ - now);
 }
 
-/// The interface is Up, Down or Absent.  What was sent before it went down will not be sent any more, and
-/// its controller begins anew.  The mutex is held.
+/// Sets the interface to Up, Down or Absent. Frames sent before it went down are discarded, and its
+/// controller is reset. The mutex must be held.
 void SocketCan::became(BusState link)
 {
     if (link != link_) {
@@ -230,7 +230,7 @@ void SocketCan::became(BusState link)
     link_ = link;
 }
 
-/// What an errno says about the interface.
+/// Updates the state of the interface from an errno.
 void SocketCan::failed(int code)
 {
     const double now = system_.steadyTime();
@@ -240,7 +240,7 @@ void SocketCan::failed(int code)
         nextLook_ = now + kFirstBackOff;
     } else if (code == ENODEV || code == ENXIO) {
         became(BusState::Absent);
-        nextLook_ = now;  // closes the socket, too
+        nextLook_ = now;  // also closes the socket
     }
 }
 
@@ -249,7 +249,8 @@ std::size_t SocketCan::take(std::span<BusFrame> frames, const CanSocket::Reading
     const double now = system_.steadyTime(), wall = system_.wallTime();
     const std::scoped_lock lock(mutex_);
     for (BusFrame& frame : frames.first(reading.frames)) {
-        // The wall clock may have been set in between; but no frame waited before the queue was empty.
+        // The wall clock may have been set meanwhile; but no frame waited before the queue was
+        // empty.
         const double age = frame.wallTime > 0.0 ? wall - frame.wallTime : 0.0;
         frame.time = std::clamp(now - age, std::min(emptiedAt_, now), now);
         if (frame.wallTime <= 0.0) frame.wallTime = wall;
@@ -262,7 +263,8 @@ std::size_t SocketCan::take(std::span<BusFrame> frames, const CanSocket::Reading
     return reading.frames;
 }
 
-/// Only the controller's driver is believed: an error frame of a process of this computer is a forgery.
+/// Only the controller's driver is trusted: an error frame from a process of this computer is
+/// forged.
 void SocketCan::takeError(const BusFrame& frame)
 {
     ++counters_.errorFrames;
@@ -272,13 +274,13 @@ void SocketCan::takeError(const BusFrame& frame)
     }
     const auto state = controllerState(frame.frame);
     if (!state) return;
-    // A controller that was restarted has forgotten what it was to send.
+    // A restarted controller has discarded its frames.
     if (controller_ == ControllerState::BusOff && *state != ControllerState::BusOff)
         unconfirmed_.clear();
     controller_ = *state;
 }
 
-/// Frames leave in their order: those before this one have left, too, and their echoes were lost.
+/// Confirms a frame. Frames leave in order: earlier ones have left too, and their echoes were lost.
 void SocketCan::confirm(const CanFrame& frame)
 {
     const auto sent = std::ranges::find(unconfirmed_, frame, &Sent::frame);
@@ -313,7 +315,7 @@ BusState SocketCan::stateAt(double now) const
     return BusState::BusOff;
 }
 
-/// Why nothing may be sent now; empty if something may.
+/// Returns why nothing may be sent now; empty: sending is possible.
 std::string SocketCan::obstacle(double now) const
 {
     if (!options_.transmit)

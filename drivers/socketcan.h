@@ -14,29 +14,32 @@
 
 namespace terratact {
 
-/// Done for 1 to 15 of A-Z a-z 0-9 _ . -, which is all that we accept for an interface.
+/// Returns Done for a name of 1 to 15 characters A-Z a-z 0-9 _ . -; other interface names are not
+/// accepted.
 Status checkInterfaceName(std::string_view name);
 
-/// A CAN interface of Linux.  An interface that goes down, or away and comes back, is found again by its name;
-/// what was to be sent meanwhile is refused and forgotten, never sent later.
+/// CAN interface of Linux. An interface that goes down, or disappears and comes back, is found
+/// again by its name. Frames to be sent meanwhile are refused, never sent later.
 ///
-/// What the kernel has accepted it sends, however late: with nobody on the bus to acknowledge, commands would
-/// wait and then all leave at once.  Hence a window: as long as `maxUnconfirmed` frames have not come back as
-/// echoes, or the oldest of them for `stalledAfter`, send() refuses.  So at most that many are ever late.
-/// An echo that the kernel had no room for, or that died with the controller, is not waited for; if one fails
-/// to come for any other reason, the bus stays Stalled until the interface is set down and up again.
+/// The kernel sends every accepted frame, however late. If no node acknowledges, commands would
+/// wait and then all leave at once. A window prevents that: send() refuses while `maxUnconfirmed`
+/// frames have no echo yet, or the oldest of them for `stalledAfter`. At most that many frames are
+/// ever late.
+/// Echoes that the kernel had no room for, or that were lost with the controller, are not awaited.
+/// If an echo is missing for any other reason, the bus stays Stalled until the interface is set
+/// down and up again.
 class SocketCan final : public CanBus {
 public:
     struct Options {
         std::string interface = {};
-        bool transmit = false;           ///< else receive-only: send() refuses everything
+        bool transmit = false;           ///< false: receive-only, send() refuses every frame
         std::size_t maxUnconfirmed = 2;  ///< 0: any number, for bursts of telemetry
         double stalledAfter = 0.06;      ///< [s]
         /// [B]; the kernel doubles it: room for 10,900 frames, 1.2 s of a full bus.
         int receiveBuffer = 4 << 20;
     };
 
-    /// What it stands on, for tests to replace.
+    /// System functions, which tests replace.
     struct System {
         std::function<Result<std::unique_ptr<CanSocket>>()> openSocket;
         std::function<double()> steadyTime;  ///< [s]
@@ -44,8 +47,8 @@ public:
         std::function<void(double)> sleep;   ///< [s]
     };
 
-    /// Absent is fine: it is waited for.  An Error: the name is none, the interface is no CAN interface, or
-    /// the kernel has no CAN or forbids it.
+    /// Opens an interface, which may be absent: it is awaited. Error: the name is invalid, the
+    /// interface is no CAN interface, or the kernel lacks CAN or forbids it.
     static Result<std::unique_ptr<SocketCan>> open(const Options& options);
     static Result<std::unique_ptr<SocketCan>> open(const Options& options, System system);
 
@@ -56,7 +59,7 @@ public:
     BusState state() const override;
     BusCounters counters() const override;
 
-    /// What is not as it should be, though it works: a receive buffer too small.  Empty: nothing.
+    /// Returns a problem of a working bus: a receive buffer that is too small. Empty: none.
     std::string warning() const;
 
 private:
@@ -66,7 +69,7 @@ private:
         CanFrame frame;
         double time;
     };
-    /// Since when, and when last, the kernel's queue had no room.
+    /// Times since when, and when last, the kernel's queue was full.
     struct Full {
         double since, last;
     };
@@ -87,19 +90,19 @@ private:
     const Options options_;
     const System system_;
 
-    mutable std::mutex mutex_;  // guards all that follows
+    mutable std::mutex mutex_;  // guards the members below
     std::unique_ptr<CanSocket>
-        socket_;  // only receive() replaces it, and reads from it without the mutex
+        socket_;  // Only receive() replaces the socket, and reads from it without the mutex.
     BusState link_ = BusState::Absent;  // Up, Down or Absent
     ControllerState controller_ = ControllerState::Active;
     std::deque<Sent> unconfirmed_;
     std::optional<Full> full_;
     BusCounters counters_;
-    std::uint64_t earlierDrops_ = 0;  // of sockets closed
+    std::uint64_t earlierDrops_ = 0;  // of closed sockets
     std::uint64_t knownDrops_ = 0;
-    double emptiedAt_ = 0.0;  // when nothing was left to read
+    double emptiedAt_ = 0.0;  // time at which nothing was left to read
     double backOff_;          // [s]
-    double nextLook_ = 0.0;   // at the interface
+    double nextLook_ = 0.0;   // time of the next check of the interface
 };
 
 }  // namespace terratact

@@ -28,7 +28,8 @@ Status check(const std::string& name)
     return Done{};
 }
 
-/// Of the abstract namespace: a name that begins with a 0.  An empty one: the kernel gives one.
+/// Returns an address in the abstract namespace: its name begins with a 0. Empty: the kernel
+/// chooses a name.
 Address addressOf(const std::string& name)
 {
     Address address;
@@ -54,7 +55,7 @@ Result<PosixFd> boundTo(const std::string& name)
     return socket;
 }
 
-/// Reads one datagram; false where there is none.  from: of its sender.
+/// Reads one datagram. Returns false if there is none. from: address of its sender.
 bool read(int socket, std::string_view wanted, bool& isWanted, Address& from)
 {
     std::array<char, 64> text{};
@@ -84,7 +85,7 @@ bool StopLine::take()
         if (!isStop) continue;
         pressed = true;
         (void)::sendto(socket_.get(), kTaken.data(), kTaken.size(), MSG_NOSIGNAL, from.get(),
-                       from.size);  // whoever has gone needs no answer
+                       from.size);  // an absent sender needs no answer
     }
     return pressed;
 }
@@ -99,7 +100,7 @@ Result<StopCaller> StopCaller::open()
 Status StopCaller::press(const std::string& name)
 {
     if (Status good = check(name); !good) return good;
-    (void)isTaken();  // an answer to an earlier press is none to this one
+    (void)isTaken();  // an answer to an earlier press does not count
     const Address address = addressOf(name);
     const ssize_t sent = ::sendto(socket_.get(), kStop.data(), kStop.size(), MSG_NOSIGNAL,
                                   address.get(), address.size);

@@ -7,16 +7,18 @@
 
 namespace terratact {
 
-/// STOP from one program of this computer to another: a datagram over a Unix socket in the abstract namespace, which
-/// leaves no file behind and is gone with whoever listens.  The most that anybody can do with it is to stop a robot.
+/// STOP from one program of this computer to another: a datagram over a Unix socket in the abstract
+/// namespace. The socket leaves no file and disappears with its listener. All that anybody can do
+/// with it is stop a robot.
 
-/// The end that stops.
+/// The receiving end, which stops the robot.
 class StopLine {
 public:
-    /// name: 1 to 100 characters.  Error where it is taken.
+    /// name: 1 to 100 characters. Error: another program uses it.
     static Result<StopLine> listen(const std::string& name);
 
-    /// True where STOP was pressed at the other end since the last time; then that end is answered.  Does not wait.
+    /// Returns true if STOP was pressed at the other end since the last call, and answers it. Does
+    /// not wait.
     bool take();
 
 private:
@@ -24,14 +26,15 @@ private:
     PosixFd socket_;
 };
 
-/// The end where STOP is pressed.
+/// The sending end, where STOP is pressed.
 class StopCaller {
 public:
     static Result<StopCaller> open();
 
-    /// Error: nobody listens under this name, of 1 to 100 characters, or takes what was sent before.
+    /// Sends STOP. Error: no program listens under this name of 1 to 100 characters, or its queue
+    /// is full.
     Status press(const std::string& name);
-    /// True once somebody has taken it.  Does not wait.
+    /// Returns true once the other end has taken it. Does not wait.
     bool isTaken();
 
 private:

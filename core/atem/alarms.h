@@ -50,7 +50,7 @@ struct Alarm {
 /// `now` is any monotonic clock [s]. Throws std::invalid_argument for NaN and infinite times.
 class AlarmList {
 public:
-    /// largest number of alarms; the least urgent is dropped beyond it
+    /// Largest number of alarms; the least urgent is dropped beyond it.
     static constexpr std::size_t kMax = 64;
     static constexpr double kSoundPeriod = 10.0;  ///< [s] between two sounds for the same alarms
     static constexpr double kSoundGap = 2.0;      ///< [s] alarms within this time sound once

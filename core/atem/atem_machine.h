@@ -56,7 +56,7 @@ struct AtemState {
     AtemFailure failure = AtemFailure::None;  ///< not None only in Failed
     double since = 0.0;                       ///< time at which the phase began [s]
     bool probed = false;                      ///< the arm has measured in this exploration
-    /// approval expiry: the last proposal got no answer in time, which means no
+    /// Approval expiry: the last proposal got no answer in time, which means no.
     bool approvalExpired = false;
     bool followed = false;  ///< another console commands the robot, see core/atem/following.h
     bool operator==(const AtemState&) const = default;
@@ -81,7 +81,7 @@ struct AtemInput {
     bool pressRefused = false;
     bool estimateReady = false;
     bool estimateFailed = false;
-    /// with estimateReady: some sd in the arm's reach exceeds the probe threshold
+    /// With estimateReady: some sd in the arm's reach exceeds the probe threshold.
     bool probeWanted = false;
     bool probeDone = false;
     bool probeRefused = false;

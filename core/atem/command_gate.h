@@ -20,7 +20,7 @@ enum class GateRefusal : std::uint8_t {
     OperatorAbsent,  ///< window or panel has not responded recently
     ForeignSender,   ///< another sender uses this console's frame identifiers
     LinkNotGood,     ///< no recent status of the robot
-    /// no answer to a heartbeat, or not its challenge: the telemetry may be a recording
+    /// No answer to a heartbeat, or not its challenge: the telemetry may be a recording.
     NotAnswered,
     WrongEpoch,
     StopLatched,

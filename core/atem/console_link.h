@@ -34,13 +34,13 @@ class ConsoleLink {
 public:
     static constexpr double kHeartbeatPeriod = 0.1;  ///< [s]
     static constexpr double kDrivePeriod = 0.02;     ///< [s]
-    static constexpr double kDisarmPeriod =
-        0.1;  ///< [s] between Disarm frames to a robot that should not be armed
+    /// [s] between Disarm frames to a robot that should not be armed.
+    static constexpr double kDisarmPeriod = 0.1;
     /// [s] longest wait of a command for a challenge
     static constexpr double kWaits = kLinkLostAfter;
     static constexpr double kForeignFor = 5.0;  ///< [s] for which a foreign sender is remembered
-    static constexpr double kMotionShows =
-        0.5;  ///< [s] after which the robot's status shows a motion
+    /// [s] after which the robot's status shows a motion.
+    static constexpr double kMotionShows = 0.5;
 
     struct Options {
         GateLimits gate{};
@@ -107,9 +107,9 @@ private:
     ArmingState arming_;
     bool wanted_ = false, confirmed_ = false, disarmed_ = false;
     bool stopLatched_ = false;
-    bool owesDisarm_ =
-        false;  ///< this console asked to arm, and the robot has not reported "not armed" since
-    /// from the newest answer; 0: none since the robot voided the last one
+    /// This console asked to arm, and the robot has not reported "not armed" since.
+    bool owesDisarm_ = false;
+    /// From the newest answer; 0: none since the robot voided the last one.
     std::uint16_t challenge_ = 0;
     std::optional<double> disarmSent_;
     std::optional<double> operatorSeen_, foreignSeen_, goodSince_, lastBeat_, motionSent_;

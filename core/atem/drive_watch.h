@@ -13,8 +13,8 @@ class DriveWatch {
 public:
     static constexpr double kStandsFor = 1.0;  ///< [s] without motion before it is reported
     static constexpr double kWay = 0.005;      ///< [m] of the tracks
-    static constexpr double kTurn =
-        0.02;  ///< [rad] of a front flipper, which rises before the tracks move
+    /// [rad] of a front flipper, which rises before the tracks move.
+    static constexpr double kTurn = 0.02;
 
     /// Reads the newest telemetry. Returns true once for each drive that stands for kStandsFor.
     /// Always false without odometry.

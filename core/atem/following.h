@@ -13,7 +13,7 @@ struct FollowInput {
     RobotActivity activity = RobotActivity::Halted;  ///< from the newest telemetry
     bool linkLost = false;  ///< telemetry is missing, except after the end of a log
     bool aborted = false;   ///< the operator removes the result from the screen
-    /// the flippers are pressed, and no scene of this press is captured yet
+    /// The flippers are pressed, and no scene of this press is captured yet.
     bool newPress = false;
     bool newReading = false;   ///< the arm has measured at the captured pose
     bool poseChanged = false;  ///< the robot moved since the scene was captured

@@ -41,7 +41,7 @@ struct PanelOutputLine {
 /// Wiring of a panel: resources/panels/example.toml explains every key.
 struct PanelConfig {
     std::string name;
-    /// the label that `gpiodetect` shows in brackets; empty if there is a chip name
+    /// The label that `gpiodetect` shows in brackets; empty if there is a chip name.
     std::string chipLabel;
     std::string chipName;  ///< "gpiochip0": changes if chips are plugged in another order
     PerContact<PanelInputLine> inputs;

@@ -14,8 +14,8 @@ public:
     // deviations of the difference of two MTi readings. An encoder resolves 1 mrad of a flipper and
     // 0.1 mm of a track; the rest allows for elastic give.
     static constexpr double kTilt = 0.06;  ///< [rad] of pitch or roll
-    static constexpr double kFlipper =
-        0.05;  ///< [rad] of each flipper: opposite turns would leave a pair's mean
+    /// [rad] of each flipper: opposite turns would leave a pair's mean.
+    static constexpr double kFlipper = 0.05;
     static constexpr double kTravelled = 0.025;  ///< [m], a quarter of a bin
     static constexpr double kTurned = 0.05;      ///< [rad], 4 cm sideways at the foremost bin
 
@@ -39,7 +39,7 @@ private:
     bool tracksMoved(const Measurement& newest) const;
 
     Measurement scene_;
-    /// count of the first line that differs; 0: the newest does not
+    /// Count of the first line that differs; 0: the newest does not.
     std::uint64_t suspectedAt_ = 0;
     std::uint64_t suspectedLeftAt_ = 0;  ///< same for the body
     bool moved_ = false, left_ = false;

@@ -13,7 +13,7 @@ namespace terratact {
 struct ProbeGain {
     int bin = 0;
     double varianceReduction = 0.0;  ///< reduction of Σ_i Var(h_i) [m²]
-    /// reduction of the entropy of "there is a step of more than stepLimit" [nat]
+    /// Reduction of the entropy of "there is a step of more than stepLimit" [nat].
     double entropyReduction = 0.0;
     bool operator==(const ProbeGain&) const = default;
 };

@@ -31,7 +31,7 @@ Heights atLeast(const Heights& sd)
     return result;
 }
 
-/// The line of the tracks' lower edge, as heights of the bins' centres.
+/// Returns the heights of the tracks' lower edge at the bins' centres.
 Heights trackPlane(const RobotModel& robot, double pitch)
 {
     const Pose pose = poseInDem(robot, pitch, 0.0, 0.0);
@@ -98,7 +98,7 @@ private:
     Heights sd_{};
 };
 
-/// Features less their mean, by their sd; those that never vary become 0.
+/// Standardises features; features that never vary become 0.
 class Scaling {
 public:
     explicit Scaling(const Eigen::MatrixXd& X) : mean_(X.colwise().mean())
@@ -160,7 +160,7 @@ private:
     Eigen::MatrixXd X_, heights_;
 };
 
-/// At most `most` of `total` rows, evenly chosen.
+/// Returns at most `most` of `total` rows, evenly chosen.
 std::vector<Eigen::Index> evenRows(Eigen::Index total, Eigen::Index most)
 {
     const Eigen::Index count = std::min(total, most);

@@ -9,14 +9,14 @@ namespace terratact {
 namespace {
 
 constexpr double kWilson = 1.959963984540054;  // Φ⁻¹(0.975)
-constexpr double kPromised = 0.80;             // coverage of the bands that are shown
+constexpr double kPromised = 0.80;             // nominal coverage of the shown bands
 
 double phi(double z)
 {
     return 0.5 * std::erfc(-z / std::numbers::sqrt2);
 }
 
-/// Predictive probability of a measurement below `measured`.
+/// Returns the predictive probability of a measurement below `measured`.
 double pitOf(const TerrainEstimate& shown, std::size_t bin, double measured, double measuredSd)
 {
     if (shown.draws.empty())

@@ -20,7 +20,7 @@ ByPlace sizesOf(Method method, const Claim& claim, std::span<const BinError> err
     return found;
 }
 
-/// |errors| of both methods in the bins that both estimated.  Drives without such a bin do not count.
+/// |errors| of both methods in the bins that both estimated. Drives without such bins do not count.
 struct Comparison {
     ClusteredValues base, better;
 };

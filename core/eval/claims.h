@@ -11,7 +11,8 @@
 
 namespace terratact {
 
-/// One statement of the paper's section 5.2: in bins first … last `better` errs less than `base`.
+/// One claim of the paper's section 5.2: in bins first … last, `better` has smaller errors than
+/// `base`.
 struct Claim {
     std::string_view text;
     Method base = Method::Pa;
@@ -20,7 +21,8 @@ struct Claim {
     int lastBin = 0;
 };
 
-/// 1. ceilings improve bins −0.3 … 0.2;  2. forces improve bins 0.3 … 0.5;  3. the arm improves 0.6 and 0.7.
+/// The paper's three claims. 1. Ceilings improve bins −0.3 … 0.2. 2. Forces improve bins 0.3 … 0.5.
+/// 3. The arm improves bins 0.6 and 0.7.
 inline constexpr std::array kClaims{
     Claim{"the body's ceilings improve bins -0.3 to 0.2", Method::Pa, Method::Pac, 0, 5},
     Claim{"the flipper forces improve bins 0.3 to 0.5", Method::Pac, Method::Pafc, 6, 8},
@@ -29,25 +31,26 @@ inline constexpr std::array kClaims{
 
 enum class ClaimVerdict : std::uint8_t { Holds, DoesNotHold, NotDecided };
 
-/// "holds", "does not hold", "not decided".
+/// Returns "holds", "does not hold" or "not decided".
 std::string_view name(ClaimVerdict verdict);
 
 struct ClaimResult {
     Claim claim;
     ClaimVerdict verdict = ClaimVerdict::NotDecided;
-    std::size_t n = 0;     ///< errors compared: bins that both methods estimated
-    std::size_t runs = 0;  ///< drives they come from
+    std::size_t n = 0;     ///< compared errors: bins that both methods estimated
+    std::size_t runs = 0;  ///< drives of these errors
     double baseMedian = 0.0, betterMedian = 0.0;  ///< [m] median |error|
     double low = 0.0,
-           high = 0.0;  ///< [m] 95 % interval of betterMedian − baseMedian; 0 without a bootstrap
+           high = 0.0;  ///< 95 % interval of betterMedian − baseMedian [m]; 0 without a bootstrap
 };
 
-/// Judges a claim by the difference of the two medians of |error|.  Its 95 % interval is the percentile
-/// bootstrap over whole drives (Scene::run), the same drives for both methods.  Interval below 0: holds;
-/// above 0: does not hold; else, or with fewer than kMinRuns drives: not decided.
-/// A method's errors are those labelled with its name.  Same errors, scenes and seed: the same result.
-/// Throws std::invalid_argument where an error's scene is not among the scenes or resamples < 1.
-/// Source: see core/eval/cluster_bootstrap.h.
+/// Judges a claim by the difference of the two medians of |error|. Its 95 % interval is the
+/// percentile bootstrap over whole drives (Scene::run), with the same drives for both methods. An
+/// interval below 0: holds; above 0: does not hold; else, or with fewer than kMinRuns drives: not
+/// decided.
+/// A method's errors are those labelled with its name. The same errors, scenes and seed give the
+/// same result. Throws std::invalid_argument if an error's scene is not among the scenes, or
+/// resamples < 1. Source: see core/eval/cluster_bootstrap.h.
 ClaimResult judge(const Claim& claim, std::span<const BinError> errors,
                   std::span<const Scene> scenes, std::uint64_t seed, int resamples = 2000);
 

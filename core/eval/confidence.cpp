@@ -8,7 +8,7 @@
 namespace terratact {
 namespace {
 
-/// The errors of one label and their drives, numbered without gaps.
+/// Errors of one label and their drives, numbered without gaps.
 class Clusters {
 public:
     Clusters(std::vector<BinError> errors, const std::vector<std::size_t>& driveOfScene)

@@ -11,21 +11,21 @@
 
 namespace terratact {
 
-/// 95 % intervals of what MethodSummary::all and ::near say [m].
+/// 95 % intervals of MethodSummary::all and ::near [m].
 struct ScoreIntervals {
-    Interval median, mean, crps, coverage;  ///< of all bins; coverage of the 80 % band
-    Interval nearMedian;                    ///< of the bins up to kLastNearBin
+    Interval median, mean, crps, coverage;  ///< over all bins; coverage of the 80 % band
+    Interval nearMedian;                    ///< over the bins up to kLastNearBin
 };
 
 struct Confidence {
     std::string label;
-    std::size_t drives = 0;                   ///< with an estimate
+    std::size_t drives = 0;                   ///< drives with an estimate
     std::optional<ScoreIntervals> intervals;  ///< empty for fewer than kMinRuns drives
 };
 
-/// Bootstrap over the drives of each label's scenes, one entry per label in the order of labelsOf.
-/// Same errors, scenes and seed: the same result.  Throws std::invalid_argument where an error's scene is
-/// not among the scenes or resamples < 1.
+/// Bootstraps over the drives of each label's scenes; one entry per label in the order of labelsOf.
+/// The same errors, scenes and seed give the same result. Throws std::invalid_argument if an
+/// error's scene is not among the scenes, or resamples < 1.
 std::vector<Confidence> confidence(std::span<const BinError> errors, std::span<const Scene> scenes,
                                    std::uint64_t seed, int resamples = 2000);
 

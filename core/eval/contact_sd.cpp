@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMadToSd = 1.4826;  // 1 / Φ⁻¹(3/4)
 
-/// Residuals of one bin, or of all bins where bin < 0.
+/// Returns the residuals of one bin, or of all bins if bin < 0.
 std::vector<double> valuesOf(std::span<const ContactResidual> residuals, int bin)
 {
     std::vector<double> values;

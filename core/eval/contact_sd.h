@@ -12,27 +12,29 @@
 
 namespace terratact {
 
-/// What a contact says of its bin, beside the truth.
+/// Difference of a bin's true height and its contact height.
 struct ContactResidual {
     int bin = 0;
     double residual = 0.0;  ///< [m] true height of the bin − height of the contact
     bool operator==(const ContactResidual&) const = default;
 };
 
-/// One per bin that the kinematic reconstruction fixes (core/terrain/kinematic_reconstruction.h; contacts
-/// that share a bin are one height there) and whose truth is known, in the scenes' order.  A contact feels
-/// a point, the truth is the mean of 0.1 m: the residual holds sensor noise and that difference.
-/// threshold: [N].  Throws std::invalid_argument unless threshold ≥ 0.
+/// Returns one residual per bin that the kinematic reconstruction fixes
+/// (core/terrain/kinematic_reconstruction.h) and whose truth is known, in the scenes' order.
+/// Contacts in one bin are one height there. A contact is a point, but the truth is the mean of 0.1
+/// m: the residual holds sensor noise and that difference. threshold: [N]. Throws
+/// std::invalid_argument unless threshold ≥ 0.
 std::vector<ContactResidual> contactResiduals(const RobotModel& robot,
                                               std::span<const Scene> scenes, double threshold,
                                               ContactRule rule);
 
-/// Of a set of residuals [m].  Zero everywhere when n is 0; sd is 0 when n is 1.
+/// Statistics of residuals [m]. All are zero if n is 0; sd is 0 if n is 1.
 struct ResidualStatistics {
     std::size_t n = 0;
     double mean = 0.0;
-    double sd = 0.0;        ///< about the mean, n − 1 in the denominator
-    double robustSd = 0.0;  ///< 1.4826 median |x − median|: sd of a normal, deaf to single outliers
+    double sd = 0.0;  ///< about the mean, n − 1 in the denominator
+    /// 1.4826 median |x − median|: sd of a normal, robust to single outliers
+    double robustSd = 0.0;
     bool operator==(const ResidualStatistics&) const = default;
 };
 ResidualStatistics residualStatistics(const std::vector<double>& residuals);
@@ -46,7 +48,7 @@ ContactSummary summariseContacts(std::span<const ContactResidual> residuals);
 /// Correction and sd that make contact heights fit the truth: h = contact + bias ± sd.
 struct ContactCalibration {
     double bias = 0.0;  ///< [m] mean residual
-    double sd = 0.0;    ///< [m] of the residuals; 0 when n < 2: nothing is known
+    double sd = 0.0;    ///< sd of the residuals [m]; 0 if n < 2: unknown
     std::size_t n = 0;
     bool operator==(const ContactCalibration&) const = default;
 };

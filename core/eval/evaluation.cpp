@@ -19,7 +19,7 @@ std::vector<BinError> only(std::span<const BinError> errors, Keep keep)
     return kept;
 }
 
-/// Mean of a number per error; 0 for none.
+/// Returns the mean of a number per error; 0 for none.
 template <class Number>
 double meanOf(std::span<const BinError> errors, Number number)
 {
@@ -44,7 +44,7 @@ MethodSummary summaryOf(const std::string& label, std::span<const BinError> erro
     return summary;
 }
 
-/// One histogram per label of number(error), which is 0 or more.
+/// Returns one histogram per label of number(error), which is 0 or more.
 template <class Number>
 std::vector<ErrorHistogram> classify(std::span<const BinError> errors, double width, int classes,
                                      Number number)

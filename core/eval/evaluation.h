@@ -14,50 +14,51 @@
 
 namespace terratact {
 
-/// What a method's results are called: its name.  Where one method is evaluated more than once, by settings
-/// other than the method, what tells them apart belongs behind it after a '/'.
+/// Returns the label of a method's results: its name. If a method is evaluated several times with
+/// other settings, the caller appends them after a '/'.
 std::string labelOf(const Settings& settings);
 
-/// One bin of one estimate beside the truth.
+/// Error of one bin of one estimate.
 struct BinError {
     std::size_t scene = 0;  ///< index among the scenes of the evaluation
-    std::string label;      ///< of the method or baseline
+    std::string label;      ///< of the method or the baseline
     int bin = 0;
     double error = 0.0;  ///< [m] height of the estimate − truth
     ForecastScores scores{};
     Origin origin = Origin::Sampled;
-    double novelty = 0.0;  ///< of the scene, as the method judged it; 0: not judged
+    double novelty = 0.0;  ///< novelty of the scene by this method; 0: not judged
     bool operator==(const BinError&) const = default;
 };
 
-/// The errors of one estimate, rear to front: all bins whose truth is known, the fixed ones too (the paper
-/// counts them).
+/// Returns the errors of one estimate, rear to front: all bins whose truth is known. Fixed bins
+/// count too, as in the paper.
 std::vector<BinError> binErrors(std::size_t sceneIndex, const Scene& scene,
                                 const std::string& label, const TerrainEstimate& estimate);
 
-/// The labels, in the order in which they were evaluated.
+/// Returns the labels, in the order of their evaluation.
 std::vector<std::string> labelsOf(std::span<const BinError> errors);
 
-/// The errors of one label.
+/// Returns the errors of one label.
 std::vector<BinError> errorsOf(std::string_view label, std::span<const BinError> errors);
 
-/// What is said about a set of errors [m].  Zero everywhere when n is 0.
+/// Statistics of a set of errors [m]. All are zero if n is 0.
 struct ErrorStatistics {
     std::size_t n = 0;
-    double q1 = 0.0, median = 0.0, q3 = 0.0;  ///< of |error|, as the paper's Fig. 9
+    double q1 = 0.0, median = 0.0, q3 = 0.0;  ///< of |error|, as in the paper's Fig. 9
     double mean = 0.0;                        ///< of |error|
-    double crps = 0.0;                        ///< mean
+    double crps = 0.0;                        ///< mean CRPS
     double coverage50 = 0.0;                  ///< share with the truth in the 50 % band
-    double coverage = 0.0;                    ///< in the 80 % band
-    double coverage95 = 0.0;                  ///< in the 95 % band
-    double width = 0.0;                       ///< mean, of the 80 % band
-    std::size_t sampled = 0;                  ///< how many were neither contact nor arm
-    double sampledCoverage = 0.0;             ///< coverage of those alone
+    double coverage = 0.0;                    ///< share with the truth in the 80 % band
+    double coverage95 = 0.0;                  ///< share with the truth in the 95 % band
+    double width = 0.0;                       ///< mean width of the 80 % band
+    std::size_t sampled = 0;                  ///< number of bins that were neither contact nor arm
+    double sampledCoverage = 0.0;             ///< coverage of the sampled bins
     bool operator==(const ErrorStatistics&) const = default;
 };
 ErrorStatistics statistics(std::span<const BinError> errors);
 
-/// Bins −0.3 … 0.5: under or beside the robot, where touch can tell something.
+/// Last bin near the robot: bins −0.3 … 0.5 are under or beside it, where touch can give
+/// information.
 inline constexpr int kLastNearBin = 8;
 
 struct MethodSummary {
@@ -67,18 +68,20 @@ struct MethodSummary {
     ErrorStatistics near{};  ///< bins up to kLastNearBin
 };
 
-/// One summary per label, in the order of labelsOf: Fig. 9 of the paper.
+/// Returns one summary per label, in the order of labelsOf: Fig. 9 of the paper.
 std::vector<MethodSummary> summarise(std::span<const BinError> errors);
 
-/// Bins whose centre lies under the front flippers, between the pivot and the far end of the tip circle.
-/// Not fixed: it depends on pitch and flipper angle; none where the flippers stand upright between centres.
+/// Returns the bins whose centre lies under the front flippers, between the pivot and the far end
+/// of the tip circle. They depend on pitch and flipper angle; there is none if upright flippers lie
+/// between centres.
 std::vector<int> binsUnderFrontFlipper(const RobotModel& robot, const Proprioception& s);
 
-/// The errors in the bins listed for their scene.  bins: one list per scene, else std::invalid_argument.
+/// Returns the errors in the bins listed for their scene. bins: one list per scene. Throws
+/// std::invalid_argument otherwise.
 std::vector<BinError> errorsInBins(std::span<const BinError> errors,
                                    std::span<const std::vector<int>> bins);
 
-/// How often a number fell into [k · width, (k + 1) · width); the last class has no upper end.
+/// Counts of values in [k · width, (k + 1) · width); the last class has no upper end.
 struct ErrorHistogram {
     std::string label;
     double width = 0.0;
@@ -86,12 +89,13 @@ struct ErrorHistogram {
     std::size_t n = 0;
 };
 
-/// Of |error|: one histogram per label, in the order of labelsOf; of errorsInBins: Fig. 8 of the paper.
-/// width: [m].  Throws std::invalid_argument unless width > 0 and classes ≥ 1.
+/// Returns histograms of |error|, one per label, in the order of labelsOf. With errorsInBins: Fig.
+/// 8 of the paper. width: [m]. Throws std::invalid_argument unless width > 0 and classes ≥ 1.
 std::vector<ErrorHistogram> histograms(std::span<const BinError> errors, double width, int classes);
 
-/// Of the PIT values, `classes` equal classes of 0 … 1: level where the forecasts are calibrated, high at
-/// both ends where the bands are too narrow.  Throws std::invalid_argument unless classes ≥ 1.
+/// Returns histograms of the PIT values in `classes` equal classes of 0 … 1. They are level for
+/// calibrated forecasts, and high at both ends for bands that are too narrow. Throws
+/// std::invalid_argument unless classes ≥ 1.
 std::vector<ErrorHistogram> pitHistograms(std::span<const BinError> errors, int classes);
 
 }  // namespace terratact

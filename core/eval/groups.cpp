@@ -11,7 +11,7 @@
 namespace terratact {
 namespace {
 
-/// Groups by name, labels by first appearance.
+/// Returns groups by name, labels by first appearance.
 std::vector<GroupSummary> summaries(const std::map<std::string, std::vector<BinError>>& groups)
 {
     std::vector<GroupSummary> result;

@@ -11,7 +11,7 @@
 
 namespace terratact {
 
-/// The errors of one label in scenes of one kind.
+/// Statistics of the errors of one label in one group of scenes.
 struct GroupSummary {
     std::string group;
     std::string label;
@@ -19,27 +19,28 @@ struct GroupSummary {
     ErrorStatistics all{};
 };
 
-/// "inside" (novelty ≤ 1) and "outside" the scenes a model was trained on, for the labels that judge
-/// novelty; a group without errors is left out.
+/// Returns the groups "inside" (novelty ≤ 1) and "outside" the training scenes, for the labels that
+/// judge novelty; groups without errors are left out.
 std::vector<GroupSummary> byNovelty(std::span<const BinError> errors);
 
-/// Which class each row of an index file belongs to.
+/// Class of each row of an index file.
 using Classes = std::map<std::string, std::string>;
-inline constexpr std::size_t kMaxClassRows = 200'000;  ///< of an index file
+inline constexpr std::size_t kMaxClassRows = 200'000;  ///< rows of an index file
 
-/// Reads the columns `row` and `column` of a CSV index (core/store/csv_reader.h).
-/// Errors name the file, the line and the cause: those of CsvReader; a column is missing, a row appears twice; over
-/// kMaxClassRows rows.
+/// Reads the columns `row` and `column` of a CSV index (core/store/csv_reader.h). Errors name the
+/// file, the line and the cause: those of CsvReader, a missing column, a row that appears twice,
+/// more than kMaxClassRows rows.
 Result<Classes> readClasses(const std::string& path, const std::string& column);
 
-/// The same from its first line on.
+/// Reads the same from an open CSV.
 Result<Classes> readClasses(CsvReader csv, const std::string& column);
 
-/// What a scene's run is called where the index does not know it.
+/// Class of a scene whose run is not in the index.
 inline constexpr std::string_view kNoClass = "(none)";
 
-/// Groups in alphabetical order, labels by first appearance; a scene belongs to the class of the row that
-/// its run names.  Throws std::invalid_argument where an error's scene is not among the scenes.
+/// Returns the groups in alphabetical order, labels by first appearance. The class of a scene is
+/// that of the row which its run names. Throws std::invalid_argument if an error's scene is not
+/// among the scenes.
 std::vector<GroupSummary> byClass(std::span<const BinError> errors, std::span<const Scene> scenes,
                                   const Classes& classes);
 

@@ -43,7 +43,8 @@ ArmReading readingOf(std::size_t sceneIndex, double truth, int bin, const ProbeL
     return {bin, truth + std::normal_distribution<double>(0.0, limits.armSd)(rng), limits.armSd};
 }
 
-/// The bin to touch; empty where the rule names none, one read before or one of unknown truth.
+/// Returns the bin to touch; empty if the rule names none, one that was read before, or one without
+/// truth.
 std::optional<int> nextBin(const Scene& scene, const TerrainEstimate& estimate,
                            const std::vector<ArmReading>& readings, const ProbeRule& rule)
 {

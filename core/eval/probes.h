@@ -14,57 +14,59 @@
 
 namespace terratact {
 
-/// The estimate of a scene once some bins have been touched.
+/// Returns the estimate of a scene after some bins have been touched.
 using ProbeEstimator = std::function<TerrainEstimate(const Scene&, std::span<const ArmReading>)>;
 
-/// Which bin to touch next, from the present estimate and what was read already; empty: none helps.
+/// Returns the bin to touch next, from the present estimate and the readings so far; empty: none
+/// helps.
 using ProbeRule =
     std::function<std::optional<int>(const TerrainEstimate&, std::span<const ArmReading>)>;
 
 struct ProbeLimits {
-    double armSd = 0.03;               ///< [m] noise of a reading
-    double sdLimit = kProbeThreshold;  ///< [m] enough is known when every bin's sd is below
-    int most = 4;                      ///< probes of one scene
+    double armSd = 0.03;               ///< sd of a reading [m]
+    double sdLimit = kProbeThreshold;  ///< probing ends once every bin's sd is below it [m]
+    int most = 4;                      ///< most probes of one scene
     std::uint64_t seed = 1;
 };
 
-/// The bins +0.6 and +0.7 that only the arm can reach: what probes are for.
+/// The bins +0.6 and +0.7, which only the arm can reach.
 inline constexpr std::array kBinsAhead{9, 10};
 
-/// Mean |error| [m] of an estimate: over the bins ahead, and over all whose truth is known.
+/// Mean |error| of an estimate [m]: over the bins ahead, and over all bins with a known truth.
 struct ProbeErrors {
     double ahead = 0.0, all = 0.0;
     bool operator==(const ProbeErrors&) const = default;
 };
 
-/// What one rule did in one scene.
+/// Result of one rule in one scene.
 struct ProbeTrial {
-    ProbeErrors before{}, after{};  ///< one probe; equal where none was made
-    int probes = 0;                 ///< made in all, the readings adding up
-    bool settled = false;           ///< in the end every sd was below the limit
+    ProbeErrors before{}, after{};  ///< after one probe; equal to before without a probe
+    int probes = 0;                 ///< number of probes in all; their readings accumulate
+    bool settled = false;           ///< every sd was below the limit at the end
 };
 
-/// Whether the truth of both bins ahead is known.
+/// Returns true if the truth of both bins ahead is known.
 bool hasTruthAhead(const Scene& scene);
 
-/// Touches bins that the rule names until every sd is below the limit, the rule names none (or one that was
-/// read before or whose truth is unknown), or limits.most probes were made.  A reading is the truth plus
-/// N(0, armSd²) by seed, sceneIndex and bin: the same for every rule.
-/// first: the estimate without a reading.  Throws std::invalid_argument unless hasTruthAhead(scene),
+/// Probes a scene. It ends if every sd is below the limit, if the rule names no bin (or one that
+/// was read before, or one without truth), or after limits.most probes. A reading is the truth plus
+/// N(0, armSd²) by seed, sceneIndex and bin, so that it is the same for every rule.
+/// first: the estimate without a reading. Throws std::invalid_argument unless hasTruthAhead(scene),
 /// armSd > 0, sdLimit > 0, most ≥ 1.
 ProbeTrial tryProbes(std::size_t sceneIndex, const Scene& scene, const TerrainEstimate& first,
                      const ProbeEstimator& estimate, const ProbeRule& rule,
                      const ProbeLimits& limits);
 
-/// What one rule did over many scenes, with the estimates of one method.
+/// Result of one rule over many scenes, with the estimates of one method.
 struct ProbeSummary {
     std::string label, rule;
     std::size_t scenes = 0;
-    std::size_t probed = 0;                 ///< in which at least one probe was made
-    ProbeErrors before{}, after{};          ///< [m] means over all scenes
-    ProbeErrors beforeProbed, afterProbed;  ///< [m] over the probed ones
+    std::size_t probed = 0;                 ///< scenes with at least one probe
+    ProbeErrors before{}, after{};          ///< means over all scenes [m]
+    ProbeErrors beforeProbed, afterProbed;  ///< means over the scenes with a probe [m]
     std::size_t settled = 0;
-    double probesNeeded = 0.0;  ///< mean; a scene that is not settled counts as limits.most
+    /// Mean number of probes; a scene that is not settled counts as limits.most.
+    double probesNeeded = 0.0;
 };
 ProbeSummary summariseProbes(const std::string& label, const std::string& rule,
                              std::span<const ProbeTrial> trials, const ProbeLimits& limits);

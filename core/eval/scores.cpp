@@ -66,7 +66,7 @@ double crpsOfDraws(std::span<const double> sorted, double truth)
     double spread = 0.0;
     for (std::size_t i = 0; i < sorted.size(); ++i) {
         distance += std::abs(sorted[i] - truth);
-        // About the truth: large numbers do not cancel.
+        // Values relative to the truth: large numbers do not cancel.
         spread += (2.0 * static_cast<double>(i) + 1.0 - n) * (sorted[i] - truth);
     }
     return distance / n - spread / (n * n);

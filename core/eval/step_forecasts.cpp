@@ -16,7 +16,7 @@ int firstBin(StepPlace place)
     return place == StepPlace::Ahead ? kFirstAhead : 0;
 }
 
-/// Whether there is a step; empty where a height is unknown.
+/// Returns true if there is a step; empty if a height is unknown.
 std::optional<bool> trueStep(const OptionalHeights& truth, int first, double limit)
 {
     Heights heights{};
@@ -40,7 +40,7 @@ double squaredError(const StepForecast& f)
     return error * error;
 }
 
-/// Classes, score and its parts; forecasts: at least one, of one label and place.
+/// Computes classes, score and its parts; forecasts: at least one, of one label and place.
 BrierSummary decompose(std::span<const StepForecast> forecasts)
 {
     BrierSummary b;

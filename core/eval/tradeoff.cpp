@@ -59,7 +59,7 @@ Settings referenceSettings(Method method, int draws, std::uint64_t seed)
 {
     Settings settings = wholeBudget(method, seed);
     settings.draws = draws;
-    settings.chains = 16;  // few and long: R-hat asks how long each is
+    settings.chains = 16;  // few and long: R-hat needs long chains
     settings.burnIn = 500;
     settings.precision = Precision::Double;
     return settings;

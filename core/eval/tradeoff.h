@@ -11,79 +11,82 @@
 
 namespace terratact {
 
-/// One way to estimate: the settings, and what is special about them.
+/// One setting of an estimate, and what it varies.
 struct TradeSetting {
-    std::string
-        varied;  ///< "draws", "chains", "precision", "inducing", "early stop" or a preset's name
+    /// "draws", "chains", "precision", "inducing", "early stop" or a preset's name.
+    std::string varied;
     Settings settings;
     std::optional<Quality> preset;
 };
 
-/// The settings whose cost and error `tradeoff` measures for a method: the presets, and 1000 draws of 16
-/// chains in single precision without inducing rows, with one thing varied at a time.  Closed forms have
-/// nothing but their draws to vary.  The presets end as early as the program lets them; of the others all but
-/// "early stop" use their whole budget.
+/// Returns the settings whose cost and error `tradeoff` measures for a method: the presets, and
+/// variations of one setting at a time. The base is 1000 draws of 16 chains in single precision
+/// without inducing rows. Closed forms only vary their draws. The presets end as early as the
+/// program allows; all others except "early stop" use their whole budget.
 std::vector<TradeSetting> tradeSettings(Method method, std::uint64_t seed);
 
-/// The long run that the others are compared with: 16 chains of `draws` in all, double precision, all rows.
+/// Returns the settings of the reference run: 16 chains with `draws` in all, double precision, all
+/// rows.
 Settings referenceSettings(Method method, int draws, std::uint64_t seed);
 
-/// What the long runs of a method came to: of R-hat and ESS the worst of their bins, over all scenes.
+/// Quality of a method's reference runs: the worst R-hat and ESS of their bins, over all scenes.
 struct ReferenceQuality {
     Method method = Method::Local;
     int scenes = 0;
     int draws = 0;
     double rhat = 1.0;
-    double ess = 0.0;  ///< the number of draws where nothing was sampled
-    double error =
-        0.0;  ///< [m] of the means by Monte Carlo: sd/√ESS, on average over bins and scenes
+    double ess = 0.0;  ///< number of draws if nothing was sampled
+    /// Monte-Carlo error of the means [m]: sd/√ESS, averaged over bins and scenes.
+    double error = 0.0;
 
     void add(const TerrainEstimate& estimate);
 };
 
-/// How far two estimates of one scene lie apart [m], on average over the bins.
+/// Distance of two estimates of one scene [m], averaged over the bins.
 struct EstimateDistance {
     double mean = 0.0;      ///< |difference of the means|
     double quantile = 0.0;  ///< |difference of the 0.1 and 0.9 quantiles|
 };
 EstimateDistance distance(const TerrainEstimate& a, const TerrainEstimate& b);
 
-/// What a setting came to, on average over the scenes.
+/// Result of one setting, averaged over the scenes.
 struct TradePoint {
     TradeSetting setting;
-    double seconds = 0.0;        ///< of processor time, median per scene
-    EstimateDistance reference;  ///< [m] from the long run of the same method
-    double error = 0.0;          ///< [m] mean |height − truth|
-    double crps = 0.0;           ///< [m] mean
-    int draws = 0;               ///< that were kept, median per scene
-    double converged = 0.0;      ///< share of the scenes whose chains had converged
+    double seconds = 0.0;        ///< processor time, median per scene [s]
+    EstimateDistance reference;  ///< distance from the reference run of the same method [m]
+    double error = 0.0;          ///< mean |height − truth| [m]
+    double crps = 0.0;           ///< mean CRPS [m]
+    int draws = 0;               ///< kept draws, median per scene
+    double converged = 0.0;      ///< share of the scenes with converged chains
 };
 
-/// Draws of a long run that is worth comparing with: four times those of the point with most.
+/// Returns the least useful number of draws of a reference run: four times those of the point with
+/// most draws.
 int leastReferenceDraws(std::span<const TradePoint> points);
 
-/// What a preset was measured to cost and to err, with one method.
+/// Measured cost and error of a preset with one method.
 struct PresetCost {
     Method method = Method::Local;
     Quality quality = Quality::Balanced;
-    int draws = 0, chains = 0, burnIn = 0, inducing = 0;  ///< Settings that were measured
+    int draws = 0, chains = 0, burnIn = 0, inducing = 0;  ///< the measured settings
     double milliseconds = 0.0;                            ///< per scene
-    double offMm = 0.0;      ///< [mm] of the quantiles, from a long run
-    double errorMm = 0.0;    ///< [mm] mean |height − truth|
-    double converged = 0.0;  ///< share of the scenes whose chains had converged
+    double offMm = 0.0;      ///< distance of the quantiles from a reference run [mm]
+    double errorMm = 0.0;    ///< mean |height − truth| [mm]
+    double converged = 0.0;  ///< share of the scenes with converged chains
     bool operator==(const PresetCost&) const = default;
 };
 
-/// Which points no other beats: none is cheaper with no larger error, nor as cheap with a smaller one.
-/// Of equal points the first is on the front.  Throws std::invalid_argument unless both have one number per
-/// point.
+/// Returns which points are on the Pareto front. No other point is cheaper with no larger error, or
+/// as cheap with a smaller error. Of equal points the first is on the front. Throws
+/// std::invalid_argument unless both have one number per point.
 std::vector<bool> paretoFront(std::span<const double> cost, std::span<const double> error);
 
-/// Which points are on a front.  Distances from a long run are of its own method and say nothing about another one, so
-/// each method has a front of time and quantiles; a closed form, whose quantiles are exact, has none.
+/// Pareto fronts of the points. Distances from a reference run compare one method only, so each
+/// method has its own front of time and quantiles. A closed form has none, because its quantiles
+/// are exact.
 struct TradeFronts {
-    std::vector<bool> reference;  ///< of time and quantiles, among the points of the same method
-    std::vector<bool> truth;      ///< of time and error, among all
+    std::vector<bool> reference;  ///< time and quantiles, among the points of the same method
+    std::vector<bool> truth;      ///< time and error, among all points
 };
 TradeFronts tradeFronts(std::span<const TradePoint> points);
 

@@ -30,7 +30,7 @@ public:
         TerrainEstimate estimate;
     };
 
-    /// robot and models must outlive the batch.
+    /// Robot and models must outlive the batch.
     EstimateBatch(const RobotModel& robot, const Models& models) : robot_(robot), models_(models) {}
 
     /// Returns true if one more scene gains from the batch: its chains fit in, its scan order is

@@ -24,7 +24,7 @@ struct ReviewMoment {
     SessionTime measured = 0;                  ///< time at which it arrived
     std::optional<SensorLine> line{};          ///< sensor line of the bus behind the measurement
     double linesPerSecond = 0.0;               ///< telemetry lines in the last second
-    /// state of the link as recorded; before its first record, by frames at this time
+    /// State of the link as recorded; before its first record, by frames at this time.
     bool linkAlive = false;
     bool telemetryAlone = false;  ///< the link is lost, but other frames of the robot came
     SessionTime linkSince = 0;    ///< time since which the link has this state
@@ -38,7 +38,7 @@ struct ReviewMoment {
     std::shared_ptr<const EstimateRow> estimate{}, second{};  ///< with their draws
     const ProposalRow* proposal = nullptr;                    ///< proposal of the estimate
     const EventRow* decision = nullptr;  ///< the operator's answer to the proposal
-    /// why the last estimate is not valid any more; empty: there was none
+    /// Why the last estimate is not valid any more; empty: there was none.
     std::string forgotten{};
 
     AtemState state{};  ///< `since` is on the session's clock [s]

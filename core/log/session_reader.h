@@ -24,7 +24,7 @@ struct SessionDamage {
 struct SessionVerification {
     std::int64_t batches = 0, frames = 0, events = 0;
     std::string chain;  ///< last valid link, 64 hexadecimal digits
-    /// span from which nothing is proven; empty: the whole chain is valid
+    /// Span from which nothing is proven; empty: the whole chain is valid.
     std::optional<SessionDamage> broken;
     std::vector<SessionDamage> damage;  ///< batches whose rows are not what was recorded
 };

@@ -12,7 +12,7 @@ namespace terratact {
 /// and the flippers' angles.
 struct TipOver {
     double noseUp = 0.0;  ///< over the tracks' rear end, or over the tips of lowered rear flippers
-    /// over the tracks' front end, or over the tips of lowered front flippers
+    /// Over the tracks' front end, or over the tips of lowered front flippers.
     double noseDown = 0.0;
     double side = 0.0;  ///< over RobotModel::halfWidth
 };
@@ -35,7 +35,7 @@ inline constexpr double kAmberReserve = 0.3491, kRedReserve = 0.1745;
 struct Attitude {
     AttitudeLevel pitch = AttitudeLevel::Level, roll = AttitudeLevel::Level;
     double pitchTips = 0.0,
-           /// angle at which it tips over on that side [rad], with the sign of the angle
+           /// Angle at which it tips over on that side [rad], with the sign of the angle.
         rollTips = 0.0;
     AttitudeLevel worst() const { return pitch > roll ? pitch : roll; }
     bool operator==(const Attitude&) const = default;

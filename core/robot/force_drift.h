@@ -21,8 +21,8 @@ public:
     static constexpr std::size_t kMin = 20;   ///< fewer readings give no drift
     static constexpr double kNotable = 0.3;   ///< [N] drift that the operator should know about
 
-    using Forces =
-        std::array<std::optional<double>, kForceElements>;  ///< [N] signed, beyond the bias
+    /// [N] signed, beyond the bias.
+    using Forces = std::array<std::optional<double>, kForceElements>;
 
     /// Adds a reading without load. `time` [s] may come from any clock; a clock that jumps back
     /// starts a new window. An element without a finite value is skipped. Throws

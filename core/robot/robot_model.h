@@ -65,10 +65,10 @@ struct RobotModel {
     double torquePerAmpere = 0.0;   ///< [N m / A] of one flipper motor
     double maxFlipperTorque = 0.0;  ///< [N m] one motor, at the output
     double flipperSpeed = 0.0;      ///< [rad/s]
-    /// range of x in the DEM frame that the arm can probe [m]
+    /// Range of x in the DEM frame that the arm can probe [m].
     double armReachBegin = 0.0, armReachEnd = 0.0;
     double armSd = 0.0;  ///< sd of an arm reading [m]
-    /// sd of a travelled distance as a share of that distance: the tracks slip
+    /// Sd of a travelled distance as a share of that distance: the tracks slip.
     double travelledSdShare = 0.0;
     double pitchSd = 0.0;  ///< [rad] sd of the IMU's pitch
 

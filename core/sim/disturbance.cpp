@@ -11,7 +11,7 @@ namespace {
 constexpr double kNoisyPitch = 0.0175;    // [rad] 1°
 constexpr double kForceError = 0.25;      // share
 constexpr std::size_t kDeadElement = 3;   // element 4
-constexpr double kSoftLayer = 0.025;      // [m] less than the radius of a flipper's tip
+constexpr double kSoftLayer = 0.025;      // [m], less than the radius of a flipper's tip
 constexpr double kSoftStiffness = 120.0;  // [N/m] per 5 mm of ground, under both tracks
 constexpr double kMassError = 0.20;       // share
 constexpr double kSlide = 0.05;           // [m]

@@ -10,15 +10,15 @@
 
 namespace terratact {
 
-/// What the simulated world does that the estimator does not know of, for tests of robustness.
+/// Disturbance of the simulated world that the estimator does not know of, for robustness tests.
 ///   ImuNoise      pitch noise of 1° instead of 0.5°
 ///   ForcesHigh    every force reads 25 % high; ForcesLow: 25 % low
 ///   DeadElement   element 4 always reads 0
-///   SoftGround    the robot sinks about 2 cm into flat ground.  The truth stays the surface that a scanner
-///                 sees, which then lies above the robot's lower edge: the ceiling no longer holds.
+///   SoftGround    the robot sinks about 2 cm into flat ground. The truth stays the surface that a scanner
+///                 sees. It lies above the robot's lower edge, so that the ceiling does not hold.
 ///   LightRobot    every mass 20 % less; HeavyRobot: 20 % more
 ///   FrictionFree  nothing holds x: the robot slides up to 5 cm towards less energy before it is measured.
-///                 Contacts carry normal forces only in any case (core/sim/rest_pose.h).
+///                 Contacts always carry normal forces only (core/sim/rest_pose.h).
 enum class Disturbance : std::uint8_t {
     None,
     ImuNoise,
@@ -36,20 +36,22 @@ inline constexpr std::array kDisturbances{
     Disturbance::ForcesLow,  Disturbance::DeadElement, Disturbance::SoftGround,
     Disturbance::LightRobot, Disturbance::HeavyRobot,  Disturbance::FrictionFree};
 
-/// "none", "imu-noise", "forces-high", "forces-low", "dead-element", "soft-ground", "light-robot",
-/// "heavy-robot", "friction-free".
+/// Returns "none", "imu-noise", "forces-high", "forces-low", "dead-element", "soft-ground",
+/// "light-robot", "heavy-robot" or "friction-free".
 std::string_view name(Disturbance disturbance);
 std::optional<Disturbance> disturbanceFromName(std::string_view text);
 
-/// The same, changed by the disturbance; unchanged where it is about something else.
+/// Return the argument with the disturbance applied; unchanged if the disturbance concerns
+/// something else.
 SensorNoise disturbed(SensorNoise noise, Disturbance disturbance);
 GroundOptions disturbed(GroundOptions ground, Disturbance disturbance);
 RobotModel disturbed(RobotModel robot, Disturbance disturbance);
 
-/// What the sensors report in place of s; forces stay within 0 and `saturation` [N].
+/// Returns the reported readings in place of s; forces stay within 0 and `saturation` [N].
 Proprioception disturbed(Proprioception s, double saturation, Disturbance disturbance);
 
-/// All of a drive but the robot: noise, ground, readings and sliding.  saturation: [N], of the elements.
+/// Returns all conditions of a drive but the robot: noise, ground, readings and sliding.
+/// saturation: of the elements [N].
 DriveConditions disturbedDrive(const SensorNoise& noise, double saturation,
                                Disturbance disturbance);
 

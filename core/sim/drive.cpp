@@ -9,8 +9,8 @@ namespace terratact {
 namespace {
 
 constexpr double kBehind =
-    0.65;  // [m] of terrain behind the first base; before its begin it is level
-constexpr double kAhead = 0.80;      // [m] the last bin ends this far ahead at most
+    0.65;  // [m] of terrain behind the first base; it is level before its begin
+constexpr double kAhead = 0.80;      // [m] largest distance of the last bin's end ahead
 constexpr double kSpeed = 0.3;       // [m/s]
 constexpr double kSlideStep = 0.01;  // [m]
 constexpr double kRollStep = 0.05;   // [m]
@@ -22,7 +22,7 @@ OptionalHeights known(const Heights& heights)
     return result;
 }
 
-/// One stop of a drive: where the robot rests over the terrain.
+/// One stop of a drive: the robot's rest pose on the terrain.
 class Stop {
 public:
     Stop(const RobotModel& robot, const TerrainProfile& terrain, const DriveStyle& style,
@@ -32,7 +32,7 @@ public:
     {
     }
 
-    /// The scene at x, without its run and time; pitch: becomes that of the rest pose.
+    /// Returns the scene at x, without its run and time. pitch: becomes that of the rest pose.
     std::optional<Scene> measured(double x, double& pitch, std::mt19937_64& rng) const
     {
         const auto rest = restNear(x);
@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    /// Rest pose at x, or where the robot comes to rest when it slides from there.
+    /// Returns the rest pose at x, or where the robot stops when it slides from there.
     Result<RestPose> restNear(double x) const
     {
         Result<RestPose> rest = restAt(x);
@@ -64,7 +64,7 @@ private:
                         HoldAngle{style_.rearAngle}, startPitch_, conditions_.ground);
     }
 
-    /// On from `rest` in steps of `step` while the energy falls.
+    /// Slides from `rest` in steps of `step` while the energy falls.
     RestPose slid(RestPose rest, double step) const
     {
         const double start = rest.pose.base.x;
@@ -84,7 +84,7 @@ private:
     double startPitch_;
 };
 
-/// The robot between the stops, front flippers up.
+/// The robot between the stops, with raised front flippers.
 class Rolling {
 public:
     Rolling(const RobotModel& robot, const TerrainProfile& terrain, const DriveStyle& style,
@@ -96,7 +96,7 @@ public:
     double travelled() const { return travelled_; }
     double pitch() const { return at_ ? at_->pitch : 0.0; }
 
-    /// Rolls on to x in steps; where the robot finds no rest, the way to the next one counts.
+    /// Rolls to x in steps. If the robot finds no rest pose, that way is added to the next step.
     void rollTo(double x, double slip, std::vector<OdometryReading>& way, std::mt19937_64& rng)
     {
         if (at_) report(way, rng);

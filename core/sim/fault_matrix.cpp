@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 11> kMatrixSensors{"pitch",
                                                           "odometry"};
 constexpr int kElements = 6;
 
-/// Large enough to harm, such as a drive of a minute shows it.
+/// Returns an amount that is large enough to harm, and that a drive of a minute shows.
 std::string_view amountOf(std::string_view kind, const SensorFault& fault)
 {
     const SensorKind sensor = kindOf(fault.sensors.front());

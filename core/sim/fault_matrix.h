@@ -8,19 +8,19 @@
 
 namespace terratact {
 
-/// One kind of fault at one sensor.
+/// Cell of the fault matrix: one kind of fault at one sensor.
 struct MatrixCell {
     std::string sensor;       ///< as sensorFaultFrom() reads it
-    std::string_view kind;    ///< likewise
-    std::string fault;        ///< both, with an amount
-    std::string_view reason;  ///< why SensorWatch cannot notice it in most drives; empty: it does
+    std::string_view kind;    ///< as sensorFaultFrom() reads it
+    std::string fault;        ///< sensor and kind, with an amount
+    std::string_view reason;  ///< why SensorWatch cannot detect it in most drives; empty: it does
 };
 
-/// Stuck, drift, spikes, flipped, swapped, late, out of range: the columns.
+/// Returns the columns: stuck, drift, spikes, flipped, swapped, late, out of range.
 std::vector<std::string_view> matrixKinds();
 
-/// Each of them at each sensor, sensor by sensor: attitude, four angles, four currents, six forces, the twelve elements
-/// they are the means of, odometry.
+/// Returns each kind at each sensor, sensor by sensor: attitude, four angles, four currents, six
+/// forces, the twelve elements that the forces are the means of, odometry.
 std::vector<MatrixCell> faultMatrix();
 
 }  // namespace terratact

@@ -38,7 +38,7 @@ Result<RestPose> restOn(const Heights& heights, const Proprioception& s, const R
     return restPose(robot, groundAtBins(heights), x, front, HoldAngle{s.rear}, s.pitch);
 }
 
-/// The difference as a share of the tolerances: the larger one, and the sum of both.
+/// Differences as shares of the tolerances: the larger one, and the sum of both.
 struct Difference {
     double most = HUGE_VAL, sum = HUGE_VAL;
 };

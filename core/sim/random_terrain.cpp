@@ -28,10 +28,10 @@ bool chance(std::mt19937_64& rng, double probability)
     return uniform(rng, 0.0, 1.0) < probability;
 }
 
-// Draws are statements of their own: in which order the operands of one expression are evaluated is the
-// compiler's choice, and the same seed shall give the same ground.
+// Each random draw is a statement of its own. The evaluation order of operands is the compiler's
+// choice, but the same seed must give the same ground.
 
-/// Of that size, up or down.
+/// Returns a value of that size, up or down.
 double eitherWay(std::mt19937_64& rng, double low, double high)
 {
     const double size = uniform(rng, low, high);
@@ -64,7 +64,7 @@ struct Range {
     double low, high;
 };
 
-/// A raised or, sign −1, sunken piece with vertical faces.
+/// Adds a raised or, with sign −1, sunken piece with vertical faces.
 void addBlock(TerrainPath& path, double sign, Range heights, Range widths, std::mt19937_64& rng)
 {
     const double width = uniform(rng, widths.low, widths.high);
@@ -74,7 +74,7 @@ void addBlock(TerrainPath& path, double sign, Range heights, Range widths, std::
     path.face(-height * (chance(rng, 0.7) ? 1.0 : uniform(rng, 0.3, 1.3)));
 }
 
-/// Half a wave up or down: a log, a mound, a furrow.
+/// Adds half a wave up or down: a log, a mound, a furrow.
 void addHump(TerrainPath& path, std::mt19937_64& rng)
 {
     constexpr int kPosts = 16;
@@ -103,7 +103,7 @@ void addFeature(TerrainPath& path, std::mt19937_64& rng)
     }
 }
 
-/// Short landings are more frequent than long ones.
+/// Returns the length of a landing; short ones are more frequent.
 double landing(std::mt19937_64& rng)
 {
     return 0.05 + 1.5 * std::pow(uniform(rng, 0.0, 1.0), 2.0);
@@ -117,13 +117,13 @@ TerrainProfile builtGround(std::mt19937_64& rng)
         addFeature(path, rng);
         path.level(landing(rng));
     }
-    // A line at an angle to head-on cuts the same ground stretched by 1 / cos.
+    // A line at an angle to head-on crosses the same ground stretched by 1 / cos.
     const double widest = uniform(rng, 0.0, 1.05);
     const double stretch = 1.0 / std::cos(widest * uniform(rng, 0.0, 1.0));
     return std::move(path).stretched(stretch);
 }
 
-/// ISO 8608 class, 0 for A; between two classes for a fraction.
+/// Returns the roughness of an ISO 8608 class, 0 for A; a fraction lies between two classes.
 double classRoughness(double roughnessClass)
 {
     return 16e-6 * std::pow(4.0, roughnessClass);
@@ -203,7 +203,7 @@ TerrainProfile isoRoughness(double gn0, double length, std::mt19937_64& rng)
     const auto posts = static_cast<std::size_t>(std::lround(length / kStep)) + 1;
     std::vector<double> heights(posts, 0.0);
     for (int wave = 0; wave < kWaves; ++wave) {
-        // The band's share of the variance, ∫ G(n) dn, in one cosine at a random place in the band.
+        // One cosine at a random place in the band has the band's share of the variance, ∫ G(n) dn.
         const double low = kLowest * std::pow(ratio, wave);
         const double high = low * ratio;
         const double amplitude = std::sqrt(2.0 * gn0 * kN0 * kN0 * (1.0 / low - 1.0 / high));

@@ -13,13 +13,13 @@ namespace terratact {
 namespace {
 
 constexpr double kGravity = 9.81;    // [m/s²]
-constexpr double kMinReach = 0.75;   // [m] of ground that is looked at on either side of the base
+constexpr double kMinReach = 0.75;   // [m] of ground that is searched on either side of the base
 constexpr double kMaxPitch = 1.2;    // [rad]
-constexpr double kMaxFlipper = 2.5;  // [rad] further up a flipper lies on the robot
+constexpr double kMaxFlipper = 2.5;  // [rad] beyond it a flipper lies on the robot
 constexpr int kSoftIterations = 60;
 constexpr int kFinalIterations = 300;
-constexpr int kHalvings = 14;       // of a step that does not go down far enough
-constexpr double kSettled = 1e-11;  // [J] a Newton step that gains less is not worth taking
+constexpr int kHalvings = 14;       // most halvings of a step that does not descend far enough
+constexpr double kSettled = 1e-11;  // [J] a Newton step with a smaller gain ends the search
 
 /// Order of the degrees of freedom in gradients: base height, pitch, front, rear.
 enum Freedom { kZ, kPitch, kFront, kRear, kFreedoms };
@@ -31,7 +31,7 @@ double dot(Vec2 a, Vec2 b)
     return a.x * b.x + a.z * b.z;
 }
 
-/// Velocity of a point per unit rate of a rotation x → z about `centre`.
+/// Returns the velocity of a point per unit rate of a rotation x → z about `centre`.
 Vec2 spin(Vec2 point, Vec2 centre)
 {
     return {-(point.z - centre.z), point.x - centre.x};
@@ -43,7 +43,7 @@ double torqueOf(const FlipperDrive& drive)
     return press ? press->torque : 0.0;
 }
 
-/// Tip-up rotation of a flipper as a rotation x → z: front forward, rear mirrored.
+/// Returns the sign of a tip-up rotation as a rotation x → z: front positive, rear mirrored.
 double turnSign(const FlipperGeometry& flipper)
 {
     return flipper.pivot.x >= 0.0 ? 1.0 : -1.0;
@@ -60,7 +60,7 @@ public:
     {
     }
 
-    /// Energy [J]; gradient [N, N m, N m, N m] and contacts where asked for.
+    /// Returns the energy [J]; gradient [N, N m, N m, N m] and contacts if requested.
     double operator()(const Pose& pose, double stiffness, Gradient* gradient,
                       std::vector<GroundContact>* contacts) const
     {
@@ -73,10 +73,10 @@ public:
         return energy;
     }
 
-    /// How often a point of the ground was sampled or held against a part.
+    /// Returns how many ground points were sampled or compared with a part.
     std::size_t looks() const { return looks_; }
 
-    /// Least height of the base at which no part touches the line.
+    /// Returns the least height of the base at which no part touches the line.
     double clearHeight(Pose pose) const
     {
         pose.base.z = 0.0;
@@ -132,7 +132,8 @@ private:
             const double soft = ground_.softStiffness * hit.depth;
             const double force = firm + soft;
             energy += 0.5 * firm * firmDepth + 0.5 * soft * hit.depth;
-            // The part's boundary moves outwards with n·v, and the depth with it.
+            // The part's boundary moves outwards with n·v, and the depth changes by the same
+            // amount.
             g[kZ] += force * hit.normal.z;
             g[kPitch] += force * dot(hit.normal, spin(point, pose.base));
             if (kind == GroundContact::Part::Front)
@@ -177,8 +178,9 @@ Pose moved(Pose pose, const Gradient& step)
     return pose;
 }
 
-/// Newton's method on the free coordinates.  The Hessian is the difference of analytic gradients; its
-/// eigenvalues are taken by magnitude and kept away from 0, so every step goes downhill.
+/// Newton's method on the free coordinates. The Hessian is the difference of analytic gradients.
+/// Its eigenvalues are replaced by their magnitude and kept away from 0, so that every step
+/// descends.
 class Descent {
 public:
     Descent(const Potential& potential, bool frontFree, bool rearFree)
@@ -261,7 +263,7 @@ bool isPressed(const FlipperDrive& drive)
     return std::holds_alternative<PressTorque>(drive);
 }
 
-/// Held where it lies on the robot.
+/// Returns true for a flipper that is held where it lies on the robot.
 bool isFolded(const FlipperDrive& drive)
 {
     return !isPressed(drive) && std::abs(startAngle(drive)) > kMaxFlipper;
@@ -269,7 +271,8 @@ bool isFolded(const FlipperDrive& drive)
 
 enum class Start { Above, Here };
 
-/// Lowers the robot from above `pose` onto the ground, contacts growing stiffer, or goes on from there.
+/// Lowers the robot from above `pose` onto the ground with growing contact stiffness, or continues
+/// from there.
 RestPose settle(const RobotModel& robot, const TerrainProfile& terrain, Pose pose,
                 const FlipperDrive& front, const FlipperDrive& rear, const GroundOptions& ground,
                 Start start)
@@ -296,7 +299,7 @@ RestPose settle(const RobotModel& robot, const TerrainProfile& terrain, Pose pos
     return rest;
 }
 
-/// Front flippers that found no ground are held; the robot settles anew around them.
+/// Holds front flippers that found no ground, and lets the robot settle again.
 RestPose heldAtLowest(const RobotModel& robot, const TerrainProfile& terrain, const RestPose& rest,
                       const GroundOptions& ground)
 {
@@ -309,7 +312,7 @@ RestPose heldAtLowest(const RobotModel& robot, const TerrainProfile& terrain, co
     return held;
 }
 
-/// A held axle whose motors are overloaded gives way until their limit balances the load.
+/// Lets a held axle with overloaded motors give way until their limit balances the load.
 RestPose yielded(const RobotModel& robot, const TerrainProfile& terrain, const RestPose& rest,
                  const GroundOptions& ground)
 {
@@ -352,7 +355,7 @@ Result<RestPose> restPose(const RobotModel& robot, const TerrainProfile& terrain
     if (isPressed(front) && rest.pose.front < kLowestFlipper)
         rest = heldAtLowest(robot, terrain, rest, ground);
     for (int axle = 0; axle < 2; ++axle)
-        rest = yielded(robot, terrain, rest, ground);  // one may overload the other
+        rest = yielded(robot, terrain, rest, ground);  // one axle may overload the other
     if (!std::isfinite(rest.energy)) return Error{"no rest pose: the search diverges", 0};
     if (std::abs(rest.pose.pitch) > kMaxPitch) return Error{"no rest pose: the robot tips over", 0};
     if (isFolded(rest.front) || isFolded(rest.rear))

@@ -11,7 +11,7 @@
 namespace terratact {
 namespace {
 
-constexpr double kMaxStepTime = 0.05;  // [s] of simulated time, at most
+constexpr double kMaxStepTime = 0.05;  // [s] largest step of simulated time
 constexpr double kSlowArm = 3.0;
 
 bool moves(const Command& command)
@@ -80,7 +80,7 @@ std::vector<CanFrame> RobotOnBus::receive(const CanFrame& frame, double now)
     case CommandVerdict::NoHeartbeat: refuse(Refusal::NotArmed); break;
     case CommandVerdict::WrongEpoch: refuse(Refusal::WrongEpoch); break;
     case CommandVerdict::TooLate:
-        // Drives that were on their way when a key was released are nothing to report.
+        // Drive commands in transit when a key was released are no error to report.
         if (answer.kind != FrameKind::Drive) refuse(Refusal::WrongEpoch);
         break;
     case CommandVerdict::NotACommand:
@@ -123,7 +123,7 @@ std::vector<CanFrame> RobotOnBus::tick(double now)
     if (faulty(RobotFault::Reboot) && !std::exchange(rebooted_, true)) reboot();
     live(std::min(dt, kMaxTick) * options_.speed);
     if (*last_ < due_) return {};
-    due_ = std::max(due_ + kPeriod, *last_);  // late ones are not made up for
+    due_ = std::max(due_ + kPeriod, *last_);  // missed lines are not repeated
     return mute() ? std::vector<CanFrame>{} : telemetry();
 }
 

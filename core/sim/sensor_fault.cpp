@@ -14,7 +14,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kDelay = 0.5;        // [s]
 constexpr double kMaxDelay = 10.0;    // [s]
 constexpr double kMinute = 60.0;      // [s]
-constexpr double kSpikeShare = 0.25;  // of the lines
+constexpr double kSpikeShare = 0.25;  // share of the lines
 
 struct NamedKind {
     std::string_view name;
@@ -77,7 +77,7 @@ const Named* find(std::string_view text, const std::array<Named, n>& all)
     return found == all.end() ? nullptr : &*found;
 }
 
-/// The text without the side that is before forces; whether there was one.
+/// Returns the text without a side before forces, and whether there was one.
 std::pair<std::string_view, bool> withoutSide(std::string_view text)
 {
     for (const std::string_view side : kSides)
@@ -108,7 +108,7 @@ std::optional<double> numberIn(std::string_view text)
     return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// The same sensor of the other side; a force: counted from the other end.
+/// Returns the same sensor of the other side; for a force, the element counted from the other end.
 Sensor opposite(Sensor sensor)
 {
     const std::size_t i = indexOf(sensor);
@@ -120,7 +120,7 @@ Sensor opposite(Sensor sensor)
     return sensor;
 }
 
-/// The same sensor of the other axle.
+/// Returns the same sensor of the other axle.
 Sensor ofOtherAxle(Sensor sensor)
 {
     const std::size_t angle = indexOf(Sensor::FrontLeft);

@@ -15,7 +15,7 @@ void check(const SensorNoise& noise)
             throw std::invalid_argument("noisy: a standard deviation is negative or not finite");
 }
 
-/// x plus Gaussian noise of that sd; x itself where sd is 0.
+/// Returns x plus Gaussian noise of that sd; x itself if sd is 0.
 double withNoise(double x, double sd, std::mt19937_64& rng)
 {
     std::normal_distribution<double> standard;

@@ -9,24 +9,24 @@ namespace terratact {
 
 /// Standard deviations of the simulated sensors.
 struct SensorNoise {
-    double pitch = 0.0087;         ///< [rad] 0.5°, an MTi's static accuracy
+    double pitch = 0.0087;         ///< 0.5°, the static accuracy of an MTi [rad]
     double flipperAngle = 0.0017;  ///< [rad] 0.1°
     double current = 0.05;         ///< [A] assumed
     double forceShare = 0.10;      ///< share of the force
     double forceFloor = 0.3;       ///< [N]
-    double height = 0.012;         ///< [m] of the scanner that gives the training truth
+    double height = 0.012;         ///< noise of the scanner that gives the training truth [m]
 
     static SensorNoise none() { return {0.0, 0.0, 0.0, 0.0, 0.0, 0.0}; }
 };
 
-/// What the sensors report: Gaussian noise added, of a force with variance
-///   (forceShare · force)² + forceFloor²,
-/// and the force kept within 0 and `saturation` [N].  What is not measured stays so.
+/// Returns readings with Gaussian noise. The variance of a force is
+///   (forceShare · force)² + forceFloor².
+/// The force stays within 0 and `saturation` [N]. Features that were not measured stay empty.
 /// Throws std::invalid_argument for a negative standard deviation or saturation ≤ 0.
 Proprioception noisy(const Proprioception& exact, const SensorNoise& noise, double saturation,
                      std::mt19937_64& rng);
 
-/// What the scanner reports of the terrain.
+/// Returns the terrain as the scanner reports it.
 Heights noisy(const Heights& exact, const SensorNoise& noise, std::mt19937_64& rng);
 
 }  // namespace terratact

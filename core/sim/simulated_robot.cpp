@@ -8,10 +8,10 @@ namespace terratact {
 
 namespace {
 
-constexpr double kMaxSpeed = 0.6;        // [m/s]
-constexpr double kMargin = 0.7;          // [m] the robot stays this far from the terrain's ends
-constexpr double kMaxAdvance = 0.1;      // [m]
-constexpr double kAdvanceSpeed = 0.1;    // [m/s]
+constexpr double kMaxSpeed = 0.6;      // [m/s]
+constexpr double kMargin = 0.7;        // [m] the robot keeps this distance from the terrain's ends
+constexpr double kMaxAdvance = 0.1;    // [m]
+constexpr double kAdvanceSpeed = 0.1;  // [m/s]
 constexpr double kHighestFlipper = 3.1;  // [rad]
 
 }  // namespace
@@ -137,7 +137,7 @@ void SimulatedRobot::step(double dt)
     }
 }
 
-// Flippers come up before the tracks move, so that they meet obstacles from above.
+// Flippers rise before the tracks move, so that they meet obstacles from above.
 void SimulatedRobot::drive(double dt)
 {
     const double turn = robot_.flipperSpeed * dt;
@@ -162,8 +162,8 @@ void SimulatedRobot::moveBy(double way)
     const Pose before = rest_.pose;
     const double stood = x_;
     x_ = std::clamp(x_ + way, terrain_.begin() + kMargin, terrain_.end() - kMargin);
-    if (!settle())
-        x_ = stood;  // else it would appear further on, and its tracks report that way at once
+    // otherwise it would appear further on, and its tracks would report that way at once
+    if (!settle()) x_ = stood;
     travelled_ += (1.0 + slip_) * trackWay(before, rest_.pose);
 }
 
@@ -203,7 +203,8 @@ void SimulatedRobot::hold(double turn)
     if (there) hold_.reset();
 }
 
-/// Finds the rest pose for the present position and flipper drive; keeps the old one where there is none: false.
+/// Finds the rest pose for the present position and flipper drive. Returns false and keeps the old
+/// pose if there is none.
 bool SimulatedRobot::settle()
 {
     const FlipperDrive front = activity_ == RobotActivity::Pressed
@@ -238,7 +239,7 @@ Measurement SimulatedRobot::measure()
     m.refusal = refusal_;
     m.arm = arm_;
     m.travelled = travelled_;
-    m.turned = 0.0;  // its world is a plane
+    m.turned = 0.0;  // the simulated world is a plane
     return m;
 }
 

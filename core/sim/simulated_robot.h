@@ -12,8 +12,8 @@
 
 namespace terratact {
 
-/// A robot that lives on a TerrainProfile and obeys commands, in steps of time given from outside.
-/// Quasi-static: at every step it is at rest (core/sim/rest_pose.h).  Not thread-safe.
+/// Robot on a TerrainProfile that obeys commands, in time steps from outside. It is quasi-static:
+/// at every step it is at rest (core/sim/rest_pose.h). Not thread-safe.
 class SimulatedRobot {
 public:
     struct Options {
@@ -22,25 +22,25 @@ public:
         double drivingAngle = 0.7;  ///< [rad] front flippers while driving
         double probeSeconds = 45.0;
         SensorNoise noise;
-        /// Share of a way by which the tracks report too much or too little: drawn anew whenever the robot
-        /// starts to drive, from N(0, slipShare²).
+        /// Relative error of the tracks' odometry: drawn from N(0, slipShare²) whenever the robot
+        /// starts to drive.
         double slipShare = 0.10;
         std::uint64_t seed = 1;
     };
 
     SimulatedRobot(RobotModel robot, TerrainProfile terrain, const Options& options);
 
-    /// Takes or refuses a command; a refusal is in the next measure().  Arming is the link's business, so it
-    /// changes nothing here; the beginning and the end of an exploration halt.
+    /// Accepts or refuses a command; the next measure() reports a refusal. Arming belongs to the
+    /// link and changes nothing here. The begin and the end of an exploration halt the robot.
     void command(const Command& command);
 
-    /// Lets `dt` seconds pass.  Throws std::invalid_argument unless 0 < dt ≤ 1.
+    /// Advances the time by `dt` seconds. Throws std::invalid_argument unless 0 < dt ≤ 1.
     void step(double dt);
 
-    /// One line of telemetry with sensor noise.
+    /// Returns one line of telemetry with sensor noise.
     Measurement measure();
 
-    /// True bin heights at the present pose.
+    /// Returns the true bin heights at the present pose.
     Heights truth() const;
 
     const RestPose& rest() const { return rest_; }
@@ -68,24 +68,25 @@ private:
     TerrainProfile terrain_;
     Options options_;
     std::mt19937_64 rng_;
-    std::mt19937_64 slipRng_;  ///< of its own: no sensor's noise depends on how often it drives
-    std::mt19937_64 rollRng_;  ///< of its own, too
+    /// separate, so that sensor noise does not depend on the number of drives
+    std::mt19937_64 slipRng_;
+    std::mt19937_64 rollRng_;  ///< separate for the same reason
     RestPose rest_;
     double time_ = 0.0;
     double x_ = 0.0;
     double speed_ = 0.0;
-    double frontTarget_ = 0.0;                 ///< [rad] held angle while not pressed
+    double frontTarget_ = 0.0;                 ///< held angle while not pressed [rad]
     double rearTarget_ = 0.0;                  ///< [rad] held angle
-    std::optional<HoldFlippersCommand> hold_;  ///< where the flippers are going while halted
-    std::optional<double> advanceLeft_;        ///< [m] while driving a given distance
-    double torque_ = 0.0;  ///< [N m] both front flippers while pressing or pressed
+    std::optional<HoldFlippersCommand> hold_;  ///< target of the flippers while halted
+    std::optional<double> advanceLeft_;  ///< remaining way of a drive over a given distance [m]
+    double torque_ = 0.0;                ///< of both front flippers while pressing or pressed [N m]
     RobotActivity activity_ = RobotActivity::Halted;
     Refusal refusal_ = Refusal::None;
     int probeBin_ = 0;
     double probeLeft_ = 0.0;
     std::optional<ArmReading> arm_;
-    double slip_ = 0.0;       ///< share of the way that the tracks report too much
-    double travelled_ = 0.0;  ///< [m] as the tracks report it
+    double slip_ = 0.0;       ///< share of the way that the tracks report in excess
+    double travelled_ = 0.0;  ///< as the tracks report it [m]
 };
 
 }  // namespace terratact

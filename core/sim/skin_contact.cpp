@@ -41,7 +41,7 @@ SkinHull::SkinHull(const TaperedHull& hull, double skin)
     if (!disc_) axis_ = {axis_.x / length_, axis_.z / length_};
 }
 
-/// By the straight side where the point projects onto it, else by the nearer end's circle.
+/// Uses the straight side if the point projects onto it, else the circle of the nearer end.
 std::optional<Penetration> SkinHull::penetration(Vec2 p) const
 {
     if (p.z < zBegin_) return std::nullopt;

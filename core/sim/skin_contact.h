@@ -7,20 +7,20 @@
 
 namespace terratact {
 
-/// A point inside a convex part of the robot.
+/// Penetration of a point into a convex part of the robot.
 struct Penetration {
-    Vec2 normal;         ///< unit, out of the part at the nearest point of its boundary
-    double depth = 0.0;  ///< [m] distance to that point, > 0
+    Vec2 normal;         ///< unit vector out of the part at the nearest point of its boundary
+    double depth = 0.0;  ///< distance to that point, > 0 [m]
 };
 
-/// A part of the robot grown by a skin [m], prepared for many queries.  Where one circle holds the other it is
-/// a disc.
+/// Part of the robot with a skin [m], prepared for many queries. If one circle contains the other,
+/// it is a disc.
 class SkinHull {
 public:
     SkinHull(const TaperedHull& hull, double skin);
     double xBegin() const { return xBegin_; }
     double xEnd() const { return xEnd_; }
-    /// How deep p lies inside; empty where it is outside.
+    /// Returns how deep p lies inside; empty if it is outside.
     std::optional<Penetration> penetration(Vec2 p) const;
 
 private:
@@ -29,17 +29,21 @@ private:
     double length_;     // |b − a|
     bool disc_;
     double sine_,
-        cosine_;  // of the taper: normal of a straight side = (sine, ±cosine) in the axis frame
+        // Sine and cosine of the taper: a straight side has the normal (sine, ±cosine) in the axis
+        // frame.
+        cosine_;
     double xBegin_, xEnd_, zBegin_;
 };
 
 class SkinPolygon {
 public:
-    /// polygon: convex, at least three corners, either way round.  Corners that are all the same touch nothing.
+    /// polygon: convex, at least three corners, in either direction. Corners that are all equal
+    /// touch nothing.
     SkinPolygon(const std::vector<Vec2>& polygon, double skin);
     double xBegin() const { return xBegin_; }
     double xEnd() const { return xEnd_; }
-    /// How deep p lies inside (corners of the skin are square); empty where it is outside.
+    /// Returns how deep p lies inside, where corners of the skin are square; empty if it is
+    /// outside.
     std::optional<Penetration> penetration(Vec2 p) const;
 
 private:

@@ -8,7 +8,7 @@
 
 namespace terratact {
 
-/// Grows a profile from (0, 0) to the right, piece by piece.
+/// Builds a profile from (0, 0) to the right, piece by piece.
 class TerrainPath {
 public:
     double x() const { return points_.back().x; }
@@ -20,13 +20,13 @@ public:
     void face(double height) { rise(0.0, height); }
     void slope(double length, double angle) { rise(length, length * std::tan(angle)); }
 
-    /// The profile, level ground added up to `length`.
+    /// Returns the profile, with level ground up to `length`.
     TerrainProfile finish(double length) &&
     {
         if (x() < length) level(length - x());
         return TerrainProfile(std::move(points_));
     }
-    /// The profile with every x multiplied.
+    /// Returns the profile with every x multiplied by `factor`.
     TerrainProfile stretched(double factor) &&
     {
         for (Vec2& p : points_) p.x *= factor;

@@ -67,7 +67,7 @@ TerrainProfile roughTerrain(double sd, double correlation, double length, std::m
 
 TerrainProfile sum(const TerrainProfile& a, const TerrainProfile& b)
 {
-    // a's own points keep its vertical faces: there b adds one height to both ends of the face.
+    // The points of a keep its vertical faces: b adds one height to both ends of the face.
     const auto before = [](Vec2 p, Vec2 q) { return p.x < q.x; };
     std::vector<Vec2> points;
     for (const Vec2 p : a.points()) points.push_back({p.x, p.z + b.heightAt(p.x)});

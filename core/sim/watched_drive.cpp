@@ -10,10 +10,10 @@ namespace {
 
 constexpr double kRoomBehind = 0.7;  // [m]
 constexpr double kMaxPress = 5.0;    // [s]
-constexpr double kMaxWay = 10.0;     // [s] without getting on
+constexpr double kMaxWay = 10.0;     // [s] without progress
 constexpr double kAtAngle = 1e-6;    // [rad]
 
-/// Runs one drive and keeps what the robot sends.
+/// Runs one drive and keeps the lines that the robot sends.
 class Drive {
 public:
     Drive(const RobotModel& robot, const TerrainProfile& terrain, double startX,
@@ -35,7 +35,7 @@ public:
         return std::exchange(lines_, {});
     }
 
-    /// The front flippers come up; the tracks rest.
+    /// Raises the front flippers while the tracks rest.
     std::vector<WatchedLine> raise()
     {
         robot_.command(DriveCommand{0.0});
@@ -51,7 +51,7 @@ public:
     Measurement measure() { return robot_.measure(); }
 
 private:
-    /// False: the drive is over.
+    /// Returns false once the drive is over.
     bool step()
     {
         if (lines_.size() >= most_) return false;
@@ -93,7 +93,7 @@ private:
     std::vector<WatchedLine> lines_;
 };
 
-/// The same ground for a robot that looks the other way: x → begin + end − x.
+/// Returns the same ground for a robot with the opposite heading: x → begin + end − x.
 TerrainProfile turnedRound(const TerrainProfile& terrain)
 {
     std::vector<Vec2> points = terrain.points();
@@ -114,8 +114,8 @@ void append(std::vector<WatchedLine>& lines, std::vector<WatchedLine> more)
     }
 }
 
-/// A robot on a slope of one direction, turned by ψ, has the pitch ½ θ (1 + cos ψ) + ½ θ' (1 − cos ψ), θ and θ' those
-/// of both ends.
+/// Returns the lines of a turn. At heading ψ, a robot on a slope of one direction has the pitch ½ θ
+/// (1 + cos ψ) + ½ θ' (1 − cos ψ), with θ and θ' the pitches at both ends.
 std::vector<WatchedLine> turning(Drive& out, Drive& back, double period, const Measurement& last)
 {
     std::vector<WatchedLine> lines;

@@ -13,27 +13,28 @@
 
 namespace terratact {
 
-/// A line of telemetry; with the true heights where it is the first of a press, of which a console makes a scene.
+/// Line of telemetry. The first line of a press has the true heights, because a console makes a
+/// scene of it.
 struct WatchedLine {
     Measurement measurement;
     std::optional<Heights> truth{};
 };
 
-/// How a drive with telemetry goes: drive, press the flippers down, stand, and drive on.
+/// Style of a drive with telemetry: drive, press the flippers down, stand, and drive on.
 struct WatchedStyle {
     DriveStyle flippers{};
     double spacing = 0.3;    ///< [m] driven between two presses
     double speed = 0.3;      ///< [m/s]
-    double standing = 1.3;   ///< [s] after a press
+    double standing = 1.3;   ///< after a press [s]
     double period = 0.05;    ///< [s] of telemetry
-    bool comesBack = false;  ///< turns round at the end, and presses on the way back, too
+    bool comesBack = false;  ///< turns round at the end, and also presses on the way back
 };
 
 inline constexpr double kTurning = 4.0;  ///< [s]
 
-/// Every line that a SimulatedRobot sends on its way over the terrain, until it reaches the end, finds no rest
-/// pose, or `most` lines.  A robot that comes back turns on the spot, in kTurning, and starts from where it stood;
-/// its noise is another.
+/// Returns every line that a SimulatedRobot sends on its way over the terrain. It ends at the
+/// terrain's end, without a rest pose, or after `most` lines. A robot that comes back turns on the
+/// spot within kTurning and starts from there, with other noise.
 std::vector<WatchedLine> driveWithTelemetry(const RobotModel& robot, const TerrainProfile& terrain,
                                             const WatchedStyle& style, std::uint64_t seed,
                                             std::size_t most = 100'000);

@@ -100,7 +100,7 @@ private:
     Status checkCount();
 
     std::string name_;
-    /// on the heap: fields_ stay valid when this object moves
+    /// On the heap: fields_ stay valid when this object moves.
     std::unique_ptr<const std::string> text_;
     std::string_view rest_;
     char separator_ = ',';

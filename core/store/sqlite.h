@@ -58,7 +58,7 @@ private:
     std::string bytes(int column) const;
 
     std::unique_ptr<sqlite3_stmt, Finalise> statement_;
-    /// bytes left for the file, see SqliteFile::grantBytes(); null: no limit
+    /// Bytes left for the file, see SqliteFile::grantBytes(); null: no limit.
     std::int64_t* bytesLeft_;
 };
 

@@ -46,14 +46,14 @@ struct AbsolemFrame {
     enum class Kind : std::uint8_t { NetworkCommand, StatusWord, Query, Set, Reply };
 
     Kind kind = Kind::Query;
-    /// meaningless in a NetworkCommand, which addresses all nodes
+    /// Meaningless in a NetworkCommand, which addresses all nodes.
     AbsolemNode node = AbsolemNode::Core;
     std::array<char, 2> command{' ', ' '};  ///< upper-case letters
     std::uint16_t index = 0;
     bool isFloat = false;  ///< value of the type bit
     bool flagged = false;  ///< bit 6 of the type: in a Reply it mostly means that the drive refuses
-    std::uint32_t bits =
-        0;  ///< value of a Set or Reply; first two bytes of a StatusWord or NetworkCommand
+    /// Value of a Set or Reply; first two bytes of a StatusWord or NetworkCommand.
+    std::uint32_t bits = 0;
 
     std::string name() const;  ///< Returns "PX" or "IB[16]".
     std::int32_t asInt() const;

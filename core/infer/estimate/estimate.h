@@ -42,13 +42,13 @@ struct TerrainEstimate {
     Heights height{};
     Heights ceiling{};
     std::array<Origin, kBins> origin{};
-    /// how each bin was touched, see core/infer/estimate/touch.h
+    /// How each bin was touched, see core/infer/estimate/touch.h.
     TouchMap touch = unrecordedTouch();
-    double feltTo =
-        binBegin(0);  ///< x of the foremost loaded force element [m], DEM frame; binBegin(0): none
-    Heights rhat{};   ///< rank-normalised split R-hat; 1 for a bin that was not sampled
-    Heights
-        ess{};  ///< bulk effective sample size; the number of draws for a bin that was not sampled
+    /// The x of the foremost loaded force element [m], DEM frame; binBegin(0): none.
+    double feltTo = binBegin(0);
+    Heights rhat{};  ///< rank-normalised split R-hat; 1 for a bin that was not sampled
+    /// Bulk effective sample size; the number of draws for a bin that was not sampled.
+    Heights ess{};
     /// Joint draws of all bins, for questions about several bins; at most settings.draws, rounded
     /// up to full chains.
     std::vector<Heights> draws;

@@ -29,7 +29,7 @@ struct WeakHeight {
 using WeakHeights = std::array<std::optional<WeakHeight>, kBins>;
 
 struct MeasuredBins {
-    /// the arm's reading where both touched it
+    /// The arm's reading where both touched it.
     std::array<std::optional<MeasuredHeight>, kBins> bin{};
     /// Readings that contradict the robot's body, and contacts and arm readings that contradict
     /// each other.

@@ -22,7 +22,7 @@ inline constexpr std::array kProvenances{Provenance::Arm, Provenance::Contact,
                                          Provenance::Constrained, Provenance::Sampled,
                                          Provenance::PriorOnly};
 
-/// largest distance of ceiling and q90 for Constrained [m]
+/// Largest distance of ceiling and q90 for Constrained [m].
 inline constexpr double kTouching = 0.010;
 
 /// Returns the evidence for one bin. bin: 0 … 10.

@@ -40,13 +40,13 @@ struct Settings {
     /// (core/learn/gp/sparse_process.h).
     int inducing = 0;
     std::uint64_t seed = 1;
-    /// probe threshold [m]: a bin with a larger sd asks for the arm (paper)
+    /// Probe threshold [m]: a bin with a larger sd asks for the arm (paper)
     double probeAbove = kProbeThreshold;
     double rollLimit = 0.10;  ///< roll beyond which the 2-D assumption is doubtful [rad]
     /// left/right flipper difference beyond which it is doubtful [rad]
     double asymmetryLimit = 0.10;
-    double hazardRate =
-        kHazardRate;  ///< 0 … 1 per bin (core/infer/estimate/hazards.h); 0: the model's own bands
+    /// 0 … 1 per bin (core/infer/estimate/hazards.h); 0: the model's own bands.
+    double hazardRate = kHazardRate;
     bool operator==(const Settings&) const = default;
 };
 

@@ -59,8 +59,8 @@ inline constexpr double kUnsensedWithin = 0.02;
 struct PressedBins {
     /// Felt, FeltInPart, Bounded or NotFelt; behind the front pivot: Bounded or NotFelt.
     TouchMap touch{};
-    double feltTo =
-        0.0;  ///< x of the foremost loaded element [m], DEM frame; binBegin(0): none is loaded
+    /// The x of the foremost loaded element [m], DEM frame; binBegin(0): none is loaded.
+    double feltTo = 0.0;
     int firstOfFlipper = kFirstAhead;  ///< rearmost bin whose centre lies ahead of the front pivot
 };
 

@@ -28,7 +28,7 @@ struct GibbsProblem {
     int burnIn = 50;         ///< discarded sweeps per chain
     int keptPerChain = 63;   ///< kept sweeps per chain, at most
     bool stopEarly = false;  ///< end earlier if the chains have converged
-    /// precision of variances; read by sampleHeights only
+    /// Precision of variances; read by sampleHeights only.
     Precision precision = Precision::Single;
     int inducing = 0;  ///< inducing rows of the models, see Settings; read by sampleHeights only
     std::uint64_t seed = 1;

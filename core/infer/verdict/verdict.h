@@ -61,7 +61,7 @@ struct Verdict {
     int likeliest = 0;
     double likeliestP = 0.0;    ///< probability of a step in that pair
     std::vector<int> unfelt{};  ///< bins ahead that are bounded or not felt
-    /// not empty: the answer is withheld, and stepVerdict is CannotTell
+    /// Not empty: the answer is withheld, and stepVerdict is CannotTell.
     std::vector<Doubt> doubts;
     /// x up to which the ground ahead is felt [m], a bin's front border. binBegin(kFirstAhead):
     /// nothing ahead is felt. The last bin's border where the touch is not recorded.
@@ -105,8 +105,8 @@ inline constexpr double kSteepFlipper = 0.35;
 struct LinkSinceScene {
     bool heard = true;     ///< telemetry is live
     bool unbroken = true;  ///< no silence of more than kMaxSilence since the scene
-    bool sensorsSound =
-        true;  ///< no sensor was suspected at the scene, or later while the robot stood there
+    /// No sensor was suspected at the scene, or later while the robot stood there.
+    bool sensorsSound = true;
 };
 
 /// Decides CLEAR, BLOCKED or CANNOT TELL. p(a, b) is P(a step of more than `limit` within bins a …

@@ -12,8 +12,8 @@ namespace terratact {
 /// Inducing rows Z of X: the pivots of a pivoted Cholesky factorisation k(X, X) ≈ V Vᵀ.
 struct InducingRows {
     std::vector<int> rows;  ///< m rows of X, in the order chosen
-    Eigen::MatrixXd
-        V;  ///< n × m: k(X, Z) L⁻ᵀ; its rows Z equal L of k(Z, Z) = L Lᵀ, except for rounding
+    /// n × m: k(X, Z) L⁻ᵀ; its rows Z equal L of k(Z, Z) = L Lᵀ, except for rounding.
+    Eigen::MatrixXd V;
     double left = 0.0;  ///< largest variance of a remaining row, given the chosen rows
 };
 

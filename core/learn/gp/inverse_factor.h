@@ -43,7 +43,7 @@ struct ReducedInverse {
 /// judged at its own probes.
 class InverseFactor {
 public:
-    /// number of columns at which single precision is judged
+    /// Number of columns at which single precision is judged.
     static constexpr int kProbes = 2 * kGroup;
     /// Returns the p-th of kProbes indices below `count`, from the first to the last.
     static Eigen::Index probe(Eigen::Index p, Eigen::Index count)

@@ -39,7 +39,7 @@ struct ClearanceData {
     /// Hyper-parameters of the conditionals p(yᵢ | y_{J∖i}, s) of clearance_conditionals.h; without
     /// length scales if a regime had too few rows.
     std::array<Hyperparameters, kBins> conditionalOpen, conditionalCovered;
-    /// per training row: bit i is set if bin i's ceiling is finite
+    /// Per training row: bit i is set if bin i's ceiling is finite.
     std::vector<unsigned> coveredBins;
     Eigen::MatrixXd residuals;  ///< U × 11: leave-one-out residuals of the bin's own process [y]
     double noveltyScale = 0.0;  ///< scene distance that 1 % of the training rows exceed
@@ -51,8 +51,8 @@ struct ClearanceData {
 /// with heights as a scanner reports them. `clearance` uses all rows.
 struct ModelData {
     Eigen::MatrixXd heights;  ///< U × 11 [m]
-    Eigen::MatrixXd
-        features;  ///< U × 11, order of featureNames(Paf); Pa uses the first three columns
+    /// U × 11, order of featureNames(Paf); Pa uses the first three columns.
+    Eigen::MatrixXd features;
     Eigen::MatrixXd scannedHeights;  ///< V × 11 [m]
     BinModelData pa, paf;
     ClearanceData clearance;

@@ -35,7 +35,7 @@ public:
 
     explicit GroundWatch(const RobotModel& robot);
     void take(const Measurement& line);
-    /// suspicions of the last line
+    /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
     /// Returns true if no evidence supports the suspicion any more.
     bool isCleared(const SensorSuspicion& suspicion) const;

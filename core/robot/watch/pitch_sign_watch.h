@@ -20,12 +20,12 @@ class PitchSignWatch {
 public:
     static constexpr double kCut = 7.0;
     static constexpr double kLimit = 18.0;
-    static constexpr double kHold =
-        600.0;  ///< [s] duration of a suspicion, unless the CUSUM falls to half of kLimit
+    /// [s] duration of a suspicion, unless the CUSUM falls to half of kLimit.
+    static constexpr double kHold = 600.0;
 
     explicit PitchSignWatch(const RobotModel& robot) : pitchSd_(robot.pitchSd) {}
     void take(const Measurement& line);
-    /// suspicions of the last line
+    /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
     bool isCleared() const { return sum_ < kLimit / 2.0; }
     void reset();

@@ -30,7 +30,7 @@ public:
 
     explicit PressWatch(const RobotModel& robot);
     void take(const Measurement& line);
-    /// suspicions of the last line
+    /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
     /// Returns the sensors that the last press has shown to be sound.
     const std::vector<Sensor>& cleared() const { return cleared_; }

@@ -25,8 +25,8 @@ namespace terratact {
 class ReturnWatch {
 public:
     static constexpr double kStep = 0.1;  ///< [m]
-    static constexpr double kNear =
-        0.3;  ///< [m] largest distance of a place on the way out that counts as the same
+    /// [m] largest distance of a place on the way out that counts as the same.
+    static constexpr double kNear = 0.3;
     /// [rad] largest deviation of the headings from half a turn
     static constexpr double kOpposite = 0.3;
     static constexpr double kMinWay = 2.5;                         ///< [m] least way back
@@ -38,7 +38,7 @@ public:
 
     explicit ReturnWatch(const RobotModel& robot) : robot_(robot) {}
     void take(const Measurement& line);
-    /// suspicions of the last line
+    /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
     /// Returns true if the last shift is within its limit.
     bool isCleared() const { return shift_ && std::abs(*shift_) < limit_; }

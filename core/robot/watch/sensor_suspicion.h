@@ -30,7 +30,7 @@ struct SensorSuspicion {
     SensorTrouble trouble = SensorTrouble::Stuck;
     double since = 0.0;  ///< telemetry time of the first evidence [s]
     double until = 0.0;  ///< time at which the suspicion ends without further evidence [s]
-    /// duration of Stuck [s]; else the reading or the change, in the sensor's unit
+    /// Duration of Stuck [s]; else the reading or the change, in the sensor's unit.
     double amount = 0.0;
     double way = 0.0;  ///< distance driven during Stuck [m]
     bool operator==(const SensorSuspicion&) const = default;

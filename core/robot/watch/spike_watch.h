@@ -25,7 +25,7 @@ public:
 
     explicit SpikeWatch(const RobotModel& robot);
     void take(const Measurement& line);
-    /// suspicions of the last line
+    /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
     void reset();
 

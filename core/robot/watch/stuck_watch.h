@@ -25,7 +25,7 @@ public:
     static constexpr double kHold = 10.0;
 
     void take(const Measurement& line);
-    /// suspicions of the last line
+    /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
 
 private:

@@ -21,7 +21,7 @@ public:
     static constexpr double kHold = 60.0;  ///< [s] duration of a suspicion after the last such line
 
     void take(const Measurement& line);
-    /// suspicions of the last line
+    /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
     void reset();
 

@@ -32,7 +32,7 @@ struct DbcSignal {
     bool isBigEndian = false;
     Type type = Type::Unsigned;
     double scale = 1.0, offset = 0.0;
-    /// both ends belong to the range; equal: the file gives no range
+    /// Both ends belong to the range; equal: the file gives no range.
     double least = 0.0, most = 0.0;
     std::string unit, receivers, comment;
     std::map<std::int64_t, std::string> words;  ///< texts of raw values

@@ -57,7 +57,7 @@ public:
     /// section.
     void skipSection();
 
-    /// sets the failure to `expected` and the text found here
+    /// Sets the failure to `expected` and the text found here.
     void fail(std::string_view expected);
     void refuse(std::string failure);  ///< sets the failure to this sentence
 
