@@ -142,7 +142,7 @@ void printFault(const TriedFault& fault, const FaultRow& row)
     std::fflush(stdout);
 }
 
-/// Returns true if the error is more than 5 mm, or the coverage more than 10 points, worse than without a fault.
+/// Returns true if the fault raises the error by more than 5 mm, or lowers the coverage by more than 10 points.
 bool harms(const FaultRow& row, const FaultRow& sound)
 {
     const ErrorStatistics with = statistics(row.all), without = statistics(sound.all);

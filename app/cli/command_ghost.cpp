@@ -136,7 +136,7 @@ std::vector<BinError> where(const std::vector<BinError>& ghost, const std::vecto
     return kept;
 }
 
-/// Estimates the scenes of one drive in sequence: once without a ghost, and once using the ghost of the previous scene.
+/// Estimates the scenes of one drive in sequence, without a ghost and with that of the previous scene.
 class DriveTrial {
 public:
     DriveTrial(const EstimatorBundle& bundle, const GhostOptions& options, Settings settings)

@@ -97,8 +97,8 @@ private:
     std::vector<double> seconds_, draws_;
 };
 
-/// Returns an estimate and its processor time. A method that simulates the arm makes two estimates, and each is waited
-/// for; the second one is made again and timed.
+/// Returns an estimate and its processor time. A method that simulates the arm makes two estimates, one after another.
+/// The second one is repeated and timed.
 std::pair<SceneEstimate, double> timedEstimate(const Scene& scene, const EstimatorBundle& bundle,
                                                const Settings& settings)
 {

@@ -100,8 +100,8 @@ struct GhostOptions {
     std::vector<Method> methods;
     Settings settings;
 };
-/// Drives simulated robots from scene to scene. Prints the error of the last estimate at the next scene: as drawn, and
-/// as a weak measurement of the next estimate.
+/// Drives simulated robots from scene to scene. Prints the error of the last estimate at the next scene. It is judged
+/// as drawn, and as a weak measurement for the next estimate.
 Status judgeGhost(const GhostOptions& options);
 
 struct FaultsOptions {

@@ -9,9 +9,9 @@ namespace terratact {
 
 class MainWindow;
 
-/// Plays the operator of the simulated robot: it arms, drives to the step, explores, and saves a picture of the window
-/// with the first estimate. Without a step it explores where it stands and says so on stderr. It ends the event loop
-/// with 0. On failure it ends with 1 and a sentence on stderr, and saves a picture of the failure if it can.
+/// Plays the operator of the simulated robot: it arms, drives to the step and explores. Then it saves a picture of the
+/// window with the first estimate. Without a step it explores where it stands and says so on stderr. It ends the event
+/// loop with 0. On failure it ends with 1, prints a sentence on stderr and saves a picture if it can.
 class ScreenshotDemo final : public QObject {
     Q_OBJECT
 public:

@@ -163,7 +163,8 @@ void LinkStatus::showBanner(const LinkViewState& viewState, double age)
     if (!text.isEmpty() && banner_.text() != text) banner_.setText(text);
 }
 
-/// Adds events: loss and return of a flapping link once each, and the end of the frames that came without telemetry.
+/// Adds events for the loss and return of the link. A flapping link adds one of each. The end of frames that came
+/// without telemetry adds one, too.
 void LinkStatus::tellChange(const LinkAccount& link)
 {
     const auto isDown = [](const LinkAccount& one) {

@@ -25,8 +25,8 @@ struct LinkViewState {
     QString heard{};  ///< frames still received without telemetry; empty: none
 };
 
-/// Shows link and robot activity: in the header, in a banner if nothing on the screen is live, and in the event list on
-/// changes. GUI thread only.
+/// Shows link and robot activity in the header, and changes in the event list. A banner appears if nothing on the
+/// screen is live. GUI thread only.
 class LinkStatus {
     Q_DECLARE_TR_FUNCTIONS(LinkStatus)
 public:

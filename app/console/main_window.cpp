@@ -431,7 +431,8 @@ void MainWindow::poll()
     if (news || now - redrawn_ >= (isLive ? kRedraw : kUnheard) - 1e-3) redraw(now);
 }
 
-/// Reports a stall of a console that can send commands: motion was blocked for that time, or the robot was halted.
+/// Reports a stall of a console that can send commands. The stall blocked motion commands, or the robot's watchdog
+/// halted it.
 void MainWindow::tellOfStall(double seconds)
 {
     if (link_ && exploration_->armed())

@@ -21,8 +21,8 @@ class HoldToConfirmButton;
 /// Returns terratact/models in the user's data folder (XDG base directory specification).
 QString modelsDirectory();
 
-/// Trains a model from a scene file, compares it with the one in use and, if the operator adopts it, replaces that one.
-/// The live console continues meanwhile.
+/// Trains a model from a scene file and compares it with the one in use. If the operator adopts it, it replaces that
+/// one. The live console continues meanwhile.
 class TrainingPage final : public Page {
     Q_OBJECT
 public:

@@ -22,7 +22,7 @@ int widthFor(std::size_t series)
     return series > kFewSeries ? kWideWidth : kWidth;
 }
 
-/// Returns a step of 1, 2 or 5 times a power of ten with at most eight steps up to `top`.
+/// Returns 1, 2 or 5 times a power of ten, with at most eight steps up to `top`.
 double niceStep(double top)
 {
     const double power = std::pow(10.0, std::floor(std::log10(top / 8.0)));

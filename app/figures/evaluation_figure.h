@@ -15,8 +15,8 @@ namespace terratact {
 /// std::invalid_argument for no histograms or histograms of different classes.
 Status writeHistogramFigure(const std::string& path, std::span<const ErrorHistogram> histograms);
 
-/// Draws the paper's Fig. 9: per bin and label the median of |error| and a bar from the first to the third quartile.
-/// Throws std::invalid_argument for no summaries.
+/// Draws the paper's Fig. 9: median and quartiles of |error| per bin and label. Throws std::invalid_argument for no
+/// summaries.
 Status writeQuartileFigure(const std::string& path, std::span<const MethodSummary> summaries);
 
 /// Draws PIT histograms, one panel per label, with the level of a calibrated forecast. The figure is 1200 px wide with

@@ -15,8 +15,8 @@
 
 namespace terratact {
 
-/// Present traffic of a bus: a table of its frames with content, rate and age, the bus load, and lost frames. It reads
-/// no clock: `now` [s] uses the clock of BusFrame::time.
+/// Present traffic of a bus: a table of frames (content, rate, age), the bus load, and lost frames. It reads no clock:
+/// `now` [s] uses the clock of BusFrame::time.
 class CanMonitor {
 public:
     /// bitrate: of the bus [bit/s]. Throws std::invalid_argument unless it is above 0. book: describes frames outside

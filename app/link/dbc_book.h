@@ -58,7 +58,7 @@ Result<std::shared_ptr<const DbcBook>> readDbcBook(CanProtocol protocol,
 /// Returns the remarks of a book that may be null.
 std::vector<std::string> remarksOf(const std::shared_ptr<const DbcBook>& book);
 
-/// Returns the value of a signal as text: its label, possibly elided, or a number with the digits its scale resolves.
+/// Returns a signal's value as text: its label, possibly elided, or the digits that its scale resolves.
 std::string wordOrNumber(const DbcSignal& signal, std::uint64_t bits);
 std::string wordOrNumber(const DbcSignal& signal,
                          double value);  ///< for a value whose raw bits are unknown

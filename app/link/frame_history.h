@@ -27,9 +27,9 @@ struct BusLoad {
     std::uint64_t beyond = 0;  ///< frames of unknown kinds beyond the table's bound
 };
 
-/// Keeps what the pages show of every received frame: newest value, extremes and history of each signal, rates, and the
-/// newest raw frames. All memory is bounded. take() and tick() belong to the receiving thread; any thread may call the
-/// others.
+/// Keeps the data of received frames that the pages show. These are newest value, extremes and history per signal,
+/// rates, and the newest raw frames. All memory is bounded. take() and tick() belong to the receiving thread; any
+/// thread may call the others.
 class FrameHistory {
 public:
     static constexpr std::size_t kTrace = 2000;    ///< number of raw frames kept

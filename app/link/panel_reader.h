@@ -32,8 +32,8 @@ public:
     /// Sets the panel's lamps.
     void setLamps(const LampState& lamps);
 
-    /// Returns the latency [s] of each STOP that was sent, from the kernel's time stamp of the edge to the return of
-    /// send(). Only the newest thousand are kept.
+    /// Returns the latency [s] of each STOP that was sent. It lasts from the kernel's time stamp of the edge to the
+    /// return of send(). Only the newest thousand are kept.
     std::vector<double> stopLatencies() const;
 
 private:

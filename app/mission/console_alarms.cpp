@@ -152,8 +152,8 @@ void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmViewState& viewStat
     lookAtArming(bus.link.arming);
 }
 
-/// An unwanted disarming stays an alarm until the operator arms again, because a robot that has stopped looks the same
-/// as one told to stop.
+/// An unwanted disarming stays an alarm until the operator arms again. Otherwise the stopped robot would look as if it
+/// was told to stop.
 void ConsoleAlarms::lookAtArming(const ArmingState& arming)
 {
     const bool isArmed = arming.phase == ArmingPhase::Armed;

@@ -29,9 +29,9 @@ struct ModelInUse {
     QString trouble{};          ///< reason that there is no model
 };
 
-/// Owns the estimates of the present scene: by the method of the settings, by an optional second method, and with the
-/// arm's readings. Before the scene it gives live previews while the flippers move down; after it, the last estimate
-/// moved by odometry (ghost). The worker computes; answers to outdated requests are dropped. GUI thread only.
+/// Owns the estimates of the present scene, by the settings' method and an optional second method, with the arm's
+/// readings. Before the scene it gives live previews while the flippers move down. After the scene it gives the last
+/// estimate moved by odometry (ghost). The worker computes; answers to outdated requests are dropped. GUI thread only.
 class Estimation final : public QObject {
     Q_OBJECT
 public:

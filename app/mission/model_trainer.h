@@ -43,8 +43,8 @@ struct TrainingProgress {
     std::optional<double> secondsLeft() const;
 };
 
-/// Trains and compares models in its own thread, one job at a time: start a job only after the last has ended. Every
-/// job ends in exactly one of its signals. GUI thread only; signals arrive there.
+/// Trains and compares models in its own thread. Start a job only after the last one has ended. Every job ends in
+/// exactly one of its signals. GUI thread only; signals arrive there.
 class ModelTrainer final : public QObject {
     Q_OBJECT
 public:

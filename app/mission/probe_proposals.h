@@ -23,8 +23,8 @@ ProbeProposal describeProbe(const ProbeBasis& basis, int bin);  ///< the result 
 /// with the largest sd. Empty: no bin is left.
 std::optional<ProbeProposal> bestProbe(const ProbeBasis& basis);
 
-/// The probe proposals, one at a time, each with its own id: the bin's estimate, the gain of probing it, and the gain
-/// of the other bins.
+/// Makes the probe proposals, one at a time, each with its own id. A proposal has the bin's estimate, the gain of
+/// probing it, and the gains of other bins.
 class ProbeProposals {
 public:
     /// seconds: expected duration of a probe. policy: read at every offer. The other arguments must outlive the object,

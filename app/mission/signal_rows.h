@@ -13,7 +13,7 @@
 namespace terratact {
 
 /// Returns the rows of the signal table: signals and commands of the robot, DBC signals, then unknown kinds. protocol:
-/// from readProtocolDbc(), for the meaning of the robot's signals; empty: no meanings.
+/// result of readProtocolDbc(), which explains the robot's signals. If it is empty, the rows have no explanations.
 std::vector<SignalRow> signalRows(const std::vector<TappedFrame>& frames,
                                   std::span<const DbcMessage> protocol = {});
 

@@ -7,16 +7,16 @@
 
 namespace terratact {
 
-/// Writes findings as *.tte: one SQLite file (application_id 0x54544531, user_version 1) with every error, forecast and
-/// probe, and the content's hash. The file is written under a temporary name and renamed. Reading returns bit-identical
-/// values, except that -0 becomes 0.
+/// Writes findings as *.tte: one SQLite file (application_id 0x54544531, user_version 1). It holds every error,
+/// forecast and probe, and the content's hash. The file is written under a temporary name and renamed. Reading returns
+/// bit-identical values, except that -0 becomes 0.
 Status writeFindings(const std::string& path, const Findings& findings);
 
 /// Returns true if a file has the application_id of *.tte; false also if it cannot be read.
 bool isFindingsFile(const std::string& path);
 
-/// Opens read-only and validates application_id, user_version, integrity, schema, finite numbers in their ranges, the
-/// scenes of the part and the content's hash. Errors are one sentence with file and cause.
+/// Opens read-only and validates application_id, user_version, integrity, schema and hash. Numbers must be finite and
+/// in their ranges, and scenes belong to the part. Errors are one sentence with file and cause.
 Result<Findings> readFindings(const std::string& path);
 
 }  // namespace terratact

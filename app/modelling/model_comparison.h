@@ -52,8 +52,8 @@ struct ComparisonWatch {
 std::vector<std::size_t> evenlyPicked(std::size_t count, std::size_t most);
 
 /// Estimates the picked scenes with both models. Plans that differ only in threads give the same result. Errors name
-/// the file and, if known, the line: unreadable, no known height, or no scene that both models can estimate. Throws
-/// Cancelled once watch.cancelled() returns true.
+/// the file and, if known, the line. Causes are an unreadable file, no known height, or no scene that both models can
+/// estimate. Throws Cancelled once watch.cancelled() returns true.
 Result<ModelComparison> compareModels(const ComparisonPlan& plan,
                                       const ComparisonWatch& watch = {});
 

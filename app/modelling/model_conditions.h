@@ -6,9 +6,9 @@
 
 namespace terratact {
 
-/// Returns the condition of a model's conditionals. Each singular one has a line with the jitter that repairs it
-/// (relative to its variance), or why it is refused. The last line has the smallest reciprocal condition number of the
-/// others. Factorises every conditional: some tenths of a second for 1400 rows.
+/// Returns the condition of a model's conditionals. Each singular one has a line with the jitter that repairs it,
+/// relative to its variance. A refused one has its reason. The last line has the smallest reciprocal condition number
+/// of the others. Factorises every conditional: some tenths of a second for 1400 rows.
 std::string conditionsText(const ModelData& model, FeatureSet set);
 
 }  // namespace terratact

@@ -21,8 +21,8 @@ struct NamedRule {
 std::vector<NamedRule> probeRules(const RobotModel& robot, double stepLimit);
 
 /// Applies every rule to every scene that has an estimate and truth ahead, on all cores. Returns one run per rule with
-/// trials in the order of the scenes. estimates: of the scenes, without readings. first: number of the first scene
-/// among all; scene k uses settings.seed + k. seconds: see estimateWith().
+/// trials in the order of the scenes. estimates: those of the scenes, without readings. first: number of the first
+/// scene among all. Scene k uses settings.seed + k. seconds: see estimateWith().
 std::vector<ProbeRun> tryProbeRules(const std::string& label, const std::vector<Scene>& scenes,
                                     const std::vector<SceneEstimate>& estimates, std::size_t first,
                                     const EstimatorBundle& bundle, const Settings& settings,

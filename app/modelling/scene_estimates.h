@@ -41,9 +41,9 @@ struct SceneEstimate {
     std::vector<ArmReading> arm{};  ///< readings of the simulated arm
 };
 
-/// Estimates one scene. Pafac simulates the arm as in the paper: if an sd exceeds the probe threshold, the bin with the
-/// largest sd in reach is probed and the rest sampled again. A reading is the scene's truth plus normal noise with the
-/// robot file's arm sd, drawn from the scene's seed. seconds: time limit of each sampling.
+/// Estimates one scene. Pafac simulates the arm as in the paper. If an sd exceeds the probe threshold, the bin with the
+/// largest sd in reach is probed. The other bins are then sampled again. A reading is the scene's truth plus normal
+/// noise with the robot file's arm sd. The scene's seed determines the noise. seconds: time limit of each sampling.
 SceneEstimate estimateScene(const Scene& scene, const EstimatorBundle& bundle,
                             const Settings& settings, double seconds = 0.0);
 

@@ -34,8 +34,8 @@ struct DbcReading {
     std::vector<std::string> troubles;  ///< one sentence each
 };
 
-/// The preferred DBC files on a page: buttons that add and remove files, and labels for the files in use and their
-/// errors. Errors are also printed on stderr. A change is read in another thread. GUI thread only.
+/// The preferred DBC files on a page. Buttons add and remove files; labels show the files in use and their errors.
+/// Errors are also printed on stderr. A change is read in another thread. GUI thread only.
 class DbcFiles final : public QObject {
     Q_OBJECT
 public:

@@ -54,9 +54,8 @@ public:
     /// Puts verdict and decisions in a column beside the terrain, which then gets the full height. columnWidth: [px at
     /// 100 %].
     void setVerdictBeside(int columnWidth);
-    /// Enables the tight arrangement. If the cards below the terrain do not fit, they move to another place
-    /// (tightened()) and the decisions get a narrow column. The window's banner moves no card: its line is taken from
-    /// the terrain.
+    /// Enables the tight arrangement. Cards below the terrain that do not fit move to another place (tightened()). The
+    /// decisions then get a narrow column. The window's banner moves no card: its line is taken from the terrain.
     void allowTight(const ConsoleWindow& window);
     bool isTight() const { return tight_; }
     QSize tightNeeds() const

@@ -21,10 +21,10 @@ public:
     /// Adds a row of the recording, in order.
     void take(const SessionRow& row);
 
-    /// Returns the rows that the next file needs: the model in use and the newest scene with its estimates, proposals
-    /// and answers. It also holds the newest event of arming, link, exploration and a forgotten estimate. It holds the
-    /// newest event of each active alarm and each panel contact, an override in force, and a telemetry gap since the
-    /// scene.
+    /// Returns the rows that the next file needs. These are the model in use, and the newest scene with its estimates,
+    /// proposals and answers. For arming, link, exploration and a forgotten estimate it returns the newest event. For
+    /// each active alarm and panel contact it returns the newest event, too. An override in force and a telemetry gap
+    /// since the scene complete the state.
     std::vector<SessionRow> rows() const;
 
 private:

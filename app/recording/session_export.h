@@ -47,9 +47,9 @@ struct ExportCounts {
 };
 
 /// Writes the export through TextOutput. Damaged rows are omitted; session.damage() lists them afterwards.
-/// progress(share of the batches) cancels by returning false, which is an Error and leaves no file.
-/// Returns an Error without writing a file in three cases: the file cannot be written, the format cannot hold the
-/// selection, or nothing in the selection can be expressed.
+/// progress(share of the batches) cancels by returning false, which is an Error and leaves no file. Returns an Error
+/// without a file if it cannot be written or the format cannot hold the selection. The same holds if nothing in the
+/// selection can be expressed.
 Result<ExportCounts> writeExport(SessionReader& session, const std::string& path,
                                  ExportFormat format, const ExportSelection& selection,
                                  const std::function<bool(double)>& progress = {});

@@ -24,10 +24,10 @@ Result<std::string> modelFileOf(const ModelRow& row, std::span<const std::string
 Result<TerrainEstimate> recordedEstimate(SessionReader& session, const EstimateRow& row);
 
 /// Recomputes the estimate of the row's scene with its probe readings, in their order, and the session's robot. models:
-/// for that robot. Errors name the session's file; settings above requireModest() are errors. Throws Cancelled.
-/// With the row's own model and settings the result is bit-identical to the recording, under three conditions: time did
-/// not end the sampling (Ending::Time), the version and vector instructions are the same, and BLAS uses one thread.
-/// Otherwise Match::LastBits may result.
+/// for that robot. Errors name the session's file; settings above requireModest() are errors. Throws Cancelled. With
+/// the row's own model and settings the result is bit-identical to the recording. This needs the same version and
+/// vector instructions, one BLAS thread, and a sampling that time did not end (Ending::Time). Otherwise Match::LastBits
+/// may result.
 Result<TerrainEstimate> estimateAgain(const SessionReader& session, const EstimateRow& row,
                                       const Models& models, const Settings& settings,
                                       const Watch& watch = {});

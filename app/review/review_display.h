@@ -12,7 +12,7 @@ class EventList;
 class StatusHeader;
 
 /// Shows the state at a moment of the session around the review's pages. The header shows link, robot, model and
-/// alarms; a banner reports damage of the file; a list shows the events before the moment. GUI thread only.
+/// alarms. A banner reports damage of the file. A list shows the events before the moment. GUI thread only.
 class ReviewDisplay {
     Q_DECLARE_TR_FUNCTIONS(ReviewDisplay)
 public:

@@ -19,8 +19,8 @@ namespace terratact {
 
 class KeyTable;
 
-/// The timeline of a reviewed session and its player controls: play, step, speed, cursors A and B, go to a time. It
-/// owns the player; the window listens to moved().
+/// The timeline of a reviewed session with its player controls: play, step, speed, cursors, and go to a time. It owns
+/// the player; the window listens to moved().
 class ReviewPlayerBar final : public QWidget {
     Q_OBJECT
 public:

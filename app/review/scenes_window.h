@@ -15,8 +15,8 @@ namespace terratact {
 
 class TerrainPage;
 
-/// The scenes of a file one by one, each with the estimate of the model in use and the true terrain if the file has it.
-/// It has no source, so it cannot command a robot.
+/// Shows the scenes of a file one by one, each with its estimate. The true terrain is shown if the file has it. It has
+/// no source, so it cannot command a robot.
 class ScenesWindow final : public ConsoleWindow {
     Q_OBJECT
 public:

@@ -25,8 +25,8 @@ class PreferenceStore;
 class StatusHeader;
 class TextSheet;
 
-/// The frame of all windows: a header, strips below it, and a rail beside the pages, of which one is visible. Keys
-/// follow the window's key table, which F1 shows.
+/// The frame of all windows: a header, strips below it, and a rail beside the visible page. Keys follow the window's
+/// key table, which F1 shows.
 ///
 /// The window is never smaller than its content needs and never larger than its screen. The font shrinks until the
 /// window fits the screen. If the smallest font is too large, rail and pages scroll; the header with STOP does not.

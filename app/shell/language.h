@@ -7,8 +7,8 @@ class QCoreApplication;
 namespace terratact {
 
 /// Sets the language of windows created later. language: "en", "cs" or "de"; empty: the system's. Returns the language
-/// in use: "cs", "de", or "en" without a translation. Numbers always have a decimal point and no group separators, so
-/// that they match those of files, frames and other consoles.
+/// in use: "cs", "de", or "en" without a translation. Numbers always have a decimal point and no group separators. They
+/// thus match files, frames and other consoles.
 QString installLanguage(QCoreApplication& application, const QString& language);
 
 }  // namespace terratact

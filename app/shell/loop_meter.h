@@ -30,8 +30,8 @@ private:
     std::size_t next_ = 0;
 };
 
-/// Measures the window's responsiveness over the last minute [s]: lateness of the event loop, cost of a frame, and age
-/// of telemetry when shown. It has no clock.
+/// Measures the window's responsiveness over the last minute [s]. It records lateness of the event loop, cost of a
+/// frame, and age of telemetry when shown. It has no clock.
 class LoopMeter {
 public:
     static constexpr double kMinute = 60.0;  ///< [s]

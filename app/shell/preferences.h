@@ -84,9 +84,9 @@ struct LoadedPreferences {
     QString path;  ///< where to save; empty: never, because the file must not be replaced
 };
 
-/// Reads a preferences file; never fails. An invalid value becomes its default, an unreadable file is moved to
-/// PATH.bad, and a file with a newer schema is not touched. Each case adds a sentence to `troubles`. An empty path
-/// (safe mode) gives the defaults without a path to save to.
+/// Reads a preferences file; never fails. An invalid value becomes its default. An unreadable file is moved to
+/// PATH.bad. A file with a newer schema is not touched. Each case adds a sentence to `troubles`. An empty path (safe
+/// mode) gives the defaults without a path to save to.
 LoadedPreferences loadPreferences(const QString& path);
 
 /// Replaces the file atomically. Returns the reason of a failure in one sentence; empty: saved. Does nothing for an

@@ -26,8 +26,8 @@ constexpr int kMargin = 18;  // [px] around the text
 
 }  // namespace
 
-/// Lays the text out twice. QLabel does so for every width it is asked about, which takes 50 ms instead of 10 ms for
-/// the key sheet.
+/// Lays the text out twice. QLabel does so for every width it is asked about. For the key sheet that takes 50 ms
+/// instead of 10 ms.
 class SheetText final : public QWidget {
 public:
     using QWidget::QWidget;

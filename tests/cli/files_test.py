@@ -154,7 +154,7 @@ class Overwriting(Folder):
 
 
     def test_every_command_declares_its_files(self):
-        """Options must use addInput() and similar functions, because other options are not guarded."""
+        """Options for files must use addInput() and similar functions; files of other options are not guarded."""
         for source in pathlib.Path(SOURCE, "app").glob("cli_*.cpp"):
             bare = re.findall(r'add_option\(\s*"(?:--(?:out|csv|data|model|robot|dbc|classes)|files?|log|parts)"', source.read_text())
             self.assertEqual(bare, [], source.name)

@@ -10,9 +10,9 @@
 
 namespace terratact {
 
-/// A hold-to-run button (dead-man control). It is held with the left mouse button, with Space when it has the focus, or
-/// by hold() and letGo() from a window-wide key. It releases when the mouse leaves it, it loses the focus, or it is
-/// hidden or disabled. It also releases when its window is no longer active.
+/// A hold-to-run button (dead-man control). It is held with the left mouse button, or with Space when it has the focus.
+/// A window-wide key uses hold() and letGo(). It releases when the mouse leaves it, it loses the focus, or it is hidden
+/// or disabled. It also releases when its window is no longer active.
 class HeldButton : public QPushButton {
     Q_OBJECT
 public:

@@ -12,8 +12,8 @@ namespace terratact {
 
 class HoldToConfirmButton;
 
-/// Shows whether commands from this console move the robot, and arms it in two distinct actions: a click, then a hold.
-/// It shows one button at a time. Disarming takes one click and is always possible.
+/// Shows whether commands from this console move the robot. It arms in two distinct actions: a click, then a hold. It
+/// shows one button at a time. Disarming takes one click and is always possible.
 class ArmingControl final : public QWidget {
     Q_OBJECT
 public:
@@ -28,8 +28,8 @@ public:
     HoldToConfirmButton* confirmButton() const { return confirm_; }
     QPushButton* disarmButton() const { return disarm_; }
 
-    /// Press and release of the window-wide key. A press right after a release is not a second action, because some X
-    /// servers repeat a held key this way.
+    /// Press and release of the window-wide key. A press right after a release is not a second action: some X servers
+    /// repeat held keys so.
     void pressKey();
     void releaseKey();
 

@@ -18,8 +18,8 @@ namespace terratact {
 class HoldToConfirmButton;
 class ScrollColumn;
 
-/// The operator's panel of an exploration. It shows the state in words with the time left, the preconditions, and
-/// buttons that request it, abort it or release STOP.
+/// The operator's panel of an exploration. It shows the state with the time left, and the preconditions. Its buttons
+/// request it, abort it or release STOP.
 ///
 /// The listed preconditions belong to the next command: exploring, the proposed probe, or releasing STOP. Preconditions
 /// of other commands can be looked up; the next state change ends the look-up.

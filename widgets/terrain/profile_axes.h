@@ -18,7 +18,7 @@ private:
     bool withPlus_;
 };
 
-/// The two axes of a TerrainProfileView with equal scale: one metre has the same length in x and z at every size.
+/// The two axes of a TerrainProfileView, with equal scale in x and z at every size.
 class ProfileAxes {
 public:
     /// Extent that is always visible [m]: the robot with extended flippers, and the bins.

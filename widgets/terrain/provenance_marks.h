@@ -46,8 +46,8 @@ public:
     MarkLetters();
     std::array<std::optional<Provenance>, kBins> shown{};
     static double height(const QFont& ofPlot);  ///< [px] height of the strip of letters
-    /// Returns the part of the strip that the profile leaves free [px]; 0 for a low canvas, where letters cover the
-    /// lowest heights.
+    /// Returns the part of the strip that the profile leaves free [px]. It is 0 for a low canvas, where letters cover
+    /// the lowest heights.
     static double reserved(const QFont& ofPlot, double canvasHeight);
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,

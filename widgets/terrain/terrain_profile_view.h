@@ -41,9 +41,8 @@ struct ArmTip {
     bool operator==(const ArmTip&) const = default;
 };
 
-/// Draws a TerrainEstimate under the robot: mean line, bars between the 0.1 and 0.9 quantiles, ceilings, and the
-/// robot's side view with the IMU at the origin. One metre has the same length in x and z at every size, so a step
-/// looks as steep as it is.
+/// Draws a TerrainEstimate: mean line, bars between the 0.1 and 0.9 quantiles, and ceilings. The robot's side view has
+/// the IMU at the origin. The scale is equal in x and z at every size, so a step looks as steep as it is.
 /// Bins differ by shape, bar pattern and colour, and by a letter where the legend has no room (provenance_marks.h):
 /// contact = square, arm = triangle, constrained = inverted triangle, sampled = circle, prior only = open diamond in an
 /// amber zone. A bin with bimodal draws shows both heights.
