@@ -183,7 +183,7 @@ private:
         return {name, std::to_string(frame.asInt()), name == "PX" || name == "PA" ? "counts" : ""};
     }
 
-    // What the listener has made of it, in our units and signs.
+    // Adds the values that the listener derived, in our units and signs.
     void addMeaning(std::vector<NamedValue>& values, const AbsolemFrame& frame) const
     {
         const AbsolemState& state = listener_.state();

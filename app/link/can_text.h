@@ -30,7 +30,7 @@ struct NamedValue {
 /// A decoded frame as text.
 struct FrameWords {
     std::string name{};                     ///< empty if the identifier is unknown
-    std::optional<std::uint8_t> counter{};  ///< of its E2E protection
+    std::optional<std::uint8_t> counter{};  ///< counter of its E2E protection
     std::string verdict{};                  ///< "ok", "wrong checksum"
     FrameTrouble trouble = FrameTrouble::None;
     std::vector<NamedValue> values{};  ///< values of a frame with content

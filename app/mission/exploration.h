@@ -39,7 +39,8 @@ public:
             kLinkLostAfter;  ///< [s] telemetry watchdog: longer silence means a lost link
         double staleAfter = kStaleAfter;  ///< [s] older telemetry is stale: no verdict, no ghost
         double probeSeconds = 45.0;       ///< expected duration of a probe, shown to the operator
-        std::string groundFile;           ///< of the simulated robot; empty: ground without a file
+        std::string
+            groundFile;  ///< ground file of the simulated robot; empty: ground without a file
     };
 
     /// link: the same source if its robot needs arming; else null.

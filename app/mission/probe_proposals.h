@@ -53,7 +53,7 @@ public:
     std::string grounds() const;
 
 private:
-    ProbeBasis basis() const;  ///< of the present estimate, which must exist
+    ProbeBasis basis() const;  ///< basis of the present estimate, which must exist
 
     const Estimation& estimation_;
     const RobotModel& robot_;

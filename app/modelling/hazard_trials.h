@@ -15,7 +15,7 @@ struct HazardTrial {
     int drives = 40;          ///< number per kind of hazard and roughness, and without hazard
     std::uint64_t seed = 1;   ///< seed of ground, drives and noise
     double stepLimit = 0.10;  ///< [m] obstacle height, see hasStep()
-    Settings settings;        ///< of the estimates; `rates` replaces the hazard rate
+    Settings settings;        ///< options of the estimates; `rates` replaces the hazard rate
     std::vector<double> rates{0.002, 0.01, kHazardRate};  ///< hazard rates to try, per unfelt bin
 };
 

@@ -19,7 +19,7 @@ struct ComparisonPlan {
     RobotModel robot;
     std::string oldModel, newModel;  ///< *.ttm files
     std::string data;                ///< CSV of scenes with heights
-    Settings settings;               ///< of the estimates; scene k uses seed + k
+    Settings settings;               ///< options of the estimates; scene k uses seed + k
     std::size_t mostScenes = 300;    ///< larger sets are thinned evenly
     int threads = 0;                 ///< maximum; 0: one per processor
 };

@@ -82,7 +82,7 @@ void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& 
         return format::signedNumber(value, 2) + QStringLiteral(" A");
     };
     fresh ? showAngle(Pitch, m.pitch, attitude_.pitch) : put(Pitch, {});
-    // Two lines of telemetry differ by the sensor's noise, if by nothing else.
+    // Two samples always differ by sensor noise.
     if (captured)
         values_[Pitch]->setText(
             tr("%1   captured %2").arg(text(Pitch), format::degrees(*captured)));

@@ -23,19 +23,19 @@ public:
     enum Row { Pitch, Roll, FrontFlippers, RearFlippers, FrontCurrents, RearCurrents, kRows };
     using Ages = std::array<double, kRows>;  ///< [s]; not finite: never received
 
-    /// Of the measurement that is set next: pitch and roll read "STEEP", amber, or "DANGER", red.
+    /// Sets the tip-over assessment of the next measurement: pitch and roll read "STEEP", amber, or "DANGER", red.
     void setAttitude(const Attitude& attitude) { attitude_ = attitude; }
 
-    /// Values of one line of telemetry, which is of `age` [s] ago.  captured: pitch of the scene that is drawn [rad];
-    /// empty: what is drawn is the measurement.
+    /// Shows one telemetry sample. age: [s]. captured: pitch of the drawn scene [rad]; empty: the measurement itself is
+    /// drawn.
     void setMeasurement(const Measurement& measurement, double age,
                         std::optional<double> captured = {});
-    /// The values may arrive in messages of their own, which say of each whether it still comes.
+    /// Shows a sample whose values arrive in separate messages. ages: per value; an old value is stale.
     void setMeasurement(const Measurement& measurement, double age, const Ages& ages,
                         std::optional<double> captured = {});
-    void clearMeasurement();  ///< nothing has arrived yet
+    void clearMeasurement();  ///< nothing was received yet
 
-    QString text(int row) const;  ///< as shown; rows as in the order of Row
+    QString text(int row) const;  ///< shown text; rows in the order of Row
     QString ageText(int row) const;
 
 private:

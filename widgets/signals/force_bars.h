@@ -82,18 +82,19 @@ public:
 
     static constexpr std::size_t kArrays = 4;
     int arrays() const { return static_cast<int>(arrays_.size()); }  ///< at least 1
-    /// "■ L  □ R"; empty where there is one array without a name.
+    /// Returns "■ L  □ R"; empty for one array without a name.
     QString legend() const;
 
     // Elements are 0 … 5, arrays from 0.
     bool touching(int element) const;
     QString numberText(int element,
-                       int array = 0) const;  ///< as shown above the bar, where there is room
-    QString driftText(int element) const;     ///< as shown below it; empty: no drift
-    std::optional<double> peak(int element, int array = 0) const;  ///< in unit()
-    QRectF barRect(int element, int array = 0) const;              ///< on the canvas [px]
-    double pixelOf(double value) const;              ///< canvas y of a value in unit()
-    double fullScale() const { return fullScale_; }  ///< in unit()
+                       int array = 0) const;  ///< number above the bar, if it has room
+    QString driftText(int element) const;     ///< text below the element; empty: no drift
+    std::optional<double> peak(int element,
+                               int array = 0) const;   ///< [unit()] peak of the last 3 s
+    QRectF barRect(int element, int array = 0) const;  ///< [px] on the canvas
+    double pixelOf(double value) const;                ///< canvas y of a value in unit()
+    double fullScale() const { return fullScale_; }    ///< [unit()] top of the scale
 
     QSize sizeHint() const override { return {380, 140}; }
     QSize minimumSizeHint() const override { return {260, 106}; }
@@ -108,7 +109,7 @@ private:
     };
 
     void takePeaks(const std::vector<ForceArray>& arrays, double time);
-    void restyle();  ///< in theme and font as they are now
+    void restyle();  ///< applies the current theme and font
     void show();
     void showBars();
     void showNumbers();
@@ -117,26 +118,27 @@ private:
     void fitScale();
     const ForceElement& at(int element, int array) const;
     std::vector<int> arraysWith(int element) const;
-    std::optional<double> shown(int element, int array) const;  ///< in unit()
-    double top(int element) const;  ///< of bars, peaks and threshold line: numbers stand above
+    std::optional<double> shown(int element, int array) const;  ///< [unit()] value of the bar
+    double top(int element)
+        const;  ///< [unit()] highest of bars, peaks and threshold line; numbers stand above it
     QString labelText(int element) const;
     int labelRows() const;
-    /// Neighbours that touch, with the word over them.
+    /// Neighbouring elements in contact, with one common word.
     struct ContactGroup {
         int first = 0, last = 0;
-        double highest = 0.0;  ///< in unit()
+        double highest = 0.0;  ///< [unit()] highest bar
         qsizetype rows = 0;    ///< lines of the numbers
     };
     std::vector<ContactGroup> contactGroups() const;
-    qsizetype rowsOf(int element) const;       ///< lines above its bar, without the word
-    double shareOfRows(qsizetype rows) const;  ///< of the canvas' height
+    qsizetype rowsOf(int element) const;       ///< lines above the element's bar, without the word
+    double shareOfRows(qsizetype rows) const;  ///< share of the canvas height
     QString spoken(int element) const;
     QString unitText() const;
     QFont labelFont(bool bold) const;
     double groupWidth() const;  ///< [px]
 
     std::vector<ForceArray> arrays_;
-    std::vector<std::array<Peaks, kForceElements>> peaks_;  // of every array
+    std::vector<std::array<Peaks, kForceElements>> peaks_;  // peaks of every array
     Unit unit_ = Unit::Newtons;
     double threshold_ = 2.0;   // [N]
     double fullScale_ = 10.0;  // in unit_
@@ -146,7 +148,8 @@ private:
     QwtPlotGrid* grid_ = nullptr;
     QwtPlotMarker* thresholdLine_ = nullptr;
     std::array<QwtPlotMarker*, kForceElements> numbers_{};
-    std::array<QwtPlotMarker*, kForceElements / 2> contacts_{};  ///< of neighbours that touch
+    std::array<QwtPlotMarker*, kForceElements / 2>
+        contacts_{};  ///< labels of neighbouring contacts
 };
 
 }  // namespace terratact

@@ -185,13 +185,13 @@ VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
 
 void VerdictStrip::resizeToFont()
 {
-    // Always two lines: a jumping layout misleads.  More where nothing but empty room would jump.
+    // Always reserves two lines, because a jumping layout misleads. More lines are used only where nothing else moves.
     const int twoLines = 2 * QFontMetrics(QApplication::font()).lineSpacing() + 2;
     reason_->setMinimumHeight(twoLines);
     reason_->setMaximumHeight(stacked_ ? QWIDGETSIZE_MAX : twoLines);
-    // Nor does the badge change its width with its word.
+    // The badge keeps its width for every word.
     QFont bold = QApplication::font();
-    bold.setPixelSize(scaled(19));  // as in the style sheet
+    bold.setPixelSize(scaled(19));  // equal to the style sheet
     bold.setBold(true);
     int width = 0;
     for (const QString& word :
@@ -264,7 +264,7 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
 {
     const bool isWithheld = !verdict.doubts.empty();
     const QString probability = probabilityOf(verdict, limit_);
-    // What is withheld must not be the first thing that is read.
+    // A withheld probability must not be the first thing that is read.
     question_->setText(isWithheld ? QStringLiteral("(%1)").arg(probability) : probability);
     setTone(*question_, isWithheld ? Tone::Muted : Tone::Strong);
     setTone(*reason_, isWithheld ? Tone::Doubt : Tone::Muted);

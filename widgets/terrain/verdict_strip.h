@@ -26,7 +26,8 @@ public:
     // Texts of a verdict.
     static QString answerOf(const Verdict& verdict);                     ///< "✔ CLEAR"
     static QString probabilityOf(const Verdict& verdict, double limit);  ///< limit: [m]
-    static QString whyOf(const Verdict& verdict);  ///< what it means, or why there is none
+    /// Returns what the verdict means, or why there is none.
+    static QString whyOf(const Verdict& verdict);
 
     double limit() const { return limit_; }
     QString badge() const;
@@ -52,7 +53,7 @@ private:
     bool stacked_ = false;
     bool withheld_ = false;
     QBoxLayout* row_ = nullptr;
-    QBoxLayout* head_ = nullptr;  ///< the badge and the buttons, where they are stacked
+    QBoxLayout* head_ = nullptr;  ///< the badge and the buttons in the stacked layout
     QLabel* badge_ = nullptr;
     QLabel* question_ = nullptr;
     QLabel* reason_ = nullptr;

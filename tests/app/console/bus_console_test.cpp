@@ -55,7 +55,7 @@ TEST_F(BusConsole, showsForcesVoltagesAndADriftedBiasOfBothArrays)
     window->forceUnitButton()->click();
     EXPECT_EQ(bars.unit(), ForceBars::Unit::Volts);
     picture("force-voltages");
-    // The sandwich alone: 0.3 N, 20 kΩ over 10 kΩ at 5 V.
+    // The preload alone gives 0.3 N: 20 kΩ over 10 kΩ at 5 V.
     EXPECT_GE(bars.numberText(2, 0).toDouble(), 1.67);
     EXPECT_LT(bars.numberText(2, 0).toDouble(), 4.0);
     window->forceUnitButton()->click();
@@ -121,7 +121,7 @@ TEST_F(BusConsole, takesTwoActionsToArmAndNothingMovesBefore)
     QTest::qWait(400);
     QTest::keyClick(window.get(), Qt::Key_M);
     ASSERT_TRUE(eventually([&] { return arming() == ArmingPhase::Confirming; }));
-    QTest::keyClick(window.get(), Qt::Key_M);  // too short
+    QTest::keyClick(window.get(), Qt::Key_M);  // shorter than the hold time
     QTest::qWait(300);
     EXPECT_NE(arming(), ArmingPhase::Armed);
     ASSERT_TRUE(confirmsArming(*window));
@@ -165,7 +165,7 @@ TEST_F(BusConsole, driveExploreProbeAndDriveOn)
     open();
     const bool drivesOn = inSomeGo([this] {
         if (!drives()) return false;
-        const int epoch = window->link()->view().link.arming.epoch;  // another for every arming
+        const int epoch = window->link()->view().link.arming.epoch;  // changes with every arming
         QTest::keyRelease(window.get(), Qt::Key_W);
         EXPECT_TRUE(robotIs(RobotActivity::Halted));
         if (!exploresAndProbes()) return false;
@@ -189,11 +189,11 @@ TEST_F(BusConsole, closingWhileArmedNeedsASecondRequest)
     const auto closesAskedTwice = [&] {
         if (!armsOnce()) return false;
         window->close();
-        if (!window->isVisible()) {  // it has disarmed itself meanwhile
+        if (!window->isVisible()) {  // a delay has disarmed it meanwhile
             window->show();
             return false;
         }
-        for (int repeated = 0; repeated < 10; ++repeated) {  // a key held for a second
+        for (int repeated = 0; repeated < 10; ++repeated) {  // key repeat of one second
             QTest::qWait(100);
             window->close();
         }
@@ -220,7 +220,7 @@ TEST_F(BusConsole, anOldCloseRequestIsForgotten)
         if (arming() != ArmingPhase::Armed && !armsOnce()) return false;
         window->close();
         QTest::qWait(static_cast<int>(1000.0 * ShortNotice::kFor) + 200);
-        if (!window->isVisible()) window->show();  // it had disarmed itself
+        if (!window->isVisible()) window->show();  // a delay had disarmed it
         if (arming() != ArmingPhase::Armed) return false;
         window->close();
         EXPECT_TRUE(window->isVisible()) << "that was the first try";
@@ -256,7 +256,7 @@ TEST_F(BusConsole, saysWhyTheRobotRefusedTheProbeInEveryLayout)
     picture("refused");
 }
 
-/// What was on the bus while the window stood still; times are the bus's own [s].
+/// Frames on the bus while the window was frozen; times are those of the bus [s].
 struct Freeze {
     double began = 0.0, ended = 0.0;
     std::vector<BusFrame> frames{};
@@ -270,7 +270,7 @@ struct Freeze {
     }
 };
 
-/// An end of a bus that knows the thread that serves it.
+/// An end of a bus that records the thread serving it.
 class ServedBus final : public CanBus {
 public:
     ServedBus(std::unique_ptr<CanBus> bus, std::shared_ptr<std::atomic<pid_t>> thread)
@@ -293,7 +293,8 @@ private:
     std::shared_ptr<std::atomic<pid_t>> thread_;
 };
 
-/// How long a thread of this process has been kept from running [s], by the kernel's account; 0 where it keeps none.
+/// Returns the time [s] that a thread of this process waited for a processor, from the kernel's accounting; 0 if
+/// unknown.
 double keptWaiting(pid_t thread)
 {
     std::ifstream file("/proc/self/task/" + std::to_string(thread) + "/schedstat");
@@ -322,14 +323,14 @@ TEST_F(BusConsole, frozenWindowStopsTheDrive)
         const double kept = keptWaiting(*sender) - waited;
         freeze.ended = steadyNow();
         freeze.frames = framesOf(*recorder);
-        // On a busy machine this window may have been held up for 100 ms before, and the drive has ended with that.
+        // On a busy machine a delay of 100 ms may have ended the drive before.
         const std::vector<double> drives = freeze.timesOf(FrameKind::Drive);
         if (drives.empty()) continue;
         ++judged;
-        double last = 0.0;  // frame that keeps it driving, since the freeze began
+        double last = 0.0;  // time of the last drive frame since the freeze began
         for (const FrameKind kind : {FrameKind::Drive, FrameKind::ConsoleHeartbeat})
             for (const double at : freeze.timesOf(kind)) last = std::max(last, at - freeze.began);
-        // The thread that sends may have been kept waiting between its look at the clock and the bus.
+        // The sending thread may have waited for a processor between reading the clock and sending.
         EXPECT_LE(last, kLimit + kept);
         EXPECT_LE(static_cast<double>(drives.size()), kLimit / ConsoleLink::kDrivePeriod + 2.0);
         strictly += last <= kLimit;
@@ -345,11 +346,11 @@ TEST_F(BusConsole, frozenWindowStopsTheDrive)
         << "later than " << kLimit << " s in most of " << judged << " goes";
 }
 
-/// Counts what a window's thread is woken for, which is queued calls; not what it has to do for one of them.
+/// Counts the wake-ups of the window's thread (queued calls), not the work of a call.
 class Posts final : public QObject {
 public:
     Posts() { qApp->installEventFilter(this); }
-    /// Those that are there now.
+    /// Delivers the pending calls and returns their number.
     int take()
     {
         count_ = 0;
@@ -374,7 +375,7 @@ TEST_F(BusConsole, aFloodOfFramesIsNoFloodOfSignals)
     open(CanSource::Mode::Listen);
     ASSERT_TRUE(eventually([&] { return !modelInUse(*window).isEmpty(); }));
     Posts posts;
-    // The window's thread does nothing else while all of them are read.
+    // The window's thread does nothing else while all frames are read.
     (void)posts.take();
     const std::uint64_t before = window->link()->view().frames.received;
     for (std::uint64_t i = 0; i < kFlood; ++i)
@@ -391,7 +392,7 @@ TEST_F(BusConsole, aFloodOfTelemetryIsNoFloodOfSignalsNorOfPictures)
 {
     constexpr int kFlood = 5000;
     constexpr double kPictures = 25.0;  // [Hz]
-    /// As many lines as it is asked for, each another, some thousand a second.
+    /// A source of some thousand telemetry lines a second, all different, as many as requested.
     struct Burst final : MeasurementSource {
         std::atomic<int> left = 1;
         std::string name() const override { return "BURST"; }

@@ -152,7 +152,7 @@ TEST_F(Console, theVerdictFollowsTheLimitAndTheProbeThatIsChosen)
 
 TEST_F(Console, everyPageShowsTheApprovalExpiryOfAProposal)
 {
-    answerTime = 300.0;  // this machine may be busy
+    answerTime = 300.0;  // long, because the machine may be busy
     open(fastRobot(robot, 2.1));
     const QPushButton& terrain = *window->rail()->button(0);
     ASSERT_TRUE(readyToExplore());

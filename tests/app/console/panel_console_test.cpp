@@ -317,7 +317,7 @@ TEST_F(PanelConsole, lossOfThePanelOfAConsoleThatOnlyListensMeansNoStop)
     MainWindow::Options o = options();
     auto source = std::make_unique<ScriptedSource>();
     Measurement stopped;
-    stopped.activity = RobotActivity::Stopped;  // by somebody else
+    stopped.activity = RobotActivity::Stopped;  // stopped from elsewhere
     source->setMeasurement(stopped);
     o.source = std::move(source);
     o.link = &link;
@@ -332,7 +332,7 @@ TEST_F(PanelConsole, lossOfThePanelOfAConsoleThatOnlyListensMeansNoStop)
     EXPECT_TRUE(std::ranges::any_of(alarms, [](const Alarm& alarm) {
         return alarm.text == "The operator's panel does not answer";
     }));
-    window.reset();  // it looks at the link
+    window.reset();  // the window uses the link
 }
 
 TEST_F(PanelConsole, panelThatThrowsIsALostPanelAndEndsNothingElse)
@@ -368,7 +368,7 @@ TEST_F(PanelConsole, robotOnABusIsDisarmedWithThePanel)
     QTest::keyClick(window.get(), Qt::Key_M);
     ASSERT_TRUE(
         eventually([&] { return window->header()->arming()->confirmButton()->isVisible(); }));
-    QTest::qWait(60);  // a second action, not a repeated key
+    QTest::qWait(60);  // a second action, not key repeat
     QTest::keyPress(window.get(), Qt::Key_M);
     const auto phase = [&] { return window->link()->view().link.arming.phase; };
     ASSERT_TRUE(eventually([&] { return phase() == ArmingPhase::Armed; }));

@@ -34,14 +34,14 @@ struct Forces : testing::Test {
     {
         bars.setForces({arrayOf(left, "L"), arrayOf(right, "R")}, time);
     }
-    /// Of the middle of a bar, `up` pixels above its foot.
+    /// Returns the colour at the middle of a bar, `up` pixels above its foot.
     QColor colourIn(int element, int array, double up)
     {
         const QRectF rect = bars.barRect(element, array);
         return gui::painted(*bars.canvas())
             .pixelColor(QPointF(rect.center().x(), rect.bottom() - up).toPoint());
     }
-    /// Where letters stand on the canvas [px].
+    /// Returns the rectangles of texts on the canvas [px].
     std::vector<QRectF> letters() const
     {
         std::vector<QRectF> all;
@@ -51,7 +51,7 @@ struct Forces : testing::Test {
             const QSizeF size = marker->label().textSize();
             const QPointF foot(bars.transform(QwtPlot::xBottom, marker->xValue()),
                                bars.transform(QwtPlot::yLeft, marker->yValue()));
-            // Empty lines at the end are the place of another's.
+            // Empty lines at the end reserve the place of another text.
             const QString text = marker->label().text();
             const double line = size.height() / static_cast<double>(text.count('\n') + 1);
             all.emplace_back(foot.x() - size.width() / 2.0, foot.y() - size.height(), size.width(),
@@ -315,7 +315,8 @@ TEST_F(Forces, noWordIsCutAtTheTopInALowChart)
             expectRoom();
             ForceArray left = arrayOf({0.1, 0.0, 0.2, force, 7.0, 0.0}, "L"), right = left;
             right.name = "R";
-            left.elements[4].saturated = right.elements[4].saturated = true;  // of more rows
+            left.elements[4].saturated = right.elements[4].saturated =
+                true;  // two lines of numbers
             bars.setForces({left, right}, 0.0);
             expectRoom();
             bars.clearForces();
