@@ -1,7 +1,7 @@
-// How long an estimate, the advice on probes made of it, and training make a "cancel" wait: the longest work between two
-// questions of the watch [ms of processor time], from the very first estimate with a model (its Gaussian processes are
-// factorised on the way) and from a later one.  And what no question can divide: the first touch of a page of 2 MiB,
-// which a virtual machine may have to ask its host for.
+// Measures how long "cancel" waits for an estimate, for probe advice and for training. The wait is the longest work
+// between two polls of the watch [ms of processor time], in a first estimate (which factorises the model's processes)
+// and a later one. It also measures work that no poll can divide: the first touch of a page of 2 MiB, which a virtual
+// machine may request from its host.
 #include <benchmark/benchmark.h>
 #include <cblas.h>
 
@@ -28,13 +28,13 @@
 namespace terratact {
 namespace {
 
-/// Processor time: other programs do not count.
+/// Returns processor time, so that other programs do not count.
 double milliseconds()
 {
     return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// The longest wait in one estimate [ms].
+/// Returns the longest wait in one estimate [ms].
 double longestWait(const std::function<void(const Watch&)>& estimate)
 {
     double last = milliseconds();
@@ -54,7 +54,7 @@ double longestWait(const std::function<void(const Watch&)>& estimate)
     return longest;
 }
 
-/// What is estimated: the shipped model, or one of 5600 made-up rows.
+/// Variants of the estimate: the shipped model, or one with 5600 synthetic rows.
 enum Effort : int { Balanced, Accurate, AllChains, ManyRows, ManyDraws };
 constexpr std::array kEffortNames{"balanced", "accurate", "64 chains", "5600 rows", "1e6 draws"};
 
@@ -72,7 +72,7 @@ Settings settingsFor(Method method, Effort effort)
     return settings;
 }
 
-/// The shipped model, its conditionals' training rows repeated with a little noise.
+/// Returns the shipped model with its conditionals' rows repeated with a little noise.
 ModelData manyRows(ModelData model)
 {
     constexpr Eigen::Index kRows = 5600;
@@ -92,7 +92,7 @@ ModelData manyRows(ModelData model)
 
 using Estimate = std::function<void(const Watch&)>;
 
-/// An estimate with a model that has not been used before.
+/// Returns an estimate with a fresh model.
 Estimate estimateOf(const Scene& scene, const RobotModel& robot, const Settings& settings,
                     Effort effort)
 {
@@ -146,7 +146,7 @@ void efforts(benchmark::internal::Benchmark* bench)
         }
 }
 
-/// One evaluation of a likelihood, which a training makes many of.
+/// Measures one evaluation of a likelihood; a training makes many of them.
 void cancelWaitsOfTraining(benchmark::State& state)
 {
     openblas_set_num_threads(1);
@@ -177,7 +177,7 @@ BENCHMARK(cancelWaitsOfTraining)
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond);
 
-/// Longest wait for `each` bytes that are written for the first time [ms].
+/// Returns the longest wait [ms] for `each` bytes that are written for the first time.
 double longestTouch(char* fresh, std::size_t bytes, std::size_t each)
 {
     constexpr std::size_t kPage = 4096;
@@ -191,8 +191,8 @@ double longestTouch(char* fresh, std::size_t bytes, std::size_t each)
     return longest;
 }
 
-/// As many bytes as a factorisation of 5600 rows holds, in pages of 2 MiB; then as many in 128 KiB, of 4 KiB each, which is
-/// what a thousand draws take.
+/// Touches the bytes of a factorisation of 5600 rows, in pages of 2 MiB. Then it touches the bytes of a thousand draws
+/// in blocks of 128 KiB, in pages of 4 KiB.
 void touchesOfFreshPages(benchmark::State& state)
 {
     constexpr std::size_t kBytes = 5600UL * 5600UL * sizeof(double);

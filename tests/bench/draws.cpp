@@ -1,4 +1,4 @@
-// What one truncated normal draw costs; ns per draw, bounds in deviations from the mean.
+// Measures the cost of one truncated normal draw [ns]; bounds are in deviations from the mean.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

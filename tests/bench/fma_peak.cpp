@@ -3,8 +3,8 @@
 namespace terratact {
 namespace {
 
-// Twelve independent chains hide a latency of four or five cycles on two units.  The loop is written out once
-// per instruction set because a template cannot change its target.
+// Twelve independent chains hide a latency of four or five cycles on two units. The loop is repeated per instruction
+// set, because a template cannot change its target.
 #define TERRATACT_PEAK(name, target, T, bytes)                                                     \
     target double name(int rounds)                                                                 \
     {                                                                                              \

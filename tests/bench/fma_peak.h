@@ -4,14 +4,14 @@
 
 namespace terratact {
 
-/// Multiply-adds that nothing waits for, in one instruction set: what a processor can do at best.
-/// Both take a number of rounds and return how many floating-point operations they have done.
+/// Independent multiply-adds in one instruction set: the peak rate of a processor. Both functions take a number of
+/// rounds and return the number of floating-point operations.
 struct FmaPeak {
     double (*single)(int rounds);
     double (*full)(int rounds);
 };
 
-/// kernels: name of CovarianceKernels that this processor runs.
+/// kernels: name of CovarianceKernels that this processor supports.
 const FmaPeak& fmaPeak(std::string_view kernels);
 
 }  // namespace terratact

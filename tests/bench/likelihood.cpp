@@ -1,12 +1,12 @@
-// What training's likelihood and gradient cost, on data of another program or over a range of sizes.
-//   terratact-bench-likelihood data FILE REPEATS   CPU ms of the fastest of REPEATS, the value, the gradient
-//   terratact-bench-likelihood growth U...         CPU ms and memory per size, which must grow, and the exponents
-//   terratact-bench-likelihood train SCENES ROWS   seconds for the paper's 22 processes, on all cores
-//   terratact-bench-likelihood sparse SCENES ROWS TEST BIN M...
-//       one bin's process, exact and through M rows: CPU s to make it, errors on the scenes of TEST; then exact
-//       with hyper-parameters searched for on all rows: of 11200, ten minutes
+// Measures training's likelihood and gradient, on data of another program or over a range of sizes.
+// terratact-bench-likelihood data FILE REPEATS   CPU ms of the fastest of REPEATS, the value, the gradient
+// terratact-bench-likelihood growth U...         CPU ms and memory per size, in increasing order, and the exponents
+// terratact-bench-likelihood train SCENES ROWS   seconds for the paper's 22 processes, on all cores
+// terratact-bench-likelihood sparse SCENES ROWS TEST BIN M...
+// one bin's process, exact and through M rows: CPU s to make it, errors on the scenes of TEST; then exact
+// with hyper-parameters searched on all rows: ten minutes for 11200 rows
 // FILE: 64-bit little-endian: U, d (integers); X row by row, y, ℓ, σ_f, σ_n (doubles).
-// One thread, but for train.  Figures are of this machine and this moment; training.sh runs them all.
+// All except train use one thread. Results depend on the machine; training.sh runs all of them.
 #include <sys/resource.h>
 #include <time.h>
 
@@ -97,7 +97,7 @@ double fastest(const Problem& p, int repeats, Likelihood& value)
     return best;
 }
 
-/// Largest resident size so far, so that sizes must grow.
+/// Returns the peak resident size so far, so sizes must increase.
 double peakKilobytes()
 {
     rusage usage{};
@@ -105,7 +105,7 @@ double peakKilobytes()
     return static_cast<double>(usage.ru_maxrss);
 }
 
-/// Slope of log y over log x by least squares.
+/// Returns the slope of log y over log x by least squares.
 double exponent(const std::vector<double>& x, const std::vector<double>& y)
 {
     const auto n = static_cast<Eigen::Index>(x.size());
@@ -175,7 +175,7 @@ void train(const char* path, int rows)
                 static_cast<int>(model.scannedHeights.rows()), wall, cpu, sum);
 }
 
-/// Root mean square error of a bin's predictions at complete scenes, all else known.
+/// Returns the root mean square error of a bin's predictions for complete scenes.
 double error(const BinModels& models, int bin, int inducing, const std::vector<Scene>& scenes)
 {
     std::vector<Eigen::VectorXd> x;
@@ -198,7 +198,7 @@ double error(const BinModels& models, int bin, int inducing, const std::vector<S
     return std::sqrt((mean - known).squaredNorm() / static_cast<double>(mean.size()));
 }
 
-/// Hyper-parameters from `searched` rows (0: all), then predictions through several numbers of rows.
+/// Searches hyper-parameters on `searched` rows (0: all), then predicts through several numbers of rows.
 void sparse(ModelData model, int searched, const std::vector<Scene>& scenes, int bin,
             const std::vector<int>& sizes)
 {
@@ -230,13 +230,13 @@ void sparse(const char* path, int rows, const char* test, int bin, const std::ve
     sparse(model, 0, scenes, bin, {0});
 }
 
-/// Every bin's error through several numbers of rows as a share of that through all; the same search for all of them.
+/// Prints every bin's error through several numbers of rows, relative to that through all rows, with one common search.
 void sparseBins(const char* path, int rows, const char* test, const std::vector<int>& sizes)
 {
     const ModelData model =
         prepareTraining(scenesOf(path), {.conditionalRows = rows, .scannerSd = 0.012}).model;
     const std::vector<Scene> scenes = scenesOf(test);
-    constexpr int kAtOnce = 2;  // for all rows' sake, 1.5 times their square each
+    constexpr int kAtOnce = 2;  // bounds memory: each takes 1.5 times the square of all rows
     std::vector<std::vector<double>> errors(kBins);
     parallelFor(
         kBins,

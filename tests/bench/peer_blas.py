@@ -1,7 +1,7 @@
-"""OpenBLAS on one thread and as fast as this processor allows, for the peers that NumPy is: before it is imported.
+"""Configures OpenBLAS for the NumPy peers, before NumPy is imported: one thread, and the fastest kernels of this processor.
 
-Debian 12's OpenBLAS (0.3.21) takes processors newer than itself for the oldest one it knows ("Prescott": no AVX, a
-fifth of the speed here).  Nobody would measure against that, so it is told which kernels to use.
+Debian 12's OpenBLAS (0.3.21) treats unknown newer processors as its oldest one ("Prescott": no AVX, a fifth of the
+speed here). That would be an unfair comparison, so the kernels are selected here.
 """
 import ctypes
 import ctypes.util
@@ -11,7 +11,7 @@ import sys
 
 
 def kernels():
-    """Name of the kernels in use, "unknown" for another BLAS."""
+    """Returns the name of the kernels in use, "unknown" for another BLAS."""
     library = ctypes.util.find_library("openblas")
     if not library:
         return "unknown"
@@ -21,7 +21,7 @@ def kernels():
 
 
 def prepare():
-    """Starts the program again where OpenBLAS knows the processor only by its oldest features."""
+    """Restarts the program if OpenBLAS treats the processor as its oldest one."""
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
     if "OPENBLAS_CORETYPE" in os.environ or kernels() != "Prescott":
         return

@@ -1,8 +1,8 @@
-"""NLML + gradient: a hand-written NumPy/SciPy implementation against ours, interleaved, one thread each.
+"""Compares NLML and gradient of a hand-written NumPy/SciPy implementation with ours, interleaved, one thread each.
 
 Usage: peer_likelihood.py path/to/terratact-bench-likelihood [rows] [inputs] [rounds]
-Prints CPU milliseconds of both (fastest and median of the rounds), their ratio, and how far value and gradient
-are apart.
+Prints CPU milliseconds of both (fastest and median of the rounds), their ratio, and the differences of value and
+gradient.
 """
 
 import os
@@ -28,7 +28,7 @@ def problem(rows, inputs):
 
 
 def negative_log_likelihood(X, y, scale, signal, noise):
-    """Value and gradient by log scale, log signal, log noise (Rasmussen & Williams, eq. 2.30 and 5.9)."""
+    """Returns value and gradient with respect to log scale, log signal, log noise (Rasmussen & Williams, eq. 2.30 and 5.9)."""
     U = len(y)
     Z = X / scale
     norms = np.einsum("ij,ij->i", Z, Z)

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""The sampler's work as a good user of NumPy and SciPy writes it; prints CPU seconds as JSON.
+"""Does the sampler's work in efficient NumPy and SciPy; prints CPU seconds as JSON.
 
-U training rows, d inputs, nine unknown bins of eleven.  Whatever stands still during sampling is computed
+U training rows, d inputs, nine unknown bins of eleven.  Constants of the sampling are computed
 before: L⁻¹ of every bin, the distances of fixed inputs per scene.  One sweep draws every unknown bin once in
-all chains, from a normal cut off at the ceiling (inverse of the distribution function).
+all chains, from a normal truncated at the ceiling (inverse of the distribution function).
 """
 import json
 import sys
@@ -19,7 +19,7 @@ from scipy.special import ndtr, ndtri
 
 U, D, BINS, UNKNOWN = 1400, 21, 11, 9
 SIGNAL, NOISE = 0.2, 0.02
-SECONDS = 0.4  # at least, per figure
+SECONDS = 0.4  # minimum per result
 
 
 class Bin:
@@ -50,7 +50,7 @@ class Scene:
         self.weight = -0.5 * ((gp.X[:, m:] - x[m:]) ** 2).sum(1)[:, None] + 2.0 * np.log(SIGNAL)
 
     def predict(self, Z):
-        """Mean and variance at the columns of Z: m × chains."""
+        """Returns mean and variance at the columns of Z: m × chains."""
         distance = self.norm + (Z * Z).sum(0) - 2.0 * (self.X @ Z)
         k = np.asfortranarray(np.exp(self.weight - 0.5 * distance))
         mean = self.gp.alpha @ k
@@ -111,12 +111,12 @@ def seconds_per_call(call):
 
 
 def fastest(ways, measure):
-    """Name and seconds of the way that this machine likes best."""
+    """Returns name and seconds of the fastest variant on this machine."""
     return min(((way.__name__, measure(way)) for way in ways), key=lambda pair: pair[1])
 
 
 def one_scene(gps, product, rng):
-    """K = 1000 kept draws in 16 chains, 50 sweeps of burn-in."""
+    """Samples one scene: K = 1000 kept draws in 16 chains, 50 sweeps of burn-in."""
     sampler = Sampler(gps, 16, product, rng)
     kept = []
     for sweep in range(50 + 63):
@@ -144,7 +144,7 @@ def likelihood_and_gradient(X, y):
 
 
 def check(gps, rng):
-    """Every way must give the same answer before it is timed."""
+    """Checks that every variant gives the same answer, before it is timed."""
     Z = rng.standard_normal((UNKNOWN - 1, 1))
     x = rng.standard_normal(D)
     answers = [Scene(gps[0], x, way).predict(Z)[1][0]

@@ -1,4 +1,4 @@
-// What the simulator costs per pose.
+// Measures the simulator's cost per pose.
 #include <benchmark/benchmark.h>
 
 #include "core/sim/rest_pose.h"

@@ -1,5 +1,5 @@
-// What limits the sampler: peak of the processor, quadratic form, sweeps, one scene, one draw.
-// tests/bench/run.sh runs it side by side with tests/bench/peer_numpy.py.
+// Measures the limits of the sampler: processor peak, quadratic form, sweeps, one scene, one draw. tests/bench/run.sh
+// runs it alternately with tests/bench/peer_numpy.py.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -72,7 +72,7 @@ private:
     Precision precision_;
 };
 
-/// Share of the products with all rows that are left in single precision, mean over nine unknown bins.
+/// Returns the share of products with all rows that remain in single precision, averaged over nine unknown bins.
 double productsLeft(const GibbsProblem& problem)
 {
     double left = 0.0;
@@ -87,7 +87,7 @@ double productsLeft(const GibbsProblem& problem)
     return left / bins;
 }
 
-/// Nine unknown bins under the robot's ceilings.
+/// Returns a problem with nine unknown bins under the robot's ceilings.
 GibbsProblem nineUnknown(int chains)
 {
     const Scene& scene = someScene();
@@ -101,13 +101,13 @@ GibbsProblem nineUnknown(int chains)
     return problem;
 }
 
-/// Per chain-sweep, the setting up of a scene shared by kSweeps sweeps.
+/// Measures per chain-sweep; the set-up of a scene is shared by kSweeps sweeps.
 void sweep(benchmark::State& state, const CovarianceKernels& kernels, Precision precision)
 {
     const int chains = static_cast<int>(state.range(0));
     const KernelConditionals conditionals(kernels, precision);
     const GibbsProblem problem = nineUnknown(chains);
-    benchmark::DoNotOptimize(sampleStates(conditionals, problem));  // packs
+    benchmark::DoNotOptimize(sampleStates(conditionals, problem));  // packs the rows
     for (auto _ : state) benchmark::DoNotOptimize(sampleStates(conditionals, problem));
     state.counters["s_per_chain_sweep"] = benchmark::Counter(
         static_cast<double>(chains) * kSweeps,
@@ -136,7 +136,7 @@ void quadraticForm(benchmark::State& state, const CovarianceKernels& kernels)
                                                  benchmark::Counter::kIsIterationInvariantRate);
 }
 
-/// One group of columns at a bin with eight moving inputs.
+/// Measures one group of columns at a bin with eight moving inputs.
 void covariances(benchmark::State& state, const CovarianceKernels& kernels)
 {
     constexpr int U = 1400;
@@ -159,7 +159,7 @@ void peak(benchmark::State& state, double (*flops)(int))
     state.counters["flops"] = benchmark::Counter(total, benchmark::Counter::kIsRate);
 }
 
-/// One scene: K = 1000 kept draws in 16 chains, burn-in 50 sweeps, nine unknown bins.
+/// Measures one scene: K = 1000 kept draws in 16 chains, burn-in 50 sweeps, nine unknown bins.
 void oneScene(benchmark::State& state, Precision precision)
 {
     const RobotModel robot = absolem();
@@ -167,7 +167,7 @@ void oneScene(benchmark::State& state, Precision precision)
     Settings settings;
     settings.method = Method::Pafc;
     settings.precision = precision;
-    settings.forceThreshold = 1000.0;  // no contact: the two bins below are all that is known
+    settings.forceThreshold = 1000.0;  // no contact, so only the two bins below the robot are known
     const std::vector<ArmReading> known{{7, *scene.truth[7], 0.03}, {8, *scene.truth[8], 0.03}};
     const auto run = [&] { return reconstruct(scene.s, known, robot, shippedBins(), settings); };
     benchmark::DoNotOptimize(run());
@@ -190,15 +190,15 @@ void oneClearanceScene(benchmark::State& state)
 }
 BENCHMARK(oneClearanceScene)->Unit(benchmark::kMillisecond);
 
-/// One scene at the preset balanced, of those that the method can estimate, all around it included.  The method that
-/// wants arm readings has one, ahead of the robot.
+/// Measures one complete scene at the preset balanced, among those the method can estimate. PAFAc gets one arm reading
+/// ahead of the robot.
 void oneBalancedScene(benchmark::State& state, Method method)
 {
     static const Models models(shippedModel(), absolem());
     static const std::vector<Scene> all = someScenes(16, 7);
     Settings settings = withQuality({}, Quality::Balanced);
     settings.method = method;
-    settings.stopEarly = false;  // all its draws
+    settings.stopEarly = false;  // takes all its draws
     const RobotModel robot = absolem();
     const auto run = [&](const Scene& scene) {
         std::vector<ArmReading> arm;
@@ -218,8 +218,8 @@ void oneBalancedScene(benchmark::State& state, Method method)
     for (auto _ : state) benchmark::DoNotOptimize(run(some[next++ % some.size()]));
 }
 
-/// Scenes of an evaluation by one of the paper's methods, twice as many as fit into a batch, but 64 at most, each with
-/// its own known bins, through EstimateBatch or one after the other.  Per chain-sweep, all else included.
+/// Measures scenes of an evaluation by one of the paper's methods, through EstimateBatch or one by one. There are twice
+/// as many as fit into a batch (at most 64), each with its own known bins. Result per chain-sweep, all else included.
 void scenes(benchmark::State& state, Settings settings, bool batched)
 {
     const RobotModel robot = absolem();

@@ -6,7 +6,7 @@
 
 namespace terratact {
 
-/// Throws std::runtime_error if it cannot be read.
+/// Returns the shipped model; throws std::runtime_error if it cannot be read.
 inline const ModelData& shippedModel()
 {
     static const ModelData model = [] {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Ratios of one run of tests/bench/run.sh: medians over its rounds, CPU time."""
+"""Prints ratios of one run of tests/bench/run.sh: medians of CPU time over its rounds."""
 import json
 import pathlib
 import statistics
@@ -16,13 +16,13 @@ def cpu_name():
 ROWS, UNKNOWN = 1400, 9  # of the benchmarks
 PRESETS = ("accurate", "balanced", "fast")
 CLOSED_FORMS = ("joint", "local")
-FLOPS = ROWS * (ROWS + 1)  # of a quadratic form
+FLOPS = ROWS * (ROWS + 1)  # per quadratic form
 
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 
 
 def measured(path):
-    """Name → CPU seconds, flops per second for peaks and products, seconds per chain-sweep for sweeps."""
+    """Returns name → CPU seconds; flops per second for peaks and products, seconds per chain-sweep for sweeps."""
     rows = [row for row in json.loads(path.read_text())["benchmarks"] if row.get("aggregate_name", "median") == "median"]
     return {row["run_name"]: row.get("flops", row.get("s_per_chain_sweep",
                                                   row["cpu_time"] * UNITS[row["time_unit"]]))
@@ -30,7 +30,7 @@ def measured(path):
 
 
 def products_left(path):
-    """Share of the products with all rows that a sweep in single precision computes."""
+    """Returns the share of the products with all rows that a sweep in single precision computes."""
     return next(row["products_left"] for row in json.loads(path.read_text())["benchmarks"]
                 if row["name"].startswith("sweep/") and "/f32/" in row["name"] and "products_left" in row)
 

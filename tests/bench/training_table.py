@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Passes on what tests/bench/training.sh prints, and says at its end what was aimed at and what was reached.
+"""Copies the output of tests/bench/training.sh and adds a table of goals and results.
 
-Exits with 1 where a target is missed: time and memory of all rows, and error and time through the most inducing rows.
+Exits with 1 if a goal is missed: time and memory of all rows, and error and time through the most inducing rows.
 """
 import re
 import sys

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""How soon terratact-console has a window under an X server, as a user starts it: recording, with the shipped model.
+"""Measures how soon terratact-console has a window under an X server, with recording and the shipped model.
 
   xvfb-run -a -s '-screen 0 1920x1200x24' tests/bench/window_time.py PROGRAM [LIMIT]
 
-Starts PROGRAM ten times and prints how long after its process began the window was mapped, and painted.  Fails where one
-was painted later than LIMIT [s].
+Starts PROGRAM ten times and prints the times from the process's start until its window was mapped and painted. Fails if
+one was painted later than LIMIT [s].
 """
 
 import ctypes
@@ -15,8 +15,8 @@ import tempfile
 import time
 
 STARTS = 10
-PATIENCE = 60.0  # [s] for a window, and for its end
-PATCH = 64  # [px] square of a window; painted is what has more than one colour there
+PATIENCE = 60.0  # [s] for a window to open, and to close
+PATCH = 64  # [px] square of a window; it counts as painted with more than one colour there
 SUBSTRUCTURE_NOTIFY, MAP_NOTIFY, MAP_EVENT_WINDOW, Z_PIXMAP = 1 << 19, 19, 5, 2
 
 X = ctypes.CDLL("libX11.so.6")
@@ -25,18 +25,18 @@ X.XGetPixel.restype = ctypes.c_ulong
 
 
 class Screen:
-    """Tells of windows that appear.  It stays connected, so that the server is not reset between two starts."""
+    """Watches for new windows. It stays connected, so that the server is not reset between two starts."""
 
     def __init__(self):
         self.display = ctypes.c_void_p(X.XOpenDisplay(None) or sys.exit("no display"))
         X.XSelectInput(self.display, ctypes.c_void_p(X.XDefaultRootWindow(self.display)), ctypes.c_long(SUBSTRUCTURE_NOTIFY))
         X.XSync(self.display, 1)
-        # A window that is gone when its pixels are asked for is no reason to end.
+        # A window may be gone when its pixels are requested.
         self.ignore = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)(lambda display, error: 0)
         X.XSetErrorHandler(self.ignore)
 
     def mapped(self):
-        """The window that has been mapped since it was asked; None: there is none."""
+        """Returns the window mapped since the last call; None: there is none."""
         event = (ctypes.c_long * 24)()
         while X.XPending(self.display):
             X.XNextEvent(self.display, event)
@@ -54,7 +54,7 @@ class Screen:
         return len(colours) > 1
 
     def until(self, what, began):
-        """What comes of it, and how long after `began`."""
+        """Returns the result, and the time since `began`."""
         while not (result := what()):
             if time.monotonic() - began > PATIENCE:
                 sys.exit("there is no window")
@@ -63,7 +63,7 @@ class Screen:
 
 
 def start(screen, program):
-    """Seconds until the window of one start was mapped, and painted."""
+    """Returns the seconds until the window of one start was mapped, and painted."""
     with tempfile.TemporaryDirectory() as folder:
         environment = os.environ | {"QT_QPA_PLATFORM": "xcb", "XDG_CONFIG_HOME": folder, "XDG_STATE_HOME": folder,
                                     "XDG_RUNTIME_DIR": folder}

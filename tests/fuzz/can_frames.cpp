@@ -1,6 +1,6 @@
-// Frames from a bus: records of 12 bytes, the first of which says what kind of frame it is (bit 0 extended, 1 remote,
-// 2 error, 3 FD), whether its identifier is one of ours (bit 4) or of an Absolem (bit 5), and whether its checksum is
-// made right (bit 6); then two bytes of identifier, one of length and time, eight of data.  All receivers hear them.
+// Fuzzes frames from a bus. Input: records of 12 bytes. The first byte selects the kind of frame (bit 0 extended, 1
+// remote, 2 error, 3 FD). Its bit 4 selects an identifier of ours, bit 5 one of an Absolem, bit 6 a corrected checksum.
+// Then follow two bytes of identifier, two of length and time, eight of data. All receivers get the frames.
 #include <cmath>
 #include <cstdint>
 #include <variant>
@@ -24,7 +24,7 @@ constexpr std::size_t kRecord = 12;
 
 struct Heard {
     CanFrame frame;
-    double after = 0.0;  // [s] the frame before
+    double after = 0.0;  // [s] since the previous frame
 };
 
 Heard heardIn(const std::uint8_t* record)
@@ -72,7 +72,7 @@ void promiseMeasurement(const Measurement& m)
 
 void promiseCommand(const Command& command)
 {
-    const CanFrame frame = frameOf(command, 7, 9);  // throws for what does not fit
+    const CanFrame frame = frameOf(command, 7, 9);  // throws for values that do not fit
     if (std::holds_alternative<StopCommand>(command)) return;
     const auto unpacked = unpack(frame);
     promise(std::holds_alternative<Unpacked>(unpacked), "an accepted command can be sent again");

@@ -1,5 +1,5 @@
-// Logs of CAN traffic of every format: what is accepted has a finite time and a possible frame, whose line of candump
-// means the same frame; the even clock never goes back; what is said of a log is told in one line.
+// Fuzzes CAN logs of every format. Accepted frames are possible and have a finite time; their candump line means the
+// same frame. The even clock never goes back. Messages about a log are one line.
 #include "core/wire/candump_log.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// The other CSV files; the first byte says which: p a profile's points or heights, b its heights as blocks, a an
-// arm's readings, c an index of classes.
+// Fuzzes the other CSV files. The first byte selects: p a profile's points or heights, b its heights as blocks, a arm
+// readings, c an index of classes.
 #include <cmath>
 #include <cstdint>
 

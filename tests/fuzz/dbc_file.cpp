@@ -1,5 +1,5 @@
-// DBC files: what is accepted fits its frames and decodes any of them, to finite values where they are no floats, and to
-// texts that read back.
+// Fuzzes DBC files. Accepted messages fit their frames and decode any frame; values that are not floats are finite, and
+// texts read back.
 #include "core/wire/dbc/dbc_file.h"
 
 #include <cmath>

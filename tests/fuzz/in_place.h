@@ -9,8 +9,8 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 
 namespace terratact::fuzz {
 
-/// For LLVMFuzzerCustomMutator of a format whose header says how long the file is: begins with a real file, and
-/// changes a few neighbouring bytes at a time but never the size.  Nothing to begin with where `most` has no room.
+/// LLVMFuzzerCustomMutator for formats whose header has the file's length. It starts from a real file and changes a few
+/// neighbouring bytes at a time, never the size. It does nothing if `most` is too small for the file.
 inline std::size_t mutateInPlace(const std::string& real, std::uint8_t* data, std::size_t size,
                                  std::size_t most, unsigned seed)
 {

@@ -1,4 +1,4 @@
-// Model files as bytes.  Mutants keep the size of a real file, whose header would else refuse them all.
+// Fuzzes model files as bytes. Mutants keep the size of a real file, otherwise its header would reject them all.
 #include "core/learn/model/model_file.h"
 
 #include <cstdint>

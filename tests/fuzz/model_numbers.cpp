@@ -1,7 +1,7 @@
-// The numbers of a model file.  Of the first byte the lowest two bits say how many training rows a real model has, the
-// next whether it goes through a file, the highest two which method estimates; then 10 bytes each change one number
-// (two say which, eight are the new one).  A model that is accepted survives a file, and estimates a terrain in finite
-// numbers or says why it cannot.
+// Fuzzes the numbers of a model. In the first byte, the lowest two bits select the number of training rows. The next
+// bit sends the model through a file; the highest two bits select the method. Then each 10 bytes change one number (two
+// select it, eight are its value). An accepted model survives a file. It estimates a terrain with finite numbers, or
+// says why it cannot.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -76,7 +76,7 @@ Numbers numbersOf(ModelData& model)
     return numbers;
 }
 
-/// A model with conditionals of clearances, too.
+/// Returns a model that also has conditionals of clearances.
 ModelData realModel(int rows)
 {
     ModelData model = randomModel(rows);

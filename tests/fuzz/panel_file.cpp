@@ -1,4 +1,4 @@
-// Panel files: what is accepted names every line, once each, in plain characters.
+// Fuzzes panel files. Accepted files name every line exactly once, in plain characters.
 #include "core/atem/panel_file.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 
 namespace terratact::fuzz {
 
-/// Ends the program where a reader did not do what its header says; libFuzzer then keeps the bytes.
+/// Aborts if a reader broke its header's promise; libFuzzer then keeps the input.
 inline void promise(bool holds, std::string_view what)
 {
     if (holds) return;
@@ -17,7 +17,7 @@ inline void promise(bool holds, std::string_view what)
     std::abort();
 }
 
-/// What every refusal of a file must be: a line that begins with its name and leaves a terminal in peace.
+/// Checks a refusal: one line that begins with the file's name and has no control characters.
 inline void promiseRefusal(const Error& error, std::string_view name)
 {
     promise(error.text.starts_with(std::string(name) + ": "), "a refusal names the file");

@@ -1,4 +1,4 @@
-// Robot files: what is accepted is a robot whose geometry and force elements can be computed with.
+// Fuzzes robot files. Accepted robots have computable geometry and force elements.
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using namespace terratact::fuzz;
 
 namespace {
 
-constexpr int kDeepest = 16;  // of readRobotModel
+constexpr int kDeepest = 16;  // limit of readRobotModel()
 
 int depthOf(const toml::node& node)
 {
@@ -27,7 +27,7 @@ int depthOf(const toml::node& node)
     return deepest;
 }
 
-/// nestingDepth() bounds a header, and a dotted key with its value: together at most twice that.
+/// Checks that nestingDepth() bounds the depth: a header, and a dotted key with its value, at most twice together.
 void promiseDepth(const std::string& text)
 {
     const int bound = nestingDepth(text);

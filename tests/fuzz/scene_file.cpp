@@ -1,4 +1,4 @@
-// Scenes as CSV: what is accepted is finite and within the columns' ranges, and survives being written and read.
+// Fuzzes scenes as CSV. Accepted values are finite and within the columns' ranges, and survive writing and reading.
 #include "core/learn/data/scene_file.h"
 
 #include <cmath>

@@ -11,7 +11,7 @@
 
 namespace terratact::fuzz {
 
-/// A file for readers that take a path, under $TMPDIR (run.sh sets one in memory), gone with the program.
+/// A temporary file for readers that take a path, in $TMPDIR (in memory with run.sh). The program's end removes it.
 class ScratchFile {
 public:
     explicit ScratchFile(const std::string& name)

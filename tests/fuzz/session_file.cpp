@@ -1,4 +1,4 @@
-// Session files as bytes: what is shown was recorded, whatever was flipped, cut or put in.
+// Fuzzes session files as bytes. Only recorded values are returned, whatever was flipped, cut or inserted.
 #include "core/log/session_reader.h"
 
 #include <cstdint>

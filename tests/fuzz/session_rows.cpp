@@ -1,5 +1,5 @@
-// Rows of a session with any values under hashes that hold, as somebody makes them who knows how: what is handed
-// out is finite and in range.
+// Fuzzes rows of a session with any values and valid hashes, like those of a forger. Returned values are finite and in
+// range.
 #include <sqlite3.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ const std::string& realSession()
     return bytes;
 }
 
-/// Bytes one after the other; zeros after the last.
+/// Reads bytes in sequence; zeros after the last.
 struct Bytes {
     const std::uint8_t* data;
     std::size_t left;
@@ -64,7 +64,7 @@ struct Bytes {
     }
 };
 
-/// Puts one value into a column of one row; what SQLite refuses, such as the wrong type, stays as it was.
+/// Writes one value into a column of one row; a value that SQLite rejects, such as a wrong type, changes nothing.
 void put(sqlite3* db, const std::string& table, Bytes& bytes)
 {
     sqlite3_stmt* columns = nullptr;
@@ -95,7 +95,7 @@ void put(sqlite3* db, const std::string& table, Bytes& bytes)
     sqlite3_finalize(update);
 }
 
-/// Makes the chain hold over what is in the file now.
+/// Recomputes the hash chain of the file.
 void rehash()
 {
     SqliteFile db = SqliteFile::fill(file().path());
@@ -182,7 +182,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         rehash();
     } catch (const SqliteError&) {
-        // the reader is asked all the same
+        // the reader opens the file in any case
     }
     auto session = SessionReader::open(file().path());
     if (!session) return promiseRefusal(session.error(), file().path()), 0;

@@ -1,4 +1,4 @@
-"""terratact can on a bus of a real kernel, beside candump, cansend, cangen and canplayer.  To be run in tests/kernel/run.sh."""
+"""Tests `terratact can` on a bus of a real kernel, with candump, cansend, cangen and canplayer. Run by tests/kernel/run.sh."""
 
 import pathlib
 import re
@@ -12,8 +12,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cli"))
 from can_frames import line, telemetry  # noqa: E402
 from support import CLI, SOURCE, Running, rows, run  # noqa: E402
 
-EVERYTHING = "vcan0,0:0,#FFFFFFFF"  # error frames, too
-# One of every kind that cansend knows.
+EVERYTHING = "vcan0,0:0,#FFFFFFFF"  # includes error frames
+# One frame of every kind that cansend supports.
 KINDS = ["044#2A366C2BBA", "12345678#01", "044#R", "044#R4", "12345678#R8", "7FF#", "000#", "044##1AABB",
          "044##011223344556677889900AABB", "20000004#0004000000006000", "20000088#0000080B00000000"]
 
@@ -23,7 +23,7 @@ def ip(*arguments):
 
 
 def wait_for_listeners(count):
-    """Until so many sockets receive everything on vcan0."""
+    """Waits until `count` sockets receive everything on vcan0."""
     def listeners():
         received = pathlib.Path("/proc/net/can/rcvlist_all").read_text()
         return sum(text.split()[:1] == ["vcan0"] for text in received.splitlines())
@@ -35,7 +35,7 @@ def wait_for_listeners(count):
 
 
 def tables(monitor):
-    """What a running monitor shows, one table after the other."""
+    """Yields the tables of a running monitor."""
     while True:
         table = ""
         while (text := monitor.line()).strip():
@@ -52,7 +52,7 @@ class OnARealBus(unittest.TestCase):
         self.folder.cleanup()
 
     def decoded(self, log):
-        """Everything of a log's frames but their times."""
+        """Returns a log's frames without their times."""
         out = self.path / "out.csv"
         run("can", "decode", log, "--summary", "--csv", out)
         return [{key: value for key, value in row.items() if key != "time_s"} for row in rows(out)]
@@ -88,7 +88,7 @@ class OnARealBus(unittest.TestCase):
         self.addCleanup(player.kill)
         for table in tables(monitor):
             self.assertIn("0 dropped", table)
-            # No verdict that is not fine, but that a busy machine has kept the player waiting.
+            # Every verdict is ok, except delays of the player on a busy machine.
             self.assertNotRegex(table, r"\((?!ok after \d)")
             if (re.search(r"022 +Attitude +\d\d\.\d +\d\.\d\d  Pitch 0.2100 rad, Roll -0.0500 rad\n", table)
                     and re.search(r"ArmResult +\d\d\.\d +\d\.\d\d  not measured\n", table)):
@@ -122,7 +122,7 @@ class OnARealBus(unittest.TestCase):
             ip("set", "vcan0", "up")
         self.assertIn("there is no interface can9, but vcan0", run("can", "check", "can9", code=1))
 
-    def test_check_warns_a_user_whose_receive_buffer_is_small(self):
+    def test_check_warns_of_a_small_receive_buffer(self):
         nobody = ["setpriv", "--reuid=65534", "--clear-groups", "--inh-caps=-all", "--bounding-set=-all"]
         done = subprocess.run([*nobody, CLI, "can", "check", "vcan0"], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)

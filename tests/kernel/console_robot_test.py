@@ -1,7 +1,8 @@
-"""terratact-console and terratact robot on one bus of a real kernel: an operator at an X server's keys explores, probes and stops.
+"""Tests terratact-console and terratact robot on one bus of a real kernel: an operator explores, probes and stops.
 
-The operator goes by what the programs tell, never by the clock: a console that was kept waiting for 100 ms disarms itself,
-which on a busy machine happens at any time, and is armed anew.  To be run in tests/kernel/run.sh.
+The operator uses an X server's keys and reacts to the programs' output, never to the clock. A console that is delayed by
+100 ms disarms itself. On a busy machine that may happen at any time, and the operator arms again. Run by
+tests/kernel/run.sh.
 """
 
 import collections
@@ -17,12 +18,12 @@ from support import Running, rows, run  # noqa: E402
 from x_operator import PATIENCE, Operator, begin_console, begin_display  # noqa: E402
 
 CONSOLE = sys.argv.pop()
-WAY = 0.6  # [m] towards the step of the built-in ground, short of where the flippers feel it
-ASKED = ("Stop", "Arm", "BeginAtem", "AbortAtem", "PressFlippers", "ProbeBin")  # what is sent once for each time it is wanted
+WAY = 0.6  # [m] towards the step of the simulated ground; the flippers do not touch it yet
+ASKED = ("Stop", "Arm", "BeginAtem", "AbortAtem", "PressFlippers", "ProbeBin")  # frames sent once per request
 
 
 class Bus:
-    """What has been on vcan0: how many frames of each name, and the newest values."""
+    """The frames on vcan0: their number by name, and the newest values."""
 
     def __init__(self):
         self.names = {message.id: name for name, message in MESSAGES.items()
@@ -45,7 +46,7 @@ class Bus:
             self.newest[name] = content
 
     def value(self, name, signal):
-        """Of the newest frame; None before there was one."""
+        """Returns a value of the newest frame; None before the first."""
         layout = MESSAGES[name].signals[signal]
         if name not in self.newest:
             return None
@@ -56,7 +57,7 @@ class Bus:
 
 
 class BusOperator(Operator):
-    """One who sees the bus, too."""
+    """An operator who also sees the bus."""
 
     def __init__(self, hands, session):
         super().__init__(hands, session)
@@ -109,11 +110,11 @@ class Programs(unittest.TestCase):
     def test_an_operator_explores_probes_and_stops(self):
         robot = Running("robot", "--can", "vcan0", "--speed", 4)
         self.addCleanup(robot.end)
-        # An X server of this kernel only: no lock and no socket among the host's files.
+        # The X server leaves no lock and no socket among the host's files.
         begin_display(self, ":7", "-nolock", "-nolisten", "unix", size="1280x800")
         console, session, hands = begin_console(
             self, CONSOLE, "--can", "vcan0", "--transmit", "--size", "1200x680", name="Terratact — vcan0",
-            preferences=["probe-above=0.01"])  # there is always something to probe
+            preferences=["probe-above=0.01"])  # the low threshold always proposes a probe
         operator = BusOperator(hands, session)
         self.addCleanup(operator.bus.socket.close)
 

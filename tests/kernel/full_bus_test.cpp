@@ -1,4 +1,4 @@
-// A full bus of 1 Mbit/s, 9,009 frames of eight bytes a second, while estimates are computed beside.
+// Tests a full bus of 1 Mbit/s, 9,009 frames of eight bytes a second, while estimates are computed.
 #include "drivers/socketcan.h"
 
 #include <gtest/gtest.h>
@@ -27,14 +27,14 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t kRate = 9'009;  // [1/s]
 constexpr int kMaxTurns = 10;
 
-/// TERRATACT_FULL_BUS_SECONDS, or 8.
+/// Returns TERRATACT_FULL_BUS_SECONDS, or 8.
 std::uint64_t seconds()
 {
     const char* given = std::getenv("TERRATACT_FULL_BUS_SECONDS");
     return given ? std::strtoull(given, nullptr, 10) : 8;
 }
 
-/// A process of its own that sends frames numbered from `first` on, evenly but for what the scheduler takes.
+/// Starts a process that sends frames numbered from `first` at even intervals, except for scheduling delays.
 pid_t startSender(std::uint64_t first, std::uint64_t frames)
 {
     const pid_t child = ::fork();
@@ -51,7 +51,7 @@ pid_t startSender(std::uint64_t first, std::uint64_t frames)
     ::_exit(0);
 }
 
-/// Explorations on the simulated robot, two estimates each, one after the other.
+/// Starts a process with explorations on the simulated robot, two estimates each, one after another.
 pid_t startEstimates(const std::string& directory)
 {
     const pid_t child = ::fork();
@@ -76,7 +76,7 @@ TEST(FullBus, noFrameIsLostWhileEstimatesAreComputed)
     std::this_thread::sleep_for(1s);
     const auto begin = Clock::now();
 
-    // However slow the guest is: until an exploration was whole beside the full bus.
+    // Runs until an exploration was completed beside the full bus, however slow the guest is.
     std::uint64_t next = 0, frames = 0;
     std::size_t explorations = 0;
     for (int turn = 0; turn < kMaxTurns && (turn == 0 || explorations == 0); ++turn) {

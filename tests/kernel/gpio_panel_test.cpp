@@ -1,5 +1,5 @@
-// The panel's driver against a real kernel: gpio-sim is the chip, the test is its outside world.  Built for
-// each version of libgpiod.
+// Tests the panel's driver with a real kernel: gpio-sim is the chip, and the test drives its lines. Built for each
+// version of libgpiod.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -33,7 +33,7 @@ double steadyNow()
     return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
-/// Contacts to ground with the chip's own resistors, on the lines of kNames.
+/// Returns a panel with contacts to ground and the chip's internal resistors, on the lines of kNames.
 PanelConfig config(PullResistor resistor = PullResistor::Internal)
 {
     PanelConfig panel;
@@ -66,13 +66,13 @@ struct GpioKernel : testing::Test {
         auto lines = openGpioLines(requestOf(panel));
         return lines ? Error{"was accepted", 0} : lines.error();
     }
-    /// A closed contact connects its line to ground.
+    /// Closes or opens a contact; a closed contact connects its line to ground.
     void close(std::size_t contact, bool closed = true) { chip->drive(contact, !closed); }
 
     std::optional<GpioSim> chip;
 };
 
-/// All edges until none come for 50 ms.
+/// Returns all edges until none arrive for 50 ms.
 GpioEdges edgesOf(GpioLines& lines)
 {
     GpioEdges all;
@@ -187,13 +187,13 @@ TEST_F(GpioKernel, outputsBeginDarkAndObey)
 
 TEST_F(GpioKernel, edgesBeyondTheKernelsRoomAreLostButTheLevelIsRight)
 {
-    // libgpiod 1: 16 edges of each line, silently; libgpiod 2: the 256 that we ask for, numbered.
+    // libgpiod 1 keeps 16 edges of each line without reporting losses; libgpiod 2 the 256 requested, numbered.
     constexpr int kRoom = LIBGPIOD == 1 ? 16 : 256;
     const auto lines = open();
     (void)edgesOf(*lines);
     for (int i = 0; i < kRoom + 41; ++i) {
         close(kStop, i % 2 == 0);
-        std::this_thread::sleep_for(12ms);  // gpio-sim here delivers one edge per tick of 10 ms
+        std::this_thread::sleep_for(12ms);  // gpio-sim delivers one edge per tick of 10 ms
     }
     const GpioEdges edges = edgesOf(*lines);
     EXPECT_EQ(edges.edges.size(), static_cast<std::size_t>(kRoom));
@@ -273,7 +273,7 @@ TEST_F(GpioKernel, everyCallSaysThatTheChipIsGone)
 // ------------------------------------------------------------------------------------------ the panel
 
 struct PanelKernel : GpioKernel {
-    /// Polls until it is so, at most ten seconds.
+    /// Polls until the condition is true, for at most ten seconds.
     bool until(const std::function<bool(const PanelReport&)>& so)
     {
         const auto limit = Clock::now() + 10s;

@@ -1,4 +1,4 @@
-"""terratact panel check on a gpio-sim chip; runs inside the kernel of run.sh, which makes the chip."""
+"""Tests `terratact panel check` on a gpio-sim chip, inside the kernel of run.sh, which makes the chip."""
 
 import glob
 import pathlib
@@ -16,7 +16,7 @@ LIVE = pathlib.Path("/sys/kernel/config/gpio-sim/panel/live")
 
 
 def line(name):
-    """The outside of a line of the chip that is there now."""
+    """Returns the path to the outside of a line of the present chip."""
     index = (INPUTS + OUTPUTS).index(name)
     return pathlib.Path(glob.glob(f"/sys/devices/platform/gpio-sim.*/gpiochip*/sim_gpio{index}")[0])
 
@@ -70,7 +70,7 @@ class PanelCheck(unittest.TestCase):
 
     def test_each_lamp_is_lit_alone_and_left_dark(self):
         def whole():
-            """What is lit when each lamp is said to be; nothing where the next was said before that could be looked at."""
+            """Returns the lit lamps at each reported lamp; None if the next was reported before the check."""
             check, seen = Running("panel", "check", self.file, "--lamps"), []
             for lamp in OUTPUTS:
                 check.until(f"lit     {lamp}")
@@ -82,7 +82,7 @@ class PanelCheck(unittest.TestCase):
             self.assertFalse(any(lit(name) for name in OUTPUTS))
             return seen
 
-        seen = next((seen for seen in (whole() for _ in range(5)) if seen), None)  # a busy machine may look too late
+        seen = next((seen for seen in (whole() for _ in range(5)) if seen), None)  # a busy machine may check too late
         self.assertEqual(seen, [[lamp] for lamp in OUTPUTS])
 
     def test_it_prints_what_changes(self):

@@ -1,4 +1,4 @@
-// Console and robot as processes of their own on a CAN bus of a real kernel.
+// Tests console and robot as separate processes on a CAN bus of a real kernel.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -35,16 +35,17 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr const char* kBus = "vcan0";
-constexpr double kWayToTheStep = 0.65;  // [m] of the simulated robot, where its flippers feel it
+constexpr double kWayToTheStep =
+    0.65;  // [m] distance at which the simulated robot's flippers touch the step
 
-/// How many times what takes seconds is done: TERRATACT_REPEATS=100 for the long run.
+/// Returns the repetitions of slow steps: TERRATACT_REPEATS=100 for the long run.
 int repeats(int few)
 {
     const char* const text = std::getenv("TERRATACT_REPEATS");
     return text ? std::atoi(text) : few;
 }
 
-/// A process that ends with this object.
+/// A process that is ended with this object.
 class Process {
 public:
     explicit Process(const std::function<void()>& run) : pid_(::fork())
@@ -85,7 +86,7 @@ std::unique_ptr<SocketCan> openBus(bool transmit)
     return *std::move(bus);
 }
 
-/// A console without a window: its source, the thread that reads it, and an operator who answers.
+/// A console without a window: its source, the reading thread, and a present operator.
 class Console {
 public:
     Console()
@@ -127,7 +128,8 @@ public:
     {
         if (!eventually([&] { return whyNotArming(source.view()).empty(); })) return false;
         const double began = steadyNow();
-        (void)eventually([&] { return steadyNow() - began > 0.5; });  // the robot's ten heartbeats
+        (void)eventually(
+            [&] { return steadyNow() - began > 0.5; });  // waits for the robot's ten heartbeats
         source.wantArming();
         if (!is(ArmingPhase::Confirming)) return false;
         source.confirmArming();
@@ -146,7 +148,7 @@ private:
     std::jthread reader_;
 };
 
-/// Somebody who only listens: every frame until the condition holds.
+/// A receive-only bus end: collects every frame until a condition is true.
 class Listener {
 public:
     Listener() : bus_(openBus(false)) {}
@@ -206,7 +208,7 @@ TEST_F(RobotLink, carriesAWholeExplorationBetweenTwoProcesses)
     const Models models(stored->data, absolem());
     const Settings settings;
 
-    // For whoever wants to decode it: the bus's log goes where TERRATACT_CANDUMP says.
+    // Writes the bus's log to $TERRATACT_CANDUMP, for decoding.
     std::optional<Process> log;
     if (const char* const file = std::getenv("TERRATACT_CANDUMP"))
         log.emplace(std::vector<std::string>{"sh", "-c",
@@ -219,7 +221,7 @@ TEST_F(RobotLink, carriesAWholeExplorationBetweenTwoProcesses)
     const double start = travelled();
     ASSERT_TRUE(console.source.send(DriveCommand{0.03}));
     ASSERT_TRUE(console.does(RobotActivity::Driving));
-    // To the step of the demo's ground, by the robot's word: a late tick drives it less far.
+    // Drives to the demo's step by the robot's odometry, because a late tick shortens the drive.
     ASSERT_TRUE(console.eventually([&] { return travelled() - start > kWayToTheStep; }));
     ASSERT_TRUE(console.source.send(HaltCommand{}));
     ASSERT_TRUE(console.does(RobotActivity::Halted));
@@ -289,13 +291,13 @@ TEST_F(RobotLink, robotHaltsWithin300MillisecondsOfAKilledConsole)
     const auto [best, worst] = std::minmax_element(halts.begin(), halts.end());
     std::printf("%d kills: the status said halted after %.0f to %.0f ms\n", times, 1e3 * *best,
                 1e3 * *worst);
-    // 250 ms after the last drive, and at most one period of the status to say so.
+    // The watchdog acts 250 ms after the last drive, and the status follows within one period.
     EXPECT_LE(*worst, 0.35);
     EXPECT_LE(std::count_if(halts.begin(), halts.end(), [](double s) { return s > 0.3; }),
               times / 3);
 }
 
-TEST_F(RobotLink, stalledBusReplaysAtMostTwoFramesAndTheRobotTakesNone)
+TEST_F(RobotLink, stalledBusReplaysTwoFramesAndRobotAcceptsNone)
 {
     const Process robot(robotCommand({"--speed", "0.1"}));
     Console console;
@@ -314,7 +316,7 @@ TEST_F(RobotLink, stalledBusReplaysAtMostTwoFramesAndTheRobotTakesNone)
         (void)console.source.send(DriveCommand{0.02});
         std::this_thread::sleep_for(20ms);
     }
-    (void)listener.until([](const BusFrame&) { return false; }, 0.2);  // what came before
+    (void)listener.until([](const BusFrame&) { return false; }, 0.2);  // drops earlier frames
     letGo(kBus);
     int drives = 0, commands = 0, driving = 0;
     (void)listener.until(
@@ -363,7 +365,7 @@ TEST_F(RobotLink, stopOfThePanelReachesTheBus)
     const Process robot(robotCommand());
     Console console;
     PanelReader panel(std::make_unique<OperatorPanel>(config, openGpioLines), console.source);
-    // The request pulls all contacts open; then STOP is closed, as it is at rest.
+    // The request opens all contacts; then STOP is closed, its state at rest.
     ASSERT_TRUE(console.eventually([&] { return panel.latest().state.present; }))
         << panel.latest().trouble;
     chip.drive(kStop, false);
@@ -375,7 +377,7 @@ TEST_F(RobotLink, stopOfThePanelReachesTheBus)
         chip.drive(kStop, true);
         ASSERT_TRUE(listener.until([](const BusFrame& frame) { return frame.frame.id == 16; }, 2.0))
             << "press " << i << ": " << told(panel.latest(), console.source.view());
-        // The command leaves before the reader says why: let go only what it has told of.
+        // The command is sent before the reader reports it, so the test waits for the report before releasing.
         ASSERT_TRUE(console.eventually([&] { return panel.latest().state.stop; }, 2.0));
         chip.drive(kStop, false);
         ASSERT_TRUE(console.eventually([&] { return !panel.latest().state.stop; }, 2.0));

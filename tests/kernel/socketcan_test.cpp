@@ -1,4 +1,4 @@
-// SocketCan on the real thing: vcan0 is up and echoes as adapters do.
+// Tests SocketCan with a real kernel: vcan0 is up and echoes like an adapter.
 #include "drivers/socketcan.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ CanFrame command(std::uint32_t id = 0x100)
     return {.id = id, .length = 8, .data = {1, 2, 3}};
 }
 
-/// All that comes until nothing has for `quiet`.
+/// Returns all frames until none arrive for `quiet`.
 std::vector<BusFrame> all(SocketCan& bus, std::chrono::milliseconds quiet = 100ms)
 {
     std::array<BusFrame, 64> some;
@@ -64,7 +64,7 @@ std::vector<BusFrame> all(SocketCan& bus, std::chrono::milliseconds quiet = 100m
     }
 }
 
-/// So many frames at once, while the kernel's own thread delivers them: it holds no more than 1000 for it.
+/// Sends many frames at once while the kernel's thread delivers them; it queues at most 1000.
 bool sendMany(const Peer& peer, int frames)
 {
     for (int i = 0; i < frames; ++i, std::this_thread::yield())
@@ -72,7 +72,7 @@ bool sendMany(const Peer& peer, int frames)
     return true;
 }
 
-/// Receives until the bus is in this state; false if it is not within a long time.
+/// Receives until the bus is in this state; false after a long timeout.
 bool reaches(SocketCan& bus, BusState state)
 {
     std::array<BusFrame, 64> some;
@@ -83,7 +83,7 @@ bool reaches(SocketCan& bus, BusState state)
     return false;
 }
 
-/// vcan0 up or down, as `ip link set` does it, but for a process of its own each time, which costs a guest much.
+/// Sets vcan0 up or down like `ip link set`, but without a process, which is slow in a guest.
 void setVcan(bool up)
 {
     const PosixFd any(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
@@ -96,7 +96,7 @@ void setVcan(bool up)
     if (!done) throw std::runtime_error("vcan0 cannot be set up or down");
 }
 
-/// The interface as it should be, whatever the test before did to it.
+/// Restores the interface, whatever the previous test did to it.
 struct OnVcan : testing::Test {
     OnVcan()
     {
@@ -169,7 +169,7 @@ TEST_F(OnVcan, anErrorFrameOfThisComputerIsAForgery)
     EXPECT_EQ(bus->counters().forgedErrors, 1u);
 }
 
-// What crosses a pair of interfaces has no sender on this computer: as from a controller or another node.
+// Frames over a pair of interfaces have no local sender, like those of a controller or another node.
 TEST(SocketCanOnAPair, theControllersErrorsAreBelieved)
 {
     shell("ip link add vxcan0 type vxcan peer name vxcan1 && ip link set vxcan0 up && ip link set "
@@ -192,7 +192,7 @@ TEST(SocketCanOnAPair, theControllersErrorsAreBelieved)
     shell("ip link del vxcan0");
 }
 
-// The interface.
+// Tests of the interface.
 
 TEST_F(OnVcan, aHundredTimesDownAndUpOnTheSameSocket)
 {
@@ -219,7 +219,7 @@ TEST_F(OnVcan, twentyTimesDeletedAndMadeAgain)
     const std::size_t descriptors = openDescriptors();
     for (int i = 0; i < 20; ++i) {
         shell("ip link del vcan0");
-        // Every other time it is the sender that learns of it first.
+        // Every other time the sender notices first.
         EXPECT_TRUE(i % 2 == 0 || !bus->send(command()));
         ASSERT_TRUE(reaches(*bus, BusState::Absent)) << i;
         EXPECT_EQ(bus->send(command()).error().text, describe(BusState::Absent, "vcan0"));
@@ -284,7 +284,7 @@ TEST_F(OnVcan, whatIsDownOrAbsentCostsNoTime)
     setVcan(false);
     const auto bus = onto("vcan0");
     const auto absent = onto("can-not-there");
-    // How often this thread has waited: what spins does so less often, what asks all the time more.
+    // Counts this thread's waits: a busy loop waits less often, a poll more often.
     const auto waits = [] {
         rusage usage{};
         ::getrusage(RUSAGE_THREAD, &usage);
@@ -300,9 +300,9 @@ TEST_F(OnVcan, whatIsDownOrAbsentCostsNoTime)
     EXPECT_LE(waits() - before, 200);
 }
 
-// Room.
+// Tests of queue limits.
 
-TEST_F(OnVcan, everyFrameThatFoundNoRoomIsCountedEvenIfNoneFollows)
+TEST_F(OnVcan, everyDroppedFrameIsCountedEvenIfNoneFollows)
 {
     const auto bus = opened({.interface = "vcan0", .receiveBuffer = 20'000});
     const Peer peer("vcan0");
@@ -343,7 +343,7 @@ TEST_F(OnVcan, withoutThePrivilegeThereIsAWarning)
     EXPECT_EQ(status, 0);
 }
 
-// A bus that takes nothing: a queue that lets the first frame through and then, as good as, no more.
+// A stalled bus: the queue passes the first frame and then almost nothing.
 
 TEST_F(OnVcan, twoSecondsOfCommandsOnAStalledBusReplayTwo)
 {
@@ -389,7 +389,7 @@ TEST_F(OnVcan, aFullQueueIsSaidAndNothingWaits)
 {
     const auto bus = opened({.interface = "vcan0", .transmit = true, .maxUnconfirmed = 0});
     const Peer robot("vcan0");
-    stall("vcan0", 64);  // four frames
+    stall("vcan0", 64);  // room for four frames
     int sent = 0, full = 0;
     for (int i = 0; i < 12; ++i) {
         const Status status = bus->send(command());
@@ -403,7 +403,7 @@ TEST_F(OnVcan, aFullQueueIsSaidAndNothingWaits)
     EXPECT_EQ(robot.count(0.05), 1);
 }
 
-// Other people's programs.
+// Tests with other programs.
 
 TEST_F(OnVcan, candumpReadsWhatWeSend)
 {

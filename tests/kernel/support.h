@@ -18,13 +18,13 @@
 
 namespace terratact {
 
-/// Runs a command of the shell; throws where it fails.
+/// Runs a shell command; throws if it fails.
 inline void shell(const std::string& command)
 {
     if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
 }
 
-/// Open descriptors of this process.
+/// Returns the number of open descriptors of this process.
 inline std::size_t openDescriptors()
 {
     std::size_t count = 0;
@@ -33,7 +33,7 @@ inline std::size_t openDescriptors()
     return count;
 }
 
-/// Another program on an interface: a plain socket that sends whatever it is given.
+/// Another program on an interface: a plain socket that sends any frame.
 class Peer {
 public:
     explicit Peer(const std::string& interface)
@@ -48,7 +48,7 @@ public:
             throw std::runtime_error("no peer on " + interface);
     }
 
-    /// A classic frame with all flags in the identifier, as the kernel has it; false where it is refused.
+    /// Sends a classic frame with all flags in the identifier, in the kernel's format; false if the kernel refuses it.
     bool send(canid_t id, std::uint8_t length = 8, std::uint64_t data = 0) const
     {
         can_frame frame{};
@@ -65,7 +65,7 @@ public:
         return ::send(fd_.get(), &frame, sizeof frame, 0) == sizeof frame;
     }
 
-    /// Classic frames that have come so far; waits [s] for each.
+    /// Returns the number of received classic frames; waits `patience` [s] for each.
     int count(double patience) const
     {
         const timeval limit{
@@ -83,14 +83,14 @@ private:
     PosixFd fd_;
 };
 
-/// A bus on which nobody acknowledges: frames stay in a queue of so many bytes.
+/// Stalls the bus as if no node acknowledged: frames stay in a queue of `bytes`.
 inline void stall(const std::string& interface, int bytes)
 {
     shell("tc qdisc replace dev " + interface + " root tbf rate 8bit burst 16 limit "
           + std::to_string(bytes));
 }
 
-/// The bus is back.  Throws where the interface takes no frame, which this queue wants as a push.
+/// Ends the stall. Throws if the interface accepts no frame, which this queue needs as a trigger.
 inline void letGo(const std::string& interface)
 {
     shell("tc qdisc change dev " + interface + " root tbf rate 10mbit burst 10000 limit 100000");

@@ -6,7 +6,7 @@
 
 namespace terratact {
 
-/// The shipped robot.
+/// Returns the shipped robot.
 inline RobotModel absolem()
 {
     auto robot = readRobotModel(TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml");

@@ -40,7 +40,7 @@ inline LoadedModel madeUp()
             .details = {}};
 }
 
-/// Every estimate that an exploration comes to, the newest last.
+/// Collects every estimate of the explorations, newest last.
 class Estimates {
 public:
     explicit Estimates(Exploration& exploration)
@@ -56,7 +56,7 @@ private:
     std::vector<TerrainEstimate> all_;
 };
 
-/// All that an end of a bus has received since it was asked last.
+/// Returns all frames that a bus end has received since the last call.
 inline std::vector<BusFrame> framesOf(CanBus& end)
 {
     std::vector<BusFrame> all;
@@ -68,7 +68,7 @@ inline std::vector<BusFrame> framesOf(CanBus& end)
     }
 }
 
-/// The same as candump -L would have written it.
+/// Returns these frames in the format of candump -L.
 inline std::string candumpOf(CanBus& end)
 {
     std::string log;
@@ -77,7 +77,7 @@ inline std::string candumpOf(CanBus& end)
     return log;
 }
 
-/// The console with a robot in this process at the other end of a bus.
+/// The console and a robot in this process at the other end of a bus.
 struct BusConsole : testing::Test, RobotOnBench {
     static void SetUpTestSuite()
     {
@@ -88,7 +88,7 @@ struct BusConsole : testing::Test, RobotOnBench {
         startQuickRobot(fault);
         openOn(mode);
     }
-    /// A quick one that tells what is staged.
+    /// Starts a fast robot with staged telemetry.
     StagedRobot stagedRobot()
     {
         SimulatedRobot::Options simulation;
@@ -96,13 +96,13 @@ struct BusConsole : testing::Test, RobotOnBench {
         return {bus, model, SimulatedRobot(model, demoTerrain(), simulation),
                 RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0}};
     }
-    /// On whatever robot is there.
+    /// Opens the console on the present robot.
     void openOn(CanSource::Mode mode = CanSource::Mode::Transmit)
     {
         window = console(bus.join("can0"), mode, [] { return Result<LoadedModel>(madeUp()); });
         gui::showActive(*window);
     }
-    /// Likewise, and all that happens is recorded below `folder`.
+    /// Opens the console and records the session below `folder`.
     void openRecordedOn(const TemporaryDirectory& folder)
     {
         recording = std::make_shared<SessionRecorder>(
@@ -124,20 +124,21 @@ struct BusConsole : testing::Test, RobotOnBench {
         options.model = std::move(loader);
         options.recorder = recording;
         options.exploration.driveSpeed = 0.02;
-        options.exploration.settings.probeAbove = 0.005;  // there is always something to probe
+        options.exploration.settings.probeAbove =
+            0.005;  // the low threshold always proposes a probe
         auto made = std::make_unique<MainWindow>(std::move(options));
         made->header()->arming()->confirmButton()->setHoldTime(150);
         made->probeCard()->approveButton()->setHoldTime(150);
         made->resize(1280, 720);
         return made;
     }
-    /// For whoever wants to see: pictures of the window go where TERRATACT_PICTURES says.
+    /// Saves a picture of the window if TERRATACT_PICTURES is set.
     void picture(const QString& name)
     {
         const QString folder = qEnvironmentVariable("TERRATACT_PICTURES");
         if (!folder.isEmpty()) window->grab().save(folder + "/" + name + ".png");
     }
-    /// Its name; empty before it is loaded.
+    /// Returns the model's name; empty before it is loaded.
     static QString modelInUse(MainWindow& console)
     {
         return console.exploration().estimation().model().name;
@@ -154,7 +155,8 @@ struct BusConsole : testing::Test, RobotOnBench {
     {
         return terratact::armsOnce(*window, [this] { picture("arming-asks"); });
     }
-    /// Whether these steps come to their end in some go, each from being armed; none follows one that fails the test.
+    /// Returns true if these steps succeed in one of several attempts, each starting armed. A failed test ends the
+    /// attempts.
     static bool inSomeGo(const std::function<bool()>& steps)
     {
         const bool hadFailed = HasFailure();
@@ -162,7 +164,7 @@ struct BusConsole : testing::Test, RobotOnBench {
             if (steps()) return true;
         return false;
     }
-    /// Arms and drives, key W held; false where something disarmed the console on the way.
+    /// Arms and drives with key W held; false if something disarmed the console meanwhile.
     bool drives()
     {
         QTest::keyRelease(window.get(), Qt::Key_W);
@@ -175,7 +177,7 @@ struct BusConsole : testing::Test, RobotOnBench {
             [&] { return arming() != ArmingPhase::Armed || robotDoes(RobotActivity::Driving); });
         return arming() == ArmingPhase::Armed && robotDoes(RobotActivity::Driving);
     }
-    /// False; an exploration may have failed only for what disarms on a busy machine.
+    /// Returns false; fails the test unless the exploration failed because of disarming.
     bool failsOnlyDisarmed() const
     {
         const AtemState& state = window->exploration().state();
@@ -195,7 +197,7 @@ struct BusConsole : testing::Test, RobotOnBench {
             60000);
         return window->exploration().state().phase == phase;
     }
-    /// Explores by keys until the probe's card asks; false where something disarmed the console on the way.
+    /// Explores by keys until a probe is proposed; false if something disarmed the console meanwhile.
     bool exploresUntilAsked()
     {
         if (arming() != ArmingPhase::Armed && !armsOnce()) return false;
@@ -213,7 +215,7 @@ struct BusConsole : testing::Test, RobotOnBench {
         });
         return window->probeCard()->shown().has_value() || failsOnlyDisarmed();
     }
-    /// The same, and probes.
+    /// Explores by keys, approves the probe and waits for its end.
     bool exploresAndProbes()
     {
         if (!exploresUntilAsked()) return false;
@@ -237,8 +239,9 @@ struct BusConsole : testing::Test, RobotOnBench {
         return gui::eventually([&] { return window->exploration().state().phase == phase; }, 60000);
     }
 
-    double operatorAge = 1.0;  // [s] instead of 0.1: only a test that freezes the window means it
-    std::shared_ptr<SessionRecorder> recording{};  // of consoles that are opened from now on
+    double operatorAge =
+        1.0;  // [s] dead-man timeout, instead of 0.1: only tests that freeze the window need the short one
+    std::shared_ptr<SessionRecorder> recording{};  // used by consoles that are opened later
     std::unique_ptr<MainWindow> window;
 };
 

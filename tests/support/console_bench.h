@@ -34,7 +34,7 @@ inline std::unique_ptr<SimSource> fastRobot(const RobotModel& robot, double star
     return std::make_unique<SimSource>(SimulatedRobot(robot, demoTerrain(), options), 20.0);
 }
 
-/// An estimator that takes a moment and needs no model.
+/// A fast estimator that needs no model.
 inline LoadedModel madeUp()
 {
     return {.estimate =
@@ -53,7 +53,7 @@ inline LoadedModel madeUp()
             .content = "measured"};
 }
 
-/// The console as an operator meets it, with a simulated robot or a scripted one and a made-up estimator.
+/// The console with a simulated or scripted robot and a fake estimator.
 struct Console : testing::Test {
     static void SetUpTestSuite()
     {
@@ -73,7 +73,7 @@ struct Console : testing::Test {
         options.robot = robot;
         options.source = std::move(source);
         options.model = std::move(model);
-        // This machine may be busy.
+        // Long, because the machine may be busy.
         options.exploration.linkLostAfter = options.exploration.staleAfter = 3.0;
         options.exploration.driveSpeed = 0.05;
         options.exploration.limits.approval = answerTime;
@@ -125,26 +125,27 @@ struct Console : testing::Test {
         ASSERT_TRUE(gui::eventually([&] { return window->probeCard()->shown().has_value(); }));
     }
 
-    /// As the desktop would bring it: what blocks the window, or holds the mouse, gets its chance.
+    /// Presses STOP through the desktop's window, so that anything that blocks the window or grabs the mouse has an
+    /// effect.
     void clickStop()
     {
         const QPushButton& stop = *window->header()->stopButton();
         QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {},
                           stop.mapTo(window.get(), stop.rect().center()));
     }
-    /// How often since the last time; what is repeated until the robot confirms it is no press.
+    /// Returns the number of presses since the last call; repetitions until the robot confirms do not count.
     int stopsPressed() { return std::exchange(stops, 0); }
     static QRect onScreen(const QWidget& widget)
     {
         return {widget.mapToGlobal(QPoint(0, 0)), widget.size()};
     }
 
-    /// In every size of screen and letters: all has its room, and the letters are at least as large as was achieved.
+    /// Checks every screen and font size: nothing is cut, and the font is at least as large as was achieved before.
     void fitsEveryScreen(const char* state, std::initializer_list<int> letters)
     {
         struct Screen {
             QSize size;
-            int largest;  // letters [%] that must be possible
+            int largest;  // font scale [%] that must be possible
         };
         constexpr Screen kScreens[]{{{1200, 680}, 150},
                                     {{1280, 720}, 160},
@@ -161,7 +162,7 @@ struct Console : testing::Test {
                 EXPECT_GE(lookInForce().fontScale, std::min(wanted, screen.largest)) << what;
                 EXPECT_EQ(window->preferences().current().fontScale, wanted);
                 (void)gui::eventually([&] { return gui::cramped(*window).empty(); },
-                                      1000);  // laid out
+                                      1000);  // waits for the layout
                 EXPECT_EQ(gui::cramped(*window), std::vector<std::string>()) << what;
                 EXPECT_EQ(window->size(), screen.size) << what;
                 const QPushButton& stop = *window->header()->stopButton();

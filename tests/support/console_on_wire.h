@@ -22,7 +22,7 @@ inline SimulatedRobot robotBefore(double distance)
     return SimulatedRobot(absolem(), stepTerrain(0.24, 3.0, 6.0), options);
 }
 
-/// A console and a simulated robot on a bus that is without delay unless `delays` says so; only time is played.
+/// A console and a simulated robot on a bus without delay, unless `delays` is set; time is simulated.
 struct Wire : testing::Test {
     explicit Wire(RobotOnBus::Options options = {})
         : robot(absolem(), robotBefore(1.5), options), console(absolem(), {})
@@ -40,7 +40,7 @@ struct Wire : testing::Test {
                 onTheWay.push_back({now + delay, frame});
         }
     }
-    /// At the robot.
+    /// Delivers a frame at the robot.
     void arrive(const CanFrame& frame) { toConsole(robot.receive(frame, now)); }
     void arriveDue()
     {
@@ -59,7 +59,7 @@ struct Wire : testing::Test {
             if (const auto measurement = console.receive(frame, false, now)) latest = measurement;
         }
     }
-    /// Lets time pass in ticks of 10 ms.
+    /// Advances time in ticks of 10 ms.
     void pass(double seconds)
     {
         for (int i = 0; i < static_cast<int>(seconds / 0.01 + 0.5); ++i) {
@@ -99,7 +99,7 @@ struct Wire : testing::Test {
         console.approve(bin, now);
         ASSERT_EQ(command(ProbeCommand{bin}), GateRefusal::None);
     }
-    double x() const { return robot.robot().rest().pose.base.x; }  ///< [m] of the robot
+    double x() const { return robot.robot().rest().pose.base.x; }  ///< [m] position of the robot
     ArmingPhase phase() const { return console.view(now).arming.phase; }
     DisarmCause cause() const { return console.view(now).arming.cause; }
     RobotActivity activity() const { return robot.robot().activity(); }
@@ -119,7 +119,7 @@ struct Wire : testing::Test {
     std::vector<CanFrame> sent;
     bool cut = false, operatorThere = true;
     std::function<bool(const CanFrame&)> lose;
-    /// [s] after which the robot gets each copy of a frame; none: it is lost.
+    /// Returns the delays [s] of each copy of a frame to the robot; none: the frame is lost.
     std::function<std::vector<double>(const CanFrame&)> delays;
     struct Late {
         double due;

@@ -1,4 +1,4 @@
-// The BLAS functions that core calls for large matrices, counted and passed on to the library.
+// Counts the BLAS functions that core calls for large matrices, and calls the library.
 #include "tests/support/counted_blas.h"
 
 #include <cblas.h>
@@ -22,7 +22,7 @@ Function library(const char* name)
     return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
 }
 
-/// Rows of a triangle that stands left or right of an m × n matrix.
+/// Returns the rows of a triangle left or right of an m × n matrix.
 double side(CBLAS_SIDE where, int m, int n)
 {
     return where == CblasLeft ? m : n;

@@ -2,10 +2,10 @@
 
 namespace terratact {
 
-/// What a program that is linked with counted_blas.cpp has asked of the BLAS so far, in any thread.
+/// Work of the BLAS so far in all threads, for a program linked with counted_blas.cpp.
 struct BlasWork {
     double multiplications = 0.0;
-    double read = 0.0;  ///< entries of matrices
+    double read = 0.0;  ///< matrix entries
 };
 BlasWork blasWork();
 

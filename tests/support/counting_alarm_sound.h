@@ -4,7 +4,7 @@
 
 namespace terratact {
 
-/// Counts instead of sounding.
+/// An alarm sound that only counts.
 class CountingAlarmSound final : public AlarmSound {
 public:
     explicit CountingAlarmSound(int& sounds) : sounds_(sounds) {}

@@ -10,7 +10,7 @@
 
 namespace terratact {
 
-/// The messages of resources/dbc/terratact.dbc.
+/// Return the messages of resources/dbc/terratact.dbc.
 const std::vector<DbcMessage>& dbc();
 const DbcMessage& message(FrameKind kind);
 const DbcMessage& message(const std::string& name);
@@ -20,10 +20,10 @@ std::int64_t rawOf(double value, const DbcSignal& s);
 void setBits(CanFrame& frame, const DbcSignal& s, std::int64_t raw);
 double physical(const CanFrame& frame, const DbcSignal& s);
 
-/// Counter and checksum as the file says.
+/// Sets counter and checksum as the file defines them.
 void seal(CanFrame& frame, const DbcMessage& m, std::uint8_t counter);
 
-/// A frame of the file with every signal as near to 0 as its range allows; an arm's reading has an sd.
+/// Returns a frame with every signal as near to 0 as its range allows; an arm's reading has an sd.
 CanFrame blank(const DbcMessage& m, std::uint8_t counter = 0);
 
 std::optional<FrameFault> faultOf(const CanFrame& frame);

@@ -24,7 +24,7 @@ double millsRatio(double x)
     if (x < 5.0)
         return std::sqrt(0.5 * std::numbers::pi) * std::exp(0.5 * x * x)
              * std::erfc(x / std::numbers::sqrt2);
-    // Laplace's continued fraction 1/(x + 1/(x + 2/(x + 3/(x + …)))), from the inside out.
+    // Evaluates Laplace's continued fraction 1/(x + 1/(x + 2/(x + 3/(x + …)))) from the inside.
     double rest = x;
     for (int k = 200; k >= 1; --k) rest = x + k / rest;
     return 1.0 / rest;
@@ -38,7 +38,7 @@ std::function<double(double)> truncatedCdf(double ceiling, double mean, double s
             return std::min(1.0, phi((h - mean) / sigma) / phi((ceiling - mean) / sigma));
         };
     }
-    // P(h) = Q(a + δ) / Q(a), a and a + δ: deviations of ceiling and h below the mean, Q(x) = φ(x) M(x).
+    // P(h) = Q(a + δ) / Q(a). a and a + δ are deviations of ceiling and h below the mean; Q(x) = φ(x) M(x).
     const double a = (mean - ceiling) / sigma;
     return [=](double h) {
         const double delta = std::max(0.0, (ceiling - h) / sigma);

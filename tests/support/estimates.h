@@ -5,11 +5,11 @@
 #include "core/infer/estimate/estimate.h"
 #include "core/robot/robot_model.h"
 
-/// Made-up results for tests that need one of every kind.
+/// Fake results for tests that need one of every kind.
 namespace terratact {
 
-/// A step of 0.2 m at 0.45 m: bins −0.3 … 0.4 under the robot, 0.5 a contact, 0.6 and 0.7 prior only;
-/// widest at 0.6 m.
+/// Returns an estimate with a step of 0.2 m at 0.45 m. Bins −0.3 … 0.4 are under the robot, 0.5 is a contact, 0.6 and
+/// 0.7 are prior only. The sd is largest at 0.6 m.
 inline TerrainEstimate stepEstimate()
 {
     TerrainEstimate e;
@@ -27,7 +27,7 @@ inline TerrainEstimate stepEstimate()
     return e;
 }
 
-/// The same after the arm has touched bin 0.6.
+/// Returns stepEstimate() after the arm has touched bin 0.6.
 inline TerrainEstimate probedEstimate()
 {
     TerrainEstimate e = stepEstimate();

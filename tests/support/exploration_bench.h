@@ -25,7 +25,7 @@ namespace terratact {
 
 inline constexpr int kBin06 = 9;
 
-/// An exploration whose telemetry and clock are in the test's hands; only the estimator is a thread.
+/// An exploration with simulated telemetry and clock; only the estimator runs in a thread.
 struct Bench : testing::Test {
     explicit Bench(CanSource* link = nullptr)
     {
@@ -61,14 +61,14 @@ struct Bench : testing::Test {
         if (watch.cancelled()) throw Cancelled{};
         if (broken) throw std::runtime_error("the covariance is not positive definite");
         TerrainEstimate e = request.arm.empty() ? stepEstimate() : probedEstimate();
-        if (withDraws) e.draws.assign(draws, e.height);  // all of them with the step
+        if (withDraws) e.draws.assign(draws, e.height);  // all draws have the step
         if (stepInHalf)
             for (std::size_t d = 0; d < e.draws.size(); d += 2) e.draws[d].fill(e.height[0]);
         e.settings = request.settings;
         return e;
     }
 
-    /// Lets ticks of 40 ms pass, each with fresh telemetry.
+    /// Runs ticks of 40 ms, each with fresh telemetry.
     void tick(int times = 1)
     {
         for (int i = 0; i < times; ++i) {
@@ -76,7 +76,7 @@ struct Bench : testing::Test {
             exploration->tick(now, latest);
         }
     }
-    /// Telemetry at which nobody looks.
+    /// Adds telemetry without polling.
     void line()
     {
         now += 0.04;
@@ -90,7 +90,7 @@ struct Bench : testing::Test {
         const std::scoped_lock lock(mutex);
         return asked;
     }
-    /// Lets ticks pass without telemetry.
+    /// Runs ticks without telemetry.
     void tickInSilence(int times)
     {
         for (int i = 0; i < times; ++i) exploration->tick(now += 0.04, latest);
@@ -98,7 +98,7 @@ struct Bench : testing::Test {
     AtemPhase phase() const { return exploration->state().phase; }
     bool reaches(AtemPhase wanted)
     {
-        // Slowly: an estimate in the other thread must not run into a time limit of this clock.
+        // Runs slowly, so that an estimate in the other thread exceeds no time limit of this clock.
         return gui::eventually([&] {
             if (phase() == wanted) return true;
             tick();
@@ -123,11 +123,11 @@ struct Bench : testing::Test {
     }
     ~Bench() override { workerHeld = false; }
 
-    /// Lets the blocked estimate end and waits until its answer lies in the queue of this thread, which has not heard
-    /// of it yet.  Then the worker does nothing else for as long as it is held.
+    /// Lets the blocked estimate end and waits until its answer is queued for this thread, not yet delivered. The
+    /// worker stays held while workerHeld is set.
     bool answerIsQueued()
     {
-        // Called in the worker's own thread, after everybody else has been told.
+        // Runs in the worker's thread, after all other receivers.
         const auto queued = std::make_shared<std::promise<void>>();
         QObject::connect(
             worker.get(), &EstimatorWorker::estimated, worker.get(),
@@ -139,11 +139,11 @@ struct Bench : testing::Test {
         blocked = false;
         return queued->get_future().wait_for(std::chrono::seconds(20)) == std::future_status::ready;
     }
-    /// Waits until the worker has done all that it was asked for and this thread has heard of it: the worker answers in
-    /// turn, so one question more is answered last.
+    /// Waits until the worker has answered all requests and this thread has received the answers. The worker answers in
+    /// order, so an additional request is answered last.
     bool settles()
     {
-        constexpr double kNobodysLimit = 0.123;  // [m] an advice for which is nobody's but ours
+        constexpr double kNobodysLimit = 0.123;  // [m] a limit that only this request uses
         bool heard = false;
         const auto listening = QObject::connect(
             worker.get(), &EstimatorWorker::advised, exploration.get(),
@@ -161,7 +161,7 @@ struct Bench : testing::Test {
         ASSERT_TRUE(reaches(AtemPhase::Pressing));
         telemetry.activity = RobotActivity::Pressed;
     }
-    /// Until an estimate is under way, which ends when it is no more blocked.
+    /// Explores until an estimate is under way; it ends when it is no longer blocked.
     void beginToEstimate()
     {
         blocked = true;
@@ -178,7 +178,7 @@ struct Bench : testing::Test {
     std::atomic<int> estimates = 0;
     std::atomic<bool> blocked = false, broken = false, withDraws = false, stepInHalf = false;
     std::atomic<std::size_t> draws = 200;
-    std::atomic<bool> secondBlocked = false;  ///< and previews
+    std::atomic<bool> secondBlocked = false;  ///< also blocks previews
     std::atomic<bool> workerHeld = false;
     ScriptedSource source;
     std::unique_ptr<EstimatorWorker> worker;
@@ -186,7 +186,7 @@ struct Bench : testing::Test {
     Measurement telemetry;
     std::optional<Received> latest;
     mutable std::mutex mutex;
-    EstimateRequest asked;  ///< of the newest estimate; guarded by the mutex
+    EstimateRequest asked;  ///< newest request; guarded by the mutex
     double now = 1000.0;
     QStringList events;
     std::vector<Command> all;

@@ -12,8 +12,7 @@
 
 namespace terratact {
 
-/// What Gaussian processes are tested with at the extremes, and what their formulas need in long double: 64 bits of
-/// mantissa.
+/// Extreme data for Gaussian processes, with their formulas in long double (64 bits of mantissa).
 using Long = long double;
 using LongMatrix = Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic>;
 using LongVector = Eigen::Matrix<Long, Eigen::Dynamic, 1>;
@@ -28,7 +27,7 @@ enum class Kind { Plain, DoubledRows, Collinear, ConstantColumn, OneRowOnly };
 inline constexpr Kind kKinds[] = {Kind::Plain, Kind::DoubledRows, Kind::Collinear,
                                   Kind::ConstantColumn, Kind::OneRowOnly};
 
-/// U rows of three inputs.
+/// Returns U rows of three inputs.
 inline ExtremeData dataOf(Kind kind, int U, double length, double signal, double noise)
 {
     std::mt19937_64 rng(7);
@@ -45,7 +44,7 @@ inline ExtremeData dataOf(Kind kind, int U, double length, double signal, double
     return data;
 }
 
-/// The same with one row more, which is like no other.
+/// Returns the data with one more row that resembles no other.
 inline ExtremeData withFarRow(ExtremeData data)
 {
     const Eigen::Index U = data.X.rows();
@@ -56,7 +55,7 @@ inline ExtremeData withFarRow(ExtremeData data)
     return data;
 }
 
-/// All the scales that data could be given in, and some that none could: what(data, its name).
+/// Calls what(data, its name) for all realistic scales of data, and some unrealistic ones.
 inline void forEveryScale(Kind kind, int U,
                           const std::function<void(const ExtremeData&, const std::string&)>& what)
 {
@@ -69,7 +68,7 @@ inline void forEveryScale(Kind kind, int U,
             }
 }
 
-/// TERRATACT_ROWS, or `usual`: how many rows a test of many has.
+/// Returns TERRATACT_ROWS, or `usual`: the number of rows of a large test.
 inline int manyRows(int usual)
 {
     const char* const wanted = std::getenv("TERRATACT_ROWS");
@@ -81,7 +80,7 @@ inline Long squareOf(Long x)
     return x * x;
 }
 
-/// k(X, x).
+/// Returns k(X, x).
 inline LongVector covarianceWith(const Eigen::MatrixXd& X, const Eigen::VectorXd& x,
                                  const Hyperparameters& hyper)
 {
@@ -95,7 +94,7 @@ inline LongVector covarianceWith(const Eigen::MatrixXd& X, const Eigen::VectorXd
     return k;
 }
 
-/// k(A, B).
+/// Returns k(A, B).
 inline LongMatrix covarianceOf(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
                                const Hyperparameters& hyper)
 {
@@ -105,7 +104,7 @@ inline LongMatrix covarianceOf(const Eigen::MatrixXd& A, const Eigen::MatrixXd& 
     return K;
 }
 
-/// Reciprocal condition number of a symmetric matrix, 1-norm; 0 where the inverse overflows.
+/// Returns the reciprocal condition number of a symmetric matrix in the 1-norm; 0 if the inverse overflows.
 inline double rcondOf(const LongMatrix& K)
 {
     const auto norm = [](const LongMatrix& M) { return M.cwiseAbs().colwise().sum().maxCoeff(); };

@@ -7,7 +7,7 @@
 
 namespace terratact {
 
-/// Height [m] of the tallest vertical face, up or down; 0 for none.
+/// Returns the height [m] of the tallest vertical face, up or down; 0 for none.
 inline double tallestFace(const TerrainProfile& t)
 {
     double tallest = 0.0;

@@ -11,13 +11,13 @@
 
 namespace terratact {
 
-/// A GPIO chip whose levels the test moves.  Like the kernel behind libgpiod 1 it keeps 16 edges of each
-/// input and drops the newest beyond.  Outlives the lines that it opens.
+/// A GPIO chip with levels set by the test. Like the kernel with libgpiod 1 it keeps 16 edges of each input and drops
+/// newer ones. It must outlive the lines it opens.
 class FakeGpioChip {
 public:
     static constexpr std::size_t kFifo = 16;
 
-    /// As openGpioLines(); fails while the chip is gone.
+    /// Behaves like openGpioLines(); fails while the chip is gone.
     Result<std::unique_ptr<GpioLines>> open(const GpioRequest& request)
     {
         ++openings;
@@ -31,13 +31,13 @@ public:
         return std::unique_ptr<GpioLines>(std::make_unique<Lines>(*this));
     }
 
-    /// Moves an input; an edge where its level changes.
+    /// Sets an input; a change of level makes an edge.
     void move(std::size_t input, bool active, double time = 0.0)
     {
         if (active_.size() <= input) active_.resize(input + 1, false);
         if (active_[input] == active) return;
         active_[input] = active;
-        if (input >= fifos_.size()) return;  // nobody listens yet
+        if (input >= fifos_.size()) return;  // no lines are open yet
         if (fifos_[input].size() < kFifo)
             fifos_[input].push_back({.input = input, .active = active, .time = time});
         else
@@ -47,13 +47,13 @@ public:
     const GpioRequest& request() const { return request_; }
 
     bool gone = false;       ///< every call fails with ENODEV
-    bool loseEdges = false;  ///< the next reading says that there were more
+    bool loseEdges = false;  ///< the next read reports lost edges
     int setError = 0;        ///< errno of set()
-    int openings = 0;        ///< tried
+    int openings = 0;        ///< attempts to open
     int held = 0;            ///< lines open now
-    int dropped = 0;         ///< edges that had no room
+    int dropped = 0;         ///< dropped edges
     std::vector<bool> outputs;
-    std::vector<std::pair<std::size_t, bool>> writes;  ///< since the lines were opened
+    std::vector<std::pair<std::size_t, bool>> writes;  ///< writes since the lines were opened
 
 private:
     class Lines final : public GpioLines {

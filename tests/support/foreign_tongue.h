@@ -5,8 +5,8 @@
 
 namespace terratact {
 
-/// A language into which every text is translated, as long as this lives: its Latin letters are Cyrillic ones.  What is
-/// English all the same was never given to be translated.
+/// A fake language while it exists: every translated text has Cyrillic letters for Latin ones. Text that stays in Latin
+/// letters was not translatable.
 class ForeignTongue final : public QTranslator {
 public:
     ForeignTongue() { QApplication::installTranslator(this); }

@@ -9,12 +9,12 @@
 
 namespace terratact {
 
-/// A simulated GPIO chip of the kernel's gpio-sim, with named lines whose outside world the test is.
+/// A chip of the kernel's gpio-sim with named lines; the test drives their outside.
 class GpioSim {
 public:
     static bool available() { return std::filesystem::exists(kConfig); }
 
-    /// The chip appears as /dev/gpiochip*.  One at a time of each label.
+    /// The chip appears as /dev/gpiochip*. Only one chip may exist per label.
     GpioSim(std::string label, const std::vector<std::string>& lines)
         : device_(kConfig + ("terratact-" + std::move(label))), bank_(device_ + "/bank")
     {
@@ -34,7 +34,7 @@ public:
     {
         std::error_code ignored;
         std::ofstream(device_ + "/live") << "0";
-        // configfs: directories only, from the inside out
+        // configfs: removes directories only, innermost first
         std::vector<std::filesystem::path> lines;
         for (const auto& entry : std::filesystem::directory_iterator(bank_, ignored))
             if (entry.is_directory(ignored)) lines.push_back(entry.path());
@@ -55,13 +55,13 @@ public:
 
     const std::string& chip() const { return chip_; }  ///< "gpiochip0"
 
-    /// What the outside does to an input line.
+    /// Drives an input line from outside.
     void drive(std::size_t line, bool high)
     {
         write(lines_ + std::to_string(line) + "/pull", high ? "pull-up" : "pull-down");
     }
 
-    /// The level of a line, as a lamp there would see it.
+    /// Returns the level of a line, as a lamp on it would show.
     bool level(std::size_t line) const
     {
         return read(lines_ + std::to_string(line) + "/value") == "1";

@@ -26,18 +26,18 @@
 #include "tests/support/paint_watch.h"
 #include "tests/support/thread_time.h"
 
-/// What the GUI tests share.
+/// Helpers of the GUI tests.
 namespace terratact::gui {
 
-/// Each of them is STOP, everywhere.
+/// Each of these keys is STOP everywhere.
 inline constexpr std::array kStopKeys{Qt::Key_F12, Qt::Key_Pause};
 
-/// Values no painter may ever see.
+/// Values that must never reach a painter.
 inline constexpr std::array kHostile{
     std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
     -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::max(), -1e300};
 
-/// Runs the event loop until the condition holds; false after `patience`.
+/// Runs the event loop until the condition is true; returns false after `patience` [ms].
 template <class Condition>
 bool eventually(Condition&& condition, int patience = 20000)
 {
@@ -53,8 +53,8 @@ inline void showActive(QWidget& widget)
     (void)QTest::qWaitForWindowActive(&widget);
 }
 
-/// Every text of a visible widget: what it shows, its tip and what a screen reader says; line by line, each run of
-/// digits as '#'.
+/// Returns every text of visible widgets: display, tip and screen reader text. Texts are split into lines, and digits
+/// become '#'.
 inline std::set<std::string> textsOf(const QWidget& window)
 {
     std::set<std::string> texts;
@@ -95,8 +95,8 @@ inline std::set<std::string> textsOf(const QWidget& window)
     return texts;
 }
 
-/// What can be read in a window: the texts of its visible labels, buttons, bars and tables, and of what is drawn what a
-/// screen reader says of it.
+/// Returns the readable texts of a window: visible labels, buttons, bars and tables. Drawn widgets count with their
+/// screen reader text.
 inline QStringList readableTexts(const QWidget& window)
 {
     QStringList texts;
@@ -117,10 +117,10 @@ inline QStringList readableTexts(const QWidget& window)
     return texts;
 }
 
-/// The tips of buttons while they can be pressed and while they cannot: then they have to say why not.
+/// The tips of buttons while enabled and while disabled; a disabled button must say why.
 class TipsOfButtons {
 public:
-    /// Takes those of the buttons that are seen now.
+    /// Records the tips of the visible buttons.
     void poll(const QWidget& window)
     {
         for (const QAbstractButton* button : window.findChildren<QAbstractButton*>()) {
@@ -132,7 +132,7 @@ public:
             tips.name = (name.isEmpty() ? button->text() : name).toStdString();
         }
     }
-    /// The names of buttons that were seen both ways.
+    /// Returns the names of buttons seen in both states.
     std::set<std::string> compared() const
     {
         std::set<std::string> names;
@@ -140,7 +140,7 @@ public:
             if (!tips.enabled.empty() && !tips.disabled.empty()) names.insert(tips.name);
         return names;
     }
-    /// Of those that cannot be pressed: with no tip, or one that they have where they can, too.
+    /// Returns disabled buttons without a tip, or with the same tip as when enabled.
     std::vector<std::string> silent() const
     {
         std::vector<std::string> names;
@@ -159,12 +159,12 @@ private:
     std::map<const QAbstractButton*, Tips> tips_;
 };
 
-inline constexpr int kHeaderFrame = 10;  // [px] around a column's name: padding and border
+inline constexpr int kHeaderFrame = 10;  // [px] padding and border around a column's name
 
-/// The texts of the cells in view that are less high than they need, or narrower and no tip says all.
+/// Returns the texts of visible cells that are too low, or too narrow without a tip that has all of the text.
 inline std::vector<std::string> cutCells(const QTableView& table)
 {
-    constexpr int kFrame = 2;  // [px] of sizeHintForIndex() around the text that is nobody's loss
+    constexpr int kFrame = 2;  // [px] margin of sizeHintForIndex() that may be cut
     std::vector<std::string> cut;
     const QAbstractItemModel& model = *table.model();
     for (int row = 0; row < model.rowCount(); ++row)
@@ -188,7 +188,7 @@ inline std::vector<std::string> cutCells(const QTableView& table)
     return cut;
 }
 
-/// The texts of visible labels, buttons, bars, columns' names and cells that have less room than they need.
+/// Returns the texts of visible labels, buttons, bars, headings and cells that have too little room.
 inline std::vector<std::string> cutText(const QWidget& window)
 {
     std::vector<std::string> cut;
@@ -198,7 +198,7 @@ inline std::vector<std::string> cutText(const QWidget& window)
             cut.push_back(text.toStdString());
     };
     for (const QLabel* label : window.findChildren<QLabel*>())
-        if (!label->inherits("terratact::ElidedLabel"))  // its tip says all
+        if (!label->inherits("terratact::ElidedLabel"))  // its tip has all of the text
             poll(*label, label->text(),
                  label->wordWrap() ? QSize(0, label->heightForWidth(label->width()))
                                    : label->sizeHint());
@@ -222,14 +222,14 @@ inline std::vector<std::string> cutText(const QWidget& window)
     return cut;
 }
 
-/// Those of them that remain once the layout has come to rest.
+/// Returns the cut texts that remain after the layout has settled.
 inline std::vector<std::string> cutWhenSettled(const QWidget& window)
 {
     (void)eventually([&] { return cutText(window).empty(); }, 2000);
     return cutText(window);
 }
 
-/// The texts of lines that end in "…" for want of room; their tips say all.
+/// Returns the texts that are elided with "…"; their tips have all of the text.
 inline std::vector<std::string> elidedText(const QWidget& window)
 {
     std::vector<std::string> elided;
@@ -240,7 +240,7 @@ inline std::vector<std::string> elidedText(const QWidget& window)
     return elided;
 }
 
-/// What has to be scrolled to be read, of what should be seen at once.
+/// Returns texts that need scrolling although they should be visible at once.
 inline std::vector<std::string> scrolledText(const QWidget& window)
 {
     std::vector<std::string> scrolled;
@@ -251,7 +251,7 @@ inline std::vector<std::string> scrolledText(const QWidget& window)
     return scrolled;
 }
 
-/// Whether a widget's parts are laid out by somebody else than us: Qt's and Qwt's own, of which some lie upon others.
+/// Returns true if Qt or Qwt lays out the widget's parts, some of which overlap.
 inline bool hasPartsOfItsOwn(const QWidget& widget)
 {
     for (const QWidget* at = &widget; at; at = at->parentWidget())
@@ -261,7 +261,7 @@ inline bool hasPartsOfItsOwn(const QWidget& widget)
     return false;
 }
 
-/// Pairs of visible neighbours that lie upon each other, and what reaches beyond the widget it is in.
+/// Returns pairs of overlapping visible neighbours, and widgets that extend beyond their parent.
 inline std::vector<std::string> overlaps(const QWidget& window)
 {
     std::vector<std::string> found;
@@ -280,7 +280,7 @@ inline std::vector<std::string> overlaps(const QWidget& window)
         for (const QWidget* child :
              parent->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
             if (!child->isVisible() || child->isWindow() || child->inherits("QFocusFrame"))
-                continue;  // the frame of the focus lies upon what has it
+                continue;  // the focus frame overlaps its control
             const bool scrolls = parent->objectName() == QLatin1String("qt_scrollarea_viewport");
             if (!scrolls && !parent->rect().contains(child->geometry()))
                 found.push_back(nameOf(*child) + " reaches beyond " + nameOf(*parent) + ", "
@@ -297,14 +297,14 @@ inline std::vector<std::string> overlaps(const QWidget& window)
     return found;
 }
 
-/// Those that remain once the layout has come to rest.
+/// Returns the overlaps that remain after the layout has settled.
 inline std::vector<std::string> overlapsWhenSettled(const QWidget& window)
 {
     (void)eventually([&] { return overlaps(window).empty(); }, 2000);
     return overlaps(window);
 }
 
-/// All of that, with what it is.
+/// Returns all of these faults with their kinds.
 inline std::vector<std::string> cramped(const QWidget& window)
 {
     std::vector<std::string> found = overlaps(window);
@@ -313,9 +313,9 @@ inline std::vector<std::string> cramped(const QWidget& window)
     return found;
 }
 
-/// Paints a widget, one pixel to a point whatever the screen has; fails by returning a null image, and paints nothing,
-/// where a painter would be asked for what is not finite or far off: Qt may take seconds for it (PaintWatch).  A null
-/// image, too, where painting takes this thread as long for whatever reason.
+/// Paints a widget at one pixel per point. Returns a null image, without painting, if coordinates are not finite or far
+/// outside (PaintWatch), because Qt may need seconds for them. A null image is also returned if painting takes this
+/// thread too long.
 inline QImage painted(QWidget& widget)
 {
     PaintWatch watch(widget.size());
@@ -323,14 +323,14 @@ inline QImage painted(QWidget& widget)
     if (watch.hostile() > 0) return {};
     QImage image(widget.size(), QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
-    constexpr double kMaxLength = 1000.0;  // [ms]; some 20 is usual
+    constexpr double kMaxLength = 1000.0;  // [ms]; 20 ms is usual
     const double began = threadMilliseconds();
     widget.render(&image);
     return threadMilliseconds() - began < kMaxLength ? image : QImage();
 }
 
-/// Until a widget looks the same in ten rounds of the event loop: laid out, and drawn in the colours in force.  Not for
-/// one that shows what is live.
+/// Waits until a widget looks the same in ten rounds of the event loop, so that layout and colours are final. Not for
+/// widgets with live content.
 inline void settle(QWidget& widget)
 {
     QImage before;
@@ -343,7 +343,7 @@ inline void settle(QWidget& widget)
     });
 }
 
-/// How many pixels of an image have exactly this colour.
+/// Returns the number of pixels with exactly this colour.
 inline int pixelsOf(const QImage& image, const QColor& colour)
 {
     int count = 0;
@@ -352,7 +352,7 @@ inline int pixelsOf(const QImage& image, const QColor& colour)
     return count;
 }
 
-/// How many different colours an image has: more than a handful when something was drawn.
+/// Returns the number of different colours; more than a handful means that something was drawn.
 inline int colours(const QImage& image)
 {
     QSet<QRgb> seen;

@@ -31,7 +31,7 @@ inline ModelLoader madeUp()
     };
 }
 
-/// The console with preferences of its own in a file, and a simulated robot before a step.
+/// The console with its own preferences file and a simulated robot before a step.
 struct Look : testing::Test {
     void SetUp() override { open(); }
     void TearDown() override

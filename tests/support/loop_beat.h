@@ -10,9 +10,8 @@
 
 namespace terratact {
 
-/// A beat every 2 ms in this thread's event loop; what it is late is how long the loop was blocked.  On a busy machine
-/// it is also late by what others computed, so the thread's own processor time between two beats is what a test can
-/// judge.
+/// A timer of 2 ms in this thread's event loop; its lateness is the time the loop was blocked. On a busy machine other
+/// programs add to it. Tests therefore judge the thread's processor time between two beats.
 class LoopBeat {
 public:
     LoopBeat()
@@ -28,8 +27,8 @@ public:
     }
     void stop() { timer_.stop(); }
 
-    qint64 late() const { return late_; }  ///< [ms] at most
-    /// [ms] of the thread's own that such a share of the beats took at most; 1: all.
+    qint64 late() const { return late_; }  ///< [ms] maximum
+    /// Returns the own processor time [ms] that this share of the beats does not exceed; 1: all.
     double own(double share) const
     {
         if (own_.empty()) return 0.0;

@@ -1,11 +1,11 @@
-// Makes sessions for the tests of the command line: make_session KIND OUT, KIND being
-//   rows   500 frames that mean nothing, and rows of every kind
-//   drive  a simulated drive with two explorations
-//   moves  likewise, with four explorations a few centimetres from each other
-//   later, moves-later   the same drives, a minute later
-//   lie    the same drive, every height recorded 1 mm too high
-//   open   like rows, as a program leaves it that died
-//   long   likewise, of 6000 frames
+// Makes sessions for the tests of the command line: make_session KIND OUT. KIND is one of
+// rows   500 meaningless frames, and rows of every kind
+// drive  a simulated drive with two explorations
+// moves  a drive with four explorations a few centimetres apart
+// later, moves-later   the same drives, a minute later
+// lie    the same drive, every height recorded 1 mm too high
+// open   like rows, as left by a program that died
+// long   like open, with 6000 frames
 #include <cblas.h>
 #include <unistd.h>
 
@@ -28,7 +28,7 @@ void make(const std::string& kind, const std::string& path)
     if (kind == "lie") return recordDrive(path, {.lie = 0.001});
     auto writer = someSession(path, kind == "long" ? 6000 : 500);
     if (!writer) throw std::runtime_error(writer.error().text);
-    if (kind == "open" || kind == "long") _exit(0);  // without closing anything
+    if (kind == "open" || kind == "long") _exit(0);  // closes nothing
     if (const Status sealed = writer->seal(); !sealed)
         throw std::runtime_error(sealed.error().text);
 }
@@ -39,7 +39,7 @@ void make(const std::string& kind, const std::string& path)
 int main(int argc, char** argv)
 {
     if (argc != 3) return 2;
-    openblas_set_num_threads(1);  // as in the programs: the last bits depend on it
+    openblas_set_num_threads(1);  // same as in the programs, because the last bits depend on it
     try {
         terratact::make(argv[1], argv[2]);
         return 0;

@@ -9,8 +9,7 @@
 
 namespace terratact::gui {
 
-/// Draws nothing and counts what a painter was asked for and must not be: coordinates that are not finite, or farther away
-/// than any picture is wide.
+/// Draws nothing and counts requests with coordinates that are not finite or farther away than any picture is wide.
 class PaintWatch final : public QPaintDevice {
 public:
     static constexpr double kFar = 1e6;  ///< [px]
@@ -102,7 +101,7 @@ private:
         {
             const QPointF point = state->transform().map(logical);
             const bool near = std::abs(point.x()) <= kFar && std::abs(point.y()) <= kFar;
-            hostile += near ? 0 : 1;  // no number is not near either
+            hostile += near ? 0 : 1;  // NaN counts as far
         }
         int hostile = 0;
     };

@@ -18,7 +18,7 @@
 
 namespace terratact {
 
-/// Contacts that a test closes and lamps that it reads, from another thread than the panel's.
+/// A fake panel: the test closes contacts and reads lamps, from another thread than the panel's.
 class PanelBoard {
 public:
     void close(PanelContact contact, bool closed)
@@ -38,9 +38,9 @@ public:
         const std::scoped_lock lock(mutex_);
         gone_ = false;
     }
-    /// Reading it does not return while it hangs.
+    /// Makes reads block while it hangs.
     void hang(bool hangs) { hangs_ = hangs; }
-    /// From now on reading it throws.
+    /// Makes every following read throw.
     void breakDown()
     {
         const std::scoped_lock lock(mutex_);
@@ -92,7 +92,7 @@ private:
     };
 
     std::atomic<bool> hangs_ = false;
-    mutable std::mutex mutex_;                                        // guards what follows
+    mutable std::mutex mutex_;                                        // guards the members below
     PerContact<bool> closed_{.values = {false, false, false, true}};  // STOP is normally closed
     GpioEdges edges_;
     std::array<bool, kPanelOutputs> lit_{};

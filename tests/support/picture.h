@@ -8,7 +8,7 @@
 
 namespace terratact {
 
-/// A picture as it was written, for tests.
+/// A picture that was read back.
 struct Picture {
     int width = 0, height = 0;
     std::vector<unsigned> pixels;  ///< 0xRRGGBB, row by row
@@ -19,10 +19,10 @@ struct Picture {
                       + static_cast<std::size_t>(x)];
     }
 
-    /// How many pixels have exactly this colour.
+    /// Returns the number of pixels with exactly this colour.
     long count(unsigned rgb) const { return std::count(pixels.begin(), pixels.end(), rgb); }
 
-    /// Left, right, top, bottom of the pixels of exactly this colour; {width, −1, height, −1} for none.
+    /// Returns left, right, top, bottom of the pixels with exactly this colour; {width, −1, height, −1} for none.
     std::array<int, 4> extent(unsigned rgb) const
     {
         std::array<int, 4> found{width, -1, height, -1};
@@ -35,7 +35,7 @@ struct Picture {
     }
 };
 
-/// Throws std::runtime_error where the file is no PNG.
+/// Reads a PNG; throws std::runtime_error if the file is not one.
 Picture readPng(const std::string& path);
 
 }  // namespace terratact

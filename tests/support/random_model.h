@@ -10,7 +10,7 @@
 
 namespace terratact {
 
-/// Random clearances: bins 0 to 8 covered in every row but each third, where bin 8 is open.
+/// Adds random clearances: bins 0 to 8 are covered in every row; in every third row bin 8 is open.
 template <class Within>
 void addClearance(ModelData& model, Within within)
 {
@@ -42,7 +42,7 @@ void addClearance(ModelData& model, Within within)
         }
 }
 
-/// A model of random numbers over so many training rows.
+/// Returns a model of random numbers with `rows` training rows.
 inline ModelData randomModel(Eigen::Index rows, unsigned seed = 1)
 {
     std::mt19937_64 rng(seed);

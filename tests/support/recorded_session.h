@@ -17,19 +17,19 @@
 #include "core/store/file_read.h"
 #include "core/store/sha256.h"
 
-/// Sessions of a simulated drive as the console records them, played in simulated time.
+/// Sessions of a simulated drive, recorded like by the console, in simulated time.
 namespace terratact {
 
-/// A console and a simulated robot on a bus without delay, every frame of which is recorded.  Throws
-/// std::runtime_error where something does not go as it should.
+/// A console and a simulated robot on a bus without delay, with every frame recorded. Throws std::runtime_error if a
+/// step fails.
 class RecordedDrive {
 public:
-    static constexpr double kStep = 3.0;  ///< [m] where the ground rises
+    static constexpr double kStep = 3.0;  ///< [m] position of the step
 
     struct Options {
-        double startBefore = 0.9;  ///< [m] the robot's middle before the step
-        std::int64_t later = 0;    ///< [s] of the calendar
-        double lie = 0.0;          ///< [m] added to the heights that are recorded
+        double startBefore = 0.9;  ///< [m] start of the robot's middle before the step
+        std::int64_t later = 0;    ///< [s] shift of the calendar time
+        double lie = 0.0;          ///< [m] added to the recorded heights
     };
     RecordedDrive(const std::string& path, const std::string& robotFile,
                   const std::string& modelFile, const Options& options)
@@ -55,7 +55,7 @@ public:
         event({.kind = EventKind::Arming, .subject = "armed"});
     }
 
-    /// Until the robot's middle is so far before the step.
+    /// Drives until the robot's middle is `before` [m] before the step.
     void driveTo(double before)
     {
         command(DriveCommand{0.3});
@@ -65,7 +65,7 @@ public:
         pass(0.3);
     }
 
-    /// An exploration with a probe where one is proposed; the id of its last estimate.
+    /// Explores, with a probe if one is proposed. Returns the id of the last estimate.
     std::int64_t explore(const Settings& settings)
     {
         command(BeginAtemCommand{});
@@ -89,7 +89,7 @@ public:
         return first.id;
     }
 
-    /// A marker, which ends a batch.
+    /// Adds a marker, which ends a batch.
     void mark(const std::string& note) { event({.kind = EventKind::Marker, .text = note}); }
 
     void seal()
@@ -247,8 +247,8 @@ private:
     std::optional<Measurement> latest_;
 };
 
-/// A drive up to a step with two explorations, each with a probe: one by `pafc` while the ground is flat, one by
-/// `local` before the step.  Sealed.
+/// Records a drive to a step with two explorations, each with a probe: by `pafc` on flat ground, and by `local` before
+/// the step. Sealed.
 inline void recordDrive(const std::string& path, const RecordedDrive::Options& options = {})
 {
     RecordedDrive drive(path, TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml",
@@ -262,8 +262,8 @@ inline void recordDrive(const std::string& path, const RecordedDrive::Options& o
     drive.seal();
 }
 
-/// A drive up to the step with an exploration every few centimetres, so that contacts come to lie where an estimate
-/// before had been sampled.  Sealed.
+/// Records a drive to the step with an exploration every few centimetres. Contacts then lie where an earlier estimate
+/// was sampled. Sealed.
 inline void recordShortMoves(const std::string& path, std::int64_t later = 0)
 {
     RecordedDrive drive(path, TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml",

@@ -10,7 +10,7 @@
 
 namespace terratact {
 
-/// The result is an error of one line that begins with the file's path and holds every part.
+/// Checks that the result is an error of one line that begins with the file's path and contains every part.
 template <class T>
 testing::AssertionResult refused(const Result<T>& result, const std::string& path,
                                  std::initializer_list<std::string_view> parts)

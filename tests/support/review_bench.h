@@ -34,7 +34,7 @@ struct ReviewOf : testing::Test {
         QTest::keyClick(window.get(), static_cast<Qt::Key>(key), with);
     }
     double now() const { return window->player().position(); }
-    /// Texts without the room they need once the layout has come to rest.
+    /// Returns the cut texts that remain after the layout has settled.
     std::vector<std::string> cutWhenSettled() const { return gui::cutWhenSettled(*window); }
 
     TemporaryDirectory directory;

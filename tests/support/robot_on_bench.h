@@ -11,8 +11,8 @@
 
 namespace terratact {
 
-/// A simulated robot in this process, two metres into the demonstration's terrain, at one end of a bus.  A console at
-/// another end has to go first: its window belongs to whoever derives from this.
+/// A simulated robot in this process, two metres into the demonstration's terrain, at one end of a bus. A console at
+/// another end must be destroyed first; the derived class owns its window.
 struct RobotOnBench {
     void startRobot(RobotOnBus::Options options = {})
     {
@@ -21,7 +21,7 @@ struct RobotOnBench {
         robot = std::make_unique<RobotInProcess>(
             bus, model, SimulatedRobot(model, demoTerrain(), simulation), options);
     }
-    /// What a console needs to have that end of the bus as its link.
+    /// Returns the options of a window whose link is this bus end.
     MainWindow::Options linked(std::unique_ptr<CanBus> end, CanSource::Options options) const
     {
         auto source = std::make_unique<CanSource>(std::move(end), model, std::move(options));

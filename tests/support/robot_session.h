@@ -14,7 +14,7 @@
 
 namespace terratact {
 
-/// What happens in a session of a simulated robot: an exploration whose probe is approved, [s].
+/// Times [s] of the events in a simulated robot's session: an exploration with an approved probe.
 struct RobotSessionTimes {
     static constexpr double kLinkUp = 0.2, kAlarm = 0.8, kAlarmGone = 1.2, kPressing = 1.4,
                             kScene = 1.6, kEstimate = 1.8, kProposing = 1.85, kMarker = 2.0,
@@ -22,8 +22,8 @@ struct RobotSessionTimes {
                             kForgotten = 3.4;
 };
 
-/// Writes a session of `seconds`, of the shipped robot, that stands and sends; a batch every 0.2 s.  Beside its
-/// frames so many others come in a second that there are `framesPerSecond`.  silent: at these times nothing is sent.
+/// Writes a session of `seconds` of the shipped robot, which stands still, in batches of 0.2 s. Other frames are added
+/// until there are `framesPerSecond`. silent: times without frames.
 inline Result<SessionWriter> robotSession(const std::string& path, double seconds,
                                           double framesPerSecond = 0.0,
                                           const std::function<bool(double)>& silent = {})
@@ -64,7 +64,7 @@ inline Result<SessionWriter> robotSession(const std::string& path, double second
         if (passes(At::kPressing)) tell(now, EventKind::Phase, name(AtemPhase::Pressing));
         if (passes(At::kScene)) {
             SceneRow scene = someScene(1, sessionTimeOf(now));
-            scene.measurement.travelled = 0.0;  // as the telemetry
+            scene.measurement.travelled = 0.0;  // same as the telemetry
             (void)writer->add(scene);
         }
         if (passes(At::kEstimate)) {

@@ -10,7 +10,7 @@
 
 namespace terratact {
 
-/// A source whose telemetry the test writes and whose commands it reads.
+/// A source with telemetry written by the test, which also reads its commands.
 class ScriptedSource final : public MeasurementSource {
 public:
     std::string name() const override { return "SCRIPTED"; }
@@ -40,7 +40,7 @@ public:
         const std::scoped_lock lock(mutex_);
         sample_.measurement = measurement;
     }
-    /// From now on it is at once pressing when it is told to press.
+    /// Makes the source report pressing as soon as it gets a press command.
     void pressWhenTold()
     {
         const std::scoped_lock lock(mutex_);
@@ -68,7 +68,7 @@ public:
     }
 
 private:
-    std::mutex mutex_;  // guards what follows
+    std::mutex mutex_;  // guards the members below
     Sample sample_;
     bool silent_ = false, deaf_ = false, presses_ = false;
     std::string trouble_;

@@ -21,7 +21,7 @@ inline SessionStart someStart()
             .robotHash = std::string(64, 'a')};
 }
 
-/// The n-th frame of a session, at n milliseconds.
+/// Returns frame number n of a session, at n milliseconds.
 inline FrameRow someFrame(std::int64_t n)
 {
     FrameRow row{.time = n * 1'000'000};
@@ -93,7 +93,7 @@ inline EventRow someDecision(SessionTime time)
             .shown = "CANNOT TELL 41 %"};
 }
 
-/// A session of `frames` frames, a batch of every 100 of them, with two scenes and a probe in it.  Not sealed.
+/// Writes a session of `frames` frames in batches of 100, with two scenes and a probe. Not sealed.
 inline Result<SessionWriter> someSession(const std::string& path, std::int64_t frames)
 {
     auto writer = SessionWriter::create(path, someStart());

@@ -13,12 +13,12 @@
 
 namespace terratact {
 
-/// The simulated robot without a bus, which needs no arming: a line of telemetry every 50 ms of the steady clock,
-/// with the true terrain.
+/// The simulated robot without a bus, which needs no arming. It makes a telemetry sample every 50 ms of the steady
+/// clock, with the true terrain.
 class SimSource final : public MeasurementSource {
 public:
-    /// speed: simulated seconds per second.  Where the machine cannot keep up, simulated time runs slower and never
-    /// catches up in a burst.
+    /// speed: simulated seconds per second. On a slow machine simulated time slows down and never catches up in a
+    /// burst.
     SimSource(SimulatedRobot robot, double speed) : robot_(std::move(robot)), speed_(speed) {}
 
     std::string name() const override { return "SIMULATED ROBOT"; }
@@ -60,7 +60,7 @@ private:
     std::mutex mutex_;  // guards robot_
     SimulatedRobot robot_;
     double speed_;
-    Clock::time_point due_ = Clock::now();  // of the next line; only next() touches it
+    Clock::time_point due_ = Clock::now();  // time of the next sample; used by next() only
 };
 
 }  // namespace terratact

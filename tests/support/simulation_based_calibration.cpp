@@ -9,7 +9,7 @@ namespace terratact {
 
 namespace {
 
-/// P(χ² ≥ the counts' distance from equal ones).
+/// Returns P(χ² ≥ the counts' distance from equal counts).
 double equalCountsProbability(const std::vector<int>& counts)
 {
     const double expected =
@@ -59,7 +59,7 @@ RankHistograms calibrationRanks(int sets, int draws, int burnIn,
         const Eigen::VectorXd truth = quantities(set.truth);
         Eigen::MatrixXd drawn(truth.size(), draws);
         for (Eigen::Index c = 0; c < draws; ++c) {
-            Heights h = set.truth;  // the known bins'
+            Heights h = set.truth;  // heights of the known bins
             for (std::size_t k = 0; k < result.bins.size(); ++k)
                 h[static_cast<std::size_t>(result.bins[k])] = result.draws[k](0, c);
             drawn.col(c) = quantities(h);

@@ -8,26 +8,27 @@
 
 namespace terratact {
 
-/// Ranks of the truth among the draws, a histogram per quantity.
+/// Ranks of the truth among the draws: a histogram per quantity.
 class RankHistograms {
 public:
-    /// draws: L, of every set; the rank takes the L + 1 values 0 … L.
+    /// draws: number L of draws in every set; a rank is one of the L + 1 values 0 … L.
     explicit RankHistograms(int draws) : draws_(draws) {}
 
-    /// truth: one value per quantity; draws: quantities × L.  Rank: how many draws lie below the truth.
-    /// Throws std::invalid_argument for other sizes than the first time or another L.
+    /// Adds a set. truth: one value per quantity; draws: quantities × L. The rank is the number of draws below the
+    /// truth. Throws std::invalid_argument if a size differs from the first call or from L.
     void add(const Eigen::VectorXd& truth, const Eigen::MatrixXd& draws);
 
-    /// Probability that a right sampler looks as wrong as this or worse: the smallest of the quantities'
-    /// chi-square tests against equal counts (L degrees of freedom), times their number (Bonferroni), at most 1.
+    /// Returns the probability that a correct sampler gives ranks at least this uneven. It is the smallest p-value of
+    /// the quantities' chi-square tests against equal counts (L degrees of freedom), times their number (Bonferroni),
+    /// at most 1.
     double pValue() const;
 
 private:
     int draws_;
-    std::vector<std::vector<int>> counts_;  // per quantity, L + 1
+    std::vector<std::vector<int>> counts_;  // L + 1 counts per quantity
 };
 
-/// The world of one set: the truth and what the sampler is told about it.
+/// One set: the truth and the sampler's input.
 struct SimulatedSet {
     Heights truth{};
     GibbsProblem problem;

@@ -18,24 +18,23 @@
 
 namespace terratact {
 
-/// What a robot tells of itself besides what is so.
+/// Telemetry values that replace the robot's true ones.
 struct Staging {
-    std::optional<RobotActivity> says{};   ///< whatever it does
-    std::optional<RobotActivity> lasts{};  ///< once it is at this it says so on and on
-    std::optional<Refusal> refuses{};      ///< each command, it says
-    std::optional<bool> explores{};        ///< whatever it does
-    bool isDisarmed = false;               ///< it says, whatever it is
+    std::optional<RobotActivity> says{};   ///< reported activity
+    std::optional<RobotActivity> lasts{};  ///< repeated forever once the robot does it
+    std::optional<Refusal> refuses{};      ///< reported as refusal of each command
+    std::optional<bool> explores{};        ///< reported exploration state
+    bool isDisarmed = false;               ///< reports disarmed
     bool isUnfeeling = false;  ///< force elements: left 2 open, left 3 saturated, right 4 short
     double pitch = 0.0, roll = 0.0;        ///< [rad] added
-    double twist = 0.0;                    ///< [rad] added between its left and right front flipper
-    std::optional<double> pitchStuckAt{};  ///< [rad] whatever its pitch is
-    bool isMute = false;                   ///< nothing of it is heard
-    bool isNumb = false;                   ///< nothing but its status and heartbeat is heard
+    double twist = 0.0;                    ///< [rad] added between left and right front flipper
+    std::optional<double> pitchStuckAt{};  ///< [rad] constant reported pitch
+    bool isMute = false;                   ///< sends nothing
+    bool isNumb = false;                   ///< sends only status and heartbeat
 };
 
-/// A simulated robot in a thread of its own on the end "robot" of a MemoryBus, which must outlive it, with telemetry as
-/// it is staged.  It waits a while for a console that has beaten its heart and falls silent, as one does whose threads
-/// a busy machine keeps from running: its time stands still.
+/// A simulated robot in its own thread at the end "robot" of a MemoryBus, which must outlive it, with staged telemetry.
+/// If a console's heartbeats stop, as on a busy machine, the robot's time pauses for a while.
 class StagedRobot {
 public:
     StagedRobot(MemoryBus& bus, const RobotModel& model, const SimulatedRobot& robot,
@@ -46,7 +45,7 @@ public:
                   const std::scoped_lock lock(mutex_);
                   truth_ = robot_.robot().truth();
               };
-              (void)serveRobot(  // a MemoryBus has no errors
+              (void)serveRobot(  // a MemoryBus never fails
                   end_, robot_, [&] { return !stop.stop_requested(); }, [](const std::string&) {},
                   keepTruth, [this] { return now(); });
           })
@@ -59,7 +58,7 @@ public:
         staging_ = staging;
         lasting_ = false;
     }
-    /// True bin heights at the pose of the newest line of telemetry; from any thread.
+    /// Returns the true bin heights at the pose of the newest sample; callable from any thread.
     Heights truth() const
     {
         const std::scoped_lock lock(mutex_);
@@ -67,7 +66,7 @@ public:
     }
 
 private:
-    /// Its end of the bus, where what it says is staged.
+    /// The robot's end of the bus; it stages outgoing frames.
     class End final : public CanBus {
     public:
         End(StagedRobot& robot, std::unique_ptr<CanBus> bus) : robot_(robot), bus_(std::move(bus))
@@ -95,8 +94,8 @@ private:
         std::unique_ptr<CanBus> bus_;
     };
 
-    static constexpr double kBeat = 0.2;   // [s] of its time that it goes on after a frame
-    static constexpr double kWaits = 2.0;  // [s] of the machine's time
+    static constexpr double kBeat = 0.2;   // [s] of robot time that pass after a frame
+    static constexpr double kWaits = 2.0;  // [s] of real time to wait for a heartbeat
 
     double now()
     {
@@ -148,19 +147,19 @@ private:
         return status;
     }
 
-    RobotOnBus robot_;  // only the thread touches what follows
+    RobotOnBus robot_;  // used by the thread only, with the members below
     double time_ = 0.0;
     double machine_ = steadyNow();
-    std::optional<double> heard_;  ///< [s] of its time, the newest frame
-    double heardAt_ = 0.0;         ///< [s] of the machine's
+    std::optional<double> heard_;  ///< [s] robot time of the newest frame
+    double heardAt_ = 0.0;         ///< [s] real time of the newest frame
 
-    mutable std::mutex mutex_;  // guards what follows
+    mutable std::mutex mutex_;  // guards the members below
     Staging staging_;
     bool lasting_ = false;
     Heights truth_;
 
     End end_;
-    std::jthread thread_;  // last: it starts when all else stands
+    std::jthread thread_;  // last member: the thread starts after all others exist
 };
 
 }  // namespace terratact

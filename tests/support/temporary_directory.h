@@ -13,7 +13,7 @@
 
 namespace terratact {
 
-/// A directory of a test's own, gone with the test.
+/// A directory of one test; the destructor removes it.
 class TemporaryDirectory {
 public:
     TemporaryDirectory() : path_(testing::TempDir() + "terratact-XXXXXX")
@@ -30,7 +30,7 @@ public:
 
     std::string file(std::string_view name) const { return path_ + "/" + std::string(name); }
 
-    /// Writes a file; its path.
+    /// Writes a file and returns its path.
     std::string write(std::string_view name, std::string_view content) const
     {
         std::ofstream out(file(name), std::ios::binary);
@@ -38,7 +38,7 @@ public:
         return file(name);
     }
 
-    /// Names of what lies in the directory.
+    /// Returns the names of the directory's entries.
     std::set<std::string> entries() const
     {
         std::set<std::string> names;
@@ -51,7 +51,7 @@ private:
     std::string path_;
 };
 
-/// A file's bytes.
+/// Returns a file's bytes.
 inline std::string contentOf(const std::string& path)
 {
     std::ifstream in(path, std::ios::binary);

@@ -16,7 +16,7 @@ inline Outline square(double left, double bottom, double right, double top)
              .points = {{left, bottom}, {right, bottom}, {right, top}, {left, top}}}};
 }
 
-/// Colour of the canvas at a point of the DEM frame.
+/// Returns the canvas colour at a point of the DEM frame.
 inline QColor colourAt(TerrainProfileView& view, double x, double z)
 {
     const QImage image = gui::painted(*view.canvas());
@@ -39,7 +39,7 @@ struct TerrainView : testing::Test {
     TerrainProfileView view;
 };
 
-/// Half of the draws up on the step at +0.6 and +0.7 m, half down.
+/// Returns an estimate with half of the draws up on the step at +0.6 and +0.7 m, half down.
 inline TerrainEstimate divided()
 {
     TerrainEstimate e = stepEstimate();
@@ -51,7 +51,7 @@ inline TerrainEstimate divided()
     return e;
 }
 
-/// What is left of stepEstimate() after 0.2 m.
+/// Returns the ghost of stepEstimate() after 0.2 m.
 inline Ghost ghost()
 {
     return ghostOf(stepEstimate(), {.forward = 0.2, .way = 0.2, .upSd = 0.03});

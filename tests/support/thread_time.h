@@ -4,7 +4,7 @@
 
 namespace terratact {
 
-/// Processor time of the calling thread so far [ms]: what others compute on a busy machine is no part of it.
+/// Returns the processor time of the calling thread so far [ms]; other programs do not count.
 inline double threadMilliseconds()
 {
     timespec time{};

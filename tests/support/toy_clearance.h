@@ -9,7 +9,7 @@
 
 namespace terratact {
 
-/// Ceilings of rows of features (order of featureNames(Paf)).
+/// Returns the ceilings for rows of features in the order of featureNames(Paf).
 inline Eigen::MatrixXd ceilingsOf(const RobotModel& robot, const Eigen::MatrixXd& features)
 {
     Eigen::MatrixXd ceilings(features.rows(), kBins);
@@ -20,14 +20,14 @@ inline Eigen::MatrixXd ceilingsOf(const RobotModel& robot, const Eigen::MatrixXd
     return ceilings;
 }
 
-/// Of a short simulated campaign.
+/// Returns the clearances of a short simulated campaign.
 inline ClearanceTraining campaignTraining(int runs = 12, std::uint64_t seed = 1)
 {
     const ModelData model = prepareTraining(someScenes(runs, seed)).model;
     return {model.heights, ceilingsOf(absolem(), model.features), model.features};
 }
 
-/// Plausible hyper-parameters, not optimised, for every bin and regime with enough rows.
+/// Returns plausible hyper-parameters, not optimised, for every bin and regime with enough rows.
 inline ClearanceConditionalData plausibleConditionals(const ClearanceTraining& training)
 {
     ClearanceConditionalData data = prepareClearanceConditionals(training);
@@ -40,9 +40,9 @@ inline ClearanceConditionalData plausibleConditionals(const ClearanceTraining& t
     return data;
 }
 
-/// A world whose joint distribution is known.  z: eleven standard normal numbers, neighbours correlated by
-/// kToyCorrelation, independent of the pose.  Covered bins have y = −4 + 0.6 z, open ones height −0.2 + 0.05 z.
-/// Currents and forces are noise.
+/// A world with known joint distribution. z: eleven standard normal numbers; neighbours are correlated by
+/// kToyCorrelation, independent of the pose. Covered bins have y = −4 + 0.6 z, open ones height −0.2 + 0.05 z. Currents
+/// and forces are noise.
 inline constexpr double kToyCorrelation = 0.6;
 
 inline ClearanceTraining knownWorldTraining(int rows, std::uint64_t seed)

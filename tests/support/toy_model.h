@@ -11,7 +11,7 @@
 
 namespace terratact {
 
-/// Scenes of a short simulated campaign over varied ground.
+/// Returns scenes of a short simulated campaign over varied ground.
 inline std::vector<Scene> someScenes(int runs, std::uint64_t seed, SensorNoise noise = {})
 {
     const RobotModel robot = absolem();
@@ -27,7 +27,7 @@ inline std::vector<Scene> someScenes(int runs, std::uint64_t seed, SensorNoise n
     return scenes;
 }
 
-/// Surface processes from a short search.
+/// Trains surface processes with a short search.
 inline void trainToyClearances(ModelData& model)
 {
     const RobotModel robot = absolem();
@@ -42,7 +42,7 @@ inline void trainToyClearances(ModelData& model)
     finishClearance(model, ceilings, robot);
 }
 
-/// A small model with plausible hyper-parameters, not optimised: quick to make, real in every other way.
+/// Returns a small real model with plausible hyper-parameters, not optimised, so that it is made quickly.
 inline ModelData toyModel(int runs = 8, std::uint64_t seed = 1)
 {
     ModelData model = prepareTraining(someScenes(runs, seed)).model;
