@@ -77,7 +77,7 @@ TEST_F(Interfaces, survivesFilesThatHoldSomethingElse)
     EXPECT_FALSE(facts.mayForce);
 }
 
-TEST(ALinksDetails, areNothingForANameThatIsNone)
+TEST(ALinksDetails, areEmptyForAnInvalidName)
 {
     EXPECT_EQ(linkDetails("lo; echo can state"), "");
     EXPECT_EQ(linkDetails("terratact-none"), "");

@@ -95,7 +95,7 @@ TEST_F(SocketPair, whatIsNoFrameIsCountedAndSkipped)
     EXPECT_EQ(frames[0].frame.data[0], 7);
 }
 
-TEST_F(SocketPair, moreThanOneCallsWorthIsReadInTheOrderSent)
+TEST_F(SocketPair, readsLongQueuesInTheOrderSent)
 {
     for (canid_t id = 0; id < 90; ++id) put(classic(id, 0));
     canid_t next = 0;
@@ -152,7 +152,7 @@ TEST_F(SocketPair, aFullQueueIsAnErrorAndNoWait)
     EXPECT_EQ(written.error().code, EAGAIN);
 }
 
-TEST_F(SocketPair, anotherEndThatIsGoneIsAnErrorAndNoSignal)
+TEST_F(SocketPair, closedOtherEndIsAnErrorWithoutASignal)
 {
     bus.reset();
     const Status written = socket->write({.id = 1});
@@ -160,7 +160,7 @@ TEST_F(SocketPair, anotherEndThatIsGoneIsAnErrorAndNoSignal)
     EXPECT_EQ(written.error().code, EPIPE);
 }
 
-TEST(OpenCanSocket, saysThatAnInterfaceIsMissingOrThatTheKernelHasNoCan)
+TEST(OpenCanSocket, reportsAMissingInterfaceOrMissingCan)
 {
     const auto socket = openCanSocket("terratact-none", 4096);
     ASSERT_FALSE(socket);

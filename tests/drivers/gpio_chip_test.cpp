@@ -49,7 +49,7 @@ TEST(GpioChips, areFoundByLabelOrByName)
     EXPECT_EQ(byName->label, "pinctrl");
 }
 
-TEST(GpioChips, thatAreMissingAreAnsweredWithThoseThereAre)
+TEST(GpioChips, missingChipErrorListsTheChips)
 {
     EXPECT_TRUE(says(chooseGpioChip(kChips, "panel", "").error(), ENODEV,
                      {"labelled 'panel'", "gpiochip0 [pinctrl]", "gpiochip1 [expander]"}));
@@ -104,7 +104,7 @@ TEST(GpioLinePlaces, areFoundByNameOrOffset)
     EXPECT_EQ(found->label, "expander");
 }
 
-TEST(GpioLinePlaces, thatAreMissingAreAnsweredWithTheNamesThereAre)
+TEST(GpioLinePlaces, missingLineErrorListsTheNames)
 {
     EXPECT_TRUE(says(placeGpioLines(asking("stp"), kChips[1], kLines).error(), ENOENT,
                      {"gpiochip1 [expander]", "'stp'", "atem, approve, stop, twin"}));
@@ -163,7 +163,7 @@ TEST(GpioWords, sayThatAChipIsGone)
     EXPECT_TRUE(says(gpioFailed(found, "reading", EIO), EIO, {"reading", "nput/output error"}));
 }
 
-TEST(WaitingForGpio, tellsWhichDescriptorsHaveSomething)
+TEST(WaitingForGpio, returnsTheReadableDescriptors)
 {
     const GpioFound found{"/dev/gpiochip1", "gpiochip1", "expander", 8, {}, {}};
     std::array<int, 2> quiet{}, busy{};

@@ -85,7 +85,7 @@ TEST_F(Replaying, runsFasterOrSlower)
     EXPECT_NEAR(now, 5001.0, 1e-9);
 }
 
-TEST_F(Replaying, handsOutWhatIsDueInOrderAndNoMoreThanThereIsRoomFor)
+TEST_F(Replaying, deliversDueFramesInOrderUpToTheRoom)
 {
     std::string log;
     for (int i = 0; i < 10; ++i) log += "(1000.0) can0 00" + std::to_string(i) + "#\n";
@@ -173,7 +173,7 @@ TEST_F(Replaying, takesALogThatIsAPipe)
     EXPECT_EQ((*bus)->name(), "REPLAY fifo");
 }
 
-TEST_F(Replaying, givesAFrameTheTimeItWasDueWhoeverIsLate)
+TEST_F(Replaying, frameTimeIsItsDueTimeEvenIfReadLate)
 {
     const auto bus = open(kThree);
     receive(**bus, 0ms);
@@ -216,7 +216,7 @@ TEST_F(Replaying, refusesALogThatCannotBeReplayed)
     EXPECT_THROW(static_cast<void>((*bus)->receive({}, 0ms)), std::invalid_argument);
 }
 
-TEST_F(Replaying, saysSoWhenTheLogChangesUnderIt)
+TEST_F(Replaying, reportsALogThatChanges)
 {
     std::string log;  // longer than what a file's buffer holds
     for (int i = 0; i < 5000; ++i) log += "(1000.0) can0 001#0102030405060708\n";
@@ -234,7 +234,7 @@ TEST_F(Replaying, saysSoWhenTheLogChangesUnderIt)
     }
 }
 
-TEST_F(Replaying, needsNoClockToBeGiven)
+TEST_F(Replaying, usesTheSystemClockByDefault)
 {
     folder.write("demo.log", kThree);
     const auto bus = LogReplay::open(path(), {.speed = 1000.0});

@@ -34,7 +34,7 @@ struct TwoEnds : testing::Test {
     std::unique_ptr<CanBus> console = bus.join("console"), robot = bus.join("robot", 0);
 };
 
-TEST_F(TwoEnds, whatOneSendsTheOtherReceivesAndTheSenderHearsBack)
+TEST_F(TwoEnds, deliversToTheOtherEndAndEchoes)
 {
     now = 2.5;
     ASSERT_TRUE(console->send(frameOfId(0x100)));
@@ -87,7 +87,7 @@ TEST_F(TwoEnds, anInterfaceThatGoesDownLosesWhatWasQueued)
     EXPECT_TRUE(console->send(frameOfId(4)));
 }
 
-TEST_F(TwoEnds, whatFindsNoRoomIsCounted)
+TEST_F(TwoEnds, countsFramesWithoutRoom)
 {
     bus.dropNext(2);
     for (std::uint32_t id = 0; id < 3; ++id) bus.put(frameOfId(id), true);

@@ -86,7 +86,7 @@ TEST_F(Panel, isThereAndReleasesStopAfter30Ms)
     EXPECT_EQ(report.trouble, "");
 }
 
-TEST_F(Panel, stopsWithTheFirstLookAfterAnEdgeOfStop)
+TEST_F(Panel, stopsAtTheFirstReadingAfterAStopEdge)
 {
     pollFor(0.1);
     ASSERT_FALSE(report.state.stop);
@@ -113,7 +113,7 @@ TEST_F(Panel, seesAPressOnce)
     EXPECT_TRUE(report.state.held(PanelContact::Atem));
 }
 
-TEST_F(Panel, takesLostEdgesForAMomentOfEverything)
+TEST_F(Panel, lostEdgesDisturbEveryContact)
 {
     pollFor(0.1);
     chip.move(kApprove, true);
@@ -130,7 +130,7 @@ TEST_F(Panel, takesLostEdgesForAMomentOfEverything)
     EXPECT_TRUE(report.state.held(PanelContact::Approve));
 }
 
-TEST_F(Panel, isLostAndStoppedInTheLookThatFindsTheChipGone)
+TEST_F(Panel, isLostAndStoppedWhenTheChipIsGone)
 {
     pollFor(0.1);
     chip.gone = true;
@@ -161,7 +161,7 @@ TEST_F(Panel, comesBackWithinASecondOfItsChip)
     EXPECT_EQ(panel.found()->label, "fake");
 }
 
-TEST_F(Panel, isLookedForSoonAfterAShortLoss)
+TEST_F(Panel, isSearchedSoonAfterAShortLoss)
 {
     pollFor(0.1);
     chip.gone = true;
@@ -171,7 +171,7 @@ TEST_F(Panel, isLookedForSoonAfterAShortLoss)
     EXPECT_TRUE(report.state.present);
 }
 
-TEST_F(Panel, isLookedForSoonAfterAShortLossThatFollowsALongOne)
+TEST_F(Panel, isSearchedSoonAfterAShortLossBehindALongOne)
 {
     pollFor(0.1);
     chip.gone = true;
@@ -246,7 +246,7 @@ TEST_F(Panel, writesALampOnlyWhenItChanges)
     EXPECT_EQ(chip.outputs, (std::vector<bool>{true, true, false, true}));
 }
 
-TEST_F(Panel, reportsALampThatDoesNotObeyAndGoesOnTrying)
+TEST_F(Panel, reportsAFailingLampAndRetries)
 {
     pollFor(2.0, kDark);
     chip.setError = EIO;
@@ -279,7 +279,7 @@ TEST(OperatorPanelEnd, leavesTheLampsDark)
     EXPECT_EQ(chip.held, 0);
 }
 
-TEST_F(Panel, endsInTheRightStateAfter100000BurstsThatOverflowTheKernelsMemory)
+TEST_F(Panel, keepsTheRightStateThrough100000Overflows)
 {
     std::mt19937_64 rng(18);
     std::uniform_int_distribution<int> count(17, 60);

@@ -150,7 +150,7 @@ TEST(InterfaceName, isShortAndPlain)
     }
 }
 
-TEST(SocketCan, doesNotEvenAskTheKernelForABadName)
+TEST(SocketCan, refusesABadNameWithoutTheKernel)
 {
     Kernel kernel;
     EXPECT_FALSE(SocketCan::open({.interface = "can0/../x"}, systemOf(kernel)));
@@ -208,7 +208,7 @@ TEST_F(OnABus, framesThatNoControllerSendsThrow)
 
 // The window.
 
-TEST_F(OnABus, aThirdFrameWaitsForNoOneAndIsRefused)
+TEST_F(OnABus, aThirdUnconfirmedFrameIsRefused)
 {
     EXPECT_EQ(refusal(1), "");
     EXPECT_EQ(refusal(2), "");
@@ -253,7 +253,7 @@ TEST_F(OnABus, bytesBehindTheEndDoNotHideAnEcho)
     EXPECT_EQ(bus->counters().confirmed, 1u);
 }
 
-TEST_F(OnABus, aBusThatTakesNothingIsStalledAfterSixtyMilliseconds)
+TEST_F(OnABus, busWithoutEchoesStallsAfter60Ms)
 {
     ASSERT_EQ(refusal(1), "");
     kernel.pass(0.059);
@@ -318,7 +318,7 @@ TEST_F(OnABus, aFullQueueRefusesAndIsTriedAgainOnlyByTheCaller)
     EXPECT_EQ(bus->counters().notSent, 5u);
 }
 
-TEST_F(OnABus, aQueueThatWasFullLongAgoSaysNothingOfNow)
+TEST_F(OnABus, anOldFullQueueIsForgotten)
 {
     kernel.writeError = EAGAIN;
     for (int i = 0; i < 5; ++i) {
@@ -332,7 +332,7 @@ TEST_F(OnABus, aQueueThatWasFullLongAgoSaysNothingOfNow)
     EXPECT_EQ(bus->state(), BusState::Up) << "a new hiccup, not the old one going on";
 }
 
-TEST_F(OnABus, anInterfaceThatGoesDownIsAStateAndForgetsWhatWasSent)
+TEST_F(OnABus, downInterfaceIsAStateAndDropsSentFrames)
 {
     ASSERT_EQ(refusal(1), "");
     kernel.up = false;
@@ -347,7 +347,7 @@ TEST_F(OnABus, anInterfaceThatGoesDownIsAStateAndForgetsWhatWasSent)
     EXPECT_EQ(kernel.opened, 1) << "on the same socket";
 }
 
-TEST_F(OnABus, sendingMayBeTheFirstToLearnThatTheInterfaceIsDown)
+TEST_F(OnABus, sendMayDetectADownInterface)
 {
     kernel.writeError = ENETDOWN;
     kernel.up = false;
@@ -355,7 +355,7 @@ TEST_F(OnABus, sendingMayBeTheFirstToLearnThatTheInterfaceIsDown)
     EXPECT_EQ(bus->state(), BusState::Down);
 }
 
-TEST_F(OnABus, anInterfaceThatGoesWithoutAWordIsNoticed)
+TEST_F(OnABus, silentlyRemovedInterfaceIsDetected)
 {
     kernel.present = false;
     (void)receive(300ms);
@@ -391,7 +391,7 @@ TEST_F(OnABus, anInterfaceThatComesBackIsOpenedAgainByItsName)
     EXPECT_EQ(bus->counters().reopened, 2u);
 }
 
-TEST_F(OnABus, aSocketThatLostItsInterfaceIsReplacedThoughThereIsOneOfItsNumber)
+TEST_F(OnABus, lostInterfaceIsReplacedDespiteAReusedIndex)
 {
     kernel.writeError = ENXIO;
     EXPECT_NE(refusal(), "");
@@ -401,7 +401,7 @@ TEST_F(OnABus, aSocketThatLostItsInterfaceIsReplacedThoughThereIsOneOfItsNumber)
     EXPECT_EQ(bus->state(), BusState::Up);
 }
 
-TEST_F(OnABus, lookingForAnAbsentInterfaceNeitherSpinsNorDozesOff)
+TEST_F(OnABus, searchForAnAbsentInterfaceIsPaced)
 {
     kernel.present = false;
     (void)receive(100ms);
@@ -418,7 +418,7 @@ TEST_F(OnABus, lookingForAnAbsentInterfaceNeitherSpinsNorDozesOff)
     EXPECT_LE(kernel.now - back, 1.1);
 }
 
-TEST_F(OnABus, aDownInterfaceDoesNotSpinEvenWhereEveryReadFails)
+TEST_F(OnABus, downInterfaceCausesNoBusyLoop)
 {
     kernel.up = false;
     (void)receive(20ms);
@@ -443,7 +443,7 @@ TEST(SocketCan, anInterfaceThatIsNotThereYetIsWaitedFor)
     EXPECT_EQ(bus->state(), BusState::Up);
 }
 
-TEST_F(OnABus, anUnknownTroubleIsAnErrorAndDoesNotSpin)
+TEST_F(OnABus, unknownFaultIsAnErrorWithoutABusyLoop)
 {
     kernel.readError = ENOMEM;
     const double begin = kernel.now;
@@ -502,7 +502,7 @@ TEST_F(OnABus, aForgedErrorChangesNothingAndIsCounted)
     EXPECT_EQ(bus->counters().errorFrames, 1u);
 }
 
-TEST_F(OnABus, anInterfaceThatWasSetDownHasLeftItsErrorsBehind)
+TEST_F(OnABus, settingTheInterfaceDownClearsItsErrors)
 {
     kernel.put({.id = 0x040, .error = true, .length = 8});
     (void)receive();
@@ -525,7 +525,7 @@ TEST_F(OnABus, aFramesTimeIsWhenTheKernelGotIt)
     EXPECT_NEAR(frames[0].wallTime, 5000.0, 1e-6);
 }
 
-TEST_F(OnABus, aClockThatIsSetDoesNotMakeAFrameOldOrOfTheFuture)
+TEST_F(OnABus, clockStepDoesNotChangeAFramesAge)
 {
     kernel.pass(5.0);
     (void)receive();

@@ -16,7 +16,7 @@ std::string someName()
     return "terratact-stop-line-test-" + std::to_string(::getpid());
 }
 
-TEST(StopLine, isTakenByWhoeverListensAndTheCallerHearsOfIt)
+TEST(StopLine, isReceivedAndAnswered)
 {
     auto line = StopLine::listen(someName());
     ASSERT_TRUE(line) << line.error().text;
@@ -36,7 +36,7 @@ TEST(StopLine, isTakenByWhoeverListensAndTheCallerHearsOfIt)
     EXPECT_FALSE(caller->isTaken()) << "that answer was to the press before";
 }
 
-TEST(StopLine, thatIsGoneIsAnError)
+TEST(StopLine, missingListenerIsAnError)
 {
     auto caller = StopCaller::open();
     ASSERT_TRUE(caller);

@@ -18,7 +18,7 @@ namespace terratact {
 /// the axles.
 class DeadReckoning {
 public:
-    /// Travelled [m], pitch [rad]: of the scene. Both functions throw std::invalid_argument for a
+    /// travelled [m], pitch [rad]: of the scene. Both functions throw std::invalid_argument for a
     /// number that is not finite.
     DeadReckoning(const RobotModel& robot, double travelled, double pitch);
 

@@ -73,7 +73,7 @@ void apply(AlarmList& list, const std::string& event, double now)
     }
 }
 
-TEST_P(Sounds, comeWhenTheyAreDue)
+TEST_P(Sounds, followNewAlarmsAndTheirPeriod)
 {
     AlarmList list;
     std::vector<double> sounds;
@@ -122,7 +122,7 @@ TEST(AlarmList, soundsAgainWhenTheSilenceIsOver)
     EXPECT_DOUBLE_EQ(list.silentFor(121.0), 0.0);
 }
 
-TEST(AlarmList, hasTheMostUrgentFirst)
+TEST(AlarmList, sortsTheMostUrgentFirst)
 {
     AlarmList list;
     list.raise("seen", "", Severity::Critical, 1.0);
@@ -155,7 +155,7 @@ TEST(AlarmList, keepsTheNewestTextAndCountsHowOftenItCame)
     EXPECT_EQ(list.alarms()[0].raised, 2U);
 }
 
-TEST(AlarmList, forgetsTheLeastUrgentBeyondItsRoom)
+TEST(AlarmList, dropsTheLeastUrgentWhenFull)
 {
     AlarmList list;
     list.raise("returned", "", Severity::Critical, 0.0);
@@ -166,7 +166,7 @@ TEST(AlarmList, forgetsTheLeastUrgentBeyondItsRoom)
     for (const Alarm& alarm : list.alarms()) EXPECT_NE(alarm.id, "returned");
 }
 
-TEST(AlarmList, refusesTimesThatAreNone)
+TEST(AlarmList, refusesTimesThatAreNotFinite)
 {
     AlarmList list;
     EXPECT_THROW(list.raise("x", "", Severity::Caution, kNaN), std::invalid_argument);

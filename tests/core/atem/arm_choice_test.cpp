@@ -29,7 +29,7 @@ struct ArmChoice : testing::Test {
     TerrainEstimate estimate;
 };
 
-TEST_F(ArmChoice, asksForNothingWhenEveryBinIsCertain)
+TEST_F(ArmChoice, proposesNothingWhenEveryBinIsCertain)
 {
     EXPECT_EQ(proposeProbe(estimate, robot), std::nullopt);
 }
@@ -57,7 +57,7 @@ TEST_F(ArmChoice, leavesOutBinsOutOfReach)
     EXPECT_EQ(proposeProbe(estimate, robot), kBin06);
 }
 
-TEST_F(ArmChoice, asksForNothingOfARobotWithoutAnArm)
+TEST_F(ArmChoice, proposesNothingWithoutAnArm)
 {
     estimate.sd[kBin06] = 0.5;
     ASSERT_EQ(proposeProbe(estimate, robot), kBin06);
@@ -83,7 +83,7 @@ TEST_F(ArmChoice, takesTheNearerOfEquals)
     EXPECT_EQ(proposeProbe(estimate, robot), kBin06);
 }
 
-TEST(ChooseProbe, asksForTheBinThatTellsMostWhereTheMethodKnowsIt)
+TEST(ChooseProbe, takesTheBinWithTheLargestGain)
 {
     // Bins 0.5 and 0.6 go together, 0.7 is a little less certain but tells about itself alone.
     const RobotModel robot = absolem();
@@ -132,7 +132,7 @@ const ProbeAdvice kTwoAims{
     .gains = {{kBin06, 0.01, 0.1}, {kBin05, 0.006, 0.0}, {kBin07, 0.005, 0.4}},
     .stepLimit = 0.1};
 
-TEST(OfferProbe, asksByThePolicyAndSaysWhyNot)
+TEST(OfferProbe, followsThePolicyAndNamesTheReason)
 {
     struct Case {
         ProbePolicy policy;
@@ -156,7 +156,7 @@ TEST(OfferProbe, asksByThePolicyAndSaysWhyNot)
     EXPECT_EQ(ranked(kTwoAims, Question).back().bin, kBin05);
 }
 
-TEST(OfferProbe, asksForTheQuestionWhateverTheSdButNotForNothing)
+TEST(OfferProbe, questionPolicyIgnoresSdButNeedsAGain)
 {
     using enum ProbePolicy;
     ProbeAdvice certain = kTwoAims;
@@ -176,7 +176,7 @@ TEST(OfferProbe, asksForTheQuestionWhateverTheSdButNotForNothing)
               (ProbeOffer{kBin05, NoProbe::None}));
 }
 
-TEST(AdviseProbe, hasNothingToSayOfARobotWithoutAnArm)
+TEST(AdviseProbe, isEmptyForARobotWithoutAnArm)
 {
     TerrainEstimate estimate;
     estimate.draws = {Heights{}, Heights{}, Heights{}};
@@ -190,7 +190,7 @@ TEST(AdviseProbe, hasNothingToSayOfARobotWithoutAnArm)
     EXPECT_GT(advice.before.variance, 0.0);
 }
 
-TEST(AdviseProbe, leavesOutWhatIsMeasured)
+TEST(AdviseProbe, leavesOutMeasuredBins)
 {
     const RobotModel robot = absolem();
     TerrainEstimate estimate;

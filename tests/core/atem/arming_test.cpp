@@ -35,7 +35,7 @@ const ArmingState kConfirming{.phase = Phase::Confirming, .since = 99.0};
 const ArmingState kRequested{.phase = Phase::Requested, .since = 99.5};
 const ArmingState kArmed{.phase = Phase::Armed, .since = 50.0, .epoch = 5};
 
-TEST(Arming, takesEveryArrowOfItsDrawing)
+TEST(Arming, followsEveryArrowOfItsDiagram)
 {
     using In = ArmingInput;
     const auto robotArmed = [](In& in) { in.robotArmed = true; };
@@ -101,7 +101,7 @@ TEST(Arming, takesEveryArrowOfItsDrawing)
     }
 }
 
-TEST(Arming, endsAtOnceWithAnythingWrong)
+TEST(Arming, anyFaultDisarmsAtOnce)
 {
     using In = ArmingInput;
     const std::vector<std::pair<Cause, std::function<void(In&)>>> faults{
@@ -122,7 +122,7 @@ TEST(Arming, endsAtOnceWithAnythingWrong)
         }
 }
 
-TEST(Arming, neverComesBackByItself)
+TEST(Arming, neverArmsAutomatically)
 {
     ArmingState state = kArmed;
     ArmingInput in = calm(100.0);
@@ -140,7 +140,7 @@ TEST(Arming, neverComesBackByItself)
     }
 }
 
-TEST(Arming, refusesTimesThatAreNone)
+TEST(Arming, refusesTimesThatAreNotFinite)
 {
     EXPECT_THROW(static_cast<void>(nextArming({}, calm(std::nan("")), kLimits)),
                  std::invalid_argument);

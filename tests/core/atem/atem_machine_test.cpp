@@ -63,7 +63,7 @@ void PrintTo(const Arrow& arrow, std::ostream* out)
 
 class AtemArrow : public testing::TestWithParam<Arrow> {};
 
-TEST_P(AtemArrow, leadsWhereTheDrawingSays)
+TEST_P(AtemArrow, leadsToTheStateInTheDiagram)
 {
     const AtemState before = at(GetParam().from);
     AtemInput in = GetParam().in;
@@ -288,7 +288,7 @@ TEST(AtemMachine, anExpiredProposalIsRememberedUntilTheNextRequest)
     EXPECT_FALSE(state.approvalExpired);
 }
 
-TEST(AtemMachine, theArmsWorkIsRememberedUntilTheNextRequest)
+TEST(AtemMachine, probedIsKeptUntilTheNextRequest)
 {
     AtemState state = nextState(at(Probing), {.now = 145.0, .probeDone = true}, kLimits);
     state = nextState(state, {.now = 146.0, .estimateReady = true}, kLimits);
@@ -297,7 +297,7 @@ TEST(AtemMachine, theArmsWorkIsRememberedUntilTheNextRequest)
 }
 
 /// Every state × every combination of flags × before and after the deadline.
-TEST(AtemMachine, keepsItsPromisesForEveryInput)
+TEST(AtemMachine, keepsItsInvariantsForEveryInput)
 {
     for (const AtemPhase phase : kPhases) {
         const AtemState before = at(phase);
@@ -345,14 +345,14 @@ TEST(AtemMachine, everyExploringPhaseHasADeadlineAndNoOtherHas)
     EXPECT_DOUBLE_EQ(*deadline(at(ProposingProbe), kLimits), 120.0);
 }
 
-TEST(AtemMachine, drivingByHandIsOnlyAllowedWhereNothingIsExplored)
+TEST(AtemMachine, mayDriveOnlyWithoutAnExploration)
 {
     for (const AtemPhase phase : kPhases)
         EXPECT_EQ(mayDrive(phase), phase == Idle || phase == Presenting || phase == Failed)
             << describe(phase);
 }
 
-TEST(AtemMachine, refusesATimeThatIsNoNumber)
+TEST(AtemMachine, refusesATimeThatIsNotFinite)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW((void)nextState(at(Idle), {.now = nan}, kLimits), std::invalid_argument);

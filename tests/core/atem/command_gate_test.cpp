@@ -100,14 +100,14 @@ TEST(Gate, letsEveryCommandThroughInItsState)
     EXPECT_EQ(kinds.size(), std::variant_size_v<Command>) << "a command is missing here";
 }
 
-TEST(Gate, knowingNothingLetsOnlyThroughWhatMakesSafe)
+TEST(Gate, defaultViewPassesOnlySafeCommands)
 {
     for (const Command& command : safeCommands()) EXPECT_EQ(verdict(command, {}), None);
     for (const Case& c : conditional()) EXPECT_EQ(verdict(c.command, {}), OperatorAbsent);
     EXPECT_EQ(judge(consoleHeartbeat(1, 1), {}, kLimits), OperatorAbsent);
 }
 
-TEST(Gate, letsThroughWhatMakesSafeWhateverIsWrong)
+TEST(Gate, passesSafeCommandsWhateverIsWrong)
 {
     GateView view = ready(RobotActivity::Probing, true);
     view.link = LinkState::Lost;
@@ -118,7 +118,7 @@ TEST(Gate, letsThroughWhatMakesSafeWhateverIsWrong)
         EXPECT_EQ(judge(frameOf(command, 200, 1), view, kLimits), None) << command.index();
 }
 
-TEST(Gate, needsOperatorLinkAndAnswerForAllElse)
+TEST(Gate, needsOperatorLinkAndAnswerForOtherCommands)
 {
     const std::vector<std::pair<GateRefusal, Change>> wrong{
         {OperatorAbsent, [](GateView& v) { v.operatorAge = 0.1001; }},
@@ -154,7 +154,7 @@ TEST(Gate, needsOperatorLinkAndAnswerForAllElse)
         }
 }
 
-TEST(Gate, countsAgesUpToTheirLimits)
+TEST(Gate, acceptsAgesUpToTheirLimits)
 {
     for (const Case& c : conditional()) {
         GateView view = c.view;
@@ -247,7 +247,7 @@ TEST(Gate, armsOnlyWhatTheOperatorHasConfirmed)
     }
 }
 
-TEST(Gate, probesOnlyTheBinThatWasApprovedALittleWhileAgo)
+TEST(Gate, probesOnlyTheRecentlyApprovedBin)
 {
     const auto with = [](std::optional<ProbeApproval> approval) {
         GateView view = approved();
@@ -312,7 +312,7 @@ TEST(Gate, keepsEveryValueWithinItsLimitToOneRawStep)
     }
 }
 
-TEST(Gate, isOpenOverTheWholeDbcByDefaultAndNeverBeyond)
+TEST(Gate, defaultLimitsCoverExactlyTheDbcRanges)
 {
     EXPECT_EQ(verdict(DriveCommand{0.6}, ready()), None);
     EXPECT_EQ(verdict(DriveCommand{-0.6}, ready()), None);
@@ -350,7 +350,7 @@ TEST(Gate, sweepsEveryRawSpeed)
     EXPECT_EQ(passed, 4001);
 }
 
-TEST(Gate, asksOnlyForTheOperatorBeforeAHeartbeat)
+TEST(Gate, heartbeatNeedsOnlyTheOperator)
 {
     GateView view;
     const CanFrame heartbeat = consoleHeartbeat(4711, 1);
@@ -360,7 +360,7 @@ TEST(Gate, asksOnlyForTheOperatorBeforeAHeartbeat)
     EXPECT_EQ(judge(heartbeat, view, kLimits), OperatorAbsent);
 }
 
-TEST(Gate, letsHeartbeatsGoOnInAPauseOfASecondWhileNothingMoves)
+TEST(Gate, heartbeatsMayPauseASecondWhileNothingMoves)
 {
     const CanFrame heartbeat = consoleHeartbeat(4711, 1);
     GateView view;
@@ -408,7 +408,7 @@ std::vector<GateView> manyViews()
     return views;
 }
 
-TEST(Gate, leaksNothingOverAllIdentifiersLengthsFlagsAndStates)
+TEST(Gate, leaksNoFrameOfAnyIdLengthFlagAndState)
 {
     std::uint64_t leaks = 0;
     // Data that is right in every respect but the identifier, length or flags.

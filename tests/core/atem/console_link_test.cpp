@@ -9,7 +9,7 @@
 namespace terratact {
 namespace {
 
-TEST_F(Wire, measuresTwentyTimesASecondWithoutSendingButHeartbeats)
+TEST_F(Wire, measuresAt20HzAndSendsOnlyHeartbeats)
 {
     pass(1.0);
     ASSERT_TRUE(latest);
@@ -38,7 +38,7 @@ TEST_F(Wire, armsByTwoActionsOverALinkThatWasGoodForASecond)
     EXPECT_EQ(console.view(now).arming.epoch, robot.epoch());
 }
 
-TEST_F(Wire, drivesAsLongAsItIsWanted)
+TEST_F(Wire, repeatsADriveUntilAnotherCommand)
 {
     arm();
     const double before = robot.robot().rest().pose.base.x;
@@ -69,7 +69,7 @@ TEST_F(Wire, robotHaltsWhenTheConsoleDies)
     EXPECT_LE(now - died, 0.4) << "still armed";
 }
 
-TEST_F(Wire, operatorWhoDoesNotAnswerEndsTheDriveAndTheArming)
+TEST_F(Wire, absentOperatorEndsDriveAndArming)
 {
     arm();
     command(DriveCommand{0.3});
@@ -89,7 +89,7 @@ TEST_F(Wire, operatorWhoDoesNotAnswerEndsTheDriveAndTheArming)
     EXPECT_NE(activity(), RobotActivity::Driving);
 }
 
-TEST_F(Wire, aWindowThatFreezesWhileNothingMovesOnlyPauses)
+TEST_F(Wire, frozenWindowOnlyPausesWhileNothingMoves)
 {
     arm();
     operatorThere = false;
@@ -106,7 +106,7 @@ TEST_F(Wire, aWindowThatFreezesWhileNothingMovesOnlyPauses)
     EXPECT_EQ(activity(), RobotActivity::Driving);
 }
 
-TEST_F(Wire, aWindowThatFreezesForMoreThanASecondDisarms)
+TEST_F(Wire, windowFrozenForOverASecondDisarms)
 {
     arm();
     operatorThere = false;
@@ -115,7 +115,7 @@ TEST_F(Wire, aWindowThatFreezesForMoreThanASecondDisarms)
     EXPECT_EQ(cause(), DisarmCause::OperatorAbsent);
 }
 
-TEST_F(Wire, aWindowThatFreezesWhileFlippersOrArmMoveDisarmsAtOnce)
+TEST_F(Wire, frozenWindowDisarmsAtOnceWhileArmOrFlippersMove)
 {
     arm();
     command(BeginAtemCommand{});
@@ -126,7 +126,7 @@ TEST_F(Wire, aWindowThatFreezesWhileFlippersOrArmMoveDisarmsAtOnce)
     EXPECT_EQ(cause(), DisarmCause::OperatorAbsent) << "told to press, of which no status says yet";
 }
 
-TEST_F(Wire, aWindowThatFreezesDuringAnExplorationAtRestPauses)
+TEST_F(Wire, frozenWindowPausesInAnExplorationAtRest)
 {
     arm();
     command(BeginAtemCommand{});
@@ -168,7 +168,7 @@ TEST_F(Wire, cutWireDisarmsBothAndNothingStartsAgain)
     EXPECT_EQ(command(DriveCommand{0.3}), GateRefusal::None);
 }
 
-TEST_F(Wire, framesThatWaitedAnOutageAreVoid)
+TEST_F(Wire, framesDelayedByAnOutageAreVoid)
 {
     arm();
     std::vector<CanFrame> stale;
@@ -223,7 +223,7 @@ TEST_F(Wire, stopWorksDisarmedAndLatchesUntilReleased)
     EXPECT_EQ(phase(), ArmingPhase::Disarmed) << "a release arms nothing";
 }
 
-TEST_F(Wire, releaseThatDidNotLeaveReleasesNothing)
+TEST_F(Wire, refusedReleaseReleasesNothing)
 {
     arm();
     cut = true;
@@ -233,7 +233,7 @@ TEST_F(Wire, releaseThatDidNotLeaveReleasesNothing)
     EXPECT_TRUE(console.stopLatched());
 }
 
-TEST_F(Wire, stopThatTheRobotKnowsNothingOfIsReleasedHere)
+TEST_F(Wire, stopUnknownToTheRobotIsReleasedLocally)
 {
     arm();
     cut = true;
@@ -244,7 +244,7 @@ TEST_F(Wire, stopThatTheRobotKnowsNothingOfIsReleasedHere)
     EXPECT_FALSE(console.stopLatched());
 }
 
-TEST_F(Wire, flippersPressThoughTheLastDriveRunsOutMeanwhile)
+TEST_F(Wire, pressWorksWhileTheLastDriveTimesOut)
 {
     arm();
     ASSERT_EQ(command(DriveCommand{0.3}), GateRefusal::None);
@@ -372,7 +372,7 @@ TEST_F(StuckImu, repeatsItsPitchToTheLastBit)
 struct RefuseProbe : Wire {
     RefuseProbe() : Wire({.fault = RobotFault::RefuseProbe}) {}
 };
-TEST_F(RefuseProbe, isToldInTheStatus)
+TEST_F(RefuseProbe, isReportedInTheStatus)
 {
     beginProbe(9);
     pass(0.1);

@@ -39,7 +39,7 @@ AtemState at(AtemPhase phase)
 
 class FollowedArrow : public testing::TestWithParam<Arrow> {};
 
-TEST_P(FollowedArrow, leadsWhereTheDrawingSays)
+TEST_P(FollowedArrow, leadsToTheStateInTheDiagram)
 {
     const AtemState before = at(GetParam().from);
     FollowInput in = GetParam().in;
@@ -178,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(
               {.now = 1, .activity = Activity::Pressing},
               Pressing}));
 
-TEST(PassiveExploration, remembersThatTheArmHasMeasuredUntilTheNextPress)
+TEST(PassiveExploration, keepsProbedUntilTheNextPress)
 {
     AtemState state = nextFollowed(
         at(Probing), {.now = 101, .activity = Activity::Pressed, .newReading = true}, kLimits);
@@ -200,7 +200,7 @@ TEST(PassiveExploration, onlyAnEstimateHasATimeLimit)
         EXPECT_EQ(deadline(at(phase), kLimits), 130.0) << describeFollowed(phase);
 }
 
-TEST(PassiveExploration, refusesATimeThatIsNone)
+TEST(PassiveExploration, refusesATimeThatIsNotFinite)
 {
     EXPECT_THROW(nextFollowed({}, {.now = std::numeric_limits<double>::quiet_NaN()}, kLimits),
                  std::invalid_argument);

@@ -183,7 +183,7 @@ TEST(RandomBuses, standStillOnceAHaltHasArrived)
     EXPECT_GE(armed, 25) << "nothing was tried on a robot that would drive";
 }
 
-TEST_F(Replay, anArmThatWas20SecondsOnItsWayArmsNothing)
+TEST_F(Replay, armDelayedBy20SecondsArmsNothing)
 {
     delays = [](const CanFrame& frame) {
         return frame.id == kArm ? std::vector<double>{} : std::vector<double>{0.0};

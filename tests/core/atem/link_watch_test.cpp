@@ -40,7 +40,7 @@ TEST_F(Watching, isSilentUntilTheFirstTelemetryAndUpWithIt)
     EXPECT_EQ(watch.account(), (LinkAccount{.standing = LinkStanding::Up, .alive = true}));
 }
 
-TEST_F(Watching, aLossIsToldAtOnceAndItsEndOnlyAfterASecond)
+TEST_F(Watching, reportsALossAtOnceAndItsEndAfterASecond)
 {
     pass(2.0, true);
     pass(0.3, false);
@@ -53,7 +53,7 @@ TEST_F(Watching, aLossIsToldAtOnceAndItsEndOnlyAfterASecond)
     EXPECT_EQ(watch.account().gaps, 1);
 }
 
-TEST_F(Watching, aFlutterIsOneTroubleWithACount)
+TEST_F(Watching, unsteadyLinkIsOneEventWithACount)
 {
     pass(2.0, true);
     for (int i = 0; i < 7; ++i) {
@@ -71,7 +71,7 @@ TEST_F(Watching, aFlutterIsOneTroubleWithACount)
     EXPECT_EQ(said.back(), "link lost");
 }
 
-TEST_F(Watching, aSilenceThatLastsIsALossWhateverWasBefore)
+TEST_F(Watching, longSilenceIsALossWhateverCameBefore)
 {
     pass(1.0, true);
     for (int i = 0; i < 2; ++i) {
@@ -85,7 +85,7 @@ TEST_F(Watching, aSilenceThatLastsIsALossWhateverWasBefore)
     EXPECT_EQ(said.back(), "link lost");
 }
 
-TEST_F(Watching, telemetryThatIsMissingAloneIsNoLostLink)
+TEST_F(Watching, missingTelemetryAloneIsNoLostLink)
 {
     pass(1.0, true);
     othersCome = true;
@@ -98,7 +98,7 @@ TEST_F(Watching, telemetryThatIsMissingAloneIsNoLostLink)
     EXPECT_EQ(said.back(), "link lost");
 }
 
-TEST_F(Watching, aLogEnds)
+TEST_F(Watching, endOfALogIsNoLoss)
 {
     pass(1.0, true);
     pass(0.5, false);
@@ -106,7 +106,7 @@ TEST_F(Watching, aLogEnds)
     EXPECT_EQ(watch.account().gaps, 0);
 }
 
-TEST_F(Watching, refusesTimesThatAreNone)
+TEST_F(Watching, refusesTimesThatAreNotFinite)
 {
     EXPECT_THROW((void)watch.poll({.now = std::nan("")}), std::invalid_argument);
     EXPECT_THROW((void)watch.poll({.now = 1.0, .age = INFINITY}), std::invalid_argument);

@@ -34,7 +34,7 @@ struct PanelFile : testing::Test {
     std::string example = contentOf(kExample);
 };
 
-TEST_F(PanelFile, exampleSaysWhatItSays)
+TEST_F(PanelFile, exampleIsReadAsWritten)
 {
     const auto panel = readPanelFile(kExample);
     ASSERT_TRUE(panel) << panel.error().text;
@@ -98,7 +98,7 @@ TEST_F(PanelFile, refusesWhatItDoesNotUnderstand)
     EXPECT_TRUE(refuses("[inputs]", "[[inputs]]", {"inputs is not a table"}));
 }
 
-TEST_F(PanelFile, refusesAnOffsetThatIsNone)
+TEST_F(PanelFile, refusesAnInvalidOffset)
 {
     for (const char* offset : {"-1", "1024", "2.5", "nan", "inf", "\"5\"", "true"})
         EXPECT_TRUE(refuses("line = \"GPIO5\"", std::string("offset = ").append(offset),

@@ -75,7 +75,7 @@ TEST(Panel, assertsStopInTheVeryTickItsContactIsOpen)
     EXPECT_TRUE(panel.poll(only({})).stop);
 }
 
-TEST(Panel, assertsStopForAnOpeningThatIsOverBeforeItIsLookedAt)
+TEST(Panel, assertsStopForAnOpeningBetweenTwoReadings)
 {
     Panel panel = Panel().ready();
     EXPECT_TRUE(panel.poll(only({kStop}), only({kStop})).stop);
@@ -174,7 +174,7 @@ TEST(Panel, doesNotCountAButtonHeldAtStartUntilItIsLetGo)
     }
 }
 
-TEST(Panel, takesAButtonThatOpensForAnInstantAtStartForHeld)
+TEST(Panel, countsAGlitchAtStartAsHeld)
 {
     Panel panel;
     panel.poll(only({kStop}));
@@ -200,7 +200,7 @@ TEST(Panel, takesAButtonHeldForTenMinutesForStuck)
     EXPECT_EQ(panel.presses[kApprove], 2);
 }
 
-TEST(Panel, isStoppedAndNobodysWhenItIsLost)
+TEST(Panel, isStoppedWithoutPressesWhenItIsLost)
 {
     Panel panel = Panel().ready();
     panel.rest(only({kStop, kApprove}), 0.1);
@@ -224,7 +224,7 @@ TEST(Panel, startsAnewWhenItReturns)
     EXPECT_EQ(panel.state.contacts[kApprove].phase, ButtonPhase::HeldAtStart);
 }
 
-TEST(Panel, refusesATimeThatIsNone)
+TEST(Panel, refusesATimeThatIsNotFinite)
 {
     for (const double now :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
@@ -347,7 +347,7 @@ TEST(BouncingContacts, endInTheRightStateIn100000RandomTraces)
 
 // -------------------------------------------------------------------------------- words and lamps
 
-TEST(PanelWords, nameEveryButtonsTrouble)
+TEST(PanelWords, nameEveryButtonsFault)
 {
     for (const PanelContact c : kPanelButtons) {
         const std::string held = buttonTrouble(c, ButtonPhase::HeldAtStart);

@@ -14,7 +14,7 @@ std::optional<PhaseTime> after(double seconds, AtemPhase phase, const UsualTimes
     return phaseTime({.phase = phase, .since = 100.0}, 100.0 + seconds, AtemLimits{}, usual);
 }
 
-TEST(PhaseTime, tellsWhatIsExpectedAsLongAsItTakesNoLonger)
+TEST(PhaseTime, showsTheUsualTimeUntilItHasPassed)
 {
     const UsualTimes usual{.press = 4.0, .probe = 45.0};
     EXPECT_EQ(after(0.0, AtemPhase::Probing, usual), (PhaseTime{Kind::Expected, 45.0}));
@@ -25,7 +25,7 @@ TEST(PhaseTime, tellsWhatIsExpectedAsLongAsItTakesNoLonger)
     EXPECT_EQ(after(5.0, AtemPhase::Halting, usual), std::nullopt) << "its time is over";
 }
 
-TEST(PhaseTime, tellsATimeLimitOnlyOfWhatTakesLong)
+TEST(PhaseTime, showsATimeLimitOnlyAfterASecond)
 {
     for (const AtemPhase phase : {AtemPhase::Halting, AtemPhase::Pressing, AtemPhase::Estimating,
                                   AtemPhase::EstimatingAgain}) {
@@ -36,12 +36,12 @@ TEST(PhaseTime, tellsATimeLimitOnlyOfWhatTakesLong)
     EXPECT_EQ(after(1.5, AtemPhase::Estimating)->seconds, 28.5);
 }
 
-TEST(PhaseTime, tellsTheOperatorFromTheBeginHowLongThereIsToAnswer)
+TEST(PhaseTime, showsTheApprovalExpiryFromTheStart)
 {
     EXPECT_EQ(after(0.0, AtemPhase::ProposingProbe), (PhaseTime{Kind::Answer, 30.0}));
 }
 
-TEST(PhaseTime, tellsNothingWhereNothingRunsOut)
+TEST(PhaseTime, isEmptyWithoutADeadline)
 {
     for (const AtemPhase phase :
          {AtemPhase::Idle, AtemPhase::Presenting, AtemPhase::Stopped, AtemPhase::Failed})

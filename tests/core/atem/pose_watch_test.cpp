@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
                PoseWatch::kTurned}),
     [](const auto& change) { return change.param.name; });
 
-TEST(PoseWatch, seesALittleMoreThanWhatGivesWithoutAMove)
+TEST(PoseWatch, limitsLieJustAboveElasticGive)
 {
     const std::pair<const char*, std::function<void(Measurement&)>> moves[]{
         {"4 degrees of pitch", [](Measurement& m) { m.pitch += 0.07; }},
@@ -102,7 +102,7 @@ TEST(PoseWatch, seesALittleMoreThanWhatGivesWithoutAMove)
     }
 }
 
-TEST(PoseWatch, comparesTheTracksOnlyWhereBothLinesTellOfThem)
+TEST(PoseWatch, comparesTracksOnlyIfBothLinesHaveOdometry)
 {
     Measurement without = scene();
     without.travelled.reset();
@@ -115,7 +115,7 @@ TEST(PoseWatch, comparesTheTracksOnlyWhereBothLinesTellOfThem)
     }
 }
 
-TEST(PoseWatch, isNotTrippedByTheNoiseOfTheSensorsForTenMinutes)
+TEST(PoseWatch, ignoresTenMinutesOfSensorNoise)
 {
     const SensorNoise noise;
     std::mt19937_64 rng(20150205);
@@ -137,7 +137,7 @@ TEST(PoseWatch, isNotTrippedByTheNoiseOfTheSensorsForTenMinutes)
     }
 }
 
-TEST(PoseWatch, takesDrivingForAMove)
+TEST(PoseWatch, countsDrivingAsAMove)
 {
     PoseWatch watch(scene());
     Measurement m = scene();
@@ -147,7 +147,7 @@ TEST(PoseWatch, takesDrivingForAMove)
     EXPECT_TRUE(watch.hasMoved());
 }
 
-TEST(PoseWatch, believesTwoLinesInARow)
+TEST(PoseWatch, needsTwoLinesInARow)
 {
     PoseWatch watch(scene());
     Measurement away = scene();
@@ -165,7 +165,7 @@ TEST(PoseWatch, believesTwoLinesInARow)
     EXPECT_TRUE(watch.hasMoved()) << "the scene is not the same any more";
 }
 
-TEST(PoseWatch, aDriveThatMovesNothingLeavesNoPlace)
+TEST(PoseWatch, driveWithoutMotionDoesNotLeaveThePlace)
 {
     Measurement scene;
     scene.travelled = 1.0;
@@ -196,7 +196,7 @@ TEST(PoseWatch, aDriveWithoutOdometryLeavesThePlace)
     EXPECT_TRUE(watch.hasLeft());
 }
 
-TEST(DriveWatch, tellsOnceOfADriveThatGetsNowhere)
+TEST(DriveWatch, reportsADriveWithoutMotionOnce)
 {
     DriveWatch watch;
     Measurement m;
@@ -219,7 +219,7 @@ TEST(DriveWatch, tellsOnceOfADriveThatGetsNowhere)
     EXPECT_EQ(pass(5.0, 0.0), 0);
 }
 
-TEST(StallWatch, tellsForHowLongNobodyLooked)
+TEST(StallWatch, returnsThePauseBetweenPolls)
 {
     StallWatch watch;
     EXPECT_FALSE(watch.poll(5.0)) << "nothing came before";

@@ -103,7 +103,7 @@ TEST(ProbeGains, areNothingForABinThatIsCertain)
     }
 }
 
-TEST(ProbeGains, ofABinOnItsOwnLeaveTheOthersAsTheyAre)
+TEST(ProbeGains, ofAnIndependentBinLeaveTheOthersUnchanged)
 {
     // Few draws: a reading leaves some 70 of 200, whose plain variance would be 1/70 too small in every bin.
     constexpr int kSeeds = 40;
@@ -122,7 +122,7 @@ TEST(ProbeGains, ofABinOnItsOwnLeaveTheOthersAsTheyAre)
     EXPECT_NEAR(mean, exact, 0.06 * exact);
 }
 
-TEST(ProbeGains, tellWhatAReadingSaysAboutAStep)
+TEST(ProbeGains, matchTheInformationAboutAStep)
 {
     // Bins ahead are all up or all down: touching any of them settles the question, log 2 in all.
     TerrainEstimate e;
@@ -152,7 +152,7 @@ TEST(ProbeGains, ofEntropyStayWithinZeroAndLogTwo)
             }
 }
 
-TEST(ProbeGains, standFewDrawsAndFarOnes)
+TEST(ProbeGains, areFiniteForFewAndDistantDraws)
 {
     for (const int draws : {1, 2, 7}) {
         TerrainEstimate e = gaussianEstimate(draws, 5);

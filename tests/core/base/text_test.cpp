@@ -31,7 +31,7 @@ TEST(RandomErrorText, isNeverZero)
     EXPECT_EQ(randomErrorText(0.0, 1), "< 0.1");
 }
 
-TEST(RhatText, saysNoMoreOfStuckChainsThanIsKnown)
+TEST(RhatText, isOver100ForStuckChains)
 {
     EXPECT_EQ(rhatText(1.0), "1.000");
     EXPECT_EQ(rhatText(1.0612), "1.061");
@@ -40,7 +40,7 @@ TEST(RhatText, saysNoMoreOfStuckChainsThanIsKnown)
     EXPECT_EQ(rhatText(1e6), "> 100") << "kRhatNever";
 }
 
-TEST(NumberText, isTheShortestThatDoes)
+TEST(NumberText, isTheShortestThatReadsBack)
 {
     EXPECT_EQ(numberText(0.1), "0.1");
     EXPECT_EQ(numberText(-0.3), "-0.3");
@@ -67,7 +67,7 @@ TEST(IntegerFrom, takesTheWholeTextOrNothing)
     for (const char* text : {"256", "-1"}) EXPECT_FALSE(integerFrom<std::uint8_t>(text)) << text;
 }
 
-TEST(WrittenIntegerFrom, takesOnlyWhatWeWouldHaveWritten)
+TEST(WrittenIntegerFrom, takesOnlyTextsOfToString)
 {
     EXPECT_EQ(writtenIntegerFrom<std::uint64_t>("18446744073709551615"), UINT64_MAX);
     EXPECT_EQ(writtenIntegerFrom<int>("-5"), -5);
@@ -75,13 +75,13 @@ TEST(WrittenIntegerFrom, takesOnlyWhatWeWouldHaveWritten)
         EXPECT_FALSE(writtenIntegerFrom<int>(text)) << text;
 }
 
-TEST(IsControl, knowsWhatWouldMoveATerminalsCursor)
+TEST(IsControl, isTrueForAsciiControlCharacters)
 {
     for (const char c : {'\0', '\t', '\n', '\x1b', '\x1f', '\x7f'}) EXPECT_TRUE(isControl(c));
     for (const char c : std::string("\x20~č")) EXPECT_FALSE(isControl(c));
 }
 
-TEST(Shown, bringsTextOfAStrangerOnOneShortLine)
+TEST(Shown, putsUntrustedTextOnOneShortLine)
 {
     EXPECT_EQ(shown("pitch"), "'pitch'");
     EXPECT_EQ(shown(std::string_view("a\n\0\x1b[31m", 8)), "'a???[31m'");

@@ -80,7 +80,7 @@ TEST(Baselines, findALinearLawAndItsNoise)
     }
 }
 
-TEST(Linear, takesNoPartOfAFeatureThatNeverVaries)
+TEST(Linear, ignoresAFeatureThatNeverVaries)
 {
     World world(60, 0.0);
     world.model.features.col(7).setConstant(3.0);

@@ -57,7 +57,7 @@ TEST(CalibrationLedger, callsACalibratedForecasterHonest)
     EXPECT_LT(kolmogorov(pit, [](double u) { return u; }), 2.23);
 }
 
-TEST(CalibrationLedger, seldomWrongsAnHonestForecaster)
+TEST(CalibrationLedger, seldomMisjudgesACalibratedForecaster)
 {
     // The Wilson interval of 40 entries excludes the true 80 % in 7.2 %, of 200 ledgers 14.3 ± 3.7.
     int wronged = 0;
@@ -78,7 +78,7 @@ TEST(CalibrationLedger, findsBandsTooNarrowOrTooWide)
     EXPECT_GT(wide.in80.low, 0.8);
 }
 
-TEST(CalibrationLedger, judgesNothingByFewEntries)
+TEST(CalibrationLedger, givesNoVerdictFromFewEntries)
 {
     EXPECT_EQ(CalibrationLedger().summary().verdict, Calibration::TooFew);
     EXPECT_EQ(CalibrationLedger().summary().in80, Coverage{});
@@ -133,7 +133,7 @@ TEST(CalibrationLedger, countsOnlyBinsThatWereNotMeasuredBefore)
     EXPECT_EQ(ledger.entries()[1].by, Origin::Arm);
 }
 
-TEST(CalibrationLedger, judgesAtALaterPoseWhatAGhostHasBroughtThere)
+TEST(CalibrationLedger, scoresTheGhostsBandAtALaterPose)
 {
     TerrainEstimate before;
     before.sd.fill(kSd);

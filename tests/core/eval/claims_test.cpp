@@ -54,7 +54,7 @@ TEST(Claims, areThoseOfThePaper)
     EXPECT_EQ(binCentre(kClaims[2].lastBin), 0.7);
 }
 
-TEST(Judge, findsAClearGainALossAndNothing)
+TEST(Judge, findsGainLossAndNoDifference)
 {
     EXPECT_EQ(World(20, 10, -0.05, 0.02).judged().verdict, ClaimVerdict::Holds);
     EXPECT_EQ(World(20, 10, +0.05, 0.02).judged().verdict, ClaimVerdict::DoesNotHold);
@@ -128,7 +128,7 @@ TEST(Judge, usesTheMiddleOfTwoWhenTheNumberIsEven)
     EXPECT_DOUBLE_EQ(world.judged().betterMedian, 0.02);
 }
 
-TEST(Judge, ofNothingDecidesNothingAndOfAStrangeSceneIsRefused)
+TEST(Judge, decidesNothingWithoutErrorsAndRefusesOtherScenes)
 {
     World world(6, 2, 0.0, 0.0);
     EXPECT_EQ(judge(kClaims[2], world.errors, world.scenes, 1).n, 0U);

@@ -42,7 +42,7 @@ TEST(ClusteredValues, haveTheStatisticsOfTheRepeatedDrives)
     EXPECT_THROW((void)clustered.mean({1, 1, 1}), std::invalid_argument);
 }
 
-TEST(BootstrapDrives, drawsAsManyDrivesAsThereAreAndRepeatsForASeed)
+TEST(BootstrapDrives, drawsAllDrivesAndRepeatsForASeed)
 {
     const auto first = [](const DriveWeights& weight) {
         std::size_t total = 0;
@@ -126,7 +126,7 @@ TEST(Confidence, countsDrivesNotScenes)
     EXPECT_LE(a[0].intervals->nearMedian.high, 0.08);  // bin 10 takes no part
 }
 
-TEST(Confidence, isNotGivenForFewerThanFiveDrivesAndRefusesStrangeScenes)
+TEST(Confidence, needsFiveDrivesAndRefusesOtherScenes)
 {
     const World world(4, 10);
     EXPECT_FALSE(confidence(world.errors, world.scenes, 1)[0].intervals);

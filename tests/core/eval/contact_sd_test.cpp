@@ -24,7 +24,7 @@ Scene feeling(double fourth, double sixth, double truth)
     return scene;
 }
 
-TEST(ContactResiduals, areTruthLessContactWhereBothAreKnown)
+TEST(ContactResiduals, areTruthMinusContactWhereBothAreKnown)
 {
     const RobotModel robot = absolem();
     const std::vector<Scene> scenes{feeling(8.0, 0.0, -0.2), feeling(0.0, 0.0, -0.2),

@@ -51,7 +51,7 @@ TEST(BinErrors, areTakenWhereTheTruthIsKnown)
     EXPECT_EQ(errors[1].origin, Origin::Sampled);
 }
 
-TEST(Statistics, speakOfTheErrorsSizeNotItsSign)
+TEST(Statistics, useTheErrorsMagnitude)
 {
     std::vector<BinError> errors{errorOf(-0.04), errorOf(0.01), errorOf(0.08), errorOf(-0.02)};
     errors[0].scores.in80 = errors[1].scores.in80 = false;
@@ -90,7 +90,7 @@ TEST(Summaries, keepMethodsAndBinsApart)
     EXPECT_DOUBLE_EQ(summaries[1].near.median, 0.01);  // without the last two bins
 }
 
-TEST(Histograms, countEveryErrorOnceTheLargeOnesInTheLastClass)
+TEST(Histograms, countLargeErrorsInTheLastClass)
 {
     const std::vector<BinError> errors{errorOf(0.0),  errorOf(-0.009), errorOf(0.011),
                                        errorOf(-0.5), errorOf(0.021),  errorOf(0.03, "pac")};
@@ -116,7 +116,7 @@ TEST(PitHistograms, haveEqualClassesUpToOne)
     EXPECT_THROW(pitHistograms(errors, 0), std::invalid_argument);
 }
 
-TEST(Labels, standInTheOrderOfEvaluationAndAreTheMethodsNames)
+TEST(Labels, areMethodNamesInOrderOfEvaluation)
 {
     const std::vector<BinError> errors{errorOf(0.0, "pafc"), errorOf(0.0, "flat"),
                                        errorOf(0.0, "pafc"), errorOf(0.0, "pa")};

@@ -48,7 +48,7 @@ TEST(PairedGain, helpsWhenErrorsShrinkAndTheBandStaysHonest)
     EXPECT_TRUE(gain.helps());
 }
 
-TEST(PairedGain, helpsNotWithOneOfTheTwoAlone)
+TEST(PairedGain, needsBothSmallerErrorsAndCalibration)
 {
     EXPECT_FALSE(Pairs(8, 0.01, 0.8, 0.6).gain().helps()) << "overconfident";
     EXPECT_FALSE(Pairs(8, 0.01, 0.8, 1.0).gain().helps());
@@ -57,7 +57,7 @@ TEST(PairedGain, helpsNotWithOneOfTheTwoAlone)
     EXPECT_FALSE(Pairs(8, -0.01, 0.8, 0.8).gain().helps());
 }
 
-TEST(PairedGain, decidesNothingOfFewDrives)
+TEST(PairedGain, decidesNothingFromFewDrives)
 {
     const PairedGain gain = Pairs(4, 0.01, 0.8, 0.8).gain();
     EXPECT_FALSE(gain.intervals);
@@ -65,7 +65,7 @@ TEST(PairedGain, decidesNothingOfFewDrives)
     EXPECT_NEAR(gain.after.mean, gain.before.mean - 0.01, 1e-12);
 }
 
-TEST(PairedGain, refusesWhatIsNotPaired)
+TEST(PairedGain, refusesUnpairedErrors)
 {
     Pairs pairs(5, 0.01, 0.8, 0.8);
     pairs.after.back().bin = 5;

@@ -20,7 +20,7 @@ BinError errorOf(std::size_t scene, double error, double novelty, const std::str
     return e;
 }
 
-TEST(ByNovelty, tellsInsideFromOutsideWhereItIsJudged)
+TEST(ByNovelty, splitsScenesByNovelty)
 {
     const std::vector<BinError> errors{errorOf(0, 0.01, 0.5), errorOf(0, 0.03, 0.5),
                                        errorOf(1, 0.02, 1.0), errorOf(2, 0.5, 1.01),
@@ -63,7 +63,7 @@ TEST_F(ClassIndex, isReadWithQuotesAndEitherLineEnd)
     EXPECT_EQ(readClasses(write("class,row\nflat,7\n"), "class")->at("7"), "flat");
 }
 
-TEST_F(ClassIndex, thatIsWrongIsRefusedWithItsPlace)
+TEST_F(ClassIndex, isRefusedWithItsLineIfWrong)
 {
     EXPECT_NE(complaint("row,source\n1,eth\n").find("line 1: has no column class"),
               std::string::npos);

@@ -24,7 +24,7 @@ std::vector<ProbeReading> recording(int places, int each, double sd, double bias
     return readings;
 }
 
-TEST(ProbeAccuracy, pointsToTheMeanOfEachPlaceAlone)
+TEST(ProbeAccuracy, usesTheMeanOfEachPlace)
 {
     const ProbeAccuracy a = probeAccuracy(recording(50, 20, 0.03, 0.2, false, 1));
     EXPECT_EQ(a.repeated.freedom, 50U * 19U);
@@ -33,7 +33,7 @@ TEST(ProbeAccuracy, pointsToTheMeanOfEachPlaceAlone)
     EXPECT_EQ(readingSd(a), a.repeated.sd);
 }
 
-TEST(ProbeAccuracy, intervalsHoldTheTruthNineteenTimesOfTwenty)
+TEST(ProbeAccuracy, intervalsHoldTheTruthIn95Percent)
 {
     int held = 0;
     constexpr unsigned kSets = 400;
@@ -52,7 +52,7 @@ TEST(ProbeAccuracy, knowsTheBiasWhereTheTruthIsKnown)
     EXPECT_NEAR(readingSd(a), 0.02, 0.003);
 }
 
-TEST(ProbeAccuracy, doesNotInventAnSd)
+TEST(ProbeAccuracy, isZeroWithoutRepetitionsOrTruth)
 {
     EXPECT_EQ(readingSd(probeAccuracy(recording(5, 1, 0.02, 0.0, false, 3))), 0.0);
     EXPECT_EQ(readingSd(probeAccuracy({})), 0.0);

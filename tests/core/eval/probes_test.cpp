@@ -54,7 +54,7 @@ TEST(TryProbes, touchesUntilEverySdIsBelowTheLimit)
     EXPECT_NEAR(t.after.all, 0.4 / 11.0, 1e-5);
 }
 
-TEST(TryProbes, stopsAtTheLimitOrWhereTheRuleHasNothingNew)
+TEST(TryProbes, stopsAtTheLimitOrWithoutANewBin)
 {
     const ProbeTrial one = tried(widest, {.most = 1});
     EXPECT_EQ(one.probes, 1);
@@ -107,7 +107,7 @@ TEST(TryProbes, needsTheTruthAheadAndSaneLimits)
     EXPECT_THROW((void)tryProbes(0, scene, first, toyEstimate, widest, {}), std::invalid_argument);
 }
 
-TEST(SummariseProbes, countsAnUnsettledSceneAsTheMost)
+TEST(SummariseProbes, countsAnUnsettledSceneAsTheLimit)
 {
     const std::vector<ProbeTrial> trials{
         {.before = {0.4, 0.2}, .after = {0.2, 0.1}, .probes = 2, .settled = true},

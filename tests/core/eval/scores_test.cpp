@@ -58,7 +58,7 @@ TEST(CrpsOfNormal, isTheIntegralOfTheSquaredDistance)
             << truth;
 }
 
-TEST(CrpsOfNormal, withoutSpreadIsTheErrorAndRefusesANegativeSd)
+TEST(CrpsOfNormal, isTheErrorForSdZeroAndRefusesNegativeSd)
 {
     EXPECT_DOUBLE_EQ(crpsOfNormal(0.1, 0.0, 0.4), 0.3);
     EXPECT_NEAR(crpsOfNormal(0.1, 1e-9, 0.4), 0.3, 1e-8);
@@ -99,7 +99,7 @@ TEST(ForecastScores, ofDrawsAreThoseOfTheirDistribution)
     EXPECT_DOUBLE_EQ(at(0.2).crps, crpsOfDraws(draws, 0.2));
 }
 
-TEST(ForecastScores, ofAFixedOrDrawlessBinAreThoseOfANormal)
+TEST(ForecastScores, ofAFixedBinAreThoseOfANormal)
 {
     for (const auto& draws : {std::vector<double>{}, std::vector<double>{0.2, 0.2, 0.2}}) {
         const TerrainEstimate e = estimateOf(draws, 0.2, 0.1, 0.072, 0.328);
@@ -146,7 +146,7 @@ struct Campaign {
     }
 };
 
-TEST(ForecastScores, areUniformAndCoverAsPromisedOnlyWhereTheForecastIsCalibrated)
+TEST(ForecastScores, pitIsUniformOnlyForCalibratedForecasts)
 {
     const Campaign calibrated(0.0);
     EXPECT_LT(calibrated.distance(), 2.23);

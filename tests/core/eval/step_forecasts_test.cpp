@@ -22,7 +22,7 @@ Scene sceneOf(const Heights& truth)
     return scene;
 }
 
-TEST(StepForecasts, askAllBinsAndThoseAheadApart)
+TEST(StepForecasts, coverAllBinsAndBinsAheadSeparately)
 {
     TerrainEstimate e;
     e.draws = {stepAt(2), stepAt(6), stepAt(7), stepAt(kBins)};
@@ -94,7 +94,7 @@ TEST(BrierSummaries, decomposeTheScore)
     EXPECT_GT(b.interval->high, b.score);
 }
 
-TEST(BrierSummaries, putCertaintyIntoTheOuterClassesAndSaveTheIntervalOfFewDrives)
+TEST(BrierSummaries, certainForecastsFallIntoTheOuterClasses)
 {
     World world;
     world.add(0.0, false);

@@ -9,7 +9,7 @@
 namespace terratact {
 namespace {
 
-TEST(ParetoFront, holdsExactlyWhatNothingBeats)
+TEST(ParetoFront, holdsExactlyTheUnbeatenPoints)
 {
     std::mt19937_64 rng(3);
     std::uniform_int_distribution<int> number(0, 30);  // with ties
@@ -91,7 +91,7 @@ TEST(TradeSettings, holdEveryPresetOnceAndVaryOneThingAtATime)
     }
 }
 
-TEST(ReferenceSettings, areFourTimesAsLongAsWhatDrewMost)
+TEST(ReferenceSettings, haveFourTimesTheMostDraws)
 {
     std::vector<TradePoint> points(3);
     points[0].draws = 250;
@@ -132,7 +132,7 @@ TEST(Quality, namesGoBackAndForth)
     EXPECT_FALSE(qualityFromName("best"));
 }
 
-TEST(Quality, changesNothingButTheEffort)
+TEST(Quality, changesOnlyTheEffort)
 {
     Settings settings;
     settings.method = Method::Clearance;
@@ -149,7 +149,7 @@ TEST(Quality, changesNothingButTheEffort)
     EXPECT_LT(accurate.chains, fast.chains);
 }
 
-TEST(TradeFronts, areOfEachMethodWhereItsOwnLongRunIsTheMeasureAndOfAllAgainstTheTruth)
+TEST(TradeFronts, arePerMethodAndGlobalAgainstTruth)
 {
     const auto point = [](Method method, double seconds, double off, double error) {
         TradePoint p;

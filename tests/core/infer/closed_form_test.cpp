@@ -44,7 +44,7 @@ TerrainEstimate estimate(const Scene& scene, Method method, std::span<const ArmR
     return estimateTerrain(scene.s, arm, bench().robot, bench().models, settingsFor(method));
 }
 
-TEST(ClosedForm, noHeightIsFurtherInsideTheBodyThanTheRobotSinks)
+TEST(ClosedForm, noHeightIsDeeperInTheBodyThanSinking)
 {
     for (const Method method : {Method::Joint, Method::Local})
         for (const Scene& scene : bench().scenes) {
@@ -94,7 +94,7 @@ TEST(ClosedForm, agreesWithItsOwnDraws)
         }
 }
 
-TEST(ClosedForm, drawsNoMoreThanEnoughWhereItMayStopEarly)
+TEST(ClosedForm, stopEarlyDrawsOnlyEnoughDraws)
 {
     for (const Method method : {Method::Joint, Method::Local})
         for (const bool early : {true, false})
@@ -184,7 +184,7 @@ TEST(ClosedForm, coversMostTruthsOfOtherDrives)
     EXPECT_LT(static_cast<double>(inside) / all, 0.95);
 }
 
-TEST(ClosedForm, isTheSameForTheSameSeedAndRefusesWrongArguments)
+TEST(ClosedForm, repeatsForASeedAndRefusesWrongArguments)
 {
     const Scene& scene = bench().scenes.front();
     EXPECT_EQ(estimate(scene, Method::Local), estimate(scene, Method::Local));
@@ -201,7 +201,7 @@ TEST(ClosedForm, isTheSameForTheSameSeedAndRefusesWrongArguments)
         std::invalid_argument);
 }
 
-TEST(ClosedForm, takesAWeakHeightAsWeakAsItIsAndCallsItSampled)
+TEST(ClosedForm, weakHeightKeepsItsSdAndOriginSampled)
 {
     const Scene& scene = bench().scenes.front();
     const TerrainEstimate plain = estimate(scene, Method::Local);
@@ -220,7 +220,7 @@ TEST(ClosedForm, takesAWeakHeightAsWeakAsItIsAndCallsItSampled)
     EXPECT_THROW((void)with(0.0), std::invalid_argument);
 }
 
-TEST(ClosedForm, takesNoWeakHeightWhereTheArmTouchedTheBin)
+TEST(ClosedForm, armReadingOverridesAWeakHeight)
 {
     const Scene& scene = bench().scenes.front();
     const ArmReading reading{10, 0.05, 0.02};

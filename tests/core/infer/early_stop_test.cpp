@@ -175,7 +175,7 @@ TEST(EarlyStop, alsoJudgesTheLastSweepOfTheBudget)
     EXPECT_EQ(draws.draws[0].rows(), 10);
 }
 
-TEST(TimeOut, keepsWhatIsThereAndTheSameDrawsAsWithMoreTime)
+TEST(TimeOut, keepsTheFirstDrawsOfALongerRun)
 {
     GibbsProblem problem = twoUnknown();
     const GibbsDraws all = sampleStates(stuck(), problem);
@@ -208,7 +208,7 @@ TEST(TimeOut, afterTheBurnInLeavesFourKeptSweeps)
     EXPECT_EQ(sampleStates(stuck(), problem, watch).ending, Ending::Sweeps);
 }
 
-TEST(TimeOut, duringTheBurnInLeavesTheRestOfItOut)
+TEST(TimeOut, duringTheBurnInSkipsItsRest)
 {
     GibbsProblem problem = twoUnknown();
     problem.burnIn = 1'000'000;
@@ -249,7 +249,7 @@ TEST(TimeOut, duringTheBurnInIsNeverCalledConverged)
     }
 }
 
-TEST(TimeOut, isNoReasonToMissAConvergence)
+TEST(TimeOut, doesNotHideAConvergence)
 {
     int asked = 0;
     Watch watch;

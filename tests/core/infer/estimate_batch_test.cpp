@@ -134,7 +134,7 @@ TEST(EstimateBatch, leavesScenesAloneThatGainNothing)
     }
 }
 
-TEST(EstimateBatch, letsASceneGoWhenItHasEndedAndTakesTheNext)
+TEST(EstimateBatch, replacesAnEndedSceneWithTheNext)
 {
     auto scenes = tasks(Method::Pafc, ScanOrder::Forward, 32);  // two at once
     for (std::size_t k = 0; k < 4; ++k) {
@@ -148,7 +148,7 @@ TEST(EstimateBatch, letsASceneGoWhenItHasEndedAndTakesTheNext)
     EXPECT_EQ(batched.estimates, alone(scenes));
 }
 
-TEST(EstimateBatch, takesMethodsThatDoNotSampleAndScenesWithNothingToSample)
+TEST(EstimateBatch, takesScenesWithNothingToSample)
 {
     auto scenes = tasks(Method::Pafc, ScanOrder::Forward, 4);
     scenes.resize(3);
@@ -168,7 +168,7 @@ TEST(EstimateBatch, takesMethodsThatDoNotSampleAndScenesWithNothingToSample)
     EXPECT_TRUE(batch.next().empty());
 }
 
-TEST(EstimateBatch, isAsItWasAfterASceneThatItRefuses)
+TEST(EstimateBatch, isUnchangedByARefusedScene)
 {
     auto scenes = tasks(Method::Pafc, ScanOrder::Forward, 4);
     scenes.resize(3);

@@ -143,7 +143,7 @@ TEST_P(EveryMethod, answersWithEveryBinUnknown)
     EXPECT_EQ(std::count(e.origin.begin(), e.origin.end(), Origin::Sampled), kBins);
 }
 
-TEST_P(EveryMethod, answersWithOneDrawAndOneChainAndClaimsNoConvergence)
+TEST_P(EveryMethod, oneDrawOfOneChainNeverConverges)
 {
     for (const int draws : {1, 2, 3, 5}) {
         Asked one = asked();
@@ -286,7 +286,7 @@ TEST_P(EveryMethod, refusesWhatIsNotANumber)
     EXPECT_THROW((void)estimateOf(odd), std::invalid_argument) << what();
 }
 
-TEST_P(EveryMethod, canBeCancelledAtEveryQuestionAndAnswersTheSameAfterwards)
+TEST_P(EveryMethod, isCancelledAtEveryPollAndThenRepeatable)
 {
     Asked quick = asked();
     quick.settings.draws = isClosedForm(GetParam()) ? 30000 : 16;
@@ -342,7 +342,7 @@ BlasWork longestGap(const std::function<void(const Poll&)>& compute)
     return most;
 }
 
-TEST(Cancelling, ofALargeModelIsAskedForAfterABoundedAmountOfWork)
+TEST(Cancelling, largeModelPollsAfterBoundedWork)
 {
     constexpr int kRows = 2500;
     std::mt19937_64 rng(3);
@@ -379,7 +379,7 @@ int questions(const std::function<void(const Poll&)>& compute)
     return asked;
 }
 
-TEST(Cancelling, ofManyDrawsIsAskedForInProportionToTheirNumber)
+TEST(Cancelling, pollsGrowWithTheNumberOfDraws)
 {
     constexpr Eigen::Index kDraws = 300000;
     const auto least = [](int unitsPerDraw) {
@@ -434,7 +434,7 @@ GibbsProblem paperProblem(double ceiling, CeilingRule rule)
     return problem;
 }
 
-TEST(Estimate, aModelOfOneTrainingRowGivesOneAllTheSame)
+TEST(Estimate, modelOfOneTrainingRowGivesAnEstimate)
 {
     const ClearanceModel one(randomModel(1));
     for (const Method method : {Method::Local, Method::Joint}) {
@@ -476,7 +476,7 @@ TEST(Sampler, keepsBelowCeilingsThatLieBelowEveryTrainingHeight)
     }
 }
 
-TEST(Sampler, clampedFarBelowStandsStillWhichItsCeilingExplains)
+TEST(Sampler, chainsClampedFarBelowAreConstant)
 {
     GibbsProblem problem = paperProblem(-10.0, CeilingRule::Clamp);
     problem.keptPerChain = 2000;
@@ -502,7 +502,7 @@ TerrainEstimate concluded(const Eigen::MatrixXd& draws, double ceiling)
     return estimate;
 }
 
-TEST(Estimate, ofChainsThatStandStillHasConvergedOnlyWhereTheirCeilingHoldsThem)
+TEST(Estimate, stuckChainsConvergeOnlyAtTheirCeiling)
 {
     Eigen::MatrixXd draws = Eigen::MatrixXd::Constant(100, 8, -0.2);
     const double none = std::numeric_limits<double>::infinity();
@@ -522,7 +522,7 @@ TEST(Estimate, ofChainsThatStandStillHasConvergedOnlyWhereTheirCeilingHoldsThem)
     EXPECT_FALSE(concluded(many, -0.2).converged);
 }
 
-TEST(Settings, beyondWhatAnIntegerOrAMachineHoldsAreRefused)
+TEST(Settings, refuseValuesBeyondIntegerOrMemory)
 {
     for (const Method method : {Method::Pafc, Method::Clearance, Method::Local, Method::Joint}) {
         Asked odd;

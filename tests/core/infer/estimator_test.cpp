@@ -49,7 +49,7 @@ TEST(MakeProcesses, makesThoseOfTheMethodForWhateverScene)
     EXPECT_FALSE(trained(models, Regime::Covered).all()) << "the bins ahead are never covered";
 }
 
-TEST(MakeProcesses, leavesWhenItIsCancelledAndGoesOnWhereItWas)
+TEST(MakeProcesses, continuesAfterACancellation)
 {
     const ModelData data = modelWithClearances();
     const auto questions = [](const Models& models, int most) {

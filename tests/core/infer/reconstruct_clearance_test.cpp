@@ -298,7 +298,7 @@ TEST(MeasuredState, isExactInTheOpenAndLinearisedUnderTheRobot)
 
 // ---- refusals
 
-TEST(ReconstructClearance, refusesOtherMethodsAndWhatItWasNotTrainedFor)
+TEST(ReconstructClearance, refusesOtherMethodsAndUntrainedRegimes)
 {
     const auto run = [](Settings settings, Proprioception s, std::span<const ArmReading> arm,
                         const ClearanceConditionals& models) {

@@ -74,7 +74,7 @@ TEST(ScanOrder, doesNotMatterForCompatibleConditionals)
     }
 }
 
-TEST(ScanOrder, atRandomRepeatsBitForBitWhateverTheNumberOfChains)
+TEST(ScanOrder, randomOrderRepeatsForAnyNumberOfChains)
 {
     const LinearConditionals pair = incompatiblePair();
     GibbsProblem problem = problemWith({3, 6}, ScanOrder::Random);

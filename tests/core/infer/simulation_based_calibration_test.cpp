@@ -236,7 +236,7 @@ public:
     }
 };
 
-TEST(CalibrationFinds, neighboursThatAreNeverLookedAtAgain)
+TEST(CalibrationFinds, neighboursThatAreNeverUpdated)
 {
     for (const Heights& ceiling : {noCeilings(), someCeilings()})
         EXPECT_LT(pValueOfMistake(ceiling,

@@ -66,7 +66,7 @@ TEST_F(GhostOf, anEstimateIsFollowedOnceItIsLeft)
     EXPECT_TRUE(at(kLater).ghost);
 }
 
-TEST_F(GhostOf, anEstimateThatTheOperatorForgotIsNone)
+TEST_F(GhostOf, aDiscardedEstimateHasNoGhost)
 {
     record({event(kStood, EventKind::Decision, "abort")});
     EXPECT_EQ(at(kLeft), kNone) << "forgotten with the estimate itself";
@@ -77,7 +77,7 @@ TEST_F(GhostOf, anEstimateThatTheOperatorForgotIsNone)
     EXPECT_TRUE(at(kLater).ghost) << "that ended the probe alone";
 }
 
-TEST_F(GhostOf, aModelThatIsNoLongerInUseIsNone)
+TEST_F(GhostOf, anotherModelEndsTheGhost)
 {
     record({model(kStood)});
     EXPECT_EQ(at(kLeft), kNone);
@@ -88,7 +88,7 @@ TEST_F(GhostOf, aModelThatIsNoLongerInUseIsNone)
     EXPECT_TRUE(at(kLater).ghost) << "the exploration went on";
 }
 
-TEST_F(GhostOf, aRobotThatWasNotHeardHasEnded)
+TEST_F(GhostOf, aSilenceEndsTheGhost)
 {
     for (const double time : {At::kMarker, kStood}) {
         record({event(time, EventKind::Unheard)});
@@ -99,14 +99,14 @@ TEST_F(GhostOf, aRobotThatWasNotHeardHasEnded)
     EXPECT_EQ(at(kLater), kUnheard);
 }
 
-TEST_F(GhostOf, anEstimateGivesWayToTheNextExploration)
+TEST_F(GhostOf, theNextExplorationEndsTheGhost)
 {
     record({event(kLeft + 0.1, EventKind::Phase, "pressing")});
     EXPECT_TRUE(at(kLeft).ghost);
     EXPECT_EQ(at(kLater), kNone);
 }
 
-TEST_F(GhostOf, aMomentIsTheSameHoweverOneCameThere)
+TEST_F(GhostOf, aMomentIsTheSameForAnyOrderOfRequests)
 {
     record({event(kLeft + 0.1, EventKind::Unheard)});
     ReviewMoments moments(*reader, absolem());

@@ -44,7 +44,7 @@ struct Review : testing::Test {
     std::optional<ReviewMoments> moments_;
 };
 
-TEST_F(Review, showsTheNewestTelemetryBeforeThatTimeAndNothingLater)
+TEST_F(Review, showsTheNewestTelemetryUpToTheTime)
 {
     record(4.0);
     for (const double t : {0.5, 1.0, 3.9}) {
@@ -59,7 +59,7 @@ TEST_F(Review, showsTheNewestTelemetryBeforeThatTimeAndNothingLater)
     EXPECT_FALSE(at(-1.0).measurement);
 }
 
-TEST_F(Review, showsWhatStoodThen)
+TEST_F(Review, showsTheStateAtThatTime)
 {
     record(4.0);
     EXPECT_FALSE(at(At::kScene - 0.05).scene);
@@ -92,7 +92,7 @@ TEST_F(Review, showsWhatStoodThen)
     EXPECT_EQ(gone.forgotten, "The robot has moved");
 }
 
-TEST_F(Review, knowsWhichAlarmsStood)
+TEST_F(Review, showsTheAlarmsAtThatTime)
 {
     record(2.0);
     EXPECT_TRUE(at(At::kAlarm - 0.1).alarms.empty());
@@ -102,7 +102,7 @@ TEST_F(Review, knowsWhichAlarmsStood)
     EXPECT_TRUE(at(At::kAlarmGone + 0.1).alarms.empty());
 }
 
-TEST_F(Review, isTheSameHoweverOneCameThere)
+TEST_F(Review, isTheSameForAnyOrderOfRequests)
 {
     record(4.0);
     std::vector<double> times;
@@ -138,7 +138,7 @@ TEST_F(Review, stepsFromFrameToFrameAndBack)
     EXPECT_EQ(there, back);
 }
 
-TEST_F(Review, tellsWhetherTheRobotWasHeardAllAlongSinceTheScene)
+TEST_F(Review, showsWhetherTelemetryWasUnbroken)
 {
     auto writer = robotSession(path, 3.3);
     ASSERT_TRUE(writer) << writer.error().text;
@@ -152,7 +152,7 @@ TEST_F(Review, tellsWhetherTheRobotWasHeardAllAlongSinceTheScene)
     EXPECT_FALSE(at(3.2).unbroken);
 }
 
-TEST_F(Review, tellsWhetherASensorWasSuspectedInTheScene)
+TEST_F(Review, showsWhetherASensorWasSuspected)
 {
     auto writer = robotSession(path, 3.3);
     ASSERT_TRUE(writer) << writer.error().text;
@@ -189,7 +189,7 @@ TEST_F(Review, showsWhatWasOverridden)
     EXPECT_EQ(at(2.1).overridden, "");
 }
 
-TEST_F(Review, tellsOfAnOlderSessionByItsLinkWhetherTheRobotWasHeardAllAlong)
+TEST_F(Review, olderSessionsShowInterruptionsByTheirLink)
 {
     auto writer = robotSession(path, 3.3);
     ASSERT_TRUE(writer) << writer.error().text;
@@ -208,7 +208,7 @@ TEST_F(Review, tellsOfAnOlderSessionByItsLinkWhetherTheRobotWasHeardAllAlong)
     EXPECT_FALSE(at(3.2).unbroken) << "1.1 s";
 }
 
-TEST_F(Review, aSceneOfTheLineThatEndedASilenceIsAsGoodAsAnyOther)
+TEST_F(Review, sceneOfTheFirstLineAfterASilenceIsUnbroken)
 {
     auto writer = robotSession(path, 3.3);
     ASSERT_TRUE(writer) << writer.error().text;
@@ -222,7 +222,7 @@ TEST_F(Review, aSceneOfTheLineThatEndedASilenceIsAsGoodAsAnyOther)
     EXPECT_TRUE(at(3.2).unbroken);
 }
 
-TEST_F(Review, readsHowLongASilenceWasWhereTheLinkWasToldToBeUpOnlyOnceItWasSteady)
+TEST_F(Review, readsTheSilenceFromADelayedLinkUpEvent)
 {
     auto writer = robotSession(path, 4.0);
     ASSERT_TRUE(writer) << writer.error().text;
@@ -265,7 +265,7 @@ TEST_F(Review, showsNoFrameOfADamagedSpanAndSaysSo)
     EXPECT_FALSE(at(3.9).damage);
 }
 
-TEST_F(Review, aSurveyFindsWhereNothingCameAndWhatTouched)
+TEST_F(Review, surveyFindsSilencesAndContacts)
 {
     record(4.0, [](double t) { return t > 1.0 && t < 2.0; });
     (void)moments();

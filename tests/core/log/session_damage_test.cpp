@@ -70,7 +70,7 @@ struct DamagedSession : testing::Test {
     std::string path = directory.file("session.tts");
 };
 
-TEST_F(DamagedSession, isASessionInItsMainFileFromTheBeginning)
+TEST_F(DamagedSession, mainFileIsASessionFromTheStart)
 {
     const auto writer = someSession(path, 100);
     ASSERT_TRUE(writer) << writer.error().text;
@@ -98,7 +98,7 @@ TEST_F(DamagedSession, mainFileAloneHasAllButTheLastBatches)
     EXPECT_GE(reader->frameCount(), 100 * (kBatches - SessionWriter::kCheckpointBatches));
 }
 
-TEST_F(DamagedSession, withoutAnythingButItsJournalNamesThat)
+TEST_F(DamagedSession, journalAloneIsNamedInTheError)
 {
     (void)SqliteFile::createLog(path);  // as sessions were until their first checkpoint
     for (const char* const end : {"-wal", "-shm"}) std::filesystem::remove(path + end);
@@ -124,7 +124,7 @@ int asNobody(const std::function<int()>& work)
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST_F(DamagedSession, isReadWithItsJournalWhereNothingCanBeWritten)
+TEST_F(DamagedSession, isReadWithItsJournalFromAReadOnlyFolder)
 {
     crash(500);
     const std::string folder = directory.file("");
@@ -141,7 +141,7 @@ TEST_F(DamagedSession, isReadWithItsJournalWhereNothingCanBeWritten)
     EXPECT_EQ(directory.entries(), (std::set<std::string>{"session.tts", "session.tts-wal"}));
 }
 
-TEST_F(DamagedSession, cutAnywhereYieldsWhatWasWholeBeforeTheCut)
+TEST_F(DamagedSession, cutAnywhereKeepsTheRowsBeforeTheCut)
 {
     seal(20'000);
     const std::string whole = contentOf(path);
@@ -159,7 +159,7 @@ TEST_F(DamagedSession, cutAnywhereYieldsWhatWasWholeBeforeTheCut)
     EXPECT_EQ(savedFrom(whole.substr(0, 2 * kPage)), 0);
 }
 
-TEST_F(DamagedSession, holesTakeAwayOnlyWhatStoodThere)
+TEST_F(DamagedSession, holesLoseOnlyTheirOwnRows)
 {
     seal(5000);
     const std::string whole = contentOf(path);

@@ -148,7 +148,7 @@ TEST_F(Session, isReadWhileItIsWritten)
     EXPECT_EQ(*recoverSession(path), SessionRecovery::InUse);
 }
 
-TEST_F(Session, refersOnlyToWhatIsThere)
+TEST_F(Session, refusesReferencesToMissingRows)
 {
     auto writer = SessionWriter::create(path, someStart());
     ASSERT_TRUE(writer);
@@ -177,7 +177,7 @@ std::ostream& operator<<(std::ostream& out, const Tampering& tampering)
 }
 struct Tampered : Session, testing::WithParamInterface<Tampering> {};
 
-TEST_P(Tampered, isToldFromWhereOn)
+TEST_P(Tampered, showsWhereTheChainBreaks)
 {
     seal(path, 1000);
     change(path, GetParam().sql);
@@ -358,7 +358,7 @@ TEST_F(Session, truncatedAnywhereItOpensOrIsRefusedWithAReason)
     std::printf("%zu truncations, %d opened\n", whole.size() / 4096, opened);
 }
 
-TEST_F(Session, flippedBytesShowAPartOfTheTruthOrAReason)
+TEST_F(Session, flippedBytesHideRowsOrGiveAReason)
 {
     seal(path, 500);
     const std::string whole = contentOf(path);
@@ -442,7 +442,7 @@ TEST_F(Session, whatWasCommittedOutlivesAKill)
                 kills, static_cast<long long>(kept), static_cast<long long>(more));
 }
 
-TEST_F(Session, whoseWriterDiedIsRecoveredWithAWord)
+TEST_F(Session, isRecoveredWithAnEventAfterItsWriterDied)
 {
     int ends[2];
     ASSERT_EQ(::pipe2(ends, O_CLOEXEC), 0);

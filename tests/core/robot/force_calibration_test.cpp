@@ -53,7 +53,7 @@ TEST_F(Recording, givesTheAppliedForcesBack)
     EXPECT_GT(before, 10.0 * fitted->worstError) << "than the file's own curve";
 }
 
-TEST_F(Recording, ofNothingButTheSandwichMakesTheBiasAlone)
+TEST_F(Recording, unloadedReadingsFitOnlyTheBias)
 {
     record(0.0);
     const auto fitted = calibrate(readings, present, leftAndRightArrays());
@@ -141,7 +141,7 @@ void takeFor(ForceDrift& drift, double from, double seconds, std::optional<doubl
     for (int i = 0; i * 0.05 < seconds; ++i) drift.take(from + i * 0.05, everywhere(force));
 }
 
-TEST(ForceDriftTest, isTheMedianOfWhatWasFeltWithoutLoad)
+TEST(ForceDriftTest, isTheMedianOfUnloadedReadings)
 {
     ForceDrift drift;
     takeFor(drift, 0.0, 1.8, 0.4);
@@ -156,7 +156,7 @@ TEST(ForceDriftTest, isTheMedianOfWhatWasFeltWithoutLoad)
     EXPECT_THROW(static_cast<void>(drift.drift(6)), std::out_of_range);
 }
 
-TEST(ForceDriftTest, passesOverElementsThatReadNothing)
+TEST(ForceDriftTest, skipsElementsWithoutAReading)
 {
     ForceDrift drift;
     ForceDrift::Forces forces = everywhere(0.1);

@@ -101,7 +101,7 @@ TEST_F(ForceSensor, staysFiniteWhereItsThresholdsAreAtTheRails)
     }
 }
 
-TEST_F(ForceSensor, refusesArgumentsThatAreNone)
+TEST_F(ForceSensor, refusesInvalidArguments)
 {
     EXPECT_THROW(static_cast<void>(read(std::nan(""))), std::invalid_argument);
     EXPECT_THROW(static_cast<void>(read(INFINITY)), std::invalid_argument);

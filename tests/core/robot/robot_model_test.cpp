@@ -57,7 +57,7 @@ Vec2 comOf(const FlipperGeometry& flipper, double forward)
             flipper.pivot.z - flipper.comDistance * std::sin(flipper.taper())};
 }
 
-TEST(Absolem, hasTheCentreOfMassOfTheWholeRobotWithItsFlippersFlat)
+TEST(Absolem, hasTheCentreOfMassOfTheWholeRobot)
 {
     const RobotModel robot = absolem();
     const Vec2 front = comOf(robot.front, 1.0), rear = comOf(robot.rear, -1.0);
@@ -241,7 +241,7 @@ std::string arrayTable(const std::string& name, const std::string& side,
          + elements + "]\n";
 }
 
-TEST_F(RobotFile, saysWhichForceArraysThereAre)
+TEST_F(RobotFile, readsForceArrays)
 {
     const auto without = read(absolem);
     ASSERT_TRUE(without);

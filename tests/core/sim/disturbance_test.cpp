@@ -40,7 +40,7 @@ TEST(Disturbances, areFoundByTheirNames)
     EXPECT_FALSE(disturbanceFromName("earthquake"));
 }
 
-TEST(Disturbances, changeWhatTheyAreAbout)
+TEST(Disturbances, changeOnlyTheirOwnQuantity)
 {
     EXPECT_DOUBLE_EQ(disturbed(SensorNoise{}, Disturbance::ImuNoise).pitch, 0.0175);
     EXPECT_DOUBLE_EQ(disturbed(SensorNoise{}, Disturbance::SoftGround).pitch, SensorNoise{}.pitch);

@@ -146,7 +146,7 @@ RC_GTEST_PROP(BodyCeiling, ofAnyPoseIsTheMeanOfTheLowerEnvelopeAndNeverNaN, ())
     RC_ASSERT(faultOf(pitch, front, anyIn(-180.0, 180.0)) == std::string());
 }
 
-TEST(BodyCeiling, ofThePosesAtTheEndsOfTheirRangesIsTheMeanOfTheLowerEnvelope)
+TEST(BodyCeiling, isTheMeanOfTheLowerEnvelopeAtExtremePoses)
 {
     for (const double pitch : {-89.0, -45.0, 0.0, 45.0, 89.0})
         for (const double front : {-180.0, -90.0, 0.0, 90.0, 180.0})
@@ -167,7 +167,7 @@ TEST(BodyCeiling, underAVerticalWallOfTheBodyIsItsLowerEnd)
     }
 }
 
-TEST(Robot, allOfWhosePartsArePointsIsNoNaN)
+TEST(Robot, ofPointsGivesNoNaN)
 {
     const RobotModel point = pointRobot();
     ASSERT_EQ(kSeeded, 0);
@@ -198,7 +198,7 @@ TEST(RestPose, ofARobotOfPointsIsFiniteOrRefused)
     for (const double f : elementForces(pointRobot(), *rest)) EXPECT_TRUE(std::isfinite(f));
 }
 
-TEST(SkinHull, whoseOneCircleHoldsTheOtherIsADisc)
+TEST(SkinHull, isADiscIfOneCircleContainsTheOther)
 {
     for (const TaperedHull& hull : {TaperedHull{{0.0, 0.0}, {0.05, 0.0}, 0.2, 0.1},
                                     TaperedHull{{0.05, 0.0}, {0.0, 0.0}, 0.1, 0.2},
@@ -234,7 +234,7 @@ void expectAtRest(const RestPose& rest, const std::string& what)
     for (const auto& force : s.force) EXPECT_TRUE(force && std::isfinite(*force)) << what;
 }
 
-TEST(RestPose, withFlippersAtTheEndsOfTheirRangesIsARestOrRefused)
+TEST(RestPose, isFoundOrRefusedForExtremeFlippers)
 {
     int rests = 0, folded = 0, others = 0;
     for (const TerrainProfile& ground : {flatTerrain(6.0), stepTerrain(0.2, 3.0, 6.0)})
@@ -262,7 +262,7 @@ TEST(RestPose, withFlippersAtTheEndsOfTheirRangesIsARestOrRefused)
     EXPECT_GE(folded, 8);
 }
 
-TEST(RestPose, fromAnySteepStartIsTheOneFromALevelStartOrRefused)
+TEST(RestPose, steepStartEqualsALevelStartOrIsRefused)
 {
     int rests = 0;
     const HoldAngle level{0.0};
@@ -327,7 +327,7 @@ std::vector<double> wavyHeights(std::size_t count)
     return heights;
 }
 
-TEST(TerrainProfile, ofAHundredThousandSamplesIsAsExactAsAnyOther)
+TEST(TerrainProfile, isExactFor100000Samples)
 {
     const std::vector<double> heights = wavyHeights(100000);
     const TerrainProfile line = TerrainProfile::fromSamples(heights, 0.01, false);
@@ -344,7 +344,7 @@ TEST(TerrainProfile, ofAHundredThousandSamplesIsAsExactAsAnyOther)
     EXPECT_NEAR(rest->pose.pitch, std::atan(0.005 * std::cos(50.5)), 0.01);
 }
 
-TEST(RestPose, onAHundredThousandSamplesUnderTheRobotIsFound)
+TEST(RestPose, isFoundOn100000SamplesUnderTheRobot)
 {
     std::vector<double> heights(100000);
     for (std::size_t i = 0; i < heights.size(); ++i)
@@ -356,7 +356,7 @@ TEST(RestPose, onAHundredThousandSamplesUnderTheRobotIsFound)
     EXPECT_LT(std::abs(rest->pose.pitch), 0.3);
 }
 
-TEST(TerrainProfile, thatNoRobotCouldStandOnIsRefused)
+TEST(TerrainProfile, refusesGroundThatNoRobotCanStandOn)
 {
     for (const double bad : {std::nan(""), kInfinity, -kInfinity, 1e300, -1.1e6}) {
         EXPECT_THROW(TerrainProfile({{0.0, bad}}), std::invalid_argument) << bad;

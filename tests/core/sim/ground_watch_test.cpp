@@ -117,7 +117,7 @@ TEST(GroundWatch, SaysNothingOfRearAnglesNearTheTracks)
             << fault;
 }
 
-TEST(DrivenGround, HasPassedWhatTheWholeTracksWentOver)
+TEST(DrivenGround, PassedGroundIsWhatTheWholeTracksCrossed)
 {
     DrivenGround ground(absolem());
     Measurement line;
@@ -132,7 +132,7 @@ TEST(DrivenGround, HasPassedWhatTheWholeTracksWentOver)
     EXPECT_EQ(ground.passedFrom(), from);
 }
 
-TEST(ReturnWatch, ClearsWhenALookIsWithinItsLimit)
+TEST(ReturnWatch, ClearsWhenTheShiftIsWithinItsLimit)
 {
     const auto drive = driveOverRough(0.5, true);
     ReturnWatch watch(absolem());

@@ -53,7 +53,7 @@ TEST(VariedTerrain, keepsItsFacesWithinTheStatedHeights)
     }
 }
 
-TEST(VariedTerrain, isAMapForHalfOfTheDrivesAndHasFacesInMostOfTheOthers)
+TEST(VariedTerrain, halfIsAMapAndMostOthersHaveFaces)
 {
     int maps = 0;
     int faces = 0;

@@ -201,7 +201,7 @@ TEST(RestPose, isFoundInAboutAMillisecond)
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
 }
 
-TEST(RestPose, looksAtNoMoreOfALongTerrainThanOfThePieceUnderTheRobot)
+TEST(RestPose, readsOnlyTheTerrainUnderTheRobot)
 {
     const RobotModel robot = absolem();
     std::mt19937_64 rng(5);
@@ -225,7 +225,7 @@ TEST(RestPose, looksAtNoMoreOfALongTerrainThanOfThePieceUnderTheRobot)
 }
 
 /// Its flippers, held level, end further away than those of the robot that the others of these tests have.
-TEST(RestPose, ofALargerRobotIsOnTheGroundWithAllOfIt)
+TEST(RestPose, holdsTheWholeOfALargerRobot)
 {
     for (const double axleDistance : {0.319, 0.7, 1.0}) {
         RobotModel robot = absolem();

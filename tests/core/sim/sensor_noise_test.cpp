@@ -90,7 +90,7 @@ TEST(SensorNoise, ofNoneIsTheExactReading)
     EXPECT_EQ(noisy(h, SensorNoise::none(), rng), h);
 }
 
-TEST(SensorNoise, isTheSameForTheSameSeedAndAnotherForAnother)
+TEST(SensorNoise, dependsOnTheSeedOnly)
 {
     std::mt19937_64 a(1), b(1), c(2);
     const Proprioception first = noisy(exact(), SensorNoise{}, kSaturation, a);
@@ -112,7 +112,7 @@ TEST(SensorNoise, ofTheScannerIsIndependentFromBinToBin)
     EXPECT_NEAR(product / kDraws, 0.0, 0.012 * 0.012 * 5.0 / std::sqrt(kDraws));
 }
 
-TEST(SensorNoise, refusesSpreadsThatAreNone)
+TEST(SensorNoise, refusesInvalidDeviations)
 {
     std::mt19937_64 rng(16);
     SensorNoise noise;

@@ -135,7 +135,7 @@ TEST(SensorWatch, NamesTheSensorAndTheKind)
               "pitch angle: not changed for 12 s while the robot drove 0.6 m, stuck?");
 }
 
-TEST(SensorWatch, ForgetsWhatHasMended)
+TEST(SensorWatch, ClearsASensorThatRecovers)
 {
     SensorWatch watch(absolem());
     const auto& lines = drives()[0];

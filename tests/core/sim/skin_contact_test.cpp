@@ -56,7 +56,7 @@ TEST(SkinHull, depthIsTheDistanceToTheNearestPointOutside)
     EXPECT_GT(inside, 100);
 }
 
-TEST(SkinPolygon, isEnteredAtItsNearestEdgeWhicheverWayItTurns)
+TEST(SkinPolygon, isEnteredAtItsNearestEdgeInEitherDirection)
 {
     for (const bool reversed : {false, true}) {
         std::vector<Vec2> box{{-0.3, 0.1}, {0.1, 0.1}, {0.1, 0.2}, {-0.3, 0.2}};

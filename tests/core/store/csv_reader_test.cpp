@@ -70,7 +70,7 @@ TEST(CsvReader, readsQuotesAsRfc4180HasThem)
     EXPECT_EQ(third->line(), 3);
 }
 
-TEST(CsvReader, passesBlankLinesOver)
+TEST(CsvReader, skipsBlankLines)
 {
     EXPECT_EQ(linesIn("\n \t\na\n\nb\r\n\r\n  \n"), (Lines{{"a"}, {"b"}}));
 }
@@ -94,7 +94,7 @@ TEST(CsvReader, refusesOtherSeparatorsByName)
     EXPECT_TRUE(refused(CsvReader::over("text", "sep=|\na|b\n"), "text", {"names a separator"}));
 }
 
-TEST(CsvReader, namesWhatIsNoTextInUtf8)
+TEST(CsvReader, namesOtherKindsOfFiles)
 {
     for (const auto& [bytes, cause] :
          {std::pair("\xFF\xFE"
@@ -174,7 +174,7 @@ TEST(CsvReader, countsFieldsBelowAHeader)
     EXPECT_TRUE(whole->lacksLineEnd());
 }
 
-TEST(CsvReader, passesTheUnitsOfItsColumnsOver)
+TEST(CsvReader, skipsALineOfUnits)
 {
     const std::vector<std::string> units{"", "rad", "A"};
     for (const char* line : {"-,rad,A", ",[rad],(A)", "name,rad,", "\"\",RAD,-"}) {
@@ -225,7 +225,7 @@ TEST(CsvText, makesNoFormulaOfAText)
     EXPECT_EQ(csvField("a, b"), "\"a, b\"");
 }
 
-TEST(CsvText, comesBackAsItWas)
+TEST(CsvText, survivesARoundTrip)
 {
     for (const std::string text : {"=1+1", "'=1", "''-x", "-0.5", "'-0.5", "'quoted'", "", " a ",
                                    "a\"b", "two\nlines", "@,;\t", "\r", "'"}) {
@@ -235,7 +235,7 @@ TEST(CsvText, comesBackAsItWas)
     }
 }
 
-TEST(CsvReader, passesRemarksBelowAHeaderOver)
+TEST(CsvReader, skipsCommentsBelowAHeader)
 {
     Result<CsvReader> csv = atSecond("a,b\n# made by hand\n1,2\n# the end\n", {"", ""});
     ASSERT_TRUE(csv);

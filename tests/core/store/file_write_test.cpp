@@ -106,7 +106,7 @@ TEST(NewFile, isNotSeenBeforeCommitAndGoneWithoutIt)
     EXPECT_EQ(dir.entries(), Names{});
 }
 
-TEST(ReadFile, givesEveryByteOrSaysWhyNot)
+TEST(ReadFile, returnsEveryByteOrAnError)
 {
     const TemporaryDirectory dir;
     const std::string content(100000, '\0');

@@ -65,7 +65,7 @@ TEST(TerrainProfile, sampledKeepsEveryCornerAndTheSpacing)
     EXPECT_TRUE(has({1.0, 0.0}) && has({1.0, 0.28}));
 }
 
-TEST(TerrainProfile, refusesWhatIsNoGround)
+TEST(TerrainProfile, refusesInvalidGround)
 {
     EXPECT_THROW(TerrainProfile({}), std::invalid_argument);
     EXPECT_THROW(TerrainProfile({{1.0, 0.0}, {0.9, 0.0}}), std::invalid_argument);

@@ -158,7 +158,7 @@ TEST_F(OnAbsolemsBus, statusWordsComeUnasked)
     EXPECT_EQ(take(bytes(0x000, {})), Verdict::WrongLength);
 }
 
-TEST_F(OnAbsolemsBus, aReplyCountsOnceAndOnlyWithTheHeaderThatWasAsked)
+TEST_F(OnAbsolemsBus, aReplyNeedsTheHeaderOfItsRequest)
 {
     EXPECT_EQ(take(reply(Node::RearRight, "px", 7)), Verdict::NotAsked);
     take(query(Node::RearRight, "px"));
@@ -195,7 +195,7 @@ TEST_F(OnAbsolemsBus, aRefusalIsNoValue)
     EXPECT_FALSE(state().rearRight.angle);
 }
 
-TEST_F(OnAbsolemsBus, aDriveThatSendsTheRequestsTypeBackIsUnderstood)
+TEST_F(OnAbsolemsBus, echoedTypeBitIsNoRefusal)
 {
     EXPECT_EQ(ask(Node::RearRight, "px", 1500, 0x40), Verdict::Used)
         << "no error code is as large as that";
@@ -203,7 +203,7 @@ TEST_F(OnAbsolemsBus, aDriveThatSendsTheRequestsTypeBackIsUnderstood)
     EXPECT_EQ(ask(Node::RearLeft, "px", 200, 0x40), Verdict::Refused) << "of that drive only";
 }
 
-TEST_F(OnAbsolemsBus, whatIsAnIntegerMayNotComeAsAFloat)
+TEST_F(OnAbsolemsBus, anIntegerMayNotComeAsAFloat)
 {
     EXPECT_EQ(ask(Node::RearRight, "px", 0x3F80'0000, 0x80), Verdict::WrongType);
     EXPECT_EQ(ask(Node::RearRight, "sr", 0x3F80'0000, 0x80), Verdict::WrongType);
@@ -283,7 +283,7 @@ TEST(AbsolemFrames, areTakenApartAsInTheManual)
     EXPECT_EQ(real.node, Node::FrontLeft);
 }
 
-TEST(AbsolemFrames, ofAnyBytesAreCountedOnceAndLeaveOnlyPossibleValues)
+TEST(AbsolemFrames, anyBytesAreCountedAndGivePossibleValues)
 {
     std::mt19937 random(7);
     AbsolemListener listener;

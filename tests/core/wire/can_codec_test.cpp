@@ -138,7 +138,7 @@ std::int64_t stride(const DbcSignal& s)
     return s.length <= 16 ? 1 : 251;
 }
 
-TEST(Codec, readsEveryRawValueOfEverySignalAsTheFileSaysAndWritesItBack)
+TEST(Codec, everyRawValueSurvivesARoundTripAsInTheDbc)
 {
     forEverySignal([](FrameKind kind, const DbcMessage& m, const DbcSignal& s) {
         const std::size_t index = signalIndex(kind, s.name);
@@ -300,7 +300,7 @@ TEST(Codec, hasWordsForEveryFault)
                  std::invalid_argument);
 }
 
-TEST(Codec, stopsOnWhateverCarriesTheIdentifierOfStop)
+TEST(Codec, stopsOnEveryFrameWithTheStopIdentifier)
 {
     CanFrame frame = frameOf(StopCommand{}, 9, 1);
     EXPECT_TRUE(meansStop(frame));

@@ -118,7 +118,7 @@ TEST(Status, travelsInItsFrame)
         }
 }
 
-TEST(Status, isNoneInOtherFramesWithEpochZeroOrAnUnknownCommand)
+TEST(Status, isEmptyForOtherFramesAndEpochZero)
 {
     EXPECT_FALSE(statusOf(contentOf(frameOf(HaltCommand{}, 1, 1))));
     EXPECT_THROW(static_cast<void>(frameOf(RobotStatus{.epoch = 0}, 0)), std::invalid_argument);

@@ -47,7 +47,7 @@ TEST(CanError, saysWhatTheControllerMayStillDo)
             << std::hex << row.classes << " " << int{row.controller};
 }
 
-TEST(CanError, bytesThatTheFrameIsTooShortForSayNothing)
+TEST(CanError, missingBytesCountAsUnspecified)
 {
     CanFrame frame = errorFrame(CAN_ERR_CRTL, {0, CAN_ERR_CRTL_TX_PASSIVE});
     frame.length = 1;
@@ -55,7 +55,7 @@ TEST(CanError, bytesThatTheFrameIsTooShortForSayNothing)
     EXPECT_EQ(describeError(frame), "controller: unspecified");
 }
 
-TEST(CanError, isSaidInWords)
+TEST(CanError, hasATextForPeople)
 {
     EXPECT_EQ(describeError(errorFrame(CAN_ERR_BUSOFF | CAN_ERR_CNT, {0, 0, 0, 0, 0, 0, 136, 12})),
               "bus-off; 136 transmit and 12 receive errors");

@@ -113,7 +113,7 @@ TEST_F(RobotEnd, takesEveryMotionOnceAndInOrder)
         << "every kind has its own counter";
 }
 
-TEST_F(RobotEnd, wantsAChallengeThatIsAtMostHalfASecondOld)
+TEST_F(RobotEnd, needsAChallengeOfAtMostHalfASecond)
 {
     arm();
     const std::uint16_t given = challenge;
@@ -191,7 +191,7 @@ TEST_F(RobotEnd, givesAChallengeOutOnceWithin54Minutes)
     EXPECT_THROW(CommandReceiver(1, 0), std::invalid_argument);
 }
 
-TEST_F(RobotEnd, takesWhatMakesSafeFromAnyEpochAndInAnyOrder)
+TEST_F(RobotEnd, acceptsSafeCommandsInAnyEpochAndOrder)
 {
     for (const Command& command : {Command{StopCommand{}}, Command{HaltCommand{}},
                                    Command{AbortAtemCommand{}}, Command{ArmCommand{false}}}) {
@@ -246,7 +246,7 @@ TEST_F(RobotEnd, refusesEveryFrameOfARecordedSession)
     EXPECT_EQ(accepted, 0);
 }
 
-TEST_F(RobotEnd, takesNothingThatWaitedOnAStalledBus)
+TEST_F(RobotEnd, refusesFramesDelayedByAStalledBus)
 {
     arm();
     std::vector<CanFrame> queued;
@@ -261,7 +261,7 @@ TEST_F(RobotEnd, takesNothingThatWaitedOnAStalledBus)
     EXPECT_EQ(obeyed, 0);
 }
 
-TEST_F(RobotEnd, haltsAndDisarmsWhenItsConsoleFallsSilent)
+TEST_F(RobotEnd, watchdogHaltsAndDisarmsWithoutHeartbeats)
 {
     arm();
     const std::uint8_t epoch = robot.epoch();
@@ -272,7 +272,7 @@ TEST_F(RobotEnd, haltsAndDisarmsWhenItsConsoleFallsSilent)
     EXPECT_EQ(robot.tick(now + 0.3), Silence::None) << "said once";
 }
 
-TEST_F(RobotEnd, haltsWhenTheDriveIsNotRenewed)
+TEST_F(RobotEnd, deadManHaltsWithoutDriveFrames)
 {
     arm();
     ASSERT_EQ(send(DriveCommand{0.2}), Verdict::Accepted);

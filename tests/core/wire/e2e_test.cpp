@@ -80,7 +80,7 @@ TEST_P(FlippedBits, oneTwoOrThreeAreAlwaysCaught)
 
 INSTANTIATE_TEST_SUITE_P(ofEveryLength, FlippedBits, testing::Range(3, 9));
 
-TEST(Protection, tellsEveryOtherDataIdFromItsOwn)
+TEST(Protection, detectsEveryOtherDataId)
 {
     const Bytes bytes = frame(7);
     for (int id = 0; id <= 0xFFFF; ++id)
@@ -164,7 +164,7 @@ TEST_F(Link, forgetsAnErrorThatHasLeftTheWindow)
     }
 }
 
-TEST_F(Link, takesAFrameOfAnotherSenderForDamaged)
+TEST_F(Link, countsAnotherSendersFrameAsDamaged)
 {
     EXPECT_EQ(receiver.receive(frame(1, kId + 1), now), FrameCheck::WrongCrc);
     EXPECT_EQ(receiver.receive(Bytes(2), now), FrameCheck::WrongCrc);
@@ -188,7 +188,7 @@ TEST_F(Link, isNotKeptAliveByDamagedOrRepeatedFrames)
     EXPECT_EQ(receiver.state(now), LinkState::Lost);
 }
 
-TEST_F(Link, beginsAnewAfterAnOutageOfExactlyAWholeTurnOfTheCounter)
+TEST_F(Link, restartsAfterAnOutageOfOneCounterTurn)
 {
     receiveGood(10);
     now += 256 * 0.05;
@@ -212,7 +212,7 @@ TEST_F(Link, needsAWholeWindowAgainAfterItWasLost)
     expectGoodAfterNineMore();
 }
 
-TEST_F(Link, countsItsLimitsThemselvesAsInTime)
+TEST_F(Link, acceptsAgesEqualToItsLimits)
 {
     receiver = E2eReceiver(kId, {.stale = 0.125, .lost = 0.25});
     now = 0.0;
@@ -228,7 +228,7 @@ TEST_F(Link, isLostWhenTimeRunsBackwards)
     EXPECT_EQ(receiver.state(now - 1.0), LinkState::Lost);
 }
 
-TEST_F(Link, refusesTimesAndLimitsThatAreNone)
+TEST_F(Link, refusesInvalidTimesAndLimits)
 {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(receiver.receive(frame(1), nan), std::invalid_argument);

@@ -166,7 +166,7 @@ TEST(Logs, whoseClockGoesBackGoOnEvenly)
               "set, or is this a log of candump -td?");
 }
 
-TEST(Logs, whoseClockGoesBackOftenAreToldShortly)
+TEST(Logs, reportFrequentClockStepsBriefly)
 {
     std::string text;
     for (int i = 0; i < 50; ++i) text += i % 2 == 0 ? "(5.0) can0 500#\n" : "(4.0) can0 500#\n";
@@ -387,7 +387,7 @@ TEST(Logs, nameTheLineAtFaultInEveryFormat)
     says("Time Stamp,ID,Extended,Bus,LEN,D1\n-1,500,false,0,1,00\n", {"line 2", "a time"});
 }
 
-TEST(Logs, ofOtherKindsAreNamedWithWhatMakesALogOfThem)
+TEST(Logs, ofOtherKindsAreNamedWithTheirConverter)
 {
     using namespace std::string_literals;
     const std::vector<std::pair<std::string, std::string>> kinds{
@@ -448,7 +448,7 @@ TEST(Logs, surviveAnyBytesInEveryFormat)
     EXPECT_GT(accepted, 5'000U);
 }
 
-TEST(Logs, areToldTornWhereNoFrameIsInTheLastLine)
+TEST(Logs, areTornIfTheLastLineHasNoFrame)
 {
     const Log log = read("base hex\n0.1 1 500 Rx d 1 DD\n0.2 1  12");
     EXPECT_EQ(log.frames.size(), 1U);
@@ -478,7 +478,7 @@ TEST(Logs, mayEndTheirLinesWithCrAlone)
     EXPECT_EQ(read(longer).frames.size(), 200U) << read(longer).error;
 }
 
-TEST(Logs, packedTwiceOrFollowedByOtherBytesSaySo)
+TEST(Logs, reportOtherBytesBehindPackedOnes)
 {
     const std::string once = packed("(1.0) can0 123#00\n");
     EXPECT_NE(read(packed(once)).error.find("twice"), std::string::npos);
@@ -504,7 +504,7 @@ TEST(Logs, whoseClockJumpsOverYearsGoOnEvenly)
         << log.remarks[0];
 }
 
-TEST(Logs, asCsvMayBeWrittenAnewByASpreadsheet)
+TEST(Logs, asCsvMayBeSavedByASpreadsheet)
 {
     for (const char* const text :
          {"Time Stamp;ID;Extended;Dir;Bus;LEN;D1;D2\n1000000;500;FALSE;Rx;0;2;DD;FF\n",

@@ -145,7 +145,7 @@ TEST_F(Listening, countsLinesInWhichSomethingWasNotMeasured)
     EXPECT_EQ(listener.forces().right[1]->state, ElementState::Sound);
 }
 
-TEST_F(Listening, countsEachFaultAndLeavesTheLinkToCountWhatWasDamaged)
+TEST_F(Listening, countsEachFaultAndDamagesTheLink)
 {
     for (int i = 0; i < 10; ++i) tick();
     ASSERT_EQ(link(), LinkState::Good);
@@ -174,7 +174,7 @@ TEST_F(Listening, countsEachFaultAndLeavesTheLinkToCountWhatWasDamaged)
     EXPECT_EQ(listener.counters().used, used);
 }
 
-TEST_F(Listening, letsNoShortFrameWithARightChecksumKeepALinkAlive)
+TEST_F(Listening, shortFramesDoNotKeepALinkAlive)
 {
     for (int i = 0; i < 10; ++i) tick();
     CanFrame frame = frameOf(status, ++counter);
@@ -216,7 +216,7 @@ TEST_F(Listening, countsAConsolesFramesAndKeepsTheTokenOfAnAnswer)
                  std::invalid_argument);
 }
 
-TEST_F(Listening, refusesATimeThatIsNone)
+TEST_F(Listening, refusesATimeThatIsNotFinite)
 {
     EXPECT_THROW(listener.take(CanFrame{}, std::nan("")), std::invalid_argument);
     EXPECT_THROW(listener.take(CanFrame{}, std::numeric_limits<double>::infinity()),

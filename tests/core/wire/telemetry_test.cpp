@@ -110,7 +110,7 @@ TEST_F(Wire, losesLittleOfAForceToItsRawVoltage)
     EXPECT_LT(worst, 0.05) << "a sixth of what a force's noise is";
 }
 
-TEST_F(Wire, sendsAWayThatNoSignalHoldsAsNotMeasured)
+TEST_F(Wire, sendsAWayBeyondItsSignalAsNotMeasured)
 {
     Measurement m = measured();
     m.turned = 7.0;
@@ -124,7 +124,7 @@ TEST_F(Wire, sendsAWayThatNoSignalHoldsAsNotMeasured)
     EXPECT_FALSE(overTheWire(m)->turned);
 }
 
-TEST_F(Wire, sendsWhatIsBeyondASignalAsItsEnd)
+TEST_F(Wire, clampsValuesBeyondTheirSignal)
 {
     Measurement m = measured();
     m.frontLeft = 3.0 * std::numbers::pi;
@@ -178,7 +178,7 @@ TEST_F(Wire, namesMissingCurrentsAndForces)
     EXPECT_EQ(overTheWire(*got)->missing, got->missing) << "as a robot sends it on";
 }
 
-TEST_F(Wire, takesTheOtherSideForABrokenElement)
+TEST_F(Wire, usesTheOtherSideOfABrokenElement)
 {
     SensorLine line = sensorLineOf(measured(), robot);
     (*line.voltages[0])[1] = 0.0;  // left element 2: wire broken

@@ -57,7 +57,7 @@ TEST_F(MeasuredBinsTest, holdTheContactUnlessContactsAreSwitchedOff)
     EXPECT_EQ(touched(), -1);
 }
 
-TEST_F(MeasuredBinsTest, theArmReplacesAContactAndADisagreementIsFlagged)
+TEST_F(MeasuredBinsTest, armReplacesAContactAndFlagsDisagreement)
 {
     const int bin = touched();
     ASSERT_GE(bin, 0);
@@ -71,7 +71,7 @@ TEST_F(MeasuredBinsTest, theArmReplacesAContactAndADisagreementIsFlagged)
     EXPECT_TRUE(warns(measure({&far, 1}), "200 mm"));
 }
 
-TEST_F(MeasuredBinsTest, aReadingInsideTheBodyIsFlaggedAndANonsenseOneRefused)
+TEST_F(MeasuredBinsTest, flagsReadingsInTheBodyAndRefusesInvalidOnes)
 {
     const ArmReading inside{3, ceiling[3] + 0.1, 0.03};
     EXPECT_TRUE(warns(measure({&inside, 1}), "above the robot's own lower edge"));

@@ -83,7 +83,7 @@ TEST(MissingSensors, aModelThatNeedsAFeatureRefusesASceneWithout)
                  std::invalid_argument);
 }
 
-TEST(MissingSensors, whatWasAskedBeforeChangesNoEstimate)
+TEST(MissingSensors, earlierEstimatesChangeNoLaterOne)
 {
     const Models fresh(bench().data, bench().robot);
     (void)estimate(bench().scenes[1], Method::Local, kNoForces, fresh);

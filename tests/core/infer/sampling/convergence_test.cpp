@@ -61,7 +61,7 @@ TEST(BulkEss, equalsThePosteriorPackage)
         EXPECT_NEAR(RankedDraws(r.draws).ess(), r.ess, 1e-10 * r.ess) << r.name;
 }
 
-TEST(Convergence, ofOneHeightEverywhereIsNotClaimed)
+TEST(Convergence, constantDrawsDoNotConverge)
 {
     Eigen::MatrixXd fixed = Eigen::MatrixXd::Constant(250, 4, -0.137);
     EXPECT_EQ(RankedDraws(fixed).rhat(), kRhatNever);
@@ -73,7 +73,7 @@ TEST(Convergence, ofOneHeightEverywhereIsNotClaimed)
     EXPECT_EQ(RankedDraws(fixed).ess(), 4.0);
 }
 
-TEST(Convergence, ofDrawsThatTheirBoundHoldsIsPerfect)
+TEST(Convergence, drawsAtTheirBoundHaveConverged)
 {
     const Eigen::MatrixXd held = Eigen::MatrixXd::Constant(250, 4, -0.137);
     EXPECT_EQ(RankedDraws(held, {}, -0.137).rhat(), 1.0);
@@ -89,7 +89,7 @@ TEST(Convergence, ofDrawsThatTheirBoundHoldsIsPerfect)
     EXPECT_EQ(RankedDraws(held.topRows(5), {}, -0.137).ess(), 4.0);
 }
 
-TEST(Convergence, ofDrawsThatAreFreeDoesNotDependOnTheBound)
+TEST(Convergence, freeDrawsIgnoreTheBound)
 {
     for (const Reference& r : readReference())
         for (const double bound : {r.draws.minCoeff(), r.draws.mean(), r.draws.maxCoeff()}) {
@@ -98,7 +98,7 @@ TEST(Convergence, ofDrawsThatAreFreeDoesNotDependOnTheBound)
         }
 }
 
-TEST(Convergence, ofChainsFrozenAtDifferentHeightsIsNone)
+TEST(Convergence, chainsStuckApartDoNotConverge)
 {
     for (const Eigen::Index chains : {2, 4, 500}) {  // 500: as many effective draws
         Eigen::MatrixXd frozen(250, chains);
@@ -117,7 +117,7 @@ TEST(Convergence, ofChainsFrozenAtDifferentHeightsIsNone)
     EXPECT_EQ(RankedDraws(moved).ess(), 4.0);
 }
 
-TEST(Convergence, ofTwoHeightsInTurnIsJudgedThoughTheFoldedDrawsAreOneValue)
+TEST(Convergence, twoAlternatingHeightsAreJudgedUnfolded)
 {
     Eigen::MatrixXd turns(100, 2);
     for (Eigen::Index i = 0; i < turns.size(); ++i) turns(i) = (i * 7 % 10) < 5 ? 0.0 : 1.0;
@@ -125,7 +125,7 @@ TEST(Convergence, ofTwoHeightsInTurnIsJudgedThoughTheFoldedDrawsAreOneValue)
     EXPECT_GT(RankedDraws(turns).ess(), 100.0);
 }
 
-TEST(Convergence, ofTooFewDrawsIsNotClaimed)
+TEST(Convergence, tooFewDrawsDoNotConverge)
 {
     for (Eigen::Index n = 1; n < 6; ++n) {
         const Eigen::MatrixXd few = Eigen::MatrixXd::Random(n, 3);
@@ -149,7 +149,7 @@ TEST(Convergence, isFiniteForEveryShapeAndManyTies)
             }
 }
 
-TEST(Convergence, ofNothingOrOfNotANumberIsRefused)
+TEST(Convergence, refusesNoDrawsAndNan)
 {
     Eigen::MatrixXd x = Eigen::MatrixXd::Random(10, 2);
     x(3, 1) = std::numeric_limits<double>::quiet_NaN();

@@ -22,7 +22,7 @@ GaussianMixture twoHeaps()
     return m;
 }
 
-TEST(GaussianMixture, hasQuantilesWhereItsSpreadIsBelowTheRoundingOfItsMean)
+TEST(GaussianMixture, hasQuantilesWithSpreadBelowRounding)
 {
     GaussianMixture far{Eigen::VectorXd::Ones(1), Eigen::MatrixXd::Constant(1, 1, 1e9),
                         Eigen::MatrixXd::Constant(1, 1, 1e-4)};
@@ -110,7 +110,7 @@ TEST(GaussianMixture, conditioningFollowsAReadingFarFromEveryComponent)
     EXPECT_NEAR(m.quantile(0, 0.5), 1e6 * 0.5 / 0.5001, 2.0);  // the gain of the reading
 }
 
-TEST(GaussianMixture, twoReadingsInEitherOrderSayTheSame)
+TEST(GaussianMixture, orderOfTwoReadingsDoesNotMatter)
 {
     GaussianMixture a = twoHeaps();
     GaussianMixture b = twoHeaps();
@@ -123,7 +123,7 @@ TEST(GaussianMixture, twoReadingsInEitherOrderSayTheSame)
     EXPECT_TRUE(a.covariance.isApprox(b.covariance, 1e-10));
 }
 
-TEST(GaussianMixture, refusesWhatIsNoMeasurement)
+TEST(GaussianMixture, refusesInvalidMeasurements)
 {
     GaussianMixture m = twoHeaps();
     EXPECT_THROW(m.condition(0, std::nan(""), 0.1), std::invalid_argument);

@@ -90,7 +90,7 @@ TEST(Gibbs, clampingPutsAPointMassOnTheCeiling)
     EXPECT_LE(*std::max_element(draws.begin(), draws.end()), problem.ceiling[4]);
 }
 
-TEST(Gibbs, withTwoUnknownBinsReachesTheFixedPointOfTheirConditionals)
+TEST(Gibbs, twoUnknownBinsReachTheirFixedPoint)
 {
     // Both conditionals are Gaussian with a mean that is nearly linear in the other bin over the draws'
     // width: every draw's conditional mean must average to the bin's own mean.
@@ -116,7 +116,7 @@ TEST(Gibbs, withTwoUnknownBinsReachesTheFixedPointOfTheirConditionals)
     }
 }
 
-TEST(Gibbs, repeatsBitForBitAndChainsDoNotDependOnHowManyRun)
+TEST(Gibbs, chainsRepeatWhateverTheirNumber)
 {
     GibbsProblem problem = problemWith({2, 7, 9});
     problem.keptPerChain = 20;
@@ -132,7 +132,7 @@ TEST(Gibbs, repeatsBitForBitAndChainsDoNotDependOnHowManyRun)
     EXPECT_NE(sampleHeights(models(), problem).draws[0], nine.draws[0]);
 }
 
-TEST(Gibbs, drawsTheSameInSeveralThreadsAndInAnyGroupsOfChains)
+TEST(Gibbs, drawsTheSameInAnyThreadsAndGroups)
 {
     GibbsProblem problem = problemWith({2, 7, 9});
     problem.keptPerChain = 20;
@@ -227,7 +227,7 @@ private:
     std::vector<int> unknown_;
 };
 
-TEST(Gibbs, takesScenesThatKnowOtherBinsToTheSameBinAtTheSameTime)
+TEST(Gibbs, scenesWithDifferentBinsMeetAtTheSameBin)
 {
     Noting::Notes notes;
     const Noting a('a', notes), b('b', notes), c('c', notes);

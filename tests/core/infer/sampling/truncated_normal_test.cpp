@@ -146,7 +146,7 @@ TEST_P(DrawBetween, mirroredGivesTheNegativeOfTheSameDraws)
     EXPECT_EQ(h, mirrored);
 }
 
-TEST(DrawBetween, mirroredWithBoundsEquallyFarFromTheMeanIsDrawnFromTheSameSide)
+TEST(DrawBetween, mirrorWithEquidistantBoundsUsesTheSameSide)
 {
     for (const double half : {0.375, 2.0, kInfinity})
         for (const double mean : {0.0, 0.25}) {
@@ -199,7 +199,7 @@ INSTANTIATE_TEST_SUITE_P(
         Interval{2.0, 2.0 + 2.0 / (2.0 + std::sqrt(8.0)), 0.0, 1.0},
         Interval{2.0, below(2.0 + 2.0 / (2.0 + std::sqrt(8.0))), 0.0, 1.0}));
 
-TEST(DrawBetween, oneUnitInTheLastPlaceWideIsEitherBound)
+TEST(DrawBetween, isEitherBoundForAWidthOfOneUlp)
 {
     for (const double mean : {1.0, 0.0, -5.0, -1e7, 3.0}) {
         int above1 = 0;
@@ -212,7 +212,7 @@ TEST(DrawBetween, oneUnitInTheLastPlaceWideIsEitherBound)
     }
 }
 
-TEST(DrawBetween, besideTheMeanIsUniformWhereTheDensityDoesNotFallThatFar)
+TEST(DrawBetween, isUniformIfTheDensityHardlyFalls)
 {
     // The log density falls by 1e-300, by some of the least doubles, by 0 after rounding.
     std::vector<double> h = sampleBetween({0.0, 1e-300, -1.0, 1.0}, 20000);
@@ -224,7 +224,7 @@ TEST(DrawBetween, besideTheMeanIsUniformWhereTheDensityDoesNotFallThatFar)
     }
 }
 
-TEST(DrawBetween, soFarBesideTheMeanThatTheFallOverflowsIsTheNearerBound)
+TEST(DrawBetween, isTheNearerBoundIfTheFallOverflows)
 {
     constexpr double sigma = 1e-300;
     for (const double mean : {1.7e8, 0.9e8, 1e10})  // 1.7e308, 0.9e308, ∞ deviations
@@ -253,7 +253,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{kInfinity, -kLargest, kLargest}, Case{kLargest, kLargest, kLargest},
                     Case{0.0, 1e154, 1.0}, Case{0.0, 1e155, 1.0}, Case{-1e8, 0.0, 1.0}));
 
-TEST(DrawBetween, isFiniteAndInsideItsBoundsAtEveryCornerOfTheDoubles)
+TEST(DrawBetween, isFiniteAndInBoundsForExtremeDoubles)
 {
     const std::vector<double> corners{-kLargest, -1e300, -1e154, -1.0,  -1e-300, -kMin,   0.0,
                                       kMin,      1e-300, 1.0,    1e154, 1e300,   kLargest};
@@ -279,14 +279,14 @@ TEST(DrawBelowFarTail, isAnExponentialOfRateAOverSigma)
     }
 }
 
-TEST(DrawBelowFarTail, isRightWhereTheDistanceOverflowsButNotTheNumberOfDeviations)
+TEST(DrawBelowFarTail, isRightIfOnlyTheDistanceOverflows)
 {
     const std::vector<double> h = sample({-0.9e308, 0.9e308, 0.3e308}, 20000);
     EXPECT_LT(kolmogorov(h, [](double x) { return truncatedCdf(-3.0, 3.0, 1.0)(x / 0.3e308); }),
               2.23);
 }
 
-TEST(DrawBelowStream, isTheSameForTheSameSeedAndEveryStandardLibrary)
+TEST(DrawBelowStream, repeatsForASeedOnEveryStandardLibrary)
 {
     EXPECT_EQ(sample({-0.3, -0.2, 0.05}, 100, 7), sample({-0.3, -0.2, 0.05}, 100, 7));
     EXPECT_NE(sample({-0.3, -0.2, 0.05}, 100, 7), sample({-0.3, -0.2, 0.05}, 100, 8));
@@ -294,7 +294,7 @@ TEST(DrawBelowStream, isTheSameForTheSameSeedAndEveryStandardLibrary)
     EXPECT_NEAR(sample({-2.0, 0.0, 1.0}, 1, 1).front(), -2.8329157376232192, 1e-14);
 }
 
-TEST(DrawBelowArguments, thatMeanNothingAreRefused)
+TEST(DrawBelowArguments, outOfRangeAreRefused)
 {
     std::mt19937_64 rng(1);
     for (const Case& c : {Case{-kInfinity, 0, 1}, Case{kNan, 0, 1}, Case{0, kNan, 1},
@@ -304,7 +304,7 @@ TEST(DrawBelowArguments, thatMeanNothingAreRefused)
             << c.ceiling << ' ' << c.mean << ' ' << c.sigma;
 }
 
-TEST(DrawBetweenArguments, thatMeanNothingAreRefused)
+TEST(DrawBetweenArguments, outOfRangeAreRefused)
 {
     std::mt19937_64 rng(1);
     for (const Interval& i :
@@ -326,7 +326,7 @@ int numbersUsed(const Interval& i, std::mt19937_64& rng)
     return used;
 }
 
-TEST(DrawBetweenEffort, isAFewRandomNumbersHoweverFarAndNarrowTheInterval)
+TEST(DrawBetweenEffort, isAFewNumbersForAnyInterval)
 {
     for (const double ceiling : {6.0, 1.25, 0.0, -0.1, -2.0, -38.0, -1e5, -1e300})
         for (const double width : {1e-12, 0.1, 1.0, 2.4, 2.6, 40.0, kInfinity}) {
@@ -364,7 +364,7 @@ TEST(DrawBetweenEffort, endsWithEveryGenerator)
         }
 }
 
-TEST(DrawBetweenEffort, isNoOtherDrawFromAnotherSourceOfTheSameBits)
+TEST(DrawBetweenEffort, isEqualForAnotherSourceOfTheSameBits)
 {
     for (const double ceiling : {3.0, 0.1, -0.5, -8.0})
         for (const double width : {0.1, 2.6, kInfinity}) {
@@ -385,7 +385,7 @@ double anyDeviations(double least, double most, std::mt19937_64& rng)
 }
 
 /// TERRATACT_DRAWS=1000000000 runs the long form, about two minutes.
-TEST(DrawBetween, isFiniteAndInsideItsBoundsInEveryOneOfManyDraws)
+TEST(DrawBetween, isInBoundsInEveryOneOfManyDraws)
 {
     const char* const wanted = std::getenv("TERRATACT_DRAWS");
     const std::int64_t draws = wanted ? std::stoll(wanted) : 300000;

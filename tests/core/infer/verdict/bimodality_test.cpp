@@ -31,7 +31,7 @@ std::vector<double> heaps(unsigned seed, double high, double distance, double sd
     });
 }
 
-TEST(TwoModes, areNotSeenInOneHeapOfAnyShape)
+TEST(TwoModes, areNotFoundInOneCluster)
 {
     for (unsigned seed = 1; seed <= 50; ++seed) {
         EXPECT_FALSE(twoModes(drawn(seed, std::normal_distribution<double>(0.3, 0.2)))) << seed;
@@ -44,7 +44,7 @@ TEST(TwoModes, areNotSeenInOneHeapOfAnyShape)
     }
 }
 
-TEST(TwoModes, ofFarHeapsAreTheirMeansAndShares)
+TEST(TwoModes, ofDistantClustersAreTheirMeansAndShares)
 {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         const auto modes = twoModes(heaps(seed, 0.5, 0.2, 0.02));
@@ -59,7 +59,7 @@ TEST(TwoModes, ofFarHeapsAreTheirMeansAndShares)
     }
 }
 
-TEST(TwoModes, mayBeUnequalButNotAHandfulOfDraws)
+TEST(TwoModes, mayBeUnequalButNotTiny)
 {
     const auto unequal = twoModes(heaps(1, 0.15, 0.3, 0.02));
     ASSERT_TRUE(unequal);

@@ -101,7 +101,7 @@ TEST(Ghost, widensByItsFormula)
     EXPECT_NEAR(ghost.bin[5]->q90 - ghost.bin[5]->height, std::hypot(0.02, kTenth * w), 1e-12);
 }
 
-TEST(Ghost, hardlyWidensBySlipAlongTheGroundItDrivesOn)
+TEST(Ghost, hardlyWidensBySlipAlongItsSlope)
 {
     const double pitch = std::atan(0.3);
     const auto onRamp = reckoned({{0.0, pitch}, {0.4, pitch}}).motion();
@@ -150,7 +150,7 @@ TEST(DeadReckoning, growsLessCertainForthAndBack)
     }
 }
 
-TEST(DeadReckoning, takesNothingThatIsNotFinite)
+TEST(DeadReckoning, refusesNumbersThatAreNotFinite)
 {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(DeadReckoning(absolem(), kNan, 0.0), std::invalid_argument);
@@ -220,7 +220,7 @@ TEST_F(Track, followsTheTelemetry)
     EXPECT_NEAR(track.ghost()->bin[6]->height, estimate.height[8], 1e-12);
 }
 
-TEST_F(Track, endsWithWordsWhereItMeansNothingAnyMore)
+TEST_F(Track, endsWithAReasonBeyondItsLimits)
 {
     EXPECT_EQ(after([](Measurement&) {}), std::nullopt);
     EXPECT_EQ(after([](Measurement& n) { n.turned = 3.15 - 2.0 * std::numbers::pi; }), std::nullopt)

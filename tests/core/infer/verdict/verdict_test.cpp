@@ -116,7 +116,7 @@ TEST(Verdict, spannedGroundNeedsALowRate)
     EXPECT_NEAR(v.toHorizon.p, 1.0 - 0.99 * 0.99 * 0.99, 1e-9);
 }
 
-TEST(Verdict, steepFlippersAreToldToLieFlatter)
+TEST(Verdict, steepFlippersGetTheHelpToLieFlatter)
 {
     TerrainEstimate e = estimateFeltTo(6);
     Measurement m;
@@ -136,7 +136,7 @@ TEST(Verdict, oldRecordingHasNoHorizon)
     EXPECT_EQ(describeStepVerdict(v), "CLEAR");
 }
 
-TEST(Verdict, isWithheldForEachDoubtByItself)
+TEST(Verdict, isWithheldForEachSingleDoubt)
 {
     struct Case {
         Doubt doubt;
@@ -170,7 +170,7 @@ TEST(Verdict, isWithheldForEachDoubtByItself)
     }
 }
 
-TEST(Verdict, saysNothingWithoutDraws)
+TEST(Verdict, cannotTellWithoutDraws)
 {
     TerrainEstimate e = estimateWith(0);
     e.draws.clear();
@@ -179,7 +179,7 @@ TEST(Verdict, saysNothingWithoutDraws)
     EXPECT_EQ(v.step.monteCarloSd, 1.0);
 }
 
-TEST(Verdict, refusesALimitThatIsNone)
+TEST(Verdict, refusesAnInvalidLimit)
 {
     for (const double limit : {-0.1, std::nan(""), std::numeric_limits<double>::infinity()})
         EXPECT_THROW(verdictOf(estimateWith(0), Measurement{}, {}, limit), std::invalid_argument);

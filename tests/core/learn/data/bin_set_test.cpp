@@ -23,7 +23,7 @@ TEST(BinSet, everySetSurvivesARoundTripAsText)
     EXPECT_EQ(text(BinSet{}), "none");
 }
 
-TEST(BinSet, refusesWhatNamesNoBinsOrOneTwice)
+TEST(BinSet, refusesNoBinsAndDuplicates)
 {
     for (const char* wrong :
          {"",    ",",     "0,", ",0", "-",  "0-", "-3",   "3-1", "11",          "0-11", "-1",

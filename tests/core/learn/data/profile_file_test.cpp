@@ -147,7 +147,7 @@ TEST_F(ProfileFileTest, readsPointsAndHeightsAsSpreadsheetsWriteThem)
               read("0.00,0.02,0.05\n")->profiles.at(0).points());
 }
 
-TEST_F(ProfileFileTest, refusesHeightsThatSpeakOfMillimetres)
+TEST_F(ProfileFileTest, refusesHeightsThatLookLikeMillimetres)
 {
     EXPECT_TRUE(read("100,105,95\n"));
     EXPECT_TRUE(refuses("0,0,0\n100,105.1,95\n", {"line 2", "105.1", "5 m", "mm"}));
@@ -174,13 +174,13 @@ TEST_F(ProfileFileTest, boundsTheNumbersOfAFile)
     EXPECT_TRUE(refuses(content + "0,0,0\n", {"line 21", "the 2000000 numbers"}));
 }
 
-TEST_F(ProfileFileTest, throwsForAStepThatIsNone)
+TEST_F(ProfileFileTest, throwsForAnInvalidStep)
 {
     for (const double step : {0.0, -0.1, std::nan(""), std::numeric_limits<double>::infinity()})
         EXPECT_THROW(static_cast<void>(read("0,0,0\n", step)), std::invalid_argument) << step;
 }
 
-TEST_F(ProfileFileTest, takesColumnsOfPointsForNoHeights)
+TEST_F(ProfileFileTest, refusesPointColumnsAmongHeights)
 {
     EXPECT_TRUE(refuses("x,y,z\n0,0,0\n5,0,0\n", {"line 1", "3 columns", "x_m,z_m"}));
     EXPECT_TRUE(refuses("x_m,z_m,sd_m\n0,0,0\n5,0,0\n", {"line 1", "3 columns"}));

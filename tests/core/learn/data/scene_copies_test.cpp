@@ -31,7 +31,7 @@ Scene again(const Scene& scene, std::mt19937_64& rng)
     return copy;
 }
 
-TEST(SceneCopies, trainingTakesAFileThatIsThereTwiceOnce)
+TEST(SceneCopies, trainingUsesADuplicatedFileOnce)
 {
     const std::vector<Scene> once = scenesOf(20);
     std::vector<Scene> twice = once;
@@ -48,7 +48,7 @@ TEST(SceneCopies, trainingTakesAFileThatIsThereTwiceOnce)
     EXPECT_EQ(second.model.paf.mean, first.model.paf.mean);
 }
 
-TEST(SceneCopies, aPosePressedAgainIsTakenOnce)
+TEST(SceneCopies, aPosePressedTwiceIsUsedOnce)
 {
     std::mt19937_64 rng(1);
     std::vector<Scene> scenes = scenesOf(20);
@@ -83,7 +83,7 @@ TEST(SceneCopies, countsTheScenesAModelWasTrainedOn)
     EXPECT_EQ(trainingScenes(lacking, model.features), 0U);
 }
 
-TEST(SceneCopies, scenesInAnotherNumberFormatAreKnown)
+TEST(SceneCopies, recognisesScenesInAnotherNumberFormat)
 {
     const std::vector<Scene> scenes = scenesOf(20);
     const ModelData model = prepareTraining(scenes).model;

@@ -218,7 +218,7 @@ TEST_F(SceneFileTest, anEmptyFieldIsUnknownWhereThatIsAllowed)
     }
 }
 
-TEST_F(SceneFileTest, refusesMissingDoubledAndMisspeltColumns)
+TEST_F(SceneFileTest, refusesMissingDuplicateAndMisspeltColumns)
 {
     for (const std::string& name : split(kHeader.substr(0, kHeader.find(",h_")) + "\n")) {
         std::string header = kHeader;
@@ -245,7 +245,7 @@ TEST_F(SceneFileTest, refusesWhatIsNotAFiniteNumber)
     }
 }
 
-TEST_F(SceneFileTest, refusesMagnitudesThatSpeakOfOtherUnits)
+TEST_F(SceneFileTest, refusesMagnitudesOfOtherUnits)
 {
     struct Case {
         const char *column, *inside, *outside, *doubt;

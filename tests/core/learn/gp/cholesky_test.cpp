@@ -32,7 +32,7 @@ double norm1(const Eigen::MatrixXd& K)
     return K.cwiseAbs().colwise().sum().maxCoeff();
 }
 
-TEST(Cholesky, givesTheFactorAndItsInverseOnEitherSideOfEveryBlockBorder)
+TEST(Cholesky, givesFactorAndInverseAroundEveryBlockBorder)
 {
     for (const int n : {1, 2, 127, 128, 129, 255, 256, 300}) {
         const Eigen::MatrixXd K = positiveMatrix(n, 1.0);
@@ -51,7 +51,7 @@ TEST(Cholesky, givesTheFactorAndItsInverseOnEitherSideOfEveryBlockBorder)
     }
 }
 
-TEST(Cholesky, solvesForSeveralColumnsOnEitherSideOfABlockBorder)
+TEST(Cholesky, solvesSeveralColumnsAroundABlockBorder)
 {
     for (const int n : {1, 300, 1024, 1100}) {
         Eigen::MatrixXd R = positiveMatrix(n, 1.0);
@@ -66,7 +66,7 @@ TEST(Cholesky, solvesForSeveralColumnsOnEitherSideOfABlockBorder)
     }
 }
 
-TEST(Cholesky, ofAnIndefiniteMatrixOrOfNotANumberFails)
+TEST(Cholesky, failsForIndefiniteMatricesAndNan)
 {
     for (const int n : {3, 128, 200}) {
         Eigen::MatrixXd K = positiveMatrix(n, 1.0);
@@ -80,7 +80,7 @@ TEST(Cholesky, ofAnIndefiniteMatrixOrOfNotANumberFails)
     }
 }
 
-TEST(ReciprocalCondition, isNeverBelowTheTruthAndSeldomFarAboveIt)
+TEST(ReciprocalCondition, isAtLeastTheTruthAndSeldomFarAbove)
 {
     int far = 0;
     for (unsigned seed = 1; seed <= 40; ++seed) {
@@ -101,7 +101,7 @@ TEST(ReciprocalCondition, isZeroWhereTheInverseOverflows)
     EXPECT_EQ(reciprocalCondition(R, 1.0), 0.0);
 }
 
-TEST(SymmetricNorm, isTheLargestColumnSumAndReadsTheUpperTriangleOnly)
+TEST(SymmetricNorm, isTheLargestColumnSumOfTheUpperTriangle)
 {
     Eigen::MatrixXd K = positiveMatrix(30, 1.0) - Eigen::MatrixXd::Constant(30, 30, 2.0);
     const double expected = norm1(K);

@@ -198,7 +198,7 @@ struct Tally {
 
 class Extremes : public testing::TestWithParam<Kind> {};
 
-TEST_P(Extremes, areAnsweredAsInLongDoubleOrRefused)
+TEST_P(Extremes, equalLongDoubleOrAreRefused)
 {
     Tally tally;
     worstShare = 0.0;
@@ -213,7 +213,7 @@ TEST_P(Extremes, areAnsweredAsInLongDoubleOrRefused)
     EXPECT_GT(tally.reduced, 2);
 }
 
-TEST_P(Extremes, throughFewRowsAreAnsweredAsInLongDoubleOrRefused)
+TEST_P(Extremes, throughFewRowsEqualLongDoubleOrAreRefused)
 {
     Tally tally;
     worstShare = 0.0;
@@ -229,7 +229,7 @@ TEST_P(Extremes, throughFewRowsAreAnsweredAsInLongDoubleOrRefused)
     tally.judge();
 }
 
-TEST_P(Extremes, withAScaleOfItsOwnForEveryInputAreAnsweredAsInLongDouble)
+TEST_P(Extremes, equalLongDoubleWithOneScalePerInput)
 {
     Tally tally;
     for (const Eigen::Vector3d& lengths :
@@ -250,7 +250,7 @@ TEST_P(Extremes, withAScaleOfItsOwnForEveryInputAreAnsweredAsInLongDouble)
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Extremes, testing::ValuesIn(kKinds));
 
-TEST(Jitter, isTheLeastThatMendsDoubledRowsAndIsKept)
+TEST(Jitter, isTheLeastThatSufficesForRepeatedRows)
 {
     const auto gp = built(dataOf(Kind::DoubledRows, 20, 1.0, 0.3, 0.0));
     EXPECT_EQ(gp->jitter(), 1e-10);
@@ -294,7 +294,7 @@ TEST(GaussianProcess, withOneValueThatIsNotANumberIsRefused)
 }
 
 /// Rows a length scale of 1e-8 apart around 1: inputs in length scales would have rounded to 1e-8 of one.
-TEST(GaussianProcess, ofRowsThatLieTinyLengthScalesApartIsRight)
+TEST(GaussianProcess, isRightForRowsTinyLengthScalesApart)
 {
     Data data = dataOf(Kind::Plain, 40, 1e-8, 0.3, 0.1);
     data.X = (1.0 + 1e-8 * data.X.array()).matrix();
@@ -315,7 +315,7 @@ TEST(GaussianProcess, ofRowsThatLieTinyLengthScalesApartIsRight)
 }
 
 /// Neighbours that contradict each other: weights cancel in every mean.
-TEST(GaussianProcess, ofOutputsThatSmoothnessCannotExplainIsRightToItsBound)
+TEST(GaussianProcess, keepsItsBoundForRoughOutputs)
 {
     double worst = 0.0;
     for (const double noise : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5})
@@ -337,7 +337,7 @@ TEST(GaussianProcess, ofOutputsThatSmoothnessCannotExplainIsRightToItsBound)
     EXPECT_GT(worst, 1.0) << "max |y| alone would not have been enough";
 }
 
-TEST(GaussianProcess, aRowAtTenToTheTwoHundredChangesNothingElsewhere)
+TEST(GaussianProcess, rowAt1e200ChangesNothingElsewhere)
 {
     const Data plain = dataOf(Kind::Plain, 20, 1.0, 0.3, 0.1);
     const Data far = withFarRow(plain);
@@ -364,7 +364,7 @@ TEST(GaussianProcess, withHugeOutputsScalesThemOrRefuses)
     EXPECT_THROW((void)negativeLogLikelihood(data.X, data.y, data.hyper), std::invalid_argument);
 }
 
-TEST(Likelihood, ofDoubledRowsWithoutNoiseIsRefused)
+TEST(Likelihood, refusesRepeatedRowsWithoutNoise)
 {
     const Data data = dataOf(Kind::DoubledRows, 40, 1.0, 0.3, 1e-12);
     EXPECT_THROW((void)negativeLogLikelihood(data.X, data.y, data.hyper), std::invalid_argument);
@@ -403,7 +403,7 @@ void print(const GaussianProcess& gp, int U)
 }
 
 /// TERRATACT_ROWS=5600 takes some minutes for each (the reference) and 1.2 GB.
-TEST_P(Sizes, ofAModelAreAnsweredAsInLongDouble)
+TEST_P(Sizes, ofAModelEqualLongDouble)
 {
     const int U = manyRows(GetParam().rows);
     const Data data = dataOf(GetParam().kind, U, GetParam().length, 0.3, GetParam().noise);
@@ -414,7 +414,7 @@ TEST_P(Sizes, ofAModelAreAnsweredAsInLongDouble)
     print(*gp, U);
 }
 
-TEST_P(Sizes, throughTheRowsOfAPresetAreAnsweredAsInLongDouble)
+TEST_P(Sizes, throughTheRowsOfAPresetEqualLongDouble)
 {
     const int few = withQuality({}, Quality::Fast).inducing;
     const int U = std::max(manyRows(GetParam().rows), 1400);

@@ -84,7 +84,7 @@ TEST(GaussianProcess, farFromAllDataReturnsThePrior)
     EXPECT_DOUBLE_EQ(far.variance, 0.9 * 0.9 + 0.15 * 0.15);
 }
 
-TEST(GaussianProcess, isNeverSurerThanItsNoiseWhateverRoundingDoes)
+TEST(GaussianProcess, varianceNeverFallsBelowTheNoise)
 {
     Data data = someData(60, 2);
     data.hyper.lengthScale.setConstant(0.2);
@@ -97,7 +97,7 @@ TEST(GaussianProcess, isNeverSurerThanItsNoiseWhateverRoundingDoes)
     }
 }
 
-TEST(SceneConditional, withMovingInputsPredictsAsTheWholeInputWould)
+TEST(SceneConditional, predictsLikeTheWholeInput)
 {
     const Data data = someData(77, 6);
     const GaussianProcess gp(data.X, data.y, data.hyper, 0.1);
@@ -187,7 +187,7 @@ struct BothPrecisions {
     Eigen::VectorXd mean, variance, meanSingle, single;
 };
 
-TEST(SceneConditional, inSinglePrecisionHasTheSameMeanAndNearlyTheSameVariance)
+TEST(SceneConditional, singlePrecisionKeepsMeanAndNearlyTheVariance)
 {
     const Data data = someData(300, 4);
     const GaussianProcess gp(data.X, data.y, data.hyper, 0.1);
@@ -202,7 +202,7 @@ TEST(SceneConditional, inSinglePrecisionHasTheSameMeanAndNearlyTheSameVariance)
               5e-3 * data.hyper.noiseSd);
 }
 
-TEST(SceneConditional, throughFewerRowsHasTheSameMeanAndNearlyTheSameVariance)
+TEST(SceneConditional, fewerRowsKeepMeanAndNearlyTheVariance)
 {
     Data data = someData(400, 4);
     data.hyper.lengthScale *= 2.0;
@@ -216,7 +216,7 @@ TEST(SceneConditional, throughFewerRowsHasTheSameMeanAndNearlyTheSameVariance)
     EXPECT_GT(share.abs().maxCoeff(), 1e-7);
 }
 
-TEST(SceneConditional, goesThroughAllRowsWhereThoseThatExplainTheOthersDoNotDoBesideThem)
+TEST(SceneConditional, usesAllRowsIfAReductionIsInaccurate)
 {
     // Two places next to each other: either explains the other, but hundreds of rows say how the function goes on.
     Eigen::MatrixXd X(1000, 1);
@@ -227,7 +227,7 @@ TEST(SceneConditional, goesThroughAllRowsWhereThoseThatExplainTheOthersDoNotDoBe
     EXPECT_EQ(gp.varianceRows(), gp.rows());
 }
 
-TEST(SceneConditional, computesInDoubleWhereSinglePrecisionCannotTellTheVariance)
+TEST(SceneConditional, usesDoubleIfSinglePrecisionIsInaccurate)
 {
     Data data = someData(300, 2);  // dense in two dimensions: |L⁻¹k|² is σ_f² but for a millionth
     data.hyper.noiseSd = 1e-4;
@@ -261,7 +261,7 @@ TEST(GaussianProcess, refusesWhatItCannotAnswer)
     EXPECT_THROW((void)gp.predict(Eigen::Vector3d(0.0, 0.0, 0.0)), std::invalid_argument);
 }
 
-TEST(GaussianProcess, withTinyLengthScalesIsTheNoisyDataItself)
+TEST(GaussianProcess, tinyLengthScalesReturnTheNoisyData)
 {
     Data data = someData(30, 2);
     data.hyper.lengthScale.setConstant(1e-8);

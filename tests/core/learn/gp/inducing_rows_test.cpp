@@ -41,7 +41,7 @@ Eigen::VectorXd given(const Eigen::MatrixXd& K, const std::vector<int>& rows)
     return K.diagonal() - (Kmn.transpose() * Kmm.llt().solve(Kmn)).diagonal();
 }
 
-TEST(InducingRows, areThoseWithTheLargestVarianceGivenTheOnesBeforeOrAShareOfIt)
+TEST(InducingRows, haveTheLargestRemainingVarianceOrAShareOfIt)
 {
     const ScaledRows X = someRows(150, 4);
     const Eigen::MatrixXd K = covariance(X);
@@ -66,7 +66,7 @@ TEST(InducingRows, areThoseWithTheLargestVarianceGivenTheOnesBeforeOrAShareOfIt)
     }
 }
 
-TEST(InducingRows, areGivenUpHalfwayWhereTooMuchIsLeft)
+TEST(InducingRows, stopHalfwayIfTooMuchIsLeft)
 {
     const ScaledRows X = someRows(150, 4);
     const double halfway = chooseInducingRows(X, kSignal2, {.most = 30}).left;
@@ -77,7 +77,7 @@ TEST(InducingRows, areGivenUpHalfwayWhereTooMuchIsLeft)
     EXPECT_EQ(count(1.001 * halfway), 60U);
 }
 
-TEST(InducingRows, comeWithTheFactorOfTheirCovarianceAndWhatTheySayOfTheOthers)
+TEST(InducingRows, comeWithFactorAndProjection)
 {
     const ScaledRows X = someRows(150, 4);
     const Eigen::MatrixXd K = covariance(X);
@@ -111,7 +111,7 @@ TEST(InducingRows, areAsManyAsExplainTheOthers)
     EXPECT_LE(static_cast<double>(counts[1]), 1.1 * static_cast<double>(counts[0]));
 }
 
-TEST(InducingRows, areFewerWhereRowsRepeatAndAllWhereNoneExplainsAnother)
+TEST(InducingRows, areFewerForRepeatedAndAllForUnrelatedRows)
 {
     ScaledRows X = someRows(60, 3);
     for (Eigen::Index u = 10; u < 60; ++u) X.X.row(u) = X.X.row(u % 10);
@@ -127,7 +127,7 @@ TEST(InducingRows, areFewerWhereRowsRepeatAndAllWhereNoneExplainsAnother)
                      kSignal2);
 }
 
-TEST(InducingRows, leaveAtEveryPoll)
+TEST(InducingRows, stopAtEveryPoll)
 {
     struct Stop {};
     const ScaledRows X = someRows(200, 3);

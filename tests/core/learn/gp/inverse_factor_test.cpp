@@ -44,7 +44,7 @@ T entry(const T* panels, int i, int j)
 
 class InverseFactorOf : public testing::TestWithParam<int> {};
 
-TEST_P(InverseFactorOf, holdsTheInverseInBothPrecisionsWhicheverIsAskedForFirst)
+TEST_P(InverseFactorOf, holdsTheInverseInBothPrecisionsInAnyOrder)
 {
     const int U = GetParam();
     const Eigen::MatrixXd R = someFactor(U, 0.01);
@@ -74,7 +74,7 @@ TEST_P(InverseFactorOf, holdsTheInverseInBothPrecisionsWhicheverIsAskedForFirst)
 
 INSTANTIATE_TEST_SUITE_P(Rows, InverseFactorOf, testing::Values(1, 2, 24, 47, 48, 49, 150));
 
-TEST(InverseFactor, knowsHowFarSinglePrecisionIsOff)
+TEST(InverseFactor, measuresTheErrorOfSinglePrecision)
 {
     const auto errorWith = [](double noise) {
         return InverseFactor(someFactor(200, noise),
@@ -127,7 +127,7 @@ bool canLeaveWhileAnotherIsInside(const std::function<void(const std::function<v
     return left && waiting.get();
 }
 
-TEST(InverseFactor, asksACallerWhoWaitsForAnotherOnesPacking)
+TEST(InverseFactor, pollsWhileAnotherThreadPacks)
 {
     const Eigen::MatrixXd R = someFactor(60, 0.01);
     std::function<void()> pause = [] {};
@@ -146,7 +146,7 @@ TEST(InverseFactor, asksACallerWhoWaitsForAnotherOnesPacking)
               static_cast<float>(entry(factor.panels(), 59, 5)));
 }
 
-TEST(LazyProcesses, askACallerWhoWaitsForAnotherOnesFactorisation)
+TEST(LazyProcesses, pollWhileAnotherThreadFactorises)
 {
     const LazyProcesses lazy;
     const auto make = [] {
@@ -167,7 +167,7 @@ TEST(LazyProcesses, askACallerWhoWaitsForAnotherOnesFactorisation)
     EXPECT_EQ(lazy.get(0, make, {}).rows(), 3);
 }
 
-TEST(InverseFactor, isPackedByTheNextCallerWhereOneWasStopped)
+TEST(InverseFactor, isPackedByTheNextCallerAfterACancellation)
 {
     struct Stop {};
     const Eigen::MatrixXd R = someFactor(300, 0.01);
@@ -226,7 +226,7 @@ struct Reduction {
     }
 };
 
-TEST(InverseFactor, takesAReducedOneThatIsGoodEnoughByItsWeights)
+TEST(InverseFactor, usesAReductionThatIsAccurateByItsWeights)
 {
     int asked = 0, again = 0;
     const Reduction good(60, 1.8e-3);  // half of that counts
@@ -243,7 +243,7 @@ TEST(InverseFactor, takesAReducedOneThatIsGoodEnoughByItsWeights)
     EXPECT_EQ(again, 1) << "R was given up";
 }
 
-TEST(InverseFactor, takesAllRowsWhereAReducedOneIsNotGoodEnough)
+TEST(InverseFactor, usesAllRowsIfTheReductionIsInaccurate)
 {
     for (const double off : {2.2e-3, std::nan("")}) {
         int asked = 0, again = 0;
@@ -257,7 +257,7 @@ TEST(InverseFactor, takesAllRowsWhereAReducedOneIsNotGoodEnough)
     }
 }
 
-TEST(InverseFactor, isReducedByTheNextCallerWhereOneWasStopped)
+TEST(InverseFactor, isReducedByTheNextCallerAfterACancellation)
 {
     struct Stop {};
     int asked = 0, again = 0;

@@ -101,7 +101,7 @@ TEST(Likelihood, gradientKeepsItsDigitsWhereLengthScalesAreLong)
     EXPECT_NEAR(larger / at.gradient[0], 100.0, 1e-6);
 }
 
-TEST(Likelihood, withTinyLengthScalesIsThatOfIndependentOutputs)
+TEST(Likelihood, tinyLengthScalesGiveIndependentOutputs)
 {
     Data data = someData(30, 2);
     data.hyper.lengthScale.setConstant(1e-8);
@@ -173,7 +173,7 @@ LongLikelihood inLongDouble(const ExtremeData& data)
     return l;
 }
 
-TEST(Likelihood, atTheExtremesIsThatOfLongDoubleOrRefused)
+TEST(Likelihood, equalsLongDoubleOrIsRefusedAtExtremes)
 {
     int right = 0, refused = 0, exact = 0;
     double worst = 0.0;
@@ -233,7 +233,7 @@ TEST(Likelihood, needsLessThanFourTimesItsRowsSquared)
     EXPECT_GT(doubles, 0.4 * 1200.0 * 1200.0);  // it was measured at all
 }
 
-TEST(Likelihood, asksThePollAllTheTimeAndLetsOutWhatItThrows)
+TEST(Likelihood, pollsOftenAndRethrows)
 {
     struct Stop {};
     const Data data = someData(400, 3);

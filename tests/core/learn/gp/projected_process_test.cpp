@@ -85,7 +85,7 @@ TEST(ProjectedProcess, predictsWellThroughFewRows)
     EXPECT_LT(std::sqrt(square), 0.15);
 }
 
-TEST(ProjectedProcess, ofDoubledRowsIsThatOfTheirMeansWithHalfTheNoiseVariance)
+TEST(ProjectedProcess, repeatedRowsEqualTheirMeanWithHalfTheNoise)
 {
     Data once;
     Data twice;
@@ -217,7 +217,7 @@ TEST(ProjectedProcess, ofAModelsSizeIsRight)
     std::cout << rows << " rows, errors up to " << tally.worst << " of the bound\n";
 }
 
-TEST(ProjectedProcess, aRowAtTenToTheTwoHundredChangesNothingElsewhere)
+TEST(ProjectedProcess, rowAt1e200ChangesNothingElsewhere)
 {
     const ExtremeData plain = dataOf(Kind::Plain, 20, 1.0, 0.3, 0.1);
     ExtremeData far = withFarRow(plain);

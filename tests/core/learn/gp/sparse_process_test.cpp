@@ -92,7 +92,7 @@ TEST(SparseProcess, choosesEachRowOnceAndStopsWhereRowsRepeat)
 }
 
 /// So many rows that their covariance would be singular, though each adds something: without the last ones it is not.
-TEST(SparseProcess, takesNoMoreRowsThanItsCovarianceBears)
+TEST(SparseProcess, takesOnlyRowsThatKeepItWellConditioned)
 {
     std::mt19937_64 rng(1);
     std::normal_distribution<double> normal;
@@ -131,7 +131,7 @@ double worstOf(const ReducedVariance& reduced, const Data& data)
     return worst;
 }
 
-TEST(ReducedVariance, isThatOfAllRowsThroughThoseThatExplainTheOthers)
+TEST(ReducedVariance, equalsTheVarianceThroughAllRows)
 {
     const Data data(400);
     const auto reduced = reducedVariance(data.X, data.hyper);
@@ -143,7 +143,7 @@ TEST(ReducedVariance, isThatOfAllRowsThroughThoseThatExplainTheOthers)
     EXPECT_EQ(reduced->rows, reducedVariance(data.X, data.hyper)->rows);
 }
 
-TEST(ReducedVariance, isNotThereWhereItSavesNothingOrCannotBeJudged)
+TEST(ReducedVariance, isEmptyIfItSavesNothingOrCannotBeJudged)
 {
     Data data(100);
     data.hyper.lengthScale << 0.1, 0.1, 0.1;  // no row explains another
@@ -162,7 +162,7 @@ TEST(ReducedVariance, isNotThereWhereItSavesNothingOrCannotBeJudged)
 }
 
 /// Rows beside one place, none of which is worth choosing: together they know the slope there.
-TEST(ReducedVariance, isNotThereWhereManyRowsSayTogetherWhatNoneOfThemSays)
+TEST(ReducedVariance, isEmptyIfRemainingRowsMatterTogether)
 {
     const double perRow = 0.9 * kUnexplainedOfNoise * 0.2 * 0.2 / (1.2 * 1.2);  // of σ_f²
     const auto rows = [perRow](int count) {
@@ -178,7 +178,7 @@ TEST(ReducedVariance, isNotThereWhereManyRowsSayTogetherWhatNoneOfThemSays)
     EXPECT_FALSE(reducedVariance(rows(150).X, rows(150).hyper));
 }
 
-TEST(ReducedVariance, leavesAtEveryPoll)
+TEST(ReducedVariance, stopsAtEveryPoll)
 {
     struct Stop {};
     const Data data(200);
@@ -235,7 +235,7 @@ TEST(SparseGaussianProcess, keepsItsVarianceBetweenTheNoiseAndThePrior)
     }
 }
 
-TEST(SparseGaussianProcess, predictsInSinglePrecisionOnlyWhereThatIsGoodEnough)
+TEST(SparseGaussianProcess, usesSinglePrecisionOnlyIfAccurate)
 {
     Data data(300);
     Eigen::VectorXd single, exact, mean;

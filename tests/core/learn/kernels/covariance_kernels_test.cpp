@@ -79,7 +79,7 @@ TEST(CovarianceKernels, giveNoSubnormalNumbers)
 
 class CovarianceKernelsOf : public testing::TestWithParam<int> {};
 
-TEST_P(CovarianceKernelsOf, allInstructionSetsGiveTheFormulasCovariancesAndMeans)
+TEST_P(CovarianceKernelsOf, equalTheFormulaOnAllInstructionSets)
 {
     const int U = GetParam();
     const Covariances data(U);
@@ -108,7 +108,7 @@ TEST_P(CovarianceKernelsOf, allInstructionSetsGiveTheFormulasCovariancesAndMeans
     }
 }
 
-TEST_P(CovarianceKernelsOf, rowsThatAreNotKeptCountInTheMeanAlone)
+TEST_P(CovarianceKernelsOf, droppedRowsCountInTheMeanOnly)
 {
     const int U = GetParam();
     Covariances data(U);
@@ -217,7 +217,7 @@ void expectSums(int U, int groups, double tolerance)
     }
 }
 
-TEST_P(CovarianceKernelsOf, allInstructionSetsGiveTheSumsOfSquaresInBothPrecisions)
+TEST_P(CovarianceKernelsOf, sumSquaresInBothPrecisionsOnAllInstructionSets)
 {
     for (const int groups : {1, 3}) {
         expectSums<double>(GetParam(), groups, 1e-13);
@@ -250,7 +250,7 @@ TEST(CovarianceKernels, takeMoreGroupsThanTheyHoldAtOnce)
     expectSums<float>(30, 19, 3e-6);
 }
 
-TEST(CovarianceKernels, giveAColumnTheSameBitsWhateverStandsBesideIt)
+TEST(CovarianceKernels, giveAColumnTheSameBitsBesideAnyOther)
 {
     const Product<float> many(97, 11);
     Product<float> one(97, 1);

@@ -53,7 +53,7 @@ TEST(Features, nameTheFirstThatIsMissing)
     }
 }
 
-TEST(FeatureValues, areAnotherFormOfTheSameThing)
+TEST(FeatureValues, convertToProprioceptionAndBack)
 {
     EXPECT_EQ(proprioception(featureValues(counted())), counted());
     FeatureValues noPitch = featureValues(counted());
@@ -70,7 +70,7 @@ TEST(Columns, nameEveryHeightByItsBin)
     }
 }
 
-TEST(Columns, refuseWhatIsNoNumberOrBeyondTheirRange)
+TEST(Columns, refuseNanAndValuesBeyondTheirRange)
 {
     const Column& height = heightColumns()[0];
     EXPECT_TRUE(height.holds(-5.0) && height.holds(5.0));

@@ -33,7 +33,7 @@ TEST(BinModels, makeOneProcessPerBinAndNumberOfInducingRows)
     EXPECT_THROW((void)models.bin(11), std::invalid_argument);
 }
 
-TEST(BinModels, ofASparseModelPredictThroughNoMoreRowsThanItWasTrainedFor)
+TEST(BinModels, sparseModelKeepsItsTrainedNumberOfRows)
 {
     ModelData data = toyModel();
     data.inducing = 50;
@@ -83,7 +83,7 @@ Differences differences(const BinModels& models, FeatureSet set, int bin,
     return worst;
 }
 
-TEST(BinModels, ofTheShippedModelAreInSinglePrecisionWithinTheBoundsOfTheirProcesses)
+TEST(BinModels, shippedModelKeepsItsSinglePrecisionBounds)
 {
     const auto stored = readModel(TERRATACT_SOURCE_DIR "/resources/models/default.ttm");
     ASSERT_TRUE(stored) << stored.error().text;
@@ -113,7 +113,7 @@ TEST(BinModels, ofTheShippedModelAreInSinglePrecisionWithinTheBoundsOfTheirProce
     }
 }
 
-TEST(BinModels, throughTheRowsOfPresetsAreInSinglePrecisionWithinTheSameBound)
+TEST(BinModels, presetRowsKeepTheSinglePrecisionBound)
 {
     const auto stored = readModel(TERRATACT_SOURCE_DIR "/resources/models/default.ttm");
     ASSERT_TRUE(stored) << stored.error().text;

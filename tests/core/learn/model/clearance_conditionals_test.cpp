@@ -136,7 +136,7 @@ TEST(ClearanceConditionals, areTrainedByTheirLikelihood)
     EXPECT_EQ(trained.hyper.lengthScale, again.hyper.lengthScale);
 }
 
-TEST(ClearanceConditionals, refuseARegimeThatWasHardlySeen)
+TEST(ClearanceConditionals, refuseARegimeWithTooFewRows)
 {
     ClearanceTraining training = knownWorldTraining(60, 3);
     training.ceilings.col(4).setConstant(-0.1);

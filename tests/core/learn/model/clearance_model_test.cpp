@@ -61,7 +61,7 @@ TEST(ClearanceModel, weighsTheResidualsOfLikeScenes)
                                                        1e-12));
 }
 
-TEST(ClearanceModel, borrowsWhereFewScenesHaveTheSameBinsCovered)
+TEST(ClearanceModel, borrowsResidualsIfFewScenesMatch)
 {
     const ClearanceModel model(toy());
     for (const unsigned covered : {0x003U, 0x7FFU, 0x000U, 0x0FFU}) {
@@ -74,7 +74,7 @@ TEST(ClearanceModel, borrowsWhereFewScenesHaveTheSameBinsCovered)
     }
 }
 
-TEST(ClearanceModel, hasTheResidualsMeanProductsAsTheirCovariance)
+TEST(ClearanceModel, covarianceIsTheMeanProductOfResiduals)
 {
     const ClearanceModel model(toy());
     const ClearanceData& data = toy().clearance;

@@ -102,7 +102,7 @@ TEST_F(ModelCardFile, aCardThatWouldBeRefusedIsNotWritten)
     EXPECT_FALSE(*none);
 }
 
-TEST(ModelCard, newScoresTakeThePlaceOfOldOnesOfTheSameMethodAndScenes)
+TEST(ModelCard, newScoresReplaceThoseOfTheSameMethodAndScenes)
 {
     ModelCard one = card();
     CardScores again = one.scores.front();
@@ -127,7 +127,7 @@ TEST(ModelCard, theOldestScoresMakeRoom)
     EXPECT_EQ(full.scores.front().dataHash.front(), 'c');
 }
 
-TEST(ModelCard, takesAnyWords)
+TEST(ModelCard, acceptsAnyTextFromAUser)
 {
     EXPECT_EQ(cardWords("varied.csv"), "varied.csv");
     EXPECT_EQ(cardWords("\xff\n~"), "??~");
@@ -135,7 +135,7 @@ TEST(ModelCard, takesAnyWords)
     EXPECT_EQ(cardWords(""), "unnamed");
 }
 
-TEST(ModelCard, tellsTheGroundOfTheTrainingScenes)
+TEST(ModelCard, computesTrainingGroundStatistics)
 {
     Eigen::MatrixXd heights = Eigen::MatrixXd::Zero(3, kBins);
     heights(0, 4) = 0.30;                 // a post: relief 0.30, steps

@@ -67,7 +67,7 @@ TEST_F(ModelFile, everyModelSurvivesARoundTrip)
     EXPECT_EQ(dir.entries(), std::set<std::string>{"model.ttm"});
 }
 
-TEST_F(ModelFile, keepsTheNumberOfInducingRowsAndOnlyThenMentionsThem)
+TEST_F(ModelFile, storesTheNumberOfInducingRowsIfThereIsOne)
 {
     ModelData sparse = model;
     sparse.inducing = 350;
@@ -270,7 +270,7 @@ TEST_F(ModelFile, ignoresJournalsThatLieBesideIt)
     EXPECT_TRUE(same(got->data, model));
 }
 
-TEST_F(ModelFile, isReadFromEveryPathAndByWhoMayOnlyRead)
+TEST_F(ModelFile, isReadFromAnyPathWithReadPermission)
 {
     const std::string odd = dir.write("čidlo 100%?a=b#c.ttm", contentOf(path));
     std::filesystem::permissions(odd, std::filesystem::perms::owner_read);

@@ -74,7 +74,7 @@ void execute(const std::string& path, const std::string& sql)
     if (code != SQLITE_OK) throw std::runtime_error(sql);
 }
 
-TEST(MergeModelParts, givesTheModelOfOneRunHoweverTheBinsAreShared)
+TEST(MergeModelParts, givesTheModelOfOneRunForAnySplit)
 {
     const std::vector<std::vector<std::string>> sharings{
         {"0-10"},
@@ -107,7 +107,7 @@ TEST(MergeModelParts, givesTheSameAfterTheFile)
     EXPECT_EQ(contentHash(*model), contentHash(wholeModel()));
 }
 
-TEST(MergeModelParts, namesTheBinsThatAreMissingOrThereTwice)
+TEST(MergeModelParts, namesMissingAndDuplicateBins)
 {
     EXPECT_TRUE(refused(merged({}), "model.ttm", {"no part"}));
     EXPECT_TRUE(refused(merged(partsOf({"0-3", "8-10"})), "model.ttm",

@@ -96,7 +96,7 @@ DbcSignal randomSignal(std::mt19937_64& rng)
     return s;
 }
 
-TEST(DbcSignals, areWhatADecoderBitByBitFinds)
+TEST(DbcSignals, agreeWithABitByBitDecoder)
 {
     std::mt19937_64 rng(64);
     std::size_t negative = 0, missing = 0;
@@ -440,7 +440,7 @@ TEST(DbcFiles, areUtf8OrElseOfWindows)
     EXPECT_EQ(unit(std::string(2500, 'x')), std::string(2000, 'x') + "…");
 }
 
-TEST(DbcFiles, withSomethingTwiceKeepTheFirstAndSaySo)
+TEST(DbcFiles, duplicatesKeepTheFirstWithAWarning)
 {
     const Result<DbcFile> file = parsed("BO_ 256 M: 8 A\n"
                                         " SG_ S : 0|8@1+ (2,0) [0|0] \"\" B\n"
@@ -463,7 +463,7 @@ TEST(DbcFiles, withSomethingTwiceKeepTheFirstAndSaySo)
             << file->warnings[i];
 }
 
-TEST(DbcFiles, loseTheLineAtFaultAndNoMore)
+TEST(DbcFiles, loseOnlyTheFaultyLine)
 {
     const std::string head = "VERSION \"\"\n\nBO_ 256 M: 8 A\n";
     const std::string kept = " SG_ Kept : 0|8@1+ (1,0) [0|0] \"\" B\n";
@@ -521,7 +521,7 @@ TEST(DbcFiles, withAQuoteThatDoesNotEndKeepTheRest)
         << file->warnings[0];
 }
 
-TEST(DbcFiles, passOverWhatNeedsNoWord)
+TEST(DbcFiles, skipOtherSectionsSilently)
 {
     const std::string text = "// made by hand\nVERSION \"\"\nBO_ 256 M: 8 A // its message\n"
                              "// BO_ 257 Not: 8 A\n"
@@ -573,7 +573,7 @@ TEST(DbcFiles, thatCannotBeReadNameTheFile)
     EXPECT_TRUE(refused(readDbc(big), big, {"larger"}));
 }
 
-TEST(DbcFiles, thatAreLargeAreReadAndWhatIsSaidOfThemStaysShort)
+TEST(DbcFiles, largeFilesAreReadWithFewWarnings)
 {
     std::string text;
     for (int i = 0; i < 20'000; ++i)
@@ -591,7 +591,7 @@ TEST(DbcFiles, thatAreLargeAreReadAndWhatIsSaidOfThemStaysShort)
     EXPECT_EQ(file->warnings.back(), "f.dbc: 19980 more things are left out");
 }
 
-TEST(DbcFiles, cutAnywhereOrDamagedNeverDoMoreThanSaySo)
+TEST(DbcFiles, damagedFilesOnlyGiveErrors)
 {
     const std::string whole = kForeign;
     std::mt19937_64 rng(3);
