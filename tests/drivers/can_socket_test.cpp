@@ -35,7 +35,7 @@ canfd_frame flexible(canid_t id, std::uint8_t length, std::initializer_list<std:
     return rawFrame<canfd_frame>(id, length, data);
 }
 
-// One end of a pair of ordinary sockets carries what a kernel with CAN would; the other is the bus.
+// One end of a pair of ordinary sockets acts as the kernel's CAN socket; the other end is the bus.
 struct SocketPair : testing::Test {
     SocketPair()
     {
@@ -174,7 +174,7 @@ TEST(PosixFd, closesWhatItOwnsOnceAndMovesIt)
     ASSERT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()), 0);
     PosixFd one(ends[0]), other(ends[1]);
     PosixFd moved(std::move(one));
-    EXPECT_FALSE(one);  // NOLINT(bugprone-use-after-move): that is what is tested
+    EXPECT_FALSE(one);  // NOLINT(bugprone-use-after-move): the test is about the moved-from object
     EXPECT_EQ(moved.get(), ends[0]);
     moved = std::move(other);
     EXPECT_EQ(moved.get(), ends[1]);

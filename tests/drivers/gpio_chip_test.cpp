@@ -177,7 +177,7 @@ TEST(WaitingForGpio, returnsTheReadableDescriptors)
     const auto none = waitForGpio(found, {both.data(), 1}, 1ms);
     ASSERT_TRUE(none);
     EXPECT_EQ(*none, (std::vector<bool>{false}));
-    ::close(quiet[1]);  // a chip that is gone hangs up, too
+    ::close(quiet[1]);  // a removed chip also hangs up
     EXPECT_TRUE(says(waitForGpio(found, both, 1s).error(), ENODEV, {"gone"}));
     for (const int descriptor : {quiet[0], busy[0], busy[1]}) ::close(descriptor);
 }

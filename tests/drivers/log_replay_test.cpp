@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 
 struct Replaying : testing::Test {
     TemporaryDirectory folder;
-    double now = 5000.0;  ///< on a clock that only moves while somebody sleeps
+    double now = 5000.0;  ///< on a clock that only sleeping advances
     int sleeps = 0;
     std::array<BusFrame, 4> frames;
 
@@ -55,7 +55,7 @@ TEST_F(Replaying, keepsTheTimingOfTheLog)
     const auto bus = open(kThree);
     ASSERT_TRUE(bus) << bus.error().text;
     EXPECT_EQ((*bus)->name(), "REPLAY demo.log");
-    now += 7.0;  // nothing has begun before the first receive()
+    now += 7.0;  // the replay does not start before the first receive()
     ASSERT_EQ(receive(**bus, 100ms), 2U);
     EXPECT_EQ(now, 5007.0);
     EXPECT_EQ(frames[0].frame.id, 0x44U);

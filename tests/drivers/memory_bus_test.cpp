@@ -17,7 +17,7 @@ CanFrame frameOfId(std::uint32_t id)
 
 std::vector<BusFrame> all(CanBus& end)
 {
-    std::array<BusFrame, 3> some{};  // fewer than there may be: receive() goes on where it ended
+    std::array<BusFrame, 3> some{};  // less room than frames: receive() continues where it ended
     std::vector<BusFrame> frames;
     for (;;) {
         const auto count = end.receive(some, 0ms);

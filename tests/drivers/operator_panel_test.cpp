@@ -27,7 +27,7 @@ PanelConfig config()
     return panel;
 }
 
-/// A panel on a fake chip, in a time that the test makes.
+/// A panel on a fake chip, with a clock of the test.
 struct Panel : testing::Test {
     Panel() { chip.move(kStop, true); }
 
@@ -288,7 +288,8 @@ TEST_F(Panel, keepsTheRightStateThrough100000Overflows)
     std::array<bool, kPanelContacts> level{false, false, false, true};
     for (int burst = 0; burst < 100'000; ++burst) {
         const std::size_t input = which(rng);
-        for (int edges = count(rng); edges > 0; --edges)  // within one millisecond: no look between
+        // within one millisecond: no reading between
+        for (int edges = count(rng); edges > 0; --edges)
             chip.move(input, level[input] = !level[input]);
         poll();
         ASSERT_EQ(report.state.contacts.values[input].closed, level[input]) << "burst " << burst;

@@ -23,7 +23,7 @@ CanFrame frameOfId(std::uint32_t id)
     return {.id = id, .length = 2, .data = {1, 2}};
 }
 
-// A kernel that does as the test says, with a clock that only waiting moves.
+// Fake kernel under the test's control, with a clock that only waiting advances.
 struct Kernel {
     double now = 100.0, wall = 5000.0;  // [s]
     bool present = true, up = true;
@@ -240,7 +240,7 @@ TEST_F(OnABus, somebodyElsesCopyConfirmsNothing)
     ASSERT_EQ(refusal(2), "");
     kernel.put(frameOfId(1));
     kernel.put(frameOfId(1), true);
-    kernel.echo(frameOfId(7));  // an echo of a socket's earlier life
+    kernel.echo(frameOfId(7));  // an echo from an earlier socket
     (void)receive();
     EXPECT_NE(refusal(3), "");
 }
@@ -560,7 +560,7 @@ TEST(SocketCan, sendsWhileAnotherThreadReceives)
     std::jthread sender([&bus] {
         for (std::uint32_t i = 0; i < 200;) i += bus.send(frameOfId(i)) ? 1 : 0;
     });
-    std::jthread mirror([&other] {  // gives back every frame, as another node would answer
+    std::jthread mirror([&other] {  // returns every frame, as another node would
         can_frame frame{};
         for (int i = 0; i < 200; ++i) {
             (void)::recv(other.get(), &frame, sizeof frame, 0);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// What happens to one alarm: 'r'aise, 'c'lear, 'a'cknowledge.
+/// Events of one alarm: 'r'aise, 'c'lear, 'a'cknowledge.
 struct Life {
     std::string events;
     std::optional<AlarmState> then;  ///< empty: gone
@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(EveryArrow, LifeCycle,
                                          Life{"racra", S::Acknowledged}),
                          [](const auto& test) { return "on_" + test.param.events; });
 
-/// A minute in which an event happens at some seconds; the seconds at which it then sounds.
+/// A minute with events at some seconds, and the seconds at which the alarm then sounds.
 struct Minute {
     std::string name;
     std::vector<std::pair<double, std::string>> events;

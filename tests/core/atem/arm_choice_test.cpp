@@ -85,7 +85,8 @@ TEST_F(ArmChoice, takesTheNearerOfEquals)
 
 TEST(ChooseProbe, takesTheBinWithTheLargestGain)
 {
-    // Bins 0.5 and 0.6 go together, 0.7 is a little less certain but tells about itself alone.
+    // Bins 0.5 and 0.6 vary together. Bin 0.7 is slightly less certain, but a reading of it informs
+    // about itself only.
     const RobotModel robot = absolem();
     TerrainEstimate estimate;
     estimate.settings.method = Method::Local;
@@ -125,7 +126,7 @@ TEST(ChooseProbe, takesTheBinWithTheLargestGain)
     EXPECT_EQ(unasked.gains, advice.gains);
 }
 
-/// Bin 0.6 tells most about the terrain, bin 0.7 about the step.
+/// Bin 0.6 says most about the terrain, bin 0.7 most about the step.
 const ProbeAdvice kTwoAims{
     .bin = kBin06,
     .before = {.variance = 0.02, .entropy = 0.6},
@@ -168,7 +169,7 @@ TEST(OfferProbe, questionPolicyIgnoresSdButNeedsAGain)
     for (ProbeGain& gain : certain.gains) gain.entropyReduction = 0.9 * kMinBits * std::log(2.0);
     EXPECT_EQ(offerProbe(certain, StepVerdict::CannotTell, Question),
               (ProbeOffer{{}, NoProbe::NoGain}));
-    certain.gains.clear();  // no draws: what the question would gain is not known
+    certain.gains.clear();  // no draws: the gain of the question is unknown
     EXPECT_EQ(offerProbe(certain, StepVerdict::CannotTell, Question),
               (ProbeOffer{{}, NoProbe::Certain}));
     certain.bin = kBin05;

@@ -16,7 +16,7 @@ using Cause = DisarmCause;
 
 constexpr ArmingLimits kLimits;
 
-/// All is well and nothing happens.
+/// No fault and no event.
 ArmingInput calm(double now)
 {
     return {.now = now, .operatorPresent = true, .linkGoodFor = 10.0, .robotEpoch = 5};

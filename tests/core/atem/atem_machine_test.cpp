@@ -26,7 +26,7 @@ AtemState at(AtemPhase phase)
             .since = 100.0};
 }
 
-/// One arrow of the drawing in atem_machine.h, or one that must not be there.
+/// One arrow of the diagram in atem_machine.h, or one that must not exist.
 struct Arrow {
     std::string name;
     AtemPhase from;
@@ -35,7 +35,7 @@ struct Arrow {
     AtemFailure failure = AtemFailure::None;
 };
 
-/// An approval `now` seconds after the question, given `age` ago for what stands.
+/// An approval `now` seconds after the question, given `age` seconds ago for the present grounds.
 AtemInput approval(double now, double age = 0.0)
 {
     return {.now = now, .approved = true, .approvalAge = age, .approvedFor = "a", .grounds = "a"};
@@ -296,7 +296,7 @@ TEST(AtemMachine, probedIsKeptUntilTheNextRequest)
     EXPECT_FALSE(nextState(state, {.now = 147.0, .requested = true}, kLimits).probed);
 }
 
-/// Every state × every combination of flags × before and after the deadline.
+/// Tests every state × every combination of flags × before and after the deadline.
 TEST(AtemMachine, keepsItsInvariantsForEveryInput)
 {
     for (const AtemPhase phase : kPhases) {

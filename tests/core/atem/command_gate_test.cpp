@@ -23,7 +23,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 using Change = std::function<void(GateView&)>;
 
-/// Armed, halted, everything fresh, nothing explored.
+/// Armed, halted, everything fresh, no exploration.
 GateView ready(RobotActivity activity = RobotActivity::Halted, bool exploring = false)
 {
     GateView view;
@@ -39,7 +39,7 @@ GateView ready(RobotActivity activity = RobotActivity::Halted, bool exploring = 
     return view;
 }
 
-/// As ready(), with a probe of bin 8 approved.
+/// Like ready(), with an approved probe of bin 8.
 GateView approved()
 {
     GateView view = ready(RobotActivity::Pressed, true);
@@ -47,7 +47,7 @@ GateView approved()
     return view;
 }
 
-/// Before arming: the operator has confirmed, the robot has not answered yet.
+/// Before arming: the operator has confirmed, and the robot has not answered yet.
 GateView requested()
 {
     GateView view = ready();
@@ -64,10 +64,10 @@ GateRefusal verdict(const Command& command, const GateView& view,
 
 struct Case {
     Command command;
-    GateView view;  ///< in which it passes
+    GateView view;  ///< a view in which it passes
 };
 
-/// Every command that needs a state, in one in which it passes.
+/// Every command that needs a state, with a view in which it passes.
 std::vector<Case> conditional()
 {
     GateView stopped = ready(RobotActivity::Stopped);
@@ -146,7 +146,7 @@ TEST(Gate, needsOperatorLinkAndAnswerForOtherCommands)
         for (std::size_t i = 0; i < wrong.size(); ++i) {
             GateView view = c.view;
             wrong[i].second(view);
-            // Hold has no epoch of its own: the arming has.
+            // HoldFlippers carries no epoch: the arming has one.
             const bool hold = std::holds_alternative<HoldFlippersCommand>(c.command);
             const GateRefusal expected =
                 hold && wrong[i].first == WrongEpoch ? NotArmed : wrong[i].first;
@@ -322,7 +322,7 @@ TEST(Gate, defaultLimitsCoverExactlyTheDbcRanges)
     EXPECT_EQ(verdict(PressCommand{0.01}, ready(RobotActivity::Pressed, true)), None);
     EXPECT_EQ(verdict(HoldFlippersCommand{3.14, -1.6}, ready()), None);
     EXPECT_EQ(verdict(HoldFlippersCommand{-1.602, 0.0}, ready()), OverLimit);
-    // A frame with 0.1001 m: built by hand, because the codec does not.
+    // The codec refuses 0.1001 m, so this frame is built by hand.
     CanFrame frame = frameOf(AdvanceCommand{0.1}, kEpoch, 1, kChallenge);
     frame.data[4] = 1001 & 0xFF;
     frame.data[5] = 1001 >> 8;
@@ -373,7 +373,7 @@ TEST(Gate, heartbeatsMayPauseASecondWhileNothingMoves)
         view.operatorAge = bad;
         EXPECT_EQ(judge(heartbeat, view, kLimits), OperatorAbsent);
     }
-    // Nothing but the heartbeat: what moves needs an answer of now.
+    // Only the heartbeat passes: motion needs a recent answer.
     for (const Case& c : conditional()) {
         GateView paused = approved();
         paused.moves = false;
@@ -390,7 +390,7 @@ TEST(Gate, neverSendsAFrameOfTheRobot)
         EXPECT_EQ(judge(frame, approved(), kLimits), NotAllowed);
 }
 
-/// Every state that arming, robot and operator can be in, some hundreds of them.
+/// Every state of arming, robot and operator, some hundreds of views.
 std::vector<GateView> manyViews()
 {
     std::vector<GateView> views{GateView{}};
@@ -411,7 +411,7 @@ std::vector<GateView> manyViews()
 TEST(Gate, leaksNoFrameOfAnyIdLengthFlagAndState)
 {
     std::uint64_t leaks = 0;
-    // Data that is right in every respect but the identifier, length or flags.
+    // Frames that are valid except for identifier, length or flags.
     const CanFrame sound = frameOf(StopCommand{}, 0, 1);
     for (const GateView& view : manyViews())
         for (std::uint32_t id = 0; id < 2048; ++id)

@@ -15,7 +15,7 @@ using Activity = RobotActivity;
 constexpr AtemLimits kLimits{
     .halt = 3.0, .press = 15.0, .estimate = 30.0, .approval = 20.0, .probe = 90.0};
 
-/// One arrow of the drawing in passive_exploration.h, or one that must not be there.
+/// One arrow of the diagram in passive_exploration.h, or one that must not be there.
 struct Arrow {
     std::string name;
     AtemPhase from;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kArm = 0x12, kHalt = 0x13, kDrive = 0x14, kHeartbeat = 0x1B;
 
-/// What a bus may do to frames that were right when they left: late, twice, in another order, long after.
+/// A bus that delivers valid frames late, twice, in another order, or long after.
 struct Replay : Wire {
     void press(double speed, double seconds)
     {
@@ -25,7 +25,7 @@ struct Replay : Wire {
                              [](const CanFrame& frame) { return frame.id == kDrive; });
         return all;
     }
-    /// One every 20 ms, of which the console hears nothing.
+    /// Replays one frame every 20 ms, which the console does not receive.
     void replay(const std::vector<CanFrame>& frames)
     {
         for (const CanFrame& frame : frames) {
@@ -121,8 +121,8 @@ TEST_F(Replay, aRecordedSessionDoesNotArmARobot)
     EXPECT_EQ(restarted.robot().rest().pose.base.x - halted, 0.0);
 }
 
-/// Two key presses on a bus that loses, delays and doubles; old frames come all the time.  From when a Halt has
-/// reached the robot it stands until a newer press.
+/// Two key presses on a bus that loses, delays and duplicates frames; old frames come all the time.
+/// Once a Halt has reached the robot, it stands until a newer press.
 struct RandomBus : Replay {
     std::vector<double> fate(const CanFrame& frame)
     {
@@ -264,7 +264,7 @@ TEST_F(Replay, aPressRightAfterAReleaseDrives)
     press(0.3, 0.5);
     release();
     const double halted = x();
-    press(-0.3, 0.05);  // a tick later there is a challenge
+    press(-0.3, 0.05);  // the next tick has a challenge
     EXPECT_EQ(activity(), RobotActivity::Driving);
     EXPECT_LT(x(), halted);
     release();

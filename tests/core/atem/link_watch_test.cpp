@@ -13,7 +13,7 @@ struct Watching : testing::Test {
     LinkWatch watch;
     double now = 100.0, heard = 100.0;  ///< [s]
     bool othersCome = false;
-    std::vector<std::string> said;  ///< each that was other than the one before
+    std::vector<std::string> said;  ///< each text that differs from the one before it
 
     void poll(bool comes)
     {

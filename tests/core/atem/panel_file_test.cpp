@@ -114,7 +114,7 @@ TEST_F(PanelFile, refusesALineThatIsUsedTwice)
 
 TEST_F(PanelFile, refusesControlCharactersInNames)
 {
-    // The kernel's interface takes names that end with the first NUL: this would be GPIO5 once more.
+    // The kernel's interface ends names at the first NUL: this would be GPIO5 again.
     for (const char* end : {"\\u0000x", "\\n", "\\u001b[31m", "\t", "\\u007f"})
         EXPECT_TRUE(refuses("GPIO19", std::string("GPIO5") + end,
                             {"inputs.stop.line", "control character"}))

@@ -11,7 +11,7 @@
 namespace terratact {
 namespace {
 
-constexpr double kPeriod = 0.01;  // [s] of the looks at the panel
+constexpr double kPeriod = 0.01;  // [s] between readings of the panel
 constexpr PanelContact kAtem = PanelContact::Atem, kApprove = PanelContact::Approve,
                        kRefuse = PanelContact::Refuse, kStop = PanelContact::Stop;
 
@@ -23,7 +23,7 @@ PerContact<bool> only(std::initializer_list<PanelContact> contacts)
     return set;
 }
 
-/// A panel that is looked at every 10 ms.
+/// A panel that is read every 10 ms.
 struct Panel {
     PanelState poll(const PerContact<bool>& closed, const PerContact<bool>& disturbed = {})
     {
@@ -38,13 +38,13 @@ struct Panel {
         state = nextPanel(state, {.now = now, .closed = std::nullopt, .disturbed = {}});
         return state;
     }
-    /// The same levels without an edge for that long.
+    /// Keeps the same levels without an edge for that long.
     PanelState rest(const PerContact<bool>& closed, double seconds)
     {
         for (double end = now + seconds - kPeriod / 2; now < end;) poll(closed);
         return state;
     }
-    /// Up, every button open and STOP closed for long enough.
+    /// Starts the panel, with every button open and STOP closed for long enough.
     Panel& ready()
     {
         rest(only({kStop}), 0.1);
@@ -269,7 +269,7 @@ TEST(ButtonPhases, followTheTable)
         button.pressedAt = now - arrow.held;
         PerContact<bool> closed;
         closed[kRefuse] = arrow.closed;
-        // 1 ns late: the difference of two times is not exact
+        // 1 ns late, because the difference of two times is not exact
         state = nextPanel(state, {.now = now + 1e-9, .closed = closed, .disturbed = {}});
         EXPECT_EQ(state.contacts[kRefuse].phase, arrow.to) << "row " << i;
     }
@@ -277,7 +277,7 @@ TEST(ButtonPhases, followTheTable)
 
 // -------------------------------------------------------------------------------- bouncing contacts
 
-/// Edges of one contact that bounces: more than 16 within 1 ms, ending at `level`.
+/// Returns the edges of one bouncing contact: more than 16 within 1 ms, ending at `level`.
 std::vector<double> bounce(double begin, bool changes, std::mt19937_64& rng)
 {
     std::uniform_int_distribution<int> pairs(8, 40);
@@ -288,7 +288,7 @@ std::vector<double> bounce(double begin, bool changes, std::mt19937_64& rng)
     return edges;
 }
 
-/// The contact's level at a time, from where it began and its edges.
+/// Returns the contact's level at a time, from its first level and its edges.
 bool levelAt(bool first, const std::vector<double>& edges, double time)
 {
     const auto passed = std::upper_bound(edges.begin(), edges.end(), time) - edges.begin();
@@ -311,7 +311,7 @@ TEST(BouncingContacts, endInTheRightStateIn100000RandomTraces)
         const bool first = coin(rng), changes = coin(rng), last = first != changes;
         Panel panel;
         PerContact<bool> closed = only({kStop});
-        // A button is open first, so that what comes is a press.
+        // A button is open first, so that the next closing is a press.
         panel.rest(closed, 0.05);
         closed[contact] = first;
         panel.rest(closed, 0.05);

@@ -173,7 +173,7 @@ TEST(PoseWatch, driveWithoutMotionDoesNotLeaveThePlace)
     PoseWatch watch(scene);
     Measurement m = scene;
     m.activity = RobotActivity::Driving;
-    m.frontLeft += 0.5;  // it comes up first
+    m.frontLeft += 0.5;  // the flipper rises first
     for (std::uint64_t count = 1; count <= 20; ++count) watch.poll(m, count);
     EXPECT_TRUE(watch.hasMoved()) << "another pose to rest on";
     EXPECT_FALSE(watch.hasLeft());

@@ -25,7 +25,8 @@ RobotModel robotWithArm()
     return robot;
 }
 
-/// Covariance like that of a real estimate: certain at the rear, uncertain ahead, neighbours alike.
+/// Covariance like that of a real estimate: certain at the rear, uncertain ahead, with correlated
+/// neighbours.
 Eigen::MatrixXd covariance()
 {
     Eigen::MatrixXd C(kBins, kBins);
@@ -51,7 +52,8 @@ TerrainEstimate gaussianEstimate(int draws, unsigned seed)
     return e;
 }
 
-/// Σ_i C_ib² / (C_bb + armSd²): what a reading takes off the trace of a normal's covariance.
+/// Returns Σ_i C_ib² / (C_bb + armSd²): the reduction of the trace of a normal's covariance by a
+/// reading.
 double exactReduction(int bin)
 {
     const Eigen::MatrixXd C = covariance();
@@ -105,7 +107,8 @@ TEST(ProbeGains, areNothingForABinThatIsCertain)
 
 TEST(ProbeGains, ofAnIndependentBinLeaveTheOthersUnchanged)
 {
-    // Few draws: a reading leaves some 70 of 200, whose plain variance would be 1/70 too small in every bin.
+    // With few draws a reading leaves about 70 of 200; their plain variance would be 1/70 too small
+    // in every bin.
     constexpr int kSeeds = 40;
     std::mt19937_64 rng(4);
     std::normal_distribution<double> normal(0.0, 0.1);
@@ -124,7 +127,8 @@ TEST(ProbeGains, ofAnIndependentBinLeaveTheOthersUnchanged)
 
 TEST(ProbeGains, matchTheInformationAboutAStep)
 {
-    // Bins ahead are all up or all down: touching any of them settles the question, log 2 in all.
+    // Bins ahead are all up or all down: touching any of them settles the question, with log 2 in
+    // all.
     TerrainEstimate e;
     for (int d = 0; d < 1000; ++d) {
         Heights h{};
@@ -135,7 +139,7 @@ TEST(ProbeGains, matchTheInformationAboutAStep)
         EXPECT_NEAR(gain.entropyReduction, gain.bin >= 8 ? std::numbers::ln2 : 0.0, 1e-4);
         EXPECT_NEAR(gain.varianceReduction, gain.bin >= 8 ? 3.0 * 0.0225 : 0.0, 1e-4);
     }
-    // An arm that errs by more than the step says little.
+    // An arm with an error larger than the step gives little information.
     const ProbeGain blunt = probeGains(e, robotWithArm(), 0.6, kStep).front();
     EXPECT_GT(blunt.entropyReduction, 0.0);
     EXPECT_LT(blunt.entropyReduction, 0.1);

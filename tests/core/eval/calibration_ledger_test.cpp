@@ -15,7 +15,7 @@ namespace {
 constexpr double kSd = 0.05;
 constexpr double kMeasuredSd = 0.02;
 
-/// Bins of a normal with `sd` around 0, by its draws.
+/// Returns bins of a normal with `sd` around 0, given by draws.
 TerrainEstimate shown(double sd, int draws, unsigned seed)
 {
     std::mt19937_64 rng(seed);
@@ -28,7 +28,7 @@ TerrainEstimate shown(double sd, int draws, unsigned seed)
     return e;
 }
 
-/// `n` measurements of heights from N(0, kSd²) against bands that claim sd.
+/// Returns `n` measurements of heights from N(0, kSd²) against bands that claim claimedSd.
 CalibrationLedger ledgerOf(double claimedSd, int n, unsigned seed)
 {
     std::mt19937_64 rng(seed);
@@ -59,7 +59,8 @@ TEST(CalibrationLedger, callsACalibratedForecasterHonest)
 
 TEST(CalibrationLedger, seldomMisjudgesACalibratedForecaster)
 {
-    // The Wilson interval of 40 entries excludes the true 80 % in 7.2 %, of 200 ledgers 14.3 ± 3.7.
+    // The Wilson interval of 40 entries excludes the true 80 % in 7.2 % of cases: in 14.3 ± 3.7 of
+    // 200 ledgers.
     int wronged = 0;
     for (unsigned seed = 1; seed <= 200; ++seed)
         wronged += ledgerOf(kSd, 40, seed).summary().verdict != Calibration::Honest ? 1 : 0;
@@ -139,7 +140,7 @@ TEST(CalibrationLedger, scoresTheGhostsBandAtALaterPose)
     before.sd.fill(kSd);
     before.origin[5] = Origin::Contact;
     Ghost moved;
-    moved.motion.forward = 1.04 * kBinWidth;  // bin 4 of now is nearest to bin 5 of then
+    moved.motion.forward = 1.04 * kBinWidth;  // bin 4 of now is nearest to the earlier bin 5
     for (int bin = 0; bin + 1 < kBins; ++bin)
         moved.bin[static_cast<std::size_t>(bin)] = GhostBin{0.01 * bin, 0.06, 0.0, 0.0};
     TerrainEstimate after;

@@ -11,8 +11,9 @@ namespace {
 
 constexpr Claim kClaim{"b errs less than a", Method::Pa, Method::Pac, 4, 5};
 
-/// Scenes of several drives with one error per method and bin.  The drives differ (sd `betweenRuns`), the
-/// scenes of one hardly do; method Pac errs more by `change`.
+/// Scenes of several drives with one error per method and bin. The drives differ (sd
+/// `betweenRuns`), the scenes of one drive hardly differ. The errors of method Pac are larger by
+/// `change`.
 struct World {
     std::vector<Scene> scenes;
     std::vector<BinError> errors;
@@ -75,7 +76,7 @@ TEST(Judge, reportsMediansAndAnIntervalAroundTheirDifference)
 
 TEST(Judge, countsDrivesNotScenes)
 {
-    // More scenes of the same drives tell nothing new: the interval stays as wide.
+    // More scenes of the same drives add no information: the interval keeps its width.
     const ClaimResult few = World(8, 5, -0.01, 0.05).judged();
     const ClaimResult many = World(8, 100, -0.01, 0.05).judged();
     EXPECT_GT(many.high - many.low, 0.3 * (few.high - few.low));

@@ -61,7 +61,7 @@ TEST(BootstrapDrives, drawsAllDrivesAndRepeatsForASeed)
 
 TEST(BootstrapDrives, ofTheMeanSpreadsAsItsStandardError)
 {
-    // 40 drives of 5 equal values: what counts is the sd of the 40.
+    // 40 drives of 5 equal values: the sd of the 40 drives counts.
     std::mt19937_64 rng(9);
     std::normal_distribution<double> normal;
     std::vector<std::pair<double, std::size_t>> values;
@@ -81,7 +81,7 @@ TEST(BootstrapDrives, ofTheMeanSpreadsAsItsStandardError)
     EXPECT_NEAR(0.5 * (i.low + i.high), sum / 40.0, 0.2 * se);
 }
 
-/// `runs` drives of `perRun` scenes; a drive's errors are all the same: 1, 2, … cm.
+/// `runs` drives of `perRun` scenes; the errors of a drive are equal: 1, 2, … cm.
 struct World {
     std::vector<Scene> scenes;
     std::vector<BinError> errors;
@@ -123,7 +123,7 @@ TEST(Confidence, countsDrivesNotScenes)
     EXPECT_NEAR(a[0].intervals->crps.low, 0.5 * mean.low, 1e-12);
     EXPECT_LT(a[0].intervals->coverage.low, 0.3);
     EXPECT_GT(a[0].intervals->coverage.high, 0.7);
-    EXPECT_LE(a[0].intervals->nearMedian.high, 0.08);  // bin 10 takes no part
+    EXPECT_LE(a[0].intervals->nearMedian.high, 0.08);  // bin 10 is not included
 }
 
 TEST(Confidence, needsFiveDrivesAndRefusesOtherScenes)

@@ -10,7 +10,8 @@
 namespace terratact {
 namespace {
 
-/// `drives` drives of ten scenes with one bin: errors about 0.1 m, and those of the other way smaller by `gain`.
+/// `drives` drives of ten scenes with one bin: errors of about 0.1 m; those of `after` are smaller
+/// by `gain`.
 struct Pairs {
     std::vector<Scene> scenes;
     std::vector<BinError> before, after;

@@ -8,7 +8,7 @@
 namespace terratact {
 namespace {
 
-/// Readings of `places` places, `each` of every one, with noise of sd and a bias.
+/// Returns readings of `places` places, `each` of every place, with noise of sd and a bias.
 std::vector<ProbeReading> recording(int places, int each, double sd, double bias, bool truth,
                                     unsigned seed)
 {

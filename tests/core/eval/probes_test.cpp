@@ -8,7 +8,7 @@
 namespace terratact {
 namespace {
 
-/// The truth of bin i is i cm, those of the bins ahead 0.5 m.
+/// The truth of bin i is i cm; that of the bins ahead is 0.5 m.
 Scene someScene()
 {
     Scene scene;
@@ -17,7 +17,8 @@ Scene someScene()
     return scene;
 }
 
-/// Knows bins 0 … 8, expects 0.1 m ahead with an sd of 0.2 m, and believes every reading.
+/// Estimate that knows bins 0 … 8, expects 0.1 m ahead with an sd of 0.2 m, and adopts every
+/// reading.
 TerrainEstimate toyEstimate(const Scene& scene, std::span<const ArmReading> readings)
 {
     TerrainEstimate e;
@@ -88,7 +89,7 @@ TEST(TryProbes, readsTheSameNoiseForTheSameSceneAndBin)
     for (std::size_t k = 0; k < 2000; ++k) {
         const auto t = tryProbes(k, scene, toyEstimate(scene, {}), toyEstimate, widest,
                                  {.armSd = 0.03, .most = 1});
-        squares += std::pow(2.0 * t.after.ahead - 0.4, 2) / 2000.0;  // bin 10 errs by 0.4 m
+        squares += std::pow(2.0 * t.after.ahead - 0.4, 2) / 2000.0;  // bin 10 has an error of 0.4 m
     }
     EXPECT_NEAR(std::sqrt(squares), 0.03, 0.002);
 }

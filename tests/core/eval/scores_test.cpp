@@ -117,7 +117,7 @@ TEST(ForecastScores, ofAFixedBinAreThoseOfANormal)
     EXPECT_THROW((void)forecastScores(sharp, 11, 0.0), std::invalid_argument);
 }
 
-/// Scores of a forecaster that knows the spread of the truth; its centre is off by `bias` sd.
+/// Scores of a forecaster with the right spread, whose centre is shifted by `bias` sd.
 struct Campaign {
     std::vector<double> pit;
     double share50 = 0.0, share80 = 0.0, share95 = 0.0;

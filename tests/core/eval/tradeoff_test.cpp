@@ -48,7 +48,7 @@ TEST(EstimateDistance, isTheMeanOverTheBins)
     EXPECT_DOUBLE_EQ(distance(a, b).quantile, 0.03);
 }
 
-/// A setting without what is special about it.
+/// Returns a setting without the varied part.
 Settings withoutWhatVaries(const TradeSetting& t)
 {
     Settings settings = t.settings;
@@ -56,7 +56,7 @@ Settings withoutWhatVaries(const TradeSetting& t)
     if (t.varied == "chains") settings.chains = Settings{}.chains;
     if (t.varied == "precision") settings.precision = Settings{}.precision;
     if (t.varied == "inducing") settings.inducing = Settings{}.inducing;
-    if (t.varied == "early stop") {  // of a longer run, which it is to end
+    if (t.varied == "early stop") {  // the budget of a longer run, which it ends early
         settings.stopEarly = false;
         settings.draws = Settings{}.draws;
     }
@@ -96,7 +96,7 @@ TEST(ReferenceSettings, haveFourTimesTheMostDraws)
     std::vector<TradePoint> points(3);
     points[0].draws = 250;
     points[1].draws = 12000;
-    points[1].setting.settings.draws = 64000;  // most of which were not needed
+    points[1].setting.settings.draws = 64000;  // most of these draws were not needed
     points[2].draws = 4000;
     EXPECT_EQ(leastReferenceDraws(points), 48000);
     EXPECT_EQ(leastReferenceDraws({}), 0);

@@ -170,7 +170,7 @@ TEST(ClosedForm, flagsAProbeInsideTheRobotAndASceneUnlikeTraining)
 
 TEST(ClosedForm, coversMostTruthsOfOtherDrives)
 {
-    // A toy model; the shipped one is judged by `terratact evaluate`.
+    // This is a toy model; `terratact evaluate` judges the shipped one.
     int inside = 0;
     int all = 0;
     for (const Scene& scene : bench().scenes) {

@@ -19,8 +19,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Toy conditionals of sd `sd`, whose mean is `pull` times the last of the other unknown bins' states, or, of the bin
-/// that `stuck` numbers, its own state.
+/// Toy conditionals with sd `sd`. The mean is `pull` times the last of the other unknown bins'
+/// states. The bin numbered `stuck` has its own state as mean.
 class Pulled final : public Conditionals, public SceneConditionals {
 public:
     Pulled(double pull, double sd, std::optional<std::size_t> stuck = {})
@@ -116,7 +116,7 @@ TEST(EarlyStop, endsAtTheFirstCheckWhereEveryBinHasConverged)
     EXPECT_EQ(check, draws.draws[0].rows());
     EXPECT_LT(check, 300);
     EXPECT_TRUE(withinLimits(draws.draws[0]) && withinLimits(draws.draws[1]));
-    ASSERT_GE(before, kFirstCheck);  // else the next line says nothing
+    ASSERT_GE(before, kFirstCheck);  // otherwise the next line tests nothing
     EXPECT_FALSE(withinLimits(draws.draws[0].topRows(before))
                  && withinLimits(draws.draws[1].topRows(before)));
 }
@@ -169,7 +169,7 @@ TEST(EarlyStop, alsoJudgesTheLastSweepOfTheBudget)
     GibbsProblem problem = twoUnknown();
     problem.keptPerChain = static_cast<int>(sampleStates(independent(), problem).draws[0].rows());
     EXPECT_EQ(sampleStates(independent(), problem).ending, Ending::Converged);
-    problem.keptPerChain = 10;  // before the first regular check; 160 draws are too few
+    problem.keptPerChain = 10;  // ends before the first regular check; 160 draws are too few
     const GibbsDraws draws = sampleStates(independent(), problem);
     EXPECT_EQ(draws.ending, Ending::Sweeps);
     EXPECT_EQ(draws.draws[0].rows(), 10);
@@ -259,7 +259,7 @@ TEST(TimeOut, doesNotHideAConvergence)
     };
     const GibbsDraws draws = sampleStates(independent(), twoUnknown(), watch);
     EXPECT_EQ(draws.ending, Ending::Converged);
-    // Between all sweeps of the burn-in, and of all that may be last.
+    // Called between all sweeps of the burn-in, and of all sweeps that may be the last.
     EXPECT_EQ(asked, draws.draws[0].rows() - kMinKept + twoUnknown().burnIn - 1);
 }
 

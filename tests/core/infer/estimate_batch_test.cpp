@@ -44,7 +44,7 @@ struct Task {
     Settings settings;
 };
 
-/// Scenes that differ in what is known of them, how many chains they have and when they end.
+/// Scenes that differ in their known bins, in their number of chains and in their end.
 std::vector<Task> tasks(Method method, ScanOrder scan, int chains)
 {
     std::vector<Task> all;
@@ -54,7 +54,7 @@ std::vector<Task> tasks(Method method, ScanOrder scan, int chains)
         task.settings.method = method;
         task.settings.scan = scan;
         task.settings.chains = chains;
-        task.settings.draws = 30 * chains;  // whether to go on is asked after 25 of each
+        task.settings.draws = 30 * chains;  // the first check comes after 25 sweeps of each chain
         task.settings.burnIn = static_cast<int>(k);
         task.settings.stopEarly = k % 2 == 0;
         task.settings.precision = k == 4 ? Precision::Double : Precision::Single;

@@ -1,4 +1,5 @@
-// Estimates of scenes no robot should be in: right or refused with a text, never a NaN, never a hang.
+// Estimates of extreme scenes: each is right or refused with a text, without NaN and without a
+// hang.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ const RobotModel& robot()
     return model;
 }
 
-/// toyModel with hyper-parameters for the conditionals over clearances, too.
+/// Returns toyModel with hyper-parameters for the conditionals over clearances.
 ModelData modelFor(int runs, std::uint64_t seed)
 {
     ModelData model = toyModel(runs, seed);
@@ -100,7 +101,7 @@ TerrainEstimate estimateOf(const Asked& asked, const Watch& watch = {},
     return estimateTerrain(asked.scene.s, asked.arm, of, models(), asked.settings, watch);
 }
 
-/// The robot with its IMU so much higher: all of it, and the ground, lie deeper in the DEM frame.
+/// Returns the robot with its IMU raised: robot and ground lie deeper in the DEM frame.
 RobotModel loweredBy(double metres)
 {
     RobotModel low = robot();
@@ -168,7 +169,7 @@ TEST_P(EveryMethod, answersContradictoryContactsAndSaysSo)
     const auto contacts = reconstructContacts(robot(), odd.scene.s, 2.0, false).contacts;
     ASSERT_GT(contacts.size(), 1U);
     odd.arm.push_back({contacts.front().bin, -1.0, 0.03});
-    if (GetParam() == Method::Clearance) {  // training never saw the ground so far ahead uncovered
+    if (GetParam() == Method::Clearance) {  // training never had uncovered ground so far ahead
         EXPECT_THROW((void)estimateOf(odd), NotLearnt);
         return;
     }
@@ -185,7 +186,7 @@ TEST_P(EveryMethod, answersContradictoryContactsAndSaysSo)
 TEST_P(EveryMethod, takesAProbeTenDeviationsOutsideItsPrior)
 {
     Asked own = asked();
-    own.settings.hazardRate = 0.0;  // whose sd would carry the probe hundreds of metres away
+    own.settings.hazardRate = 0.0;  // a hazard's sd would carry the probe hundreds of metres away
     const TerrainEstimate before = estimateOf(own);
     for (const int bin : {0, 5, 10})
         for (const double sds : {-10.0, 10.0, -1000.0}) {
@@ -198,7 +199,8 @@ TEST_P(EveryMethod, takesAProbeTenDeviationsOutsideItsPrior)
             const double reading = probed.arm.front().height;
             if (isOfPaper(GetParam())) {
                 EXPECT_EQ(e.mean[i], reading);
-            } else if (reading < e.ceiling[i]) {  // a few sd off, or more than half the way
+                // a few sd away, or more than half of the distance
+            } else if (reading < e.ceiling[i]) {
                 const double near = 4.0 * std::max(e.sd[i], 0.03);
                 EXPECT_NEAR(e.mean[i], reading,
                             std::max(near, 0.5 * std::abs(reading - before.mean[i])))
@@ -212,7 +214,7 @@ TEST_P(EveryMethod, keepsBelowCeilingsThatLieBelowEveryTrainingHeight)
     for (const double by : {1.0, 10.0, 1e6})
         for (const ContactRule contacts : {ContactRule::None, ContactRule::Any}) {
             Asked deep = asked();
-            deep.scene.s.pitch = 0.0;  // else the IMU is far ahead, too
+            deep.scene.s.pitch = 0.0;  // otherwise the IMU is far ahead, too
             deep.settings.draws = 64;
             deep.settings.contacts = contacts;
             const TerrainEstimate e = estimateOf(deep, {}, loweredBy(by));
@@ -222,7 +224,7 @@ TEST_P(EveryMethod, keepsBelowCeilingsThatLieBelowEveryTrainingHeight)
             for (std::size_t i = 0; i < kBins; ++i) {
                 if (e.origin[i] != Origin::Sampled || std::isinf(e.ceiling[i])) continue;
                 ASSERT_LT(e.ceiling[i], modelData().heights.minCoeff()) << which;
-                if (GetParam() == Method::Pa) continue;  // knows no ceiling
+                if (GetParam() == Method::Pa) continue;  // uses no ceiling
                 ++below;
                 const double most =
                     e.ceiling[i] + (isClosedForm(GetParam()) ? kDeepestSinking : 0.0);
@@ -259,7 +261,7 @@ TEST_P(EveryMethod, answersOrRefusesEveryPose)
             }
     std::cout << what() << ": " << answered << " answered, " << refused << " refused\n";
     EXPECT_EQ(answered + refused, 48);
-    if (GetParam() == Method::Clearance) {  // which knows bins covered and open apart
+    if (GetParam() == Method::Clearance) {  // distinguishes covered and open bins
         EXPECT_GE(answered, 1);
         EXPECT_GE(refused, 1);
     } else {
@@ -311,7 +313,7 @@ TEST_P(EveryMethod, isCancelledAtEveryPollAndThenRepeatable)
         };
         return estimateTerrain(quick.scene.s, {}, robot(), fresh, quick.settings, watch);
     };
-    // Cold models: every cancelled run leaves them to the next one.
+    // Models start cold: every cancelled run leaves its models to the next one.
     for (const int last : {1, 2, 3, 5, 8, 13, 21, 34, 55}) {
         if (last > fewest) break;
         EXPECT_THROW((void)run(last), Cancelled) << last;
@@ -325,7 +327,7 @@ TEST_P(EveryMethod, isCancelledAtEveryPollAndThenRepeatable)
     EXPECT_EQ(run(-1), expected);
 }
 
-/// The most that a computation asks of the BLAS between two questions.
+/// Returns the largest BLAS work of a computation between two polls.
 BlasWork longestGap(const std::function<void(const Poll&)>& compute)
 {
     BlasWork last = blasWork();
@@ -371,7 +373,7 @@ TEST(Cancelling, largeModelPollsAfterBoundedWork)
     EXPECT_LE(solving.read, 1.1 * kMaxRead);
 }
 
-/// Questions that a computation asks.
+/// Returns the number of polls of a computation.
 int questions(const std::function<void(const Poll&)>& compute)
 {
     int asked = 0;
@@ -393,7 +395,7 @@ TEST(Cancelling, pollsGrowWithTheNumberOfDraws)
     for (double& x : draws.draws[0].reshaped()) x = normal(rng);
 
     EXPECT_GE(questions([&](const Poll& poll) { (void)RankedDraws(draws.draws[0], poll).rhat(); }),
-              least(2 * 14));  // sorted twice
+              least(2 * 14));  // sorts twice
     EXPECT_GE(questions([&](const Poll& poll) { (void)RankedDraws(draws.draws[0], poll).ess(); }),
               least(14));
     TerrainEstimate estimate;
@@ -404,7 +406,7 @@ TEST(Cancelling, pollsGrowWithTheNumberOfDraws)
     EXPECT_GE(questions([&](const Poll& poll) { conclude(estimate, draws, {}, poll); }), least(11));
     EXPECT_GE(questions([&](const Poll& poll) { (void)finite(estimate, poll); }), least(11));
     EXPECT_GE(questions([&](const Poll& poll) { (void)adviseProbe(estimate, robot(), 0.1, poll); }),
-              least(48 * 2));  // for every reading
+              least(48 * 2));  // once for every reading
     for (const Method method : {Method::Local, Method::Joint}) {
         Asked many;
         many.settings.method = method;
@@ -490,7 +492,7 @@ TEST(Sampler, chainsClampedFarBelowAreConstant)
     }
 }
 
-/// An estimate of one bin from these draws.
+/// Returns an estimate of one bin from these draws.
 TerrainEstimate concluded(const Eigen::MatrixXd& draws, double ceiling)
 {
     TerrainEstimate estimate;

@@ -7,7 +7,7 @@
 namespace terratact {
 namespace {
 
-/// With conditionals over clearances wherever a regime has enough rows.
+/// Returns a model with conditionals over clearances for every regime that has enough rows.
 ModelData modelWithClearances()
 {
     ModelData model = toyModel(12);

@@ -221,7 +221,7 @@ const KnownWorld& world()
     return shared;
 }
 
-/// The world's z of one bin's draws.
+/// Returns the world's z of one bin's draws.
 Eigen::VectorXd zOf(const TerrainEstimate& e, std::size_t bin)
 {
     Eigen::VectorXd z(static_cast<Eigen::Index>(e.draws.size()));

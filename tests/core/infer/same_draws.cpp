@@ -1,6 +1,8 @@
-// Prints a hash of every bit of: truncated normal draws; the sampler's states, in single and double precision and through
-// few training rows; an estimate's numbers; and whole estimates by the methods local, joint and clearance.
-// same_draws_test.py compares what builds of it by several compilers print: its own, or those of the presets.
+// Prints a hash of every bit of several results: truncated normal draws; the sampler's states in
+// single and double precision, and through few training rows; an estimate's numbers; whole
+// estimates by local, joint and clearance.
+// same_draws_test.py compares the output of builds by several compilers: its own builds, or those
+// of the presets.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -64,7 +66,7 @@ Hash hashOfDraws()
     return hash;
 }
 
-/// A made-up model of 300 rows on pitch and flipper angles.
+/// Returns an artificial model of 300 rows on pitch and flipper angles.
 ModelData someModel()
 {
     constexpr int kRows = 300;
@@ -132,7 +134,7 @@ Hashes hashesOf(const BinModels& models)
     return hashes;
 }
 
-/// The same scene in several threads that share the models.
+/// Computes the same scene in several threads that share the models.
 Hashes hashesIn(int threads)
 {
     const BinModels models(someModel(), FeatureSet::Pa);
@@ -146,7 +148,7 @@ Hashes hashesIn(int threads)
     return hashes.front();
 }
 
-/// Tracks and two flippers.
+/// Returns a robot with tracks and two flippers.
 RobotModel someRobot()
 {
     RobotModel robot;
@@ -161,7 +163,7 @@ RobotModel someRobot()
     return robot;
 }
 
-/// A made-up model with surface processes over 300 scenes on nearly flat ground.
+/// Returns an artificial model with surface processes over 300 scenes on nearly flat ground.
 ModelData someClearances(const RobotModel& robot)
 {
     std::mt19937_64 rng(4);
@@ -213,7 +215,7 @@ Hash hashOf(const TerrainEstimate& estimate)
     return hash;
 }
 
-/// An estimate of the model's first scene, with one probe.
+/// Returns the hash of an estimate of the model's first scene, with one probe.
 Hash hashOfEstimate(Method method)
 {
     const RobotModel robot = someRobot();
@@ -242,7 +244,7 @@ void print(const char* what, const Hash& hash)
 }  // namespace
 }  // namespace terratact
 
-/// same_draws <threads>
+/// Usage: same_draws <threads>.
 int main(int argc, char** argv)
 {
     using namespace terratact;

@@ -1,5 +1,5 @@
-// In which order the sampler visits the bins: without consequence where the conditionals belong to one
-// joint distribution, and a matter of the last bin drawn where they do not.
+// Order in which the sampler visits the bins. It has no effect if the conditionals belong to one
+// joint distribution. Otherwise the last bin of a sweep matters.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -31,7 +31,7 @@ double meanProduct(const GibbsDraws& draws, std::size_t a, std::size_t b)
     return (draws.draws[a].array() * draws.draws[b].array()).mean();
 }
 
-/// Bins 3 and 6 with x₃ | x₆ ~ N(0.9 x₆, 1) and x₆ | x₃ ~ N(0, 1): no joint distribution has both.
+/// Bins 3 and 6 with x₃ | x₆ ~ N(0.9 x₆, 1) and x₆ | x₃ ~ N(0, 1), which no joint distribution has.
 LinearConditionals incompatiblePair()
 {
     LinearConditionals pair;
@@ -44,8 +44,9 @@ LinearConditionals incompatiblePair()
 
 TEST(ScanOrder, decidesTheCovarianceOfIncompatibleConditionals)
 {
-    // A sweep that ends with x₆ forgets x₃: covariance 0.  One that ends with x₃ leaves 0.9 Var x₆ = 0.9.
-    // A random order does either half of the time.  40 000 draws, sd of the mean product below 0.013.
+    // A sweep that ends with x₆ forgets x₃: covariance 0. A sweep that ends with x₃ leaves 0.9 Var
+    // x₆ = 0.9. A random order does each half of the time. 40 000 draws give an sd of the mean
+    // product below 0.013.
     const LinearConditionals pair = incompatiblePair();
     const double expected[] = {0.0, 0.9, 0.45};
     for (std::size_t k = 0; k < 3; ++k) {

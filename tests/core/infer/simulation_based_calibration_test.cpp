@@ -1,16 +1,16 @@
-// Simulation-based calibration of the Gibbs sampler: given conditionals that belong to one joint distribution,
+// Simulation-based calibration of the Gibbs sampler. Given conditionals of one joint distribution,
 // it must draw from that joint's posterior, ceilings included.
 //
-// The model is a Gaussian over the eleven bins, cut off above the ceilings as a whole (truths are drawn by
-// rejection); two bins are known.  The exact conditionals of the rest are then Gaussians cut off at the
-// ceiling, which is what the sampler is given.  Ranked among nine independent draws: the truth's heights, the
-// steps between neighbours and the joint density, a histogram of ten cells each; the verdict at a false alarm
-// rate of 1e-4 per test.
+// The model is a Gaussian over the eleven bins, cut off above the ceilings; truths are drawn by
+// rejection. Two bins are known. The exact conditionals of the other bins are then Gaussians cut
+// off at the ceiling, and the sampler gets these. Ranked among nine independent draws are the
+// truth's heights, the steps between neighbours and the joint density. Each has a histogram of ten
+// cells; the false alarm rate is 1e-4 per test.
 //
-// 100 sets by default.  The long run, 1000 sets (seconds):
+// There are 100 sets by default. The long run of 1000 sets takes seconds:
 //   TERRATACT_SBC_SETS=1000 build/headless/tests/core.infer.simulation_based_calibration_test
 //
-// The same verdict on the same 100 sets must reject five mistakes of a sampler, each planted here.
+// The same verdict on the same 100 sets must reject five planted mistakes of a sampler.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -33,10 +33,10 @@ namespace {
 constexpr double kFalseAlarm = 1e-4;
 constexpr int kDraws = 9;  // ten cells: ten ranks expected in each of 100 sets'
 constexpr int kBurnIn =
-    150;  // the slowest mode shrinks by 0.7 a sweep without ceilings, sooner with them
+    150;  // the slowest mode shrinks by 0.7 per sweep without ceilings, and faster with them
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Smooth ground that rises to the front; neighbours correlate by 0.7 [m].
+/// Smooth ground that rises to the front; neighbours have a correlation of 0.7 [m].
 const Eigen::VectorXd& priorMean()
 {
     static const Eigen::VectorXd mean = Eigen::VectorXd::LinSpaced(kBins, -0.30, 0.10);
@@ -63,7 +63,7 @@ const LinearConditionals& exact()
     return conditionals;
 }
 
-/// Over bins 0 … 6, between 0.8 sd below and 0.8 sd above the mean.
+/// Ceilings over bins 0 … 6, between 0.8 sd below and 0.8 sd above the mean.
 Heights someCeilings()
 {
     constexpr std::array kDeviations{0.4, -0.6, 0.8, -0.2, 0.5, -0.8, -0.3};
@@ -82,7 +82,7 @@ Heights noCeilings()
     return ceiling;
 }
 
-/// Truths of the prior below the ceilings; bins 4 and 8 are known.
+/// Truths from the prior below the ceilings; bins 4 and 8 are known.
 class Prior {
 public:
     explicit Prior(const Heights& ceiling) : ceiling_(ceiling) {}
@@ -120,7 +120,8 @@ private:
     std::normal_distribution<double> normal_;
 };
 
-/// Bins 4 and 8 are known: the heights of the others, the step to the next bin, and (h − mean)ᵀ C⁻¹ (h − mean).
+/// Returns the heights except those of the known bins 4 and 8, the step to the next bin, and (h −
+/// mean)ᵀ C⁻¹ (h − mean).
 Eigen::VectorXd quantities(const Heights& heights)
 {
     static const Eigen::LLT<Eigen::MatrixXd> C(priorCovariance());
@@ -209,7 +210,7 @@ TEST(CalibrationFinds, theCeilingsOfTwoBinsSwapped)
               kFalseAlarm);
 }
 
-/// The others' states as they were at the first look.
+/// Scene that keeps the others' states of its first call.
 class StaleScene final : public SceneConditionals {
 public:
     explicit StaleScene(std::unique_ptr<SceneConditionals> scene) : scene_(std::move(scene)) {}
@@ -246,7 +247,8 @@ TEST(CalibrationFinds, neighboursThatAreNeverUpdated)
 
 TEST(CalibrationFinds, theConditionalOfTheNextBin)
 {
-    // Inputs keep their order, so the next bin stands where that conditional expects this one.
+    // Inputs keep their order, so the next bin takes the place that the conditional expects for
+    // this one.
     LinearConditionals shifted = exact();
     for (Eigen::Index i = 0; i + 1 < kBins; ++i) {
         shifted.intercept[i] = exact().intercept[i + 1];

@@ -1,5 +1,5 @@
-// What became of the last estimate once it was left, as the console had it.  That a ghost lies where the console drew it
-// is tested with a console: app/console/bus_link_test.cpp.
+// State of the last estimate after it was left, as the console showed it.
+// app/console/bus_link_test.cpp tests with a console that a ghost lies where the console drew it.
 #include "core/log/review_ghost.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ struct GhostOf : testing::Test {
         return {
             .id = 2, .time = sessionTimeOf(time), .name = "mine.ttm", .hash = std::string(64, 'd')};
     }
-    /// Made anew each time, so that nothing depends on what was asked before.
+    /// Creates a new object each time, so that nothing depends on earlier requests.
     ReviewGhost::ViewState at(double time)
     {
         ReviewMoments moments(*reader, absolem());

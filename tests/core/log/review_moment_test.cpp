@@ -1,4 +1,4 @@
-// What a review shows at a time is what the file says of it, however one came there.
+// A review shows at each time what the file says, whatever was asked before.
 #include "core/log/review_moment.h"
 
 #include <gtest/gtest.h>
@@ -143,7 +143,7 @@ TEST_F(Review, showsWhetherTelemetryWasUnbroken)
     auto writer = robotSession(path, 3.3);
     ASSERT_TRUE(writer) << writer.error().text;
     std::int64_t id = 100;
-    for (const double when : {At::kScene - 0.1, 3.15})  // the first: of the scene before
+    for (const double when : {At::kScene - 0.1, 3.15})  // the first belongs to the scene before
         ASSERT_TRUE(writer->add(
             EventRow{.id = ++id, .time = sessionTimeOf(when), .kind = EventKind::Unheard}));
     ASSERT_TRUE(writer->seal());
@@ -212,7 +212,7 @@ TEST_F(Review, sceneOfTheFirstLineAfterASilenceIsUnbroken)
 {
     auto writer = robotSession(path, 3.3);
     ASSERT_TRUE(writer) << writer.error().text;
-    // The link is told to be up once the scene is captured.
+    // The link-up event follows the captured scene.
     for (const auto& [id, what, when] :
          {std::tuple(100, "lost", At::kScene - 1.1), std::tuple(101, "up", At::kScene + 0.01)})
         ASSERT_TRUE(writer->add(EventRow{
@@ -281,10 +281,10 @@ TEST_F(Review, surveyFindsSilencesAndContacts)
     SessionSurvey sensitive(absolem(), -1.0);
     while (sensitive.takeNext(*reader)) {
     }
-    EXPECT_EQ(sensitive.contacts().size(), 2U);  // apart where nothing came
+    EXPECT_EQ(sensitive.contacts().size(), 2U);  // silences separate contacts
 }
 
-/// [MB] the most this process has held; 0: not known.
+/// Returns the peak memory of this process [MB]; 0: unknown.
 double mostMemory()
 {
     std::ifstream status("/proc/self/status");

@@ -1,5 +1,5 @@
-// Sessions in a bad state: without their journal, where nothing can be written, cut, with holes, with pages that were
-// made to share what they hold.
+// Damaged sessions: without their journal, in a read-only folder, cut, with holes, with shared
+// pages.
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 #include <sys/stat.h>
@@ -21,7 +21,8 @@ namespace {
 constexpr std::size_t kPage = 8192;
 
 struct DamagedSession : testing::Test {
-    /// As a program leaves it that died: with its journal, and without the index of it.
+    /// Leaves the session as a crashed program does: with its journal, but without the journal's
+    /// index.
     void crash(std::int64_t frames)
     {
         const pid_t child = ::fork();
@@ -45,7 +46,7 @@ struct DamagedSession : testing::Test {
         std::filesystem::copy_file(path, alone);
         return alone;
     }
-    /// Frames that come out of the pages of what `damaged` has become.
+    /// Returns the number of frames that the pages of the damaged file still give.
     std::int64_t savedFrom(const std::string& damaged)
     {
         const std::string file = directory.write("damaged.tts", damaged);
@@ -100,7 +101,7 @@ TEST_F(DamagedSession, mainFileAloneHasAllButTheLastBatches)
 
 TEST_F(DamagedSession, journalAloneIsNamedInTheError)
 {
-    (void)SqliteFile::createLog(path);  // as sessions were until their first checkpoint
+    (void)SqliteFile::createLog(path);  // a session before its first checkpoint
     for (const char* const end : {"-wal", "-shm"}) std::filesystem::remove(path + end);
     const auto reader = SessionReader::open(path);
     ASSERT_FALSE(reader);
@@ -111,7 +112,7 @@ TEST_F(DamagedSession, journalAloneIsNamedInTheError)
     EXPECT_NE(recovered.error().text.find("both files belong together"), std::string::npos);
 }
 
-/// In a process of a user who may write nothing here; its exit status.
+/// Runs in a process of a user without write permission. Returns its exit status.
 int asNobody(const std::function<int()>& work)
 {
     const pid_t child = ::fork();
@@ -176,11 +177,12 @@ TEST_F(DamagedSession, holesLoseOnlyTheirOwnRows)
     EXPECT_GT(worst, 0) << "no page is needed for all the others";
 }
 
-/// The session's pages, changed as if SQLite knew nothing of it.
+/// Changes the session's pages without SQLite.
 void makeOverflowShared(const std::string& path)
 {
     std::string bytes = contentOf(path);
-    // Every text of the events is longer than a page: its cell ends with the number of the page where it goes on.
+    // Every text of the events is longer than a page: its cell ends with the number of the next
+    // page.
     std::string first;
     for (std::size_t page = 1; page < bytes.size() / kPage; ++page) {
         const std::size_t at = page * kPage;

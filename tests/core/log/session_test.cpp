@@ -1,5 +1,5 @@
-// Session files: what is written is read again, what was changed is not shown, and nothing that was committed
-// is lost with the process.
+// Session files: written rows are read back, changed rows are hidden, and committed rows survive a
+// crash.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sqlite3.h>
@@ -169,7 +169,7 @@ TEST_F(Session, existingFileIsLeftAlone)
 struct Tampering {
     const char* name;
     const char* sql;
-    SessionTime from;  ///< nothing before it is doubted
+    SessionTime from;  ///< nothing before it is in doubt
 };
 std::ostream& operator<<(std::ostream& out, const Tampering& tampering)
 {
@@ -222,13 +222,14 @@ INSTANTIATE_TEST_SUITE_P(
         Tampering{"start", "UPDATE meta SET value = 'can1' WHERE key = 'bus'", 0}),
     [](const auto& test) { return std::string(test.param.name); });
 
-/// Blob literal of SQL.
+/// Returns a blob literal of SQL.
 std::string literal(std::string_view bytes)
 {
     return "x'" + hexOf(bytes) + "'";
 }
 
-// Whoever forges frames can forge the hash beside them, but not the link of the chain without those that follow.
+// Whoever forges frames can also forge their hash, but not the chain's link without all following
+// links.
 TEST_F(Session, framesWithAForgedHashAreNotShown)
 {
     seal(path, 1000);
@@ -253,7 +254,7 @@ TEST_F(Session, framesWithAForgedHashAreNotShown)
     EXPECT_EQ(reader->verify().broken->first, 300'000'000);
 }
 
-/// All that a reader says of a file but its frames' damage, as a text.
+/// Returns everything that a reader says about a file, except the damage of frames, as a text.
 std::string told(const std::string& path, std::size_t atATime)
 {
     auto reader = SessionReader::open(path, atATime);
@@ -390,7 +391,7 @@ TEST_F(Session, flippedBytesHideRowsOrGiveAReason)
     std::printf("%d flips: %d opened, %d of them with lost intervals\n", flips, opened, hurt);
 }
 
-/// Writes frames into a session for ever, and the number of those that are committed into `out`.
+/// Writes frames into a session without end, and the number of committed frames into `out`.
 [[noreturn]] void recordUntilKilled(const std::string& path, int out)
 {
     auto writer = someSession(path, 100);
@@ -404,7 +405,7 @@ TEST_F(Session, flippedBytesHideRowsOrGiveAReason)
     }
 }
 
-// TERRATACT_KILLS=1000 for the whole of it.
+// TERRATACT_KILLS=1000 runs the full test.
 TEST_F(Session, whatWasCommittedOutlivesAKill)
 {
     const int kills = countFrom("TERRATACT_KILLS", 60);
@@ -428,7 +429,7 @@ TEST_F(Session, whatWasCommittedOutlivesAKill)
             committed = next;
         ::close(ends[0]);
 
-        auto reader = SessionReader::open(file);  // without a step of repair
+        auto reader = SessionReader::open(file);  // without any repair
         ASSERT_TRUE(reader) << reader.error().text;
         const auto frames = allFrames(*reader);
         ASSERT_GE(static_cast<std::int64_t>(frames.size()), committed) << "kill " << i;

@@ -44,9 +44,9 @@ TEST_F(ForceSensor, interpolatesOnStraightLinesOfTheLogarithms)
 {
     // Half-way between 1 N at 6 kΩ and 10 N at 1 kΩ.
     EXPECT_NEAR(curveForce(std::sqrt(6e3 * 1e3), calibration), std::sqrt(10.0), 1e-9);
-    // Slope −1 between 0.2 and 1 N: force times resistance stays.
+    // Slope −1 between 0.2 and 1 N: force times resistance is constant.
     EXPECT_NEAR(curveForce(12e3, calibration), 0.5, 1e-9);
-    // Beyond the ends the end pieces go on.
+    // The end pieces continue beyond the ends.
     EXPECT_NEAR(curveForce(60e3, calibration), 0.1, 1e-9);
     EXPECT_NEAR(curveForce(62.5, calibration), 1000.0, 1e-6);
 }

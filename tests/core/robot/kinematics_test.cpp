@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The hull's lower boundary by brute force: least z over a dense set of discs between the two circles.
+/// Returns the hull's lower boundary by brute force: the least z over a dense set of discs between
+/// the two circles.
 double sweptBottom(const TaperedHull& hull, double x)
 {
     double lowest = kInfinity;

@@ -159,7 +159,7 @@ TEST_F(RobotFile, everyKeyIsRequiredAndNoOtherAllowed)
         const std::size_t equals = line.find(" = ");
         if (equals == std::string::npos || line.starts_with('#')) continue;
         const std::string key = line.substr(0, equals);
-        // Renamed rather than left out: a value may go on for several lines.
+        // The key is renamed and not removed, because a value may continue over several lines.
         const std::size_t at = begin - line.size() - 1;
         const std::string renamed = std::string(absolem).insert(at, "my_");
         EXPECT_TRUE(refuses(renamed, {section + key, "missing"})) << section << key;

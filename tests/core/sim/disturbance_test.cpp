@@ -12,7 +12,7 @@
 namespace terratact {
 namespace {
 
-/// Scenes of one drive over a box under a disturbance, without noise but the disturbance's own.
+/// Returns the scenes of one drive over a box under a disturbance, with no other noise.
 std::vector<Scene> driveUnder(Disturbance disturbance, const TerrainProfile& terrain)
 {
     const RobotModel robot = disturbed(absolem(), disturbance);
@@ -74,7 +74,7 @@ TEST(SoftGround, letsALevelRobotSinkByTwoCentimetres)
         baseHeight(Disturbance::None, raised) - baseHeight(Disturbance::SoftGround, raised);
     EXPECT_GT(sunk, 0.015);
     EXPECT_LT(sunk, 0.025);
-    // Pressed flippers carry a part of the load and lift the front.
+    // Pressed flippers carry part of the load and lift the front.
     const FlipperDrive pressed = PressTorque{18.0};
     const double alsoSunk =
         baseHeight(Disturbance::None, pressed) - baseHeight(Disturbance::SoftGround, pressed);
@@ -123,8 +123,8 @@ TEST(FrictionFree, slidesDownASlope)
     const auto held = driveUnder(Disturbance::None, slope);
     const auto slid = driveUnder(Disturbance::FrictionFree, slope);
     ASSERT_EQ(held.size(), slid.size());
-    // 5 cm further down a plain slope all is the same; on the way from level ground to it, the robot's
-    // nose is less far up.
+    // 5 cm further down a uniform slope nothing changes. Between level ground and the slope, the
+    // nose is lower.
     EXPECT_NEAR(held[held.size() / 2].s.pitch, slid[held.size() / 2].s.pitch, 1e-3);
     bool lower = false;
     for (std::size_t k = 0; k < held.size(); ++k) {

@@ -1,4 +1,4 @@
-// Robots and grounds at the edge of what geometry allows: right or refused with a text, never a NaN.
+// Robots and grounds with extreme geometry: results are right or refused with a text, never a NaN.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -33,7 +33,7 @@ const RobotModel& robot()
     return model;
 }
 
-/// A robot all of whose parts are points.
+/// Returns a robot whose parts are all points.
 RobotModel pointRobot()
 {
     RobotModel point = robot();
@@ -44,7 +44,7 @@ RobotModel pointRobot()
     return point;
 }
 
-/// The lowest of many discs between the two circles: what a tapered hull is the union of.
+/// Returns the lowest of many discs between the two circles, whose union is a tapered hull.
 double lowestDisc(const TaperedHull& hull, double x)
 {
     constexpr int kDiscs = 20000;
@@ -66,7 +66,7 @@ double anyIn(double least, double most)
     return least + (most - least) * share * 1e-6;
 }
 
-/// 0 in every fourth case.
+/// Returns 0 in every fourth case.
 double anySize(double most)
 {
     return *rc::gen::inRange(0, 4) == 0 ? 0.0 : anyIn(0.0, most);
@@ -89,10 +89,11 @@ RC_GTEST_PROP(LowerBoundary, ofAnyTwoCirclesIsTheBottomOfTheDiscsBetweenThem, ()
     }
 }
 
-/// The mean of the lower envelope over a bin, three points for each millimetre, one of them the midpoint rule's own.
+/// Mean of the lower envelope over a bin, with three points per millimetre; one of them is the
+/// midpoint rule's.
 struct Envelope {
     double mean = 0.0;
-    int uncovered = 0;  ///< points without any part above
+    int uncovered = 0;  ///< points without a part above
 };
 
 Envelope envelopeOver(const RobotShape& shape, int bin)
@@ -115,7 +116,8 @@ Envelope envelopeOver(const RobotShape& shape, int bin)
     return over;
 }
 
-/// What is wrong with the robot's ceilings and outline in this pose; empty: nothing.  Angles in degrees.
+/// Returns the fault of the robot's ceilings and outline in this pose; empty: none. Angles in
+/// degrees.
 std::string faultOf(double pitch, double front, double rear)
 {
     const double p = pitch * kDegree, f = front * kDegree, r = rear * kDegree;
@@ -161,7 +163,7 @@ TEST(BodyCeiling, underAVerticalWallOfTheBodyIsItsLowerEnd)
     EXPECT_EQ(
         lowerBoundary(std::vector<Vec2>{{0.1, -0.2}, {0.1, 0.4}, {0.5, 0.4}, {0.5, -0.2}}, 0.1),
         -0.2);
-    for (const double pitch : {-90.0, 90.0}) {  // the body's own sides stand upright or lie flat
+    for (const double pitch : {-90.0, 90.0}) {  // the body's sides are then vertical or horizontal
         const Heights c = bodyCeiling(robot(), pitch * kDegree, 0.0, 0.0);
         for (const double x : c) EXPECT_FALSE(std::isnan(x)) << pitch;
     }
@@ -175,7 +177,7 @@ TEST(Robot, ofPointsGivesNoNaN)
     EXPECT_EQ(point.front.edgeLength(), 0.0);
     for (const double angle : {-180.0, -90.0, 0.0, 33.0, 180.0}) {
         for (const double c : bodyCeiling(point, 0.3, angle * kDegree, angle * kDegree))
-            EXPECT_EQ(c, kInfinity);  // nothing is above a whole bin
+            EXPECT_EQ(c, kInfinity);  // nothing covers a whole bin
         for (const OutlinePart& part : robotOutline(point, 0.3, angle * kDegree, 0.0))
             for (const auto& p : part.points)
                 ASSERT_TRUE(std::isfinite(p[0]) && std::isfinite(p[1]));
@@ -220,7 +222,7 @@ TEST(SkinPolygon, withoutAnAreaIsNoNaN)
     EXPECT_NEAR(hit->depth, 0.011, 1e-12);
 }
 
-/// Upright on the ground, with all its weight on it.
+/// Expects the robot upright on the ground, which carries its whole weight.
 void expectAtRest(const RestPose& rest, const std::string& what)
 {
     double upward = 0.0;
@@ -258,7 +260,7 @@ TEST(RestPose, isFoundOrRefusedForExtremeFlippers)
             }
     std::cout << rests << " rests, " << folded << " folded, " << others << " others refused\n";
     EXPECT_EQ(rests + folded + others, 50);
-    EXPECT_GE(rests, 8);  // flippers level or upright carry the robot
+    EXPECT_GE(rests, 8);  // level or upright flippers carry the robot
     EXPECT_GE(folded, 8);
 }
 

@@ -54,7 +54,8 @@ TEST(SupportAngle, IsTheTangentToWheelAndTips)
     EXPECT_EQ(supportAngle(robot, 0.3), 0.0);
     const double angle = supportAngle(robot, -0.25);
     ASSERT_GT(angle, 0.0);
-    // On flat ground the robot then rests with its nose down by as much: the tips touch z = 0 with the front wheel.
+    // On flat ground the robot then rests with its nose down by the same angle: tips and front
+    // wheel touch z = 0.
     const Pose pose{.base = {0.0, 0.0}, .pitch = -angle, .front = 0.5, .rear = -0.25};
     const RobotShape shape = shapeAt(robot, pose);
     EXPECT_NEAR(shape.track.b.z - shape.track.rb, shape.rear.b.z - shape.rear.rb, 0.006);

@@ -16,7 +16,7 @@ const RobotModel& checkedRobot()
     return robot;
 }
 
-/// What the robot reads on level ground, flippers pressed by 18 N m.
+/// Returns the robot's readings on level ground with flippers pressed by 18 N m.
 Proprioception levelReadings()
 {
     return exactReadings(checkedRobot(), *restPose(checkedRobot(), flatTerrain(6.0), 2.0,
@@ -38,7 +38,7 @@ TEST(PosteriorCheck, trueGroundAgrees)
 {
     const PosteriorCheck check = checkPosterior(estimateOf(0.0), levelReadings(), checkedRobot());
     EXPECT_TRUE(check.agrees);
-    EXPECT_EQ(check.rested, 1);  // the first that agrees ends it
+    EXPECT_EQ(check.rested, 1);  // the first draw that agrees ends the check
     EXPECT_NEAR(check.pitch, 0.0, 0.01);
     EXPECT_NEAR(check.front, 0.0, 0.02);
 }

@@ -35,7 +35,7 @@ std::vector<TerrainProfile> manyVaried(int count)
     return terrains;
 }
 
-// The draws come in the same order whichever compiler built this: the number is that of both g++ and clang.
+// The order of the draws does not depend on the compiler: g++ and clang give this number.
 TEST(VariedTerrain, isTheSameForASeedWithEveryCompiler)
 {
     double sum = 0.0;
@@ -78,7 +78,7 @@ TEST(VariedTerrain, isTheSameForTheSameSeed)
         EXPECT_EQ(first.points()[i].z, second.points()[i].z);
 }
 
-/// Variance of many roughness profiles at one place.
+/// Returns the variance of many roughness profiles at one place.
 double varianceAt(double x, double gn0)
 {
     std::mt19937_64 rng(3);
@@ -99,8 +99,8 @@ TEST(IsoRoughness, hasTheVarianceOfItsSpectrum)
 
 TEST(IsoRoughness, fallsBySixDecibelPerOctaveOfWaveNumber)
 {
-    // Share of the variance above n = 1 / m: (1/1 − 1/10) / (1/0.25 − 1/10) = 0.231.  A difference over
-    // half a metre passes a wave n with 4 sin²(π n / 2).
+    // Share of the variance above n = 1 / m: (1/1 − 1/10) / (1/0.25 − 1/10) = 0.231. A difference
+    // over half a metre scales a wave n by 4 sin²(π n / 2).
     std::mt19937_64 rng(4);
     const double gn0 = 4096e-6;
     double expected = 0.0;

@@ -25,7 +25,7 @@ double upward(const RestPose& rest)
     return force;
 }
 
-/// Moment of all ground forces about the base's origin [N m].
+/// Returns the moment of all ground forces about the base's origin [N m].
 double groundMoment(const RestPose& rest)
 {
     double moment = 0.0;
@@ -35,7 +35,7 @@ double groundMoment(const RestPose& rest)
     return moment;
 }
 
-/// Moment of the weight about the base's origin [N m].
+/// Returns the moment of the weight about the base's origin [N m].
 double weightMoment(const RobotModel& robot, const Pose& pose)
 {
     const auto flipper = [&](const FlipperGeometry& f, double angle) {
@@ -48,7 +48,8 @@ double weightMoment(const RobotModel& robot, const Pose& pose)
          + flipper(robot.front, pose.front) + flipper(robot.rear, pose.rear);
 }
 
-/// On the front flippers beyond the pivot's circle, which stands on the ground beside the tracks.
+/// Returns true for contacts on the front flippers beyond the pivot's circle, which rests on the
+/// ground beside the tracks.
 bool onSensor(const RobotModel& robot, const RestPose& rest, const GroundContact& c)
 {
     return c.part == GroundContact::Part::Front
@@ -148,7 +149,7 @@ TEST(RestPose, hasNoTerrainAboveTheRobot)
             const auto rest = restPose(robot, terrain, x, kPress, kRear);
             if (!rest) continue;
             for (const GroundContact& c :
-                 rest->contacts)  // springs stay inside the skin: the body itself is free
+                 rest->contacts)  // springs stay inside the skin: the body itself touches nothing
                 EXPECT_LT(c.depth, GroundOptions{}.skin) << "run " << run << " x " << x;
         }
     }
@@ -191,7 +192,7 @@ TEST(RestPose, neverAsksMoreOfTheMotorsThanTheyHave)
 
 TEST(RestPose, isFoundInAboutAMillisecond)
 {
-    // A hang guard: the figure itself (below 2 ms, release, one core) is printed by tests/bench.
+    // This is a hang guard. tests/bench prints the time itself (below 2 ms, release, one core).
     const RobotModel robot = absolem();
     std::mt19937_64 rng(31);
     const TerrainProfile terrain = randomVariedTerrain(rng);
@@ -209,7 +210,7 @@ TEST(RestPose, readsOnlyTheTerrainUnderTheRobot)
     std::vector<Vec2> points, piece;
     double x = 0.0;
     while (points.size() < 100'000) {
-        const bool near = std::abs(x - kX) < 0.8;  // fine steps where nothing is to be looked at
+        const bool near = std::abs(x - kX) < 0.8;  // fine steps in the part that must not be read
         points.push_back({x, 0.02 * std::uniform_real_distribution<double>(-1.0, 1.0)(rng)});
         if (near) piece.push_back(points.back());
         x += near || std::abs(x - kX) > 20.0 ? 0.05 : 0.001;
@@ -224,13 +225,13 @@ TEST(RestPose, readsOnlyTheTerrainUnderTheRobot)
     EXPECT_GT(onAll->terrainPoints, 300U);  // 1.5 m in steps of 5 mm
 }
 
-/// Its flippers, held level, end further away than those of the robot that the others of these tests have.
+/// Its level flippers reach further than those of the robot in the other tests.
 TEST(RestPose, holdsTheWholeOfALargerRobot)
 {
     for (const double axleDistance : {0.319, 0.7, 1.0}) {
         RobotModel robot = absolem();
         for (FlipperGeometry* f : {&robot.front, &robot.rear}) f->axleDistance = axleDistance;
-        // A wall where only the tip of the front flipper comes to.
+        // The wall is within reach of the front flipper's tip only.
         const double tip = robot.front.pivot.x + axleDistance;
         const TerrainProfile wall(
             {{0.0, 0.0}, {3.0 + tip - 0.03, 0.0}, {3.0 + tip - 0.03, 0.3}, {8.0, 0.3}});
@@ -253,7 +254,8 @@ TEST(ElementForces, concentrateWhereTheEdgeTouches)
     for (const GroundContact& c : rest->contacts)
         if (onSensor(robot, *rest, c)) onFlipper += 0.5 * std::hypot(c.force.x, c.force.z);
     for (const double f : force) felt += f;
-    EXPECT_NEAR(felt, onFlipper, 0.01 * onFlipper);  // one flipper's half, shared out whole
+    // one flipper's half of the load, fully distributed
+    EXPECT_NEAR(felt, onFlipper, 0.01 * onFlipper);
     EXPECT_DOUBLE_EQ(force[0], 0.0);
     EXPECT_GT(force[3] + force[4] + force[5], 0.99 * felt);
 }

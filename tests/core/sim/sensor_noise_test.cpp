@@ -24,7 +24,7 @@ struct Moments {
     double mean = 0.0, sd = 0.0;
 };
 
-/// Of what `pick` takes from noisy readings.
+/// Returns the moments of what `pick` takes from noisy readings.
 Moments momentsOf(const std::function<double(const Proprioception&)>& pick)
 {
     constexpr int kDraws = 20000;

@@ -93,7 +93,7 @@ TEST(SimulatedRobot, reportsTheWayOfItsTracksWithTheirSlip)
             drivenAndReported(0.10, static_cast<std::uint64_t>(seed)).second / driven - 1.0;
         squares += slip * slip;
     }
-    // χ² of 60 degrees of freedom: 32 … 103 but for one in a thousand.
+    // χ² of 60 degrees of freedom lies in 32 … 103 except once in a thousand.
     EXPECT_GT(squares, 0.10 * 0.10 * 32.0);
     EXPECT_LT(squares, 0.10 * 0.10 * 103.0);
 }

@@ -30,7 +30,8 @@ TEST(SkinHull, isLeftThroughItsNoseByAPointOnAFace)
 
 TEST(SkinHull, depthIsTheDistanceToTheNearestPointOutside)
 {
-    // Moving the hull by depth along −normal must just free the point; by a little less it must not.
+    // Moving the hull by depth along −normal must just free the point; a slightly smaller move must
+    // not.
     const TaperedHull shape{{0.0, 0.0}, {0.25, 0.1}, 0.09, 0.03};
     std::mt19937_64 rng(3);
     std::uniform_real_distribution<double> u(-0.2, 0.4);

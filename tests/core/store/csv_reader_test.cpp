@@ -14,7 +14,7 @@ namespace {
 using namespace std::string_literals;
 using Lines = std::vector<std::vector<std::string>>;
 
-/// All fields of a file; empty at the first error.
+/// Returns all fields of a file; empty at the first error.
 Lines linesOf(Result<CsvReader> csv)
 {
     Lines lines;
@@ -32,7 +32,7 @@ Lines linesIn(const std::string& text)
     return linesOf(CsvReader::over("text", text));
 }
 
-/// A reader that stands at the second line; `units` make the first its header.
+/// Returns a reader at the second line; with `units` the first line is its header.
 Result<CsvReader> atSecond(const std::string& text, const std::vector<std::string>& units = {})
 {
     Result<CsvReader> csv = CsvReader::over("text", text);

@@ -74,7 +74,7 @@ TEST(Contact, atTheThresholdOrUnknownIsNone)
 
 TEST(Contact, aboveTheRobotsOwnBodyIsNamed)
 {
-    // Flippers folded back over the tracks: what they feel cannot be ground.
+    // The flippers are folded back over the tracks: their contacts cannot be ground.
     const auto r = reconstructContacts(absolem(), feeling({0, 0, 0, 0, 0, 8}, 2.6), 2.0, true);
     ASSERT_EQ(r.warnings.size(), 1U);
     EXPECT_NE(r.warnings[0].find("above the robot's own lower edge"), std::string::npos)

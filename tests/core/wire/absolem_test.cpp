@@ -78,8 +78,8 @@ struct OnAbsolemsBus : testing::Test {
 
 TEST_F(OnAbsolemsBus, everyFlipperThatTheRobotRaisesIsUp)
 {
-    // The robot raises all flippers to 135° at start-up: front joints to -135°, rear ones to +135°.  The drives on
-    // the left count the other way round.
+    // The robot raises all flippers to 135° at start-up: front joints to -135°, rear joints to
+    // +135°. The drives on the left count in the opposite direction.
     const std::int32_t counts = 2250;
     EXPECT_EQ(askPosition(Node::FrontRight, -counts), Verdict::Used);
     EXPECT_EQ(askPosition(Node::FrontLeft, counts), Verdict::Used);
@@ -109,7 +109,7 @@ TEST_F(OnAbsolemsBus, anAngleIsCountsOver6000WithinHalfATurn)
 
 TEST_F(OnAbsolemsBus, aCurrentThatTurnsAFlipperDownIsPositive)
 {
-    // Positive current turns towards positive counts, which is up for the first two.
+    // Positive current turns towards positive counts, which is up for the first two drives.
     EXPECT_EQ(askCurrent(Node::FrontLeft, 1.5F), Verdict::Used);
     EXPECT_EQ(askCurrent(Node::RearRight, 1.5F), Verdict::Used);
     EXPECT_EQ(askCurrent(Node::FrontRight, 1.5F), Verdict::Used);
@@ -189,7 +189,7 @@ TEST_F(OnAbsolemsBus, capitalsAnswerSmallLettersAndSettingAnswersToo)
 
 TEST_F(OnAbsolemsBus, aRefusalIsNoValue)
 {
-    // The manual's example: BG without a motor that is on is answered by error 58.
+    // The manual's example: BG with its motor off is answered by error 58.
     EXPECT_EQ(ask(Node::RearRight, "bg", 0x3A, 0x40), Verdict::Refused);
     EXPECT_EQ(ask(Node::RearRight, "px", 0x3A, 0x40), Verdict::Refused);
     EXPECT_FALSE(state().rearRight.angle);
@@ -263,7 +263,8 @@ TEST_F(OnAbsolemsBus, aLineOfSensorsHoldsWhatIsFreshOnBothSides)
 
 TEST(AbsolemFrames, areTakenApartAsInTheManual)
 {
-    // MAN-CAN301IG, chapter 9: AC=150000, the query of ET[992] and its reply, CL[1]=1.0.
+    // Examples of MAN-CAN301IG, chapter 9: AC=150000, the query of ET[992] and its reply,
+    // CL[1]=1.0.
     const auto frame = [](const CanFrame& f) { return std::get<AbsolemFrame>(absolemFrame(f)); };
     const AbsolemFrame set = frame(bytes(0x302, {0x41, 0x43, 0, 0, 0xF0, 0x49, 0x02, 0}));
     EXPECT_EQ(set.kind, Kind::Set);

@@ -1,5 +1,5 @@
-// The codec against resources/dbc/terratact.dbc: frames are taken apart and put together here by what the
-// file says, so that neither can change without the other.
+// Compares the codec with resources/dbc/terratact.dbc. The tests decode and encode frames by the
+// file, so that neither can change without the other.
 #include "core/wire/can_codec.h"
 
 #include <gtest/gtest.h>
@@ -132,7 +132,8 @@ TEST(Dbc, hasTheWordsOfTheCore)
     EXPECT_EQ(message("RobotStatus").signal("LastCommand").most, message("Advance").id);
 }
 
-/// From one raw value to the next: every one of up to 16 bits, some of every class modulo 256 of longer signals.
+/// Returns the distance between raw values to test: all of up to 16 bits, some of every class
+/// modulo 256 for longer signals.
 std::int64_t stride(const DbcSignal& s)
 {
     return s.length <= 16 ? 1 : 251;

@@ -1,4 +1,5 @@
-// What the console and the robot say to each other, through the frames of resources/dbc/terratact.dbc and back.
+// Round trip of the messages between console and robot through the frames of
+// resources/dbc/terratact.dbc.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -75,7 +75,7 @@ TEST(CanError, hasATextForPeople)
               "transceiver: unknown state 0x09");
 }
 
-// Every class with every value of every byte that details it has words of its own.
+// Every class with every value of every detail byte has its own text.
 TEST(CanError, noTwoDifferentDetailsReadTheSame)
 {
     struct Detail {

@@ -40,7 +40,7 @@ CanFrame data(std::uint32_t id, std::initializer_list<std::uint8_t> bytes)
     return frame;
 }
 
-/// One of every kind there is.
+/// Returns one frame of every kind.
 std::vector<CanFrame> everyKind()
 {
     std::vector<CanFrame> frames;
@@ -303,7 +303,7 @@ TEST_F(CandumpFile, survivesAnyBytesAndKeepsWhatItAccepts)
     EXPECT_GT(accepted, 5'000);
 }
 
-/// What a command prints; empty where it fails.
+/// Returns the output of a command; empty if it fails.
 std::string output(const std::string& command)
 {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(
@@ -321,7 +321,7 @@ std::size_t lines(const std::string& text)
 }
 
 struct CandumpPeers : CandumpFile {
-    /// A log of every kind of frame, 1 ms apart.
+    /// Returns a log with every kind of frame, 1 ms apart.
     std::string ours()
     {
         std::string text;
@@ -332,7 +332,7 @@ struct CandumpPeers : CandumpFile {
     }
 };
 
-// log2asc has a parser, and asc2log a writer, that are not ours.
+// The parser of log2asc and the writer of asc2log are independent of ours.
 TEST_F(CandumpPeers, canUtilsReadWhatIsWrittenAndWriteWhatIsRead)
 {
     if (output("which log2asc asc2log").empty()) GTEST_SKIP() << "can-utils are not installed";
@@ -374,8 +374,8 @@ TEST_F(CandumpPeers, pythonCanReadsWhatIsWrittenAndWritesWhatIsRead)
     ASSERT_EQ(back->size(), everyKind().size());
     for (std::size_t i = 0; i < back->size(); ++i) {
         CanFrame frame = everyKind()[i];
-        if (frame.error) continue;           // it keeps nothing of them but that there was one
-        if (frame.remote) frame.length = 0;  // nor how much was asked for
+        if (frame.error) continue;           // it only keeps that there was an error frame
+        if (frame.remote) frame.length = 0;  // it does not keep the requested length
         EXPECT_EQ((*back)[i].frame, frame) << i;
         EXPECT_EQ((*back)[i].direction, LogDirection::Received);
     }

@@ -47,7 +47,7 @@ TEST(Protection, needsRoomForItsHeader)
     EXPECT_FALSE(isIntact({}, kId));
 }
 
-// The checksum is linear: whether a pattern of flips is caught does not depend on the content.
+// The checksum is linear: the detection of a pattern of flips does not depend on the content.
 class FlippedBits : public testing::TestWithParam<int> {};
 
 TEST_P(FlippedBits, oneTwoOrThreeAreAlwaysCaught)
@@ -94,7 +94,7 @@ struct Link : testing::Test {
         for (int i = 0; i < frames; ++i, now += 0.05) receive(++last);
         now -= 0.05;
     }
-    /// The first frame of a window has come.
+    /// Expects Good after nine more frames; the first frame of the window has come.
     void expectGoodAfterNineMore()
     {
         now += 0.05;

@@ -1,4 +1,4 @@
-// Logs of CAN traffic of every format that is read: their frames, their clocks, their torn ends.
+// Logs of CAN traffic in every readable format: their frames, clocks and truncated ends.
 #include "core/wire/log_reader.h"
 
 #include <gtest/gtest.h>
@@ -318,7 +318,7 @@ TEST(Logs, ofPeakVersion10StartAtTheirComment)
     ASSERT_EQ(log.frames.size(), 1U) << log.error;
     EXPECT_NEAR(*log.frames[0].time, 1222272035.572, 1e-3);
     EXPECT_TRUE(log.remarks.empty());
-    log = startOf("9/24/2008 4:00:35 PM");  // or the day first: nobody knows
+    log = startOf("9/24/2008 4:00:35 PM");  // the order of day and month is ambiguous
     ASSERT_EQ(log.frames.size(), 1U) << log.error;
     EXPECT_NEAR(*log.frames[0].time, 0.1, 1e-6);
     ASSERT_EQ(log.remarks.size(), 1U);

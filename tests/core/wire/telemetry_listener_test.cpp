@@ -45,7 +45,7 @@ struct Listening : testing::Test {
     std::optional<Measurement> takeLine() { return takeLine(sensorLineOf(measured(), robot)); }
     void takeStatus() { listener.take(frameOf(status, counter), now); }
 
-    /// What a robot sends every 50 ms.
+    /// Sends what a robot sends every 50 ms.
     std::optional<Measurement> tick()
     {
         ++counter;

@@ -29,7 +29,7 @@ Proprioception readingsOver(const TerrainProfile& terrain)
     return exactReadings(robotOnEdge(), *rest);
 }
 
-/// Level ground with a hole of 1 m between x = begin and end in front of the robot's middle.
+/// Level ground with a hole of 1 m depth between x = begin and end in front of the robot's middle.
 TerrainProfile holeAhead(double begin, double end)
 {
     TerrainPath path;
@@ -110,7 +110,7 @@ TEST(EdgePressure, knowsTheNoiseOfTheSimulator)
     EXPECT_DOUBLE_EQ(kForceSdFloor, SensorNoise{}.forceFloor);
 }
 
-/// Touch of +0.3 m with a hole that ends under the front of the tracks.
+/// Returns the touch of +0.3 m with a hole that ends under the front of the tracks.
 Touch firstBinAheadOf(const TerrainProfile& terrain)
 {
     const Proprioception s = readingsOver(terrain);

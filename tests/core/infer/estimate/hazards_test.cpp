@@ -11,7 +11,7 @@
 namespace terratact {
 namespace {
 
-/// 2000 flat draws: bins ahead are felt, bounded, bounded, open, open.
+/// 2000 flat draws; the bins ahead are felt, bounded, bounded, open, open.
 TerrainEstimate flatEstimate()
 {
     TerrainEstimate e;

@@ -53,7 +53,7 @@ TEST_F(MeasuredBinsTest, holdTheContactUnlessContactsAreSwitchedOff)
     settings.contacts = ContactRule::None;
     EXPECT_EQ(touched(), -1);
     settings.contacts = ContactRule::Isolated;
-    settings.method = Method::Pa;  // knows no forces
+    settings.method = Method::Pa;  // uses no forces
     EXPECT_EQ(touched(), -1);
 }
 

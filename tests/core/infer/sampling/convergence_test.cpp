@@ -18,7 +18,7 @@ struct Reference {
     Eigen::MatrixXd draws;
 };
 
-/// tests/data/make_posterior_reference.R says what the lines are.
+/// tests/data/make_posterior_reference.R explains the lines.
 std::vector<Reference> readReference()
 {
     std::ifstream file(TERRATACT_SOURCE_DIR "/tests/data/posterior_reference.csv");
@@ -78,12 +78,13 @@ TEST(Convergence, drawsAtTheirBoundHaveConverged)
     const Eigen::MatrixXd held = Eigen::MatrixXd::Constant(250, 4, -0.137);
     EXPECT_EQ(RankedDraws(held, {}, -0.137).rhat(), 1.0);
     EXPECT_EQ(RankedDraws(held, {}, -0.137).ess(), 1000.0);
-    for (const double elsewhere : {-0.136, -0.2}) {  // above, and below, where no rule bounds draws
+    // above the ceiling, and below it, where no rule bounds draws
+    for (const double elsewhere : {-0.136, -0.2}) {
         EXPECT_EQ(RankedDraws(held, {}, elsewhere).rhat(), kRhatNever);
         EXPECT_EQ(RankedDraws(held, {}, elsewhere).ess(), 4.0);
     }
     Eigen::MatrixXd one = held;
-    one.col(2).setConstant(std::nextafter(-0.137, -1.0));  // one chain stands somewhere else
+    one.col(2).setConstant(std::nextafter(-0.137, -1.0));  // one chain has another height
     EXPECT_EQ(RankedDraws(one, {}, -0.137).rhat(), kRhatNever);
     EXPECT_EQ(RankedDraws(held.topRows(3), {}, -0.137).rhat(), kRhatNever);
     EXPECT_EQ(RankedDraws(held.topRows(5), {}, -0.137).ess(), 4.0);

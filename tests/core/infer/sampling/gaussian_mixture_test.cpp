@@ -11,7 +11,7 @@
 namespace terratact {
 namespace {
 
-/// Two Gaussians in two dimensions, far enough apart to be told apart.
+/// Returns two separate Gaussians in two dimensions.
 GaussianMixture twoHeaps()
 {
     GaussianMixture m;
@@ -132,9 +132,9 @@ TEST(GaussianMixture, refusesInvalidMeasurements)
     EXPECT_THROW((void)m.quantile(0, 1.0), std::invalid_argument);
 }
 
-/// Simulation-based calibration of conditioning and drawing: truth from the mixture, a reading of its second
-/// coordinate, the truth's ranks among the draws given the reading.  sdShare: what the sampler believes of
-/// the reading's sd, 1 is right.
+/// Simulation-based calibration of conditioning and drawing. The truth comes from the mixture, with
+/// a reading of its second coordinate. The truth is ranked among the draws given the reading.
+/// sdShare: factor of the reading's sd as the sampler assumes it; 1 is right.
 double calibrationP(double sdShare)
 {
     constexpr int kSets = 300, kDraws = 19;
@@ -146,7 +146,7 @@ double calibrationP(double sdShare)
         GaussianMixture m = twoHeaps();
         const Eigen::VectorXd truth = m.draw(1, rng).col(0);
         const double reading = truth[1] + kSd * normal(rng);
-        // Coordinates alone have uniform ranks for a sampler that ignores the reading, too.
+        // Coordinates alone have uniform ranks even for a sampler that ignores the reading.
         const auto quantities = [reading](const Eigen::VectorXd& y) {
             return Eigen::Vector3d(y[0], y[1], std::abs(y[1] - reading));
         };

@@ -83,7 +83,7 @@ TEST(Gibbs, clampingPutsAPointMassOnTheCeiling)
     GibbsProblem problem = problemWith({4});
     problem.rule = CeilingRule::Clamp;
     const Normal p = models().bin(4).predict(models().input(4, heightsOf(problem), problem.s));
-    problem.ceiling[4] = p.mean;  // half of a free Gaussian lies above it
+    problem.ceiling[4] = p.mean;  // half of a free Gaussian lies above the ceiling
     const auto draws = all(sampleHeights(models(), problem).draws[0]);
     const auto on = std::count(draws.begin(), draws.end(), problem.ceiling[4]);
     EXPECT_NEAR(static_cast<double>(on) / static_cast<double>(draws.size()), 0.5, 0.025);
@@ -92,8 +92,9 @@ TEST(Gibbs, clampingPutsAPointMassOnTheCeiling)
 
 TEST(Gibbs, twoUnknownBinsReachTheirFixedPoint)
 {
-    // Both conditionals are Gaussian with a mean that is nearly linear in the other bin over the draws'
-    // width: every draw's conditional mean must average to the bin's own mean.
+    // Both conditionals are Gaussian. Their means are nearly linear in the other bin over the
+    // draws' width. The conditional means of the draws must therefore average to the bin's own
+    // mean.
     const GibbsProblem problem = problemWith({8, 9});
     const GibbsDraws draws = sampleHeights(models(), problem);
     for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
@@ -199,7 +200,7 @@ TEST(Gibbs, inSeveralThreadsIsCancelledAndReportsOneByOne)
     EXPECT_THROW((void)sampleHeights(models(), problem, watch), Cancelled);
 }
 
-/// Notes who was asked for which bin.
+/// Records which scene was asked for which bin.
 class Noting final : public Conditionals, public SceneConditionals {
 public:
     using Notes = std::vector<std::pair<char, int>>;

@@ -43,7 +43,8 @@ TEST_P(DrawBelow, matchesTheAnalyticDistribution)
     EXPECT_LT(kolmogorov(h, truncatedCdf(ceiling, mean, sigma)), 2.23);  // false alarm 1e-4
 }
 
-// Heights as in a scene, ceilings that many deviations from the mean, both sides of every branch.
+// Heights as in a scene. The comments give the ceiling's distance from the mean in deviations; both
+// sides of every branch occur.
 INSTANTIATE_TEST_SUITE_P(
     Ceilings, DrawBelow,
     testing::Values(Case{kInfinity, -0.2, 0.05}, Case{0.1, -0.2, 0.05},  // ∞, +6
@@ -60,7 +61,7 @@ struct Row {
     double excess, variance;  // excess = mean − a
 };
 
-/// Mean and variance at 1e6 draws within 5 standard errors of the reference, 80 digits long.
+/// Expects mean and variance of 1e6 draws within 5 standard errors of the reference of 80 digits.
 void expectMoments(const Row& row, std::vector<double> excess)
 {
     const auto n = static_cast<double>(excess.size());
@@ -154,7 +155,8 @@ TEST(DrawBetween, mirrorWithEquidistantBoundsUsesTheSameSide)
                 sampleBetween({mean - half, mean + half, mean, 1.0}, 2000);
             std::vector<double> mirrored =
                 sampleBetween({-mean - half, -mean + half, -mean, 1.0}, 2000);
-            for (std::size_t k = 0; k < h.size(); ++k)  // not the negative: the same deviation
+            // not the negative: it is the same deviation
+            for (std::size_t k = 0; k < h.size(); ++k)
                 ASSERT_NEAR(h[k] - mean, mirrored[k] + mean, 1e-15);
             for (double& x : mirrored) x = -x;
             EXPECT_LT(kolmogorov(mirrored, truncatedCdf(mean - half, mean + half, mean, 1.0)),
@@ -171,8 +173,8 @@ double below(double x)
     return std::nextafter(x, -kInfinity);
 }
 
-// Every regime, and one unit in the last place on either side of where one takes over from another:
-// mean on a bound, width 2.5 deviations, far tail from 1e6 deviations.
+// Every regime, and one unit in the last place on either side of each border: mean on a bound,
+// width of 2.5 deviations, far tail from 1e6 deviations.
 INSTANTIATE_TEST_SUITE_P(
     Regimes, DrawBetween,
     testing::Values(
@@ -191,10 +193,10 @@ INSTANTIATE_TEST_SUITE_P(
         Interval{-1e-6, 0.0, below(1e6), 1.0}, Interval{-kInfinity, 0.0, above(1e6), 1.0},
         Interval{-kInfinity, 0.0, 1e6, 1.0}, Interval{-kInfinity, 0.0, below(1e6), 1.0},
         Interval{0.0, kInfinity, -2.0, 1.0},
-        // Which bound is nearer: the reflection.
+        // These decide which bound is nearer, and so the reflection.
         Interval{-1.0, above(1.0), 0.0, 1.0}, Interval{-1.0, below(1.0), 0.0, 1.0},
         Interval{-3.0, above(3.0), 0.0, 1.0}, Interval{-3.0, below(3.0), 0.0, 1.0},
-        // The interval ends where the proposal's rate is best, a = 2: 2 / (a + √(a² + 4)).
+        // The interval ends where the proposal has its best rate, a = 2: 2 / (a + √(a² + 4)).
         Interval{2.0, above(2.0 + 2.0 / (2.0 + std::sqrt(8.0))), 0.0, 1.0},
         Interval{2.0, 2.0 + 2.0 / (2.0 + std::sqrt(8.0)), 0.0, 1.0},
         Interval{2.0, below(2.0 + 2.0 / (2.0 + std::sqrt(8.0))), 0.0, 1.0}));
@@ -214,7 +216,7 @@ TEST(DrawBetween, isEitherBoundForAWidthOfOneUlp)
 
 TEST(DrawBetween, isUniformIfTheDensityHardlyFalls)
 {
-    // The log density falls by 1e-300, by some of the least doubles, by 0 after rounding.
+    // The log density falls by 1e-300, by some of the least doubles, and by 0 after rounding.
     std::vector<double> h = sampleBetween({0.0, 1e-300, -1.0, 1.0}, 20000);
     EXPECT_LT(kolmogorov(h, [](double x) { return x / 1e-300; }), 2.23);
     for (const double width : {kMin, 2.0 * kMin, 5.0 * kMin}) {
@@ -272,7 +274,7 @@ TEST(DrawBetween, isFiniteAndInBoundsForExtremeDoubles)
 
 TEST(DrawBelowFarTail, isAnExponentialOfRateAOverSigma)
 {
-    // a deviations away the spread below the ceiling is sigma/a: heights near 0 still carry it.
+    // At a deviations the spread below the ceiling is sigma/a: heights near 0 still represent it.
     for (const double a : {1e12, 1e160}) {
         const std::vector<double> h = sample({0.0, a, 1.0}, 20000);
         EXPECT_LT(kolmogorov(h, [a](double x) { return std::exp(a * x); }), 2.23) << a;
@@ -316,7 +318,7 @@ TEST(DrawBetweenArguments, outOfRangeAreRefused)
             << i.floor << ' ' << i.ceiling << ' ' << i.mean << ' ' << i.sigma;
 }
 
-/// The numbers of the generator that one draw takes, at most 1000.
+/// Returns how many numbers of the generator one draw takes, at most 1000.
 int numbersUsed(const Interval& i, std::mt19937_64& rng)
 {
     std::mt19937_64 before = rng;
@@ -338,7 +340,7 @@ TEST(DrawBetweenEffort, isAFewNumbersForAnyInterval)
                 most = std::max(most, used);
             }
             EXPECT_LT(all, 500 * 6) << ceiling << ", width " << width;
-            // By the header's bound 5e-8 of a draw, 3e-5 of these 500.
+            // The header's bound gives 5e-8 for one draw, 3e-5 for these 500.
             EXPECT_LT(most, 70) << ceiling << ", width " << width;
         }
 }
@@ -349,8 +351,8 @@ TEST(DrawBetweenEffort, endsWithEveryGenerator)
         for (const double width : {1e-12, 0.1, 2.4, 2.6, 40.0, kInfinity}) {
             const Interval i{ceiling - width, ceiling, 0.0, 1.0};
             for (const std::uint64_t word : {std::uint64_t{0}, ~std::uint64_t{0}}) {
-                // Always the same number, or the least and the largest by turns: outside the disc, and never below
-                // the density.
+                // The generator always gives the same number, or alternates between least and
+                // largest: such points lie outside the disc, and never below the density.
                 for (const bool turns : {false, true}) {
                     long numbers = 0;
                     const double h = drawBetween(i.floor, i.ceiling, i.mean, i.sigma, [&] {
@@ -375,7 +377,7 @@ TEST(DrawBetweenEffort, isEqualForAnotherSourceOfTheSameBits)
         }
 }
 
-/// 0 or ±10^e with e uniform: reaches every regime.
+/// Returns 0 or ±10^e with e uniform, which reaches every regime.
 double anyDeviations(double least, double most, std::mt19937_64& rng)
 {
     const double share = static_cast<double>(rng() >> 11U) * 0x1p-53;
@@ -384,7 +386,7 @@ double anyDeviations(double least, double most, std::mt19937_64& rng)
     return (bits & 7U) == 0 ? 0.0 : (bits & 8U) ? x : -x;
 }
 
-/// TERRATACT_DRAWS=1000000000 runs the long form, about two minutes.
+/// TERRATACT_DRAWS=1000000000 runs the long form, which takes about two minutes.
 TEST(DrawBetween, isInBoundsInEveryOneOfManyDraws)
 {
     const char* const wanted = std::getenv("TERRATACT_DRAWS");

@@ -22,7 +22,7 @@ std::vector<double> drawn(unsigned seed, auto draw)
     return x;
 }
 
-/// A share `high` of the draws around `distance`, the others around 0.
+/// Returns a share `high` of the draws around `distance`, the others around 0.
 std::vector<double> heaps(unsigned seed, double high, double distance, double sd)
 {
     int k = 0;
@@ -91,7 +91,7 @@ TEST(TwoModes, keepEqualDrawsTogether)
 
 TEST(TwoModes, areTheBestOfAllSplits)
 {
-    // Against the definition, tried at every place.
+    // Compares with the definition, evaluated at every place.
     for (unsigned seed = 1; seed <= 30; ++seed) {
         std::vector<double> x = heaps(seed, 0.1 + 0.02 * seed, 0.3, 0.03);
         x.resize(150);

@@ -5,7 +5,7 @@
 namespace terratact {
 namespace {
 
-/// 100 draws, level but for bin +0.6: up by 0.2 m in 30 of them.
+/// Returns 100 level draws, of which 30 rise by 0.2 m at bin +0.6.
 TerrainEstimate perhapsAStep()
 {
     TerrainEstimate estimate;

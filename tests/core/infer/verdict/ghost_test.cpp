@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kTenth = 1.2815515655446004;  // Φ⁻¹(0.9)
 
-/// Heights on a line, nothing prior only.
+/// Heights on a line; no bin is prior only.
 TerrainEstimate ramp(double slope)
 {
     TerrainEstimate e;
@@ -179,7 +179,7 @@ TEST(Ghost, isFiniteWhereverItGoes)
     }
 }
 
-/// A scene and what the robot says after it.
+/// A scene and the telemetry after it.
 struct Track : testing::Test {
     Measurement m;
     TerrainEstimate estimate = stepEstimate();
@@ -194,7 +194,7 @@ struct Track : testing::Test {
     {
         GhostTrack track(absolem(), estimate, m);
         Measurement next = m;
-        next.time += 60.0;  // of estimating and probing
+        next.time += 60.0;  // estimate and probe take time
         track.take(next);
         next.time += 0.05;
         change(next);
@@ -212,7 +212,7 @@ TEST_F(Track, followsTheTelemetry)
         m.time += 0.05;
         *m.travelled += 0.05;
         track.take(m);
-        track.take(m);  // the same again
+        track.take(m);  // the same line again
     }
     ASSERT_TRUE(track.ghost());
     EXPECT_NEAR(track.ghost()->motion.forward, 0.2, 1e-12);

@@ -11,7 +11,7 @@
 namespace terratact {
 namespace {
 
-/// Level ground but for a step of `height` between bins `at` and at + 1.
+/// Level ground with a step of `height` between bins `at` and at + 1.
 Heights stepAt(std::size_t at, double height)
 {
     Heights h{};

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLimit = 0.10;
 
-/// 1000 draws, `steps` of which rise by 0.2 m at +0.5 m.
+/// 1000 draws, of which `steps` rise by 0.2 m at +0.5 m.
 TerrainEstimate estimateWith(int steps)
 {
     TerrainEstimate e;
@@ -45,7 +45,7 @@ TEST(Verdict, isClearOrBlockedTwoMonteCarloSdFromTheLimit)
 TEST(Verdict, namesTheLikeliestPairAhead)
 {
     TerrainEstimate e = estimateWith(300);
-    for (Heights& h : e.draws) h[0] = 1.0;  // behind the robot: not asked for
+    for (Heights& h : e.draws) h[0] = 1.0;  // behind the robot: not part of the question
     const Verdict v = verdictOf(e, Measurement{}, {}, kLimit);
     EXPECT_DOUBLE_EQ(v.step.p, 0.3);
     EXPECT_EQ(v.likeliest, 7);
@@ -165,7 +165,7 @@ TEST(Verdict, isWithheldForEachSingleDoubt)
         const Verdict v = verdictOf(e, m, since, kLimit);
         EXPECT_EQ(v.stepVerdict, StepVerdict::CannotTell) << describe(c.doubt);
         EXPECT_EQ(v.doubts, std::vector{c.doubt});
-        EXPECT_DOUBLE_EQ(v.step.p, 1.0);  // still told
+        EXPECT_DOUBLE_EQ(v.step.p, 1.0);  // the probability is still given
         EXPECT_FALSE(describe(c.doubt).empty());
     }
 }

@@ -18,7 +18,8 @@ Eigen::MatrixXd randomMatrix(int rows, int columns, unsigned seed)
     return A;
 }
 
-/// Positive definite, of full rank, eigenvalues from about `least` to about 4 n.
+/// Returns a positive definite matrix of full rank, with eigenvalues from about `least` to about 4
+/// n.
 Eigen::MatrixXd positiveMatrix(int n, double least, unsigned seed = 1)
 {
     const Eigen::MatrixXd A = randomMatrix(n, std::max(1, n / 2), seed);
@@ -37,7 +38,7 @@ TEST(Cholesky, givesFactorAndInverseAroundEveryBlockBorder)
     for (const int n : {1, 2, 127, 128, 129, 255, 256, 300}) {
         const Eigen::MatrixXd K = positiveMatrix(n, 1.0);
         Eigen::MatrixXd R = K;
-        R.triangularView<Eigen::StrictlyLower>().setConstant(1e300);  // nobody's business
+        R.triangularView<Eigen::StrictlyLower>().setConstant(1e300);  // must not be read
         ASSERT_TRUE(choleskyUpper(R));
         const Eigen::MatrixXd upper = R.triangularView<Eigen::Upper>();
         EXPECT_LT((upper.transpose() * upper - K).cwiseAbs().maxCoeff(), 1e-12 * norm1(K)) << n;

@@ -1,4 +1,4 @@
-// Right or refused with a text: never a NaN, never a confident wrong number.
+// Results are right or refused with a text: no NaN, and no confident wrong number.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -22,7 +22,7 @@ namespace {
 
 using Data = ExtremeData;
 
-/// The textbook formulas with 64 bits of mantissa, and the jitter that the model took.
+/// The textbook formulas with 64 bits of mantissa, using the model's jitter.
 class Reference {
 public:
     Reference(const Data& data, double jitter)
@@ -48,8 +48,8 @@ private:
     LongVector alpha_;
 };
 
-/// Those of core/learn/gp/sparse_process.h likewise, through the rows that it chooses: with K_mm = L Lᵀ and
-/// V = L⁻¹ K_mn it is A = L (1 + V Λ⁻¹ Vᵀ) Lᵀ.
+/// The formulas of core/learn/gp/sparse_process.h with the rows that it chooses. With K_mm = L Lᵀ
+/// and V = L⁻¹ K_mn it is A = L (1 + V Λ⁻¹ Vᵀ) Lᵀ.
 class SparseReference {
 public:
     SparseReference(const Data& data, int count, double jitter)
@@ -85,7 +85,7 @@ private:
     LongVector coefficients_;
 };
 
-/// The largest error so far of those that the condition number decides, as a share of what the header allows.
+/// Largest error so far that the condition number decides, as a share of the header's bound.
 double worstShare = 0.0;
 
 void note(double error, double bound)
@@ -93,13 +93,14 @@ void note(double error, double bound)
     if (bound > 1e-9) worstShare = std::max(worstShare, error / bound);
 }
 
-/// Whether its variances in single precision go through fewer rows than it has.
+/// Returns true if its variances in single precision pass through fewer rows than it has.
 bool isReduced(const GaussianProcess& gp)
 {
     return gp.usable(Precision::Single) == Precision::Single && gp.varianceRows() < gp.rows();
 }
 
-/// The variance in single precision, as a sampler asks for it, against the one in double.  size: of the outputs.
+/// Compares the variance in single precision, as a sampler asks for it, with the one in double.
+/// size: of the outputs.
 void expectRightInSingle(const GaussianProcess& gp, const Eigen::VectorXd& x, double size,
                          const std::string& what)
 {
@@ -163,11 +164,11 @@ std::unique_ptr<GaussianProcess> built(const Data& data)
     return builtThrough(static_cast<int>(data.X.rows()), data);
 }
 
-/// How processes of all these were answered.
+/// Counts of the answers of all these processes.
 struct Tally {
     int answered = 0, mended = 0, single = 0, reduced = 0, refused = 0;
 
-    /// One that is to be answered as in long double.
+    /// Checks one process that must equal long double.
     template <class SomeReference>
     void add(const Data& data, const GaussianProcess& gp, const SomeReference& reference,
              const std::string& what)
@@ -186,7 +187,7 @@ struct Tally {
 
     void judge() const
     {
-        EXPECT_EQ(refused, 0);  // with a jitter every one of these can be answered
+        EXPECT_EQ(refused, 0);  // with a jitter each of these can be answered
         EXPECT_GT(answered, 100);
         EXPECT_GT(single, 30);
         std::cout << answered << " answered, " << mended << " of them with a jitter, " << single
@@ -293,7 +294,8 @@ TEST(GaussianProcess, withOneValueThatIsNotANumberIsRefused)
     }
 }
 
-/// Rows a length scale of 1e-8 apart around 1: inputs in length scales would have rounded to 1e-8 of one.
+/// The rows are 1e-8 length scales apart around 1: scaled inputs would have rounding errors of 1e-8
+/// of a length scale.
 TEST(GaussianProcess, isRightForRowsTinyLengthScalesApart)
 {
     Data data = dataOf(Kind::Plain, 40, 1e-8, 0.3, 0.1);
@@ -314,7 +316,7 @@ TEST(GaussianProcess, isRightForRowsTinyLengthScalesApart)
     EXPECT_NEAR(negativeLogLikelihood(data.X, data.y, data.hyper).negativeLog, likelihood, 1e-10);
 }
 
-/// Neighbours that contradict each other: weights cancel in every mean.
+/// Neighbours contradict each other: the weights of every mean cancel.
 TEST(GaussianProcess, keepsItsBoundForRoughOutputs)
 {
     double worst = 0.0;
@@ -341,7 +343,7 @@ TEST(GaussianProcess, rowAt1e200ChangesNothingElsewhere)
 {
     const Data plain = dataOf(Kind::Plain, 20, 1.0, 0.3, 0.1);
     const Data far = withFarRow(plain);
-    for (const int rows : {12, 20}) {  // the far one is one more
+    for (const int rows : {12, 20}) {  // the distant row is one more
         const Normal expected = builtThrough(rows, plain)->predict(Eigen::Vector3d(0.1, 0.2, 0.3));
         const Normal got = builtThrough(rows + 1, far)->predict(Eigen::Vector3d(0.1, 0.2, 0.3));
         EXPECT_NEAR(got.mean, expected.mean, 1e-14) << rows;
@@ -402,7 +404,7 @@ void print(const GaussianProcess& gp, int U)
               << gp.errorBound() << ", of which " << worstShare << '\n';
 }
 
-/// TERRATACT_ROWS=5600 takes some minutes for each (the reference) and 1.2 GB.
+/// TERRATACT_ROWS=5600 takes some minutes for each reference, and 1.2 GB.
 TEST_P(Sizes, ofAModelEqualLongDouble)
 {
     const int U = manyRows(GetParam().rows);

@@ -50,7 +50,7 @@ Eigen::MatrixXd covariance(const Data& data)
     return K;
 }
 
-/// Textbook prediction by a dense solve.
+/// Returns the textbook prediction by a dense solve.
 Normal reference(const Data& data, const Eigen::VectorXd& x)
 {
     const Eigen::LDLT<Eigen::MatrixXd> K(covariance(data));
@@ -127,7 +127,7 @@ TEST(SceneConditional, predictsLikeTheWholeInput)
 TEST(PredictTogether, givesEverySceneWhatItGetsAlone)
 {
     const Data large = someData(120, 6);
-    Data small = someData(50, 6, 2);  // in the room that the large one has filled
+    Data small = someData(50, 6, 2);  // uses the buffers that the large one has filled
     Data smooth = someData(200, 6, 3);
     small.hyper.lengthScale /= 4.0;
     smooth.hyper.lengthScale *= 8.0;
@@ -218,7 +218,8 @@ TEST(SceneConditional, fewerRowsKeepMeanAndNearlyTheVariance)
 
 TEST(SceneConditional, usesAllRowsIfAReductionIsInaccurate)
 {
-    // Two places next to each other: either explains the other, but hundreds of rows say how the function goes on.
+    // Two neighbouring places explain each other, but only hundreds of rows determine the function
+    // beyond them.
     Eigen::MatrixXd X(1000, 1);
     const double noise = 0.1;
     for (Eigen::Index u = 0; u < X.rows(); ++u) X(u, 0) = u % 2 == 0 ? 0.0 : 0.0099 * noise;
@@ -237,7 +238,8 @@ TEST(SceneConditional, usesDoubleIfSinglePrecisionIsInaccurate)
     EXPECT_EQ(both.variance, both.single);
     EXPECT_GE(both.single.minCoeff(), 1e-8);
     data.hyper.noiseSd = 0.0;
-    data.hyper.lengthScale.setConstant(1e-3);  // well-conditioned, yet no noise to compare with
+    // well-conditioned, but without noise to compare with
+    data.hyper.lengthScale.setConstant(1e-3);
     EXPECT_EQ(GaussianProcess(data.X, data.y, data.hyper, 0.0).usable(Precision::Single),
               Precision::Double);
 }

@@ -25,7 +25,7 @@
 namespace terratact {
 namespace {
 
-/// R = Lᵀ of a covariance with neighbours alike; noise: what the diagonal gets in addition.
+/// Returns R = Lᵀ of a covariance with correlated neighbours; noise: added to the diagonal.
 Eigen::MatrixXd someFactor(int U, double noise)
 {
     Eigen::MatrixXd K(U, U);
@@ -102,7 +102,8 @@ TEST(InverseFactor, isPackedOnceForAllThreads)
 
 struct Stopped {};
 
-/// Whether a caller is asked, and can leave, while another one is inside `held`, which calls its argument there.
+/// Returns true if a caller is polled, and can leave, while another one is inside `held`, which
+/// calls its argument there.
 bool canLeaveWhileAnotherIsInside(const std::function<void(const std::function<void()>&)>& held,
                                   const std::function<void(const Poll&)>& get)
 {
@@ -135,7 +136,7 @@ TEST(InverseFactor, pollsWhileAnotherThreadPacks)
         pause();
         return R;
     });
-    (void)factor.panels();  // R is given up
+    (void)factor.panels();  // R is released
     EXPECT_TRUE(canLeaveWhileAnotherIsInside(
         [&](const std::function<void()>& wait) {
             pause = wait;
@@ -191,7 +192,8 @@ TEST(InverseFactor, isPackedByTheNextCallerAfterACancellation)
               entry(whole.single().panels.data(), 299, 5));
 }
 
-/// Of K from someFactor(U, 0.01): its own inverse without the last row, exact for columns that know nothing of that row.
+/// Reduction of K from someFactor(U, 0.01): its inverse without the last row. It is exact for
+/// columns that do not depend on that row.
 struct Reduction {
     Eigen::MatrixXd R;
     ReducedInverse inverse;
@@ -269,7 +271,8 @@ TEST(InverseFactor, isReducedByTheNextCallerAfterACancellation)
     EXPECT_EQ(again, 1);
 }
 
-/// Flags of the mapping that holds an address (proc(5), VmFlags of smaps); empty where the system does not tell.
+/// Returns the flags of the mapping that holds an address (proc(5), VmFlags of smaps); empty if the
+/// system does not report them.
 std::string mappingFlags(const void* address)
 {
     const auto wanted = reinterpret_cast<std::uintptr_t>(address);

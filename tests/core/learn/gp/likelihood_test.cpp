@@ -230,7 +230,7 @@ TEST(Likelihood, needsLessThanFourTimesItsRowsSquared)
     (void)negativeLogLikelihood(data.X, data.y, data.hyper);
     const double doubles = static_cast<double>(status("VmHWM:") - before) * 128.0;
     EXPECT_LT(doubles, 4.0 * 1200.0 * 1200.0);
-    EXPECT_GT(doubles, 0.4 * 1200.0 * 1200.0);  // it was measured at all
+    EXPECT_GT(doubles, 0.4 * 1200.0 * 1200.0);  // the measurement worked
 }
 
 TEST(Likelihood, pollsOftenAndRethrows)

@@ -100,7 +100,7 @@ TEST(ProjectedProcess, repeatedRowsEqualTheirMeanWithHalfTheNoise)
     std::iota(all.begin(), all.end(), 0);
     const ProjectedProcess p = projectProcess(twice.X, twice.y, all, twice.hyper);
     EXPECT_GE(p.rcond, kMinRcond);
-    EXPECT_LE(p.rcond, 1e-6);  // the inducing rows repeat: the jitter is all that tells them apart
+    EXPECT_LE(p.rcond, 1e-6);  // the inducing rows repeat: only the jitter separates them
     const GaussianProcess exact(once.X, once.y, once.hyper, 0.0);
     for (const double at : {-1.0, 0.0, 0.7}) {
         const Eigen::Vector2d x(at, 0.5 * at);
@@ -120,7 +120,7 @@ LongProjection inLongDouble(const ExtremeData& data, const std::vector<int>& ind
     const LongMatrix Kmn = covarianceOf(Z, data.X, data.hyper);
     LongMatrix Kmm = covarianceOf(Z, Z, data.hyper);
     Kmm.diagonal().array() += static_cast<Long>(kProjectionJitter) * squareOf(data.hyper.signalSd);
-    // As A = L (1 + V Vᵀ) Lᵀ, so that these digits suffice.
+    // This form of A = L (1 + V Vᵀ) Lᵀ needs no more digits than these.
     const Eigen::LLT<LongMatrix> outer(Kmm);
     const LongMatrix V = outer.matrixL().solve(Kmn) / std::sqrt(noise2);
     const Eigen::LLT<LongMatrix> inner(LongMatrix::Identity(Z.rows(), Z.rows())
@@ -141,7 +141,7 @@ double meanAt(const ExtremeData& data, const std::vector<int>& inducing, const P
     return p.weights.dot(covarianceWith(Z, x, data.hyper).cast<double>());
 }
 
-/// Of all projections at the extremes.
+/// Results of all projections at the extremes.
 struct Tally {
     int right = 0, exact = 0, refused = 0;
     double worst = 0.0;

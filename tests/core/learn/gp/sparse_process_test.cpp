@@ -91,7 +91,8 @@ TEST(SparseProcess, choosesEachRowOnceAndStopsWhereRowsRepeat)
     EXPECT_EQ(sparseProcess(data.X, data.y, 30, data.hyper).inducing.size(), 10U);
 }
 
-/// So many rows that their covariance would be singular, though each adds something: without the last ones it is not.
+/// The covariance of all rows would be singular, although each row adds something; without the last
+/// rows it is not.
 TEST(SparseProcess, takesOnlyRowsThatKeepItWellConditioned)
 {
     std::mt19937_64 rng(1);
@@ -113,7 +114,8 @@ TEST(SparseProcess, takesOnlyRowsThatKeepItWellConditioned)
     }
 }
 
-/// Largest difference of |F k_m|² from kᵀ (K + σ_n²)⁻¹ k, as a share of the variance, at rows and beside them.
+/// Returns the largest difference of |F k_m|² from kᵀ (K + σ_n²)⁻¹ k, as a share of the variance,
+/// at rows and beside them.
 double worstOf(const ReducedVariance& reduced, const Data& data)
 {
     const double noise2 = data.hyper.noiseSd * data.hyper.noiseSd;
@@ -153,7 +155,7 @@ TEST(ReducedVariance, isEmptyIfItSavesNothingOrCannotBeJudged)
         data.hyper.noiseSd = noise;
         EXPECT_FALSE(reducedVariance(data.X, data.hyper)) << noise;
     }
-    data.hyper.noiseSd = 1e3;  // of which all there is to explain is next to nothing
+    data.hyper.noiseSd = 1e3;  // almost nothing remains to explain
     EXPECT_FALSE(reducedVariance(data.X, data.hyper));
     data.hyper.signalSd = 1e-155;  // whose square is subnormal
     data.hyper.noiseSd = 1e-156;
@@ -161,7 +163,7 @@ TEST(ReducedVariance, isEmptyIfItSavesNothingOrCannotBeJudged)
     EXPECT_FALSE(reducedVariance(data.X.topRows(1), Data(1).hyper));
 }
 
-/// Rows beside one place, none of which is worth choosing: together they know the slope there.
+/// Rows around one place: none is worth choosing, but together they determine the slope there.
 TEST(ReducedVariance, isEmptyIfRemainingRowsMatterTogether)
 {
     const double perRow = 0.9 * kUnexplainedOfNoise * 0.2 * 0.2 / (1.2 * 1.2);  // of σ_f²

@@ -32,7 +32,7 @@ double entry(const SymmetricPanels& panels, int u, int c)
     return panels.row(c / kColumns, u)[c % kColumns];
 }
 
-/// Eigenvalues from 1 down to `least`.
+/// Returns a matrix with eigenvalues from 1 down to `least`.
 Eigen::MatrixXd positiveDefinite(int n, double least)
 {
     std::mt19937_64 rng(3);
@@ -85,7 +85,7 @@ TEST(SymmetricPanels, stayAccurateWhereTheConditionIsBad)
     SymmetricPanels::Factors factors;
     ASSERT_TRUE(panels.invert(solution, factors));
     const Eigen::LLT<Eigen::MatrixXd> llt(A);
-    // As good as solving by Cholesky factors, up to a small factor.
+    // The result is as accurate as Cholesky factors, up to a small factor.
     const double cholesky = (llt.solve(y) - x).norm();
     EXPECT_LT((solution - x).norm(), 20.0 * cholesky + 1e-12);
     EXPECT_NEAR(factors.quadratic, y.dot(x), 1e-9 * factors.quadratic);

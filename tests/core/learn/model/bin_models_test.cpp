@@ -43,13 +43,13 @@ TEST(BinModels, sparseModelKeepsItsTrainedNumberOfRows)
     EXPECT_EQ(&models.bin(0, 80), &models.bin(0));
 }
 
-/// The largest differences that single precision makes, variances as a share of themselves, means in metres.
+/// Largest differences by single precision: variances relative, means in metres.
 struct Differences {
     double variance = 0.0, mean = 0.0;
     double ofVariances = 0.0;  ///< root of the mean square
 };
 
-/// At scenes, with heights that lie so far off [m].
+/// Compares at scenes with heights that are shifted by `off` [m].
 Differences differences(const BinModels& models, FeatureSet set, int bin,
                         const std::vector<Scene>& scenes, double off, int inducing = 0)
 {

@@ -28,7 +28,7 @@ TEST(ClearanceScale, neverPutsGroundAboveTheCeiling)
         EXPECT_LE(fromLogClearance(y, -0.2), -0.2) << y;
 }
 
-/// 237 rows: the robot is always above bins 1 … 5, never above 9 and 10.
+/// 237 rows: the robot always covers bins 1 … 5, and never bins 9 and 10.
 const ClearanceTraining& campaign()
 {
     static const ClearanceTraining training = campaignTraining();
@@ -54,8 +54,7 @@ TEST(ClearanceConditionals, standardisesEveryBinInEitherRegime)
                 squares += z * z;
             }
             EXPECT_NEAR(sum, 0.0, 1e-8);
-            const int rows =
-                data.at(i, regime).rows;  // one alone does not vary: its sd is set to 1
+            const int rows = data.at(i, regime).rows;  // a single value does not vary: its sd is 1
             EXPECT_NEAR(squares, rows > 1 ? rows : 0, 1e-6);
         }
     }
@@ -90,7 +89,7 @@ TEST(ClearanceConditionals, takesTheOtherBinsByTheirRegimeThenLogForces)
 
 TEST(ClearanceConditionals, predictsAsAGaussianProcessOnTheRowsOfTheRegime)
 {
-    // With hardly any noise the process passes through its rows.
+    // With almost no noise the process passes through its rows.
     ClearanceConditionalData data = plausibleConditionals(campaign());
     ClearanceRegimeData& own = data.at(5, Regime::Covered);
     own.hyper.noiseSd = 1e-3 * own.sd;

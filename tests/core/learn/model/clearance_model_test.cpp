@@ -54,7 +54,7 @@ TEST(ClearanceModel, weighsTheResidualsOfLikeScenes)
     EXPECT_LE(sample.weight.size(), kNeighbours);
     EXPECT_EQ(sample.residual.rows(), kBins);
     EXPECT_TRUE(sample.residual.allFinite());
-    // The scene itself is the nearest.
+    // The scene itself is the nearest scene.
     Eigen::Index heaviest = 0;
     sample.weight.maxCoeff(&heaviest);
     EXPECT_TRUE(sample.residual.col(heaviest).isApprox(toy().clearance.residuals.row(5).transpose(),
@@ -119,7 +119,7 @@ TEST(ClearanceModel, refusesAModelWithoutClearancesAndAnIncompleteS)
 
 TEST(ClearanceTraining, givesAContactTheGainItHas)
 {
-    // The toy's forces are part of s; whatever a contact adds, its sd is positive and finite.
+    // The toy's forces are part of s. The sd of a contact is always positive and finite.
     EXPECT_GE(toy().clearance.contactSd, 0.005);
     EXPECT_LE(toy().clearance.contactSd, 10.0);
     EXPECT_LE(std::abs(toy().clearance.contactBias), 0.1);

@@ -18,7 +18,7 @@
 namespace terratact {
 namespace {
 
-/// Executes SQL on a file as any other program would.
+/// Executes SQL on a file as another program would.
 void execute(const std::string& path, const std::string& sql)
 {
     sqlite3* file = nullptr;
@@ -38,7 +38,7 @@ struct ModelFile : testing::Test {
     {
         if (!writeModel(path, model)) throw std::runtime_error("no model");
     }
-    /// The model's file after SQL was executed on it.
+    /// Returns whether the model's file is refused after the SQL was executed on it.
     testing::AssertionResult refusesAfter(const std::string& sql,
                                           std::initializer_list<std::string_view> parts)
     {
@@ -130,8 +130,8 @@ TEST_F(ModelFile, everyTruncationIsRefused)
     EXPECT_TRUE(refuses(bytes + "x", {"bytes where its header says"}));
 }
 
-// All bits of the header and of the beginning of every page, which say where everything lies; of the
-// other bytes every ninth with one bit.
+// Flips all bits of the header and of the beginning of every page, which hold the layout. Of the
+// other bytes it flips one bit in every ninth.
 TEST_F(ModelFile, everyBitFlipIsRefusedOrChangesNothing)
 {
     const std::string bytes = contentOf(path);

@@ -17,7 +17,7 @@ namespace {
 
 const char* const kRobotHash = "robot";
 
-/// A whole model as one run over all bins writes it to "model.ttm".
+/// Returns a whole model as one run over all bins writes it to "model.ttm".
 const ModelData& wholeModel()
 {
     static const ModelData whole = [] {
@@ -30,7 +30,7 @@ const ModelData& wholeModel()
     return whole;
 }
 
-/// What a run over these bins alone would have made.
+/// Returns what a run over these bins only would have made.
 ModelPart partOf(const ModelData& whole, const std::string& list)
 {
     const BinSet bins = *binSetFrom(list);

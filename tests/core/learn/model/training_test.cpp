@@ -59,7 +59,7 @@ TEST(TrainBin, findsAHigherLikelihoodThanItsStart)
     EXPECT_NEAR(trained.logLikelihood, -negativeLogLikelihood(X, y, trained.hyper).negativeLog,
                 1e-6);
     EXPECT_GT(trained.logLikelihood, -negativeLogLikelihood(X, y, guess).negativeLog + 10.0);
-    EXPECT_GT(trained.hyper.noiseSd, 0.004);  // the scanner's 12 mm are in the truth
+    EXPECT_GT(trained.hyper.noiseSd, 0.004);  // the truth has the scanner's noise of 12 mm
     EXPECT_LT(trained.hyper.noiseSd, 0.06);
 }
 

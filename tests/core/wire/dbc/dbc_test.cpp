@@ -1,4 +1,4 @@
-// DBC files: what is read of them, how they are refused, and their signals against a decoder that goes bit by bit.
+// DBC files: their content, their refusal, and their signals compared with a bit-by-bit decoder.
 #include "core/wire/dbc/dbc.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ CanFrame frameOfBytes(const std::vector<std::uint8_t>& bytes)
     return frame;
 }
 
-/// Where the bits of a signal are, the highest first.
+/// Returns the positions of a signal's bits, highest first.
 std::vector<int> bitsFromTheTop(const DbcSignal& s)
 {
     std::vector<int> bits;
@@ -58,7 +58,7 @@ std::vector<int> bitsFromTheTop(const DbcSignal& s)
     return bits;
 }
 
-/// The same as valueOf(), bit by bit; empty where a bit lies beyond the frame.
+/// Returns the same as valueOf(), bit by bit; empty if a bit lies beyond the frame.
 std::optional<double> valueBitByBit(const DbcSignal& s, const CanFrame& frame)
 {
     std::uint64_t raw = 0;
@@ -321,7 +321,7 @@ TEST(Dbc, aSignalBelowTheNodesIsNamedAsFault)
     EXPECT_NE(read->warnings[0].find("line 2"), std::string::npos) << read->warnings[0];
 }
 
-/// As other programs write them.
+/// A file as other programs write it.
 const char* const kForeign = R"(VERSION "HNPBNYYYYYYYYYNNNNNNN/4/%%%/4/'%**4YYY///"
 
 NS_ :
