@@ -65,7 +65,8 @@ struct TerrainViewState {
     QString stateWords{};             ///< replaces the state's own text
     std::optional<PhaseTime> time{};  ///< time of the phase
     double secondsInPhase = 0.0;
-    const ProbeProposal* proposal = nullptr;  ///< proposed probe, or the one a follower sees
+    const ProbeProposal* proposal =
+        nullptr;  ///< probe proposal for the estimate, pending or answered
     std::optional<ProbeProposal>
         /// Without a proposal: the best probe and its worth.
         bestProbe{};
