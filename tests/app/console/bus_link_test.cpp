@@ -56,7 +56,7 @@ TEST_F(BusConsole, lostLinkNamesItsRemedy)
     picture("bus-down");
 }
 
-TEST_F(BusConsole, telemetryThatStopsAloneIsNoLostLink)
+TEST_F(BusConsole, missingTelemetryWithOtherFramesIsNoLostLink)
 {
     StagedRobot numb = stagedRobot();
     const TemporaryDirectory folder;
@@ -228,7 +228,7 @@ TEST_F(BusConsole, disarmingWhileDrivingIsShownOnEveryPage)
     window.reset();
 }
 
-TEST_F(BusConsole, aDriveThatWaitsForTheRobotGoesWithItsKey)
+TEST_F(BusConsole, aPendingDriveEndsWhenItsKeyIsReleased)
 {
     StagedRobot slow = stagedRobot();
     openOn();
@@ -259,7 +259,7 @@ TEST_F(BusConsole, aDriveThatWaitsForTheRobotGoesWithItsKey)
     window.reset();
 }
 
-TEST(StillComes, isToldOfFramesOfTheRobotThatMayBeUsed)
+TEST(StillComes, countsUsableFramesOfTheRobotOnly)
 {
     const auto frame = [](std::optional<FrameKind> kind, std::optional<double> age) {
         TappedFrame made;
@@ -314,7 +314,7 @@ TEST_F(BusConsole, saysInTheHeaderHowTheBusIs)
     picture("bus-chip");
 }
 
-TEST_F(BusConsole, listensOnlyUnlessToldToTransmit)
+TEST_F(BusConsole, isReceiveOnlyWithoutTransmit)
 {
     open(CanSource::Mode::Listen);
     ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));

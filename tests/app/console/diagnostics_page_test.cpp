@@ -79,7 +79,7 @@ TEST(ConsoleDiagnostics, sayWhichEventsTookLongest)
     EXPECT_TRUE(text(facts).contains("200.0 ms at 01:02:03: Timer for QTimer\n100.0 ms at"));
 }
 
-TEST(ConsoleDiagnostics, sayWhatMendsAKernelWithoutCan)
+TEST(ConsoleDiagnostics, nameTheFixForAKernelWithoutCan)
 {
     const auto lastLine = [](int error) { return canSocketWords(error).section('\n', -1); };
     EXPECT_EQ(canSocketWords(0), "✔ possible");

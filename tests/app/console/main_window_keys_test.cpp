@@ -146,7 +146,7 @@ TEST_F(Console, stopWorksByKeyAndByMouseBesideEveryFileDialog)
         }
 }
 
-TEST_F(Console, aFileThatIsNotThereIsSaidInTheDialogItself)
+TEST_F(Console, aMissingFileIsReportedInTheDialogItself)
 {
     openScripted();
     const TemporaryDirectory directory;
@@ -202,7 +202,7 @@ TEST_F(Console, stopWorksByKeyAndByMouseWhileAMenuIsOpen)
         }
 }
 
-TEST_F(Console, aDriveKeyThatDoesNothingSaysWhy)
+TEST_F(Console, aDriveKeyWithoutEffectSaysWhy)
 {
     open(fastRobot(robot, 2.1));
     ASSERT_TRUE(readyToExplore());

@@ -59,7 +59,7 @@ TEST_F(Console, aHoldThatIsNotCompleteInTimeApprovesNothing)
     EXPECT_FALSE(window->exploration().state().probed);
 }
 
-TEST_F(Console, coloursAndLettersChangeWhileAQuestionIsOpen)
+TEST_F(Console, themeAndFontChangeDuringAProposal)
 {
     open(fastRobot(robot, 2.1));
     window->setRoom(QSize(1920, 1080));

@@ -71,7 +71,7 @@ TEST_F(Console, theProbeCardFitsInEveryFontScale)
     fitsEveryScreen("asked", {100, 150, 200});
 }
 
-TEST_F(Console, nothingThatComesOrGoesMovesTheWindow)
+TEST_F(Console, appearingItemsDoNotMoveTheWindow)
 {
     ScriptedSource* source = openScripted();
     window->setRoom({1200, 680});

@@ -158,7 +158,7 @@ struct Action {
     double took = std::numeric_limits<double>::infinity();  ///< [ms]
 };
 
-TEST_F(Console, noActionOfTheInterfaceBlocksForLong)
+TEST_F(Console, noUserActionBlocksForLong)
 {
     openScripted();
     ASSERT_TRUE(readyToExplore());

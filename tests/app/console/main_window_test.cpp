@@ -151,7 +151,7 @@ TEST_F(Console, errorsAreShownWhenTheEventListIsHidden)
     EXPECT_FALSE(says("a doubt of anybody's"));
 }
 
-TEST_F(Console, deleteClearsWhatStandsAfterAStop)
+TEST_F(Console, deleteClearsTheEstimateAfterStop)
 {
     open(fastRobot(robot, 2.1));
     proposeByKeyboard();
@@ -169,7 +169,7 @@ TEST_F(Console, deleteClearsWhatStandsAfterAStop)
     EXPECT_TRUE(eventually([&] { return !window->exploration().estimation().estimate(); }));
 }
 
-TEST_F(Console, staleValuesDisappearAndTheLostLinkIsSaid)
+TEST_F(Console, staleValuesDisappearAndTheLostLinkIsShown)
 {
     ScriptedSource* source = openScripted();
     ASSERT_TRUE(
@@ -188,7 +188,7 @@ TEST_F(Console, staleValuesDisappearAndTheLostLinkIsSaid)
     EXPECT_FALSE(window->terrain()->accessibleDescription().contains("not live"));
 }
 
-TEST_F(Console, aMissingModelIsSaidAndTheRestWorks)
+TEST_F(Console, aMissingModelIsReportedAndTheRestWorks)
 {
     open(fastRobot(robot, 2.1), modelFileLoader("/nowhere/none.ttm", robot));
     ASSERT_TRUE(eventually([&] { return !window->modelTrouble().isEmpty(); }));

@@ -147,7 +147,7 @@ struct Modeless : testing::Test, RobotOnBench {
 
 using Seen = std::set<std::string>;
 
-TEST_F(Modeless, noButtonOfAnyPageOpensWhatBlocksTheOthers)
+TEST_F(Modeless, noButtonOpensAModalWindow)
 {
     ASSERT_TRUE(gui::eventually([&] { return window->exploration().linkAlive(); }));
     for (int page = 0; page < window->rail()->pages(); ++page) {
@@ -161,7 +161,7 @@ TEST_F(Modeless, noButtonOfAnyPageOpensWhatBlocksTheOthers)
     EXPECT_GE(files, 5) << "model, robot, DBC, scenes to learn from and to test on";
 }
 
-TEST_F(Modeless, noKeyOpensWhatBlocksTheOthers)
+TEST_F(Modeless, noKeyOpensAModalWindow)
 {
     ASSERT_TRUE(gui::eventually([&] { return window->exploration().linkAlive(); }));
     QList<QKeyCombination> keys;

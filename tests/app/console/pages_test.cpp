@@ -197,7 +197,7 @@ TEST_F(ForeignFramesOnThePage, areDecodedByTheirDbcFiles)
     })) << "goes grey";
 }
 
-TEST_F(ForeignFramesOnThePage, whatIsWrongWithAFileIsSaidAndStopsNothing)
+TEST_F(ForeignFramesOnThePage, aBadDbcFileIsReportedAndStopsNothing)
 {
     open({file("gas.dbc"), file("clash.dbc"), file("bad.dbc"), file("none.dbc")});
     QTest::keyClick(window.get(), Qt::Key_F5);
@@ -220,7 +220,7 @@ TEST_F(ForeignFramesOnThePage, whatIsWrongWithAFileIsSaidAndStopsNothing)
     EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
 }
 
-TEST_F(ForeignFramesOnThePage, filesComeAndGoWhileItRuns)
+TEST_F(ForeignFramesOnThePage, dbcFilesCanBeAddedAndRemovedWhileRunning)
 {
     open();
     QTest::keyClick(window.get(), Qt::Key_F5);
@@ -270,7 +270,7 @@ private:
     bool waits_ = false;
 };
 
-TEST_F(ForeignFramesOnThePage, ofWhatIsReadTheWindowWaitsForOneFileAtMost)
+TEST_F(ForeignFramesOnThePage, closingWaitsForAtMostOneDbcFile)
 {
     using namespace std::chrono_literals;
     constexpr double kHang = 20.0;  // [s]; the kernel blocks readers of such a file for 45 s
@@ -289,7 +289,7 @@ TEST_F(ForeignFramesOnThePage, ofWhatIsReadTheWindowWaitsForOneFileAtMost)
     EXPECT_LT(steadyNow() - began, kHang);
 }
 
-TEST_F(Pages, whatIsTypedIntoTheFilterMovesNoRobot)
+TEST_F(Pages, typingIntoTheFilterMovesNoRobot)
 {
     open();
     QTest::keyClick(window.get(), Qt::Key_F5);

@@ -111,7 +111,7 @@ TEST_F(PanelConsole, exploresAndProbesByThePanelAlone)
     EXPECT_TRUE(window->exploration().state().probed);
 }
 
-TEST_F(PanelConsole, approvesOnlyWhatIsHeldWhileTheQuestionIsSeen)
+TEST_F(PanelConsole, approvalNeedsTheHoldWhileTheProposalIsVisible)
 {
     openSimulated();
     ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));

@@ -204,7 +204,7 @@ TEST_F(SettingsInForce, qualityCostsAreShownForTheMeasuredModelOnly)
     EXPECT_TRUE(eventually([&] { return !costs(); }));
 }
 
-TEST_F(SettingsInForce, whatIsChangedElsewhereIsSeenHere)
+TEST_F(SettingsInForce, pageFollowsChangesOfPreferences)
 {
     window->preferences().change([](Preferences& p) { p.forceThreshold = 4.0; });
     EXPECT_EQ(page().thresholdBox()->value(), 4.0);
@@ -258,7 +258,7 @@ TEST_F(SettingsInForce, everyChangeIsOnRecordWithWhatWasBefore)
                                         "layout: probe → drive; roll-limit: 0.1 → 0.125"}));
 }
 
-TEST_F(SettingsInForce, whenTheArmIsOfferedIsChosenAndOnRecord)
+TEST_F(SettingsInForce, probePolicyTakesEffectAndIsRecorded)
 {
     EXPECT_EQ(window->exploration().options().probes, ProbePolicy::Variance) << "as in the paper";
     page().probesBox()->setCurrentIndex(2);
@@ -267,7 +267,7 @@ TEST_F(SettingsInForce, whenTheArmIsOfferedIsChosenAndOnRecord)
               (std::vector<std::string>{"probe-policy: variance → question"}));
 }
 
-TEST_F(SettingsInForce, aMarkThatIsNotKeptIsSaid)
+TEST_F(SettingsInForce, aMarkerWithoutRecordingIsReported)
 {
     const auto newest = [&] { return window->events()->item(0)->text(); };
     ASSERT_TRUE(eventually([&] {

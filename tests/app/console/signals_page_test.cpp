@@ -106,7 +106,7 @@ TEST(SignalRows, staleOnesReadNothing)
     EXPECT_EQ(table.text(2, SignalTable::Value), "no") << "that it was not measured is fresh";
 }
 
-TEST(SignalRows, whatWasSaidOnceCanStillBeRead)
+TEST(SignalRows, oldValuesOfOccasionalFramesStayReadable)
 {
     TappedFrame frame;
     frame.kind = FrameKind::PressFlippers;
@@ -132,7 +132,7 @@ TEST(Load, saysWhatItAssumesOrThatItIsNotKnown)
     EXPECT_EQ(loadWords(load, {}), "load --- (bit rate not known): 100.0 to 120.0 kbit/s");
 }
 
-TEST(Trace, wordsOfSomebodysDbcFileAreNotTranslated)
+TEST(Trace, textsOfDbcFilesAreNotTranslated)
 {
     if (installLanguage(*qApp, "cs") != "cs") GTEST_SKIP() << "built without translations";
     const TemporaryDirectory dir;

@@ -120,7 +120,7 @@ TEST_F(SmallScreen, hasStopArmingAndVerdictInEveryLanguage)
     }
 }
 
-TEST_F(SmallScreen, hasRoomForNoLargerLettersThanFit)
+TEST_F(SmallScreen, fontScaleIsLimitedToWhatFits)
 {
     openIn("en");
     for (const int percent : {200, 80, 130}) {

@@ -425,7 +425,7 @@ TEST_F(Soak, showsAnEstimateSoonAndEveryLivePreview)
     EXPECT_GE(estimates, 0.95 * lines.pressing);
 }
 
-TEST_F(Soak, isThereSoonAfterTheProcessBegan)
+TEST_F(Soak, windowIsVisibleSoonAfterProcessStart)
 {
     open();
     const double shown =

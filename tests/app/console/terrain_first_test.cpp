@@ -128,7 +128,7 @@ struct TerrainFirst : testing::TestWithParam<const char*> {
     std::unique_ptr<MainWindow> window;
 };
 
-TEST_P(TerrainFirst, beforeAndWhileAProbeIsAsked)
+TEST_P(TerrainFirst, isLargestBeforeAndDuringAProbeProposal)
 {
     ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
     inEveryWindow("ready");

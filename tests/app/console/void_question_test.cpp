@@ -82,7 +82,7 @@ TEST_F(VoidQuestion, mayStillBeRefused)
     EXPECT_TRUE(reaches(AtemPhase::Presenting));
 }
 
-TEST_F(VoidQuestion, failsWhereItIsApprovedAllTheSame)
+TEST_F(VoidQuestion, approvingItFailsTheExploration)
 {
     loadAnotherModel();
     exploration->approve(exploration->proposal()->id);

@@ -230,7 +230,7 @@ TEST_F(Windows, showTextsOfFilesAsTheyAre)
             << widget->toolTip().toStdString();
 }
 
-TEST_F(Windows, aSheetOpensNothingThatItsTextNames)
+TEST_F(Windows, aSheetOpensNoFileThatItsTextNames)
 {
     const std::string pipe = directory.file("pipe");
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
@@ -325,7 +325,7 @@ TEST_F(Windows, thatAConsoleHasOpenedStopItsRobotByTheMouse)
     }
 }
 
-TEST_F(Windows, thatNoConsoleHasOpenedHaveNoStopToPress)
+TEST_F(Windows, withoutAnOpeningConsoleHaveNoStopButton)
 {
     EXPECT_FALSE(review()->header()->stopButton()->isVisible());
     EXPECT_FALSE(scenes()->header()->stopButton()->isVisible());
@@ -357,7 +357,7 @@ TEST_F(Windows, ofAListeningConsoleStopTheOpenersRobot)
     EXPECT_TRUE(eventually([&] { return isKept("has taken it"); }));
 }
 
-TEST_F(Windows, thatAskForASessionBeginAmongThem)
+TEST_F(Windows, fileDialogStartsInTheSessionFolder)
 {
     const auto window = scripted();
     const std::string sessions = directory.file("sessions");
@@ -400,7 +400,7 @@ struct InCzech {
     bool isThere;
 };
 
-TEST(CoreSentences, withNamesInThemAreTranslatedWithWhatStandsThere)
+TEST(CoreSentences, withNamesAreTranslatedAroundTheNames)
 {
     const InCzech czech;
     if (!czech.isThere) GTEST_SKIP() << "built without translations";

@@ -182,7 +182,7 @@ TEST_F(ProfileFigure, leavesRoomForTheProbeAboveATallBar)
     EXPECT_GT(top, 84 + 45);
 }
 
-TEST_F(ProfileFigure, isAnSvgForThatEndingAndNothingForAnother)
+TEST_F(ProfileFigure, isSvgByEndingAndRefusesUnknownEndings)
 {
     const std::string svg = directory_.file("profile.svg");
     ASSERT_TRUE(writeProfileFigure(svg, flatGround()));

@@ -26,7 +26,7 @@ TEST(AcquisitionTest, keepsTheNewestOnly)
     EXPECT_GT(acquisition.rate(), 5.0);
 }
 
-TEST(AcquisitionTest, tellsOfEveryLineOnceItIsTheLatest)
+TEST(AcquisitionTest, notifiesOfEverySampleAfterItIsTheLatest)
 {
     ScriptedSource source;
     source.setSilent(true);
@@ -71,7 +71,7 @@ TEST(AcquisitionTest, silenceLeavesTheLastAndItsAge)
     EXPECT_TRUE(gui::eventually([&] { return acquisition.rate() == 0.0; }));
 }
 
-TEST(AcquisitionTest, troubleIsToldAndEndsWithTheNextTelemetry)
+TEST(AcquisitionTest, sourceErrorIsReportedUntilTheNextTelemetry)
 {
     ScriptedSource source;
     source.setTrouble("can0 is down");
@@ -116,7 +116,7 @@ TEST(AcquisitionTest, aPressIsRememberedFromItsFirstLineToItsEnd)
     EXPECT_EQ(began, (std::vector<std::uint64_t>{0, 0, 0, 4, 4, 4, 4, 0, 9, 0, 0}));
 }
 
-TEST(AcquisitionTest, aComputerThatSleptHasHeardNothing)
+TEST(AcquisitionTest, suspendCountsAsTelemetrySilence)
 {
     const auto unbrokenFrom = [](double steady, double sleepless) {
         std::optional<Received> latest;

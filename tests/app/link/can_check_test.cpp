@@ -122,7 +122,7 @@ TEST_F(Checking, warnsOfBuffers)
     EXPECT_EQ(finding(Level::Warning).cure, "sudo ip link set can0 txqueuelen 10");
 }
 
-TEST(AControllersDetails, areReadFromWhatIpPrints)
+TEST(AControllersDetails, areReadFromTheOutputOfIp)
 {
     EXPECT_EQ(controllerFrom(kWorking), (CanController{"ERROR-ACTIVE", 500'000}));
     EXPECT_EQ(controllerFrom(kFresh), (CanController{"STOPPED", std::nullopt}));

@@ -50,7 +50,7 @@ TEST_F(Books, findTheFramesOfTheirFiles)
     EXPECT_TRUE(book.remarks().empty());
 }
 
-TEST_F(Books, neverOverruleTheProtocol)
+TEST_F(Books, neverOverrideTheProtocol)
 {
     const std::string path =
         write("clash.dbc", "BO_ 34 A: 8 X\nBO_ 2147483682 B: 8 X\nBO_ 519 C: 8 X\n");
@@ -68,7 +68,7 @@ TEST_F(Books, neverOverruleTheProtocol)
     EXPECT_FALSE(absolem.find(gas(0x287))) << "the front left flipper's reply";
 }
 
-TEST_F(Books, ofOurOwnFramesSayOnlyThatTheyAreOurs)
+TEST_F(Books, doNotDescribeFramesOfTheProtocol)
 {
     const std::string path = TERRATACT_SOURCE_DIR "/resources/dbc/terratact.dbc";
     ASSERT_TRUE(book.add(path));
@@ -168,7 +168,7 @@ TEST(DbcNumbers, haveTheDigitsOfTheirScale)
     EXPECT_EQ(text(1.0, 0.0, 1.0 / 3.0, DbcSignal::Type::Double), "0.3333333");
 }
 
-TEST(ProtocolDbc, isWhatThisProgramSpeaks)
+TEST(ProtocolDbc, equalsTheProtocolOfThisProgram)
 {
     const auto said = readProtocolDbc(resourcePath("dbc/terratact.dbc"));
     ASSERT_TRUE(said) << said.error().text;

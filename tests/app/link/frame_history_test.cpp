@@ -121,7 +121,7 @@ TEST_F(Tapping, takesNoValueFromAFrameThatMayNotBeUsed)
     EXPECT_EQ(tap.load().troubles[static_cast<std::size_t>(FrameTrouble::WrongChecksum)], 1U);
 }
 
-TEST_F(Tapping, whatWasNotMeasuredHasNoExtremes)
+TEST_F(Tapping, unmeasuredSignalsHaveNoExtremes)
 {
     take({.frame = pack({.kind = FrameKind::Attitude, .counter = 1, .values = {0.0, 0.0, 0.0}}),
           .time = 0.0});
@@ -145,7 +145,7 @@ TEST_F(Tapping, traceIsTheNewestFramesInTheirOrder)
     }
 }
 
-TEST_F(Tapping, isBoundedWhateverComes)
+TEST_F(Tapping, memoryIsBoundedForAnyFrames)
 {
     for (std::uint32_t id = 0; id < 100'000; ++id)
         take({.frame = {.id = id, .extended = true, .length = 8}, .time = 0.0});
@@ -330,7 +330,7 @@ TEST_F(Described, needsAllBytesOfASignal)
     EXPECT_FALSE(frame.times[1].age);
 }
 
-TEST_F(Described, areBytesAgainWithoutTheirFile)
+TEST_F(Described, areRawBytesWithoutTheirDbcFile)
 {
     take(gas(0, 20.0, 1, 0.0));
     tap.describe(nullptr);
@@ -408,7 +408,7 @@ double secondsPerMillion(const std::vector<BusFrame>& frames, Take&& take)
     return (cpuSeconds() - began) / (5.0 * static_cast<double>(frames.size())) * 1e6;
 }
 
-TEST(FrameHistoryCost, isLessThanThatOfWordsForEveryFrame)
+TEST(FrameHistoryCost, isLessThanFormattingEveryFrame)
 {
     const std::vector<BusFrame> frames = fullBus(40'000);
     FrameHistory tap;

@@ -74,7 +74,7 @@ TEST_F(Alarming, joinsSensorsWithTheSameTrouble)
     EXPECT_TRUE(says("sensor-fault", "force 1, force 2: no load while the flippers press"));
 }
 
-TEST_F(Alarming, tellsOfASteepRobotAndSoundsBeforeItTips)
+TEST_F(Alarming, alarmsForSteepPitchBeforeTheRobotTips)
 {
     viewState.measurement = Measurement{};
     viewState.measurement->pitch = 0.6;
@@ -134,7 +134,7 @@ TEST_F(Alarming, lostLinkSoundsOnceThenSeldomAndIsSilentOnReturn)
     EXPECT_EQ(find("link")->state, AlarmState::Returned);
 }
 
-TEST_F(Alarming, telemetryThatStopsAloneIsNoLostLink)
+TEST_F(Alarming, missingTelemetryWithOtherFramesIsNoLostLink)
 {
     viewState.link = kLost;
     viewState.link.alone = true;
@@ -142,7 +142,7 @@ TEST_F(Alarming, telemetryThatStopsAloneIsNoLostLink)
     EXPECT_TRUE(says("link", "Telemetry lost"));
 }
 
-TEST_F(Alarming, aBusWithManyErrorsIsToldBeforeItFails)
+TEST_F(Alarming, aBusWithManyErrorsAlarmsBeforeItFails)
 {
     viewState.bus->bus = BusState::ErrorWarning;
     pass(0.5);
@@ -179,7 +179,7 @@ TEST_F(Alarming, alarmsWithoutABannerAreRaisedOncePerOnset)
     EXPECT_EQ(told.size(), 2) << "it is back";
 }
 
-TEST_F(Alarming, linkThatFluttersIsOneAlarm)
+TEST_F(Alarming, aFlappingLinkIsOneAlarm)
 {
     for (int i = 0; i < 20; ++i) {
         viewState.link.standing = i == 0 ? LinkStanding::Lost : LinkStanding::Unsteady;
@@ -217,7 +217,7 @@ TEST_F(Alarming, aPausedOrEndedReplayRaisesNoAlarm)
     EXPECT_EQ(sounds, 0);
 }
 
-TEST_F(Alarming, busThatIsNotUpSaysWhatMendsIt)
+TEST_F(Alarming, busThatIsNotUpNamesTheFix)
 {
     viewState.bus->bus = BusState::BusOff;
     pass(0.1);
@@ -318,7 +318,7 @@ TEST_F(Alarming, soundCanBeSwitchedOff)
     EXPECT_TRUE(stands("link"));
 }
 
-TEST(AlarmTableWidget, showsEachStateInWordsAndEmitsWhatTheOperatorDoes)
+TEST(AlarmTableWidget, showsStatesAsTextAndEmitsTheOperatorsActions)
 {
     AlarmList list;
     list.raise("seen", "the first", Severity::Caution, 0.0);
@@ -359,7 +359,7 @@ TEST(AlarmTableWidget, showsEachStateInWordsAndEmitsWhatTheOperatorDoes)
     EXPECT_FALSE(table.acknowledgeButton()->isEnabled());
 }
 
-TEST(AlarmTableWidget, choosesNoOtherAlarmWhenTheChosenOneGoes)
+TEST(AlarmTableWidget, selectsNoOtherAlarmWhenTheSelectedOneEnds)
 {
     AlarmList list;
     for (const char* id : {"a", "b", "c"}) list.raise(id, id, Severity::Caution, 0.0);

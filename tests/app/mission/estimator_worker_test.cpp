@@ -138,7 +138,7 @@ TEST(Worker, cancelEndsTheJobWithoutAResult)
     EXPECT_TRUE(heard.failed.isEmpty());
 }
 
-TEST(Worker, anErrorOfTheEstimateIsTold)
+TEST(Worker, anErrorOfTheEstimateIsReported)
 {
     EstimatorWorker worker(loaderOf([](const EstimateRequest&, const Watch&) -> TerrainEstimate {
         throw std::invalid_argument("draws must be 1 or more");

@@ -31,7 +31,7 @@ TEST_F(Bench, reasonForNoProbeUsesTheCurrentStepLimit)
     EXPECT_EQ(exploration->whyNotOffered(), "") << "there is no estimate";
 }
 
-TEST_F(Bench, aLimitChangedDuringAnEstimateDecidesWhatIsOffered)
+TEST_F(Bench, stepLimitChangedDuringAnEstimateSelectsTheProbe)
 {
     withDraws = true;
     stepInHalf = true;  // half of the draws have a step of about 0.15 m
@@ -131,7 +131,7 @@ TEST_F(WaitingForAdvice, recordsTheEstimateThatStopEnds)
     EXPECT_EQ(reader->estimates().size(), 1U);
 }
 
-TEST_F(Bench, adviceOfTheEstimateBeforeIsNotTakenForTheNewOne)
+TEST_F(Bench, adviceForAnOlderEstimateIsIgnored)
 {
     propose();
     exploration->approve(exploration->proposal()->id);
@@ -202,7 +202,7 @@ TEST_F(Bench, aBinChosenLaterIsProposedAfterANewPress)
     EXPECT_EQ(exploration->proposal()->bin, kBin06) << "asked for once, it is asked once";
 }
 
-TEST_F(Bench, aWishForAProbeEndsWithItsExploration)
+TEST_F(Bench, aRequestedBinIsDroppedOnAbort)
 {
     ASSERT_NO_FATAL_FAILURE(propose());
     exploration->refuse(exploration->proposal()->id);
@@ -258,7 +258,7 @@ struct BuiltInSource final : MeasurementSource {
     Status send(const Command& /*command*/) override { return Done{}; }
 };
 
-TEST_F(Bench, theEndOfTheGroundIsToldWithItsFile)
+TEST_F(Bench, theEndOfTheGroundIsReportedWithItsFile)
 {
     BuiltInSource builtIn;
     const auto toldOn = [&](const std::string& file) {
@@ -283,7 +283,7 @@ TEST_F(Bench, theEndOfTheGroundIsToldWithItsFile)
               "--terrain");
 }
 
-TEST_F(Bench, aDriveThatMovesNothingForgetsNothing)
+TEST_F(Bench, driveWithoutTrackMotionKeepsTheEstimate)
 {
     telemetry.travelled = 1.0;
     telemetry.turned = 0.0;

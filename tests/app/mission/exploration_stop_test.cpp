@@ -10,7 +10,7 @@
 namespace terratact {
 namespace {
 
-TEST_F(Bench, stopGoesOutAtOnceAndAgainUntilTheRobotConfirms)
+TEST_F(Bench, stopIsSentAtOnceAndRepeatedUntilConfirmed)
 {
     propose();
     exploration->stop();
@@ -29,7 +29,7 @@ TEST_F(Bench, stopGoesOutAtOnceAndAgainUntilTheRobotConfirms)
     EXPECT_EQ(exploration->whyNotDriving(), "STOP is latched: release it first");
 }
 
-TEST_F(Bench, stopIsOnlySentUntilTheRobotConfirmsIt)
+TEST_F(Bench, stopReadsSentUntilTheRobotConfirms)
 {
     using State = StopViewState::State;
     EXPECT_EQ(exploration->stopViewState().state, State::Ready);
@@ -78,7 +78,7 @@ TEST_F(Bench, stopPressedElsewhereIsOneEventForEachPress)
     EXPECT_EQ(happened, 0) << "the robot has confirmed it before";
 }
 
-TEST_F(Bench, stopThatCannotLeaveIsToldOnceAndTriedAgain)
+TEST_F(Bench, unsentStopIsReportedOnceAndRetried)
 {
     using State = StopViewState::State;
     source.setDeaf(true);
@@ -244,7 +244,7 @@ TEST_F(Outage, ofAFrozenWindowIsNoLostLink)
     EXPECT_EQ(doubts(), std::vector<Doubt>()) << "telemetry has come all the time";
 }
 
-TEST_F(Outage, voidsAnOpenQuestion)
+TEST_F(Outage, voidsAnOpenProposal)
 {
     const quint64 question = exploration->proposal()->id;
     EXPECT_EQ(firstMissing(exploration->toProbe()), "");
@@ -315,7 +315,7 @@ TEST_F(LinkBench, linkWatchdogExpiresAfter250msAndShowsTheBanner)
     EXPECT_TRUE(header.linkText().startsWith("link ")) << header.linkText().toStdString();
 }
 
-TEST_F(LinkBench, aLinkThatFluttersIsOneEventAndTheBannerStands)
+TEST_F(LinkBench, aFlappingLinkIsOneEventAndKeepsTheBanner)
 {
     int banners = 0;  // number of times a banner appeared
     const auto pass = [&](double seconds, bool comes) {
@@ -396,7 +396,7 @@ TEST_F(Bench, busErrorsWithholdTheVerdictOnlyWhileRecent)
     EXPECT_EQ(toneOfLink(), "good");
 }
 
-TEST_F(Bench, drivingEndsWithOneHaltAndOnlyIfItBegan)
+TEST_F(Bench, drivingEndsWithOneHaltIfItHadBegun)
 {
     exploration->halt();
     EXPECT_EQ(sent<HaltCommand>(), 0);
@@ -412,7 +412,7 @@ TEST_F(Bench, drivingEndsWithOneHaltAndOnlyIfItBegan)
     EXPECT_EQ(sent<HaltCommand>(), before) << "a halt would end the press";
 }
 
-TEST_F(Bench, leavingHaltsWhatWasSetInMotion)
+TEST_F(Bench, closingHaltsMotionCommandedFromHere)
 {
     exploration->drive(+1);
     exploration->leave();

@@ -301,7 +301,7 @@ TEST_F(Bench, aPressThatBeganSinceTheCommandIsItsAnswer)
     EXPECT_EQ(phase(), AtemPhase::Estimating) << "a line later would be 50 ms later";
 }
 
-TEST_F(Bench, whyTheRobotRefusedIsTold)
+TEST_F(Bench, reasonOfTheRobotsRefusalIsShown)
 {
     propose();
     exploration->approve(exploration->proposal()->id);
@@ -353,7 +353,7 @@ TEST_F(Bench, anOldRefusalIsNotTheAnswerToANewCommand)
     EXPECT_EQ(exploration->state().failure, AtemFailure::PressRefused) << "now it is";
 }
 
-TEST_F(Bench, anAnswerToAnotherProposalMeansNothing)
+TEST_F(Bench, anAnswerToAnotherProposalIsIgnored)
 {
     propose();
     const quint64 id = exploration->proposal()->id;
@@ -379,7 +379,7 @@ TEST_F(Bench, newStepLimitVoidsTheOldProposal)
     EXPECT_TRUE(reaches(AtemPhase::Probing));
 }
 
-TEST_F(Bench, aLimitChangedDuringAnEstimateIsThatOfItsQuestion)
+TEST_F(Bench, stepLimitChangedDuringAnEstimateIsProposed)
 {
     ASSERT_NO_FATAL_FAILURE(beginToEstimate());
     exploration->setStepLimit(0.2);
@@ -425,7 +425,7 @@ TEST_F(Bench, aRefusedProbeLeavesTheEstimate)
     EXPECT_EQ(sent<ProbeCommand>(), 0);
 }
 
-TEST_F(Bench, noAnswerMeansNo)
+TEST_F(Bench, anUnansweredProposalExpires)
 {
     propose();
     const quint64 id = exploration->proposal()->id;
@@ -456,7 +456,7 @@ TEST_F(Bench, aMovedRobotEndsTheExplorationButOneOutlierDoesNot)
     EXPECT_EQ(sent<ProbeCommand>(), 0);
 }
 
-TEST_F(Bench, anAbortHaltsTheRobotAndALateResultIsNotShown)
+TEST_F(Bench, abortHaltsTheRobotAndDropsALateResult)
 {
     blocked = true;
     press();
@@ -473,7 +473,7 @@ TEST_F(Bench, anAbortHaltsTheRobotAndALateResultIsNotShown)
     EXPECT_FALSE(exploration->proposal());
 }
 
-TEST_F(Bench, aResultAlreadyOnItsWayWhenAbortedIsNotShown)
+TEST_F(Bench, aResultQueuedBeforeAnAbortIsNotShown)
 {
     blocked = true;
     press();
@@ -486,7 +486,7 @@ TEST_F(Bench, aResultAlreadyOnItsWayWhenAbortedIsNotShown)
     EXPECT_FALSE(exploration->estimation().estimate());
 }
 
-TEST_F(Bench, anOfferThatComesWithTheStopIsNone)
+TEST_F(Bench, aProposalMadeInTheTickOfStopIsWithdrawn)
 {
     ASSERT_NO_FATAL_FAILURE(beginToEstimate());
     blocked = false;
@@ -522,7 +522,7 @@ TEST_F(Bench, estimateContinuesIfTheNewModelCannotBeLoaded)
     EXPECT_TRUE(reaches(AtemPhase::ProposingProbe)) << describe(exploration->state().failure);
 }
 
-TEST_F(Bench, anEstimateThatFailsIsToldInWords)
+TEST_F(Bench, aFailedEstimateIsReportedAsText)
 {
     broken = true;
     press();
@@ -531,7 +531,7 @@ TEST_F(Bench, anEstimateThatFailsIsToldInWords)
     EXPECT_TRUE(events.join('\n').contains("covariance is not positive definite"));
 }
 
-TEST_F(Bench, aRobotThatRefusesToPressIsNotWaitedFor)
+TEST_F(Bench, aRefusedPressFailsWithoutWaiting)
 {
     exploration->request();
     tick();
@@ -540,7 +540,7 @@ TEST_F(Bench, aRobotThatRefusesToPressIsNotWaitedFor)
     EXPECT_EQ(exploration->state().failure, AtemFailure::PressRefused);
 }
 
-TEST_F(Bench, aCommandThatDoesNotGetOutIsTold)
+TEST_F(Bench, aCommandThatIsNotSentIsReported)
 {
     source.setDeaf(true);
     exploration->drive(+1);

@@ -106,7 +106,7 @@ TEST_F(PassiveExplorationBench, secondMethodWaitsForTheEstimateUnderWay)
     }));
 }
 
-TEST_F(PassiveExplorationBench, answerToAForgottenSceneIsNone)
+TEST_F(PassiveExplorationBench, resultForADroppedSceneIsIgnored)
 {
     blocked = true;
     telemetry.activity = RobotActivity::Pressed;

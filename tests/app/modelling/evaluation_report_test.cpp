@@ -133,7 +133,7 @@ TEST(CoverageTable, hasARowPerBin)
         << table;
 }
 
-TEST(Groups, areWrittenOnceAndQuotedWhereNeeded)
+TEST(Groups, areWrittenOnceAndQuotedIfNeeded)
 {
     std::vector<GroupSummary> groups(2);
     groups[0] = {.group = "steps, high", .label = "pa", .scenes = 3};

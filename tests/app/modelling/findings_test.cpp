@@ -201,7 +201,7 @@ TEST_F(FindingsFile, everyNumberSurvivesARoundTrip)
     EXPECT_EQ(read->probes[0].rule, "sd");
 }
 
-TEST_F(FindingsFile, isToldFromOtherFiles)
+TEST_F(FindingsFile, isDistinguishedFromOtherFiles)
 {
     EXPECT_TRUE(isFindingsFile(path));
     EXPECT_FALSE(isFindingsFile(dir.file("none.tte")));
@@ -211,7 +211,7 @@ TEST_F(FindingsFile, isToldFromOtherFiles)
     EXPECT_TRUE(refusesAfter("CREATE TABLE zebra(x)", {"tables"}));
 }
 
-TEST_F(FindingsFile, isRefusedOnceAltered)
+TEST_F(FindingsFile, isRefusedAfterModification)
 {
     EXPECT_TRUE(refusesAfter("UPDATE bin_error SET error_m = 0.5 WHERE position = 1", {"altered"}));
     EXPECT_TRUE(refusesAfter("UPDATE meta SET value = 'x' WHERE key = 'command'", {"altered"}));

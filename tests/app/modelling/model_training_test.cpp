@@ -197,7 +197,7 @@ TEST_F(Comparing, aModelWithItselfIsEqual)
     EXPECT_TRUE(ComparisonWords::caution(*comparison).contains("20 of the file's"));
 }
 
-TEST_F(Comparing, aWorseModelIsSaidToBe)
+TEST_F(Comparing, aWorseModelIsReportedAsWorse)
 {
     plan.newModel = bad;
     plan.threads = 1;

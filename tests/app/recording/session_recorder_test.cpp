@@ -150,7 +150,7 @@ TEST_F(Recorder, countsWhatFindsNoRoom)
     for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], i);
 }
 
-TEST_F(Recorder, saysWhyItCannotAndGoesOnOnceItCan)
+TEST_F(Recorder, reportsWhyRecordingFailsAndResumes)
 {
     std::filesystem::create_directories(directory.file("state"));
     std::ofstream(folder) << "a file where the folder should be";
@@ -218,7 +218,7 @@ TEST_F(Recorder, goesOnInTheNextFileWhereOneHasAsManyBatchesAsItMay)
 
 /// Stalls the disk for three seconds at the rate of a full bus. The caller is not blocked, and the trouble is reported
 /// meanwhile. Queued frames are kept; dropped ones are counted in the file.
-TEST_F(Recorder, aStalledDiskHoldsNobodyUpAndIsTold)
+TEST_F(Recorder, aStalledDiskBlocksNoCallerAndIsReported)
 {
     constexpr int kTurns = 150;
     constexpr std::size_t kPerTurn = 180;
@@ -282,7 +282,7 @@ TEST_F(Recorder, keepsNothingWhileItIsOff)
     EXPECT_EQ(numbersIn(*reader).front(), 10U);
 }
 
-TEST_F(Recorder, knowsInEveryFileWhatWasSaidWhileItWasOffOrBefore)
+TEST_F(Recorder, everyFileHasTheStateFromBeforeItsStart)
 {
     options.on = false;
     {
@@ -380,7 +380,7 @@ TEST_F(Recorder, everyFileSaysWhatStoodWhenItBegan)
               2);
 }
 
-TEST_F(Recorder, leavesNoFileOfAConsoleThatDidNotComeToBe)
+TEST_F(Recorder, leavesNoFileIfNothingWasRecorded)
 {
     options.batch = 10s;
     {
@@ -475,7 +475,7 @@ TEST_F(Recorder, oldestIsWhatEndedFirstWhateverItsName)
     EXPECT_TRUE(std::filesystem::exists(folder + "/1.tts"));
 }
 
-TEST_F(Recorder, deletesNoMoreOnceItIsToldToEnd)
+TEST_F(Recorder, stopsDeletingWhenCancelled)
 {
     std::filesystem::create_directories(folder);
     for (int i = 0; i < 6; ++i) makeClosed(folder + "/" + std::to_string(i) + ".tts");

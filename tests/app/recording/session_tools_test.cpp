@@ -115,7 +115,7 @@ TEST_F(Drive, estimatesComeOutAgainBitForBit)
     }
 }
 
-TEST_F(Drive, theReadingsCountInAnEstimateAgain)
+TEST_F(Drive, recomputedEstimatesUseTheArmReadings)
 {
     EstimateRow row = reader.estimates().back();
     const auto with = estimateAgain(reader, row, *models, row.estimate.settings);
@@ -127,7 +127,7 @@ TEST_F(Drive, theReadingsCountInAnEstimateAgain)
     EXPECT_NE(without->origin[bin], Origin::Arm);
 }
 
-TEST_F(Drive, aRowThatCannotBeEstimatedIsAnErrorThatNamesTheFile)
+TEST_F(Drive, rowsThatCannotBeEstimatedAreErrorsWithTheFile)
 {
     EstimateRow row = reader.estimates().front();
     Settings wrong = row.estimate.settings;
@@ -256,7 +256,7 @@ TEST(Differences, areLastBitsIfNumbersAreNearAndTextsEqual)
     EXPECT_EQ(likenessAfter([](Estimate& e) { e.warnings.emplace_back("other"); }), Match::Other);
 }
 
-TEST_F(Tools, logsHaveEveryKindOfFrameThatTheyCan)
+TEST_F(Tools, logsHaveEveryFrameTheirFormatSupports)
 {
     const std::string path = session("kinds.tts", [](SessionWriter& writer) {
         const auto add = [&](CanFrame frame, bool sent) {
@@ -293,7 +293,7 @@ TEST_F(Tools, logsHaveEveryKindOfFrameThatTheyCan)
     EXPECT_EQ(counts.leftOut, 1U) << "bytes that are not known have no line";
 }
 
-TEST_F(Tools, framesFromBeforeTheBeginningAreInEveryLog)
+TEST_F(Tools, framesBeforeTimeZeroAreInEveryLog)
 {
     const std::string path = session("early.tts", [](SessionWriter& writer) {
         for (const SessionTime time : {-200'000'000, 300'000'000})
@@ -324,7 +324,7 @@ TEST_F(Tools, textsOfAForeignFileStayInTheirFields)
               std::string::npos);
 }
 
-TEST(Json, keepsUtf8AndReplacesWhatIsNone)
+TEST(Json, keepsUtf8AndReplacesInvalidBytes)
 {
     EXPECT_EQ(jsonText("±0.5 m → \xF0\x9F\xA4\x96"), "\"±0.5 m → \xF0\x9F\xA4\x96\"");
     for (const char* wrong : {"\x80", "\xC0\xAF", "\xE2\x82", "\xED\xA0\x80", "\xF5\x80\x80\x80"})

@@ -308,7 +308,7 @@ TEST_F(ExportOf, whatIsShownIsWrittenByTheSameDialog)
     EXPECT_FALSE(window->exportDialog()->exportButton()->isEnabled()) << "no estimate stands";
 }
 
-TEST_F(ExportOf, aButtonThatCannotBePressedSaysWhyNot)
+TEST_F(ExportOf, aDisabledButtonSaysWhy)
 {
     {
         auto writer = robotSession(path.toStdString(), 60.0, 850.0);

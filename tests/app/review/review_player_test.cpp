@@ -128,7 +128,7 @@ TEST_F(ReviewOf, aSessionIsSteppedThroughByKeys)
     EXPECT_EQ(now(), window->player().begin());
 }
 
-TEST_F(ReviewOf, aSessionGoesToATimeThatIsTyped)
+TEST_F(ReviewOf, aSessionGoesToATypedTime)
 {
     record();
     open();

@@ -285,7 +285,7 @@ TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
 }
 
 /// Other processors and later versions may round the last bits differently.
-TEST_F(ReviewOf, theShippedSessionIsRepeated)
+TEST_F(ReviewOf, theShippedSessionIsReproduced)
 {
     path = TERRATACT_SOURCE_DIR "/resources/sessions/demo.tts";
     open({TERRATACT_SOURCE_DIR "/resources/models/default.ttm"});
@@ -369,7 +369,7 @@ TEST_F(ReviewOf, largeFontsCutNothingAndTerrainTakesFreeSpace)
     press(Qt::Key_0, Qt::ControlModifier);
 }
 
-TEST_F(ReviewOf, nothingIsCutInAnyLanguage)
+TEST_F(ReviewOf, noLanguageCutsText)
 {
     applyLook(*qApp);
     record();
@@ -395,7 +395,7 @@ TEST_F(ReviewOf, nothingIsCutInAnyLanguage)
     installLanguage(*qApp, "en");
 }
 
-TEST(ScenesOfAFile, areEstimatedOneByOneAndCommandNothing)
+TEST(ScenesOfAFile, areEstimatedOneByOneWithoutCommands)
 {
     std::vector<Scene> scenes(2);
     scenes[0].run = "first";
@@ -431,7 +431,7 @@ TEST(ScenesOfAFile, areEstimatedOneByOneAndCommandNothing)
     EXPECT_TRUE(saysThatStopIsDead(window));
 }
 
-TEST(KindOfFile, isToldByWhatIsInIt)
+TEST(KindOfFile, isRecognizedByItsContent)
 {
     TemporaryDirectory directory;
     const std::string session = directory.file("a.log");

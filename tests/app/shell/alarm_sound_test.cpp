@@ -115,7 +115,7 @@ TEST_F(SoundCard, takesASoundThatIsShorterThanItsBuffer)
     EXPECT_EQ(heard(), click);
 }
 
-TEST_F(SoundCard, thatIsNotThereIsNamed)
+TEST_F(SoundCard, missingIsNamed)
 {
     const Status done = playAudio("no-such-card", alarmSamples(kRate), kRate);
     ASSERT_FALSE(done);
@@ -123,7 +123,7 @@ TEST_F(SoundCard, thatIsNotThereIsNamed)
               "sound device no-such-card: cannot be opened: No such file or directory");
 }
 
-TEST_F(SoundCard, thatIsNotThereIsSaidOnThePage)
+TEST_F(SoundCard, missingIsReportedOnThePage)
 {
     install("pcm.!default { type hw card 31 }\n");
     ConsoleAlarms alarms(alarmTone());

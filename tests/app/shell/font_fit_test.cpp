@@ -104,7 +104,7 @@ TEST_F(LettersOfAReview, cutNothingOnAnyPageInAnyLanguage)
     }
 }
 
-TEST(LettersOfTables, growRowsAndColumnsOfTablesThatAreThere)
+TEST(LettersOfTables, resizeRowsAndColumnsOfExistingTables)
 {
     applyLook(*qApp);
     RawTrace trace(

@@ -96,7 +96,7 @@ TEST_F(Look, everyControlHasANameAndASize)
     EXPECT_GE(parts, 30);
 }
 
-TEST_F(Look, aButtonThatCannotBePressedSaysWhyNot)
+TEST_F(Look, aDisabledButtonSaysWhy)
 {
     gui::TipsOfButtons tips;
     const auto lookEverywhere = [&] { eachPage([&] { tips.poll(*window); }); };
@@ -140,7 +140,7 @@ TEST_F(Look, TabReachesEverythingAndComesBack)
     });
 }
 
-TEST_F(Look, theSheetTellsOfEveryKeyAndEveryKeyActs)
+TEST_F(Look, theKeySheetListsEveryKeyAndEveryKeyActs)
 {
     const QString sheet = window->keys().html();
     std::set<int> seen;
@@ -172,7 +172,7 @@ int unlike(const QImage& a, const QImage& b)
     return count;
 }
 
-TEST_F(Look, whatHasTheFocusIsSeenInEveryTheme)
+TEST_F(Look, focusIsVisibleInEveryTheme)
 {
     explore();
     for (const ThemeName theme : {ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast}) {

@@ -104,7 +104,7 @@ TEST_F(PreferencesFile, safeModeReadsAndWritesNothing)
     EXPECT_TRUE(directory.entries().empty());
 }
 
-TEST_F(PreferencesFile, aBadValueIsItsDefaultAndSaid)
+TEST_F(PreferencesFile, aBadValueBecomesItsDefaultAndIsReported)
 {
     const std::pair<const char*, const char*> cases[]{
         {"theme", "purple"},
@@ -153,7 +153,7 @@ TEST_F(PreferencesFile, oneBadValueLeavesTheOthers)
     EXPECT_EQ(loaded.troubles.size(), 1U);
 }
 
-TEST_F(PreferencesFile, whatIsNotUnderstoodIsSetAside)
+TEST_F(PreferencesFile, anUnreadableFileIsMovedAside)
 {
     std::string noise;
     for (int i = 0; i < 4096; ++i) noise += static_cast<char>((i * 7919 + i / 3) & 0xff);
@@ -195,7 +195,7 @@ TEST_F(PreferencesFile, aNewerSchemaIsLeftAlone)
     EXPECT_EQ(contentOf(path().toStdString()), newer);
 }
 
-TEST_F(PreferencesFile, aFolderOrAPipeInItsPlaceIsSaid)
+TEST_F(PreferencesFile, aFolderOrAPipeInItsPlaceIsReported)
 {
     std::filesystem::create_directories(path().toStdString());
     const LoadedPreferences folder = loadPreferences(path());
@@ -207,7 +207,7 @@ TEST_F(PreferencesFile, aFolderOrAPipeInItsPlaceIsSaid)
         << "and it returned";
 }
 
-TEST_F(PreferencesFile, thatCannotBeWrittenIsSaid)
+TEST_F(PreferencesFile, failureToWriteIsReported)
 {
     directory.write("terratact", "a file where the folder should be");
     EXPECT_NE(savePreferences(path(), kDefaults), QString());

@@ -73,7 +73,7 @@ TEST_F(Look, inTheNightThemeEveryPixelIsRed)
     EXPECT_GT(notRed(gui::painted(*window)), 0.5) << "the theme changes back while it runs";
 }
 
-TEST_F(Look, nothingIsCutInLargeLetters)
+TEST_F(Look, largeFontsCutNoText)
 {
     explore();
     const std::pair<int, QSize> cases[]{
@@ -94,7 +94,7 @@ TEST_F(Look, nothingIsCutInLargeLetters)
     }
 }
 
-TEST_F(Look, nothingIsCutInAnyLanguage)
+TEST_F(Look, noLanguageCutsText)
 {
     for (const char* language : {"en", "cs", "de"}) {
         window.reset();
@@ -131,7 +131,7 @@ QStringList allTo(Enum last)
     return sentences;
 }
 
-TEST(Languages, whatTheCoreSaysIsTranslatedAndKeepsItsNumbers)
+TEST(Languages, coreSentencesAreTranslatedWithTheirNumbers)
 {
     constexpr const char* kTrouble =
         "/home/no 2/mine.ttm: cannot be opened: No such file or directory";
@@ -370,7 +370,7 @@ TEST(Letters, areTheLargestThatFit)
     EXPECT_EQ(fits(200, {100, 100}), std::pair(kSmallestFont, 2)) << "smaller there are none";
 }
 
-TEST(Letters, areTheLargestWherePartsDoNotShrink)
+TEST(Letters, areTheLargestThatFitWithFixedSizeParts)
 {
     for (int room = 900; room < 1700; room += 7) {
         const auto needs = [](int percent) { return QSize(5 * percent, 700 + 4 * percent); };
@@ -467,7 +467,7 @@ TEST_F(Look, everyLayoutShowsStopStateAndWhatAsks)
     EXPECT_EQ(window->preferences().current().layout, Layout::Probe);
 }
 
-TEST_F(Look, whatWasChosenIsSavedAndWhatTheCommandLineSaidIsNot)
+TEST_F(Look, choicesAreSavedButNotCommandLineOptions)
 {
     Preferences fromCommandLine;
     fromCommandLine.theme = ThemeName::HighContrast;
@@ -509,7 +509,7 @@ TEST_F(Look, preferenceErrorsUseTheCurrentLanguage)
     EXPECT_TRUE(czech[1].contains("mine.toml: ") && !czech[1].contains("is empty"));
 }
 
-TEST_F(Look, safeModeIsSaidOnEveryPageAndCutsNothing)
+TEST_F(Look, safeModeIsShownOnEveryPageAndCutsNothing)
 {
     window->hide();
     window->saySafeMode();

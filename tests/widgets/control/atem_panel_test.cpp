@@ -57,7 +57,7 @@ TEST_F(Atem, saysTheStateAndItsTime)
     EXPECT_FALSE(shows("STOPPED"));
 }
 
-TEST_F(Atem, saysThatItFollowsAndOffersNothingThatMovesTheRobot)
+TEST_F(Atem, followingPanelHasNoCommandButtons)
 {
     panel.setPreconditions({{Level::Missing, "can0 is only listened to"}});
     panel.setState({.phase = AtemPhase::Probing, .followed = true}, std::nullopt);
@@ -82,7 +82,7 @@ TEST_F(Atem, requestsWhenNothingIsMissing)
     EXPECT_TRUE(shows(QStringLiteral("✔")) && shows("!") && shows("roll 7° (overridden)"));
 }
 
-TEST_F(Atem, whatIsDoubtfulHasToBeOverriddenFirst)
+TEST_F(Atem, doubtfulPreconditionsNeedAnOverride)
 {
     panel.setPreconditions({{Level::Met, "telemetry is live"}});
     EXPECT_FALSE(panel.overrideButton()->isVisible()) << "there is nothing to override";
@@ -109,7 +109,7 @@ TEST_F(Atem, refusesWithTheReasonWhileSomethingIsMissing)
     EXPECT_FALSE(shows("the model is being loaded"));
 }
 
-TEST_F(Atem, isReadyOnlyWhereNothingSpeaksAgainstIt)
+TEST_F(Atem, isReadyOnlyIfEveryPreconditionIsMet)
 {
     panel.setState({}, std::nullopt);
     panel.setPreconditions({{Level::Met, "telemetry is live"}, {Level::Overridden, "roll 7°"}});
@@ -137,7 +137,7 @@ TEST_F(Atem, anExplorationCanBeAbortedButNotRequestedAgain)
     EXPECT_EQ(said, QStringList{"abort"});
 }
 
-TEST_F(Atem, whatEveryCommandNeedsCanBeLookedUp)
+TEST_F(Atem, preconditionsOfEveryCommandCanBeLookedUp)
 {
     panel.setPreconditions({{Level::Met, "the model is ready"}});
     panel.setNeeds(Commanded::Drive,

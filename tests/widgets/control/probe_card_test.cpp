@@ -64,7 +64,7 @@ TEST_F(Probe, saysWhereWhatAndForHowMuch)
     EXPECT_TRUE(card.approveButton()->text().contains("0.6 m"));
 }
 
-TEST_F(Probe, thatIsVoidSaysWhyAndTakesNoApproval)
+TEST_F(Probe, voidProposalSaysWhyAndCannotBeApproved)
 {
     const QList<Precondition> met{{Precondition::Level::Met, "as then"}};
     const QList<Precondition> changed{{Precondition::Level::Met, "the link is good"},
@@ -106,7 +106,7 @@ TEST_F(Probe, thatIsVoidSaysWhyAndTakesNoApproval)
     EXPECT_TRUE(card.approveButton()->isEnabled()) << "another question stands on its own grounds";
 }
 
-TEST_F(Probe, theNarrowFormSaysAllOfItInFewerWords)
+TEST_F(Probe, narrowCardShowsAllFactsInFewerWords)
 {
     card.setNarrow(true);
     card.setFixedWidth(300);
@@ -136,7 +136,7 @@ TEST_F(Probe, fitsWithoutScrollingInA1280x720Window)
     }
 }
 
-TEST_F(Probe, saysWhereTheAnswerStandsWithoutIt)
+TEST_F(Probe, saysWhereTheVerdictIsAlreadyDecided)
 {
     ProbeProposal decided = kProposal;
     decided.answer = StepVerdict::Blocked;
@@ -165,7 +165,7 @@ TEST_F(Probe, saysWhereTheAnswerStandsWithoutIt)
     for (const std::string& text : gui::cutText(card)) ADD_FAILURE() << text;
 }
 
-TEST_F(Probe, offersTheOtherBinsAndTheirWorth)
+TEST_F(Probe, listsTheOtherBinsAndTheirGain)
 {
     QList<int> bins;
     QObject::connect(&card, &ProbeCard::otherChosen, [&](quint64 id, int bin) {
@@ -181,7 +181,7 @@ TEST_F(Probe, offersTheOtherBinsAndTheirWorth)
     for (const std::string& text : gui::cutText(card)) ADD_FAILURE() << text;
 }
 
-TEST_F(Probe, saysTheSameWhereNobodyIsAsked)
+TEST_F(Probe, showsTheFactsReadOnlyWithoutAProposal)
 {
     for (const bool narrow : {false, true}) {
         card.setNarrow(narrow);
@@ -225,7 +225,7 @@ TEST_F(Probe, claimsNothingForAMethodThatKnowsNothing)
     EXPECT_TRUE(allText().contains(QStringLiteral("± 0.03 m")));
 }
 
-TEST_F(Probe, thatIsNotYetPaintedTakesNoApproval)
+TEST_F(Probe, unpaintedProposalCannotBeApproved)
 {
     card.setProposal(kProposal);
     QTest::mousePress(card.approveButton(), Qt::LeftButton);
@@ -233,7 +233,7 @@ TEST_F(Probe, thatIsNotYetPaintedTakesNoApproval)
     QTest::mouseRelease(card.approveButton(), Qt::LeftButton);
 }
 
-TEST_F(Probe, thatAnotherWindowCoversIsNotApproved)
+TEST_F(Probe, coveredProposalIsNotApproved)
 {
     ASSERT_NO_FATAL_FAILURE(ask(kProposal));
     QDialog beside(&card);
@@ -259,7 +259,7 @@ TEST_F(Probe, thatAnotherWindowCoversIsNotApproved)
     EXPECT_TRUE(gui::eventually([&] { return approved == QList<quint64>{7}; }));
 }
 
-TEST_F(Probe, isCoveredByAnOpenMenuWhereThatLiesOverIt)
+TEST_F(Probe, isCoveredByAnOpenMenuOnTopOfIt)
 {
     ASSERT_NO_FATAL_FAILURE(ask(kProposal));
     QMenu menu;  // has no parent
@@ -288,7 +288,7 @@ TEST_F(Probe, anAnswerCarriesTheProposalsNumber)
     EXPECT_EQ(refused, QList<quint64>{7});
 }
 
-TEST_F(Probe, aHoldBegunOnAnotherQuestionDoesNotCount)
+TEST_F(Probe, aHoldBegunOnAnotherProposalDoesNotCount)
 {
     card.approveButton()->setHoldTime(100000);
     ASSERT_NO_FATAL_FAILURE(ask(kProposal));
@@ -301,7 +301,7 @@ TEST_F(Probe, aHoldBegunOnAnotherQuestionDoesNotCount)
     EXPECT_FALSE(card.approveButton()->isHeld());
 }
 
-TEST_F(Probe, theSameQuestionAgainDoesNotDisturbTheHold)
+TEST_F(Probe, theSameProposalAgainKeepsTheHold)
 {
     card.approveButton()->setHoldTime(100000);
     ASSERT_NO_FATAL_FAILURE(ask(kProposal));
@@ -315,7 +315,7 @@ TEST_F(Probe, theSameQuestionAgainDoesNotDisturbTheHold)
     EXPECT_TRUE(card.approveButton()->isHeld()) << "it is still the same question";
 }
 
-TEST_F(Probe, withoutAQuestionThereIsNothingToAnswer)
+TEST_F(Probe, withoutAProposalThereIsNothingToApprove)
 {
     card.setProposal(kProposal);
     card.setNothing("no probe is needed");

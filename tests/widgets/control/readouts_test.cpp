@@ -55,7 +55,7 @@ TEST(Readout, showsAnglesInDegreesLeftAndRight)
     EXPECT_EQ(readout.text(RobotReadout::FrontFlippers), QStringLiteral("L +28.6°   R +34.4°"));
 }
 
-TEST(Readout, thePitchThatIsDrawnStandsBesideThatOfNow)
+TEST(Readout, theScenesPitchStandsBesideTheCurrentPitch)
 {
     RobotReadout readout;
     Measurement m;
@@ -87,7 +87,7 @@ TEST(Readout, theTipOfEveryValueIsTheAgeOfItsOwnMessage)
     for (const QLabel* label : readout.findChildren<QLabel*>()) EXPECT_EQ(label->toolTip(), "");
 }
 
-TEST(Readout, theAgeStandsInPrintBesideWhatIsTooOldToBeShown)
+TEST(Readout, theAgeIsShownBesideStaleValues)
 {
     RobotReadout readout;
     const double never = std::numeric_limits<double>::infinity();
@@ -212,7 +212,7 @@ TEST(Header, theBusAndTheModelLeaveForWhatMattersMore)
     EXPECT_EQ(asked, 1);
 }
 
-TEST(Header, whatIsBadIsSeenInEveryWidth)
+TEST(Header, badStatesAreVisibleAtEveryWidth)
 {
     for (const int letters : {100, 200}) {
         applyLook(*qApp, ThemeName::Day, letters);
@@ -275,7 +275,7 @@ TEST(Spoken, aLabelSaysItsNameAndItsText)
     EXPECT_EQ(QAccessible::queryAccessibleInterface(&rich)->text(QAccessible::Name), "bold words");
 }
 
-TEST(Spoken, whatMattersIsAnnouncedOnce)
+TEST(Spoken, urgentTextIsAnnouncedOnce)
 {
     applyLook(*qApp);
     StatusHeader header;

@@ -240,7 +240,7 @@ TEST_F(Forces, aSaturatedElementSaysNoExactNumber)
     EXPECT_EQ(mark, theme().text) << "a triangle";
 }
 
-TEST_F(Forces, lettersStayOnALowChart)
+TEST_F(Forces, textsStayOnALowChart)
 {
     for (const int scale : {100, 200}) {
         applyLook(*qApp, ThemeName::Day, scale);

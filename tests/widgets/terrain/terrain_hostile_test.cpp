@@ -91,7 +91,7 @@ TEST_F(TerrainView, nothingButHostileNumbersLeavesAPicture)
     }
 }
 
-TEST(Painted, isNothingWhereItTakesSeconds)
+TEST(Painted, isNullIfPaintingTakesSeconds)
 {
     class Slow final : public QWidget {
         void paintEvent(QPaintEvent* /*event*/) override

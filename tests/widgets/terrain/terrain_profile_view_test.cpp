@@ -30,7 +30,7 @@ TEST_F(TerrainView, aMetreIsAsLongUpwardsAsForwardsAtEverySize)
     }
 }
 
-TEST_F(TerrainView, whatIsNotLiveIsMutedAndSaysOfWhen)
+TEST_F(TerrainView, staleDrawingIsMutedAndShowsItsAge)
 {
     view.setOutline(square(-0.3, -0.1, 0.3, 0.1));
     view.setTruth(Heights{});
@@ -106,7 +106,7 @@ TEST_F(TerrainView, aNoteLiesBelowTheZonesWords)
     EXPECT_TRUE(view.accessibleDescription().startsWith("nnnn"));
 }
 
-TEST_F(TerrainView, theArmsWordLiesUponNoWordOfTheZones)
+TEST_F(TerrainView, theArmsWordAvoidsTheZonesWords)
 {
     const auto item = [this]<class Item>(Item) {
         for (QwtPlotItem* each : view.itemList())

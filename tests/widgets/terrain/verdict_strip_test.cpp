@@ -53,7 +53,7 @@ TEST_F(Strip, answersInAWordWithAShape)
     EXPECT_EQ(strip.reason(), QStringLiteral("the robot has moved"));
 }
 
-TEST_F(Strip, aClearWayIsSaidToBeUnfeltWhereItIs)
+TEST_F(Strip, clearNamesTheBinsThatAreNotFelt)
 {
     Verdict v = verdict(StepVerdict::Clear, 0.01);
     strip.setVerdict(v);
@@ -66,7 +66,7 @@ TEST_F(Strip, aClearWayIsSaidToBeUnfeltWhereItIs)
     EXPECT_TRUE(strip.reason().endsWith("not felt: 0.7 m")) << strip.reason().toStdString();
 }
 
-TEST_F(Strip, theNumberOfAVerdictThatIsWithheldDoesNotComeFirst)
+TEST_F(Strip, withheldVerdictDoesNotLeadWithItsProbability)
 {
     Verdict v = verdict(StepVerdict::CannotTell, 0.99);
     const auto isBold = [this] {
@@ -137,7 +137,7 @@ TEST_F(Strip, saysWhyAVerdictIsWithheld)
     EXPECT_FALSE(strip.reason().contains("likeliest"));
 }
 
-TEST_F(Strip, withNothingToSayHasNoTipOfTheVerdictBefore)
+TEST_F(Strip, clearingTheVerdictClearsItsTip)
 {
     Verdict v = verdict(StepVerdict::CannotTell, 0.99);
     v.doubts = {Doubt::Stale};
