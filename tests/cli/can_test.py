@@ -116,7 +116,7 @@ class Decode(Logs):
             self.assertIn(words, out)
         self.assertEqual(self.totals(out), (2, 2, 0, 3, 3, 3))
 
-    def test_what_is_missing_is_a_gap(self):
+    def test_missing_frames_are_a_gap(self):
         self.assertEqual(self.totals(self.decode(session(missing=(10,)))), (0, 0, 11, 0, 0, 0))
         out = self.decode(session(missing=range(10, 20)))
         self.assertEqual(self.totals(out), (0, 0, 11, 0, 0, 0))
@@ -153,7 +153,7 @@ class Decode(Logs):
         done = subprocess.run([CLI, "can", "decode", "/dev/stdin"], input=session(3), capture_output=True, text=True)
         self.assertEqual(self.totals(done.stdout), (0,) * 6, done.stderr)
 
-    def test_a_torn_end_is_told_and_the_rest_is_read(self):
+    def test_a_torn_end_is_reported_and_the_rest_read(self):
         self.log.write_text(session(2) + "(1436509053.0) can0 22")
         done = subprocess.run([CLI, "can", "decode", self.log, "--csv", self.csv, "--summary"], capture_output=True,
                               text=True)
@@ -186,7 +186,7 @@ class Decode(Logs):
         self.log.write_bytes(b"LOGG" + bytes(200))
         self.assertIn("is a binary log of Vector (.blf); expected", complaint("can", "decode", self.log))
 
-    def test_lost_frames_of_the_recording_are_told(self):
+    def test_lost_frames_of_the_recording_are_reported(self):
         out = self.decode(session(2) + "DROPCOUNT: dropped 5 CAN frames on 'can0' socket (total drops 5)\n")
         self.assertIn("5 frames were lost when the log was recorded", out)
 
@@ -334,14 +334,14 @@ class Monitor(Logs):
         self.assertEqual(out.count("REPLAY demo.log, whose"), 1)
         self.assertIn("of 125 kbit/s", out)
 
-    def test_a_silence_of_years_is_shortened_and_told(self):
+    def test_a_silence_of_years_is_shortened_and_reported(self):
         self.log.write_text(line(BEGIN, telemetry(1)[1]) + line(BEGIN + 1e8, telemetry(2)[1]))
         done = subprocess.run([CLI, "can", "monitor", self.log], capture_output=True, text=True, timeout=60)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("line 2: follows 100000000 s of silence, which the replay shortens", done.stderr)
         self.assertIn("REPLAY demo.log has ended", done.stdout)
 
-    def test_a_wait_for_the_next_frame_is_told(self):
+    def test_a_wait_for_the_next_frame_is_reported(self):
         self.log.write_text(line(BEGIN, telemetry(1)[1]) + line(BEGIN + 50, telemetry(2)[1]))
         out = run("can", "monitor", self.log, "--seconds", 0.3)
         self.assertRegex(out, r"REPLAY demo.log, whose next frame comes in (49|50) s; load")
@@ -363,14 +363,14 @@ class Monitor(Logs):
 
 
 class Check(unittest.TestCase):
-    def test_says_what_is_wrong_and_which_command_mends_it(self):
+    def test_names_the_fault_and_the_command_that_fixes_it(self):
         done = subprocess.run([CLI, "can", "check", "terratact-none"], capture_output=True, text=True)
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stdout, r"problem +there is no interface terratact-none")
         self.assertIn("→", done.stdout)
         self.assertIn("terratact-none cannot be used", done.stderr)
 
-    def test_of_a_log_says_what_it_holds(self):
+    def test_prints_the_content_of_a_log(self):
         with tempfile.TemporaryDirectory() as folder:
             log = pathlib.Path(folder, "torn.log")
             log.write_text(session(2) + "(143")

@@ -90,7 +90,7 @@ class Commands(unittest.TestCase):
         self.assertIn("when time was out", hurried[0]["note"])
         self.assertEqual({r["ending"] for r in self.reconstruct("--method", "local", data=data)}, {"not sampled"})
 
-    def test_time_that_is_out_ends_the_burn_in(self):
+    def test_the_time_limit_ends_the_burn_in(self):
         data = self.first_scenes(2)
         hurried = self.reconstruct("--method", "pa", "--burn-in", 1000000, "--seconds", "0.05", data=data)
         self.assertEqual({(r["ending"], r["draws"]) for r in hurried}, {("time", "16")})
@@ -163,7 +163,7 @@ class Commands(unittest.TestCase):
         readings.write_text("place,height_m,truth_m\na,0.10,\nb,0.14,\n")
         self.assertIn("no place is read twice", complaint("probes", "--data", readings))
 
-    def test_ghost_says_what_the_last_estimate_is_worth(self):
+    def test_ghost_scores_the_last_estimate(self):
         command = ("ghost", "--model", self.model, "--terrain", "boxes", "--drives", 6, "--methods", "local")
         text = run(*command)
         self.assertIn("6 drives over boxes", text)
@@ -185,7 +185,7 @@ class Commands(unittest.TestCase):
         self.assertIn("pitch +3°: a tilt of the whole world", text.replace(" (harmless)", ""))
         self.assertRegex(text, r"\d+ of \d+ faults that harm are noticed")
 
-    def test_simulate_lets_sensors_lie(self):
+    def test_simulate_can_add_sensor_faults(self):
         sound, stuck = self.path / "sound.csv", self.path / "stuck.csv"
         command = ("simulate", "--terrain", "boxes", "--count", 60, "--seed", 5)
         run(*command, "--out", sound)
@@ -209,7 +209,7 @@ class Commands(unittest.TestCase):
         self.assertIn("residual sd", numbers[0])
         self.assertEqual(*numbers)
 
-    def test_a_models_card_tells_when_on_what_and_how_well(self):
+    def test_a_model_card_has_date_data_and_scores(self):
         model = self.path / "carded.ttm"
         model.write_bytes(self.model.read_bytes())
         shown = run("model", "show", model)
@@ -284,7 +284,7 @@ class Commands(unittest.TestCase):
         sampled = [self.reconstruct("--method", "pafc", "--seed", seed, data=few) for seed in (5, 6)]
         self.assertNotEqual(*sampled)
 
-    def test_scenes_side_by_side_are_the_scenes_alone(self):
+    def test_batched_scenes_equal_single_scenes(self):
         """Several scenes share a pass over any number of processors; scene k uses seed + k."""
         header, *scenes = self.data.read_text().splitlines(keepends=True)[:12]
         few, one = self.first_scenes(len(scenes)), self.path / "one.csv"
@@ -317,7 +317,7 @@ class Commands(unittest.TestCase):
         found = re.search(r"(\d+) scenes repeat another", said)
         return int(found[1]) // 2 if found else 0
 
-    def test_evaluate_says_that_it_learnt_from_the_scenes(self):
+    def test_evaluate_reports_training_scenes(self):
         model = self.path / "learnt.ttm"
         model.write_bytes(self.model.read_bytes())
         done = subprocess.run([CLI, "evaluate", "--card", "--model", model, "--data", self.first_scenes(6), "--methods",
@@ -405,7 +405,7 @@ class Commands(unittest.TestCase):
         recording.write_text("side,element\n")
         self.assertIn("is not the header", complaint("calibrate", "--data", recording))
 
-    def test_evaluate_tells_classes_apart_and_tries_probes(self):
+    def test_evaluate_scores_classes_and_probes(self):
         out, index = self.path / "classes", self.path / "index.csv"
         index.write_text('row,source,kind\n1,made up,"boxes, low"\n2,made up,other\n')
         text = self.evaluate(out, "--methods", "pa", "--classes", index, "--class-column", "kind", "--probes",
@@ -479,12 +479,12 @@ class Commands(unittest.TestCase):
         turned.write_bytes(b"".join((",".join(reversed(line)) + "\r\n").encode() for line in lines))
         self.assertEqual(self.reconstruct(data=turned), self.reconstruct(data=self.first_scenes(3)))
 
-    def test_no_progress_is_printed_where_nobody_watches(self):
+    def test_no_progress_is_printed_without_a_terminal(self):
         done = subprocess.run([CLI, "simulate", "--terrain", "boxes", "--count", "60", "--out", self.path / "quiet.csv"],
                               capture_output=True, check=True)
         self.assertEqual(done.stderr, b"")
 
-    def test_the_shipped_model_tells_how_it_was_made(self):
+    def test_the_shipped_model_shows_its_origin(self):
         text = run("model", "show", f"{SOURCE}/resources/models/default.ttm")
         for models in ("pa", "paf"):
             rcond = float(re.search(rf"least reciprocal condition number of the {models} models: (\S+)", text)[1])

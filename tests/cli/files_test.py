@@ -86,7 +86,7 @@ class Overwriting(Folder):
         for data in (hard, soft):
             self.refused(self.scenes, "reconstruct", "--data", data, "--out", self.scenes)
 
-    def test_what_belongs_to_an_input_is_not_overwritten(self):
+    def test_companions_of_inputs_are_not_overwritten(self):
         model, tts = self.copy(MODEL, "m.ttm"), self.copy(DEMO, "d.tts")
         card = self.copy(f"{SOURCE}/resources/models/default.card.toml", "m.card.toml")
         notes = self.path / "d.tts.notes.csv"
@@ -241,7 +241,7 @@ class Csv(Folder):
                         "# " + text):
             self.assertEqual(self.estimated(content.encode()), plain, content[:200])
 
-    def test_what_is_no_text_is_named(self):
+    def test_files_that_are_not_text_are_named(self):
         for content, says in ((SCENES.decode().encode("utf-16"), "UTF-16"), (b"PK\x03\x04" + SCENES, "workbook"),
                               (b"\x1f\x8b" + SCENES, "gzip"), (pathlib.Path(DEMO).read_bytes(), "session scenes")):
             self.scenes.write_bytes(content)

@@ -101,7 +101,7 @@ class Desktop(unittest.TestCase):
     def test_the_metainfo_is_valid(self):
         self.assertIn("successful", output("appstreamcli", "validate", "--no-net", "--pedantic", DESKTOP / f"{ID}.metainfo.xml"))
 
-    def test_they_speak_of_the_same_program_type_and_icon(self):
+    def test_program_type_and_icon_agree(self):
         metainfo = xml.parse(DESKTOP / f"{ID}.metainfo.xml")
         mime = xml.parse(DESKTOP / f"{ID}.mime.xml").find(f"{MIME}mime-type")
         self.assertEqual(metainfo.findtext("id"), ID)
@@ -153,7 +153,7 @@ class Package(unittest.TestCase):
         clean = {"PATH": "/usr/bin:/bin", "HOME": self.folder.name, "LC_ALL": "C.UTF-8", "QT_QPA_PLATFORM": "offscreen"}
         return output(self.root / "usr/bin" / program, *arguments, code=code, env=clean, cwd=self.folder.name)
 
-    def test_everything_is_where_debian_has_it(self):
+    def test_files_are_in_debians_places(self):
         share = "usr/share"
         self.assertLessEqual(
             {"usr/bin/terratact", "usr/bin/terratact-console",
@@ -219,7 +219,7 @@ class Package(unittest.TestCase):
                 self.assertNotIn(place.encode(), content)
             self.assertNotRegex(output("readelf", "-d", program), "RPATH|RUNPATH")
 
-    def test_what_is_compressed_has_no_time(self):
+    def test_compressed_files_have_no_time_stamp(self):
         for name in ("man/man1/terratact.1.gz", "man/man1/terratact-console.1.gz", "doc/terratact/changelog.gz"):
             content = (self.root / "usr/share" / name).read_bytes()
             self.assertEqual(content[4:8], bytes(4))

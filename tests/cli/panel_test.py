@@ -30,7 +30,7 @@ class Panel(unittest.TestCase):
             self.assertEqual(said.count("\n"), 1, said)
 
     @unittest.skipIf(CHIPS, "this computer has GPIO chips")
-    def test_a_computer_without_gpio_is_told_so(self):
+    def test_a_computer_without_gpio_is_reported(self):
         for arguments in ((), ("--lamps",), ("--watch", "--seconds", "1")):
             said = complaint("panel", "check", EXAMPLE, *arguments)
             self.assertIn("no GPIO chip labelled 'pinctrl-bcm2711'", said)

@@ -85,7 +85,7 @@ class Recover(Damaged):
         self.assertRegex(said, r"lost +\d+ batch|left out|draws are not whole")
         self.assertGreater(frames_in(out), frames_in(self.drive) // 2)
 
-    def test_without_its_first_page_all_else_is_there(self):
+    def test_losing_the_first_page_keeps_all_else(self):
         said, out = self.recovered(self.damaged(lambda data, page: bytes(page) + data[page:]))
         self.assertNotIn("lost", said)
         self.assertEqual(frames_in(out), frames_in(self.drive))
@@ -96,7 +96,7 @@ class Recover(Damaged):
         self.assertEqual(frames_in(out), frames_in(self.drive))
         self.assertIn("0 with another verdict", run("session", "what-if", out))
 
-    def test_nothing_saved_is_an_error_that_says_so(self):
+    def test_an_empty_recovery_is_an_error(self):
         cut = self.damaged(lambda data, page: data[:2 * page])
         for path in (cut, pathlib.Path(CLI)):
             said = complaint("session", "recover", path, "--out", self.path / "new.tts")
@@ -133,7 +133,7 @@ class Recover(Damaged):
 
 
 class WithoutJournal(Damaged):
-    def test_a_main_file_alone_says_what_is_missing(self):
+    def test_a_main_file_alone_names_its_journal(self):
         make("long", self.path / "open.tts")
         alone = pathlib.Path(shutil.copy(self.path / "open.tts", self.path / "alone.tts"))
         for command, code in (("info", 0), ("verify", 1)):
@@ -216,7 +216,7 @@ class NothingCanBeWritten(Damaged):
         self.assertEqual(sorted(p.name for p in self.there.iterdir()), ["crashed.tts", "crashed.tts-wal"])
         self.assertEqual(len((self.out / "a.csv").read_text().splitlines()), 501)
 
-    def test_recover_makes_a_closed_one_elsewhere(self):
+    def test_recover_writes_a_closed_session_elsewhere(self):
         self.assertIn("neither it nor its folder can be written",
                       self.as_nobody("session", "recover", self.session, code=1))
         said = self.as_nobody("session", "recover", self.session, "--out", self.out / "closed.tts")
@@ -289,7 +289,7 @@ class Hostile(Damaged):
                                      ("UPDATE settings SET chains = 8, burn_in = 10000000",))
         self.assertIn("80000000 to be thrown away, and at most 2000000", self.check(path, "what-if", codes=(1,))[0])
 
-    def test_what_if_ends_with_a_word_at_ctrl_c(self):
+    def test_what_if_ends_with_a_message_at_ctrl_c(self):
         path = hostile_files.changed(
             self.drive, self.path / "slow.tts",
             ("UPDATE settings SET chains = 1, burn_in = 1900000, method = 'pafc', inducing = 0, stop_early = 0",))

@@ -135,7 +135,7 @@ class OtherPrograms(Session):
         self.assertEqual(again.read_text(), self.export("drive.log").read_text())
         self.assertIn("is never replaced", complaint("session", "import", again, "--out", out))
 
-    def test_of_a_torn_log_the_whole_lines_are_taken(self):
+    def test_whole_lines_of_a_torn_log_are_imported(self):
         log = self.export("drive.log")
         log.write_text(log.read_text()[:-6])
         out = self.path / "torn.tts"
@@ -176,13 +176,13 @@ class OtherPrograms(Session):
             self.assertEqual(file.execute("SELECT hex(data), flags FROM can_frame").fetchall(), [(data, 64 << 8 | 8)])
             file.close()
 
-    def test_the_own_asc_makes_the_same_session(self):
+    def test_our_asc_makes_the_same_session(self):
         out = self.path / "asc.tts"
         run("session", "import", self.export("drive.asc"), "--out", out)
         self.assertEqual([frame[1:] for frame in frames_of(out)], [frame[1:] for frame in frames_of(self.drive)])
 
     @unittest.skipUnless(can, "python-can is not installed")
-    def test_what_python_can_writes_is_read(self):
+    def test_files_of_python_can_are_read(self):
         messages = [can.Message(timestamp=1e9 + 0.25 * i, arbitration_id=i, is_extended_id=i > 2, is_rx=True,
                                 data=bytes(range(i)), channel=0) for i in range(1, 9)]
         for writer, name in ((can.ASCWriter, "p.asc"), (can.TRCWriter, "p.trc"), (can.CSVWriter, "p.csv"),
@@ -211,7 +211,7 @@ class Tables(Session):
         self.assertEqual([(int(r["__time"].replace(".", "")), int(r["id"]), bytes.fromhex(r["data"])) for r in frames],
                          frames_of(self.drive))
 
-    def test_a_window_holds_what_lies_in_it(self):
+    def test_a_time_window_selects_its_rows(self):
         part = rows(self.export("part.csv", "--from", "2", "--to", "3.5"))
         inside = [f for f in frames_of(self.drive) if 2e9 <= f[0] - BEGIN * 10**9 <= 3.5e9]
         self.assertEqual([int(r["__time"].replace(".", "")) for r in part], [f[0] for f in inside])
@@ -417,14 +417,14 @@ class McapFile(Session):
 
 
 class Tampering(Session):
-    def test_what_holds_says_so_and_names_its_last_link(self):
+    def test_a_valid_session_says_so_with_its_last_link(self):
         text = run("session", "verify", self.drive)
         link = re.search(r"last link ([0-9a-f]{64})", text)[1]
         run("session", "verify", self.drive, "--link", link)
         self.assertIn("sessions do not hold", complaint("session", "verify", self.drive, "--link", "0" * 64))
         self.assertIn(link, run("session", "info", self.drive))
 
-    def test_what_was_changed_is_found_in_its_batch(self):
+    def test_changes_are_found_in_their_batch(self):
         for sql in ("UPDATE can_frame SET data = x'0011223344556677' WHERE seq = 700",
                     "DELETE FROM can_frame WHERE seq = 700",
                     "UPDATE estimate_bin SET height_m = height_m + 0.1 WHERE bin = 9",
@@ -436,13 +436,13 @@ class Tampering(Session):
                 self.assertRegex(done, r"DOES NOT HOLD")
                 self.assertRegex(done, r"damage +2026-10-26 .* UTC \(\d+\.\d+ s\) to \d+\.\d+ s: ")
 
-    def test_a_broken_chain_says_from_where_on(self):
+    def test_a_broken_chain_says_where_it_breaks(self):
         copy = self.copy()
         change(copy, "UPDATE batch SET t_last = t_last + 1 WHERE id = 12")
         text = run("session", "verify", copy, code=1)
         self.assertRegex(text, r"broken +from batch 12 on nothing is proven: 2026-10-26 .* UTC \(\d+\.\d+ s\)")
 
-    def test_what_was_cut_off_shows_by_the_link(self):
+    def test_truncation_is_found_by_the_last_link(self):
         copy = self.copy()
         link = re.search(r"last link ([0-9a-f]{64})", run("session", "verify", copy))[1]
         last, frame = sqlite3.connect(copy).execute(
@@ -472,7 +472,7 @@ class Tampering(Session):
         self.assertEqual([p.name for p in self.path.iterdir()], ["open.tts"])
         self.assertNotIn("not closed", run("session", "verify", path))
 
-    def test_what_is_no_session_is_named(self):
+    def test_files_that_are_no_sessions_are_refused(self):
         path = self.path / "no.tts"
         path.write_text("no session")
         for command in ("info", "recover"):
@@ -516,13 +516,13 @@ class Merging(Session):
 
 
 class WhatIf(Session):
-    def test_what_was_recorded_comes_out_again_bit_for_bit(self):
+    def test_recorded_estimates_are_reproduced_bit_for_bit(self):
         text = run("session", "what-if", self.drive)
         self.assertEqual(text.count("reproduced bit for bit"), text.count(": estimate "))
         self.assertIn("later probes against the bands before them", text)
         self.assertIn("against the truth", text)
 
-    def test_the_shipped_session_comes_out_again(self):
+    def test_the_shipped_session_is_reproduced(self):
         text = run("session", "what-if", f"{SOURCE}/resources/sessions/demo.tts")
         self.assertGreaterEqual(text.count(": estimate "), 2)
         self.assertEqual(len(re.findall(r"reproduced (?:bit for bit|but for the last bits)", text)),
@@ -542,7 +542,7 @@ class WhatIf(Session):
         counts = [int(line.split()[1]) for line in lines]
         self.assertEqual(counts[2], counts[0] + counts[1])
 
-    def test_other_settings_show_what_moves(self):
+    def test_other_settings_show_the_differences(self):
         out = self.path / "what_if.csv"
         text = run("session", "what-if", self.drive, "--estimate", 1, "--method", "local", "--out", out)
         self.assertIn("pafc: now local", text)
@@ -552,14 +552,14 @@ class WhatIf(Session):
         self.assertIn("moved most at", text)
         self.assertIn(f"by {worst:.0f} mm", text)
 
-    def test_an_estimate_that_was_not_computed_so_is_found(self):
+    def test_a_falsified_estimate_is_found(self):
         """The recorder itself writes a false estimate, so all hashes are valid."""
         path = self.path / "lie.tts"
         make("lie", path)
         run("session", "verify", path)
         self.assertIn("NOT reproduced", run("session", "what-if", path, "--estimate", 2, code=1))
 
-    def test_a_model_that_is_not_there_is_asked_for(self):
+    def test_a_missing_model_is_requested(self):
         make("rows", self.path / "rows.tts")
         self.assertIn("rows.tts", complaint("session", "what-if", self.path / "rows.tts"))
 
