@@ -142,7 +142,7 @@ void printFault(const TriedFault& fault, const FaultRow& row)
     std::fflush(stdout);
 }
 
-/// Returns true if the fault raises the error by more than 5 mm, or lowers the coverage by more than 10 points.
+/// Returns true if the fault adds more than 5 mm of error, or removes more than 10 points of coverage.
 bool harms(const FaultRow& row, const FaultRow& sound)
 {
     const ErrorStatistics with = statistics(row.all), without = statistics(sound.all);

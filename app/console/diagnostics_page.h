@@ -61,9 +61,7 @@ QList<DiagnosticsSection> consoleDiagnostics(const ConsoleFacts& facts, const Lo
 /// Returns the resident memory of this process [B]; 0 if unknown.
 double residentMemory();
 
-/// Returns the sections as text for a report: "Title
-/// name: value
-/// …".
+/// Returns the sections as text for a report: "Title\n  name: value\n…".
 QString plainText(const QList<DiagnosticsSection>& sections);
 
 /// Facts for remote support; a button copies them as text.

@@ -76,8 +76,7 @@ PresetTable shippedPresets()
     return presets ? *presets : PresetTable{};
 }
 
-/// Returns "Absolem: robots/absolem.toml
-/// file of 2026-01-31, 1234 bytes; content 0123456789abcdef".
+/// Returns "Absolem: robots/absolem.toml\nfile of 2026-01-31, 1234 bytes; content 0123456789abcdef".
 QString fileDetails(const RobotFile& robot)
 {
     const QFileInfo file(QString::fromStdString(robot.path));

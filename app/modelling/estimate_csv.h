@@ -9,8 +9,8 @@
 namespace terratact {
 
 /// Returns estimates as CSV, one row per scene and bin:
-/// run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note,height_m,p_step,
-/// p_step_sd,two_modes,novelty,draws,ending,touch,horizon_m,verdict
+///   run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note,height_m,p_step,
+///   p_step_sd,two_modes,novelty,draws,ending,touch,horizon_m,verdict
 /// height_m: point estimate to show; p_step: probability that this bin and the next differ by more than kStepLimit;
 /// p_step_sd: its Monte-Carlo error; two_modes: 1 if the draws are bimodal; draws, ending: number of draws and why
 /// sampling ended (Ending); note: the result's warnings.

@@ -22,7 +22,7 @@ struct MethodTime {
 // CSV files. The column `method` holds the label; lengths are in metres, shares are fractions of 1.
 
 /// One row per method, scene and bin:
-/// run,t_s,method,bin_m,error_m,abs_error_m,in_band,source,crps_m,pit,in_50,in_95,width_m,novelty
+///   run,t_s,method,bin_m,error_m,abs_error_m,in_band,source,crps_m,pit,in_50,in_95,width_m,novelty
 /// error_m: height − truth; in_band, in_50, in_95: 1 if the truth is in the 80, 50, 95 % band; width_m: width of the 80
 /// % band; novelty: empty if not computed.
 /// Throws std::invalid_argument if an error's scene is not among the scenes.
@@ -32,7 +32,7 @@ std::string errorsCsv(std::span<const BinError> errors, std::span<const Scene> s
 std::string fig8Csv(std::span<const ErrorHistogram> histograms);
 
 /// One row per method and bin:
-/// method,bin_m,n,q1_m,median_m,q3_m,mean_m,coverage,sampled,sampled_coverage,crps_m
+///   method,bin_m,n,q1_m,median_m,q3_m,mean_m,coverage,sampled,sampled_coverage,crps_m
 /// Quartiles and mean are those of |error|. coverage: of the 80 % band; sampled_coverage: of sampled bins only. Bins
 /// without errors have no row.
 std::string fig9Csv(std::span<const MethodSummary> summaries);
@@ -44,8 +44,8 @@ std::string pitCsv(std::span<const ErrorHistogram> histograms);
 std::string coverageCsv(std::span<const MethodSummary> summaries);
 
 /// One row per method over all bins. Intervals are 95 %, and empty for fewer than kMinRuns drives:
-/// method,n,drives,near_median_m,near_median_low_m,near_median_high_m,median_m,…,mean_m,…,crps_m,…,
-/// coverage,…,coverage_50,coverage_95,width_m,scene_s
+///   method,n,drives,near_median_m,near_median_low_m,near_median_high_m,median_m,…,mean_m,…,crps_m,…,
+///   coverage,…,coverage_50,coverage_95,width_m,scene_s
 std::string scoresCsv(std::span<const MethodSummary> summaries,
                       std::span<const Confidence> confidences, std::span<const MethodTime> times);
 
@@ -53,11 +53,11 @@ std::string scoresCsv(std::span<const MethodSummary> summaries,
 std::string groupsCsv(std::string_view kind, std::span<const GroupSummary> groups);
 
 /// One row per method and place, with the interval of scoresCsv:
-/// method,place,n,observed_share,brier,brier_low,brier_high,reliability,resolution,uncertainty
+///   method,place,n,observed_share,brier,brier_low,brier_high,reliability,resolution,uncertainty
 std::string brierCsv(std::span<const BrierSummary> summaries);
 
 /// One row per method, place and non-empty class of forecasts:
-/// method,place,from,to,n,mean_forecast,observed_share
+///   method,place,from,to,n,mean_forecast,observed_share
 std::string reliabilityCsv(std::span<const BrierSummary> summaries);
 
 /// One row per method and rule:

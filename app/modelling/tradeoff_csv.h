@@ -11,8 +11,8 @@
 namespace terratact {
 
 /// Returns one line per point:
-/// method,varied,draws,chains,burn_in,precision,inducing,used,converged,ms,mean_off_mm,
-/// quantile_off_mm,error_mm,crps_mm,front_reference,front_truth
+///   method,varied,draws,chains,burn_in,precision,inducing,used,converged,ms,mean_off_mm,
+///   quantile_off_mm,error_mm,crps_mm,front_reference,front_truth
 /// draws: maximum; used: median of the draws taken; converged: share of scenes. front_reference: 1 on the Pareto front
 /// of time and quantile_off of its method. front_truth: 1 on the Pareto front of time and error of all methods.
 std::string tradeoffCsv(std::span<const TradePoint> points);

@@ -32,8 +32,8 @@ public:
     /// Returns the contact threshold [N]: that of the estimate, if there was one.
     static double threshold(const ReviewMoment& moment, const Preferences& preferences);
 
-    /// Returns the state of the terrain page. whatIf: an estimate of the same scene with other settings, shown as the
-    /// second estimate. The result points into `moment`, `whatIf` and this object; it is valid until the next call.
+    /// Returns the state of the terrain page. whatIf: the same scene with other settings; the page shows it as second
+    /// estimate. The result points into `moment`, `whatIf` and this object; it is valid until the next call.
     TerrainViewState terrain(const ReviewMoment& moment,
                              const std::optional<TerrainEstimate>& whatIf,
                              const Preferences& preferences);

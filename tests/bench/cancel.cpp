@@ -1,7 +1,7 @@
 // Measures how long "cancel" waits for an estimate, for probe advice and for training. The wait is the longest work
-// between two polls of the watch [ms of processor time], in a first estimate (which factorises the model's processes)
-// and a later one. It also measures work that no poll can divide: the first touch of a page of 2 MiB, which a virtual
-// machine may request from its host.
+// between two polls of the watch [ms of processor time]. It is measured in a first estimate, which factorises the
+// model's processes, and in a later one. The first touch of a page of 2 MiB is measured, too. No poll can divide it,
+// and a virtual machine may have to ask its host.
 #include <benchmark/benchmark.h>
 #include <cblas.h>
 

@@ -1,10 +1,10 @@
 // Measures training's likelihood and gradient, on data of another program or over a range of sizes.
-// terratact-bench-likelihood data FILE REPEATS   CPU ms of the fastest of REPEATS, the value, the gradient
-// terratact-bench-likelihood growth U...         CPU ms and memory per size, in increasing order, and the exponents
-// terratact-bench-likelihood train SCENES ROWS   seconds for the paper's 22 processes, on all cores
-// terratact-bench-likelihood sparse SCENES ROWS TEST BIN M...
-// one bin's process, exact and through M rows: CPU s to make it, errors on the scenes of TEST; then exact
-// with hyper-parameters searched on all rows: ten minutes for 11200 rows
+//   terratact-bench-likelihood data FILE REPEATS   CPU ms of the fastest of REPEATS, the value, the gradient
+//   terratact-bench-likelihood growth U...         CPU ms and memory per size, in increasing order, and the exponents
+//   terratact-bench-likelihood train SCENES ROWS   seconds for the paper's 22 processes, on all cores
+//   terratact-bench-likelihood sparse SCENES ROWS TEST BIN M...
+//       one bin's process, exact and through M rows: CPU s to make it, errors on the scenes of TEST; then exact
+//       with hyper-parameters searched on all rows: ten minutes for 11200 rows
 // FILE: 64-bit little-endian: U, d (integers); X row by row, y, ℓ, σ_f, σ_n (doubles).
 // All except train use one thread. Results depend on the machine; training.sh runs all of them.
 #include <sys/resource.h>

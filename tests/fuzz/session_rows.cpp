@@ -64,7 +64,7 @@ struct Bytes {
     }
 };
 
-/// Writes one value into a column of one row; a value that SQLite rejects, such as a wrong type, changes nothing.
+/// Writes one value into a column of one row. A value that SQLite rejects, such as a wrong type, changes nothing.
 void put(sqlite3* db, const std::string& table, Bytes& bytes)
 {
     sqlite3_stmt* columns = nullptr;

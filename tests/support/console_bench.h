@@ -140,7 +140,7 @@ struct Console : testing::Test {
         return {widget.mapToGlobal(QPoint(0, 0)), widget.size()};
     }
 
-    /// Checks every screen and font size: nothing is cut, and the font is at least as large as was achieved before.
+    /// Checks every screen and font size. Nothing may be cut, and the font must be as large as was achieved before.
     void fitsEveryScreen(const char* state, std::initializer_list<int> letters)
     {
         struct Screen {

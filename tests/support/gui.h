@@ -161,7 +161,7 @@ private:
 
 inline constexpr int kHeaderFrame = 10;  // [px] padding and border around a column's name
 
-/// Returns the texts of visible cells that are too low, or too narrow without a tip that has all of the text.
+/// Returns the texts of visible cells that are too low, or too narrow without a tip with the text.
 inline std::vector<std::string> cutCells(const QTableView& table)
 {
     constexpr int kFrame = 2;  // [px] margin of sizeHintForIndex() that may be cut
@@ -313,9 +313,9 @@ inline std::vector<std::string> cramped(const QWidget& window)
     return found;
 }
 
-/// Paints a widget at one pixel per point. Returns a null image, without painting, if coordinates are not finite or far
-/// outside (PaintWatch), because Qt may need seconds for them. A null image is also returned if painting takes this
-/// thread too long.
+/// Paints a widget at one pixel per point. Returns a null image without painting if coordinates are not finite or far
+/// outside (PaintWatch). Qt may need seconds for them. A null image is also returned if painting takes this thread too
+/// long.
 inline QImage painted(QWidget& widget)
 {
     PaintWatch watch(widget.size());
@@ -329,7 +329,7 @@ inline QImage painted(QWidget& widget)
     return threadMilliseconds() - began < kMaxLength ? image : QImage();
 }
 
-/// Waits until a widget looks the same in ten rounds of the event loop, so that layout and colours are final. Not for
+/// Waits until a widget looks the same in ten rounds of the event loop. Layout and colours are then final. Not for
 /// widgets with live content.
 inline void settle(QWidget& widget)
 {

@@ -9,7 +9,7 @@
 namespace terratact {
 
 /// Conditionals whose mean is linear in the other bins, each with one sd:
-/// xᵢ | x_{J∖i} ~ N(interceptᵢ + Σ_j weights_ij x_j, sdᵢ²).
+///   xᵢ | x_{J∖i} ~ N(interceptᵢ + Σ_j weights_ij x_j, sdᵢ²).
 /// Chains start from N(startMeanᵢ, startSdᵢ²).
 class LinearConditionals : public Conditionals {
 public:

@@ -1,11 +1,11 @@
 // Makes sessions for the tests of the command line: make_session KIND OUT. KIND is one of
-// rows   500 meaningless frames, and rows of every kind
-// drive  a simulated drive with two explorations
-// moves  a drive with four explorations a few centimetres apart
-// later, moves-later   the same drives, a minute later
-// lie    the same drive, every height recorded 1 mm too high
-// open   like rows, as left by a program that died
-// long   like open, with 6000 frames
+//   rows   500 meaningless frames, and rows of every kind
+//   drive  a simulated drive with two explorations
+//   moves  a drive with four explorations a few centimetres apart
+//   later, moves-later   the same drives, a minute later
+//   lie    the same drive, every height recorded 1 mm too high
+//   open   like rows, as left by a program that died
+//   long   like open, with 6000 frames
 #include <cblas.h>
 #include <unistd.h>
 

@@ -247,8 +247,8 @@ private:
     std::optional<Measurement> latest_;
 };
 
-/// Records a drive to a step with two explorations, each with a probe: by `pafc` on flat ground, and by `local` before
-/// the step. Sealed.
+/// Records a drive to a step with two explorations, each with a probe. The first is by `pafc` on flat ground, the
+/// second by `local` before the step. Sealed.
 inline void recordDrive(const std::string& path, const RecordedDrive::Options& options = {})
 {
     RecordedDrive drive(path, TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml",

@@ -18,9 +18,9 @@ public:
     /// truth. Throws std::invalid_argument if a size differs from the first call or from L.
     void add(const Eigen::VectorXd& truth, const Eigen::MatrixXd& draws);
 
-    /// Returns the probability that a correct sampler gives ranks at least this uneven. It is the smallest p-value of
-    /// the quantities' chi-square tests against equal counts (L degrees of freedom), times their number (Bonferroni),
-    /// at most 1.
+    /// Returns the probability that a correct sampler gives ranks at least this uneven. Each quantity has a chi-square
+    /// test against equal counts (L degrees of freedom). The result is the smallest p-value times their number
+    /// (Bonferroni), at most 1.
     double pValue() const;
 
 private:
@@ -34,17 +34,16 @@ struct SimulatedSet {
     GibbsProblem problem;
 };
 
-/// Simulation-based calibration: where truth and data are drawn from the model that the sampler assumes, the
-/// rank of any quantity of the truth among those of L independent draws of its posterior is uniform on
-/// 0 … L.
+/// Simulation-based calibration. Truth and data are drawn from the model that the sampler assumes. The rank of any
+/// quantity of the truth among those of L independent posterior draws is then uniform on 0 … L.
 ///   simulate    draws the truth and the problem of the next set; chains, sweeps and seed are set here
 ///   sample      the sampler under test
-///   quantities  what is ranked, of truth and draws; needs one that relates unknown and known bins: the ranks
-///               of the heights alone are uniform too for a sampler that ignores what is known
-/// L = `draws` chains of which one draw is kept each, after `burnIn` sweeps: independent by construction,
-/// so nothing needs thinning.
-/// Source: Talts, Betancourt, Simpson, Vehtari, Gelman, arXiv:1804.06788 (2018), Algorithm 1; quantities that
-/// see the data: Modrák et al., "Simulation-based calibration checking for Bayesian computation", 2023.
+///   quantities  functions of truth and draws that are ranked. At least one must relate unknown and known bins, because
+///               the ranks of heights alone are uniform even if a sampler ignores the known bins
+/// L = `draws` chains give one draw each after `burnIn` sweeps. They are independent by construction and need no
+/// thinning.
+/// Source: Talts, Betancourt, Simpson, Vehtari, Gelman, arXiv:1804.06788 (2018), Algorithm 1. Quantities that depend on
+/// the data: Modrák et al., "Simulation-based calibration checking for Bayesian computation", 2023.
 RankHistograms calibrationRanks(int sets, int draws, int burnIn,
                                 const std::function<SimulatedSet()>& simulate,
                                 const std::function<GibbsDraws(const GibbsProblem&)>& sample,

@@ -42,10 +42,10 @@ struct ArmTip {
 };
 
 /// Draws a TerrainEstimate: mean line, bars between the 0.1 and 0.9 quantiles, and ceilings. The robot's side view has
-/// the IMU at the origin. The scale is equal in x and z at every size, so a step looks as steep as it is.
-/// Bins differ by shape, bar pattern and colour, and by a letter where the legend has no room (provenance_marks.h):
-/// contact = square, arm = triangle, constrained = inverted triangle, sampled = circle, prior only = open diamond in an
-/// amber zone. A bin with bimodal draws shows both heights.
+/// the IMU at the origin. The scale is equal in x and z at every size, so a step looks as steep as it is. Bins differ
+/// by shape, bar pattern and colour (provenance_marks.h). Contact = square, arm = triangle, constrained = inverted
+/// triangle, sampled = circle, prior only = open diamond in an amber zone. Letters mark the bins where the legend has
+/// no room. A bin with bimodal draws shows both heights.
 /// The bin under the pointer, or selected with the arrow keys, is shown in detail. Values that are not finite or beyond
 /// 100 m are left out. GUI thread only.
 class TerrainProfileView final : public QwtPlot {

@@ -293,8 +293,7 @@ private:
     std::shared_ptr<std::atomic<pid_t>> thread_;
 };
 
-/// Returns the time [s] that a thread of this process waited for a processor, from the kernel's accounting; 0 if
-/// unknown.
+/// Returns how long [s] a thread of this process waited for a processor, by the kernel's accounting; 0 if unknown.
 double keptWaiting(pid_t thread)
 {
     std::ifstream file("/proc/self/task/" + std::to_string(thread) + "/schedstat");

@@ -69,7 +69,7 @@ const QRegularExpression& namesOfTheBus()
     return kNames;
 }
 
-/// Returns true if a text may be the same as in English: it has only names, units, files and shared words.
+/// Returns true if a text may equal the English one, because it has only names, units, files and shared words.
 bool isSameEverywhere(const std::string& text)
 {
     static const QRegularExpression kNames(

@@ -1,7 +1,7 @@
 // Takes a picture of every state of the console, in the order of a mission. Pictures are saved only if
 // TERRATACT_PICTURES is set:
-// TERRATACT_PICTURES=DIR build/release/tests/app.console.screens_test && tests/app/contact_sheet.sh DIR
-// TERRATACT_LANGUAGE=en: only this language.
+//   TERRATACT_PICTURES=DIR build/release/tests/app.console.screens_test && tests/app/contact_sheet.sh DIR
+//   TERRATACT_LANGUAGE=en: only this language.
 #include <QPushButton>
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,5 @@
-// Measures the cost of the whole console: on a full bus with estimates and recording, with telemetry alone, and at
-// start. TERRATACT_SOAK_SECONDS sets the duration. Only then do the promised limits apply, on an idle machine with two
-// cores.
+// Measures the cost of the whole console: on a full bus with estimates and recording, with telemetry alone, at start.
+// TERRATACT_SOAK_SECONDS sets the duration. Only then do the promised limits apply, on an idle machine with two cores.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
