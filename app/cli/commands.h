@@ -123,9 +123,8 @@ struct HazardsOptions {
     std::string robot, model;
     int drives = 40;         ///< number per kind of hazard and ground
     double stepLimit = 0.1;  ///< [m]
-    std::vector<double>
-        /// Hazard rates per unfelt bin; the last one is printed in full. Empty: the defaults.
-        rates;
+    /// Hazard rates per unfelt bin; the last one is printed in full. Empty: the defaults.
+    std::vector<double> rates;
     Settings settings;
 };
 /// Drives simulated robots towards hazards and prints how often the verdict is wrong (app/modelling/hazard_trials.h).

@@ -95,10 +95,8 @@ public:
     ConsoleAlarms& alarms() { return *alarms_; }
     const LoopMeter& meter() const { return meter_; }
     void restartMeter();
-    void sayWhyNot(
-        const QString&
-            /// Reports why a key or button had no effect: as an event and in a temporary banner.
-            text);
+    /// Reports why a key or button had no effect: as an event and in a temporary banner.
+    void sayWhyNot(const QString& text);
     /// Requests a probe of the bin shown in detail, else of the best bin.
     void askProbe();
     AlarmsPage* alarmsPage() const { return alarmsPage_; }

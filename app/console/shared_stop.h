@@ -29,8 +29,8 @@ public:
 
 signals:
     void happened(const QString& text, terratact::Weight weight);
-    void taken(const QString&
-                   text);  ///< STOP was pressed elsewhere; Exploration::decided() records it, too
+    /// STOP was pressed elsewhere; Exploration::decided() records it, too.
+    void taken(const QString& text);
     void said(const QString& text);  ///< important text for a banner
 
 private:

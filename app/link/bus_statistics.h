@@ -46,8 +46,8 @@ struct FrameCount {
 /// Counts the frames of one bus.
 class BusStatistics {
 public:
-    static constexpr std::size_t kMaxKeys =
-        4096;  ///< bound of counts(); further kinds are counted together
+    /// Bound of counts(); further kinds are counted together.
+    static constexpr std::size_t kMaxKeys = 4096;
 
     void take(const CanFrame& frame, const FrameWords& words, double now);
 

@@ -15,8 +15,8 @@ namespace terratact {
 
 /// Protocol on the bus: ours (resources/dbc/terratact.dbc), or that of a real Absolem's drives.
 enum class CanProtocol : std::uint8_t { Terratact, Absolem };
-std::optional<CanProtocol>
-canProtocolFromName(std::string_view name);  ///< accepts "terratact", "absolem"
+/// Accepts "terratact", "absolem".
+std::optional<CanProtocol> canProtocolFromName(std::string_view name);
 
 /// A named value as text: "Pitch", "0.2100", "rad".
 struct NamedValue {

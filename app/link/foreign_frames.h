@@ -22,8 +22,8 @@ public:
     static constexpr double kMax = 60.0;
 
 private:
-    static constexpr double kSilence =
-        5.0;                         ///< an interval beyond this multiple of the usual is a silence
+    /// An interval beyond this multiple of the usual is a silence.
+    static constexpr double kSilence = 5.0;
     std::array<double, 16> last_{};  ///< [s] ring of the counted intervals
     std::size_t counted_ = 0, taken_ = 0;
     std::size_t silence_ = 0;  ///< number of the interval that was the newest silence; 0: none

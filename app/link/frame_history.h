@@ -22,8 +22,8 @@ struct BusLoad {
     double fewestBits = 0.0,
            mostBits = 0.0;     ///< [bit/s] bounds without and with the maximum stuff bits
     std::uint64_t frames = 0;  ///< since the bus was opened
-    std::array<std::uint64_t, kFrameTroubles>
-        troubles{};            ///< since the bus was opened, by FrameTrouble
+    /// Since the bus was opened, by FrameTrouble.
+    std::array<std::uint64_t, kFrameTroubles> troubles{};
     std::uint64_t beyond = 0;  ///< frames of unknown kinds beyond the table's bound
 };
 
@@ -45,8 +45,8 @@ public:
     void describe(std::shared_ptr<const DbcBook> book);
 
     BusLoad load() const;
-    std::vector<TappedFrame>
-    frames(double now) const;  ///< frames of the protocol, then ForeignFrames
+    /// Returns frames of the protocol, then ForeignFrames.
+    std::vector<TappedFrame> frames(double now) const;
     /// Returns the time [s] since the last usable frame of a kind; empty if there was none.
     std::optional<double> age(FrameKind kind, double now) const;
     std::vector<TracedFrame> trace() const;  ///< oldest first

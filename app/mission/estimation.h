@@ -102,8 +102,8 @@ public:
     const std::optional<TerrainEstimate>& live() const { return live_; }  ///< the live preview
     /// Returns the last estimate moved by odometry until a new one exists. It affects no decision.
     std::optional<Ghost> ghost() const;
-    QString whyNoGhost()
-        const;  ///< reason of the last estimate; empty: there is a ghost, or was no estimate
+    /// Reason of the last estimate; empty: there is a ghost, or was no estimate.
+    QString whyNoGhost() const;
     /// Returns every probe with the band shown before it, since the console started.
     const CalibrationLedger& ledger() const { return ledger_; }
     const ModelInUse& model() const { return model_; }
@@ -181,9 +181,8 @@ private:
     bool unadvised_ = false;  ///< offered() waits for advice with the present step limit
     QString whyNone_;
     std::optional<Method> secondMethod_;
-    std::vector<Processes>
-        /// Processes made by the worker; while warmUpJob_ runs, the last entry is in progress.
-        made_;
+    /// Processes made by the worker; while warmUpJob_ runs, the last entry is in progress.
+    std::vector<Processes> made_;
     std::uint64_t previewed_ = 0;  ///< count of the sample in the newest preview
 
     CalibrationLedger ledger_;

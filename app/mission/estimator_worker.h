@@ -23,8 +23,8 @@ struct EstimateRequest {
     Measurement measurement;
     std::vector<ArmReading> arm;
     Settings settings;
-    std::optional<RobotModel>
-        prober{};  ///< robot whose arm may probe: advised() follows; empty: no advice
+    /// Robot whose arm may probe: advised() follows; empty: no advice.
+    std::optional<RobotModel> prober{};
     double stepLimit = kStepLimit;  ///< [m] obstacle height for the advice
     double seconds = 0.0;           ///< time limit of the sampling; 0: no limit
     /// Only prepares the Gaussian processes of a sampling method; the estimate is empty.

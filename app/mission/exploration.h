@@ -35,12 +35,12 @@ public:
         ProbePolicy probes = ProbePolicy::Variance;
         double pressTorque = 18.0;  ///< [N m] sum of both front flippers
         double driveSpeed = 0.2;    ///< [m/s]
-        double linkLostAfter =
-            kLinkLostAfter;  ///< [s] telemetry watchdog: longer silence means a lost link
+        /// [s] telemetry watchdog: longer silence means a lost link.
+        double linkLostAfter = kLinkLostAfter;
         double staleAfter = kStaleAfter;  ///< [s] older telemetry is stale: no verdict, no ghost
         double probeSeconds = 45.0;       ///< expected duration of a probe, shown to the operator
-        std::string
-            groundFile;  ///< ground file of the simulated robot; empty: ground without a file
+        /// Ground file of the simulated robot; empty: ground without a file.
+        std::string groundFile;
     };
 
     /// link: the same source if its robot needs arming; else null.
@@ -73,8 +73,8 @@ public:
     void stop();
     void stopFrom(const QString& where);  ///< the same, with a text about the origin of the press
     void releaseStop();
-    void
-    setSettings(const Settings& settings);  ///< settings of following estimates; the seed stays
+    /// Settings of following estimates; the seed stays.
+    void setSettings(const Settings& settings);
     void leave();  ///< call when the window closes: halts motion commanded from here
 
     /// Polls all inputs. now: steady clock [s].
@@ -185,8 +185,8 @@ private:
     double driveBegan_ = 0.0;                  ///< [s]
     bool releasing_ = false;
     double stopBegan_ = 0.0, stopSent_ = 0.0, releaseBegan_ = 0.0;  ///< [s]
-    bool stopConfirmed_ =
-        false;             ///< the robot has confirmed STOP; missing telemetry does not revoke it
+    /// The robot has confirmed STOP; missing telemetry does not revoke it.
+    bool stopConfirmed_ = false;
     QString stopTrouble_;  ///< reason that the newest STOP was not sent
 
     double approvedAt_ = 0.0;              ///< [s]

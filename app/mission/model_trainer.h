@@ -18,8 +18,8 @@ namespace terratact {
 /// Share of the machine that training may use beside the live console.
 struct TrainingLoad {
     int threads = 1;  ///< maximum
-    int nice =
-        19;  ///< nice value of the training threads: 0, like the console, … 19, lowest priority
+    /// Nice value of the training threads: 0, like the console, … 19, lowest priority.
+    int nice = 19;
 };
 
 /// Returns all processors but one (at least one), at the lowest priority.
@@ -33,8 +33,8 @@ struct TrainingProgress {
         std::optional<double> logLikelihood;
         bool operator==(const Cell&) const = default;
     };
-    std::array<std::array<Cell, kTrainingKinds.size()>, kBins>
-        cells{};           ///< state of the newest training
+    /// State of the newest training.
+    std::array<std::array<Cell, kTrainingKinds.size()>, kBins> cells{};
     double share = 0.0;    ///< 0 … 1 of the running work
     double seconds = 0.0;  ///< since its start
     bool operator==(const TrainingProgress&) const = default;

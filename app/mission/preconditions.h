@@ -26,13 +26,13 @@ public:
     static Precondition groundNotKnown();  ///< ground and the robot's pose on it are unknown
     static Precondition arming(const QString& whyNot);  ///< empty: the robot is armed
     static Precondition model(const ModelInUse& model);
-    static Precondition
-    released(bool latched, bool heard);  ///< STOP as a precondition of commands that it blocks
+    /// STOP as a precondition of commands that it blocks.
+    static Precondition released(bool latched, bool heard);
     static Precondition nothingToRelease();
     static Precondition noProbeProposed();
     static Precondition notExploring(bool explores);
-    static Precondition
-    stands(bool asThen);               ///< the proposal still has the data that was shown with it
+    /// The proposal still has the data that was shown with it.
+    static Precondition stands(bool asThen);
     static Precondition armIsOut();    ///< the robot reports that it probes
     static Precondition wasUnheard();  ///< telemetry was missing since the estimate
     static Precondition stopConfirmed(bool confirmed, bool heard);
@@ -53,8 +53,8 @@ public:
     QStringList overrideDoubts(const Measurement& measurement, const Settings& settings);
     /// Ends overrides whose contradiction has ended or grown too much. Returns the reasons as text.
     QStringList endOverrides(const Measurement& measurement, const Settings& settings);
-    QStringList
-    overridden() const;  ///< overridden contradictions as text, with their values at that time
+    /// Overridden contradictions as text, with their values at that time.
+    QStringList overridden() const;
 
 private:
     enum Kind { kRoll, kAsymmetry, kKinds };

@@ -35,8 +35,8 @@ public:
     /// Returns what to propose for the present estimate, which must exist.
     ProbeOffer offer() const;
 
-    std::optional<ProbeProposal>
-    best() const;  ///< bestProbe() of the present estimate; empty without one
+    /// Returns bestProbe() of the present estimate; empty without one.
+    std::optional<ProbeProposal> best() const;
 
     /// Proposes a bin of the present estimate, which must exist; replaces the last proposal.
     void propose(int bin);

@@ -62,9 +62,8 @@ struct TrainingStep {
     TrainingKind kind = TrainingKind::Paf;
     int bin = 0;
     TrainingEvent event = TrainingEvent::Begun;
-    std::optional<double>
-        /// log p(y | X) of the last rows of the hyperparameter search, if kept.
-        logLikelihood;
+    /// log p(y | X) of the last rows of the hyperparameter search, if kept.
+    std::optional<double> logLikelihood;
     int stageTotal = 0;  ///< bins × kinds of this stage
     double share = 0.0;  ///< 0 … 1, estimated share of the work of all stages
 };

@@ -29,8 +29,8 @@ class PreferenceStore;
 struct DbcReading {
     std::vector<DbcMessage> protocol;  ///< empty: its file could not be used
     std::shared_ptr<const DbcBook> book;
-    std::vector<std::pair<QString, std::optional<std::size_t>>>
-        files;                          ///< files in use as text; empty: none
+    /// Files in use as text; empty: none.
+    std::vector<std::pair<QString, std::optional<std::size_t>>> files;
     std::vector<std::string> troubles;  ///< one sentence each
 };
 

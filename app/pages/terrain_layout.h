@@ -92,8 +92,8 @@ private:
     QBoxLayout* rows_ = nullptr;    ///< terrain and decisions, the cards below
     QBoxLayout* upper_ = nullptr;   ///< the terrain and the decisions
     QBoxLayout* column_ = nullptr;  ///< column of the decisions
-    QSpacerItem* question_ =
-        nullptr;  ///< reserves the height of a probe proposal beside the decisions
+    /// Reserves the height of a probe proposal beside the decisions.
+    QSpacerItem* question_ = nullptr;
     QWidget* decisions_ = nullptr;
     QBoxLayout* decide_ = nullptr;  ///< the decisions
     QWidget* lowerPanel_ = nullptr;

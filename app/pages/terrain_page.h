@@ -65,13 +65,12 @@ struct TerrainViewState {
     QString stateWords{};             ///< replaces the state's own text
     std::optional<PhaseTime> time{};  ///< time of the phase
     double secondsInPhase = 0.0;
-    const ProbeProposal* proposal =
-        nullptr;  ///< probe proposal for the estimate, pending or answered
-    std::optional<ProbeProposal>
-        /// Without a proposal: the best probe and its worth.
-        bestProbe{};
-    QString
-        whyNotOffered{};  ///< reason that bestProbe is not proposed; empty: it was, or is elsewhere
+    /// Probe proposal for the estimate, pending or answered.
+    const ProbeProposal* proposal = nullptr;
+    /// Without a proposal: the best probe and its worth.
+    std::optional<ProbeProposal> bestProbe{};
+    /// Reason that bestProbe is not proposed; empty: it was, or is elsewhere.
+    QString whyNotOffered{};
     std::optional<int> probingBin{};
     double probeSeconds = 0.0;         ///< [s] expected duration of a probe
     std::optional<double> progress{};  ///< 0 … 1 of a running estimate
@@ -102,9 +101,8 @@ public:
     void allowTight(const ConsoleWindow& window) { layout_->allowTight(window); }
     bool isTight() const { return layout_->isTight(); }
 
-    QSize
     /// Independent of the content, so that no text resizes the window.
-    minimumSizeHint() const override;
+    QSize minimumSizeHint() const override;
 
     /// Returns true once the last update showed the present estimate.
     bool showsEstimate() const { return shownEstimate_; }

@@ -18,8 +18,8 @@ namespace terratact {
 /// The DBC-described signals of a recording: those of every described message that occurs in it.
 class PayloadSignals {
 public:
-    static constexpr std::size_t kMaxSignals =
-        2000;  ///< bound on signals; messages beyond it are left out
+    /// Bound on signals; messages beyond it are left out.
+    static constexpr std::size_t kMaxSignals = 2000;
 
     /// A described message that occurs in the recording.
     struct Message {

@@ -30,8 +30,8 @@ enum class ExportKind : std::uint8_t { Frames, Signals, Estimates, Events };
 std::optional<ExportKind> exportKindFromName(std::string_view text);
 
 struct ExportSelection {
-    std::optional<ExportKind>
-        what{};  ///< empty: all kinds that the format supports; frames for CSV
+    /// Empty: all kinds that the format supports; frames for CSV.
+    std::optional<ExportKind> what{};
     double from = -std::numeric_limits<double>::infinity();  ///< [s] since the session's start
     double to = std::numeric_limits<double>::infinity();
     std::shared_ptr<const DbcBook> book{};  ///< describes frames outside the protocol; null: none

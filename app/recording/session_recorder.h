@@ -42,14 +42,14 @@ public:
         std::string folder;  ///< created with mode 0700 if missing; empty: no recording
         SessionStart start;  ///< the recorder sets wallTime
         bool on = true;      ///< see setOn()
-        std::size_t mostFrames =
-            18'018;  ///< queue bound in frames: two seconds of a full bus of 1 Mbit/s
+        /// Queue bound in frames: two seconds of a full bus of 1 Mbit/s.
+        std::size_t mostFrames = 18'018;
         std::size_t mostRows = 10'000;         ///< queue bound of the other rows
         std::chrono::milliseconds batch{200};  ///< between two commits
         std::int64_t mostBytes = std::int64_t{4}
                               << 30U;  ///< maximum size of a file; then the next file begins
-        std::int64_t mostBatches =
-            kMaxBatches;        ///< maximum batches of a file; then the next file begins
+        /// Maximum batches of a file; then the next file begins.
+        std::int64_t mostBatches = kMaxBatches;
         double patience = 0.6;  ///< [s] a longer write is reported as trouble
         std::uint64_t leastFree = std::uint64_t{50} << 20U;  ///< bytes of the disk that stay free
     };

@@ -36,8 +36,8 @@ Result<TerrainEstimate> estimateAgain(const SessionReader& session, const Estima
 /// far above all recorded settings.
 Status requireModest(const Settings& settings);
 inline constexpr int kMaxChainsAgain = 4096;
-inline constexpr std::int64_t kMaxSweepsAgain =
-    2'000'000;  ///< kept and discarded sweeps of all chains
+/// Kept and discarded sweeps of all chains.
+inline constexpr std::int64_t kMaxSweepsAgain = 2'000'000;
 
 /// Change of one bin, after − before [m].
 struct BinDifference {

@@ -41,9 +41,8 @@ public:
     ReviewExportDialog(Sources sources, QWidget* parent);
     ~ReviewExportDialog() override;
 
-    void
     /// Shows the dialog without blocking. While it is open it follows the visible range.
-    ask();
+    void ask();
     bool writes() const { return job_ != nullptr; }
 
     QComboBox* what() const { return what_; }

@@ -9,8 +9,8 @@ namespace terratact {
 class ReviewPlayer {
 public:
     static constexpr double kSlowest = 0.05, kFastest = 50.0;
-    static constexpr double kMaxStepTime =
-        0.25;  ///< [s] of the caller's time; longer steps are shortened to this
+    /// [s] of the caller's time; longer steps are shortened to this.
+    static constexpr double kMaxStepTime = 0.25;
 
     void setRange(double begin, double end);  ///< clamps the position to the range
     void seek(double seconds);

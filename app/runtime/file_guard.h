@@ -13,9 +13,8 @@ using Paths = std::vector<std::string>;
 /// among inputs and standard output among outputs.
 struct CommandFiles {
     Paths inputs;  ///< files read
-    Paths
-        /// Files that belong to an input: the card of a model, the notes and the journal of a session.
-        companions;
+    /// Files that belong to an input: the card of a model, the notes and the journal of a session.
+    Paths companions;
     Paths outputs;  ///< files written
     Paths updates;  ///< files written although they are companions of an input
 };

@@ -109,9 +109,8 @@ private:
     void letScroll(bool scrolls);  ///< rail and pages
     QWidget* belowBanners() const;
     void fitLetters();  ///< fits the font at once
-    void
     /// Fits the font from trying_ down, one scale per turn of the event loop.
-    fitLettersInTurns();
+    void fitLettersInTurns();
     /// Tries trying_; returns false if it is too large and sets trying_ to the next scale.
     bool tryLetters();
     void layOutAnew();

@@ -33,9 +33,8 @@ struct Preferences {
     ProbePolicy probes = ProbePolicy::Variance;
     double probeAbove = Settings{}.probeAbove;  ///< [m]
     double rollLimit = Settings{}.rollLimit;    ///< [rad]
-    double hazardRate =
-        /// Hazard rate per bin that is not felt, core/infer/estimate/hazards.h.
-        Settings{}.hazardRate;
+    /// Hazard rate per bin that is not felt, core/infer/estimate/hazards.h.
+    double hazardRate = Settings{}.hazardRate;
     double asymmetryLimit = Settings{}.asymmetryLimit;                          ///< [rad]
     double tiltAmber = AttitudeLimits{}.amber, tiltRed = AttitudeLimits{}.red;  ///< [rad]
     QString model, robot;                 ///< files; empty: the shipped ones

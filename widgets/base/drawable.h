@@ -9,8 +9,8 @@ namespace terratact {
 
 /// Numbers pass this check before they enter a plot. One NaN in an antialiased wide curve blocks Qt's raster engine for
 /// seconds; coordinates far outside the canvas do, too. Such a value is not drawable.
-inline constexpr double kDrawableLimit =
-    100.0;  ///< [m] or [N·10⁻¹]: far beyond any sensible picture
+/// [m] or [N·10⁻¹]: far beyond any sensible picture.
+inline constexpr double kDrawableLimit = 100.0;
 inline bool drawable(double value)
 {
     return std::isfinite(value) && std::abs(value) <= kDrawableLimit;

@@ -15,8 +15,8 @@ public:
     void setUsual(const QStringList& texts);
     /// The minimum width shows at least this many letters.
     void setLeastLetters(int letters);
-    int usualWidth()
-        const;  ///< [px] widest usual text; width of the current text if no usual texts are set
+    /// [px] widest usual text; width of the current text if no usual texts are set.
+    int usualWidth() const;
     bool isElided() const;
 
     QSize sizeHint() const override;

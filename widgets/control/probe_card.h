@@ -126,8 +126,8 @@ private:
     QLabel* variance_ = nullptr;
     QLabel* question_ = nullptr;
     QLabel* questionKey_ = nullptr;
-    QLabel* decided_ =
-        nullptr;  ///< says that a verdict exists already, or why no probe is proposed
+    /// Says that a verdict exists already, or why no probe is proposed.
+    QLabel* decided_ = nullptr;
     QLabel* ranking_ = nullptr;  ///< other bins while they cannot be chosen
     QList<QLabel*> keys_;
     ScrollColumn* facts_ = nullptr;

@@ -119,8 +119,8 @@ private:
     const ForceElement& at(int element, int array) const;
     std::vector<int> arraysWith(int element) const;
     std::optional<double> shown(int element, int array) const;  ///< [unit()] value of the bar
-    double top(int element)
-        const;  ///< [unit()] highest of bars, peaks and threshold line; numbers stand above it
+    /// [unit()] highest of bars, peaks and threshold line; numbers stand above it.
+    double top(int element) const;
     QString labelText(int element) const;
     int labelRows() const;
     /// Neighbouring elements in contact, with one common word.
@@ -148,8 +148,8 @@ private:
     QwtPlotGrid* grid_ = nullptr;
     QwtPlotMarker* thresholdLine_ = nullptr;
     std::array<QwtPlotMarker*, kForceElements> numbers_{};
-    std::array<QwtPlotMarker*, kForceElements / 2>
-        contacts_{};  ///< labels of neighbouring contacts
+    /// Labels of neighbouring contacts.
+    std::array<QwtPlotMarker*, kForceElements / 2> contacts_{};
 };
 
 }  // namespace terratact

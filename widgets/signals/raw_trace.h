@@ -40,8 +40,8 @@ class RawTrace final : public QWidget {
     Q_OBJECT
 public:
     using Words = std::function<TraceWords(const CanFrame&)>;  ///< called for visible frames only
-    using Name =
-        std::function<QString(const CanFrame&)>;  ///< called for every frame, so it must be cheap
+    /// Called for every frame, so it must be cheap.
+    using Name = std::function<QString(const CanFrame&)>;
 
     RawTrace(Words words, Name name, QWidget* parent = nullptr);
 

@@ -49,10 +49,10 @@ class SessionTimeline final : public QWidget {
 public:
     explicit SessionTimeline(QWidget* parent = nullptr);
 
-    void
-    setTimeline(const Timeline& timeline);  ///< keeps the visible range, unless all was visible
-    void setDense(bool dense);              ///< lower lanes for small heights
-    void setPlayhead(double seconds);       ///< scrolls with the playhead if it was visible
+    /// Keeps the visible range, unless all was visible.
+    void setTimeline(const Timeline& timeline);
+    void setDense(bool dense);         ///< lower lanes for small heights
+    void setPlayhead(double seconds);  ///< scrolls with the playhead if it was visible
     void setCursors(std::optional<double> a, std::optional<double> b);
     void showSpan(double first, double last);  ///< clamped to kMinSpan and to the session
     void showAll();

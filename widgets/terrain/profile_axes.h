@@ -34,9 +34,8 @@ public:
 
 private:
     QwtPlot& plot_;
-    std::array<double, 4>
-        /// The bottom, top [m], width and height [px] above `below` of the last fit.
-        fitted_{};
+    /// The bottom, top [m], width and height [px] above `below` of the last fit.
+    std::array<double, 4> fitted_{};
 };
 
 }  // namespace terratact

@@ -103,8 +103,8 @@ struct Screens : testing::Test {
     std::unique_ptr<ReviewWindow> review;      ///< pictured if there is no console
     std::unique_ptr<ScenesWindow> scenes;      ///< pictured if there is neither console nor review
     std::atomic<bool> holdsEstimates = false;  ///< following estimates stop half-way
-    void alterEstimates(std::function<void(TerrainEstimate&)>
-                            how);  ///< alters following estimates; empty: no change
+    /// Alters following estimates; empty: no change.
+    void alterEstimates(std::function<void(TerrainEstimate&)> how);
 
 private:
     ModelLoader altered();
