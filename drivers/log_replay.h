@@ -17,8 +17,8 @@ namespace terratact {
 /// sends no commands. Time that runs backwards in the log takes no time. A silence longer than
 /// kMaxWait takes kShortWait.
 ///
-/// A frame's `time` is when it was due on the steady clock, so that ages and time limits hold as on
-/// a bus. At a speed other than 1 they change by that factor. Its `wallTime` is the log's own time.
+/// A frame's `time` is its due time on the steady clock, so that ages and time limits hold as on a
+/// bus. At a speed other than 1 they change by that factor. Its `wallTime` is the log's own time.
 class LogReplay final : public CanBus {
 public:
     struct Options {
@@ -41,9 +41,10 @@ public:
                                           << 20U;  ///< bytes of a log that is a pipe
 
     /// Opens a log and reads it once from end to end, so that errors show at the start. A pipe
-    /// (also "-", standard input) is kept in memory. Errors name the log: it is no log; it holds no
-    /// frame, or one without a time; it has no frame of the interface; it has several interfaces
-    /// and none was named. Throws std::invalid_argument unless 0 < speed ≤ 1000.
+    /// (also "-", standard input) is kept in memory. Errors name the log: it is no log, holds no
+    /// frame, or has a frame without a time. It may also lack frames of the interface, or have
+    /// several interfaces while none was named. Throws std::invalid_argument unless 0 < speed ≤
+    /// 1000.
     static Result<std::unique_ptr<LogReplay>> open(const std::string& path, const Options& options);
     static Result<std::unique_ptr<LogReplay>> open(const std::string& path, const Options& options,
                                                    Clock clock);

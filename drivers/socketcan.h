@@ -26,8 +26,8 @@ Status checkInterfaceName(std::string_view name);
 /// frames have no echo yet, or the oldest of them for `stalledAfter`. At most that many frames are
 /// ever late.
 /// Echoes that the kernel had no room for, or that were lost with the controller, are not awaited.
-/// If an echo is missing for any other reason, the bus stays Stalled until the interface is set
-/// down and up again.
+/// If an echo is missing for another reason, the bus stays Stalled until the interface is set down
+/// and up.
 class SocketCan final : public CanBus {
 public:
     struct Options {

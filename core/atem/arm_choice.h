@@ -9,9 +9,9 @@
 
 namespace terratact {
 
-/// Proposes a probe as in section 4.4 of the paper. Among the sampled bins in the arm's reach it
-/// returns the one with the largest sd, if that exceeds the probe threshold settings.probeAbove;
-/// else empty.
+/// Proposes a probe as in section 4.4 of the paper. It returns the sampled bin in the arm's reach
+/// with the largest sd. That sd must exceed the probe threshold settings.probeAbove; otherwise it
+/// returns empty.
 /// The paper asks for a probe if any sd is too large. Here a large sd beyond the arm's reach asks
 /// for nothing, because the arm cannot reduce it. A robot whose arm measures no height (armSd 0)
 /// gets no probe.

@@ -81,8 +81,8 @@ double operatorPatience(const GateView& view, const GateLimits& limits);
 /// Judges every outgoing frame by its bytes, as the last step before the bus. It denies by default.
 /// Stop, Halt, AbortAtem and disarming always pass if they are well formed. A heartbeat passes
 /// while the operator's window and panel respond; while nothing moves they may pause. Every other
-/// command needs the operator, the link, the robot's epoch and challenge, and the state that its
-/// row in the table of tests/core/atem/command_gate_test.cpp shows.
+/// command needs the operator, the link, and the robot's epoch and challenge. It also needs a
+/// state; the table of tests/core/atem/command_gate_test.cpp has a row for each command.
 /// Pure function; a NaN in view or limits refuses.
 GateRefusal judge(const CanFrame& frame, const GateView& view, const GateLimits& limits);
 

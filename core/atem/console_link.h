@@ -26,10 +26,10 @@ struct LinkView {
     std::optional<RobotStatus> robot;
 };
 
-/// Console's end of the link. It receives the robot's frames, sends the heartbeat for the robot's
-/// watchdog, arms, and repeats a drive command for the robot's dead-man. It sends nothing that the
-/// command gate refuses. It has no clock and no bus: `now` is any monotonic clock [s], and the
-/// caller must send the returned frames at once.
+/// Console's end of the link. It receives the robot's frames and arms. It sends heartbeats for the
+/// robot's watchdog and repeats a drive for its dead-man. It sends nothing that the command gate
+/// refuses. It has no clock and no bus: `now` is any monotonic clock [s], and the caller must send
+/// the returned frames at once.
 class ConsoleLink {
 public:
     static constexpr double kHeartbeatPeriod = 0.1;  ///< [s]

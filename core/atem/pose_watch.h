@@ -22,8 +22,8 @@ public:
     explicit PoseWatch(const Measurement& scene) : scene_(scene) {}
 
     /// Reads the newest telemetry, the count-th since the source was opened (1 for the first). The
-    /// same line may be read again. Two different lines in a row must differ from the scene, so
-    /// that one outlier of the IMU has no effect.
+    /// same line may be read again. Two different lines in a row must differ from the scene: one
+    /// outlier of the IMU has no effect.
     void poll(const Measurement& newest, std::uint64_t count);
 
     bool hasMoved() const { return moved_; }

@@ -33,9 +33,9 @@ struct Uncertainty {
 Uncertainty uncertainty(const TerrainEstimate& estimate, double stepLimit, int firstBin = 0,
                         const Poll& poll = {});
 
-/// Returns the expected gain of measuring each bin that the arm reaches, the largest
-/// varianceReduction first (of equals the nearer bin). A reading z of bin b reweights the n draws
-/// h^d:
+/// Returns the expected gain of measuring each bin in the arm's reach. The largest
+/// varianceReduction comes first, of equals the nearer bin. A reading z of bin b reweights the n
+/// draws h^d:
 ///   w_d(z) ∝ N(z; h_b^d, armSd²),   Σ_d w_d = 1,
 ///   V(w) = Σ_i Σ_d w_d (h_i^d − Σ_e w_e h_i^e)² / (1 − Σ_d w_d²),
 ///   H(w) = −p log p − (1 − p) log(1 − p),   p = Σ_d w_d [h^d has a step within firstBin … 10],

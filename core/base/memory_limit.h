@@ -6,8 +6,8 @@
 
 namespace terratact {
 
-/// Returns true if the system may refuse memory to this process: a limit of its address space
-/// (ulimit -v) or of its data (ulimit -d), or a kernel without overcommit (vm.overcommit_memory =
+/// Returns true if the system may refuse memory to this process. Causes are a limit of its address
+/// space (ulimit -v) or data (ulimit -d), and a kernel without overcommit (vm.overcommit_memory =
 /// 2). It allocates nothing and may be called before main(). It returns false where the system
 /// offers no such query.
 bool memoryIsLimited();

@@ -10,8 +10,8 @@
 
 namespace terratact {
 
-/// A sentence as the source has it: English, with %1 … %9 for what it is told of, and the context in which translators
-/// find it.  Points to literals.
+/// English sentence of the source, with %1 … %9 for its arguments, and its context for translators.
+/// It points to literals.
 struct SourceText {
     const char* context;
     const char* english;
@@ -20,9 +20,9 @@ struct SourceText {
 /// Marks a sentence for the translators; resources/translations/update.sh finds it.
 #define TR_NOOP(context, english) (terratact::SourceText{context, english})
 
-/// What an operator is told: a sentence and its arguments, put into words where it is shown.  The core speaks English
-/// (english()); the console translates the source text (widgets/base/translated.h).  An argument is a message, too: a
-/// number or a name is one without a context, which is not translated.
+/// Message to the operator: a sentence and its arguments, formatted where it is shown. core formats
+/// it in English (english()); the console translates the source text (widgets/base/translated.h).
+/// An argument is a message too. A number or a name has no context and is not translated.
 struct Message {
     Message() = default;
     Message(SourceText text) : context(text.context), source(text.english) {}
@@ -34,15 +34,16 @@ struct Message {
         (arguments.push_back(argument(given)), ...);
     }
 
-    /// A text that is nobody's to translate: a name, a number, what another program said.
+    /// Returns a message that is not translated: a name, a number, or the output of another
+    /// program.
     static Message verbatim(std::string text);
 
-    /// "first: then"
+    /// Returns "first: then".
     static Message joined(Message first, Message then);
 
     bool empty() const { return source.empty(); }
 
-    /// The sentence with its arguments in their places.
+    /// Returns the sentence with its arguments inserted.
     std::string english() const;
 
     bool operator==(const Message& other) const;
@@ -69,10 +70,10 @@ private:
     }
 };
 
-/// A number with so many decimals, as an argument.
+/// Returns a number with this many decimals, as an argument.
 std::string fixed(double value, int decimals);
 
-/// The source with `part(n)` for every %n, n from 1 to 9.
+/// Returns the source with `part(n)` in place of every %n, n from 1 to 9.
 template <class Part>
 std::string filled(std::string_view source, Part&& part)
 {
@@ -88,7 +89,7 @@ std::string filled(std::string_view source, Part&& part)
     return text;
 }
 
-/// For fmt::format.
+/// Formats a message for fmt::format.
 std::string format_as(const Message& message);
 
 }  // namespace terratact

@@ -21,7 +21,7 @@ std::string randomErrorText(double sd, int decimals);
 /// would give infinity.
 std::string rhatText(double rhat);
 
-/// Returns the number that the whole text spells, the same in every locale; empty if it spells
+/// Returns the number that the whole text spells, the same in every locale. Empty if it spells
 /// none, or one beyond a double. "nan" and "inf" are numbers here: the caller must check.
 std::optional<double> numberFrom(std::string_view text);
 

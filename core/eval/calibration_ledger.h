@@ -65,13 +65,13 @@ struct LedgerSummary {
 class CalibrationLedger {
 public:
     /// Adds a measurement `by` the arm or a contact; ignored if `shownBefore` had measured the bin.
-    /// measured, measuredSd: [m]. Throws std::invalid_argument for a bin outside 0 … 10, for a
-    /// height that is not finite, unless measuredSd > 0 and finite, and for Origin::Sampled, which
-    /// measures nothing.
+    /// measured, measuredSd: [m]. Throws std::invalid_argument for a bin outside 0 … 10, and for
+    /// Origin::Sampled, which measures nothing. It also throws unless the height is finite, and
+    /// measuredSd is finite and above 0.
     void record(const TerrainEstimate& shownBefore, int bin, double measured, double measuredSd,
                 Origin by);
 
-    /// Adds every bin that was sampled in `before` and is measured in `after`; its mean and sd in
+    /// Adds every bin that was sampled in `before` and is measured in `after`. Its mean and sd in
     /// `after` are the measurement.
     void record(const TerrainEstimate& before, const TerrainEstimate& after);
 

@@ -71,8 +71,8 @@ struct MethodSummary {
 /// Returns one summary per label, in the order of labelsOf: Fig. 9 of the paper.
 std::vector<MethodSummary> summarise(std::span<const BinError> errors);
 
-/// Returns the bins whose centre lies under the front flippers, between the pivot and the far end
-/// of the tip circle. They depend on pitch and flipper angle; there is none if upright flippers lie
+/// Returns the bins whose centre lies under the front flippers, between pivot and far end of the
+/// tip circle. They depend on pitch and flipper angle; there is none if upright flippers lie
 /// between centres.
 std::vector<int> binsUnderFrontFlipper(const RobotModel& robot, const Proprioception& s);
 

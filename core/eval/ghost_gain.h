@@ -27,8 +27,8 @@ struct PairedGain {
 inline constexpr double kCoverageLoss = 0.01;
 
 /// Bootstraps over whole drives (cluster_bootstrap.h), pairing the errors of each scene and bin.
-/// Throws std::invalid_argument unless both have the same scenes and bins in the same order, and if
-/// an error's scene is not among the scenes.
+/// Throws std::invalid_argument unless both have the same scenes and bins in the same order. It
+/// also throws if an error's scene is not among the scenes.
 PairedGain pairedGain(std::span<const BinError> before, std::span<const BinError> after,
                       std::span<const Scene> scenes, std::uint64_t seed, int resamples = 2000);
 

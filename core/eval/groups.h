@@ -20,7 +20,7 @@ struct GroupSummary {
 };
 
 /// Returns the groups "inside" (novelty ≤ 1) and "outside" the training scenes, for the labels that
-/// judge novelty; groups without errors are left out.
+/// judge novelty. Groups without errors are left out.
 std::vector<GroupSummary> byNovelty(std::span<const BinError> errors);
 
 /// Class of each row of an index file.

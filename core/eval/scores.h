@@ -31,8 +31,8 @@ double crpsOfDraws(std::span<const double> sorted, double truth);
 /// p. 367.
 double crpsOfNormal(double mean, double sd, double truth);
 
-/// Returns the scores of a bin from the estimate's draws. If there are none, or if all are equal (a
-/// bin fixed by a contact or the arm), the forecast is N(mean, sd²).
+/// Returns the scores of a bin from the estimate's draws. If there are none, or if all are equal as
+/// in a fixed bin, the forecast is N(mean, sd²).
 /// PIT of n draws: (r + ½) / (n + 1), with r draws below the truth; draws equal to the truth count
 /// half. PIT of a forecast with sd 0: 0, ½ or 1. The 80 % band is q10 … q90, as the operator sees
 /// it.

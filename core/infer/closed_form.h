@@ -33,9 +33,9 @@ GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::Ve
 /// poll: called at the start and while draws are made.
 /// TerrainEstimate::height is the median. There are settings.draws joint draws, at most
 /// kEnoughDraws with settings.stopEarly. rhat is 1 and ess is the number of draws.
-/// Throws std::invalid_argument for a method other than Joint and Local, for settings out of range,
-/// for an s that lacks a feature which model.without() does not name, and for a model that gives no
-/// finite estimate.
+/// Throws std::invalid_argument for a method other than Joint and Local, and for settings out of
+/// range. It also throws if s lacks a feature that model.without() does not name, or if the
+/// estimate is not finite.
 TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const ArmReading> arm,
                                       const RobotModel& robot, const ClearanceModel& model,
                                       const Settings& settings, const WeakHeights& weak = {},

@@ -13,8 +13,8 @@ namespace terratact {
 /// in one pass, and they fit the caches.
 inline constexpr int kBatchChains = 64;
 
-/// A scene with at most this many inducing rows gains nothing from a batch if its chains fill whole
-/// groups of columns (docs/speed.md). Its factors fit the caches anyway.
+/// A scene with at most this many inducing rows and full groups of columns gains nothing from a
+/// batch (docs/speed.md). Its factors fit the caches anyway.
 inline constexpr int kFewRows = 700;
 
 /// Estimates many scenes, several at a time. The chains of sampled scenes pass through the model's
@@ -33,9 +33,9 @@ public:
     /// Robot and models must outlive the batch.
     EstimateBatch(const RobotModel& robot, const Models& models) : robot_(robot), models_(models) {}
 
-    /// Returns true if one more scene gains from the batch: its chains fit in, its scan order is
-    /// fixed, and its factors are large or its groups of columns are not full (kFewRows). Always
-    /// true for an empty batch, always false while an estimate is ready.
+    /// Returns true if one more scene gains from the batch. Its chains must fit in, and its scan
+    /// order must be fixed. Its factors must be large, or its groups of columns not full
+    /// (kFewRows). Always true for an empty batch, always false while an estimate is ready.
     bool hasRoomFor(const Settings& settings) const;
     bool empty() const { return scenes_.empty() && ready_.empty(); }
 

@@ -36,7 +36,7 @@ void makeProcesses(const Models& models, const Settings& settings, const Watch& 
 /// warnings then say what is missing.
 /// The same scene, models and settings give the same result, bit for bit on one machine.
 /// Throws std::invalid_argument for settings out of range, and for weak heights with one of the
-/// paper's methods, which take exact measurements only. Throws Cancelled.
+/// paper's methods. These take exact measurements only. Throws Cancelled.
 TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmReading> arm,
                                 const RobotModel& robot, const Models& models,
                                 const Settings& settings, const Watch& watch = {},

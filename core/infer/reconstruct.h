@@ -16,9 +16,9 @@ namespace terratact {
 /// models: of the feature set that settings.method uses, or of Pa, which needs no current and no
 /// force.
 /// The same scene, models and settings give the same result, bit for bit on one machine.
-/// Throws std::invalid_argument for a method that is not one of the paper's four, for settings out
-/// of range, for models of the other feature set, for an s that lacks a feature, and for a model
-/// that gives no finite estimate. Throws Cancelled.
+/// Throws std::invalid_argument for a method that is not one of the paper's four, and for settings
+/// out of range. It also throws for models of the other feature set, for an s that lacks a feature,
+/// and for an estimate that is not finite. Throws Cancelled.
 TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading> arm,
                             const RobotModel& robot, const BinModels& models,
                             const Settings& settings, const Watch& watch = {});

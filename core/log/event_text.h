@@ -10,14 +10,15 @@
 
 namespace terratact {
 
-/// What an event of kind Phase or Arming says; empty: of another kind, or the name is not known.
+/// Return what an event of kind Phase or Arming says. Empty for another kind, and for an unknown
+/// name.
 std::optional<AtemPhase> phaseOf(const EventRow& event);
 std::optional<AtemFailure> failureOf(const EventRow& event);
 std::optional<ArmingPhase> armingOf(const EventRow& event);
 std::optional<DisarmCause> causeOf(const EventRow& event);
 
-/// The subject and the text of an event in words for the operator: of names those of describe(), else what is
-/// recorded.
+/// Return subject and text of an event for the operator. Names get the text of describe(); anything
+/// else stays as recorded.
 std::string subjectWords(const EventRow& event);
 std::string textWords(const EventRow& event);
 

@@ -24,8 +24,8 @@ struct LaterPose {
     Ghost ghost;
 };
 
-/// Follows each estimate along the session's telemetry to all later scenes that it reaches
-/// (infer/verdict/ghost_track.h), in the order of these scenes. Bins that only the training set
+/// Follows each estimate along the session's telemetry (infer/verdict/ghost_track.h). Returns its
+/// position at all later scenes that it reaches, in their order. Bins that only the training set
 /// speaks for are moved as well. Frames after an estimate has ended are not read. Throws
 /// std::invalid_argument for a scene that does not exist.
 std::vector<LaterPose> laterPoses(SessionReader& session, const RobotModel& robot,

@@ -19,8 +19,8 @@ std::uint64_t bigEndianAt(std::string_view bytes, std::size_t at, std::size_t co
     return value;
 }
 
-/// Reads a number of one to nine bytes at `at`, and moves `at` behind it; empty if the bytes end
-/// too early.
+/// Reads a number of one to nine bytes at `at`, and moves `at` behind it. Returns empty if the
+/// bytes end too early.
 std::optional<std::uint64_t> variableInteger(std::string_view bytes, std::size_t& at)
 {
     std::uint64_t value = 0;

@@ -4,10 +4,10 @@
 
 namespace terratact {
 
-/// An event of a session of version 1 or 2 as version 3 has it.  Those versions hold a phase, a failure and a cause of
-/// disarming in the words that the operator read then; since version 3 they are held by name.  The words are frozen:
-/// rewording what an operator reads does not change this table.  Other events, and words that no session of those
-/// versions holds, stay as they are.
+/// Converts an event of session version 1 or 2 to version 3. The old versions store phases,
+/// failures and causes of disarming as the operator's text of that time. Version 3 stores their
+/// names. This table of old texts is frozen: it does not change with the operator's texts. Other
+/// events and unknown texts stay unchanged.
 EventRow withNames(EventRow event);
 
 }  // namespace terratact

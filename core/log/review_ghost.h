@@ -9,8 +9,8 @@
 
 namespace terratact {
 
-/// The ghost of a session's last estimate (infer/verdict/ghost.h) at a moment without an estimate,
-/// as the console showed it, computed from the file alone. It is followed for kFollowed after the
+/// Ghost of a session's last estimate (infer/verdict/ghost.h) at a moment without an estimate. It
+/// is what the console showed, computed from the file alone. It is followed for kFollowed after the
 /// estimate was left. It starts kBefore that time, or when the estimate came, whichever is later.
 /// Moving forward or a little back in time is fast.
 class ReviewGhost {

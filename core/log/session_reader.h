@@ -32,8 +32,8 @@ struct SessionVerification {
 /// Reads a session file from an untrusted source (docs/sessions.md). The file is opened read-only,
 /// nothing in it is executed, and every value is checked. Rows are hash-chained: a row is returned
 /// only if its batch's hash is valid. All other rows are reported by damage().
-/// Memory grows with the batches, at most kMaxBatches, and not with the frames. All values that are
-/// read in one pass are together at most as large as the file, even if rows share pages.
+/// Memory grows with the batches, at most kMaxBatches, and not with the frames. All values of one
+/// pass are together at most as large as the file, even if rows share pages.
 ///
 /// A session that was not closed is read with its journal, even if its folder is write-protected.
 /// If the journal is missing, only the file is read, and damage() names what is missing.
@@ -51,8 +51,7 @@ public:
     static Result<SessionReader> open(const std::string& path, std::size_t atATime = kAtATime);
 
     /// Opens rows that were salvaged from a damaged file. It returns the rows of every batch whose
-    /// rows are what was recorded, and its frames if they are, even if the chain does not lead to
-    /// the batch.
+    /// hash is valid, and its frames if theirs is. The chain need not lead to the batch.
     static Result<SessionReader> openFragments(const std::string& path);
 
     SessionReader(SessionReader&&) noexcept;

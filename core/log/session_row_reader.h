@@ -12,8 +12,8 @@
 namespace terratact {
 
 // Converts rows of a session file to values. All functions throw RefusedRow
-// (core/log/checked_row.h) if a row holds what no session can hold, and SqliteError if a column has
-// another type.
+// (core/log/checked_row.h) if a row holds what no session can hold. They throw SqliteError if a
+// column has another type.
 
 /// The current row of `SELECT * FROM batch`, with the link of the chain after it.
 struct StoredBatch {

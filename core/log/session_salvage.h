@@ -27,8 +27,8 @@ inline constexpr int kNothingWhole = ENODATA;
 
 /// Copies the rows in the pages of a damaged session to a new file, unchecked.
 /// SessionReader::openFragments() then returns the rows whose recorded hash is valid. The damaged
-/// file and its journal are only read, page by page, so that a cut or a hole costs only the rows in
-/// it.
+/// file and its journal are only read, page by page. A cut or a hole therefore costs only the rows
+/// in it.
 ///
 /// scratch: must not exist. Errors name the damaged file if it holds nothing of a session
 /// (kNothingWhole), or `scratch`.

@@ -16,8 +16,8 @@ struct SessionSpan {
 };
 
 /// Survey of all frames of a session: when a force element felt the ground, and when telemetry was
-/// silent. It reads the file batch by batch, so that a caller can show results meanwhile, and
-/// continue in a file that still grows.
+/// silent. It reads the file batch by batch. A caller can show results meanwhile, and continue in a
+/// file that still grows.
 class SessionSurvey {
 public:
     /// threshold: force above which an element is in contact [N].

@@ -17,13 +17,13 @@ enum class SessionRecovery : std::uint8_t;
 /// process, and a power failure if the disk flushes when asked.
 ///
 /// One writer per file, used by one thread. After an Error of add() or commit(), the rows since the
-/// last commit are lost and the writer cannot be used any more. The committed rows are in the file.
+/// last commit are lost. The writer cannot be used any more. The committed rows are in the file.
 class SessionWriter {
 public:
     /// Creates the file for its owner only (mode 0600). The file must not exist, its directory must
     /// exist. The start is in the file at once. The last kCheckpointBatches batches or
     /// kCheckpointBytes are in the journal beside it until seal().
-    /// Errors name the file, or say that the bus name has control characters, which would move the
+    /// Errors name the file, or report control characters in the bus name, which would move the
     /// cursor of a terminal.
     static Result<SessionWriter> create(const std::string& path, const SessionStart& start);
 
@@ -34,9 +34,9 @@ public:
     static constexpr int kCheckpointBatches = 25;  ///< 5 s of recording by a console
     static constexpr std::size_t kCheckpointBytes = 1'000'000;
 
-    // Add rows. Texts are cut after kMaxTextBytes; events get their numbers here. Throw
-    // std::invalid_argument and change nothing if an id is not larger than all earlier ids of its
-    // kind, if a row refers to one that was not added, or if a number is not finite.
+    // Add rows. Texts are cut after kMaxTextBytes; events get their numbers here. They throw
+    // std::invalid_argument and change nothing in three cases. An id is not larger than all earlier
+    // ids of its kind, a row refers to one that was not added, or a number is not finite.
     Status add(const FrameRow& row);
     Status add(const ModelRow& row);
     Status add(const SceneRow& row);

@@ -8,8 +8,8 @@
 
 namespace terratact {
 
-/// Returns true if nothing should press on the front flippers. The robot halts or drives, both
-/// flippers are raised by at least 0.3 rad, and every element feels less than `limit` [N].
+/// Returns true if nothing should press on the front flippers. The robot halts or drives, and both
+/// flippers are raised by at least 0.3 rad. Every element feels less than `limit` [N].
 bool isUnloaded(const Measurement& measurement, double limit);
 
 /// Drift of the biases of one array since calibration: the median of each element over the last 10

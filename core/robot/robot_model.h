@@ -53,8 +53,8 @@ struct RobotModel {
     FlipperGeometry front, rear;
     double bodyMass = 0.0;  ///< [kg] everything but the flippers
     Vec2 bodyCom;           ///< base frame [m]
-    /// Positions of the elements on the front flippers' lower edge, as a share of its length from
-    /// the pivot end (0) to the tip end (1); element 6 is last.
+    /// Positions of the elements on the front flippers' lower edge, from its pivot end (0) to its
+    /// tip end (1). Element 6 is last.
     std::array<double, kForceElements> elementShare{};
     double forceSaturation = 0.0;  ///< largest reading of an element [N]
     /// Force arrays in display order. An element of a side belongs to at most one array. Of the two

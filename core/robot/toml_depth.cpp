@@ -7,8 +7,8 @@ namespace {
 
 constexpr std::size_t kEnd = std::string_view::npos;
 
-/// Returns the position after a closing triple quote at `at`, and after one or two quotes of the
-/// content that may touch it.
+/// Returns the position after a closing triple quote at `at`. One or two quotes of the content may
+/// touch it, and are skipped too.
 std::size_t pastTriple(std::string_view text, std::size_t at)
 {
     std::size_t past = at + 3;

@@ -43,7 +43,7 @@ GroundOptions randomSoftGround(std::mt19937_64& rng);
 std::vector<double> stopsOver(const TerrainProfile& terrain, double spacing);
 
 /// Drives over the stops in order and measures a scene at each. The front flippers are pressed down
-/// from above, the robot rests (after sliding, if conditions.slide allows it), and sensors are read
+/// from above, and the robot rests, after sliding if conditions.slide allows it. Sensors are read
 /// with conditions.noise and conditions.reading. The truth has the scanner's noise unless
 /// noise.height is 0. Stops without a rest pose are skipped and counted in `skipped`.
 std::vector<Scene> driveOver(const RobotModel& robot, const TerrainProfile& terrain,
@@ -64,10 +64,10 @@ struct DrivenScene {
     std::vector<OdometryReading> way;
 };
 
-/// Drives as driveOver, with odometry between the stops. At the first stop, and then at least every
-/// 5 cm, the robot rests with raised front flippers, as SimulatedRobot drives. The tracks roll
-/// trackWay and report (1 + e) times that, e ~ N(0, slipShare²), drawn at every stop. Its random
-/// sequence differs from driveOver's.
+/// Drives as driveOver, with odometry between the stops. Like SimulatedRobot it rests with raised
+/// front flippers at the first stop, and then at least every 5 cm. The tracks roll trackWay and
+/// report (1 + e) times that, e ~ N(0, slipShare²), drawn at every stop. Its random sequence
+/// differs from driveOver's.
 std::vector<DrivenScene> driveWithOdometry(const RobotModel& robot, const TerrainProfile& terrain,
                                            const std::vector<double>& stops, const std::string& run,
                                            const DriveStyle& style,

@@ -72,20 +72,20 @@ double potentialEnergy(const RobotModel& robot, const TerrainProfile& terrain, c
                        const FlipperDrive& front, const FlipperDrive& rear,
                        const GroundOptions& ground = {});
 
-/// Returns the rest pose with the base origin at x. It is the local minimum of potentialEnergy over
-/// height, pitch and the pressed flippers' angles that the robot reaches when it is lowered from
-/// `startPitch`, with growing contact stiffness. Friction holds x.
+/// Returns the rest pose with the base origin at x. It is a local minimum of potentialEnergy over
+/// height, pitch and the pressed flippers' angles. The robot reaches it when it is lowered from
+/// `startPitch` with growing contact stiffness. Friction holds x.
 /// Model: a robot at rest minimises its potential energy over terrain that it cannot enter. The
 /// contact forces are the forces of stiff one-sided springs. A held axle that needs more than its
 /// motors' torque gives way (RestPose::rear).
-/// Error if there is no rest pose: the robot tips over (|pitch| > 1.2 rad), or a flipper lies on
-/// the robot (beyond 2.5 rad), whether held there or pushed there by an overload of its motors.
+/// Error if there is no rest pose. The robot tips over (|pitch| > 1.2 rad), or a flipper lies on
+/// the robot (beyond 2.5 rad). It may be held there, or pushed there by an overload of its motors.
 Result<RestPose> restPose(const RobotModel& robot, const TerrainProfile& terrain, double x,
                           const FlipperDrive& front, const FlipperDrive& rear,
                           double startPitch = 0.0, const GroundOptions& ground = {});
 
 /// Returns the forces on the six elements of one front flipper [N]. The two nearest elements share
-/// a normal force on the lower edge like the supports of a beam; each flipper has half of the
+/// a normal force on the lower edge like the supports of a beam. Each flipper has half of the
 /// axle's load. Forces on the pivot circle, which has no sensor, are ignored. Not saturated.
 std::array<double, kForceElements> elementForces(const RobotModel& robot, const RestPose& rest);
 

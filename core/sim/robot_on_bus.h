@@ -39,7 +39,7 @@ std::string_view name(RobotFault fault);
 std::optional<RobotFault> robotFaultFromName(std::string_view text);
 
 /// Simulated robot behind the protocol of resources/dbc/terratact.dbc. It obeys and refuses as a
-/// real one must, sends telemetry every 50 ms, answers heartbeats, and halts by watchdog or
+/// real one must, sends telemetry every 50 ms and answers heartbeats. It halts by watchdog or
 /// dead-man when its console falls silent. It has no clock: `now` is monotonic time [s]; a time
 /// before the last one counts as no time passed.
 class RobotOnBus {

@@ -73,9 +73,8 @@ public:
 
     /// Opens a file of any size, for a format that checks its rows itself; structureFault() checks
     /// the structure on request. A file in WAL mode is still being written, or its writer died. It
-    /// is read with the journal beside it, even if file and folder are write-protected; without a
-    /// journal as it is. Texts and blobs have at most `longest` bytes, and grantBytes() bounds all
-    /// values together.
+    /// is read with the journal beside it, if there is one, even from a write-protected folder.
+    /// Texts and blobs have at most `longest` bytes, and grantBytes() bounds all values together.
     static SqliteFile openLog(const std::string& path, int longest);
 
     /// Returns true if the file is in WAL mode: its writer did not close it. Throws as openLog if
@@ -85,8 +84,8 @@ public:
     /// Returns true if the journal of a file in WAL mode is missing.
     static bool lacksJournal(const std::string& path);
 
-    /// Returns true if the file beside a file in WAL mode is no valid journal, so that nothing of
-    /// it can be read.
+    /// Returns true if the journal of a file in WAL mode is invalid, so that nothing of it can be
+    /// read.
     static bool journalIsDamaged(const std::string& path);
 
     /// Creates a file that one connection writes while others read. It must not exist. It has a
@@ -111,9 +110,9 @@ public:
     /// Allows the statements of an untrusted file as many steps again from now on.
     void grantSteps();
 
-    /// Allows the rows of a log to return `times` as many bytes as the file and its journal have
-    /// from now on. A SqliteError reports more. Rows that share pages could return far more than
-    /// the file holds.
+    /// Limits the values of a log's rows from now on: to `times` as many bytes as file and journal
+    /// have. A SqliteError reports more. Rows that share pages could return far more than the file
+    /// holds.
     void grantBytes(int times);
 
     /// Returns the bytes of a log and its journal at the last call of grantBytes().

@@ -8,13 +8,13 @@
 
 namespace terratact {
 
-/// Step limit [m]: ground that rises or falls by more, from a bin to the next or to the one after,
-/// is a step. A tracked robot takes lower steps easily.
+/// Step limit [m]: a larger difference between a bin and the next one, or the one after, is a step.
+/// A tracked robot takes lower steps easily.
 inline constexpr double kStepLimit = 0.10;
 
-/// Number of bins from the foot of a step to its top. An edge within a bin gives that bin an
-/// intermediate mean height, so that only its neighbours show the step's height. An edge between
-/// bins shows in the two bins beside it.
+/// Number of bins from the foot of a step to its top. An edge within a bin gives it an intermediate
+/// mean height, so that only its neighbours show the step's height. An edge between bins shows in
+/// the two bins beside it.
 inline constexpr int kStepBins = 2;
 
 /// The rearmost bin that counts as ahead of the robot: +0.3 m.

@@ -16,7 +16,7 @@ namespace terratact {
 // only read, never written.
 //
 // A request has identifier 0x300 + node, a reply 0x280 + node. It holds two letters of a command,
-// its index and a type byte; a set or a reply also holds a little-endian int32 or float32. A drive
+// its index and a type byte. A set or a reply also holds a little-endian int32 or float32. A drive
 // sends its status word unasked with 0x180 + node. The start command has identifier 0.
 //
 // Sources: NIFTi-BlueBotics/Librover (nodes, counts, motors that are mounted mirrored) and Elmo's
@@ -118,7 +118,7 @@ SensorLine sensorLineOf(const AbsolemState& state, double now, double limit);
 /// `now` [s] is any clock.
 ///
 /// A reply counts if its header equals that of the last request to its node. Bit 6 of a reply's
-/// type is a refusal with an error code of one byte, as Elmo's manual says; the robot's own library
+/// type is a refusal with an error code of one byte (Elmo's manual). The robot's own library
 /// ignores it. A drive may merely echo that bit of the request: a value that is no such code
 /// reveals it.
 class AbsolemListener {

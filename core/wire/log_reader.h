@@ -33,8 +33,9 @@ public:
     LogReader(std::string name, std::unique_ptr<std::istream> log);
     LogReader(std::string name, LogBytes::Source source);
 
-    /// Returns the next frame; empty after the last. Errors name file and line: the line is no
-    /// frame or too long, or the file is no readable log, with the program that makes one of it.
+    /// Returns the next frame; empty after the last. Errors name file and line of a line that is
+    /// too long or no frame. For a file that is no readable log, they name the program that makes
+    /// one of it.
     Result<std::optional<LoggedFrame>> next();
 
     std::uint64_t line() const { return line_; }  ///< line of the last frame; the first line is 1
@@ -42,8 +43,8 @@ public:
     /// Returns "candump" or "Vector .asc, packed by gzip"; empty before the first line.
     std::string format() const;
 
-    /// Returns the time since the first frame on a continuous clock (LogClock) [s], at the last
-    /// frame that has a time.
+    /// Returns the time from the first frame to the last frame with a time, on a continuous clock
+    /// (LogClock) [s].
     double elapsed() const { return clock_.elapsed(); }
     /// Returns how far the last frame's time lies before the time of the frame before it [s]. It is
     /// negative for a jump forward of more than LogClock::kMaxSilence. Empty: no jump.

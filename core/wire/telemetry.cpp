@@ -81,8 +81,8 @@ double voltageOf(double force, double bias, const RobotModel& robot)
     return std::clamp(voltage, c.openBelow, c.shortAbove);
 }
 
-/// Returns the odometry; empty also for a way that its signal cannot hold, whose end would look
-/// like a standing robot.
+/// Returns the odometry. Empty also for a way beyond its signal, whose end would look like a
+/// standing robot.
 std::optional<SensorLine::Odometry> odometryOf(const Measurement& m)
 {
     const SignalLayout& way = layoutOf(FrameKind::Odometry).payload[0];

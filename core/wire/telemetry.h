@@ -27,9 +27,9 @@ std::optional<Measurement> measurementOf(const SensorLine& line, const RobotStat
                                          const RobotModel& robot, double time);
 
 /// Converts a Measurement to a line of sensors, for a simulated robot. The voltages are those that
-/// give the forces back; 0 V, which reads as a broken wire, if the robot lacks the element or its
-/// force is missing. Angles are wrapped into one turn. Values beyond their signal's range are sent
-/// as its end; a travelled way beyond it is sent as not measured.
+/// give the forces back. A missing element or force gets 0 V, which reads as a broken wire. Angles
+/// are wrapped into one turn. Values beyond their signal's range are sent as its end; a travelled
+/// way beyond it is sent as not measured.
 SensorLine sensorLineOf(const Measurement& measurement, const RobotModel& robot);
 
 }  // namespace terratact

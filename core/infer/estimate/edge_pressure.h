@@ -40,15 +40,15 @@ public:
     EdgePressure(const RobotModel& robot, const Loads& force,
                  const std::array<bool, kForceElements>& loaded);
 
-    /// Returns true if the loads can come from even ground. Three or more elements must be fitted,
-    /// and their χ² must stay below the value that even ground exceeds in 2 of 100 cases. A
-    /// saturated element adds to χ² where the fit predicts less.
+    /// Returns true if the loads can come from even ground. Three or more elements must be fitted.
+    /// Their χ² must stay below the value that even ground exceeds in 2 of 100 cases. A saturated
+    /// element adds to χ² where the fit predicts less.
     bool isEven() const { return even_; }
 
-    /// Returns true if the element carries what a fit to the other loaded elements predicts, within
-    /// the noise of both (kFirstElementSd, kOtherElementSd). A prediction above saturation counts
-    /// as saturation, for element 1 up to kMaxSaturation. Returns true for an element without a
-    /// force, and false where fewer than two others are loaded.
+    /// Returns true if the element carries what a fit to the other loaded elements predicts. The
+    /// tolerance is the noise of both (kFirstElementSd, kOtherElementSd). A prediction above
+    /// saturation counts as saturation, for element 1 up to kMaxSaturation. Returns true for an
+    /// element without a force, and false where fewer than two others are loaded.
     bool hasItsShare(std::size_t element) const;
 
     /// Returns p(u) [N]: the load of the whole edge if the pressure were p(u) everywhere; 0 if

@@ -39,8 +39,8 @@ struct MeasuredBins {
 /// Returns the contacts of the flippers (for methods that use forces) and the readings of the arm.
 /// ceiling: of this pose [m]. A reading more than 3 sd above it is kept and named in `warnings`.
 /// weak: used where nothing touched the bin, whose origin stays Origin::Sampled.
-/// Throws std::invalid_argument for a reading whose bin is not 0 … 10, and for one without a finite
-/// height and a positive sd.
+/// Throws std::invalid_argument unless every reading has a bin 0 … 10, a finite height and a
+/// positive sd.
 MeasuredBins measureBins(const RobotModel& robot, const Proprioception& s,
                          std::span<const ArmReading> arm, const Heights& ceiling,
                          const Settings& settings, const WeakHeights& weak = {});

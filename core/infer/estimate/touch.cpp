@@ -66,8 +66,8 @@ bool anyLoadWithin(const ElementLoads& loads, int bin)
     return false;
 }
 
-/// Returns true if every element from the last one behind the bin to the first one ahead of it
-/// carries its share.
+/// Returns true if every element carries its share, from the last one behind the bin to the first
+/// one ahead.
 bool elementsPress(const ElementLoads& loads, int bin)
 {
     std::size_t first = kElements, last = kElements;

@@ -52,7 +52,7 @@ inline constexpr double kLoadShare = 0.2;
 inline constexpr double kPressedWithin = 0.015;
 
 /// A bin may begin this far behind the flippers' edge [m], under the pivot, where no element is.
-/// The distance is 0 m at a pitch of 0, and 0.02 m nose up by 0.15 rad on level ground.
+/// The distance is 0 m at a pitch of 0, and 0.02 m at a pitch of 0.15 rad on level ground.
 inline constexpr double kUnsensedWithin = 0.02;
 
 /// Touch of every bin as the force elements of the front flippers tell it.
@@ -71,9 +71,9 @@ struct PressedBins {
 ///   - All loads together fit even ground, with a pressure above 0 at both borders of the bin.
 /// A bin is FeltInPart if some element within it carries load. An element that is not measured
 /// counts as loaded if both neighbours are.
-/// Not detected are: a gap under the pivot's end that changes element 1 by less than its noise,
-/// about 0.02 m; a gap before a saturated element 1, up to 0.04 m; and a slot of less than 0.05 m.
-/// docs/hazards.md says how often these occur.
+/// Three hollows are not detected. The first is a gap of about 0.02 m under the pivot's end, which
+/// changes element 1 by less than its noise. The second is a gap of up to 0.04 m before a saturated
+/// element 1. The third is a slot of less than 0.05 m. docs/hazards.md says how often they occur.
 /// ceiling: of this pose [m], +infinity where the bin is not covered.
 PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const Heights& ceiling);
 

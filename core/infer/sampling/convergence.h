@@ -16,8 +16,8 @@ inline constexpr double kRhatNever = 1e6;
 /// R-hat and ESS are undefined if all draws are equal, and the R package posterior then returns NA.
 /// Stuck chains look the same as chains of a certain quantity. A bound that no draw can pass tells
 /// them apart: draws that all lie at the bound have converged, all other constant draws have not.
-/// Such draws are the point mass that CeilingRule::Clamp makes, or a ceiling so far below the mean
-/// that one deviation there is less than a rounding.
+/// Such draws are the point mass of CeilingRule::Clamp. They also occur at a ceiling so far below
+/// the mean that one deviation there is less than a rounding.
 class RankedDraws {
 public:
     /// draws: n × chains, one chain per column, any unit; must outlive this object.
@@ -32,8 +32,8 @@ public:
     /// replaced by normal scores z = Φ⁻¹((rank − 3/8) / (S + 1/4)); ties get their average rank.
     /// Then
     ///   R-hat = √(((n − 1)/n W + B/n) / W),  W, B: variance within and between the half chains.
-    /// The result is the larger R-hat of the draws and of |draws − median|, as in `rhat()` of the R
-    /// package posterior.
+    /// The result is the larger R-hat of the draws and of |draws − median|, as in `rhat()` of
+    /// posterior.
     ///
     /// Cases that `rhat()` leaves undefined: fewer than four draws per chain give kRhatNever, and
     /// so do half chains that are all constant. All draws at the bound give 1. If only the folded

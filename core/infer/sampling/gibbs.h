@@ -93,7 +93,7 @@ public:
     /// Makes one sweep of every run in this thread; no run may have ended. Chains of all scenes
     /// that share a bin's Gaussian process pass through its factor together (predictTogether). A
     /// scene that knows the bin's state skips it. The draws and the end of each run equal those of
-    /// sampleStates, bit for bit, unless a time limit ends it.
+    /// sampleStates bit for bit, except under a time limit.
     /// ScanOrder::Random gains nothing: every scene has its own order and rarely meets another.
     /// Throws Cancelled; the runs cannot continue after that.
     static void sweepTogether(std::span<GibbsRun* const> runs, PredictionRoom& room);

@@ -23,8 +23,8 @@ inline constexpr double kMinBetweenShare = 0.85;
 inline constexpr double kMinModeShare = 0.10;
 inline constexpr double kMinModeDistance = 0.06;  ///< [m]
 
-/// Returns the split of the draws into x ≤ split < y that explains most of their variance (exact
-/// 2-means in one dimension):
+/// Returns the split into x ≤ split < y that explains most of the draws' variance (exact 2-means in
+/// one dimension):
 ///   betweenShare = max_k n_low n_high (highMean − lowMean)² / (n Σ (x − mean)²)
 /// Empty unless betweenShare exceeds kMinBetweenShare, both clusters hold at least kMinModeShare,
 /// and their means are more than kMinModeDistance apart. Also empty for no draws and for equal

@@ -8,10 +8,10 @@
 
 namespace terratact {
 
-/// Dead reckoning: adds up the steps between lines of telemetry. A step of ds along the tracks at
-/// the mean θ of its two pitches moves the robot by ds (cos θ, sin θ). The robot turns about a
-/// point of the tracks' lower edge under the base origin. That point is uncertain along the track,
-/// between its axles:
+/// Dead reckoning: adds up the steps between lines of telemetry. A step of ds along the tracks
+/// moves the robot by ds (cos θ, sin θ), with θ the mean of its two pitches. The robot turns about
+/// a point of the tracks' lower edge under the base origin. That point is uncertain along the
+/// track, between its axles:
 ///   slip  = share (Σ |ds| cos θ, Σ |ds| sin θ)
 ///   upSd² = (pitchSd Σ |ds|)² + (trackAxle / √12 · max |θ − θ₀|)²
 /// share and pitchSd are the robot's. The last term is the sd of a point that lies anywhere between

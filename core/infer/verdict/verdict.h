@@ -110,11 +110,11 @@ struct LinkSinceScene {
 };
 
 /// Decides CLEAR, BLOCKED or CANNOT TELL. p(a, b) is P(a step of more than `limit` within bins a …
-/// b) by anyStep(), m its Monte-Carlo sd, and h the bin of the horizon:
+/// b) by anyStep(). m is its Monte-Carlo sd, and h the bin of the horizon:
 ///   Blocked     p(kFirstAhead, 10) − 2 m > kBlockedAbove
 ///   Clear       p(kFirstAhead, h) + 2 m < kClearBelow, h ≥ the reach, h ≥ kMinHorizonBin
 ///   CannotTell  else, or with any doubt, or without draws.
-/// The horizon is the front border of the last bin ahead that is felt, or that lies behind a loaded
+/// The horizon is the front border of the last bin ahead that is felt or lies behind a loaded
 /// element (kHorizonSlack). The reach is the last bin ahead with a finite ceiling. Where the touch
 /// is not recorded, h is the last bin.
 /// scene: the measurement that the estimate rests on. The limits in estimate.settings decide when

@@ -164,8 +164,8 @@ public:
     Result<ProfileFile> finish(const CsvReader&) { return std::move(file_); }
 
 private:
-    /// Returns true if every other number is the same, like the metres of heights below 1 m, and
-    /// the others differ.
+    /// Returns true if every other number is equal, like the metres of heights below 1 m, and the
+    /// others differ.
     static bool alternates(const std::vector<double>& line)
     {
         if (line.size() < 6 || line.size() % 2 != 0) return false;

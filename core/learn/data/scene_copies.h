@@ -26,7 +26,7 @@ SceneCopies withoutCopies(const std::vector<const Scene*>& scenes);
 
 /// Returns true if one pose on one ground can explain both scenes. Every feature differs by at most
 /// kCopySd √2 standard deviations of its noise (core/sim/sensor_noise.h). The root mean square of
-/// the height differences is at most 26 mm; a scanner's noise of 12 mm exceeds that once in a
+/// the height differences is at most 26 mm. A scanner's noise of 12 mm exceeds that once in a
 /// hundred times.
 bool isNearCopy(const Scene& a, const Scene& b);
 inline constexpr double kCopySd = 3.5;

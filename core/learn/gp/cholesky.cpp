@@ -19,7 +19,7 @@ int size(const Eigen::MatrixXd& A)
     return static_cast<int>(A.rows());
 }
 
-/// Returns the number of columns between two polls, if each takes a product of kBlock × inner and a
+/// Returns the number of columns between two polls. Each takes a product of kBlock × inner and a
 /// triangle of kBlock rows.
 int columnsAtOnce(int inner)
 {

@@ -21,15 +21,15 @@ struct Normal {
 
 /// Least reciprocal condition number of a covariance that is used.
 inline constexpr double kMinRcond = 1e-12;
-/// Returns max(1e-9, 1e-14 / rcond): the error bound of results from a matrix of that reciprocal
-/// condition number, as a share of a reference that each result states. It is at most 1e-2 if rcond
-/// is at least kMinRcond.
+/// Returns max(1e-9, 1e-14 / rcond), the relative error bound of results from a matrix with this
+/// reciprocal condition number. Each result states its reference. It is at most 1e-2 if rcond is at
+/// least kMinRcond.
 double errorBoundAt(double rcond);
 /// Share of the prior's variance below which rounding makes a predicted variance meaningless.
 inline constexpr double kMinVariance = 1e-15;
 
-/// Factor by which the error of a variance in single precision, through all rows, may exceed the
-/// error at the probes.
+/// Factor by which the error of a single-precision variance through all rows may exceed the error
+/// at the probes.
 inline constexpr double kSingleErrorElsewhere = 5.0;
 /// Largest relative error of a variance in single precision: five times the limit at the probes.
 inline constexpr double kSingleVarianceError = 1e-2;
@@ -38,9 +38,9 @@ inline constexpr double kSingleVarianceError = 1e-2;
 /// Williams 2006, ch. 2):
 ///   K = k(X, X) + σ_n² I = L Lᵀ,  α = K⁻¹ y
 ///   mean = ȳ + k★ᵀ α,  variance = σ_f² + σ_n² − |L⁻¹ k★|²     (eq. 2.25, 2.26; of the height, not of f)
-/// If K is singular to working precision (repeated rows without noise, length scales beyond the
-/// data), K + jitter (σ_f² + σ_n²) I replaces it, with the least sufficient jitter of 1e-10, 1e-9 …
-/// 1e-6.
+/// K may be singular to working precision, by repeated rows without noise or length scales beyond
+/// the data. K + jitter (σ_f² + σ_n²) I then replaces it, with the least sufficient jitter of
+/// 1e-10, 1e-9 … 1e-6.
 /// The error of the mean is at most meanErrorBound(). The error of the variance in double precision
 /// is at most errorBound() of σ_f² + σ_n². The variance is at least σ_n² and kMinVariance (σ_f² +
 /// σ_n²).
@@ -50,8 +50,8 @@ class GaussianProcess {
 public:
     /// X: U × d standardised inputs. y: U outputs, centred. outputMean: ȳ, added to every
     /// prediction. poll: as in cholesky.h; what it throws is rethrown, and nothing is built.
-    /// Throws std::invalid_argument if sizes disagree, a number is not finite, a length scale is
-    /// not positive, or rcond() would be below kMinRcond with every jitter.
+    /// Throws std::invalid_argument if sizes disagree, a number is not finite, or a length scale is
+    /// not positive. It also throws if rcond() would be below kMinRcond with every jitter.
     GaussianProcess(Eigen::MatrixXd X, const Eigen::VectorXd& y, Hyperparameters hyper,
                     double outputMean, const Poll& poll = {});
 
@@ -79,8 +79,8 @@ public:
     double errorBound() const { return errorBoundAt(rcond_); }
 
     /// Returns errorBound() of σ_f² Σ |α_u|, the largest possible sum of the mean's terms. That is
-    /// about max |y| for outputs that vary as smoothly as the length scales say, and many times
-    /// that for others. The rounding error of ȳ is not included.
+    /// about max |y| for outputs as smooth as the length scales say, and many times that for
+    /// others. The rounding error of ȳ is not included.
     double meanErrorBound() const { return errorBound() * largestMean_; }
 
     /// Returns InverseFactor::Single::error of this process [m²].
@@ -92,8 +92,8 @@ public:
 
     /// Returns the precision that a request for `wanted` gets. Single needs a singleError of at
     /// most 0.2 % of σ_n², the least possible variance, or of a reduced variance itself.
-    /// The relative error of a variance in single precision is then at most kSingleVarianceError,
-    /// and half of that for a standard deviation. Through all rows its error is at most
+    /// The relative error of a single-precision variance is then at most kSingleVarianceError; a
+    /// standard deviation has half of that. Through all rows its error is at most
     /// kSingleErrorElsewhere times singleError. tests/core/learn/model/bin_models_test.cpp shows
     /// the errors of the shipped model. A mean is the same except for rounding, because its sum has
     /// another order. A process with almost no noise, or an ill-conditioned one, is computed in

@@ -36,11 +36,11 @@ struct ReducedInverse {
 /// shared between threads; a thread that waits for the packing polls too. An exception of a poll
 /// leaves the packing to the next caller.
 ///
-/// Single precision changes |L⁻¹k|² by about ε Σ_i |v_i| Σ_j |L⁻¹_ij k_j|, ε = 6e-8, and the
-/// products grow with the condition number of K. The error is therefore measured at columns of K
-/// itself, where |L⁻¹ K e_i|² = K_ii is known: Single::error. A GivenInverse is compared with its
-/// double version at its probes. A ReducedInverse is used for single precision if there is one, and
-/// judged at its own probes.
+/// Single precision changes |L⁻¹k|² by about ε Σ_i |v_i| Σ_j |L⁻¹_ij k_j|, ε = 6e-8. The products
+/// grow with the condition number of K. The error is therefore measured at columns of K itself,
+/// where |L⁻¹ K e_i|² = K_ii is known: Single::error. A GivenInverse is compared with its double
+/// version at its probes. A ReducedInverse is used for single precision if there is one, and judged
+/// at its own probes.
 class InverseFactor {
 public:
     /// Number of columns at which single precision is judged.

@@ -22,9 +22,9 @@ struct ProjectedProcess {
     /// The smaller reciprocal condition number of K_mm and of L⁻¹ A L⁻ᵀ, with K_mm = L Lᵀ; 1-norm.
     double rcond = 1.0;
 
-    /// Returns errorBoundAt(rcond) (gaussian_process.h). It is the relative error of the mean at a
-    /// row, as a share of max |y| or of σ_f² Σ |w|, whichever is larger. The same holds for a
-    /// numerator of leaveOneOut. The absolute error of its denominator is that number itself.
+    /// Returns errorBoundAt(rcond) (gaussian_process.h). It bounds the error of the mean at a row,
+    /// relative to the larger of max |y| and σ_f² Σ |w|. The same holds for a numerator of
+    /// leaveOneOut. It bounds the absolute error of the denominator.
     double errorBound() const;
 };
 
@@ -35,9 +35,9 @@ inline constexpr double kMinFreedom = 1e-9;
 
 /// Learns the process. X: n × d standardised inputs; y: n outputs, centred; inducing: rows of X.
 /// Cost: n m² multiplications; memory: 2 n m doubles.
-/// Throws std::invalid_argument if sizes disagree, a number is not finite, σ_n is 0, a row does not
-/// exist, or rcond would be below kMinRcond (gaussian_process.h). poll: called every few
-/// milliseconds; what it throws is rethrown.
+/// Throws std::invalid_argument if sizes disagree, a number is not finite, σ_n is 0 or a row does
+/// not exist. It also throws if rcond would be below kMinRcond (gaussian_process.h). poll: called
+/// every few milliseconds; what it throws is rethrown.
 ProjectedProcess projectProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
                                 const std::vector<int>& inducing, const Hyperparameters& hyper,
                                 const Poll& poll = {});

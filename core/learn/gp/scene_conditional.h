@@ -13,8 +13,8 @@ namespace terratact {
 struct PredictionRoom;
 struct ScenePrediction;
 
-/// Gaussian process at one scene. The fixed inputs are folded into one log weight per training row,
-/// so that a prediction only costs the moving inputs. The process must outlive this object.
+/// Gaussian process at one scene. The fixed inputs are folded into one log weight per training row:
+/// a prediction only costs the moving inputs. The process must outlive this object.
 class SceneConditional {
 public:
     /// x: d standardised inputs. moving: indices of inputs that are given for each prediction.

@@ -40,8 +40,8 @@ std::vector<int> evenlySpread(Eigen::Index rows, Eigen::Index wanted)
     return chosen;
 }
 
-/// Inducing rows, the factor of their covariance, K_mm = L Lᵀ, with its reciprocal condition
-/// number, and V = L⁻¹ K_mn, stored transposed: n × m.
+/// Inducing rows and the factor of their covariance, K_mm = L Lᵀ, with its reciprocal condition
+/// number. V = L⁻¹ K_mn is stored transposed: n × m.
 struct Inducing {
     std::vector<int> rows;
     Eigen::MatrixXd L;
@@ -160,8 +160,8 @@ Eigen::MatrixXd gramOfRows(const Eigen::MatrixXd& U, const Poll& poll)
     return product;
 }
 
-/// Returns the lower triangle C with Cᵀ C = 1 − B⁻¹, from R of B = Rᵀ R; nothing if rounding
-/// dominates a direction.
+/// Returns the lower triangle C with Cᵀ C = 1 − B⁻¹, from R of B = Rᵀ R. Returns nothing if
+/// rounding dominates a direction.
 std::optional<Eigen::MatrixXd> factorOfGain(Eigen::MatrixXd R, const Poll& poll)
 {
     constexpr double kRounding = 1e-13;

@@ -13,8 +13,8 @@ namespace terratact {
 /// With K_mm = k(Z, Z), K_mn = k(Z, X), Λ = diag(k(X, X) − K_nm K_mm⁻¹ K_mn) + (σ_n² + jitter (σ_f²
 /// + σ_n²)) I and A = K_mm + K_mn Λ⁻¹ K_nm:
 ///   mean = k_mᵀ w,  w = A⁻¹ K_mn Λ⁻¹ y,   variance = σ_f² + σ_n² − |F k_m|²,  Fᵀ F = K_mm⁻¹ − A⁻¹
-/// This is the fully independent training conditional (Snelson & Ghahramani 2005; Rasmussen &
-/// Williams 2006, §8.3.4 give it without the first part of Λ). It is exact if every row belongs to
+/// This is the fully independent training conditional (Snelson & Ghahramani 2005). Rasmussen &
+/// Williams 2006, §8.3.4 give it without the first part of Λ. It is exact if every row belongs to
 /// Z.
 struct SparseProcess {
     std::vector<int> inducing;  ///< rows of X, in the order chosen
@@ -22,8 +22,9 @@ struct SparseProcess {
     Eigen::MatrixXd F;          ///< m × m, lower triangle, zeros above
     /// Raises a σ_n² below 1e-9 σ_f² to that value; else 0.
     double jitter = 0.0;
-    /// Smallest of three numbers: the estimated reciprocal condition numbers (1-norm) of K_mm and
-    /// of L⁻¹ A L⁻ᵀ, with K_mm = L Lᵀ, and Λ as a share of σ_f² + σ_n², because Λ is a difference.
+    /// Smallest of three numbers. Two are the estimated reciprocal condition numbers (1-norm) of
+    /// K_mm and of L⁻¹ A L⁻ᵀ, with K_mm = L Lᵀ. The third is Λ as a share of σ_f² + σ_n², because Λ
+    /// is a difference.
     double rcond = 1.0;
 };
 
@@ -52,9 +53,9 @@ inline constexpr double kUnexplainedOfNoise = 1e-4;
 /// of a predicted variance is about this share at most.
 inline constexpr double kLeftTogether = 1e-2;
 
-/// Returns nothing in these cases: it needs more than 92 % of the rows, or no row; half as many
-/// rows explain too little; the remaining rows say more than kLeftTogether; σ_n² is too small for a
-/// decision (below 1e-4 σ_f²).
+/// Returns nothing if it needs more than 92 % of the rows, or no row, or if half as many rows
+/// explain too little. It also returns nothing if the remaining rows say more than kLeftTogether,
+/// or if σ_n² is below 1e-4 σ_f².
 /// X, hyper: of a GaussianProcess. Cost: n m² + m³ + (n − m)² m multiplications. Memory: 0.92 n²
 /// doubles, n m of them used, and (n − m) n more or 4 m².
 std::optional<ReducedVariance> reducedVariance(const Eigen::MatrixXd& X,

@@ -53,8 +53,8 @@ struct ClearanceRegimeData {
 
 /// Data of the conditionals p(yᵢ | y_{J∖i}, s), besides the training rows. There is one Gaussian
 /// process per bin and regime, with y of core/learn/model/clearance.h. The input of the i-th is the
-/// other bins' y, rear to front, then s. Each y is standardised with mean and sd of its bin in the
-/// regime that it has in that row or scene.
+/// other bins' y, rear to front, then s. Each y is standardised with mean and sd of its bin, in its
+/// regime in that row or scene.
 ///   s: the features with log(1 + force / 3 N) for the six forces, standardised.
 /// The output is y, centred with the mean of (bin, regime).
 struct ClearanceConditionalData {
@@ -79,11 +79,12 @@ ClearanceConditionalData clearanceConditionalData(const ModelData& model,
                                                   const ClearanceTraining& training);
 
 /// Returns the data with standardisation, but without hyper-parameters. Throws
-/// std::invalid_argument if sizes disagree, a height or feature is not finite, a ceiling is NaN or
-/// −infinity, there are fewer than kMinTrainingRows rows, or a feature never varies.
+/// std::invalid_argument if sizes disagree, a height or feature is not finite, or a ceiling is NaN
+/// or −infinity. It also throws for fewer than kMinTrainingRows rows, and if a feature never
+/// varies.
 ClearanceConditionalData prepareClearanceConditionals(const ClearanceTraining& training);
 
-/// Trains one bin in one regime with maximiseLikelihood; σ_f and σ_n may reach 10 and 3 in the unit
+/// Trains one bin in one regime with maximiseLikelihood. σ_f and σ_n may reach 10 and 3 in the unit
 /// of y. The seed of the subset is options.seed + 2 bin + regime. Throws std::invalid_argument for
 /// fewer than kMinTrainingRows rows in that regime.
 TrainedBin trainClearanceConditional(const ClearanceTraining& training,

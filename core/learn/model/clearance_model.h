@@ -78,8 +78,8 @@ public:
     double contactSd() const { return contactSd_; }
 
     /// Returns w_d, and the distance of a model's noveltyScale; used by training. If features are
-    /// left out, a process counts in w_d by its rows, because one with few rows may have an unusual
-    /// length scale.
+    /// left out, a process counts in w_d by its rows: one with few rows may have an unusual length
+    /// scale.
     static Eigen::VectorXd metric(const ClearanceData& data, MissingFeatures without = {});
     static double noveltyScale(const ModelData& model, const Poll& poll = {},
                                MissingFeatures without = {});

@@ -45,8 +45,7 @@ TrainedSurface refitSurface(const ModelData& model, const Eigen::MatrixXd& ceili
 void store(ModelData& model, const TrainedSurface& trained, int bin, bool covered);
 
 /// Completes the clearance part once all bins are stored; without: as in ClearanceModel. It
-/// computes the scale of novelty, and the bias and sd with which a contact counts as a measurement
-/// of its bin.
+/// computes the scale of novelty, and the bias and sd of a contact as a measurement of its bin.
 /// Forces already speak through s. A contact therefore counts by what its height z adds to the
 /// bin's leave-one-out prediction m. Over the training scenes with an isolated contact, least
 /// squares fits

@@ -197,8 +197,8 @@ void readRows(SqliteFile& file, ModelData& model)
     model.scannedHeights = readMatrix(file, "scanned_row", kBins);
 }
 
-/// Returns the numbers of a table's rows for one bin and regime, in the order of column `order`,
-/// which counts from 0.
+/// Returns the numbers of a table's rows for one bin and regime. Column `order`, which counts from
+/// 0, gives their order.
 Eigen::VectorXd readNumbers(SqliteFile& file, const std::string& table, const std::string& order,
                             int bin, bool covered)
 {

@@ -16,11 +16,11 @@ namespace terratact {
 ///   shift = ½ (mean θ out + mean θ back) − (kNoseUp − kNoseDown λ)
 /// Both means are over the same way from the point where the robot turned. θ is the pitch of the
 /// line that the robot rests on (supportAngle). λ is the share of the way on which rear flippers
-/// carry a load. A robot that climbs over edges points up for longer than the ground does, because
-/// its centre of mass lies behind its middle. Loaded rear flippers make it point down.
-/// kNoseUp and kNoseDown were fitted to simulated drives over generated ground. Over real profiles
-/// the same fit gives 0.0113 and 0.048, with a residual of 0.012 rad. In one direction alone no
-/// sensor of this robot can tell a shift from a slope.
+/// carry a load. A robot that climbs over edges points up for longer than the ground does: its
+/// centre of mass lies behind its middle. Loaded rear flippers make it point down. kNoseUp and
+/// kNoseDown were fitted to simulated drives over generated ground. Over real profiles the same fit
+/// gives 0.0113 and 0.048, with a residual of 0.012 rad. In one direction alone no sensor of this
+/// robot can tell a shift from a slope.
 /// The watch needs way and turn of the odometry. Its memory is bounded, and it has no clock.
 class ReturnWatch {
 public:

@@ -11,7 +11,7 @@ namespace terratact {
 
 /// Detects forces on raised front flippers while the robot drives. An element that feels at least
 /// kLoad in nine lines of ten has drifted or is stuck. Four elements together are suspected over
-/// kWay, one alone over kLongWay, because a flipper may lean on a wall for a while.
+/// kWay, one alone over kLongWay. The flipper may lean on a wall for a while.
 class UnloadedWatch {
 public:
     static constexpr double kLoad = 1.0;     ///< [N]

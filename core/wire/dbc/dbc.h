@@ -71,9 +71,8 @@ std::uint32_t parameterGroupOf(std::uint32_t id);
 /// too short, or is no data frame.
 std::optional<std::uint64_t> bitsOf(const DbcSignal& signal, const CanFrame& frame);
 
-/// Writes the bits of all signals of a message, in its order; empty also for signals that a
-/// multiplexor does not select. Throws std::invalid_argument unless `bits` has one element per
-/// signal.
+/// Writes the bits of all signals of a message, in its order. Signals that a multiplexor does not
+/// select are empty too. Throws std::invalid_argument unless `bits` has one element per signal.
 void decodeBits(const DbcMessage& message, const CanFrame& frame,
                 std::span<std::optional<std::uint64_t>> bits);
 

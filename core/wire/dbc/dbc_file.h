@@ -19,14 +19,13 @@ struct DbcFile {
 };
 
 /// Reads a DBC file. It reads messages, signals of either byte order, IEEE floats, nested
-/// multiplexors, units, value texts (VAL_), comments, long names (SystemSignalLongSymbol,
-/// SystemMessageLongSymbol), parameter groups of J1939 (VFrameFormat) and numeric attributes of
-/// messages. Other sections and comments (//) are skipped. Text is UTF-8, or else Windows code page
-/// 1252.
+/// multiplexors, units, value texts (VAL_) and comments. It also reads long names
+/// (SystemSignalLongSymbol, SystemMessageLongSymbol), J1939 parameter groups (VFrameFormat) and
+/// numeric attributes of messages. Other sections and comments (//) are skipped. Text is UTF-8, or
+/// else Windows code page 1252.
 ///
-/// A line or signal that cannot be understood, is impossible or is a duplicate is skipped, with a
-/// warning that names its line. If the file describes no message, the Error names the first thing
-/// that was skipped.
+/// A line or signal that is not understood, impossible or a duplicate is skipped; a warning names
+/// its line. If the file describes no message, the Error names the first thing that was skipped.
 Result<DbcFile> readDbc(const std::string& path);
 
 /// Reads the same from a text; errors and warnings call it `path`.

@@ -68,7 +68,7 @@ int shownDigits(const DbcSignal& signal)
     return std::max(digitsOf(signal.scale), digitsOf(signal.offset));
 }
 
-/// Returns every digit of a scaled integer raw value; empty if scale or offset is no decimal number
+/// Returns every digit of a scaled integer raw value. Empty if scale or offset is no decimal number
 /// of so few digits.
 std::optional<std::string> decimalText(const DbcSignal& signal, std::uint64_t bits, int most)
 {
