@@ -42,8 +42,8 @@ public:
     void setBus(const QString& text, Tone tone, const QString& details, const QString& brief = {});
     /// unseen: number of unacknowledged alarms.
     void setAlarms(int unseen, int all);
-    void setOverridden(
-        const QString& what);  ///< shows a badge while a check is overridden; empty: no badge
+    /// Shows a badge while a check is overridden; empty: no badge.
+    void setOverridden(const QString& what);
     void setRobot(const QString& text, Tone tone);
     void setModel(const QString& text, Tone tone, const QString& details = {});
     /// Sets the quality menu. names: one word per preset; lines: the same with cost and error.
