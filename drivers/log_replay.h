@@ -17,8 +17,8 @@ namespace terratact {
 /// sends no commands. Time that runs backwards in the log takes no time. A silence longer than
 /// kMaxWait takes kShortWait.
 ///
-/// A frame's `time` is its due time on the steady clock, so that ages and time limits hold as on a
-/// bus. At a speed other than 1 they change by that factor. Its `wallTime` is the log's own time.
+/// A frame's `time` is its due time on the steady clock: ages and time limits hold as on a bus. At
+/// a speed other than 1 they change by that factor. Its `wallTime` is the log's own time.
 class LogReplay final : public CanBus {
 public:
     struct Options {

@@ -7,9 +7,9 @@
 
 namespace terratact {
 
-/// Arming: how the console gets permission to move a robot. It takes two distinct actions of the
-/// operator within 5 s, over a link that has been good for 1 s. The robot must then confirm. Any
-/// fault disarms at once. Nothing arms automatically.
+/// Arming: how the console gets permission to move a robot. It takes two actions of the operator
+/// within 5 s, over a link that has been good for 1 s. The robot must then confirm. Any fault
+/// disarms at once. Nothing arms automatically.
 ///
 ///   Disarmed ──wanted──▶ Confirming ──confirmed──▶ Requested ──robotArmed──▶ Armed
 enum class ArmingPhase : std::uint8_t {

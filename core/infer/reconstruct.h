@@ -17,8 +17,8 @@ namespace terratact {
 /// force.
 /// The same scene, models and settings give the same result, bit for bit on one machine.
 /// Throws std::invalid_argument for a method that is not one of the paper's four, and for settings
-/// out of range. It also throws for models of the other feature set, for an s that lacks a feature,
-/// and for an estimate that is not finite. Throws Cancelled.
+/// out of range. It also throws for models of the other feature set, an s that lacks a feature, and
+/// an estimate that is not finite. Throws Cancelled.
 TerrainEstimate reconstruct(const Proprioception& s, std::span<const ArmReading> arm,
                             const RobotModel& robot, const BinModels& models,
                             const Settings& settings, const Watch& watch = {});

@@ -24,8 +24,8 @@ inline constexpr double kExactSd = 0.001;
 /// judged over all bins that are drawn.
 /// The same scene, models and settings give the same result, bit for bit on one machine.
 /// Throws std::invalid_argument for another method, for settings or readings out of range, and for
-/// an s that lacks a feature. It also throws for a bin in a regime that was not trained, and for an
-/// estimate that is not finite. Throws Cancelled.
+/// an s that lacks a feature. It also throws for a bin in an untrained regime, and for an estimate
+/// that is not finite. Throws Cancelled.
 TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const ArmReading> arm,
                                      const RobotModel& robot, const ClearanceConditionals& models,
                                      const Settings& settings, const Watch& watch = {},

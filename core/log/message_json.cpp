@@ -39,7 +39,7 @@ void write(std::string& out, const Message& message)
     out += ']';
 }
 
-/// Reads what write() writes; false: something else stands there.
+/// Reads what write() writes. Returns false for anything else.
 class JsonMessage {
 public:
     explicit JsonMessage(std::string_view json) : rest_(json) {}

@@ -26,8 +26,8 @@ struct FittedCalibration {
 /// curve gets one point per applied force: that force plus the mean bias, and the median resistance
 /// of all elements. Unloaded readings give its first point. Without applied forces the present
 /// curve stays. Supply, reference and thresholds stay.
-/// Errors: a reading of an element that no array has; an element without unloaded readings; a
-/// reading of a broken or shorted element; a curve whose resistance does not fall. Throws
+/// Errors: a reading of an element that no array has, or that is broken or shorted; an element
+/// without unloaded readings. A curve whose resistance does not fall is also an error. Throws
 /// std::invalid_argument for an element that does not exist, or an invalid force.
 Result<FittedCalibration> calibrate(const std::vector<ForceReading>& readings,
                                     const ForceCalibration& present,

@@ -5,8 +5,8 @@
 
 namespace terratact {
 
-// CSV text fields. A spreadsheet computes a field as a formula if it begins with = + - @, a tab or
-// a line end, or their wide forms. A leading apostrophe makes it a text.
+// CSV text fields. A spreadsheet computes a field that begins with = + - @, a tab, a line end or
+// their wide forms. A leading apostrophe makes it a text.
 
 /// Returns a text as a CSV field. A text that would be a formula and is no number gets a leading
 /// apostrophe. A text with a separator, a quote, a line end or an outer blank is quoted as in RFC

@@ -84,8 +84,7 @@ public:
     /// Returns true if the journal of a file in WAL mode is missing.
     static bool lacksJournal(const std::string& path);
 
-    /// Returns true if the journal of a file in WAL mode is invalid, so that nothing of it can be
-    /// read.
+    /// Returns true if the journal of a file in WAL mode is invalid and cannot be read.
     static bool journalIsDamaged(const std::string& path);
 
     /// Creates a file that one connection writes while others read. It must not exist. It has a

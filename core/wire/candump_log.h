@@ -26,9 +26,9 @@ Result<LoggedFrame> frameFromCandump(std::string_view line);
 
 /// Returns a line of the compact dialect, without its line end, for every version of can-utils and
 /// python-can: six digits after the point, no direction.
-/// Throws std::invalid_argument if there is no such line: the time is negative or not finite; the
-/// interface name is empty, longer than 15 bytes or has blanks; the identifier exceeds its bits;
-/// the length is impossible for its kind; data bytes are unknown; or the frame has two kinds.
+/// Throws std::invalid_argument if there is no such line. The time may be negative or not finite,
+/// or the interface name empty, longer than 15 bytes or with blanks. The identifier may exceed its
+/// bits, the length be impossible for its kind, data bytes be unknown, or the frame have two kinds.
 std::string candumpLine(double time, std::string_view interface, const CanFrame& frame);
 
 }  // namespace terratact

@@ -71,8 +71,8 @@ struct PressedBins {
 ///   - All loads together fit even ground, with a pressure above 0 at both borders of the bin.
 /// A bin is FeltInPart if some element within it carries load. An element that is not measured
 /// counts as loaded if both neighbours are.
-/// Three hollows are not detected. The first is a gap of about 0.02 m under the pivot's end, which
-/// changes element 1 by less than its noise. The second is a gap of up to 0.04 m before a saturated
+/// Three hollows are not detected. The first is a gap of about 0.02 m under the pivot's end:
+/// element 1 changes by less than its noise. The second is a gap of up to 0.04 m before a saturated
 /// element 1. The third is a slot of less than 0.05 m. docs/hazards.md says how often they occur.
 /// ceiling: of this pose [m], +infinity where the bin is not covered.
 PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const Heights& ceiling);

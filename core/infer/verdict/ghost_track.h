@@ -9,9 +9,9 @@
 namespace terratact {
 
 /// Dead reckoning: adds up the steps between lines of telemetry. A step of ds along the tracks
-/// moves the robot by ds (cos θ, sin θ), with θ the mean of its two pitches. The robot turns about
-/// a point of the tracks' lower edge under the base origin. That point is uncertain along the
-/// track, between its axles:
+/// moves the robot by ds (cos θ, sin θ). θ is the mean of its two pitches. The robot turns about a
+/// point of the tracks' lower edge under the base origin. That point is uncertain along the track,
+/// between its axles:
 ///   slip  = share (Σ |ds| cos θ, Σ |ds| sin θ)
 ///   upSd² = (pitchSd Σ |ds|)² + (trackAxle / √12 · max |θ − θ₀|)²
 /// share and pitchSd are the robot's. The last term is the sd of a point that lies anywhere between

@@ -25,10 +25,10 @@ struct SceneFile {
 /// The h columns may be missing. An empty field, NaN, NA and so on mean unknown, which currents,
 /// forces and heights may be. Unknown columns are ignored with a notice; a last line without its
 /// line end is also noticed. A line of units below the header is skipped if the units are right.
-/// Errors name file, line and cause: missing, duplicate or misspelt columns, wrong numbers, NaN or
-/// infinity, heights beyond ±5 m, angles beyond ±π, forces below 0 or above 1000 N, currents beyond
-/// ±100 A, other units, a wrong number of fields, an empty file, more than kMaxScenes scenes, and
-/// what CsvReader refuses.
+/// Errors name file, line and cause: missing, duplicate or misspelt columns, wrong numbers, other
+/// units, a wrong number of fields, an empty file. Infinity is refused, and NaN where a value must
+/// be known. Limits are ±5 m for heights, ±π for angles, 0 … 1000 N for forces and ±100 A for
+/// currents. More than kMaxScenes scenes are refused, and so is what CsvReader refuses.
 /// The file is read once, so that it may be a pipe.
 Result<SceneFile> readScenes(const std::string& path);
 

@@ -53,9 +53,9 @@ inline constexpr double kUnexplainedOfNoise = 1e-4;
 /// of a predicted variance is about this share at most.
 inline constexpr double kLeftTogether = 1e-2;
 
-/// Returns nothing if it needs more than 92 % of the rows, or no row, or if half as many rows
-/// explain too little. It also returns nothing if the remaining rows say more than kLeftTogether,
-/// or if σ_n² is below 1e-4 σ_f².
+/// Returns nothing if it needs no row or more than 92 % of the rows, or if half as many explain too
+/// little. It also returns nothing if the remaining rows say more than kLeftTogether, or if σ_n² is
+/// below 1e-4 σ_f².
 /// X, hyper: of a GaussianProcess. Cost: n m² + m³ + (n − m)² m multiplications. Memory: 0.92 n²
 /// doubles, n m of them used, and (n − m) n more or 4 m².
 std::optional<ReducedVariance> reducedVariance(const Eigen::MatrixXd& X,

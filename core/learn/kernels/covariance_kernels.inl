@@ -1,8 +1,12 @@
-// Compiled once per instruction set with TERRATACT_KERNEL_NAMESPACE, _NAME, _BYTES (of a vector) and _COLUMNS
-// (of L⁻¹k that the registers hold, times three vectors of rows) and _AHEAD (columns of a panel to fetch before
-// they are needed: the hardware stops at every page; worth it where a panel is read once or twice) set.
-// No templates of the standard library in here: their symbols would be shared between instruction sets.
-// Fused products are written out (fma) and contraction is off: no compiler changes a bit.
+// Compiled once per instruction set. These macros must be set, all with the prefix
+// TERRATACT_KERNEL:
+//   _NAMESPACE, _NAME
+//   _BYTES    of a vector
+//   _COLUMNS  of L⁻¹k that the registers hold, times three vectors of rows
+//   _AHEAD    columns of a panel to prefetch. The hardware's prefetch stops at every page; this helps
+//             where a panel is read once or twice.
+// No templates of the standard library may be used here: instruction sets would share their
+// symbols. Fused products are written out (fma) and contraction is off: no compiler changes a bit.
 
 #include "core/learn/kernels/covariance_kernels.h"
 
@@ -88,7 +92,7 @@ inline void storeRounded(double* p, Doubles v, double)
     store<double>(p, v);
 }
 
-/// What is below `least` becomes 0.
+/// Stores values, with 0 for those below `least`.
 inline void storeRounded(float* p, Doubles v, double least)
 {
     const Bits keep = v > spread(least);
@@ -97,11 +101,12 @@ inline void storeRounded(float* p, Doubles v, double least)
     *reinterpret_cast<Half*>(p) = __builtin_convertvector(v, Half);
 }
 
-/// e^x for x ≤ 0 by x = n ln 2 + r, |r| ≤ ½ ln 2, and the polynomial of degree 11 with the least largest relative error
-/// (by Remez's algorithm: 3e-18, 2e-17 with its first two coefficients rounded to 1); below −300 it is e^−300:
-/// with a signal sd above 2e-12 even a covariance's square is then a normal number, and processors take many times as
-/// long over subnormal ones.
-/// Of several vectors side by side: each step waits for the one before it.
+/// Computes e^x for x ≤ 0 by x = n ln 2 + r, |r| ≤ ½ ln 2, with a polynomial of degree 11 in r. It
+/// is the minimax polynomial of the relative error by Remez's algorithm: 3e-18, or 2e-17 with its
+/// first two coefficients rounded to 1.
+/// Below −300 the result is e^−300. With a signal sd above 2e-12 even a covariance's square is then
+/// a normal number. Processors need many times as long for subnormal ones.
+/// Several vectors are computed together, because each step waits for the one before it.
 template <int kRows>
 [[gnu::always_inline]] inline void expNegative(Doubles (&x)[kRows])
 {
@@ -133,7 +138,7 @@ template <int kRows>
     for (int v = 0; v < kRows; ++v) x[v] = (Doubles)((Bits)p[v] + ((Bits)shifted[v] << 52));
 }
 
-/// Covariances of kRows training rows with one vector of columns.
+/// Computes the covariances of kRows training rows with one vector of columns.
 template <int kRows, bool kKept, class T>
 inline void covarianceRows(const CovarianceInput& in, const double* Z, int u, T* K, Doubles& mean)
 {
@@ -175,14 +180,14 @@ void covariances(const CovarianceInput& in, const double* Z, T* K, double* mean)
     }
 }
 
-/// The three cache lines of one column of a panel.
+/// Prefetches the three cache lines of one column of a panel.
 inline void prefetch(const void* column)
 {
     for (int line = 0; line < 3; ++line)
         __builtin_prefetch(static_cast<const char*>(column) + 64 * line);
 }
 
-/// What the second cache is to fetch meanwhile: so many bytes from there on with every column.
+/// Prefetch into the second-level cache: this many bytes from here on with every column.
 struct Fetch {
     const char* from;
     long perColumn;
@@ -210,8 +215,9 @@ template <class T, int kFrom, int kTo>
     }
 }
 
-/// Three vectors of rows of a panel, of which kUsed hold rows of the triangle, times kColumns columns; only
-/// sums of squares leave the registers.  first: the first vector's first row; row: likewise, in the panel.
+/// Multiplies three vectors of rows of a panel by kColumns columns; kUsed of them hold rows of the
+/// triangle. Only sums of squares leave the registers. first: first row of the first vector; row:
+/// the same within the panel.
 template <class T, int kUsed>
 [[gnu::always_inline]] inline void block(const T* panel, const T* K, int first, int row, Fetch fetch,
                                          T* squares)
@@ -242,7 +248,7 @@ template <class T>
     block<T, 3>(panel, K, first, row, fetch, squares);
 }
 
-/// Where U ends before the block does.
+/// Computes a block in which U ends.
 template <class T>
 [[gnu::noinline]] void lastBlock(const T* panel, const T* K, int first, int row, int used, Fetch fetch,
                                T* squares)
@@ -253,11 +259,12 @@ template <class T>
         block<T, 1>(panel, K, first, row, fetch, squares);
 }
 
-/// How often a group passes through a panel.
+/// Number of times that a group passes through a panel.
 template <class T>
 constexpr int kPasses = kPanelRows<T> / (kVectors * kLanes<T>) * (kGroup / kColumns);
 
-/// One panel times the eight columns of a group.  squares: 8 × kSquareLanes, added to.  fetch: moved on.
+/// Multiplies one panel by the eight columns of a group. squares: 8 × kSquareLanes, added to.
+/// fetch: advanced.
 template <class T>
 inline void multiplyPanel(const T* panel, const T* K, int first, int U, Fetch& fetch, T* squares)
 {
@@ -274,8 +281,9 @@ inline void multiplyPanel(const T* panel, const T* K, int first, int U, Fetch& f
     }
 }
 
-/// The panel behind this one in equal parts with the columns of every pass; none behind the last, nor with one pass, which
-/// is as slow as the memory anyway.
+/// Returns the prefetch of the next panel, in equal parts with the columns of every pass. There is
+/// none behind the last panel. With one pass there is none either, because that pass is as slow as
+/// the memory.
 template <class T>
 inline Fetch nextPanel(const T* panel, int first, int U, int groups)
 {
@@ -287,7 +295,7 @@ inline Fetch nextPanel(const T* panel, int first, int U, int groups)
     return {next, ((columns + kPanelRows<T>) * kColumnBytes + passes * first - 1) / (passes * first)};
 }
 
-constexpr int kMaxGroups = 8;  // whose partial sums lie on the stack
+constexpr int kMaxGroups = 8;  // their partial sums are on the stack
 
 /// Counts multiplications and polls.
 struct Meter {

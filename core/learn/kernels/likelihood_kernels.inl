@@ -1,10 +1,11 @@
-// Compiled once per instruction set with TERRATACT_KERNEL_NAMESPACE, _NAME, _LANES, _ROWS and _VECTORS
-// set: doubles per vector, and the block of products that the registers hold.
-// No templates of the standard library in here: their symbols would be shared between instruction sets.
+// Compiled once per instruction set. The macros TERRATACT_KERNEL_NAMESPACE, _NAME, _LANES, _ROWS
+// and _VECTORS must be set: doubles per vector, and the block of products that the registers hold.
+// No templates of the standard library may be used here: instruction sets would share their
+// symbols.
 
 #include "core/learn/kernels/likelihood_kernels.h"
 
-// Arrays of vectors live in registers only where the loops over them are unrolled early.
+// Compilers keep arrays of vectors in registers only if they unroll the loops over them early.
 #ifdef __clang__
 #define TERRATACT_UNROLL _Pragma("unroll")
 #else
@@ -35,13 +36,13 @@ inline Vec spread(double x)
     return x - Vec{};
 }
 
-/// Where column c of a tile begins in three groups of that stride.
+/// Returns the offset of column c of a tile in three groups with this stride.
 inline long column(int c, long groupStride)
 {
     return c / kGroup * groupStride + c % kGroup;
 }
 
-/// kRows rows times kVectors vectors of columns, from column c on.
+/// Computes kRows rows times kVectors vectors of columns, from column c on.
 inline void block(const double* A, const double* B, long stride, int length, double* C, long rowStride,
                   long groupStride, int c)
 {
@@ -74,14 +75,15 @@ inline void block(const double* A, const double* B, long stride, int length, dou
 void subtractProducts(const double* A, const double* B, long stride, int length, double* C, long rowStride,
                       long groupStride)
 {
-    for (int r = 0; r < kGroup; ++r)  // C is met once per pass over the matrix: fetch it while multiplying
+    // C is read once per pass over the matrix: it is prefetched during the products
+    for (int r = 0; r < kGroup; ++r)
         for (int c = 0; c < kTileColumns; c += kGroup) __builtin_prefetch(C + r * rowStride + column(c, groupStride), 1);
     for (int r = 0; r < kGroup; r += kRows)
         for (int c = 0; c < kTileColumns; c += kVectors * kLanes)
             block(A + r, B, stride, length, C + r * rowStride, rowStride, groupStride, c);
 }
 
-/// A block of kInputs inputs d … : their sums stay in registers for the whole row.
+/// Computes a block of kInputs inputs from d on: their sums stay in registers for the whole row.
 template <int kInputs>
 inline void addSquares(const double* G, int columns, const double* x, const double* Z, long stride, double* sums)
 {

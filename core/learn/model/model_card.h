@@ -41,8 +41,9 @@ inline constexpr std::size_t kMaxCardScores = 32;
 std::string cardPath(const std::string& modelPath);
 
 /// Reads the card beside a model; empty if there is none. Errors name the card and the cause: it is
-/// no TOML, has a missing, unknown or duplicate key, an invalid date, hash, method or number, more
-/// than kMaxCardScores scores, or belongs to a model with another content than `contentHash`.
+/// no TOML, has a missing, unknown or duplicate key, or an invalid date, hash, method or number. It
+/// may also have more than kMaxCardScores scores, or belong to a model with another content than
+/// `contentHash`.
 Result<std::optional<ModelCard>> readModelCard(const std::string& modelPath,
                                                const std::string& contentHash);
 

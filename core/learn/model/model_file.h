@@ -24,9 +24,9 @@ std::string contentHash(const ModelData& model);
 Status writeModel(const std::string& path, const ModelData& model);
 
 /// Opens a model read-only and validates it: application_id, user_version, integrity, schema,
-/// feature order and units, sizes (1 … 20 000 training rows), finite numbers, training rows in the
-/// ranges of the scenes file, ℓ, σ_f and sd from 1e-9 to 1e9, σ_n from 0, and the content's hash.
-/// Errors are one sentence that names the file and the cause.
+/// feature order and units. It needs 1 … 20 000 training rows of finite numbers in the ranges of
+/// the scenes file. ℓ, σ_f and sd lie within 1e-9 … 1e9, and σ_n is at least 0. The content's hash
+/// must match. Errors are one sentence that names the file and the cause.
 Result<StoredModel> readModel(const std::string& path);
 
 }  // namespace terratact

@@ -21,9 +21,9 @@ private:
     double current_ = 0.0;
 };
 
-/// Returns the angle [rad] from the tracks up to the robot's line of rest when its rear flippers
-/// carry a load. The line is the tangent from below to the front track wheel and the rear flippers'
-/// tips. Returns 0 if the tips are above the tracks.
+/// Returns the angle [rad] from the tracks up to the line of rest, when the rear flippers carry a
+/// load. The line is the tangent from below to the front track wheel and the rear flippers' tips.
+/// Returns 0 if the tips are above the tracks.
 double supportAngle(const RobotModel& robot, double rear);
 
 /// Upper bound of the ground that the tracks have passed over. No ground is higher than the lowest
