@@ -72,24 +72,18 @@ public:
 
     // Results.
     const std::optional<CapturedScene>& scene() const { return scene_; }
-    bool hasMoved() const
-    {
-        return pose_ && pose_->hasMoved();
-    }  ///< the robot has moved since scene()
-    bool hasLeft() const
-    {
-        return pose_ && pose_->hasLeft();
-    }  ///< the robot has left the pose of scene()
+    /// Returns true if the robot has moved since scene().
+    bool hasMoved() const { return pose_ && pose_->hasMoved(); }
+    /// Returns true if the robot has left the pose of scene().
+    bool hasLeft() const { return pose_ && pose_->hasLeft(); }
     /// Returns true if telemetry was missing so long since scene() that the robot may have moved. Only a new scene
     /// resets it.
     bool wasUnheard() const { return wasUnheard_; }
     /// Returns true if a sensor was suspected while the robot stood at scene().
     bool wasSuspected() const { return wasSuspected_; }
     const Settings& wanted() const { return options_.settings; }  ///< settings of the next estimate
-    const std::vector<ArmReading>& readings() const
-    {
-        return readings_;
-    }  ///< arm readings in scene()
+    /// Returns the arm readings in scene().
+    const std::vector<ArmReading>& readings() const { return readings_; }
     const std::optional<TerrainEstimate>& estimate() const { return estimate_; }
     double seconds() const { return seconds_; }  ///< computation time of estimate() [s]
     /// Returns why the last request gave no estimate(); empty: no reason that concerns a scene.

@@ -107,10 +107,8 @@ public:
     /// Returns the fingerprint of the data behind the proposal.
     const std::string& proposedOn() const { return probes_.proposedOn(); }
     std::optional<int> probingBin() const;
-    QString whyNotDriving() const
-    {
-        return firstMissing(toDrive());
-    }                                           ///< empty: driving is allowed
+    /// Returns the first unmet precondition of driving; empty: driving is allowed.
+    QString whyNotDriving() const { return firstMissing(toDrive()); }
     QList<Precondition> preconditions() const;  ///< preconditions of exploring
     QList<Precondition> toDrive() const;
     QList<Precondition> toProbe() const;  ///< preconditions of approving the proposal

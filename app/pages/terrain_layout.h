@@ -58,10 +58,8 @@ public:
     /// decisions then get a narrow column. The window's banner moves no card: its line is taken from the terrain.
     void allowTight(const ConsoleWindow& window);
     bool isTight() const { return tight_; }
-    QSize tightNeeds() const
-    {
-        return tightNeeds_;
-    }            ///< [px] size needed when tight; invalid if tight is not enabled
+    /// Returns the size needed when tight [px]; invalid if tight is not enabled.
+    QSize tightNeeds() const { return tightNeeds_; }
     void fit();  ///< call after a change of the page's size
 
 signals:

@@ -39,10 +39,8 @@ public:
 
     const std::vector<Message>& messages() const { return messages_; }
     std::size_t signals() const { return signals_; }  ///< total over all messages
-    std::size_t leftOut() const
-    {
-        return leftOut_.size();
-    }  ///< number of messages beyond kMaxSignals
+    /// Returns the number of messages beyond kMaxSignals.
+    std::size_t leftOut() const { return leftOut_.size(); }
 
     /// Returns the index of a frame's message in messages(); empty: none.
     std::optional<std::size_t> find(const CanFrame& frame) const;

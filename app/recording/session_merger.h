@@ -33,10 +33,8 @@ public:
     /// Adds an event of that session with renumbered references.
     Status event(const SessionReader& session, EventRow row);
 
-    std::int64_t leftOut() const
-    {
-        return leftOut_;
-    }  ///< rows omitted because they refer to a damaged row
+    /// Returns the number of rows omitted because they refer to a damaged row.
+    std::int64_t leftOut() const { return leftOut_; }
 
 private:
     struct Ids {

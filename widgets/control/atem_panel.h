@@ -60,10 +60,8 @@ public:
     QPushButton* askButton() const { return ask_; }
     HoldToConfirmButton* releaseButton() const { return release_; }
     QPushButton* overrideButton() const { return override_; }
-    QPushButton* needsButton() const
-    {
-        return needsButton_;
-    }  ///< its menu looks up the preconditions of a command
+    /// Returns the button whose menu looks up the preconditions of a command.
+    QPushButton* needsButton() const { return needsButton_; }
 
 signals:
     void requested();

@@ -64,7 +64,7 @@ public:
     /// Sets the preconditions of approving, shown as its tip. A Missing one makes the proposal void: it cannot be
     /// approved, and the card says why.
     void setPreconditions(const QList<Precondition>& preconditions);
-    /// Shows that the arm probes `bin`, `elapsed` of about `expected` seconds ago.
+    /// Shows that the arm has been probing `bin` for `elapsed` of about `expected` seconds.
     void setProbing(int bin, double elapsed, double expected);
     /// Shows the expected gain of a probe that is not proposed, and why not. The probe's id and answer are ignored.
     void setWorth(const ProbeProposal& probe, const QString& why);
@@ -76,10 +76,8 @@ public:
     int givenHeight() const;  ///< [px] extra height at which all lines are visible
 
     bool asks() const;  ///< true if a proposal is on the card
-    bool isVoid() const
-    {
-        return asks() && !whyVoid_.isEmpty();
-    }                    ///< the proposal cannot be approved
+    /// Returns true if the proposal cannot be approved.
+    bool isVoid() const { return asks() && !whyVoid_.isEmpty(); }
     bool tells() const;  ///< true if the card shows a probe's worth without proposing it
     /// Returns the id of the proposal the operator sees: the card is visible and was painted with it.
     std::optional<quint64> shown() const;

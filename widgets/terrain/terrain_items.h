@@ -87,10 +87,8 @@ private:
 class ArmMark final : public QwtPlotItem {
 public:
     explicit ArmMark(const BinZones& zones);
-    const QRectF& word() const
-    {
-        return word_;
-    }  ///< [px] rectangle of its word in the last drawing
+    /// Returns the rectangle of its word in the last drawing [px].
+    const QRectF& word() const { return word_; }
     ArmTip::State state = ArmTip::State::Proposed;
     double at = 0.0, down = 0.0;  ///< [m]
 

@@ -74,10 +74,8 @@ public:
     QPointF pointAt(QPointF pixel) const;
     /// Returns a bin as text: "bin 0.4 m: +0.07 m, 80 % in +0.05 … +0.09, contact".
     QString binText(int bin) const;
-    const std::optional<TerrainEstimate>& estimate() const
-    {
-        return estimate_;
-    }  ///< the drawn estimate
+    /// Returns the drawn estimate.
+    const std::optional<TerrainEstimate>& estimate() const { return estimate_; }
     BinInspector* inspector() const { return inspector_; }
     bool drawsShown() const { return drawsShown_; }
 
