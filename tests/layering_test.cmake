@@ -3,9 +3,11 @@
 #   core     a room includes itself and rooms before it in core_rooms; no Qt; no Linux headers except in
 #   learn/kernels/huge_pages.cpp
 #   drivers  core/base/result.h and core/{wire,robot,sim,log}, text, the bins, the panel; no Qt
-#   widgets  a room includes itself and rooms before it in widgets_rooms; core values that they draw, Qt, Qwt
-#   app      all four; a room includes itself and rooms before it in app_rooms; no Qt up to cli;
-#            nobody includes cli; review and console do not include each other
+#   display  core values that an operator reads, Qt Core
+#   widgets  a room includes itself and rooms before it in widgets_rooms; display; core values that they draw, Qt, Qwt
+#   app      all five; a room includes itself and rooms before it in app_rooms; no Qt up to cli;
+#            mission includes no widgets and only Qt Core; nobody includes cli; review and console do not include each
+#            other
 #   tests    anything, through headers
 # Nothing may be modal, because a modal window would block STOP:
 #   widgets, app  no Qt message boxes, no exec() except the application's, no event loops, no modality
@@ -27,6 +29,8 @@ set(widgets_rooms base terrain control signals)
 set(app_rooms runtime link recording modelling figures cli shell mission pages review console main)
 set(no_qt "^app/(runtime|link|recording|modelling|figures|cli)/")
 set(qt "^<(Q[A-Za-z]|q[a-z0-9_]+\\.h>)")
+set(qt_core_only "^(display|app/mission)/")
+set(qt_core "^<Q(CoreApplication|ElapsedTimer|FileInfo|List|Object|RegularExpression|String|StringList|Thread|tGlobal)>")
 set(linux "^<(linux/|sys/(socket|ioctl|epoll|eventfd|timerfd|un|mman)\\.h|net/|netinet/|arpa/|poll\\.h|gpiod)")
 set(drivers_core "^core/(base/(result|text|poll)\\.h|(wire|robot|sim|log)/.+|terrain/bins\\.h|atem/panel(_file)?\\.h)$")
 set(widgets_core "^core/(limits|base/text|robot/(attitude|command|force_drift|measurement)|terrain/(bins|outline)|infer/estimate/(estimate|provenance|touch|settings|variant)|infer/verdict/(bimodality|ghost|obstacle|verdict)|wire/frame_trouble|atem/[a-z_]+)\\.h$")
@@ -62,7 +66,7 @@ function(room_rank layer path result)
 endfunction()
 
 file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/core/*.h ${ROOT}/core/*.cpp ${ROOT}/drivers/*.h
-  ${ROOT}/drivers/*.cpp ${ROOT}/widgets/*.h ${ROOT}/widgets/*.cpp ${ROOT}/app/*.h ${ROOT}/app/*.cpp
+  ${ROOT}/drivers/*.cpp ${ROOT}/display/*.h ${ROOT}/display/*.cpp ${ROOT}/widgets/*.h ${ROOT}/widgets/*.cpp ${ROOT}/app/*.h ${ROOT}/app/*.cpp
   ${ROOT}/tests/*.h ${ROOT}/tests/*.cpp)
 foreach(file IN LISTS files)
   string(REGEX REPLACE "/.*" "" layer ${file})
@@ -94,7 +98,7 @@ foreach(file IN LISTS files)
         continue()
       elseif(target MATCHES "\\.cpp$")
         offence("includes the source file ${target}")
-      elseif(NOT to MATCHES "^(core|drivers|widgets|app|tests)$")
+      elseif(NOT to MATCHES "^(core|drivers|display|widgets|app|tests)$")
         offence("includes \"${target}\", which is not written from the root")
       elseif(to STREQUAL "tests" AND NOT layer STREQUAL "tests")
         offence("includes ${target} of the tests")
@@ -115,12 +119,20 @@ foreach(file IN LISTS files)
           offence("drivers include ${target}")
         endif()
       elseif(layer STREQUAL "widgets")
-        if(NOT to STREQUAL "widgets" AND NOT target MATCHES "${widgets_core}")
+        if(NOT to MATCHES "^(display|widgets)$" AND NOT target MATCHES "${widgets_core}")
           offence("widgets include ${target}")
         endif()
+      elseif(layer STREQUAL "display")
+        if(NOT to STREQUAL "display" AND NOT target MATCHES "${widgets_core}")
+          offence("display includes ${target}")
+        endif()
+      elseif(file MATCHES "^app/mission/" AND to STREQUAL "widgets")
+        offence("mission includes ${target}: it shows nothing itself; shared values are in display")
       endif()
     elseif(what MATCHES "${qt}" AND (layer MATCHES "^(core|drivers)$" OR file MATCHES "${no_qt}"))
       offence("includes ${what}: no Qt here")
+    elseif(what MATCHES "${qt}" AND file MATCHES "${qt_core_only}" AND NOT what MATCHES "${qt_core}")
+      offence("includes ${what}: only Qt Core here")
     elseif(what MATCHES "${linux}" AND layer STREQUAL "core" AND NOT file STREQUAL "core/learn/kernels/huge_pages.cpp")
       offence("includes ${what}: Linux belongs to drivers")
     endif()
@@ -149,7 +161,7 @@ foreach(file IN LISTS files)
   if(file MATCHES "^(widgets|app)/" AND NOT file MATCHES "${may_be_rich}")
     refuse("${rich}" "has" ": it may show a file's text as HTML; use widgets/base/plain_label.h and widgets/base/tips.h")
   endif()
-  if(file MATCHES "^(core|drivers|widgets|app)/" AND NOT file STREQUAL "app/runtime/say.h")
+  if(file MATCHES "^(core|drivers|display|widgets|app)/" AND NOT file STREQUAL "app/runtime/say.h")
     refuse("${printing}" "prints with" ": a text of a file may hold escapes, and say() (app/runtime/say.h) prints none")
   endif()
   if(file MATCHES "^(widgets|app)/")

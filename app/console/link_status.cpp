@@ -9,7 +9,7 @@
 #include "app/mission/bus_text.h"
 #include "app/mission/preconditions.h"
 #include "app/mission/robot_text.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/robot_readout.h"
 #include "widgets/control/status_header.h"

@@ -8,7 +8,7 @@
 #include "app/link/can_source.h"
 #include "app/runtime/growing_count.h"
 #include "core/atem/link_watch.h"
-#include "widgets/control/precondition.h"
+#include "display/precondition.h"
 
 class QLabel;
 

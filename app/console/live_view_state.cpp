@@ -6,7 +6,7 @@
 
 #include "app/mission/bus_text.h"
 #include "app/shell/watched_application.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 
 namespace terratact {
 namespace {

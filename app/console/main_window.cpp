@@ -23,8 +23,8 @@
 #include "app/shell/open_file.h"
 #include "app/shell/page.h"
 #include "app/shell/view_menu.h"
+#include "display/format.h"
 #include "widgets/base/elided_label.h"
-#include "widgets/base/format.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/base/theme.h"
 #include "widgets/control/arming_control.h"
@@ -76,8 +76,8 @@ MainWindow::MainWindow(Options options)
     build(options);
     connectAll();
     if (recorder_) {
-        eventLogger_ =
-            std::make_unique<SessionEventLogger>(recorder_, *exploration_, *worker_, *events());
+        eventLogger_ = std::make_unique<SessionEventLogger>(recorder_, *exploration_, *worker_);
+        connect(events(), &EventList::added, eventLogger_.get(), &SessionEventLogger::word);
         recorder_->setOn(preferences_->current().record);
         const QString unusual = changesOf(Preferences{}, preferences_->current());
         if (!unusual.isEmpty()) eventLogger_->decision("settings", unusual);

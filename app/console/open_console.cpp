@@ -15,7 +15,7 @@
 #include "app/runtime/resources.h"
 #include "app/runtime/say.h"
 #include "app/shell/console_setup.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 
 namespace terratact {
 namespace {

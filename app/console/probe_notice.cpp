@@ -2,7 +2,7 @@
 
 #include <QLabel>
 
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/base/navigation_rail.h"
 
 namespace terratact {

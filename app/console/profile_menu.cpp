@@ -3,7 +3,7 @@
 #include <QActionGroup>
 
 #include "app/mission/exploration.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
 namespace terratact {

@@ -4,7 +4,7 @@
 #include <QPushButton>
 #include <QStyle>
 
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/base/tips.h"
 
 namespace terratact {

@@ -4,8 +4,8 @@
 #include <QPushButton>
 
 #include "app/shell/key_table.h"
+#include "display/format.h"
 #include "drivers/log_replay.h"
-#include "widgets/base/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/tips.h"

@@ -11,14 +11,15 @@
 #include "app/link/can_source.h"
 #include "app/mission/bus_text.h"
 #include "app/pages/dbc_files.h"
+#include "display/format.h"
 #include "widgets/base/card.h"
-#include "widgets/base/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
 #include "widgets/control/robot_readout.h"
 #include "widgets/signals/raw_trace.h"
+#include "widgets/signals/signal_table.h"
 
 namespace terratact {
 namespace {

@@ -20,6 +20,7 @@ class Card;
 class DbcFiles;
 class PreferenceStore;
 class RawTrace;
+class SignalTable;
 
 /// Returns "load 10.9 to 13.1 % of 500 kbit/s (without stuff bits, with all there can be)"; "---" for an unknown bit
 /// rate.

@@ -6,7 +6,7 @@
 
 #include "core/limits.h"
 #include "core/wire/frame_layout.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 
 namespace terratact {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "app/link/can_source.h"
 #include "app/link/frame_history.h"
+#include "display/tone.h"
 #include "drivers/can_bus.h"
-#include "widgets/base/theme.h"
 
 namespace terratact {
 

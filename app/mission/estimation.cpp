@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/infer/verdict/estimate_text.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 
 namespace terratact {
 namespace {

@@ -12,7 +12,7 @@
 #include "core/infer/verdict/ghost_track.h"
 #include "core/infer/verdict/verdict.h"
 #include "core/robot/robot_model.h"
-#include "widgets/signals/event_list.h"
+#include "display/event_weight.h"
 
 namespace terratact {
 

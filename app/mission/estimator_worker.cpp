@@ -16,7 +16,7 @@
 #include "core/learn/model/model_file.h"
 #include "core/sim/posterior_check.h"
 #include "core/store/sha256.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 
 namespace terratact {
 

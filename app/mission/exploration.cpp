@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/mission/bus_text.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 
 namespace terratact {
 namespace {

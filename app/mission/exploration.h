@@ -13,14 +13,14 @@
 #include "app/mission/probe_proposals.h"
 #include "core/atem/atem_machine.h"
 #include "core/atem/drive_watch.h"
+#include "core/atem/phase_time.h"
+#include "core/atem/probe_proposal.h"
 #include "core/limits.h"
 #include "core/robot/robot_model.h"
+#include "display/event_weight.h"
+#include "display/precondition.h"
+#include "display/stop_view_state.h"
 #include "drivers/measurement_source.h"
-#include "widgets/control/atem_panel.h"
-#include "widgets/control/probe_card.h"
-#include "widgets/control/robot_readout.h"
-#include "widgets/control/status_header.h"
-#include "widgets/signals/event_list.h"
 
 namespace terratact {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/infer/verdict/obstacle.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 
 namespace terratact {
 namespace {

@@ -15,7 +15,7 @@
 #include "core/learn/model/model_file.h"
 #include "core/store/file_read.h"
 #include "core/store/file_write.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 
 namespace terratact {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "widgets/base/format.h"
+#include "display/format.h"
 
 namespace terratact {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "widgets/base/format.h"
+#include "display/format.h"
 
 namespace terratact {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/base/format.h"
+#include "display/format.h"
 
 namespace terratact {
 namespace {

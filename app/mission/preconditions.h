@@ -11,7 +11,7 @@
 #include "app/mission/estimation.h"
 #include "core/infer/estimate/settings.h"
 #include "core/robot/measurement.h"
-#include "widgets/control/atem_panel.h"
+#include "display/precondition.h"
 
 namespace terratact {
 

@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "widgets/base/format.h"
+#include "display/format.h"
 
 namespace terratact {
 namespace {

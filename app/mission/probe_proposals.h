@@ -5,8 +5,8 @@
 
 #include "app/mission/estimation.h"
 #include "core/atem/probe_policy.h"
+#include "core/atem/probe_proposal.h"
 #include "core/robot/robot_model.h"
-#include "widgets/control/probe_card.h"
 
 namespace terratact {
 

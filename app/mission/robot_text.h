@@ -3,7 +3,7 @@
 #include <QString>
 
 #include "core/robot/measurement.h"
-#include "widgets/base/theme.h"
+#include "display/tone.h"
 
 namespace terratact {
 

@@ -44,14 +44,11 @@ std::string inWords(const Verdict& verdict, double limit)
 
 SessionEventLogger::SessionEventLogger(std::shared_ptr<SessionRecorder> recorder,
                                        Exploration& exploration, EstimatorWorker& worker,
-                                       EventList& events, QObject* parent)
+                                       QObject* parent)
     : QObject(parent), recorder_(std::move(recorder)), exploration_(exploration)
 {
     connectTo(exploration);
     connect(&worker, &EstimatorWorker::modelLoaded, this, &SessionEventLogger::takeModel);
-    connect(&events, &EventList::added, this, [this](const QString& text, Weight weight) {
-        tell(EventKind::Word, inWords(weight), text.toStdString());
-    });
 }
 
 void SessionEventLogger::connectTo(Exploration& exploration)
@@ -141,6 +138,11 @@ void SessionEventLogger::tell(EventKind kind, const std::string& subject, const 
 void SessionEventLogger::decision(const char* what, const QString& text)
 {
     tell(EventKind::Decision, what, text.toStdString());
+}
+
+void SessionEventLogger::word(const QString& text, Weight weight)
+{
+    tell(EventKind::Word, inWords(weight), text.toStdString());
 }
 
 void SessionEventLogger::mark(const QString& note)

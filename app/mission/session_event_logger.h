@@ -11,7 +11,7 @@
 #include "app/mission/console_alarms.h"
 #include "app/mission/exploration.h"
 #include "app/recording/session_recorder.h"
-#include "widgets/signals/event_list.h"
+#include "display/event_weight.h"
 
 namespace terratact {
 
@@ -22,7 +22,7 @@ class SessionEventLogger final : public QObject {
     Q_OBJECT
 public:
     SessionEventLogger(std::shared_ptr<SessionRecorder> recorder, Exploration& exploration,
-                       EstimatorWorker& worker, EventList& events, QObject* parent = nullptr);
+                       EstimatorWorker& worker, QObject* parent = nullptr);
 
     /// Records state changes that have no signal; call several times a second.
     void poll(const LinkAccount& link, const std::optional<CanView>& bus, const AlarmList& alarms,
@@ -30,6 +30,9 @@ public:
 
     /// Records a marker of the operator.
     void mark(const QString& note);
+
+    /// A line of the list of events, in words.
+    void word(const QString& text, Weight weight);
 
     RecordingState state() const { return recorder_->state(); }
     void decision(const char* what, const QString& text);  ///< a decision of the operator

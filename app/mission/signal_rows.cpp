@@ -6,7 +6,7 @@
 #include "app/link/can_text.h"
 #include "core/limits.h"
 #include "core/wire/dbc/dbc_text.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 
 namespace terratact {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "app/link/dbc_book.h"
 #include "app/link/tapped_frame.h"
-#include "widgets/signals/raw_trace.h"
-#include "widgets/signals/signal_table.h"
+#include "display/signal_row.h"
+#include "display/trace_words.h"
 
 namespace terratact {
 

@@ -16,7 +16,7 @@
 #include "app/runtime/say.h"
 #include "app/shell/file_dialog.h"
 #include "app/shell/preference_store.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"

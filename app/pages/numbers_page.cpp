@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "app/shell/key_table.h"
+#include "display/format.h"
 #include "widgets/base/card.h"
-#include "widgets/base/format.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"
 #include "widgets/base/tips.h"

@@ -8,9 +8,9 @@
 
 #include "core/terrain/body_ceiling.h"
 #include "core/terrain/outline.h"
+#include "display/format.h"
 #include "widgets/base/card.h"
 #include "widgets/base/elided_label.h"
-#include "widgets/base/format.h"
 #include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
 #include "widgets/control/drive_pad.h"

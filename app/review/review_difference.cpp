@@ -4,7 +4,7 @@
 #include <QLocale>
 #include <limits>
 
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/signals/session_timeline.h"
 
 namespace terratact {

@@ -6,7 +6,7 @@
 #include "app/mission/robot_text.h"
 #include "app/review/review_timeline.h"
 #include "core/atem/link_watch.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/control/robot_readout.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/event_list.h"

@@ -11,8 +11,8 @@
 
 #include "app/review/review_timeline.h"
 #include "core/log/review_moment.h"
+#include "display/format.h"
 #include "widgets/base/card.h"
-#include "widgets/base/format.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/plain_table.h"
 #include "widgets/base/theme.h"

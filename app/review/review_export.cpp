@@ -8,7 +8,7 @@
 #include "app/review/review_difference.h"
 #include "core/store/csv_text.h"
 #include "core/store/file_write.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/base/theme.h"
 #include "widgets/terrain/numbers_table.h"
 #include "widgets/terrain/terrain_profile_view.h"

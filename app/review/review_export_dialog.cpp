@@ -19,7 +19,7 @@
 #include <utility>
 
 #include "app/shell/file_dialog.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"
 #include "widgets/base/tips.h"

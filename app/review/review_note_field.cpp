@@ -6,7 +6,7 @@
 
 #include "app/review/review_player.h"
 #include "core/log/session_reader.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/base/tips.h"
 
 namespace terratact {

@@ -8,7 +8,7 @@
 #include "app/recording/session_text.h"
 #include "core/log/event_text.h"
 #include "core/log/review_moment.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 
 namespace terratact {
 namespace {

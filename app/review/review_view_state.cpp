@@ -4,7 +4,7 @@
 
 #include "app/mission/estimation.h"
 #include "app/pages/force_arrays.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 
 namespace terratact {
 namespace {

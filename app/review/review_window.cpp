@@ -23,7 +23,7 @@
 #include "app/review/what_if_page.h"
 #include "app/shell/open_file.h"
 #include "app/shell/view_menu.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/base/theme.h"

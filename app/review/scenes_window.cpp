@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/pages/terrain_page.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/base/theme.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"

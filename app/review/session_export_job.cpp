@@ -4,7 +4,7 @@
 
 #include "app/figures/session_report.h"
 #include "core/log/session_reader.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 
 namespace terratact {
 namespace {

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <thread>
 
+#include "display/format.h"
 #include "drivers/audio_output.h"
-#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {

@@ -12,7 +12,7 @@
 #include "app/shell/console_window.h"
 #include "app/shell/language.h"
 #include "app/shell/text_sheet.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/theme.h"
 

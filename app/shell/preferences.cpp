@@ -12,7 +12,7 @@
 #include <functional>
 #include <utility>
 
-#include "widgets/base/format.h"
+#include "display/format.h"
 
 namespace terratact {
 namespace {

@@ -4,7 +4,7 @@
 #include <random>
 #include <utility>
 
-#include "widgets/base/format.h"
+#include "display/format.h"
 
 namespace terratact {
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "display/tone.h"
 #include "widgets/base/palette.h"
 
 class QApplication;
@@ -17,9 +18,6 @@ struct LookInForce {
     int fontScale = 100;  ///< [%]
 };
 LookInForce lookInForce();
-
-/// Meaning of a label, shown as weight and colour.
-enum class Tone { Plain, Muted, Strong, Good, Doubt, Bad, Accent };
 
 /// Sets a label's tone. An unchanged tone costs nothing, so every redraw may call this.
 void setTone(QLabel& label, Tone tone);

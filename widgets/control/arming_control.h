@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "core/atem/arming.h"
-#include "widgets/control/precondition.h"
+#include "display/precondition.h"
 
 class QPushButton;
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/atem/following.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"

@@ -5,8 +5,8 @@
 
 #include "core/atem/atem_machine.h"
 #include "core/atem/phase_time.h"
+#include "display/precondition.h"
 #include "widgets/base/card.h"
-#include "widgets/control/precondition.h"
 
 class QBoxLayout;
 class QGridLayout;

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "widgets/control/precondition.h"
+#include "display/precondition.h"
 
 namespace terratact {
 

@@ -4,11 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/atem/probe_gain.h"
-#include "core/infer/verdict/verdict.h"
-#include "core/limits.h"
+#include "core/atem/probe_proposal.h"
+#include "display/precondition.h"
+#include "display/tone.h"
 #include "widgets/base/card.h"
-#include "widgets/control/precondition.h"
 
 class QGridLayout;
 class QLabel;
@@ -20,35 +19,6 @@ namespace terratact {
 
 class HoldToConfirmButton;
 class ScrollColumn;
-enum class Tone;
-
-/// Expected value of probing one bin.
-struct ProbeWorth {
-    int bin = 0;
-    double varianceShare = 0.0;  ///< 0 … 1, expected reduction of the summed variance of all bins
-    double bitsAfter = 0.0;  ///< [bit] expected entropy of "is there a step ahead?" after the probe
-    bool operator==(const ProbeWorth&) const = default;
-};
-
-/// A probe proposal. An answer carries the proposal's id, so that it approves only what was on the screen.
-struct ProbeProposal {
-    quint64 id = 0;
-    int bin = 0;
-    double height = 0.0, q10 = 0.0, q90 = 0.0, sd = 0.0;  ///< [m]
-    double limit = kProbeThreshold;   ///< [m] probe threshold: above this sd the arm is proposed
-    double armSd = 0.03;              ///< [m] sd of the arm's measurement
-    double seconds = 45.0;            ///< [s] expected duration of the probe
-    double stepLimit = 0.1;           ///< [m] step height that counts as an obstacle
-    double bitsBefore = 0.0;          ///< [bit] entropy of "is there a step ahead?" now
-    std::optional<ProbeWorth> worth;  ///< worth of this bin; empty: the method cannot tell
-    std::vector<ProbeWorth> others;   ///< other bins the operator may choose, best first
-    StepVerdict answer = StepVerdict::CannotTell;  ///< verdict of the estimate without the probe
-
-    /// Returns true if the probe informs the step verdict. Otherwise it only refines the terrain's shape, if its worth
-    /// is known.
-    bool tellsOfStep() const { return worth && bitsBefore - worth->bitsAfter >= kMinBits; }
-    bool operator==(const ProbeProposal&) const = default;
-};
 
 /// The card that proposes a probe: the bin, its expected height, the gain, the cost, alternatives and the approval
 /// expiry. Approving takes a 1.5 s hold while the proposal stays shown(); refusing takes a click; no answer means no.

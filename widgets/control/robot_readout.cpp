@@ -4,7 +4,7 @@
 #include <QLabel>
 #include <cmath>
 
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"
 #include "widgets/base/tips.h"

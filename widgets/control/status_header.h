@@ -2,6 +2,9 @@
 
 #include <QFrame>
 
+#include "display/stop_view_state.h"
+#include "display/tone.h"
+
 class QBoxLayout;
 class QPushButton;
 
@@ -9,23 +12,6 @@ namespace terratact {
 
 class ArmingControl;
 class ElidedLabel;
-enum class Tone;
-
-/// Known state of STOP.
-struct StopViewState {
-    enum class State {
-        Ready,      ///< not requested
-        Sent,       ///< requested, not yet confirmed by the robot
-        NotSent,    ///< requested, but not sent
-        Confirmed,  ///< confirmed: the robot reports stopped
-        /// Sent to the console that opened this window, which reports the result.
-        Elsewhere,
-        NoEffect,  ///< this window sends no commands, not even STOP
-    };
-    State state = State::Ready;
-    double seconds = 0.0;  ///< [s] since the request, in Sent and NotSent
-    QString why{};         ///< reason in words, in NotSent and NoEffect
-};
 
 /// The dark strip at the top: data source, link, robot activity and STOP. STOP acts on the press without confirmation
 /// and is never disabled; its look shows when it has no effect. Items that do not fit beside STOP on one line use two

@@ -3,11 +3,10 @@
 #include <QListWidget>
 #include <QTime>
 
+#include "display/event_weight.h"
 #include "widgets/base/palette.h"
 
 namespace terratact {
-
-enum class Weight : std::uint8_t { Note, Doubt, Bad };  ///< severity of an event
 
 /// Events of this run, newest on top. Only the newest 500 are kept.
 class EventList final : public QListWidget {

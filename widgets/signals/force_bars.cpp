@@ -13,7 +13,7 @@
 #include <cmath>
 
 #include "core/robot/force_drift.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_plot.h"
 #include "widgets/base/tips.h"

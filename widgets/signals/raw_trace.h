@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/wire/frame_trouble.h"
+#include "display/trace_words.h"
 
 class QLabel;
 class QLineEdit;
@@ -15,11 +16,6 @@ class QPushButton;
 namespace terratact {
 
 class PlainTable;
-
-/// The texts of one frame.
-struct TraceWords {
-    QString id, name, bytes, content;
-};
 
 /// Filter of the frames to show: an identifier in hexadecimal ("22", "0x022") or a part of the frame's name. An empty
 /// filter shows all frames.

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/robot/measurement.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/tips.h"
 

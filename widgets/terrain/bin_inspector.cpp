@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "display/format.h"
 #include "widgets/base/drawable.h"
-#include "widgets/base/format.h"
 #include "widgets/base/palette.h"
 
 namespace terratact {

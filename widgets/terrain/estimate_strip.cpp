@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "core/infer/estimate/estimate.h"
+#include "display/format.h"
 #include "widgets/base/elided_label.h"
-#include "widgets/base/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"

@@ -7,7 +7,7 @@
 
 #include "core/infer/verdict/bimodality.h"
 #include "core/infer/verdict/obstacle.h"
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/base/tips.h"
 #include "widgets/terrain/provenance_text.h"
 #include "widgets/terrain/touch_text.h"

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/terrain/terrain_items.h"
 #include "widgets/terrain/terrain_profile_view.h"

@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "display/format.h"
 #include "widgets/base/drawable.h"
-#include "widgets/base/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/terrain/provenance_marks.h"
 

@@ -20,8 +20,8 @@
 #include <limits>
 
 #include "core/infer/verdict/verdict.h"
+#include "display/format.h"
 #include "widgets/base/drawable.h"
-#include "widgets/base/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_plot.h"
 #include "widgets/terrain/bin_inspector.h"

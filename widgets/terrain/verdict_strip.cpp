@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-#include "widgets/base/format.h"
+#include "display/format.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/spoken.h"
 #include "widgets/base/theme.h"

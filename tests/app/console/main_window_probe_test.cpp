@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "app/shell/language.h"
+#include "display/format.h"
 #include "tests/support/console_bench.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
-#include "widgets/base/format.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/base/theme.h"

@@ -36,6 +36,7 @@
 #include "widgets/control/drive_pad.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/alarm_table.h"
+#include "widgets/signals/raw_trace.h"
 #include "widgets/signals/signal_table.h"
 
 namespace terratact {

@@ -2,8 +2,8 @@
 #include <string_view>
 
 #include "app/console/link_status.h"
+#include "display/format.h"
 #include "tests/app/console/screens.h"
-#include "widgets/base/format.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/probe_card.h"
 #include "widgets/control/status_header.h"

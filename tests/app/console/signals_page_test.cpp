@@ -8,9 +8,9 @@
 #include "app/link/dbc_book.h"
 #include "app/mission/signal_rows.h"
 #include "app/shell/language.h"
+#include "display/format.h"
 #include "tests/support/gui.h"
 #include "tests/support/temporary_directory.h"
-#include "widgets/base/format.h"
 #include "widgets/signals/raw_trace.h"
 #include "widgets/signals/signal_table.h"
 

@@ -1,7 +1,7 @@
 // Tests void proposals: after its basis changed, only a new exploration gives a valid one.
 #include "core/atem/atem_machine.h"
+#include "display/precondition.h"
 #include "tests/support/exploration_bench.h"
-#include "widgets/control/precondition.h"
 
 namespace terratact {
 namespace {

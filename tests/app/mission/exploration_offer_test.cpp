@@ -113,8 +113,7 @@ TEST_F(WaitingForAdvice, recordsTheEstimateThatStopEnds)
     {
         const auto recorder = std::make_shared<SessionRecorder>(
             SessionRecorder::Options{.folder = folder, .start = someStart()});
-        EventList list;
-        const SessionEventLogger eventLogger(recorder, *exploration, *worker, list);
+        const SessionEventLogger eventLogger(recorder, *exploration, *worker);
         emit worker->modelLoaded("fake.ttm", {}, {}, {});  // no recorder was connected earlier
         ASSERT_NO_FATAL_FAILURE(wait());
         exploration->stop();

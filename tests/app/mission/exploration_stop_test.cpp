@@ -6,6 +6,7 @@
 #include "drivers/memory_bus.h"
 #include "tests/support/exploration_bench.h"
 #include "widgets/control/status_header.h"
+#include "widgets/signals/event_list.h"
 
 namespace terratact {
 namespace {

@@ -23,11 +23,11 @@
 #include "core/robot/robot_model.h"
 #include "core/wire/dbc/dbc_file.h"
 #include "core/wire/log_reader.h"
+#include "display/format.h"
 #include "drivers/log_replay.h"
 #include "tests/support/random_model.h"
 #include "tests/support/sessions.h"
 #include "tests/support/temporary_directory.h"
-#include "widgets/base/format.h"
 
 namespace terratact {
 namespace {

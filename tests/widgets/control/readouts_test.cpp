@@ -10,9 +10,9 @@
 #include <limits>
 #include <utility>
 
+#include "display/format.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
-#include "widgets/base/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/spoken.h"
 #include "widgets/base/theme.h"

@@ -3,8 +3,8 @@
 #include <QStringList>
 #include <vector>
 
-#include "widgets/base/file_sentences.h"
-#include "widgets/base/format.h"
+#include "display/file_sentences.h"
+#include "display/format.h"
 
 namespace terratact {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/control/precondition.h"
+#include "display/precondition.h"
 
 #include <QStringList>
 #include <algorithm>

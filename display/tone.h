@@ -1,0 +1,8 @@
+#pragma once
+
+namespace terratact {
+
+/// Meaning of a label, shown as weight and colour.
+enum class Tone { Plain, Muted, Strong, Good, Doubt, Bad, Accent };
+
+}  // namespace terratact

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <QString>
+
+namespace terratact {
+
+/// The texts of one frame.
+struct TraceWords {
+    QString id, name, bytes, content;
+};
+
+}  // namespace terratact
