@@ -98,7 +98,7 @@ private:
     std::deque<Sent> unconfirmed_;
     std::optional<Full> full_;
     BusCounters counters_;
-    std::uint64_t earlierDrops_ = 0;  // of closed sockets
+    std::uint64_t earlierDrops_ = 0;  // drops of closed sockets
     std::uint64_t knownDrops_ = 0;
     double emptiedAt_ = 0.0;  // time at which nothing was left to read
     double backOff_;          // [s]

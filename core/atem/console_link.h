@@ -45,7 +45,7 @@ public:
     struct Options {
         GateLimits gate{};
         ArmingLimits arming{};
-        std::uint64_t seed = 1;  ///< of the tokens: must be new at every start
+        std::uint64_t seed = 1;  ///< seed of the tokens: must be new at every start
     };
     ConsoleLink(RobotModel robot, const Options& options);
 

@@ -12,7 +12,7 @@ namespace terratact {
 struct ProbeGrounds {
     Measurement scene;
     std::vector<ArmReading> readings;  ///< readings of the arm at this pose
-    Settings settings;                 ///< of the estimate
+    Settings settings;                 ///< settings of the estimate
     Settings wanted;    ///< settings for the next estimate, as the operator has set them
     std::string model;  ///< identifies the model
     int bin = 0;        ///< bin to probe

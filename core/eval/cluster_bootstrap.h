@@ -42,7 +42,7 @@ public:
 private:
     void check(const DriveWeights& weight) const;
 
-    std::vector<std::pair<double, std::size_t>> sorted_;  ///< by value
+    std::vector<std::pair<double, std::size_t>> sorted_;  ///< sorted by value
     std::vector<double> sum_;                             ///< sum of a drive's values
     std::vector<std::size_t> count_;
 };

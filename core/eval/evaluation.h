@@ -21,7 +21,7 @@ std::string labelOf(const Settings& settings);
 /// Error of one bin of one estimate.
 struct BinError {
     std::size_t scene = 0;  ///< index among the scenes of the evaluation
-    std::string label;      ///< of the method or the baseline
+    std::string label;      ///< label of the method or the baseline
     int bin = 0;
     double error = 0.0;  ///< [m] height of the estimate − truth
     ForecastScores scores{};
@@ -44,8 +44,8 @@ std::vector<BinError> errorsOf(std::string_view label, std::span<const BinError>
 /// Statistics of a set of errors [m]. All are zero if n is 0.
 struct ErrorStatistics {
     std::size_t n = 0;
-    double q1 = 0.0, median = 0.0, q3 = 0.0;  ///< of |error|, as in the paper's Fig. 9
-    double mean = 0.0;                        ///< of |error|
+    double q1 = 0.0, median = 0.0, q3 = 0.0;  ///< quartiles of |error|, as in the paper's Fig. 9
+    double mean = 0.0;                        ///< mean |error|
     double crps = 0.0;                        ///< mean CRPS
     double coverage50 = 0.0;                  ///< share with the truth in the 50 % band
     double coverage = 0.0;                    ///< share with the truth in the 80 % band

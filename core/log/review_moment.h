@@ -35,7 +35,7 @@ struct ReviewMoment {
 
     const ModelRow* model = nullptr;
     const SceneRow* scene = nullptr;
-    std::shared_ptr<const EstimateRow> estimate{}, second{};  ///< with their draws
+    std::shared_ptr<const EstimateRow> estimate{}, second{};  ///< estimates with their draws
     const ProposalRow* proposal = nullptr;                    ///< proposal of the estimate
     const EventRow* decision = nullptr;  ///< the operator's answer to the proposal
     /// Why the last estimate is not valid any more; empty: there was none.

@@ -10,8 +10,8 @@ namespace terratact {
 
 /// Cell of the fault matrix: one kind of fault at one sensor.
 struct MatrixCell {
-    std::string sensor;       ///< as sensorFaultFrom() reads it
-    std::string_view kind;    ///< as sensorFaultFrom() reads it
+    std::string sensor;       ///< sensor as sensorFaultFrom() reads it
+    std::string_view kind;    ///< kind as sensorFaultFrom() reads it
     std::string fault;        ///< sensor and kind, with an amount
     std::string_view reason;  ///< why SensorWatch cannot detect it in most drives; empty: it does
 };

@@ -15,7 +15,7 @@ namespace terratact {
 
 /// Fault for a trial of SensorWatch.
 struct TriedFault {
-    std::string_view fault;  ///< as sensorFaultFrom() reads it; empty: none
+    std::string_view fault;  ///< text that sensorFaultFrom() reads; empty: no fault
     std::string_view words;  ///< text for the table
     std::string_view limit;  ///< why SensorWatch cannot detect it in most drives; empty: it does
 };
@@ -34,8 +34,9 @@ struct WatchedScene {
 /// Result of SensorWatch for one drive.
 struct WatchedFault {
     std::vector<WatchedScene> scenes;
-    std::optional<double> noticed;       ///< time of the first suspicion since the start [s]
-    std::size_t scenesUntilNoticed = 0;  ///< with that scene
+    std::optional<double> noticed;  ///< time of the first suspicion since the start [s]
+    /// number of scenes up to and with the one of the first suspicion
+    std::size_t scenesUntilNoticed = 0;
     std::vector<SensorSuspicion> first;  ///< first suspicions
 };
 

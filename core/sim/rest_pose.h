@@ -60,7 +60,7 @@ struct GroundOptions {
     double stiffness = 5e6;  ///< [N/m] per point
     /// Depth of soft ground on firm ground [m]; less than the least radius of the robot's parts.
     double softLayer = 0.0;
-    double softStiffness = 0.0;  ///< of the soft layer, per point [N/m]
+    double softStiffness = 0.0;  ///< stiffness of the soft layer, per point [N/m]
 };
 
 /// Returns the potential energy of a pose [J]: weight, flipper torques (τ·angle) and the compressed

@@ -79,7 +79,7 @@ private:
     double rearTarget_ = 0.0;                  ///< [rad] held angle
     std::optional<HoldFlippersCommand> hold_;  ///< target of the flippers while halted
     std::optional<double> advanceLeft_;  ///< remaining way of a drive over a given distance [m]
-    double torque_ = 0.0;                ///< of both front flippers while pressing or pressed [N m]
+    double torque_ = 0.0;  ///< torque of both front flippers while pressing or pressed [N m]
     RobotActivity activity_ = RobotActivity::Halted;
     Refusal refusal_ = Refusal::None;
     int probeBin_ = 0;

@@ -75,10 +75,8 @@ public:
 
     bool armed() const { return armed_; }
     std::uint8_t epoch() const { return epoch_; }
-    std::uint16_t nextChallenge() const
-    {
-        return nextChallenge_;
-    }  ///< next challenge, which no answer has carried yet
+    /// Returns the next challenge, which no answer has carried yet.
+    std::uint16_t nextChallenge() const { return nextChallenge_; }
 
 private:
     struct Challenge {

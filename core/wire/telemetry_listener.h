@@ -17,12 +17,13 @@ namespace terratact {
 /// Counters of the frames that a listener received. Each frame is in exactly one of used,
 /// fromConsole, faults, repeated and wrongSequence.
 struct TelemetryCounters {
-    std::uint64_t used = 0;                            ///< valid frame of a robot, in order
-    std::uint64_t fromConsole = 0;                     ///< valid frame of a console
-    std::array<std::uint64_t, kFrameFaults> faults{};  ///< by FrameFault, with unknown identifiers
+    std::uint64_t used = 0;         ///< valid frame of a robot, in order
+    std::uint64_t fromConsole = 0;  ///< valid frame of a console
+    /// indexed by FrameFault, with unknown identifiers
+    std::array<std::uint64_t, kFrameFaults> faults{};
     std::uint64_t repeated = 0, wrongSequence = 0;  ///< frame of a robot, refused for its counter
 
-    std::uint64_t gaps = 0;        ///< of `used`: one or two frames are missing before it
+    std::uint64_t gaps = 0;        ///< part of `used`: one or two frames are missing before it
     std::uint64_t lines = 0;       ///< telemetry lines that became a Measurement
     std::uint64_t unfinished = 0;  ///< lines that never became complete
     std::uint64_t partial = 0;     ///< complete lines without attitude or flipper angles

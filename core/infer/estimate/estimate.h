@@ -53,7 +53,7 @@ struct TerrainEstimate {
     /// up to full chains.
     std::vector<Heights> draws;
     /// Distance from the training scenes (core/learn/model/clearance_model.h). 1 % of them
-    /// are above 1. 0: not judged, which only the closed forms do.
+    /// are above 1. Only the closed forms compute it; 0 otherwise.
     double novelty = 0.0;
     MissingFeatures missing{};  ///< features that the method uses and that were not measured
     Ending ending = Ending::NotSampled;

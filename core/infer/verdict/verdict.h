@@ -66,7 +66,8 @@ struct Verdict {
     /// x up to which the ground ahead is felt [m], a bin's front border. binBegin(kFirstAhead):
     /// nothing ahead is felt. The last bin's border where the touch is not recorded.
     double horizon = binEnd(kBins - 1);
-    /// Probability of a step from kFirstAhead to the horizon; {1, 0} if that is less than two bins.
+    /// Probability of a step from kFirstAhead to the horizon; {1, 0} for less than two bins, or
+    /// without draws.
     StepProbability toHorizon;
     Shortfall shortfall = Shortfall::None;
     Help help = Help::Nothing;

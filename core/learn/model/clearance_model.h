@@ -111,7 +111,7 @@ private:
     std::array<Process, kBins> open_, covered_;
     std::vector<unsigned> coveredBins_;
     Eigen::MatrixXd residuals_;                      ///< 11 × U
-    std::map<unsigned, ResidualProducts> products_;  ///< by the covered bins
+    std::map<unsigned, ResidualProducts> products_;  ///< indexed by the covered bins
     double noveltyScale_ = 1.0;
     double contactBias_ = 0.0, contactSd_ = 0.0;
 };

@@ -18,7 +18,7 @@ struct BinModelData {
     FeatureSet set = FeatureSet::Pa;
     Eigen::VectorXd mean, sd;  ///< size 11 + f: the eleven heights [m], then the f features
     std::array<Hyperparameters, kBins> bins;
-    std::array<double, kBins> logLikelihood{};  ///< of the training set
+    std::array<double, kBins> logLikelihood{};  ///< log likelihood of the training set
 };
 
 /// Gaussian process of one bin, open or covered. It predicts the surface coordinate y

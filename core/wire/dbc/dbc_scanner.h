@@ -18,10 +18,8 @@ public:
     /// text: UTF-8; must outlive the scanner.
     explicit DbcScanner(std::string_view text) : text_(text) {}
 
-    const std::string& failure() const
-    {
-        return failure_;
-    }  ///< Returns "line 3: expected …, found …"; empty: no failure.
+    /// Returns "line 3: expected …, found …"; empty: no failure.
+    const std::string& failure() const { return failure_; }
 
     /// Start of a section.
     struct Place {
