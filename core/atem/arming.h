@@ -69,7 +69,7 @@ ArmingState nextArming(const ArmingState& state, const ArmingInput& in, const Ar
 std::string describe(ArmingPhase phase);
 std::string describe(DisarmCause cause);
 
-/// As a session has them.
+/// Return the names that a session file holds, and the values of these names.
 std::string_view name(ArmingPhase phase);
 std::string_view name(DisarmCause cause);
 std::optional<ArmingPhase> armingPhaseFromName(std::string_view text);

@@ -119,7 +119,7 @@ bool mayDrive(AtemPhase phase);
 std::string describe(AtemPhase phase);
 std::string describe(AtemFailure failure);
 
-/// As a session has them.
+/// Return the names that a session file holds, and the values of these names.
 std::string_view name(AtemPhase phase);
 std::string_view name(AtemFailure failure);
 std::optional<AtemPhase> atemPhaseFromName(std::string_view text);

@@ -7,7 +7,7 @@
 
 namespace terratact {
 
-/// What a receive-only console saw since the last tick.
+/// Events since the last tick, as a receive-only console sees them.
 struct FollowInput {
     double now = 0.0;                                ///< [s] any monotonic clock
     RobotActivity activity = RobotActivity::Halted;  ///< from the newest telemetry

@@ -15,7 +15,7 @@
 
 namespace terratact {
 
-/// What the console showed at one time of a session. Pointers to rows are null if there was no such
+/// State of the console at one time of a session. Pointers to rows are null if there was no such
 /// row. They are valid until the reader's next refresh().
 struct ReviewMoment {
     SessionTime time = 0;
@@ -38,7 +38,7 @@ struct ReviewMoment {
     std::shared_ptr<const EstimateRow> estimate{}, second{};  ///< estimates with their draws
     const ProposalRow* proposal = nullptr;                    ///< proposal of the estimate
     const EventRow* decision = nullptr;  ///< the operator's answer to the proposal
-    /// Why the last estimate is not valid any more; empty: there was none.
+    /// Reason why the last estimate is not valid any more; empty: there was none.
     std::string forgotten{};
 
     AtemState state{};  ///< `since` is on the session's clock [s]

@@ -80,7 +80,8 @@ public:
     const EstimateRow* estimate(std::int64_t id) const;
     const ProposalRow* proposal(std::int64_t id) const;
 
-    /// What is known to be damaged so far: rows from open() on, frames once they were asked for.
+    /// Returns the damage found so far: that of rows since open(), that of frames once they were
+    /// read.
     const std::vector<SessionDamage>& damage() const;
 
     /// Returns true if the session was not closed and its journal is missing.

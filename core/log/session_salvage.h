@@ -10,7 +10,7 @@
 
 namespace terratact {
 
-/// What was found in the pages of a damaged session.
+/// Contents of the pages of a damaged session.
 struct SalvagedPages {
     SessionStart start;         ///< start of the session, as far as it was found
     bool startIsWhole = false;  ///< the whole start was found

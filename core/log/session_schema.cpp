@@ -129,7 +129,7 @@ constexpr std::array kVersion2{
         "asymmetry_limit_rad REAL NOT NULL, hazard_rate REAL NOT NULL) STRICT"},
 };
 
-/// What version 3 says in another way.
+/// Tables whose statements differ in version 3.
 constexpr std::array kVersion3{
     SchemaEntry{"table", "estimate",
                 "CREATE TABLE estimate(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "

@@ -42,7 +42,7 @@ struct TerrainEstimate {
     Heights height{};
     Heights ceiling{};
     std::array<Origin, kBins> origin{};
-    /// How each bin was touched, see core/infer/estimate/touch.h.
+    /// Touch of each bin, see core/infer/estimate/touch.h.
     TouchMap touch = unrecordedTouch();
     /// The x of the foremost loaded force element [m], DEM frame; binBegin(0): none.
     double feltTo = binBegin(0);

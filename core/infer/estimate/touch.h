@@ -14,7 +14,7 @@ namespace terratact {
 
 struct TerrainEstimate;
 
-/// How a bin was touched at this pose, strongest evidence first.
+/// Touch of a bin at this pose, strongest evidence first.
 enum class Touch : std::uint8_t {
     Felt,        ///< the robot presses on all of it, or the arm measured it
     FeltInPart,  ///< the robot presses on one stretch of the bin, but not on another

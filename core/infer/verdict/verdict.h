@@ -44,7 +44,7 @@ inline constexpr int kShortfalls = 4;
 /// Returns a sentence such as "the front flippers press on nothing"; empty for None.
 std::string describe(Shortfall shortfall);
 
-/// What would resolve a CANNOT TELL besides a probe.
+/// Remedy for a CANNOT TELL besides a probe.
 enum class Help : std::uint8_t {
     Nothing,  ///< only a probe would, or the verdict needs no help
     Flatten,  ///< flatter front flippers reach further

@@ -195,8 +195,7 @@ void divide(Eigen::MatrixXd& C, const Eigen::MatrixXd& L, const Poll& poll)
     }
 }
 
-/// What the inducing rows explain: Λ, and A = L B Lᵀ with B = 1 + V Λ⁻¹ Vᵀ = Rᵀ R, well
-/// conditioned.
+/// Result of the inducing rows: Λ, and A = L B Lᵀ with B = 1 + V Λ⁻¹ Vᵀ = Rᵀ R, well conditioned.
 struct Explained {
     Eigen::ArrayXd lambda;
     Eigen::MatrixXd R;
