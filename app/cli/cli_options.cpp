@@ -9,13 +9,13 @@
 
 #include "app/runtime/resources.h"
 #include "app/runtime/text_output.h"
-#include "core/infer/estimate/quality.h"
+#include "core/infer/estimate/quality_preset.h"
 
 namespace terratact {
 namespace {
 
 /// Adds the options for the cost of an estimate: a quality preset, or each number.
-void addEffort(CLI::App& app, Settings& settings)
+void addSamplingOptions(CLI::App& app, Settings& settings)
 {
     const std::vector<CLI::Option*> numbers{
         addNumber(app, "--sweeps", settings.draws, "Most kept sweeps K, all chains together")
@@ -29,14 +29,14 @@ void addEffort(CLI::App& app, Settings& settings)
             ->check(CLI::Range(0, 20'000)),
         addChoice(app, "--precision", settings.precision, precisionFromName, "single|double",
                   "Of sampled variances (default single, through the rows that matter)")};
-    const auto preset = [&settings](std::string_view text) -> std::optional<Settings> {
-        const auto quality = qualityFromName(text);
-        if (!quality) return std::nullopt;
-        return withQuality(settings, *quality);
+    const auto withNamed = [&settings](std::string_view text) -> std::optional<Settings> {
+        const auto preset = qualityPresetFromName(text);
+        if (!preset) return std::nullopt;
+        return withPreset(settings, *preset);
     };
-    auto* quality = addChoice(app, "--quality", settings, preset, "fast|balanced|accurate",
-                              "A preset of the five above; what it costs: docs/tradeoff.md");
-    for (CLI::Option* number : numbers) quality->excludes(number);
+    auto* preset = addChoice(app, "--quality", settings, withNamed, "fast|balanced|accurate",
+                             "A preset of the five above; what it costs: docs/tradeoff.md");
+    for (CLI::Option* number : numbers) preset->excludes(number);
 }
 
 /// Returns the input path; shells and scripts write "-" for standard input.
@@ -197,7 +197,7 @@ void addSettings(CLI::App& app, Settings& settings, double& seconds)
               "Which force elements fix a bin (default isolated)");
     addNumber(app, "--threshold", settings.forceThreshold, "Force of a contact [N]")
         ->check(CLI::Range(0.0, 1000.0));
-    addEffort(app, settings);
+    addSamplingOptions(app, settings);
     app.add_flag_callback(
         "--full", [&settings] { settings.stopEarly = false; },
         "Draw all K: chains that have converged (R-hat <= 1.01, ESS >= 400) go on, a closed form "

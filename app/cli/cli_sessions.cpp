@@ -135,7 +135,7 @@ void addSessionWhatIf(CLI::App& session, Job& job)
         ->excludes(one);
     addChoice(*c, "--method", o->method, methodFromName, "pa|pac|pafc|pafac|clearance|joint|local",
               "Another method");
-    addChoice(*c, "--quality", o->quality, qualityFromName, "fast|balanced|accurate",
+    addChoice(*c, "--quality", o->preset, qualityPresetFromName, "fast|balanced|accurate",
               "Draws, chains, burn-in, precision and inducing rows of a "
               "preset");
     c->add_option("--threshold", o->threshold, "Another force of a contact [N]")

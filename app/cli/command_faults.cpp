@@ -97,7 +97,7 @@ void judgeScenes(const std::vector<WatchedScene>& watched, const FaultsOptions& 
         row.suspects += watched[k].isSuspect ? 1 : 0;
         const bool isDoubted =
             watched[k].isSuspect || !estimate
-            || !verdictOf(*estimate, watched[k].measurement, {}, kStepLimit).doubts.empty();
+            || !verdictOf(*estimate, watched[k].measurement, {}, kStepLimit).withheldFor.empty();
         row.doubted += isDoubted ? 1 : 0;
         if (!estimate) continue;
         const auto errors = binErrors(k, scenes[k], "local", *estimate);

@@ -34,7 +34,7 @@ namespace {
 Settings changed(Settings settings, const WhatIfOptions& options)
 {
     if (options.method) settings.method = *options.method;
-    if (options.quality) settings = withQuality(settings, *options.quality);
+    if (options.preset) settings = withPreset(settings, *options.preset);
     if (options.threshold) settings.forceThreshold = *options.threshold;
     if (options.seed) settings.seed = *options.seed;
     return settings;

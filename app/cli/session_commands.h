@@ -7,7 +7,7 @@
 
 #include "app/recording/session_export.h"
 #include "core/base/result.h"
-#include "core/infer/estimate/quality.h"
+#include "core/infer/estimate/quality_preset.h"
 #include "core/infer/estimate/variant.h"
 
 namespace terratact {
@@ -68,7 +68,7 @@ struct WhatIfOptions {
     std::string out;                 ///< CSV output; empty: none
     // Requested changes of the settings.
     std::optional<Method> method{};
-    std::optional<Quality> quality{};
+    std::optional<QualityPreset> preset{};
     std::optional<double> threshold{};  ///< [N]
     std::optional<std::uint64_t> seed{};
 };

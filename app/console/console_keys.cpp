@@ -112,7 +112,7 @@ void addExplorationKeys(KeyTable& keys, MainWindow& window, QAction& draws)
               ifSeen(panel->requestButton(), [exploration] { exploration->request(); })});
     keys.add({{Qt::Key_O},
               MainWindow::tr("override what is doubtful about exploring"),
-              ifSeen(panel->overrideButton(), [exploration] { exploration->overrideDoubts(); })});
+              ifSeen(panel->overrideButton(), [exploration] { exploration->overrideWarnings(); })});
     addAnswerKeys(keys, window.probeCard());
     keys.add({{Qt::Key_B},
               MainWindow::tr("ask for a probe: of the bin shown up close, else the best"),

@@ -178,9 +178,10 @@ void LinkStatus::tellChange(const LinkAccount& link)
     if (link.standing == LinkStanding::Up && link.gaps > 1)
         events_.add(tr("%1; gaps before: %2, the longest %3")
                         .arg(text, QString::number(link.gaps), format::age(link.longest)),
-                    Weight::Note, QTime::currentTime());
+                    EventSeverity::Note, QTime::currentTime());
     else if (link.standing != LinkStanding::Silent)
-        events_.add(text, isDown(link) ? Weight::Bad : Weight::Note, QTime::currentTime());
+        events_.add(text, isDown(link) ? EventSeverity::Bad : EventSeverity::Note,
+                    QTime::currentTime());
 }
 
 bool LinkStatus::says(const QString& text) const
@@ -210,11 +211,11 @@ void LinkStatus::showArming(const std::optional<Precondition>& panel)
     if (state.phase == armingWas_) return;
     const bool wasArmed = std::exchange(armingWas_, state.phase) == ArmingPhase::Armed;
     if (state.phase == ArmingPhase::Armed)
-        events_.add(tr("the robot is armed"), Weight::Note, QTime::currentTime());
+        events_.add(tr("the robot is armed"), EventSeverity::Note, QTime::currentTime());
     if (state.phase == ArmingPhase::Disarmed)
         events_.add((wasArmed ? tr("disarmed: %1") : tr("not armed: %1"))
                         .arg(format::sentence(describe(state.cause))),
-                    state.cause == DisarmCause::Operator ? Weight::Note : Weight::Bad,
+                    state.cause == DisarmCause::Operator ? EventSeverity::Note : EventSeverity::Bad,
                     QTime::currentTime());
 }
 

@@ -86,7 +86,7 @@ MainWindow::MainWindow(Options options)
     profileMenu_ = new ProfileMenu(*terrain(), *exploration_, viewButton());
     viewButton()->setMenu(profileMenu_);
     defineKeys();
-    for (const QString& trouble : preferences_->troubles()) tell(trouble, Weight::Doubt);
+    for (const QString& trouble : preferences_->troubles()) tell(trouble, EventSeverity::Warning);
     look_.setInterval(kLook);
     connect(&look_, &QTimer::timeout, this, [this] {
         meter_.beat(steadyNow());
@@ -256,14 +256,15 @@ void MainWindow::applyPreferences(const Preferences& before)
 void MainWindow::takeRobot(const QString& path)
 {
     if (const QString why = whyNotReopening(); !why.isEmpty())
-        return tell(tr("the robot stays: %1").arg(why), Weight::Bad);
+        return tell(tr("the robot stays: %1").arg(why), EventSeverity::Bad);
     preferences_->change([path](Preferences& p) { p.robot = path; });
 }
 
 void MainWindow::reopen()
 {
     if (const QString why = whyNotReopening(); !why.isEmpty()) {
-        tell(tr("robot and language change at the next start: %1").arg(why), Weight::Doubt);
+        tell(tr("robot and language change at the next start: %1").arg(why),
+             EventSeverity::Warning);
         return;
     }
     leave();
@@ -296,9 +297,9 @@ void MainWindow::offerQualities()
     const std::vector<PresetCost> costs = measured ? presets_.costs : std::vector<PresetCost>{};
     settings_->setPresets(costs);
     QStringList names;
-    for (const Quality quality : kQualities) names << format::sentence(name(quality));
+    for (const QualityPreset preset : kQualityPresets) names << format::sentence(name(preset));
     header()->setQualities(names, presetLines(method, costs),
-                           static_cast<int>(preferences_->current().quality));
+                           static_cast<int>(preferences_->current().preset));
 }
 
 void MainWindow::connectAll()
@@ -307,13 +308,13 @@ void MainWindow::connectAll()
     connect(events(), &EventList::added, this, &MainWindow::notice);
     connect(preferences_.get(), &PreferenceStore::changed, this, &MainWindow::applyPreferences);
     connect(preferences_.get(), &PreferenceStore::notSaved, this,
-            [this](const QString& why) { tell(why, Weight::Doubt); });
+            [this](const QString& why) { tell(why, EventSeverity::Warning); });
     connectExploration();
     connectStop();
     connect(alarms_.get(), &ConsoleAlarms::raised, this,
             [this](const QString& text, Severity severity) {
-                const Weight weight = severity == Severity::Critical ? Weight::Bad : Weight::Doubt;
-                tell(text, weight);
+                tell(text,
+                     severity == Severity::Critical ? EventSeverity::Bad : EventSeverity::Warning);
             });
     if (panel_) connect(alarms_.get(), &ConsoleAlarms::sounded, panel_.get(), &PanelControl::buzz);
     connectWorker();
@@ -327,7 +328,7 @@ void MainWindow::connectHeader()
             [this] { rail()->choose(rail()->pageOf(Qt::Key_F5)); });
     connect(header(), &StatusHeader::qualityChosen, this, [this](int index) {
         preferences_->change([index](Preferences& p) {
-            p.quality = kQualities.at(static_cast<std::size_t>(index));
+            p.preset = kQualityPresets.at(static_cast<std::size_t>(index));
         });
     });
     connect(header(), &StatusHeader::stopPressed, exploration_.get(), &Exploration::stop);
@@ -348,7 +349,7 @@ void MainWindow::connectExploration()
     connect(atemPanel(), &AtemPanel::forgetWanted, exploration, &Exploration::forgetResult);
     connect(atemPanel(), &AtemPanel::probeWanted, exploration, &Exploration::askProbe);
     connect(terrain(), &TerrainProfileView::binChosen, exploration, &Exploration::askProbe);
-    connect(atemPanel(), &AtemPanel::overrideWanted, exploration, &Exploration::overrideDoubts);
+    connect(atemPanel(), &AtemPanel::overrideWanted, exploration, &Exploration::overrideWarnings);
     connect(atemPanel(), &AtemPanel::stopReleased, this, &MainWindow::releaseStop);
     connect(strip(), &EstimateStrip::cancelled, exploration, &Exploration::abort);
     connect(probeCard(), &ProbeCard::approved, exploration, &Exploration::approve);
@@ -364,11 +365,12 @@ void MainWindow::connectExploration()
 }
 
 /// Reports trouble on every page, in a banner if the event list is hidden.
-void MainWindow::notice(const QString& text, Weight weight)
+void MainWindow::notice(const QString& text, EventSeverity severity)
 {
     const QString state = exploration_->stateWords();
     const bool panelSays = atemPanel()->isVisible() && !state.isEmpty() && text.contains(state);
-    if (weight != Weight::Bad || events()->isVisible() || panelSays || linkStatus_->says(text))
+    if (severity != EventSeverity::Bad || events()->isVisible() || panelSays
+        || linkStatus_->says(text))
         return;
     notice_->say(text, steadyNow());
 }
@@ -395,7 +397,7 @@ void MainWindow::connectStop()
 {
     connect(sharedStop_.get(), &SharedStop::happened, this, &MainWindow::tell);
     connect(sharedStop_.get(), &SharedStop::taken, this, [this](const QString& text) {
-        events()->tell(text, Weight::Note, QTime::currentTime());
+        events()->tell(text, EventSeverity::Note, QTime::currentTime());
     });
     connect(sharedStop_.get(), &SharedStop::said, this,
             [this](const QString& text) { notice_->say(text, steadyNow()); });
@@ -438,7 +440,7 @@ void MainWindow::tellOfStall(double seconds)
     if (link_ && exploration_->armed())
         tell(tr("this window froze for %1 ms: no command could leave")
                  .arg(format::number(seconds * 1e3, 0)),
-             Weight::Doubt);
+             EventSeverity::Warning);
 }
 
 void MainWindow::redraw(double now)
@@ -531,9 +533,9 @@ void MainWindow::showRecording(const LinkAccount& link)
 void MainWindow::mark()
 {
     if (!eventLogger_ || !recorder_->state().recording)
-        return tell(tr("not marked: nothing is recorded"), Weight::Doubt);
+        return tell(tr("not marked: nothing is recorded"), EventSeverity::Warning);
     eventLogger_->mark({});
-    tell(tr("marked in the recording"), Weight::Note);
+    tell(tr("marked in the recording"), EventSeverity::Note);
 }
 
 void MainWindow::tickPanel(double now)
@@ -549,7 +551,7 @@ void MainWindow::tickPanel(double now)
 void MainWindow::releaseStop()
 {
     const QString why = panel_ ? panel_->whyNotReleased() : QString();
-    if (!why.isEmpty()) return tell(why, Weight::Bad);
+    if (!why.isEmpty()) return tell(why, EventSeverity::Bad);
     exploration_->releaseStop();
 }
 
@@ -562,17 +564,17 @@ void MainWindow::open()
 
 std::function<void(const QString&)> MainWindow::notOpened()
 {
-    return [this](const QString& why) { tell(why, Weight::Bad); };
+    return [this](const QString& why) { tell(why, EventSeverity::Bad); };
 }
 
-void MainWindow::tell(const QString& text, Weight weight)
+void MainWindow::tell(const QString& text, EventSeverity severity)
 {
-    events()->add(text, weight, QTime::currentTime());
+    events()->add(text, severity, QTime::currentTime());
 }
 
 void MainWindow::sayWhyNot(const QString& text)
 {
-    tell(text, Weight::Doubt);
+    tell(text, EventSeverity::Warning);
     notice_->say(text, steadyNow());
 }
 
@@ -585,7 +587,7 @@ void MainWindow::askProbe()
     else if (best)
         exploration_->askProbe(best->bin);
     else
-        tell(tr("no probe is asked for: point at a bin first"), Weight::Doubt);
+        tell(tr("no probe is asked for: point at a bin first"), EventSeverity::Warning);
 }
 
 void MainWindow::defineKeys()
@@ -632,7 +634,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
                "disarmed; or disarm it first (M)")
                 .arg(format::number(ShortNotice::kFor, 0));
         notice_->say(why, now);
-        if (since > ShortNotice::kFor) tell(why, Weight::Doubt);
+        if (since > ShortNotice::kFor) tell(why, EventSeverity::Warning);
         return event->ignore();
     }
     leave();

@@ -117,13 +117,13 @@ private:
     void addPages(const Options& options);
     void showAlarms(double now, const LinkAccount& link);
     void showRecording(const LinkAccount& link);
-    void notice(const QString& text, Weight weight);
+    void notice(const QString& text, EventSeverity severity);
     void showPanelLost();
     void mark();
     void connectAll();
     void connectHeader();
     void connectExploration();
-    void tell(const QString& text, Weight weight);  ///< adds an event
+    void tell(const QString& text, EventSeverity severity);  ///< adds an event
     void connectWorker();
     /// Polls telemetry, panel and estimator: on new telemetry and estimates, and every 10 ms. It draws at up to 25 Hz.
     void poll();

@@ -137,7 +137,7 @@ void keepHouse(Lasting& lasting, std::vector<std::string> earlier, const std::st
     });
     const auto tell = [house, events = window.events()] {
         for (const QString& sentence : house->takeNews())
-            events->add(sentence, Weight::Doubt, QTime::currentTime());
+            events->add(sentence, EventSeverity::Warning, QTime::currentTime());
     };
     QObject::connect(house, &SessionRetention::news, &window, tell);
     tell();

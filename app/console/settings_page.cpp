@@ -210,20 +210,20 @@ QCheckBox* SettingsPage::flag(QFormLayout* form, const QString& text, const QStr
 
 void SettingsPage::buildEstimate(QFormLayout* form)
 {
-    QStringList methods, qualities;
+    QStringList methods, presets;
     for (const Method method : offeredMethods()) methods << format::text(name(method));
-    for (const Quality quality : kQualities) qualities << format::sentence(name(quality));
+    for (const QualityPreset preset : kQualityPresets) presets << format::sentence(name(preset));
     method_ = choice(
         form, tr("Method"), methods,
         tr("local and joint are closed formulas; the others draw chains of samples"),
         [](const Preferences& p) { return indexOf(offeredMethods(), p.method); },
         [](Preferences& p, std::size_t i) { p.method = offeredMethods().at(i); });
     quality_ = choice(
-        form, tr("Quality"), qualities,
+        form, tr("Quality"), presets,
         tr("As terratact tradeoff has measured them: time, mean error, and in brackets how far the "
            "quantiles are from a long run's"),
-        [](const Preferences& p) { return indexOf(kQualities, p.quality); },
-        [](Preferences& p, std::size_t i) { p.quality = kQualities.at(i); });
+        [](const Preferences& p) { return indexOf(kQualityPresets, p.preset); },
+        [](Preferences& p, std::size_t i) { p.preset = kQualityPresets.at(i); });
     seconds_ = whole(form, tr("An estimate may take at most"), 0, kMaxEstimateSeconds, tr("s"),
                      tr("Then sampling ends with the draws there are, and the result says so"),
                      &Preferences::estimateSeconds);

@@ -23,7 +23,7 @@ void SharedStop::listen()
     else
         emit happened(tr("STOP in windows that are opened from here stops nothing: %1")
                           .arg(format::sentence(line.error().text)),
-                      Weight::Doubt);
+                      EventSeverity::Warning);
 }
 
 void SharedStop::poll()
@@ -42,7 +42,7 @@ std::string SharedStop::line() const
 void SharedStop::stoppedNothing(const QString& why)
 {
     if (remote_.exists()) return remote_.press();
-    emit happened(tr("STOP has no effect: %1").arg(why), Weight::Bad);
+    emit happened(tr("STOP has no effect: %1").arg(why), EventSeverity::Bad);
     emit said(tr("STOP HAS NO EFFECT HERE: %1").arg(why));
 }
 

@@ -28,7 +28,7 @@ public:
     bool hasOther() const { return remote_.exists(); }
 
 signals:
-    void happened(const QString& text, terratact::Weight weight);
+    void happened(const QString& text, terratact::EventSeverity severity);
     /// STOP was pressed elsewhere; Exploration::decided() records it, too.
     void taken(const QString& text);
     void said(const QString& text);  ///< important text for a banner

@@ -60,7 +60,7 @@ std::string verdictText(const EstimateRow& row, const SceneRow& scene)
                     describeStepVerdict(v), row.stepLimit, 100.0 * v.step.p);
     if (v.shortfall != Shortfall::None) text += "; " + describe(v.shortfall);
     if (!v.unfelt.empty()) text += "; " + describeUnfelt(v);
-    for (const Doubt doubt : v.doubts) text += "; " + describe(doubt);
+    for (const WithholdReason reason : v.withheldFor) text += "; " + describe(reason);
     return text;
 }
 

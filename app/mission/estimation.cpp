@@ -51,16 +51,16 @@ void Estimation::listenToModels()
                 if (!estimate_) track_.reset();  // the ghost belongs to the previous model
                 aside_.reset();
                 emit modelChanged();
-                emit happened(tr("model %1 loaded").arg(name), Weight::Note);
+                emit happened(tr("model %1 loaded").arg(name), EventSeverity::Note);
                 resume();
             });
     connect(&worker_, &EstimatorWorker::modelFailed, this, [this](const QString& why) {
         model_.trouble = why;
-        emit happened(why, Weight::Bad);
+        emit happened(why, EventSeverity::Bad);
         resume();
     });
     connect(&worker_, &EstimatorWorker::modelKept, this, [this](const QString& why) {
-        emit happened(tr("model %1 stays in use: %2").arg(model_.name, why), Weight::Bad);
+        emit happened(tr("model %1 stays in use: %2").arg(model_.name, why), EventSeverity::Bad);
         resume();
     });
 }
@@ -156,7 +156,7 @@ void Estimation::take(const ArmReading& reading)
     emit happened(tr("arm at %1: %2 m, %3 the band shown before")
                       .arg(format::binName(reading.bin), format::signedNumber(reading.height, 2),
                            inside ? tr("inside") : tr("outside")),
-                  inside ? Weight::Note : Weight::Doubt);
+                  inside ? EventSeverity::Note : EventSeverity::Warning);
     ledger_.record(*estimate_, reading.bin, reading.height, reading.sd, Origin::Arm);
     std::erase_if(readings_, [&](const ArmReading& r) { return r.bin == reading.bin; });
     readings_.push_back(reading);
@@ -312,21 +312,21 @@ void Estimation::refuse(int job, const QString& why)
     }
     if (job == secondJob_) {
         secondJob_ = 0;
-        emit happened(tr("no second estimate: %1").arg(why), Weight::Doubt);
+        emit happened(tr("no second estimate: %1").arg(why), EventSeverity::Warning);
     }
     if (job != job_) return;
     job_ = 0;
     emit failed();
-    emit happened(tr("estimate failed: %1").arg(why), Weight::Bad);
+    emit happened(tr("estimate failed: %1").arg(why), EventSeverity::Bad);
 }
 
 void Estimation::tellOf(const TerrainEstimate& estimate)
 {
-    emit happened(tr("estimate in %1").arg(format::age(seconds_)), Weight::Note);
+    emit happened(tr("estimate in %1").arg(format::age(seconds_)), EventSeverity::Note);
     for (const std::string& warning : estimate.warnings)
-        emit happened(format::sentence(warning), Weight::Doubt);
+        emit happened(format::sentence(warning), EventSeverity::Warning);
     for (const std::string& sentence : hiddenByBands(estimate, options_.stepLimit))
-        emit happened(format::sentence(sentence), Weight::Note);
+        emit happened(format::sentence(sentence), EventSeverity::Note);
 }
 
 std::optional<Verdict> Estimation::verdict() const

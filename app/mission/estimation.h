@@ -12,7 +12,7 @@
 #include "core/infer/verdict/ghost_track.h"
 #include "core/infer/verdict/verdict.h"
 #include "core/robot/robot_model.h"
-#include "display/event_weight.h"
+#include "display/event_severity.h"
 
 namespace terratact {
 
@@ -103,7 +103,7 @@ public:
     const ModelInUse& model() const { return model_; }
 
 signals:
-    void happened(const QString& text, terratact::Weight weight);
+    void happened(const QString& text, terratact::EventSeverity severity);
     void modelChanged();  ///< an existing estimate still belongs to the previous model
     void captured(const terratact::CapturedScene& scene);
     void stands(bool second);  ///< a new estimate is ready; second: of the second method

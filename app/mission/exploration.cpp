@@ -127,12 +127,13 @@ QString Exploration::whyNotAsking(int bin) const
 void Exploration::askProbe(int bin)
 {
     if (const QString why = whyNotAsking(bin); !why.isEmpty())
-        return void(emit happened(tr("no probe is asked for: %1").arg(why), Weight::Doubt));
+        return void(
+            emit happened(tr("no probe is asked for: %1").arg(why), EventSeverity::Warning));
     if (state_.phase == AtemPhase::ProposingProbe) return choose(probes_.current()->id, bin);
     emit decided("choose", format::binName(bin));
     emit happened(tr("a probe at %1 is wanted: the robot presses anew, then it is asked")
                       .arg(format::binName(bin)),
-                  Weight::Note);
+                  EventSeverity::Note);
     askedBin_ = bin;
     explore();
 }
@@ -147,7 +148,8 @@ void Exploration::forgetResult()
     const bool ends = state_.phase == AtemPhase::Presenting || state_.phase == AtemPhase::Failed;
     if (ends || following()) pending_.aborted = true;
     if (stood)
-        emit happened(tr("the estimate is off the screen: Ctrl+Z brings it back"), Weight::Note);
+        emit happened(tr("the estimate is off the screen: Ctrl+Z brings it back"),
+                      EventSeverity::Note);
 }
 
 void Exploration::restoreResult()
@@ -155,9 +157,9 @@ void Exploration::restoreResult()
     if (!exploring(state_.phase) && estimation_.restore()) {
         pending_.aborted = false;
         emit decided("restore", {});
-        emit happened(tr("the estimate is back"), Weight::Note);
+        emit happened(tr("the estimate is back"), EventSeverity::Note);
     } else {
-        emit happened(tr("no estimate can be brought back"), Weight::Note);
+        emit happened(tr("no estimate can be brought back"), EventSeverity::Note);
     }
 }
 
@@ -189,7 +191,8 @@ void Exploration::choose(quint64 proposal, int bin)
     emit decided("choose", format::binName(bin));
     probes_.propose(bin);
     emit proposed();
-    emit happened(tr("probe asked for at %1 instead").arg(format::binName(bin)), Weight::Note);
+    emit happened(tr("probe asked for at %1 instead").arg(format::binName(bin)),
+                  EventSeverity::Note);
 }
 
 void Exploration::setStepLimit(double metres)
@@ -264,7 +267,7 @@ void Exploration::sendStop()
     const Status sent = source_.send(StopCommand{});
     const QString trouble = sent ? QString() : troubleWords(link_, sent.error().text);
     if (!trouble.isEmpty() && trouble != stopTrouble_)
-        emit happened(tr("STOP not sent: %1").arg(trouble), Weight::Bad);
+        emit happened(tr("STOP not sent: %1").arg(trouble), EventSeverity::Bad);
     stopTrouble_ = trouble;
 }
 
@@ -273,7 +276,7 @@ void Exploration::confirmStop(bool latched)
     if (!linkAlive_ || latched == stopConfirmed_ || (releasing_ && !latched)) return;
     stopConfirmed_ = latched;
     if (latched)
-        emit happened(tr("the robot says that it is stopped"), Weight::Note);
+        emit happened(tr("the robot says that it is stopped"), EventSeverity::Note);
     else
         stopBegan_ = now_;  // the request starts again
 }
@@ -296,7 +299,7 @@ void Exploration::releaseStop()
     releasing_ = true;
     releaseBegan_ = stopSent_ = now_;
     command(ReleaseStopCommand{});
-    emit happened(tr("STOP released by the operator"), Weight::Doubt);
+    emit happened(tr("STOP released by the operator"), EventSeverity::Warning);
 }
 
 void Exploration::setSettings(const Settings& settings)
@@ -308,7 +311,7 @@ void Exploration::setSettings(const Settings& settings)
                       .arg(format::text(name(settings.method)))
                       .arg(settings.draws)
                       .arg(format::number(settings.forceThreshold, 1)),
-                  Weight::Note);
+                  EventSeverity::Note);
 }
 
 void Exploration::leave()
@@ -325,7 +328,7 @@ void Exploration::command(const Command& command)
     const Status sent = source_.send(command);
     if (!sent)
         emit happened(tr("command not sent: %1").arg(troubleWords(link_, sent.error().text)),
-                      Weight::Bad);
+                      EventSeverity::Bad);
 }
 
 bool Exploration::armed() const
@@ -355,7 +358,7 @@ void Exploration::repeatStop(AtemInput& in)
     if (answered() && releasing_ && !latched) in.stopReleased = true;
     if (releasing_ && now_ - releaseBegan_ > kReleaseFor) {
         releasing_ = false;  // the operator's request has expired
-        emit happened(tr("the robot did not release STOP: hold R again"), Weight::Bad);
+        emit happened(tr("the robot did not release STOP: hold R again"), EventSeverity::Bad);
     }
     if (now_ - stopSent_ < kRepeatStop || latched != releasing_) return;
     if (!releasing_) return sendStop();
@@ -457,16 +460,17 @@ void Exploration::watchDrive()
 {
     if (!latest_ || !linkAlive_ || !driveWatch_.poll(latest_->sample.measurement, now_)) return;
     if (source_.name() != "SIMULATED ROBOT")
-        emit happened(tr("the robot says that it drives, and its tracks do not move"), Weight::Bad);
+        emit happened(tr("the robot says that it drives, and its tracks do not move"),
+                      EventSeverity::Bad);
     else if (options_.groundFile.empty())
         emit happened(
             tr("the built-in ground ends here: drive back, or start with another --terrain"),
-            Weight::Bad);
+            EventSeverity::Bad);
     else
         emit happened(
             tr("the ground of the file %1 ends here: drive back, or start with another --terrain")
                 .arg(format::fileName(QString::fromStdString(options_.groundFile))),
-            Weight::Bad);
+            EventSeverity::Bad);
 }
 
 void Exploration::preview()
@@ -487,7 +491,7 @@ void Exploration::enter(const AtemState& before)
     switch (state_.phase) {
     case AtemPhase::Halting:
         forget(tr("Exploring: the robot halts"));
-        emit happened(tr("exploration requested"), Weight::Note);
+        emit happened(tr("exploration requested"), EventSeverity::Note);
         command(BeginAtemCommand{});
         break;
     case AtemPhase::Pressing:
@@ -502,7 +506,7 @@ void Exploration::enter(const AtemState& before)
     case AtemPhase::ProposingProbe:
         emit proposed();
         emit happened(tr("probe proposed at %1").arg(format::binName(probes_.current()->bin)),
-                      Weight::Note);
+                      EventSeverity::Note);
         break;
     case AtemPhase::Probing: probe(); break;
     case AtemPhase::EstimatingAgain: estimation_.take(*latest_->sample.measurement.arm); break;
@@ -510,7 +514,7 @@ void Exploration::enter(const AtemState& before)
     case AtemPhase::Idle: end(exploring(before.phase)); break;
     case AtemPhase::Stopped:
         estimation_.cancel();
-        emit happened(tr("STOP"), Weight::Bad);
+        emit happened(tr("STOP"), EventSeverity::Bad);
         if (!estimation_.estimate()) forget(tr("No estimate: STOP is latched"));
         break;
     case AtemPhase::Failed: fail(); break;
@@ -521,7 +525,7 @@ void Exploration::probe()
 {
     probing_ = probes_.current()->bin;
     probes_.withdraw();
-    emit happened(tr("probe at %1 approved").arg(format::binName(probing_)), Weight::Note);
+    emit happened(tr("probe at %1 approved").arg(format::binName(probing_)), EventSeverity::Note);
     sawProbing_ = false;
     armBefore_ = latest_->sample.measurement.arm;
     if (link_) link_->approve(probing_);
@@ -531,9 +535,9 @@ void Exploration::probe()
 void Exploration::present(bool unprobed)
 {
     if (unprobed && state_.approvalExpired)
-        emit happened(tr("no answer in time: no probe"), Weight::Doubt);
+        emit happened(tr("no answer in time: no probe"), EventSeverity::Warning);
     else if (unprobed)
-        emit happened(tr("probe refused"), Weight::Note);
+        emit happened(tr("probe refused"), EventSeverity::Note);
     probes_.withdraw();
     command(AbortAtemCommand{});
 }
@@ -544,7 +548,7 @@ void Exploration::end(bool aborted)
     if (!aborted) return;
     estimation_.cancel();
     command(AbortAtemCommand{});
-    emit happened(tr("exploration ended by the operator"), Weight::Doubt);
+    emit happened(tr("exploration ended by the operator"), EventSeverity::Warning);
     if (!estimation_.estimate()) forget(tr("No estimate: explore the terrain (A)"));
 }
 
@@ -553,7 +557,7 @@ void Exploration::fail()
     const QString why = failureWords();
     estimation_.cancel();
     if (linkAlive_) command(AbortAtemCommand{});
-    emit happened(tr("exploration failed: %1").arg(why), Weight::Bad);
+    emit happened(tr("exploration failed: %1").arg(why), EventSeverity::Bad);
     if (!estimation_.estimate()) forget(tr("No estimate: %1").arg(why));
 }
 
@@ -643,13 +647,13 @@ QString Exploration::whyNotArmed() const
     return following() ? following_->why() : tr("not armed: press M, then hold M");
 }
 
-void Exploration::overrideDoubts()
+void Exploration::overrideWarnings()
 {
     if (following() || !linkAlive_) return;  // the doubtful values are unknown
     const Measurement& m = latest_->sample.measurement;
-    for (const QString& doubt : ground_.overrideDoubts(m, options_.settings)) {
-        emit decided("override", doubt);
-        emit happened(tr("overridden by the operator: %1").arg(doubt), Weight::Doubt);
+    for (const QString& warning : ground_.overrideWarnings(m, options_.settings)) {
+        emit decided("override", warning);
+        emit happened(tr("overridden by the operator: %1").arg(warning), EventSeverity::Warning);
     }
 }
 
@@ -658,7 +662,7 @@ void Exploration::endOverrides()
     if (!latest_) return;
     const Measurement& m = latest_->sample.measurement;
     for (const QString& reason : ground_.endOverrides(m, options_.settings))
-        emit happened(tr("the override has ended: %1").arg(reason), Weight::Doubt);
+        emit happened(tr("the override has ended: %1").arg(reason), EventSeverity::Warning);
 }
 
 QList<Precondition> Exploration::preconditions() const

@@ -17,7 +17,7 @@
 #include "core/atem/probe_proposal.h"
 #include "core/limits.h"
 #include "core/robot/robot_model.h"
-#include "display/event_weight.h"
+#include "display/event_severity.h"
 #include "display/precondition.h"
 #include "display/stop_view_state.h"
 #include "drivers/measurement_source.h"
@@ -51,7 +51,7 @@ public:
     void request();
     void abort();
     /// Overrides the present doubtful preconditions. Each override ends when its reason ends or grows.
-    void overrideDoubts();
+    void overrideWarnings();
     void approve(quint64 proposal);
     void refuse(quint64 proposal);
     void choose(quint64 proposal, int bin);  ///< proposes another bin of the ranking instead
@@ -118,7 +118,7 @@ public:
     const Options& options() const { return options_; }
 
 signals:
-    void happened(const QString& text, terratact::Weight weight);
+    void happened(const QString& text, terratact::EventSeverity severity);
     void stoppedNothing(const QString& why);  ///< stop() had no effect
     // Signals for the session's record.
     void proposed();                                      ///< a probe was proposed

@@ -26,14 +26,14 @@ void PanelControl::tick(double now, const ViewState& viewState)
         emit happened(report_.state.present && !isLost() ? tr("STOP pressed on the panel")
                       : exploration_.following()         ? tr("the panel is lost")
                                                  : tr("the panel is lost, which means STOP"),
-                      Weight::Bad);
+                      EventSeverity::Bad);
     }
     wasStopped_ = stopped;
     press(viewState);
     ask(viewState);
     light();
     const QString trouble = format::sentence(report_.trouble);
-    if (trouble != trouble_ && !trouble.isEmpty()) emit happened(trouble, Weight::Bad);
+    if (trouble != trouble_ && !trouble.isEmpty()) emit happened(trouble, EventSeverity::Bad);
     trouble_ = trouble;
 }
 
@@ -58,12 +58,13 @@ void PanelControl::approve(quint64 asked, bool pressed, bool covered)
     if (pressed && shown_ != asked)
         emit happened(covered ? tr("not approved: close the window that covers the question")
                               : tr("not approved: the question is not on the screen (Terrain, F2)"),
-                      Weight::Bad);
+                      EventSeverity::Bad);
     const ContactState& contact = report_.state.contacts[PanelContact::Approve];
     const bool counts = shown_ == asked && report_.state.held(PanelContact::Approve)
                      && contact.since >= shownSince_;
     if (std::exchange(approving_, counts) && !counts)
-        emit happened(tr("not approved: the panel's button has to be held for 1.5 s"), Weight::Bad);
+        emit happened(tr("not approved: the panel's button has to be held for 1.5 s"),
+                      EventSeverity::Bad);
     if (!counts || report_.state.time - contact.since < kApproveHold) return;
     approving_ = false;
     exploration_.approve(asked);

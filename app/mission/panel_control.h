@@ -44,7 +44,7 @@ public:
     const PanelReport& report() const { return report_; }
 
 signals:
-    void happened(const QString& text, terratact::Weight weight);
+    void happened(const QString& text, terratact::EventSeverity severity);
 
 private:
     void press(const ViewState& viewState);

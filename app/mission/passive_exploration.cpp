@@ -47,16 +47,17 @@ void PassiveExploration::enter(const AtemState& state, const Received& latest)
         break;
     case AtemPhase::Estimating:
         estimation_.forget(tr("Estimating …"));
-        emit happened(tr("following: the robot has pressed its flippers down"), Weight::Note);
+        emit happened(tr("following: the robot has pressed its flippers down"),
+                      EventSeverity::Note);
         captured_ = latest.press->count;
         estimation_.begin(latest, lostAt_);
         break;
     case AtemPhase::Probing:
-        emit happened(tr("following: the arm is probing"), Weight::Note);
+        emit happened(tr("following: the arm is probing"), EventSeverity::Note);
         break;
     case AtemPhase::EstimatingAgain: estimation_.take(*latest.sample.measurement.arm); break;
     case AtemPhase::Stopped:
-        emit happened(tr("following: the robot is stopped"), Weight::Bad);
+        emit happened(tr("following: the robot is stopped"), EventSeverity::Bad);
         estimation_.cancel();
         if (!estimation_.estimate()) estimation_.forget(tr("No estimate: the robot is stopped"));
         break;
@@ -74,7 +75,7 @@ void PassiveExploration::enter(const AtemState& state, const Received& latest)
 void PassiveExploration::fail(AtemFailure failure)
 {
     const QString why = format::sentence(describe(failure));
-    emit happened(tr("following: no estimate: %1").arg(why), Weight::Bad);
+    emit happened(tr("following: no estimate: %1").arg(why), EventSeverity::Bad);
     estimation_.cancel();
     estimation_.forget(tr("No estimate: %1").arg(why));
 }

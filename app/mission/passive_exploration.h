@@ -23,7 +23,7 @@ public:
     void tick(AtemState& state, FollowInput in, const Received& latest);
 
 signals:
-    void happened(const QString& text, terratact::Weight weight);
+    void happened(const QString& text, terratact::EventSeverity severity);
 
 private:
     void poll(FollowInput& in, const Received& latest) const;

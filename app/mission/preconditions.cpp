@@ -111,14 +111,16 @@ Precondition Preconditions::model(const ModelInUse& model)
     return met(tr("model %1 is ready").arg(model.name));
 }
 
-std::array<PlanarGround::Doubt, PlanarGround::kKinds> PlanarGround::doubts(const Measurement& m,
-                                                                           const Settings& settings)
+std::array<PlanarGround::PlanarityWarning, PlanarGround::kKinds>
+PlanarGround::warnings(const Measurement& m, const Settings& settings)
 {
     const double asymmetry = flipperAsymmetry(m);
-    return {Doubt{std::abs(m.roll), settings.rollLimit,
-                  tr("roll %1: left and right ground differ").arg(format::degrees(m.roll))},
-            Doubt{asymmetry, settings.asymmetryLimit,
-                  tr("left and right flippers differ by %1").arg(format::degrees(asymmetry))}};
+    return {
+        PlanarityWarning{std::abs(m.roll), settings.rollLimit,
+                         tr("roll %1: left and right ground differ").arg(format::degrees(m.roll))},
+        PlanarityWarning{
+            asymmetry, settings.asymmetryLimit,
+            tr("left and right flippers differ by %1").arg(format::degrees(asymmetry))}};
 }
 
 QString PlanarGround::goneWords(int kind)
@@ -129,7 +131,7 @@ QString PlanarGround::goneWords(int kind)
 
 QList<Precondition> PlanarGround::judge(const Measurement& m, const Settings& settings) const
 {
-    const auto all = doubts(m, settings);
+    const auto all = warnings(m, settings);
     QList<Precondition> list;
     for (std::size_t kind = 0; kind < kKinds; ++kind)
         if (all[kind].stands())
@@ -140,9 +142,9 @@ QList<Precondition> PlanarGround::judge(const Measurement& m, const Settings& se
     return list;
 }
 
-QStringList PlanarGround::overrideDoubts(const Measurement& m, const Settings& settings)
+QStringList PlanarGround::overrideWarnings(const Measurement& m, const Settings& settings)
 {
-    const auto all = doubts(m, settings);
+    const auto all = warnings(m, settings);
     QStringList news;
     for (std::size_t kind = 0; kind < kKinds; ++kind) {
         if (overridden_[kind] || !all[kind].stands()) continue;
@@ -154,14 +156,14 @@ QStringList PlanarGround::overrideDoubts(const Measurement& m, const Settings& s
 
 QStringList PlanarGround::endOverrides(const Measurement& m, const Settings& settings)
 {
-    const auto stands = [](const auto& doubt) { return doubt.has_value(); };
+    const auto stands = [](const auto& warning) { return warning.has_value(); };
     if (std::ranges::none_of(overridden_, stands))
         return {};  // quick exit, because this is called often
-    const auto all = doubts(m, settings);
+    const auto all = warnings(m, settings);
     QStringList reasons;
     for (std::size_t kind = 0; kind < kKinds; ++kind) {
-        const Doubt& now = all[kind];
-        const std::optional<Doubt>& then = overridden_[kind];
+        const PlanarityWarning& now = all[kind];
+        const std::optional<PlanarityWarning>& then = overridden_[kind];
         if (!then) continue;
         const bool grew = now.size > then->size + now.limit;
         if (now.stands() && !grew) continue;
@@ -175,8 +177,8 @@ QStringList PlanarGround::endOverrides(const Measurement& m, const Settings& set
 QStringList PlanarGround::overridden() const
 {
     QStringList list;
-    for (const auto& doubt : overridden_)
-        if (doubt) list << doubt->text;
+    for (const auto& warning : overridden_)
+        if (warning) list << warning->text;
     return list;
 }
 

@@ -50,7 +50,7 @@ public:
     QList<Precondition> judge(const Measurement& measurement, const Settings& settings) const;
 
     /// Overrides all present contradictions. Returns the new ones as text.
-    QStringList overrideDoubts(const Measurement& measurement, const Settings& settings);
+    QStringList overrideWarnings(const Measurement& measurement, const Settings& settings);
     /// Ends overrides whose contradiction has ended or grown too much. Returns the reasons as text.
     QStringList endOverrides(const Measurement& measurement, const Settings& settings);
     /// Overridden contradictions as text, with their values at that time.
@@ -58,16 +58,17 @@ public:
 
 private:
     enum Kind { kRoll, kAsymmetry, kKinds };
-    struct Doubt {
+    struct PlanarityWarning {
         double size = 0.0, limit = 0.0;  ///< [rad]
         QString text;
         bool stands() const { return size > limit; }
     };
-    static std::array<Doubt, kKinds> doubts(const Measurement& measurement,
-                                            const Settings& settings);
+    static std::array<PlanarityWarning, kKinds> warnings(const Measurement& measurement,
+                                                         const Settings& settings);
     static QString goneWords(int kind);
 
-    std::array<std::optional<Doubt>, kKinds> overridden_;  ///< each at its size when overridden
+    std::array<std::optional<PlanarityWarning>, kKinds>
+        overridden_;  ///< each at its size when overridden
 };
 
 }  // namespace terratact

@@ -19,7 +19,7 @@ struct CostWords {
 
 CostWords inWords(const PresetCost& cost)
 {
-    return {format::sentence(name(cost.quality)), format::number(cost.milliseconds, 1),
+    return {format::sentence(name(cost.preset)), format::number(cost.milliseconds, 1),
             format::number(cost.errorMm, 0), format::number(cost.offMm, 1),
             format::number(100.0 * cost.converged, 0)};
 }
@@ -29,11 +29,11 @@ QStringList ofEach(Method method, std::span<const PresetCost> costs, const QStri
                    const Say& say)
 {
     QStringList lines;
-    for (const Quality quality : kQualities) {
+    for (const QualityPreset preset : kQualityPresets) {
         const auto cost = std::find_if(costs.begin(), costs.end(), [&](const PresetCost& c) {
-            return c.method == method && c.quality == quality;
+            return c.method == method && c.preset == preset;
         });
-        lines << (cost == costs.end() ? unmeasured.arg(format::sentence(name(quality)))
+        lines << (cost == costs.end() ? unmeasured.arg(format::sentence(name(preset)))
                                       : say(inWords(*cost)));
     }
     return lines;

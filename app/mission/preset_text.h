@@ -7,7 +7,7 @@
 
 namespace terratact {
 
-// Texts with time and error of each preset, in the order of kQualities, for a method. The texts say if a preset was not
+// Texts with time and error of each preset, in the order of kQualityPresets, for a method. The texts say if a preset was not
 // measured.
 
 QStringList presetLines(Method method, std::span<const PresetCost> costs);    ///< one sentence each

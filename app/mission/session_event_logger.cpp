@@ -9,12 +9,12 @@
 namespace terratact {
 namespace {
 
-std::string inWords(Weight weight)
+std::string inWords(EventSeverity severity)
 {
-    switch (weight) {
-    case Weight::Note: return "note";
-    case Weight::Doubt: return "doubt";
-    case Weight::Bad: return "bad";
+    switch (severity) {
+    case EventSeverity::Note: return "note";
+    case EventSeverity::Warning: return "doubt";
+    case EventSeverity::Bad: return "bad";
     }
     return {};
 }
@@ -36,7 +36,8 @@ std::string inWords(const Verdict& verdict, double limit)
         fmt::format("{}, P(step > {:.2f} m) = {:.1f} % ± {}", name(verdict.stepVerdict), limit,
                     100.0 * verdict.step.p, randomErrorText(100.0 * verdict.step.monteCarloSd, 1));
     if (!verdict.unfelt.empty()) text += "; " + describeUnfelt(verdict);
-    for (const Doubt doubt : verdict.doubts) text += fmt::format("; {}", describe(doubt));
+    for (const WithholdReason reason : verdict.withheldFor)
+        text += fmt::format("; {}", describe(reason));
     return text;
 }
 
@@ -140,9 +141,9 @@ void SessionEventLogger::decision(const char* what, const QString& text)
     tell(EventKind::Decision, what, text.toStdString());
 }
 
-void SessionEventLogger::word(const QString& text, Weight weight)
+void SessionEventLogger::word(const QString& text, EventSeverity severity)
 {
-    tell(EventKind::Word, inWords(weight), text.toStdString());
+    tell(EventKind::Word, inWords(severity), text.toStdString());
 }
 
 void SessionEventLogger::mark(const QString& note)

@@ -11,7 +11,7 @@
 #include "app/mission/console_alarms.h"
 #include "app/mission/exploration.h"
 #include "app/recording/session_recorder.h"
-#include "display/event_weight.h"
+#include "display/event_severity.h"
 
 namespace terratact {
 
@@ -32,7 +32,7 @@ public:
     void mark(const QString& note);
 
     /// A line of the list of events, in words.
-    void word(const QString& text, Weight weight);
+    void word(const QString& text, EventSeverity severity);
 
     RecordingState state() const { return recorder_->state(); }
     void decision(const char* what, const QString& text);  ///< a decision of the operator

@@ -31,9 +31,9 @@ Result<PresetCost> presetFrom(CsvReader& csv)
     const auto& fields = csv.fields();
     if (fields.size() != 11) return csv.error("has not eleven fields");
     const auto method = methodFromName(fields[1]);
-    const auto quality = qualityFromName(fields[2]);
+    const auto preset = qualityPresetFromName(fields[2]);
     if (!method) return csv.error("names no method");
-    if (!quality) return csv.error("names no quality");
+    if (!preset) return csv.error("names no quality");
     std::array<double, 8> values{};
     for (std::size_t k = 0; k < values.size(); ++k) {
         const Result<double> value = csv.number(k + 3, "field " + std::to_string(k + 4));
@@ -49,7 +49,7 @@ Result<PresetCost> presetFrom(CsvReader& csv)
     if (!(converged >= 0.0 && converged <= 1.0))
         return csv.error("has a share that is not between 0 and 1");
     return PresetCost{.method = *method,
-                      .quality = *quality,
+                      .preset = *preset,
                       .draws = static_cast<int>(draws),
                       .chains = static_cast<int>(chains),
                       .burnIn = static_cast<int>(burnIn),

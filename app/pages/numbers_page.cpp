@@ -57,8 +57,8 @@ void NumbersPage::showVerdict(const NumbersViewState& viewState)
 {
     verdict_->setVisible(viewState.verdict.has_value());
     if (!viewState.verdict) return;
-    const bool isOld = std::ranges::find(viewState.verdict->doubts, Doubt::Stale)
-                    != viewState.verdict->doubts.end();
+    const bool isOld = std::ranges::find(viewState.verdict->withheldFor, WithholdReason::Stale)
+                    != viewState.verdict->withheldFor.end();
     QStringList parts{VerdictStrip::answerOf(*viewState.verdict),
                       VerdictStrip::probabilityOf(*viewState.verdict, viewState.stepLimit),
                       VerdictStrip::whyOf(*viewState.verdict)};

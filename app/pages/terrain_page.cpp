@@ -53,7 +53,7 @@ bool isAtRest(const TerrainViewState& viewState)
 /// Returns true if the worth of a probe may be shown: at rest, and the verdict is not withheld.
 bool tellsWorth(const TerrainViewState& viewState)
 {
-    return isAtRest(viewState) && (!viewState.verdict || viewState.verdict->doubts.empty());
+    return isAtRest(viewState) && (!viewState.verdict || viewState.verdict->withheldFor.empty());
 }
 
 /// Returns what a probe of the bin would gain, in one line.

@@ -14,12 +14,14 @@
 namespace terratact {
 namespace {
 
-Weight weightOf(const EventRow& event)
+EventSeverity severityOf(const EventRow& event)
 {
     const bool isBad = event.subject == "bad" || event.kind == EventKind::Gap
                     || (event.kind == EventKind::Alarm && event.number == 3.0)
                     || (event.kind == EventKind::Link && event.subject != kLinkUp);
-    return isBad ? Weight::Bad : event.subject == "doubt" ? Weight::Doubt : Weight::Note;
+    return isBad                    ? EventSeverity::Bad
+         : event.subject == "doubt" ? EventSeverity::Warning
+                                    : EventSeverity::Note;
 }
 
 }  // namespace
@@ -98,7 +100,7 @@ void ReviewDisplay::showEvents(SessionTime until)
     places_.events.clear();
     const std::size_t from = last.size() - std::min(last.size(), kListed);
     for (std::size_t i = from; i < last.size(); ++i)
-        places_.events.add(sentenceOf(*last[i]), weightOf(*last[i]),
+        places_.events.add(sentenceOf(*last[i]), severityOf(*last[i]),
                            wallClock(session_, last[i]->time).time());
 }
 

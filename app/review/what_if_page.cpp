@@ -19,7 +19,7 @@
 
 #include "app/recording/what_if.h"
 #include "app/shell/file_dialog.h"
-#include "core/infer/estimate/quality.h"
+#include "core/infer/estimate/quality_preset.h"
 #include "core/store/sha256.h"
 #include "display/format.h"
 #include "widgets/base/card.h"
@@ -104,7 +104,8 @@ QWidget* WhatIfPage::form()
     for (const Method method : kMethods) method_->addItem(format::text(name(method)));
     quality_ = combo(tr("Quality"), tr("Draws, chains and precision"));
     quality_->addItem(tr("as recorded"));
-    for (const Quality quality : kQualities) quality_->addItem(format::sentence(name(quality)));
+    for (const QualityPreset preset : kQualityPresets)
+        quality_->addItem(format::sentence(name(preset)));
     threshold_ = new QDoubleSpinBox(form);
     threshold_->setRange(0.1, 50.0);
     threshold_->setSingleStep(0.1);
@@ -220,7 +221,7 @@ Settings WhatIfPage::settings() const
     Settings s = recorded_->estimate.settings;
     s.method = kMethods.at(static_cast<std::size_t>(method_->currentIndex()));
     if (const int quality = quality_->currentIndex(); quality > 0)
-        s = withQuality(s, kQualities.at(static_cast<std::size_t>(quality - 1)));
+        s = withPreset(s, kQualityPresets.at(static_cast<std::size_t>(quality - 1)));
     // The form rounds values; an unchanged field keeps the recorded value.
     if (std::abs(threshold_->value() - s.forceThreshold) > 0.006)
         s.forceThreshold = threshold_->value();

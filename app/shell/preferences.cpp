@@ -164,7 +164,7 @@ void visit(Visitor visitor, Values& p)
     visitor.flag("sound", p.sound);
     visitor.number("obstacle-limit", p.obstacleLimit, kObstacleRange);
     visitor.oneOf("method", p.method, offeredMethods());
-    visitor.oneOf("quality", p.quality, kQualities);
+    visitor.oneOf("quality", p.preset, kQualityPresets);
     visitor.number("estimate-seconds", p.estimateSeconds, 0, kMaxEstimateSeconds);
     visitor.number("force-threshold", p.forceThreshold, kForceRange);
     visitor.oneOf("probe-policy", p.probes, kProbePolicies);
@@ -233,7 +233,7 @@ std::vector<Method> offeredMethods()
 
 Settings withPreferences(Settings settings, const Preferences& preferences)
 {
-    settings = withQuality(settings, preferences.quality);
+    settings = withPreset(settings, preferences.preset);
     settings.method = preferences.method;
     settings.forceThreshold = preferences.forceThreshold;
     settings.probeAbove = preferences.probeAbove;

@@ -9,7 +9,7 @@
 
 #include "core/atem/probe_policy.h"
 #include "core/base/result.h"
-#include "core/infer/estimate/quality.h"
+#include "core/infer/estimate/quality_preset.h"
 #include "core/robot/attitude.h"
 #include "widgets/base/palette.h"
 
@@ -27,7 +27,7 @@ struct Preferences {
     bool sound = true;            ///< alarms make sounds
     double obstacleLimit = 0.10;  ///< [m] obstacle height (hasStep())
     Method method = Method::Local;
-    Quality quality = Quality::Balanced;
+    QualityPreset preset = QualityPreset::Balanced;
     int estimateSeconds = 0;                            ///< [s] time limit of sampling; 0: no limit
     double forceThreshold = Settings{}.forceThreshold;  ///< [N]
     ProbePolicy probes = ProbePolicy::Variance;

@@ -40,7 +40,7 @@ void RemoteStop::press()
     if (const Status sent = caller_->press(line_); !sent) return fail(sent.error());
     looks_ = 0;
     look_.start();
-    emit said(tr("STOP SENT to the console that opened this window …"), Weight::Note);
+    emit said(tr("STOP SENT to the console that opened this window …"), EventSeverity::Note);
 }
 
 void RemoteStop::fail(const Error& error)
@@ -48,7 +48,7 @@ void RemoteStop::fail(const Error& error)
     emit said(error.code == ECONNREFUSED
                   ? tr("STOP HAS NO EFFECT HERE: the console that opened this window is gone")
                   : tr("STOP NOT SENT: %1").arg(format::sentence(error.text)),
-              Weight::Bad);
+              EventSeverity::Bad);
 }
 
 void RemoteStop::poll()
@@ -58,12 +58,12 @@ void RemoteStop::poll()
         emit said(
             tr("STOP: the console that opened this window has taken it; see there whether the "
                "robot confirms it"),
-            Weight::Note);
+            EventSeverity::Note);
     } else if (++looks_ * kPollAnswer >= kAnswers) {
         look_.stop();
         emit said(tr("STOP NOT TAKEN: the console that opened this window does not answer; use the "
                      "robot's own switch"),
-                  Weight::Bad);
+                  EventSeverity::Bad);
     }
 }
 

@@ -32,7 +32,7 @@ public:
     static constexpr int kAnswers = 500;  ///< [ms] time limit for the console's answer
 
 signals:
-    void said(const QString& text, terratact::Weight weight);
+    void said(const QString& text, terratact::EventSeverity severity);
 
 private:
     void fail(const Error& error);

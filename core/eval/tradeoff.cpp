@@ -43,8 +43,8 @@ std::vector<TradeSetting> tradeSettings(Method method, std::uint64_t seed)
     const Settings base = wholeBudget(method, seed);
     std::vector<TradeSetting> all;
     all.reserve(20);
-    for (const Quality quality : kQualities) {
-        all.push_back({std::string(name(quality)), withQuality(base, quality), quality});
+    for (const QualityPreset preset : kQualityPresets) {
+        all.push_back({std::string(name(preset)), withPreset(base, preset), preset});
         all.back().settings.stopEarly = Settings{}.stopEarly;
     }
     for (const int draws : {125, 250, 500, 1000, 2000, 4000}) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/infer/estimate/estimate.h"
-#include "core/infer/estimate/quality.h"
+#include "core/infer/estimate/quality_preset.h"
 
 namespace terratact {
 
@@ -16,7 +16,7 @@ struct TradeSetting {
     /// "draws", "chains", "precision", "inducing", "early stop" or a preset's name.
     std::string varied;
     Settings settings;
-    std::optional<Quality> preset;
+    std::optional<QualityPreset> preset;
 };
 
 /// Returns the settings whose cost and error `tradeoff` measures for a method: the presets, and
@@ -67,7 +67,7 @@ int leastReferenceDraws(std::span<const TradePoint> points);
 /// Measured cost and error of a preset with one method.
 struct PresetCost {
     Method method = Method::Local;
-    Quality quality = Quality::Balanced;
+    QualityPreset preset = QualityPreset::Balanced;
     int draws = 0, chains = 0, burnIn = 0, inducing = 0;  ///< the measured settings
     double milliseconds = 0.0;                            ///< per scene
     double offMm = 0.0;      ///< distance of the quantiles from a reference run [mm]

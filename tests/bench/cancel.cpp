@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "core/atem/arm_choice.h"
-#include "core/infer/estimate/quality.h"
+#include "core/infer/estimate/quality_preset.h"
 #include "core/infer/estimator.h"
 #include "core/infer/reconstruct.h"
 #include "core/learn/gp/likelihood.h"
@@ -55,17 +55,17 @@ double longestWait(const std::function<void(const Watch&)>& estimate)
 }
 
 /// Variants of the estimate: the shipped model, or one with 5600 synthetic rows.
-enum Effort : int { Balanced, Accurate, AllChains, ManyRows, ManyDraws };
-constexpr std::array kEffortNames{"balanced", "accurate", "64 chains", "5600 rows", "1e6 draws"};
+enum Load : int { Balanced, Accurate, AllChains, ManyRows, ManyDraws };
+constexpr std::array kLoadNames{"balanced", "accurate", "64 chains", "5600 rows", "1e6 draws"};
 
-Settings settingsFor(Method method, Effort effort)
+Settings settingsFor(Method method, Load load)
 {
-    Settings settings = withQuality({.method = method}, Quality::Balanced);
-    if (effort == Accurate) settings = withQuality(settings, Quality::Accurate);
-    if (effort == AllChains) settings = {.method = method, .stopEarly = false, .chains = 64};
-    if (effort == ManyRows)
+    Settings settings = withPreset({.method = method}, QualityPreset::Balanced);
+    if (load == Accurate) settings = withPreset(settings, QualityPreset::Accurate);
+    if (load == AllChains) settings = {.method = method, .stopEarly = false, .chains = 64};
+    if (load == ManyRows)
         settings = {.method = method, .draws = 128, .stopEarly = false, .chains = 64, .burnIn = 1};
-    if (effort == ManyDraws) {
+    if (load == ManyDraws) {
         settings.draws = 1'000'000;
         settings.stopEarly = false;
     }
@@ -94,9 +94,9 @@ using Estimate = std::function<void(const Watch&)>;
 
 /// Returns an estimate with a fresh model.
 Estimate estimateOf(const Scene& scene, const RobotModel& robot, const Settings& settings,
-                    Effort effort)
+                    Load load)
 {
-    if (effort == ManyRows) {
+    if (load == ManyRows) {
         auto models = std::make_shared<const BinModels>(manyRows(shippedModel()), FeatureSet::Paf);
         std::vector<ArmReading> arm;  // leaves three bins, each of which takes seconds
         for (int bin = 0; bin < 8; ++bin) arm.push_back({bin, -0.3, 0.03});
@@ -116,33 +116,32 @@ void cancelWaits(benchmark::State& state)
 {
     openblas_set_num_threads(1);
     const auto method = kMethods[static_cast<std::size_t>(state.range(0))];
-    const auto effort = static_cast<Effort>(state.range(1));
+    const auto load = static_cast<Load>(state.range(1));
     const RobotModel robot = absolem();
     const Scene scene = someScenes(1, 7)[3];
-    const Settings settings = settingsFor(method, effort);
+    const Settings settings = settingsFor(method, load);
     double first = 0.0, later = 0.0;
     for (auto _ : state) {
         state.PauseTiming();
-        const Estimate estimate = estimateOf(scene, robot, settings, effort);
+        const Estimate estimate = estimateOf(scene, robot, settings, load);
         state.ResumeTiming();
         first = std::max(first, longestWait(estimate));
         later = std::max(later, longestWait(estimate));
     }
-    state.SetLabel(std::string(name(method)) + ", "
-                   + kEffortNames[static_cast<std::size_t>(effort)]);
+    state.SetLabel(std::string(name(method)) + ", " + kLoadNames[static_cast<std::size_t>(load)]);
     state.counters["first_ms"] = first;
     state.counters["later_ms"] = later;
 }
 
-void efforts(benchmark::internal::Benchmark* bench)
+void loads(benchmark::internal::Benchmark* bench)
 {
     for (std::size_t m = 0; m < kMethods.size(); ++m)
-        for (const Effort effort : {Balanced, Accurate, AllChains, ManyRows, ManyDraws}) {
+        for (const Load load : {Balanced, Accurate, AllChains, ManyRows, ManyDraws}) {
             const bool closed = isClosedForm(kMethods[m]);
-            const bool sensible = effort == ManyRows  ? kMethods[m] == Method::Pafc
-                                : effort == ManyDraws ? closed
-                                                      : !closed || effort == Balanced;
-            if (sensible) bench->Args({static_cast<long>(m), effort});
+            const bool sensible = load == ManyRows  ? kMethods[m] == Method::Pafc
+                                : load == ManyDraws ? closed
+                                                    : !closed || load == Balanced;
+            if (sensible) bench->Args({static_cast<long>(m), load});
         }
 }
 
@@ -210,7 +209,7 @@ void touchesOfFreshPages(benchmark::State& state)
 }
 BENCHMARK(touchesOfFreshPages)->Iterations(1)->Unit(benchmark::kMillisecond);
 
-BENCHMARK(cancelWaits)->Apply(efforts)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(cancelWaits)->Apply(loads)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace terratact

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/infer/estimate/quality.h"
+#include "core/infer/estimate/quality_preset.h"
 #include "core/infer/estimate_batch.h"
 #include "core/infer/estimator.h"
 #include "core/infer/reconstruct.h"
@@ -196,7 +196,7 @@ void oneBalancedScene(benchmark::State& state, Method method)
 {
     static const Models models(shippedModel(), absolem());
     static const std::vector<Scene> all = someScenes(16, 7);
-    Settings settings = withQuality({}, Quality::Balanced);
+    Settings settings = withPreset({}, QualityPreset::Balanced);
     settings.method = method;
     settings.stopEarly = false;  // takes all its draws
     const RobotModel robot = absolem();
@@ -314,8 +314,8 @@ void registerAll()
         settings.inducing = inducing;
         evaluation(std::to_string(inducing) + " rows", settings);
     }
-    for (const Quality quality : kQualities)
-        evaluation(std::string(name(quality)), withQuality({}, quality));
+    for (const QualityPreset preset : kQualityPresets)
+        evaluation(std::string(name(preset)), withPreset({}, preset));
     for (const Method method : kMethods)
         add("oneBalancedScene/" + std::string(name(method)),
             [=](benchmark::State& s) { oneBalancedScene(s, method); }, {});

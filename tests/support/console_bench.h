@@ -79,8 +79,8 @@ struct Console : testing::Test {
         options.exploration.limits.approval = answerTime;
         options.presets = {
             "measured",
-            {{Method::Local, Quality::Fast, 250, 16, 16, 175, 0.5, 0.0, 25.0, 1.0},
-             {Method::Pafac, Quality::Fast, 250, 16, 16, 175, 4.0, 11.3, 34.0, 0.13}}};
+            {{Method::Local, QualityPreset::Fast, 250, 16, 16, 175, 0.5, 0.0, 25.0, 1.0},
+             {Method::Pafac, QualityPreset::Fast, 250, 16, 16, 175, 4.0, 11.3, 34.0, 0.13}}};
         window = std::make_unique<MainWindow>(std::move(options));
         window->probeCard()->approveButton()->setHoldTime(150);
         window->atemPanel()->releaseButton()->setHoldTime(150);

@@ -7,12 +7,12 @@
 namespace terratact {
 namespace {
 
-QColor colourOf(Weight weight)
+QColor colourOf(EventSeverity severity)
 {
-    switch (weight) {
-    case Weight::Note: return theme().text;
-    case Weight::Doubt: return theme().doubt;
-    case Weight::Bad: return theme().bad;
+    switch (severity) {
+    case EventSeverity::Note: return theme().text;
+    case EventSeverity::Warning: return theme().doubt;
+    case EventSeverity::Bad: return theme().bad;
     }
     return theme().text;
 }
@@ -30,21 +30,21 @@ EventList::EventList(QWidget* parent) : QListWidget(parent)
     setFrameShape(QFrame::NoFrame);
 }
 
-void EventList::add(const QString& text, Weight weight, QTime at)
+void EventList::add(const QString& text, EventSeverity severity, QTime at)
 {
-    tell(text, weight, at);
-    emit added(text, weight);
+    tell(text, severity, at);
+    emit added(text, severity);
 }
 
-void EventList::tell(const QString& text, Weight weight, QTime at)
+void EventList::tell(const QString& text, EventSeverity severity, QTime at)
 {
     constexpr int kMax = 500;
     static const QString kMarks[]{QString(), QStringLiteral("! "), QStringLiteral("✘ ")};
-    const auto level = static_cast<std::size_t>(weight);
+    const auto level = static_cast<std::size_t>(severity);
     auto* item =
         new QListWidgetItem(at.toString(QStringLiteral("HH:mm:ss  ")) + kMarks[level] + text);
-    item->setData(Qt::UserRole, static_cast<int>(weight));
-    item->setForeground(colourOf(weight));
+    item->setData(Qt::UserRole, static_cast<int>(severity));
+    item->setForeground(colourOf(severity));
     insertItem(0, item);
     while (count() > kMax) delete takeItem(count() - 1);
 }
@@ -55,7 +55,7 @@ void EventList::changeEvent(QEvent* event)
     if (event->type() != QEvent::StyleChange) return;
     for (int row = 0; row < count(); ++row)
         item(row)->setForeground(
-            colourOf(static_cast<Weight>(item(row)->data(Qt::UserRole).toInt())));
+            colourOf(static_cast<EventSeverity>(item(row)->data(Qt::UserRole).toInt())));
 }
 
 }  // namespace terratact

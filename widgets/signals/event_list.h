@@ -3,7 +3,7 @@
 #include <QListWidget>
 #include <QTime>
 
-#include "display/event_weight.h"
+#include "display/event_severity.h"
 #include "widgets/base/palette.h"
 
 namespace terratact {
@@ -15,12 +15,12 @@ public:
     explicit EventList(QWidget* parent = nullptr);
     QSize sizeHint() const override { return {300, 110}; }
     QSize minimumSizeHint() const override { return {scaled(150), 80}; }
-    void add(const QString& text, Weight weight, QTime at);
+    void add(const QString& text, EventSeverity severity, QTime at);
     /// Adds an event without emitting added(), because the session records it elsewhere.
-    void tell(const QString& text, Weight weight, QTime at);
+    void tell(const QString& text, EventSeverity severity, QTime at);
 
 signals:
-    void added(const QString& text, terratact::Weight weight);
+    void added(const QString& text, terratact::EventSeverity severity);
 
 protected:
     void changeEvent(QEvent* event) override;

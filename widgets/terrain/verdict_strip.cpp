@@ -39,17 +39,17 @@ QString unfeltText(const std::vector<int>& bins)
 }
 
 /// Returns a short form of one reason among several, which share two lines.
-QString briefly(Doubt doubt)
+QString briefly(WithholdReason reason)
 {
-    switch (doubt) {
-    case Doubt::Stale: return VerdictStrip::tr("no live telemetry");
-    case Doubt::Unheard: return VerdictStrip::tr("the link was lost");
-    case Doubt::NotConverged: return VerdictStrip::tr("not converged");
-    case Doubt::UnlikeTraining: return VerdictStrip::tr("unlike all training");
-    case Doubt::Roll: return VerdictStrip::tr("the robot rolls");
-    case Doubt::Asymmetry: return VerdictStrip::tr("the flippers differ");
-    case Doubt::SensorFault: return VerdictStrip::tr("a sensor may lie");
-    case Doubt::Contradiction: return VerdictStrip::tr("it contradicts the readings");
+    switch (reason) {
+    case WithholdReason::Stale: return VerdictStrip::tr("no live telemetry");
+    case WithholdReason::Unheard: return VerdictStrip::tr("the link was lost");
+    case WithholdReason::NotConverged: return VerdictStrip::tr("not converged");
+    case WithholdReason::UnlikeTraining: return VerdictStrip::tr("unlike all training");
+    case WithholdReason::Roll: return VerdictStrip::tr("the robot rolls");
+    case WithholdReason::Asymmetry: return VerdictStrip::tr("the flippers differ");
+    case WithholdReason::SensorFault: return VerdictStrip::tr("a sensor may lie");
+    case WithholdReason::Contradiction: return VerdictStrip::tr("it contradicts the readings");
     }
     return {};
 }
@@ -121,12 +121,12 @@ QString badgeOf(const Verdict& verdict)
          + VerdictStrip::tr("to %1 m").arg(format::signedNumber(verdict.horizon, 2));
 }
 
-QString withheldText(const std::vector<Doubt>& doubts)
+QString withheldText(const std::vector<WithholdReason>& reasons)
 {
-    QStringList reasons;
-    for (const Doubt doubt : doubts)
-        reasons << (doubts.size() > 1 ? briefly(doubt) : format::sentence(describe(doubt)));
-    return VerdictStrip::tr("withheld: %1").arg(reasons.join(QStringLiteral(" · ")));
+    QStringList texts;
+    for (const WithholdReason reason : reasons)
+        texts << (reasons.size() > 1 ? briefly(reason) : format::sentence(describe(reason)));
+    return VerdictStrip::tr("withheld: %1").arg(texts.join(QStringLiteral(" · ")));
 }
 
 }  // namespace
@@ -253,7 +253,7 @@ QString VerdictStrip::whyOf(const Verdict& verdict)
     case StepVerdict::Blocked: return likeliestText(verdict);
     case StepVerdict::CannotTell: break;
     }
-    if (!verdict.doubts.empty()) return withheldText(verdict.doubts);
+    if (!verdict.withheldFor.empty()) return withheldText(verdict.withheldFor);
     if (verdict.shortfall != Shortfall::None) return shortfallText(verdict);
     return tr("undecided from %1 to %2, %3")
         .arg(format::number(kClearBelow, 2), format::number(kBlockedAbove, 2),
@@ -262,7 +262,7 @@ QString VerdictStrip::whyOf(const Verdict& verdict)
 
 void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
 {
-    const bool isWithheld = !verdict.doubts.empty();
+    const bool isWithheld = !verdict.withheldFor.empty();
     const QString probability = probabilityOf(verdict, limit_);
     // A withheld probability must not be the first thing that is read.
     question_->setText(isWithheld ? QStringLiteral("(%1)").arg(probability) : probability);
@@ -275,7 +275,8 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
     reason_->setText(why);
     QStringList tip{why};
     if (falls) tip << whyOf(verdict);
-    for (const Doubt doubt : verdict.doubts) tip << format::sentence(describe(doubt));
+    for (const WithholdReason reason : verdict.withheldFor)
+        tip << format::sentence(describe(reason));
     setTip(*reason_, tip.join(QLatin1Char('\n')));
     say(badgeOf(verdict), wordOf(verdict), isWithheld);
 }

@@ -11,20 +11,21 @@
 namespace terratact {
 namespace {
 
-std::vector<Doubt> doubtsOf(const TerrainEstimate& estimate, const Measurement& scene,
-                            const LinkSinceScene& since)
+std::vector<WithholdReason> withholdReasons(const TerrainEstimate& estimate,
+                                            const Measurement& scene, const LinkSinceScene& since)
 {
     const Settings& settings = estimate.settings;
-    std::vector<Doubt> doubts;
-    if (!since.heard) doubts.push_back(Doubt::Stale);
-    if (!since.unbroken) doubts.push_back(Doubt::Unheard);
-    if (!estimate.converged) doubts.push_back(Doubt::NotConverged);
-    if (estimate.novelty > 1.0) doubts.push_back(Doubt::UnlikeTraining);
-    if (std::abs(scene.roll) > settings.rollLimit) doubts.push_back(Doubt::Roll);
-    if (flipperAsymmetry(scene) > settings.asymmetryLimit) doubts.push_back(Doubt::Asymmetry);
-    if (!since.sensorsSound) doubts.push_back(Doubt::SensorFault);
-    if (estimate.contradicts) doubts.push_back(Doubt::Contradiction);
-    return doubts;
+    std::vector<WithholdReason> reasons;
+    if (!since.heard) reasons.push_back(WithholdReason::Stale);
+    if (!since.unbroken) reasons.push_back(WithholdReason::Unheard);
+    if (!estimate.converged) reasons.push_back(WithholdReason::NotConverged);
+    if (estimate.novelty > 1.0) reasons.push_back(WithholdReason::UnlikeTraining);
+    if (std::abs(scene.roll) > settings.rollLimit) reasons.push_back(WithholdReason::Roll);
+    if (flipperAsymmetry(scene) > settings.asymmetryLimit)
+        reasons.push_back(WithholdReason::Asymmetry);
+    if (!since.sensorsSound) reasons.push_back(WithholdReason::SensorFault);
+    if (estimate.contradicts) reasons.push_back(WithholdReason::Contradiction);
+    return reasons;
 }
 
 bool isTouchRecorded(const TerrainEstimate& estimate)
@@ -114,19 +115,19 @@ std::string_view name(StepVerdict stepVerdict)
     return {};
 }
 
-std::string describe(Doubt doubt)
+std::string describe(WithholdReason reason)
 {
-    switch (doubt) {
-    case Doubt::Stale: return "no live telemetry, the robot may have moved";
-    case Doubt::Unheard: return "the link was lost, the robot may have moved";
-    case Doubt::NotConverged: return "the chains have not converged";
-    case Doubt::UnlikeTraining: return "the scene is unlike all training";
-    case Doubt::Roll: return "the robot rolls, left and right ground differ";
-    case Doubt::Asymmetry: return "the flippers differ, left and right ground differ";
-    case Doubt::SensorFault: return "a sensor may lie, see the alarms";
-    case Doubt::Contradiction: return std::string(kContradictsReadings);
+    switch (reason) {
+    case WithholdReason::Stale: return "no live telemetry, the robot may have moved";
+    case WithholdReason::Unheard: return "the link was lost, the robot may have moved";
+    case WithholdReason::NotConverged: return "the chains have not converged";
+    case WithholdReason::UnlikeTraining: return "the scene is unlike all training";
+    case WithholdReason::Roll: return "the robot rolls, left and right ground differ";
+    case WithholdReason::Asymmetry: return "the flippers differ, left and right ground differ";
+    case WithholdReason::SensorFault: return "a sensor may lie, see the alarms";
+    case WithholdReason::Contradiction: return std::string(kContradictsReadings);
     }
-    throw std::invalid_argument("describe: no such Doubt");
+    throw std::invalid_argument("describe: no such WithholdReason");
 }
 
 bool isUnfeltAhead(const TerrainEstimate& estimate, int bin)
@@ -186,7 +187,7 @@ Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene,
         throw std::invalid_argument("verdictOf: the limit must be finite and 0 m or more");
     Verdict verdict;
     verdict.likeliest = kFirstAhead;
-    verdict.doubts = doubtsOf(estimate, scene, since);
+    verdict.withheldFor = withholdReasons(estimate, scene, since);
     for (int bin = kFirstAhead; bin < kBins; ++bin)
         if (isUnfeltAhead(estimate, bin)) verdict.unfelt.push_back(bin);
     writeHorizon(verdict, estimate, scene, limit);
@@ -201,7 +202,7 @@ Verdict verdictOf(const TerrainEstimate& estimate, const Measurement& scene,
     verdict.likeliest = static_cast<int>(likeliest - pairs.begin());
     verdict.likeliestP = likeliest->p;
     const double margin = 2.0 * verdict.step.monteCarloSd;
-    if (!verdict.doubts.empty()) return verdict;
+    if (!verdict.withheldFor.empty()) return verdict;
     if (isClear(verdict)) verdict.stepVerdict = StepVerdict::Clear;
     if (verdict.step.p - margin > kBlockedAbove) verdict.stepVerdict = StepVerdict::Blocked;
     return verdict;

@@ -18,7 +18,7 @@ enum class StepVerdict : std::uint8_t { Clear, Blocked, CannotTell };
 std::string_view name(StepVerdict stepVerdict);
 
 /// Reason to withhold the answer that the draws would give.
-enum class Doubt : std::uint8_t {
+enum class WithholdReason : std::uint8_t {
     Stale,           ///< telemetry is stale: the robot may have moved
     Unheard,         ///< telemetry was interrupted since the scene
     NotConverged,    ///< more sweeps might change the answer
@@ -30,7 +30,7 @@ enum class Doubt : std::uint8_t {
 };
 
 /// Returns a sentence such as "the chains have not converged".
-std::string describe(Doubt doubt);
+std::string describe(WithholdReason reason);
 
 /// Reason why the felt ground does not allow CLEAR, although the draws hold no step there.
 enum class Shortfall : std::uint8_t {
@@ -62,7 +62,7 @@ struct Verdict {
     double likeliestP = 0.0;    ///< probability of a step in that pair
     std::vector<int> unfelt{};  ///< bins ahead that are bounded or not felt
     /// Not empty: the answer is withheld, and stepVerdict is CannotTell.
-    std::vector<Doubt> doubts;
+    std::vector<WithholdReason> withheldFor;
     /// x up to which the ground ahead is felt [m], a bin's front border. binBegin(kFirstAhead):
     /// nothing ahead is felt. The last bin's border where the touch is not recorded.
     double horizon = binEnd(kBins - 1);

@@ -108,14 +108,14 @@ TEST_F(BusConsole, reviewShowsOverridesAndTelemetryGaps)
     openRecordedOn(folder);
     Exploration& exploration = window->exploration();
     ASSERT_TRUE(eventually([&] { return exploration.linkAlive(); }));
-    exploration.overrideDoubts();
+    exploration.overrideWarnings();
     ASSERT_TRUE(inSomeGo([&] { return armsOnce() && exploresAndProbes(); }));
     tilted.stage({.roll = 0.2, .isMute = true});
     QTest::qWait(static_cast<int>(1000.0 * kMaxSilence) + 300);
     tilted.stage({.roll = 0.2});
     const auto isWithheld = [&] {
         const auto verdict = exploration.estimation().verdict();
-        return verdict && std::ranges::count(verdict->doubts, Doubt::Unheard) == 1;
+        return verdict && std::ranges::count(verdict->withheldFor, WithholdReason::Unheard) == 1;
     };
     ASSERT_TRUE(eventually(isWithheld));
     window.reset();

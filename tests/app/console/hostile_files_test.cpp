@@ -267,7 +267,7 @@ TEST_F(HostileFiles, theConsoleShowsItsFilesLetterByLetter)
     ASSERT_TRUE(gui::eventually([&] { return !name().isEmpty(); }, 60000));
     EXPECT_TRUE(name().startsWith(QStringLiteral("<b style=\"color:green\">CLEAR<img")));
     EXPECT_LE(name().size(), 100);
-    window.events()->add(format::text(text), Weight::Bad, QTime(12, 0));
+    window.events()->add(format::text(text), EventSeverity::Bad, QTime(12, 0));
     lookAtEveryPage(window);
     EXPECT_TRUE(holds(window, kMarkup)) << "the robot's name";
     // A model that cannot be loaded is named in an event and in a tip.

@@ -210,7 +210,7 @@ TEST_F(Console, aDriveKeyWithoutEffectSaysWhy)
     const auto expectWhy = [&](const std::string& why) {
         for (const Qt::Key key : {Qt::Key_W, Qt::Key_S, Qt::Key_Up, Qt::Key_Down}) {
             window->events()->clear();
-            window->events()->add("nothing", Weight::Note, QTime(12, 0));
+            window->events()->add("nothing", EventSeverity::Note, QTime(12, 0));
             QTest::keyClick(window.get(), key);
             EXPECT_NE(newest().find("not driven: " + why), std::string::npos)
                 << newest() << ", key " << key;

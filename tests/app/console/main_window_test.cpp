@@ -111,8 +111,8 @@ TEST_F(Console, theQualityMenuSaysWhatAPresetCostsAndSetsIt)
     actions[0]->trigger();
     EXPECT_EQ(window->header()->qualityButton()->text(), QStringLiteral("fast"));
     const Settings& settings = window->exploration().options().settings;
-    EXPECT_EQ(settings, withQuality(settings, Quality::Fast));
-    EXPECT_NE(settings, withQuality(settings, Quality::Balanced));
+    EXPECT_EQ(settings, withPreset(settings, QualityPreset::Fast));
+    EXPECT_NE(settings, withPreset(settings, QualityPreset::Balanced));
     window->preferences().change([](Preferences& p) { p.method = Method::Pafac; });
     EXPECT_EQ(offered()[0]->text(),
               QStringLiteral(
@@ -145,8 +145,8 @@ TEST_F(Console, errorsAreShownWhenTheEventListIsHidden)
     EXPECT_FALSE(says("command not sent")) << "it gives way";
     source->setDeaf(false);
     ASSERT_TRUE(eventually([&] { return !says("STOP NOT SENT"); }));
-    window->events()->add("a doubt of anybody's", Weight::Doubt, {});
-    window->events()->add("what anybody says is bad", Weight::Bad, {});
+    window->events()->add("a doubt of anybody's", EventSeverity::Warning, {});
+    window->events()->add("what anybody says is bad", EventSeverity::Bad, {});
     EXPECT_TRUE(eventually([&] { return says("what anybody says is bad"); }));
     EXPECT_FALSE(says("a doubt of anybody's"));
 }

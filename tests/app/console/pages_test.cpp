@@ -381,7 +381,7 @@ TEST_F(Pages, theNumbersSayWhatTheVerdictIsAndHowOldTheyAre)
                                 .step = {0.99, 0.004},
                                 .likeliest = 8,
                                 .likeliestP = 0.97,
-                                .doubts = {},
+                                .withheldFor = {},
                                 .toHorizon = {}};
     viewState.age = 0.04;
     const auto explained = [&page] {
@@ -397,7 +397,7 @@ TEST_F(Pages, theNumbersSayWhatTheVerdictIsAndHowOldTheyAre)
                                 "+0.5 … +0.6 m (0.97)"));
     EXPECT_TRUE(explained()) << "P over two bins, beside a column of P to the next";
     viewState.verdict->stepVerdict = StepVerdict::CannotTell;
-    viewState.verdict->doubts = {Doubt::Stale};
+    viewState.verdict->withheldFor = {WithholdReason::Stale};
     viewState.age = 12.34;
     page.refresh(0.0);
     EXPECT_EQ(
@@ -406,7 +406,7 @@ TEST_F(Pages, theNumbersSayWhatTheVerdictIsAndHowOldTheyAre)
                           "no live telemetry, the robot may have moved · last heard 12.3 s "
                           "ago"));
     EXPECT_EQ(gui::cutWhenSettled(page), std::vector<std::string>());
-    viewState.verdict->doubts = {Doubt::Unheard};
+    viewState.verdict->withheldFor = {WithholdReason::Unheard};
     viewState.age = 0.04;
     page.refresh(0.0);
     EXPECT_TRUE(line->text().endsWith("withheld: the link was lost, the robot may have moved"));

@@ -276,9 +276,9 @@ TEST_F(Screens, verdict)
         };
         EXPECT_TRUE(eventually(isAsked)) << "the question of the probe is that of the verdict";
     };
-    const auto withheld = [](Doubt doubt) {
+    const auto withheld = [](WithholdReason reason) {
         return QStringList{VerdictStrip::tr("? CANNOT TELL"), VerdictStrip::tr("withheld: %1"),
-                           told(describe(doubt))};
+                           told(describe(reason))};
     };
     const auto unsettled = [](TerrainEstimate& e) {
         e.converged = false;
@@ -331,17 +331,17 @@ TEST_F(Screens, verdict)
         withLimit(StepVerdict::Blocked);
         picture("blocked", {VerdictStrip::tr("✘ BLOCKED")});
         robot->stage({.isMute = true});
-        picture("withheld_stale", withheld(Doubt::Stale));
+        picture("withheld_stale", withheld(WithholdReason::Stale));
         QTest::qWait(static_cast<int>(1000.0 * kMaxSilence) + 200);
         robot->stage({});
-        picture("withheld_unheard", withheld(Doubt::Unheard));
+        picture("withheld_unheard", withheld(WithholdReason::Unheard));
 
         alterEstimates(unsettled);
         ASSERT_NO_FATAL_FAILURE(explore());
-        picture("withheld_not_converged", withheld(Doubt::NotConverged));
+        picture("withheld_not_converged", withheld(WithholdReason::NotConverged));
         alterEstimates(unlike);
         ASSERT_NO_FATAL_FAILURE(explore());
-        picture("withheld_unlike_training", withheld(Doubt::UnlikeTraining));
+        picture("withheld_unlike_training", withheld(WithholdReason::UnlikeTraining));
         alterEstimates({});
         const auto exploreOn = [&](const Staging& ground) {
             robot->stage(ground);
@@ -352,10 +352,10 @@ TEST_F(Screens, verdict)
         };
         press(Qt::Key_Escape);
         ASSERT_NO_FATAL_FAILURE(exploreOn({.roll = 0.2}));
-        picture("withheld_roll", withheld(Doubt::Roll));
+        picture("withheld_roll", withheld(WithholdReason::Roll));
         press(Qt::Key_Escape);
         ASSERT_NO_FATAL_FAILURE(exploreOn({.twist = 0.2}));
-        picture("withheld_flippers", withheld(Doubt::Asymmetry));
+        picture("withheld_flippers", withheld(WithholdReason::Asymmetry));
         press(Qt::Key_Escape);
         alterEstimates([&](TerrainEstimate& e) { unsettled(e), unlike(e); });
         ASSERT_NO_FATAL_FAILURE(exploreOn({.roll = 0.2, .twist = 0.2}));

@@ -78,9 +78,10 @@ struct SettingsInForce : testing::Test {
         };
         options.recorder = std::make_shared<SessionRecorder>(
             SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});
-        options.presets = {"measured",
-                           {{Method::Local, Quality::Fast, 250, 16, 16, 175, 0.5, 0.0, 25.0, 1.0},
-                            {Method::Pac, Quality::Fast, 250, 16, 16, 175, 4.0, 11.3, 34.0, 0.13}}};
+        options.presets = {
+            "measured",
+            {{Method::Local, QualityPreset::Fast, 250, 16, 16, 175, 0.5, 0.0, 25.0, 1.0},
+             {Method::Pac, QualityPreset::Fast, 250, 16, 16, 175, 4.0, 11.3, 34.0, 0.13}}};
         window = std::make_unique<MainWindow>(std::move(options));
         gui::showActive(*window);
         QTest::keyClick(window.get(), Qt::Key_F7);
@@ -132,8 +133,8 @@ TEST_F(SettingsInForce, methodQualityAndLimitsReachTheNextEstimate)
     ASSERT_TRUE(page().isVisible());
     page().methodBox()->setCurrentText("pafc");
     EXPECT_EQ(inForce().method, Method::Pafc);
-    page().qualityBox()->setCurrentIndex(static_cast<int>(Quality::Accurate));
-    EXPECT_EQ(inForce().draws, withQuality(Settings{}, Quality::Accurate).draws);
+    page().qualityBox()->setCurrentIndex(static_cast<int>(QualityPreset::Accurate));
+    EXPECT_EQ(inForce().draws, withPreset(Settings{}, QualityPreset::Accurate).draws);
     page().thresholdBox()->setValue(3.5);
     EXPECT_EQ(inForce().forceThreshold, 3.5);
     page().obstacleBox()->setValue(0.20);

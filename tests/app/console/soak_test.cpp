@@ -86,10 +86,10 @@ Method method()
     return methodFromName(wanted).value_or(Method::Pafac);
 }
 
-Quality quality()
+QualityPreset preset()
 {
     const std::string wanted = qEnvironmentVariable("TERRATACT_SOAK_QUALITY").toStdString();
-    return qualityFromName(wanted).value_or(Quality::Balanced);
+    return qualityPresetFromName(wanted).value_or(QualityPreset::Balanced);
 }
 
 /// Returns the peak memory of the process [MB].
@@ -114,7 +114,7 @@ struct Busy {
             const Estimator estimate = model->estimate;
             model->estimate = [this, estimate](EstimateRequest request, const Watch& watch) {
                 request.settings.method = method();
-                request.settings = withQuality(request.settings, quality());
+                request.settings = withPreset(request.settings, preset());
                 const double began = steadyNow();
                 struct Count {
                     Busy& busy;
@@ -381,7 +381,7 @@ TEST_F(Soak, showsAnEstimateSoonAndEveryLivePreview)
     if (qEnvironmentVariableIsSet("TERRATACT_SOAK_METHOD"))
         window->preferences().change([](Preferences& p) {
             p.method = method();
-            p.quality = quality();
+            p.preset = preset();
         });
     const Estimation& estimation = window->exploration().estimation();
     NewestValues waits(1000);

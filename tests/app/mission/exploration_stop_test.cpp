@@ -171,8 +171,8 @@ TEST_F(Bench, theVerdictIsWithheldAsSoonAsTheTelemetryIsStale)
 {
     propose();
     const auto withheld = [this] {
-        const std::vector<Doubt> doubts = exploration->estimation().verdict()->doubts;
-        return std::ranges::find(doubts, Doubt::Stale) != doubts.end();
+        const std::vector<WithholdReason> doubts = exploration->estimation().verdict()->withheldFor;
+        return std::ranges::find(doubts, WithholdReason::Stale) != doubts.end();
     };
     const double heard = now;
     EXPECT_FALSE(withheld());
@@ -199,7 +199,10 @@ struct Outage : Bench {
                       - 1);  // the next line ends the silence
         tick(3);
     }
-    std::vector<Doubt> doubts() const { return exploration->estimation().verdict()->doubts; }
+    std::vector<WithholdReason> doubts() const
+    {
+        return exploration->estimation().verdict()->withheldFor;
+    }
 };
 
 TEST_F(Outage, longerThanASecondWithholdsVerdictUntilNextPress)
@@ -208,20 +211,21 @@ TEST_F(Outage, longerThanASecondWithholdsVerdictUntilNextPress)
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
     ASSERT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::Blocked);
     linkIsLostFor(kMaxSilence - 0.04);
-    EXPECT_EQ(doubts(), std::vector<Doubt>());
+    EXPECT_EQ(doubts(), std::vector<WithholdReason>());
     EXPECT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::Blocked);
 
     linkIsLostFor(kMaxSilence + 0.04);
     EXPECT_TRUE(exploration->linkAlive());
     ASSERT_TRUE(exploration->estimation().estimate()) << "it stays to be seen";
-    EXPECT_EQ(doubts(), std::vector{Doubt::Unheard});
+    EXPECT_EQ(doubts(), std::vector{WithholdReason::Unheard});
     EXPECT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::CannotTell);
     tick(100);
-    EXPECT_EQ(doubts(), std::vector{Doubt::Unheard}) << "however long telemetry comes again";
+    EXPECT_EQ(doubts(), std::vector{WithholdReason::Unheard})
+        << "however long telemetry comes again";
 
     telemetry.activity = RobotActivity::Halted;
     propose();
-    EXPECT_EQ(doubts(), std::vector<Doubt>());
+    EXPECT_EQ(doubts(), std::vector<WithholdReason>());
     EXPECT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::Blocked);
 }
 
@@ -233,7 +237,7 @@ TEST_F(Outage, withholdsTheVerdictThoughNobodyPolled)
     line();
     line();
     tick();
-    EXPECT_EQ(doubts(), std::vector{Doubt::Unheard});
+    EXPECT_EQ(doubts(), std::vector{WithholdReason::Unheard});
 }
 
 TEST_F(Outage, ofAFrozenWindowIsNoLostLink)
@@ -242,7 +246,7 @@ TEST_F(Outage, ofAFrozenWindowIsNoLostLink)
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
     for (int i = 0; i < 100; ++i) line();
     tick();
-    EXPECT_EQ(doubts(), std::vector<Doubt>()) << "telemetry has come all the time";
+    EXPECT_EQ(doubts(), std::vector<WithholdReason>()) << "telemetry has come all the time";
 }
 
 TEST_F(Outage, voidsAnOpenProposal)

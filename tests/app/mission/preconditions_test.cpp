@@ -17,14 +17,14 @@ TEST_F(Bench, unmetPreconditionsOfAnExplorationAreListed)
     telemetry.roll = 0.2;
     tick();
     EXPECT_EQ(level("roll"), static_cast<int>(Level::Doubtful));
-    exploration->overrideDoubts();
+    exploration->overrideWarnings();
     EXPECT_EQ(level("roll"), static_cast<int>(Level::Overridden));
     EXPECT_TRUE(exploration->overridden().contains("roll"));
     EXPECT_TRUE(events.filter("overridden by the operator").size() == 1) << "it is logged";
     telemetry.roll = 0.0;
     tick();
     EXPECT_TRUE(exploration->overridden().isEmpty()) << "an override must not outlive its reason";
-    exploration->overrideDoubts();
+    exploration->overrideWarnings();
     EXPECT_TRUE(exploration->overridden().isEmpty()) << "nor come before it";
     telemetry.rearLeft = 0.4;
     tick();
@@ -68,7 +68,7 @@ TEST_F(Bench, robotConditionsAreUnmetWithoutTelemetry)
     telemetry.roll = 0.2;
     tick();
     exploration->tick(now + 0.849, latest);
-    exploration->overrideDoubts();
+    exploration->overrideWarnings();
     EXPECT_EQ(exploration->overridden(), "")
         << "of a roll that was, nobody can take anything upon him";
     EXPECT_EQ(linesOf(exploration->preconditions()), stale);
@@ -116,7 +116,7 @@ TEST_F(Bench, anOverrideCoversOneReasonAtItsSize)
     };
     telemetry.roll = 0.105;  // 6°
     tick();
-    exploration->overrideDoubts();
+    exploration->overrideWarnings();
     EXPECT_EQ(exploration->overridden(), "roll +6.0°: left and right ground differ");
     telemetry.roll = 0.15;
     tick();
@@ -127,7 +127,7 @@ TEST_F(Bench, anOverrideCoversOneReasonAtItsSize)
     tick();
     EXPECT_EQ(levels(Level::Overridden), 1);
     EXPECT_EQ(levels(Level::Doubtful), 1) << "nobody has overridden the flippers";
-    exploration->overrideDoubts();
+    exploration->overrideWarnings();
     EXPECT_EQ(events.filter("overridden by the operator").size(), 2) << "each once";
     EXPECT_EQ(levels(Level::Overridden), 2);
 
@@ -143,7 +143,7 @@ TEST_F(Bench, overrideEndsWhenItsReasonEndsWhileExploring)
 {
     telemetry.roll = 0.105;
     tick();
-    exploration->overrideDoubts();
+    exploration->overrideWarnings();
     exploration->request();
     tick();
     ASSERT_EQ(phase(), AtemPhase::Halting);

@@ -16,7 +16,8 @@
 namespace terratact {
 namespace {
 
-TradePoint point(std::string varied, std::optional<Quality> preset, double seconds, double off)
+TradePoint point(std::string varied, std::optional<QualityPreset> preset, double seconds,
+                 double off)
 {
     TradePoint p;
     p.setting = {std::move(varied), Settings{.method = Method::Pafc}, preset};
@@ -29,9 +30,9 @@ TradePoint point(std::string varied, std::optional<Quality> preset, double secon
     return p;
 }
 
-const std::vector<TradePoint> kPoints{point("fast", Quality::Fast, 0.001, 0.003),
+const std::vector<TradePoint> kPoints{point("fast", QualityPreset::Fast, 0.001, 0.003),
                                       point("draws", std::nullopt, 0.002, 0.004),
-                                      point("accurate", Quality::Accurate, 0.05, 0.0005)};
+                                      point("accurate", QualityPreset::Accurate, 0.05, 0.0005)};
 
 TEST(TradeoffCsv, marksTheFronts)
 {
@@ -53,8 +54,8 @@ TEST(PresetsCsv, goesBackAndForth)
     ASSERT_TRUE(costs) << costs.error().text;
     EXPECT_EQ(costs->model, "abc");
     const std::vector<PresetCost> expected{
-        {Method::Pafc, Quality::Fast, 1000, 16, 50, 0, 1.0, 3.0, 20.0, 0.75},
-        {Method::Pafc, Quality::Accurate, 1000, 16, 50, 0, 50.0, 0.5, 20.0, 0.75}};
+        {Method::Pafc, QualityPreset::Fast, 1000, 16, 50, 0, 1.0, 3.0, 20.0, 0.75},
+        {Method::Pafc, QualityPreset::Accurate, 1000, 16, 50, 0, 50.0, 0.5, 20.0, 0.75}};
     EXPECT_EQ(costs->costs, expected);
 }
 
@@ -66,15 +67,15 @@ TEST(PresetsCsv, shippedFileMatchesShippedModelAndPresets)
     const auto model = readModel(models + "default.ttm");
     ASSERT_TRUE(model) << model.error().text;
     EXPECT_EQ(presets->model, model->contentHash) << "measure anew: docs/tradeoff.sh";
-    std::set<std::pair<Method, Quality>> measured;
+    std::set<std::pair<Method, QualityPreset>> measured;
     for (const PresetCost& cost : presets->costs) {
-        measured.insert({cost.method, cost.quality});
-        const Settings s = withQuality({.method = cost.method}, cost.quality);
+        measured.insert({cost.method, cost.preset});
+        const Settings s = withPreset({.method = cost.method}, cost.preset);
         const std::array now{s.draws, s.chains, s.burnIn, s.inducing};
         EXPECT_EQ((std::array{cost.draws, cost.chains, cost.burnIn, cost.inducing}), now)
-            << name(cost.method) << ' ' << name(cost.quality) << ": measure anew: docs/tradeoff.sh";
+            << name(cost.method) << ' ' << name(cost.preset) << ": measure anew: docs/tradeoff.sh";
     }
-    EXPECT_EQ(measured.size(), kMethods.size() * kQualities.size());
+    EXPECT_EQ(measured.size(), kMethods.size() * kQualityPresets.size());
 }
 
 TEST(PresetsCsv, refusesWhatItIsNot)
@@ -169,7 +170,7 @@ TEST_F(TradeoffFigure, drawsPresetsLargerThanOtherSettings)
 {
     TradePoint preset = marker(Method::Joint, 10.0, 10.0, 10.0);
     const int plain = panel(drawn({preset}), kLeft).extent(kJoint)[3];
-    preset.setting.preset = Quality::Balanced;
+    preset.setting.preset = QualityPreset::Balanced;
     EXPECT_GE(panel(drawn({preset}), kLeft).extent(kJoint)[3], plain + 2);  // its name is above
 }
 

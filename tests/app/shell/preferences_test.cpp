@@ -35,7 +35,7 @@ Preferences unlikeTheDefaults()
     p.sound = false;
     p.obstacleLimit = 0.1 + 0.2;  // has no short decimal form
     p.method = Method::Joint;
-    p.quality = Quality::Accurate;
+    p.preset = QualityPreset::Accurate;
     p.estimateSeconds = 5;
     p.forceThreshold = 3.5;
     p.probes = ProbePolicy::Question;
@@ -80,7 +80,7 @@ TEST(PreferencesRecord, namesEveryKeyThatChangesAndNoOther)
     EXPECT_EQ(changesOf(kDefaults, now), QString());
     now.window = "geometry";
     EXPECT_EQ(changesOf(kDefaults, now), QString()) << "nobody decided that";
-    now.quality = Quality::Fast;
+    now.preset = QualityPreset::Fast;
     now.rollLimit = 0.125;
     now.sound = false;
     EXPECT_EQ(changesOf(kDefaults, now).section("; ", 0, 0), "sound: true → false");
@@ -222,13 +222,13 @@ TEST(Preferences, settleWhatAnEstimateIsMadeWith)
     const Settings settings = withPreferences(base, p);
     EXPECT_EQ(settings.seed, 42U);
     EXPECT_EQ(settings.method, Method::Joint);
-    EXPECT_EQ(settings.draws, withQuality(base, Quality::Accurate).draws);
+    EXPECT_EQ(settings.draws, withPreset(base, QualityPreset::Accurate).draws);
     EXPECT_EQ(settings.forceThreshold, 3.5);
     EXPECT_EQ(settings.probeAbove, 0.05);
     EXPECT_EQ(settings.rollLimit, 0.2);
     EXPECT_EQ(settings.asymmetryLimit, 0.3);
     EXPECT_EQ(withPreferences(Settings{}, Preferences{}),
-              withQuality(Settings{}, Quality::Balanced));
+              withPreset(Settings{}, QualityPreset::Balanced));
 }
 
 TEST(Preferences, lieInTheUsersConfigurationFolder)

@@ -140,11 +140,12 @@ TEST(Languages, coreSentencesAreTranslatedWithTheirNumbers)
         estimate.draws.push_back(estimate.height);
         if (i % 2 == 0) estimate.draws.back()[9] -= 0.3;
     }
-    QStringList said =
-        allTo(AtemPhase::Failed) + allTo(AtemFailure::Disarmed) + allTo(DisarmCause::EpochChanged)
-        + allTo(GateRefusal::OtherBin) + allTo(Doubt::Contradiction) + allTo(RobotActivity::Stopped)
-        + allTo(Refusal::OutOfLimits) + allTo(ElementState::Short).mid(1)  // Sound has no text
-        + QStringList{"yes", "no", "none", "not measured"};
+    QStringList said = allTo(AtemPhase::Failed) + allTo(AtemFailure::Disarmed)
+                     + allTo(DisarmCause::EpochChanged) + allTo(GateRefusal::OtherBin)
+                     + allTo(WithholdReason::Contradiction) + allTo(RobotActivity::Stopped)
+                     + allTo(Refusal::OutOfLimits)
+                     + allTo(ElementState::Short).mid(1)  // Sound has no text
+                     + QStringList{"yes", "no", "none", "not measured"};
     for (int i = 0; i <= static_cast<int>(AtemPhase::Failed); ++i)
         said << QString::fromStdString(describeFollowed(static_cast<AtemPhase>(i)));
     for (std::size_t i = 0; i < kSensors; ++i)

@@ -66,14 +66,14 @@ Settings withoutWhatVaries(const TradeSetting& t)
 TEST(TradeSettings, holdEveryPresetOnceAndVaryOneThingAtATime)
 {
     for (const Method method : kMethods) {
-        std::set<Quality> presets;
+        std::set<QualityPreset> presets;
         for (const TradeSetting& t : tradeSettings(method, 7)) {
             EXPECT_EQ(t.settings.method, method);
             EXPECT_EQ(t.settings.seed, 7U);
             EXPECT_EQ(t.settings.stopEarly, t.varied == "early stop" || t.preset);
             if (t.preset) {
                 EXPECT_TRUE(presets.insert(*t.preset).second);
-                Settings asRun = withQuality({.method = method}, *t.preset);
+                Settings asRun = withPreset({.method = method}, *t.preset);
                 asRun.seed = 7;
                 asRun.hazardRate = 0.0;
                 EXPECT_EQ(t.settings, asRun);
@@ -86,7 +86,7 @@ TEST(TradeSettings, holdEveryPresetOnceAndVaryOneThingAtATime)
                 EXPECT_EQ(withoutWhatVaries(t), base) << t.varied;
             }
         }
-        EXPECT_EQ(presets.size(), kQualities.size());
+        EXPECT_EQ(presets.size(), kQualityPresets.size());
         EXPECT_EQ(tradeSettings(method, 7).size(), isClosedForm(method) ? 9U : 20U);
     }
 }
@@ -124,29 +124,6 @@ TEST(ReferenceQuality, isTheWorstBinOfTheWorstScene)
     EXPECT_EQ(quality.ess, 77.0);
     const double inTheWorst = 0.02 * std::sqrt(640.0 / 77.0);
     EXPECT_NEAR(quality.error, (21 * 0.02 + inTheWorst) / 22, 1e-12);
-}
-
-TEST(Quality, namesGoBackAndForth)
-{
-    for (const Quality q : kQualities) EXPECT_EQ(qualityFromName(name(q)), q);
-    EXPECT_FALSE(qualityFromName("best"));
-}
-
-TEST(Quality, changesOnlyTheEffort)
-{
-    Settings settings;
-    settings.method = Method::Clearance;
-    settings.seed = 99;
-    settings.forceThreshold = 3.5;
-    const Settings fast = withQuality(settings, Quality::Fast);
-    const Settings accurate = withQuality(settings, Quality::Accurate);
-    EXPECT_EQ(fast.method, settings.method);
-    EXPECT_EQ(fast.seed, settings.seed);
-    EXPECT_EQ(fast.forceThreshold, settings.forceThreshold);
-    EXPECT_LT(fast.draws, accurate.draws);
-    EXPECT_GT(fast.inducing, 0);
-    EXPECT_EQ(accurate.inducing, 0) << "all rows";
-    EXPECT_LT(accurate.chains, fast.chains);
 }
 
 TEST(TradeFronts, arePerMethodAndGlobalAgainstTruth)

@@ -130,7 +130,7 @@ TEST_F(OlderSession, theDemoShowsTheSamePhasesAndVerdicts)
         estimate.draws = *session.draws(row.id);
         const Verdict verdict = verdictOf(estimate, scene->measurement, {}, row.stepLimit);
         EXPECT_EQ(describeStepVerdict(verdict), "BLOCKED");
-        EXPECT_TRUE(verdict.doubts.empty());
+        EXPECT_TRUE(verdict.withheldFor.empty());
     }
 }
 

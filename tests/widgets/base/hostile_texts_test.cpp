@@ -73,7 +73,7 @@ TEST_F(HostileTexts, anImageInATextIsNotLoaded)
     header.setOverridden(image());
     header.setLink(image(), Tone::Good, image());
     EventList events;
-    events.add(image(), Weight::Bad, QTime(12, 0));
+    events.add(image(), EventSeverity::Bad, QTime(12, 0));
     VerdictStrip verdict;
     verdict.setNothing(image());
     ElidedLabel elided(image());
@@ -121,7 +121,7 @@ TEST_F(HostileTexts, markupPaintsNoGreenClear)
     EXPECT_EQ(greenPixels(verdict), 0);
     EventList events;
     events.resize(900, 120);
-    events.add(kGreen, Weight::Note, QTime(12, 0));
+    events.add(kGreen, EventSeverity::Note, QTime(12, 0));
     EXPECT_EQ(greenPixels(events), 0);
 }
 

@@ -379,10 +379,10 @@ TEST_F(Strip, progressBringsCancel)
 TEST(Events, theNewestStandsOnTopAndTheListIsBounded)
 {
     EventList events;
-    for (int i = 0; i < 600; ++i) events.add(QString::number(i), Weight::Note, QTime(12, 0));
+    for (int i = 0; i < 600; ++i) events.add(QString::number(i), EventSeverity::Note, QTime(12, 0));
     EXPECT_EQ(events.count(), 500);
     EXPECT_TRUE(events.item(0)->text().endsWith("599"));
-    events.add("link lost", Weight::Bad, QTime(12, 1));
+    events.add("link lost", EventSeverity::Bad, QTime(12, 1));
     EXPECT_EQ(events.item(0)->text(), QStringLiteral("12:01:00  ✘ link lost"));
 }
 

@@ -36,7 +36,7 @@ Verdict verdict(StepVerdict stepVerdict, double p)
             .step = {p, 0.013},
             .likeliest = 8,
             .likeliestP = 0.5,
-            .doubts = {},
+            .withheldFor = {},
             .toHorizon = {}};
 }
 
@@ -75,7 +75,7 @@ TEST_F(Strip, withheldVerdictDoesNotLeadWithItsProbability)
     strip.setVerdict(v, "probe at 0.4 m");
     EXPECT_TRUE(isBold());
     EXPECT_TRUE(strip.reason().contains("probe at 0.4 m"));
-    v.doubts = {Doubt::Stale};
+    v.withheldFor = {WithholdReason::Stale};
     strip.setVerdict(v, "probe at 0.4 m");
     EXPECT_FALSE(isBold());
     EXPECT_EQ(strip.question(), QStringLiteral("(P(step > 0.10 m ahead) = 0.99 ± 0.01)"));
@@ -129,7 +129,7 @@ TEST_F(Strip, neverClaimsToBeWithoutError)
 TEST_F(Strip, saysWhyAVerdictIsWithheld)
 {
     Verdict v = verdict(StepVerdict::CannotTell, 0.99);
-    v.doubts = {Doubt::NotConverged, Doubt::Roll};
+    v.withheldFor = {WithholdReason::NotConverged, WithholdReason::Roll};
     strip.setVerdict(v, "a probe at 0.6 m: 0.98 → 0.31 bit");
     EXPECT_EQ(strip.badge(), QStringLiteral("? CANNOT TELL"));
     for (const char* part : {"withheld", "converged", "rolls"})
@@ -140,7 +140,7 @@ TEST_F(Strip, saysWhyAVerdictIsWithheld)
 TEST_F(Strip, clearingTheVerdictClearsItsTip)
 {
     Verdict v = verdict(StepVerdict::CannotTell, 0.99);
-    v.doubts = {Doubt::Stale};
+    v.withheldFor = {WithholdReason::Stale};
     strip.setVerdict(v);
     const QLabel* reason = nullptr;
     for (const QLabel* label : strip.findChildren<QLabel*>())
@@ -174,7 +174,7 @@ TEST_F(Strip, sameVerdictWithAnotherReasonIsAnnounced)
     Announcements announcements(strip);
     const Verdict undecided = verdict(StepVerdict::CannotTell, 0.5);
     Verdict withheld = undecided;
-    withheld.doubts = {Doubt::Unheard};
+    withheld.withheldFor = {WithholdReason::Unheard};
     strip.setVerdict(undecided);
     EXPECT_EQ(announcements.take(), QStringList{QStringLiteral("? CANNOT TELL")});
     strip.setVerdict(undecided);

@@ -139,23 +139,25 @@ TEST(Verdict, oldRecordingHasNoHorizon)
 TEST(Verdict, isWithheldForEachSingleDoubt)
 {
     struct Case {
-        Doubt doubt;
+        WithholdReason reason;
         void (*make)(TerrainEstimate&, Measurement&, LinkSinceScene&);
     };
     const Case cases[]{
-        {Doubt::Stale, [](TerrainEstimate&, Measurement&, LinkSinceScene& a) { a.heard = false; }},
-        {Doubt::SensorFault,
+        {WithholdReason::Stale,
+         [](TerrainEstimate&, Measurement&, LinkSinceScene& a) { a.heard = false; }},
+        {WithholdReason::SensorFault,
          [](TerrainEstimate&, Measurement&, LinkSinceScene& a) { a.sensorsSound = false; }},
-        {Doubt::Contradiction,
+        {WithholdReason::Contradiction,
          [](TerrainEstimate& e, Measurement&, LinkSinceScene&) { e.contradicts = true; }},
-        {Doubt::Unheard,
+        {WithholdReason::Unheard,
          [](TerrainEstimate&, Measurement&, LinkSinceScene& a) { a.unbroken = false; }},
-        {Doubt::NotConverged,
+        {WithholdReason::NotConverged,
          [](TerrainEstimate& e, Measurement&, LinkSinceScene&) { e.converged = false; }},
-        {Doubt::UnlikeTraining,
+        {WithholdReason::UnlikeTraining,
          [](TerrainEstimate& e, Measurement&, LinkSinceScene&) { e.novelty = 1.01; }},
-        {Doubt::Roll, [](TerrainEstimate&, Measurement& m, LinkSinceScene&) { m.roll = -0.11; }},
-        {Doubt::Asymmetry,
+        {WithholdReason::Roll,
+         [](TerrainEstimate&, Measurement& m, LinkSinceScene&) { m.roll = -0.11; }},
+        {WithholdReason::Asymmetry,
          [](TerrainEstimate&, Measurement& m, LinkSinceScene&) { m.rearLeft = 0.11; }}};
     for (const Case& c : cases) {
         TerrainEstimate e = estimateWith(1000);
@@ -163,10 +165,10 @@ TEST(Verdict, isWithheldForEachSingleDoubt)
         LinkSinceScene since;
         c.make(e, m, since);
         const Verdict v = verdictOf(e, m, since, kLimit);
-        EXPECT_EQ(v.stepVerdict, StepVerdict::CannotTell) << describe(c.doubt);
-        EXPECT_EQ(v.doubts, std::vector{c.doubt});
+        EXPECT_EQ(v.stepVerdict, StepVerdict::CannotTell) << describe(c.reason);
+        EXPECT_EQ(v.withheldFor, std::vector{c.reason});
         EXPECT_DOUBLE_EQ(v.step.p, 1.0);  // the probability is still given
-        EXPECT_FALSE(describe(c.doubt).empty());
+        EXPECT_FALSE(describe(c.reason).empty());
     }
 }
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/infer/estimate/quality.h"
+#include "core/infer/estimate/quality_preset.h"
 #include "core/learn/gp/gaussian_process.h"
 #include "core/learn/gp/likelihood.h"
 #include "core/learn/gp/scene_conditional.h"
@@ -418,7 +418,7 @@ TEST_P(Sizes, ofAModelEqualLongDouble)
 
 TEST_P(Sizes, throughTheRowsOfAPresetEqualLongDouble)
 {
-    const int few = withQuality({}, Quality::Fast).inducing;
+    const int few = withPreset({}, QualityPreset::Fast).inducing;
     const int U = std::max(manyRows(GetParam().rows), 1400);
     const Data data = dataOf(GetParam().kind, U, GetParam().length, 0.3, GetParam().noise);
     const auto gp = builtThrough(few, data);

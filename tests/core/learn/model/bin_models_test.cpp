@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/infer/estimate/quality.h"
+#include "core/infer/estimate/quality_preset.h"
 #include "core/learn/gp/scene_conditional.h"
 #include "core/learn/model/model_file.h"
 #include "tests/support/toy_model.h"
@@ -118,9 +118,9 @@ TEST(BinModels, presetRowsKeepTheSinglePrecisionBound)
     const auto stored = readModel(TERRATACT_SOURCE_DIR "/resources/models/default.ttm");
     ASSERT_TRUE(stored) << stored.error().text;
     const std::vector<Scene> scenes = someScenes(2, 5);
-    for (const auto& [quality, set] : {std::pair{Quality::Fast, FeatureSet::Pa},
-                                       std::pair{Quality::Balanced, FeatureSet::Paf}}) {
-        const int few = withQuality({}, quality).inducing;
+    for (const auto& [preset, set] : {std::pair{QualityPreset::Fast, FeatureSet::Pa},
+                                      std::pair{QualityPreset::Balanced, FeatureSet::Paf}}) {
+        const int few = withPreset({}, preset).inducing;
         const BinModels models(stored->data, set);
         double most = 0.0;
         int single = 0;

@@ -13,15 +13,16 @@ namespace terratact {
 /// the error of each preset (docs/tradeoff.md). Accurate predicts through all inducing rows of the
 /// model, and its few long chains end once they have converged. Fast and Balanced mostly reach
 /// their sweep limit and report that they did not converge.
-enum class Quality : std::uint8_t { Fast, Balanced, Accurate };
+enum class QualityPreset : std::uint8_t { Fast, Balanced, Accurate };
 
-inline constexpr std::array kQualities{Quality::Fast, Quality::Balanced, Quality::Accurate};
+inline constexpr std::array kQualityPresets{QualityPreset::Fast, QualityPreset::Balanced,
+                                            QualityPreset::Accurate};
 
 /// Returns "fast", "balanced" or "accurate".
-std::string_view name(Quality quality);
-std::optional<Quality> qualityFromName(std::string_view text);
+std::string_view name(QualityPreset preset);
+std::optional<QualityPreset> qualityPresetFromName(std::string_view text);
 
 /// Returns the settings with the preset's draws, chains, burn-in, precision and inducing rows.
-Settings withQuality(Settings settings, Quality quality);
+Settings withPreset(Settings settings, QualityPreset preset);
 
 }  // namespace terratact

@@ -1,0 +1,55 @@
+#include "core/infer/estimate/quality_preset.h"
+
+#include <stdexcept>
+
+#include "core/base/named.h"
+
+namespace terratact {
+namespace {
+
+struct PresetSettings {
+    int draws, chains, burnIn;
+    Precision precision;
+    int inducing;
+};
+
+PresetSettings settingsOf(QualityPreset preset)
+{
+    switch (preset) {
+    case QualityPreset::Fast: return {250, 16, 16, Precision::Single, 175};
+    case QualityPreset::Balanced: return {1000, 32, 16, Precision::Single, 300};
+    case QualityPreset::Accurate:
+        return {64'000, 8, 50, Precision::Single, 0};  // long chains converge
+    }
+    throw std::invalid_argument("no such QualityPreset");
+}
+
+}  // namespace
+
+std::string_view name(QualityPreset preset)
+{
+    switch (preset) {
+    case QualityPreset::Fast: return "fast";
+    case QualityPreset::Balanced: return "balanced";
+    case QualityPreset::Accurate: return "accurate";
+    }
+    throw std::invalid_argument("name: no such QualityPreset");
+}
+
+std::optional<QualityPreset> qualityPresetFromName(std::string_view text)
+{
+    return named(text, kQualityPresets);
+}
+
+Settings withPreset(Settings settings, QualityPreset preset)
+{
+    const PresetSettings values = settingsOf(preset);
+    settings.draws = values.draws;
+    settings.chains = values.chains;
+    settings.burnIn = values.burnIn;
+    settings.precision = values.precision;
+    settings.inducing = values.inducing;
+    return settings;
+}
+
+}  // namespace terratact
