@@ -8,6 +8,7 @@
 #include "core/robot/command.h"
 #include "core/robot/measurement.h"
 #include "core/terrain/bins.h"
+#include "core/wire/telemetry.h"
 
 namespace terratact {
 
@@ -15,6 +16,7 @@ namespace terratact {
 struct Sample {
     Measurement measurement;
     std::optional<Heights> truth;
+    ElementForces forces{};  ///< of the same line; not carried if the source is no bus
 };
 
 /// Source of measurements in time order that may accept commands: a robot on a bus, a replayed log

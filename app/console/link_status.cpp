@@ -45,7 +45,7 @@ void LinkStatus::show(const LinkViewState& viewState)
     const double age =
         viewState.newest ? viewState.now - secondsOf(viewState.newest->arrived) : 0.0;
     worstAge_ = std::max(worstAge_, age);
-    const auto view = link_ ? std::optional(link_->view()) : std::nullopt;
+    const CanView* view = viewState.bus;
     if (view) count(*view, viewState.now);
     showLink(viewState, age);
     if (view) showBus(*view, viewState.now);
@@ -67,12 +67,12 @@ void LinkStatus::showLink(const LinkViewState& viewState, double age)
     const LinkAccount& link = viewState.link;
     if (link.standing == LinkStanding::Up) {
         if (upSince_ == 0.0) upSince_ = viewState.now;
-        if (viewState.now - rateShownAt_ >= kRateEvery) showRate(viewState.now);
+        if (viewState.now - rateShownAt_ >= kRateEvery) showRate(viewState);
         return;
     }
     rateShownAt_ = worstAge_ = upSince_ = 0.0;
     const QString title = capitals(link);
-    const QString bus = link_ ? details(link_->view()) : QString();
+    const QString bus = viewState.bus ? details(*viewState.bus) : QString();
     switch (link.standing) {
     case LinkStanding::Up: break;
     case LinkStanding::Silent: return header_.setLink(sentence(link), Tone::Bad, bus);
@@ -111,9 +111,10 @@ void LinkStatus::showBus(const CanView& view, double now)
                    brief.join(QLatin1Char(' ')));
 }
 
-void LinkStatus::showRate(double now)
+void LinkStatus::showRate(const LinkViewState& viewState)
 {
-    const auto view = link_ ? std::optional(link_->view()) : std::nullopt;
+    const double now = viewState.now;
+    const CanView* view = viewState.bus;
     const std::uint64_t dropped = view ? view->frames.dropped : 0;
     // The rate covers one second, so it is shown after one second.
     QString text = now - upSince_ < 1.0
@@ -148,7 +149,7 @@ QString LinkStatus::bannerText(const LinkViewState& viewState, double age) const
     if (link.alive)
         return tr("BACK after %1 — measured values are live, the terrain is as it was felt before")
             .arg(format::age(link.longest));
-    const QString trouble = troubleWords(link_, acquisition_.trouble());
+    const QString trouble = troubleWords(viewState.bus, acquisition_.trouble());
     const QString why = trouble.isEmpty() ? QString() : QStringLiteral(": ") + trouble;
     return link.alone
              ? tr("%1 for %2 — %3; no measured value is live%4")
@@ -199,10 +200,10 @@ void LinkStatus::showRobot(const Received* newest, double age)
         header_.setRobot(tr("robot: --"), Tone::Doubt);
 }
 
-void LinkStatus::showArming(const std::optional<Precondition>& panel)
+void LinkStatus::showArming(const CanView* bus, const std::optional<Precondition>& panel)
 {
-    if (!link_) return;
-    const CanView view = link_->view();
+    if (!bus) return;
+    const CanView& view = *bus;
     if (!view.transmits) return header_.arming()->setListening(whyFollowing(link_));
     const ArmingState& state = view.link.arming;
     QList<Precondition> needs = Preconditions::toArm(view);

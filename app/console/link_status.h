@@ -20,6 +20,7 @@ class StatusHeader;
 /// State of the robot's telemetry at one time.
 struct LinkViewState {
     double now = 0.0;                  ///< [s] on the steady clock
+    const CanView* bus = nullptr;      ///< null: the source is no bus
     const Received* newest = nullptr;  ///< null: none received yet
     LinkAccount link{};
     QString heard{};  ///< frames still received without telemetry; empty: none
@@ -37,13 +38,13 @@ public:
     /// Call for every frame of the window.
     void show(const LinkViewState& viewState);
     /// Call for every frame of the window. panel: precondition of the panel for motion; empty: no panel.
-    void showArming(const std::optional<Precondition>& panel);
+    void showArming(const CanView* bus, const std::optional<Precondition>& panel);
     bool says(const QString& text) const;  ///< true if the banner shows the text in capitals
 
 private:
     void count(const CanView& view, double now);
     void showLink(const LinkViewState& viewState, double age);
-    void showRate(double now);
+    void showRate(const LinkViewState& viewState);
     void showBus(const CanView& view, double now);
     void showBanner(const LinkViewState& viewState, double age);
     QString bannerText(const LinkViewState& viewState, double age) const;

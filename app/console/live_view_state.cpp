@@ -59,10 +59,12 @@ std::optional<double> forcesAgeOf(const FrameHistory& tap, double now)
 
 }  // namespace
 
-LinkViewState LiveViewState::link(double now, const std::optional<Received>& newest)
+LinkViewState LiveViewState::link(const RobotMoment& moment)
 {
+    const double now = moment.now;
+    const std::optional<Received>& newest = moment.latest;
     const bool alive = parts_.exploration.linkAlive();
-    LinkViewState viewState{.now = now, .newest = pointer(newest)};
+    LinkViewState viewState{.now = now, .bus = pointer(moment.bus), .newest = pointer(newest)};
     std::optional<double> age;
     if (newest) age = now - secondsOf(newest->arrived);
     if (parts_.link && age && !alive)
@@ -83,9 +85,10 @@ Attitude LiveViewState::attitudeOf(const Measurement& line) const
     return terratact::attitudeOf(line, model_, limits);
 }
 
-AlarmViewState LiveViewState::alarms(double now, const std::optional<Received>& newest,
-                                     const LinkAccount& link) const
+AlarmViewState LiveViewState::alarms(const RobotMoment& moment, const LinkAccount& link) const
 {
+    const double now = moment.now;
+    const std::optional<Received>& newest = moment.latest;
     const Exploration& exploration = parts_.exploration;
     AlarmViewState viewState{.link = link};
     if (newest) viewState.suspicions = newest->suspicions;
@@ -95,13 +98,11 @@ AlarmViewState LiveViewState::alarms(double now, const std::optional<Received>& 
     }
     viewState.isSceneSuspected = exploration.estimation().wasSuspected();
     if (newest) viewState.isStopped = newest->sample.measurement.activity == RobotActivity::Stopped;
-    viewState.sourceTrouble = troubleWords(parts_.link, parts_.acquisition.trouble());
-    if (CanSource* bus = parts_.link) {
-        viewState.bus = bus->view();
-        viewState.busName = bus->busName();
+    viewState.sourceTrouble = troubleWords(pointer(moment.bus), parts_.acquisition.trouble());
+    viewState.bus = moment.bus;
+    if (CanSource* bus = parts_.link)
         viewState.wrongChecksums =
             bus->tap().load().troubles[static_cast<std::size_t>(FrameTrouble::WrongChecksum)];
-    }
     viewState.noModel = exploration.estimation().model().trouble;
     if (parts_.recorder) viewState.notRecorded = format::sentence(parts_.recorder->state().trouble);
     if (parts_.panel && !parts_.panel->answers(now))
@@ -113,8 +114,10 @@ AlarmViewState LiveViewState::alarms(double now, const std::optional<Received>& 
     return viewState;
 }
 
-TerrainViewState LiveViewState::terrain(double now, const std::optional<Received>& newest)
+TerrainViewState LiveViewState::terrain(const RobotMoment& moment)
 {
+    const double now = moment.now;
+    const std::optional<Received>& newest = moment.latest;
     const Exploration& exploration = parts_.exploration;
     TerrainViewState viewState{.now = now, .ended = exploration.ended()};
     if (newest) {
@@ -146,8 +149,8 @@ TerrainViewState LiveViewState::terrain(double now, const std::optional<Received
     viewState.driving = exploration.toDrive();
     viewState.probing = exploration.toProbe();
     viewState.releasing = exploration.toReleaseStop();
-    if (parts_.link && !exploration.following())
-        viewState.arming = Preconditions::toArm(parts_.link->view());
+    if (moment.bus && !exploration.following())
+        viewState.arming = Preconditions::toArm(*moment.bus);
     if (const auto says = panel(now))
         for (auto* list : {&viewState.preconditions, &viewState.driving, &viewState.arming,
                            &viewState.probing, &viewState.releasing})
@@ -155,9 +158,10 @@ TerrainViewState LiveViewState::terrain(double now, const std::optional<Received
     return viewState;
 }
 
-ConsoleFacts LiveViewState::facts(double now, const QString& source,
+ConsoleFacts LiveViewState::facts(const RobotMoment& moment, const QString& source,
                                   const QString& robotDetails) const
 {
+    const double now = moment.now;
     ConsoleFacts facts{.telemetryRate = parts_.acquisition.rate(),
                        .estimating = parts_.worker.progress().has_value(),
                        .source = source,
@@ -165,12 +169,9 @@ ConsoleFacts LiveViewState::facts(double now, const QString& source,
                        .robotDetails = robotDetails,
                        .model = parts_.exploration.estimation().model(),
                        .longest = WatchedApplication::longestEvents()};
-    if (const auto latest = parts_.acquisition.latest())
-        facts.telemetryAge = now - secondsOf(latest->arrived);
-    if (parts_.link) {
-        facts.bus = busWords(parts_.link->view().bus, parts_.link->busName());
-        facts.waiting = parts_.link->waiting();
-    }
+    if (moment.latest) facts.telemetryAge = now - secondsOf(moment.latest->arrived);
+    if (moment.bus) facts.bus = busWords(moment.bus->bus, moment.bus->busName);
+    if (parts_.link) facts.waiting = parts_.link->waiting();
     if (const PanelControl* panel = parts_.panel)
         facts.panel = PanelFacts{.report = panel->report(),
                                  .answers = panel->answers(now),
@@ -188,9 +189,8 @@ const std::vector<ForceArray>& LiveViewState::forcesOf(const Received& newest)
 {
     if (newest.count == forcesCount_) return forces_;
     forcesCount_ = newest.count;
-    const auto line = parts_.link ? parts_.link->view().line : std::nullopt;
     const double threshold = parts_.exploration.options().settings.forceThreshold;
-    forces_ = forceArrays_.of(newest.sample.measurement, line, threshold);
+    forces_ = forceArrays_.of(newest.sample.measurement, newest.sample.forces, threshold);
     return forces_;
 }
 

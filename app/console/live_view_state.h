@@ -7,7 +7,7 @@
 
 #include "app/console/diagnostics_page.h"
 #include "app/console/link_status.h"
-#include "app/link/acquisition.h"
+#include "app/link/robot_moment.h"
 #include "app/mission/console_alarms.h"
 #include "app/mission/exploration.h"
 #include "app/mission/panel_control.h"
@@ -38,13 +38,13 @@ public:
     {
     }
 
-    // newest: telemetry of the exploration's last tick. now: steady clock [s].
-    LinkViewState link(double now, const std::optional<Received>& newest);
+    // moment: that of the exploration's last tick. It must outlive the LinkViewState and the TerrainViewState.
+    LinkViewState link(const RobotMoment& moment);
     /// link: at the same time.
-    AlarmViewState alarms(double now, const std::optional<Received>& newest,
-                          const LinkAccount& link) const;
-    TerrainViewState terrain(double now, const std::optional<Received>& newest);
-    ConsoleFacts facts(double now, const QString& source, const QString& robotDetails) const;
+    AlarmViewState alarms(const RobotMoment& moment, const LinkAccount& link) const;
+    TerrainViewState terrain(const RobotMoment& moment);
+    ConsoleFacts facts(const RobotMoment& moment, const QString& source,
+                       const QString& robotDetails) const;
     /// Returns the panel's precondition for motion; empty: no panel.
     std::optional<Precondition> panel(double now) const;
 

@@ -145,7 +145,8 @@ void MainWindow::addPages(const Options& options)
             return NumbersViewState{
                 estimate ? &*estimate : nullptr, exploration_->whyNoEstimate(),
                 exploration_->options().stepLimit, estimation.verdict(),
-                latest_ ? std::optional(steadyNow() - secondsOf(latest_->arrived)) : std::nullopt};
+                moment_.latest ? std::optional(moment_.now - secondsOf(moment_.latest->arrived))
+                               : std::nullopt};
         },
         this);
     addScrolledPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The same scene as a table"));
@@ -155,7 +156,7 @@ void MainWindow::addPages(const Options& options)
             [this](bool on) { preferences_->change([on](Preferences& p) { p.sound = on; }); });
     addScrolledPage(alarmsPage_, tr("Alarms"), Qt::Key_F4,
                     tr("What is wrong, and what was and has not been seen"));
-    signalsPage_ = new SignalsPage(*acquisition_, link_, *preferences_, this);
+    signalsPage_ = new SignalsPage(moment_, *acquisition_, link_, *preferences_, this);
     addScrolledPage(signalsPage_, tr("Signals"), Qt::Key_F5,
                     tr("Every signal on the bus, and its newest frames"));
     addTraining(options);
@@ -165,8 +166,7 @@ void MainWindow::addPages(const Options& options)
     const QString source = format::sourceName(source_->name());
     diagnosticsPage_ = new DiagnosticsPage(
         [this, source] {
-            return consoleDiagnostics(viewStates_->facts(steadyNow(), source, robotDetails_),
-                                      meter_);
+            return consoleDiagnostics(viewStates_->facts(moment_, source, robotDetails_), meter_);
         },
         this);
     addPage(diagnosticsPage_, tr("Diagnostics"), Qt::Key_F8,
@@ -418,9 +418,9 @@ void MainWindow::poll()
     sharedStop_->poll();
     tickPanel(now);
     if (link_ && (!panel_ || panel_->answers(now))) link_->operatorAlive();
-    latest_ = acquisition_->latest();
+    moment_ = momentOf(now, *acquisition_, link_);
     const AtemPhase before = exploration_->state().phase;
-    exploration_->tick(now, latest_);
+    exploration_->tick(moment_);
     // An estimate is drawn at once, and so is a phase that changes what is offered. Telemetry and previews are drawn at
     // 25 Hz, everything else later. Painting would also take processors from a running estimate; by the next frame most
     // estimates are ready.
@@ -429,8 +429,8 @@ void MainWindow::poll()
     if (computes && phase != before) redrawn_ = now;
     const bool news = (phase != before && !computes)
                    || (exploration_->estimation().estimate().has_value() && !showsEstimate());
-    const bool isLive = exploring(phase) || (latest_ && latest_->count != drawn_);
-    if (news || now - redrawn_ >= (isLive ? kRedraw : kUnheard) - 1e-3) redraw(now);
+    const bool isLive = exploring(phase) || (moment_.latest && moment_.latest->count != drawn_);
+    if (news || now - redrawn_ >= (isLive ? kRedraw : kUnheard) - 1e-3) redraw();
 }
 
 /// Reports a stall of a console that can send commands. The stall blocked motion commands, or the robot's watchdog
@@ -443,15 +443,16 @@ void MainWindow::tellOfStall(double seconds)
              EventSeverity::Warning);
 }
 
-void MainWindow::redraw(double now)
+void MainWindow::redraw()
 {
+    const double now = moment_.now;
     redrawn_ = now;
-    const LinkViewState link = viewStates_->link(now, latest_);
+    const LinkViewState link = viewStates_->link(moment_);
     linkStatus_->show(link);
-    showAlarms(now, link.link);
+    showAlarms(link.link);
     showRecording(link.link);
-    linkStatus_->showArming(viewStates_->panel(now));
-    showTerrain(now);
+    linkStatus_->showArming(link.bus, viewStates_->panel(now));
+    showTerrain();
     using Terrain = ProbeNotice::Terrain;
     probeNotice_->show(exploration_->state(), exploration_->time(), exploration_->proposal(),
                        probeCard()->isVoid(),
@@ -469,9 +470,9 @@ void MainWindow::redraw(double now)
     if (auto* page = qobject_cast<Page*>(currentPage())) page->refresh(now);
 
     prepared_ = steadyNow() - now;
-    if (latest_ && latest_->count != drawn_) {
-        newestIn_ = secondsOf(latest_->arrived);
-        drawn_ = latest_->count;
+    if (const auto& latest = moment_.latest; latest && latest->count != drawn_) {
+        newestIn_ = secondsOf(latest->arrived);
+        drawn_ = latest->count;
     }
 }
 
@@ -487,9 +488,10 @@ void MainWindow::showPanelLost()
             : tr("PANEL LOST: connect the operator's panel, or start without --panel"));
 }
 
-void MainWindow::showTerrain(double now)
+void MainWindow::showTerrain()
 {
-    TerrainViewState viewState = viewStates_->terrain(now, latest_);
+    const double now = moment_.now;
+    TerrainViewState viewState = viewStates_->terrain(moment_);
     viewState.numbersDue = now - numbersShown_ >= kNumbers;
     viewState.numbersFor = kNumbers + kUnheard;
     if (viewState.numbersDue) numbersShown_ = now;
@@ -513,9 +515,9 @@ void MainWindow::restartMeter()
     meter_ = LoopMeter(std::chrono::duration<double>(kLook).count());
 }
 
-void MainWindow::showAlarms(double now, const LinkAccount& link)
+void MainWindow::showAlarms(const LinkAccount& link)
 {
-    alarms_->poll(now, viewStates_->alarms(now, latest_, link));
+    alarms_->poll(moment_.now, viewStates_->alarms(moment_, link));
     const AlarmList& list = alarms_->list();
     const auto all = list.alarms().size();
     header()->setAlarms(static_cast<int>(all - list.count(AlarmState::Acknowledged)),
@@ -525,7 +527,7 @@ void MainWindow::showAlarms(double now, const LinkAccount& link)
 void MainWindow::showRecording(const LinkAccount& link)
 {
     if (!eventLogger_) return;
-    eventLogger_->poll(link, link_ ? std::optional(link_->view()) : std::nullopt, alarms_->list(),
+    eventLogger_->poll(link, moment_.bus, alarms_->list(),
                        panel_ ? std::optional(panel_->state()) : std::nullopt);
     recordingDisplay_->show(recorder_->state());
 }

@@ -15,6 +15,7 @@
 #include "app/console/shared_stop.h"
 #include "app/console/stop_display.h"
 #include "app/link/acquisition.h"
+#include "app/link/robot_moment.h"
 #include "app/mission/console_alarms.h"
 #include "app/mission/estimator_worker.h"
 #include "app/mission/exploration.h"
@@ -115,7 +116,7 @@ protected:
 private:
     void build(const Options& options);
     void addPages(const Options& options);
-    void showAlarms(double now, const LinkAccount& link);
+    void showAlarms(const LinkAccount& link);
     void showRecording(const LinkAccount& link);
     void notice(const QString& text, EventSeverity severity);
     void showPanelLost();
@@ -129,8 +130,8 @@ private:
     void poll();
     void lookSoon();  ///< from any thread
     void tellOfStall(double seconds);
-    void redraw(double now);
-    void showTerrain(double now);
+    void redraw();
+    void showTerrain();
     void tickPanel(double now);
     void releaseStop();
     void connectStop();
@@ -177,7 +178,7 @@ private:
     double newestIn_ = -1.0;   ///< [s] arrival of the new telemetry in that frame
     std::uint64_t drawn_ = 0;  ///< Received::count of the last drawn sample
     QTimer look_;
-    std::optional<Received> latest_;
+    RobotMoment moment_;          ///< of the last tick: everything is drawn from it
     StallWatch stalls_;           ///< stalls of poll()
     double redrawn_ = 0.0;        ///< [s] steady clock
     double numbersShown_ = 0.0;   ///< [s] time of the last update of the robot's numbers

@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/link/acquisition.h"
 #include "app/link/can_source.h"
+#include "app/link/robot_moment.h"
 #include "app/mission/bus_text.h"
 #include "app/pages/dbc_files.h"
 #include "display/format.h"
@@ -84,9 +84,9 @@ QString loadWords(const BusLoad& load, const BitRate& bitrate)
                     format::number(rate / 1000.0, 0));
 }
 
-SignalsPage::SignalsPage(const Acquisition& acquisition, CanSource* link,
+SignalsPage::SignalsPage(const RobotMoment& moment, const Acquisition& acquisition, CanSource* link,
                          PreferenceStore& preferences, QWidget* parent)
-    : Page(parent), acquisition_(acquisition), link_(link)
+    : Page(parent), moment_(moment), acquisition_(acquisition), link_(link)
 {
     auto* signalCard = new Card(tr("Signals"), this);
     headline_ = new PlainLabel(signalCard);
@@ -147,7 +147,7 @@ void SignalsPage::refresh(double now)
 {
     if (now - shownAt_ >= kRows - 1e-3) {
         shownAt_ = now;
-        if (link_)
+        if (moment_.bus)
             refreshBus(now);
         else
             refreshMeasurement(now);
@@ -161,7 +161,7 @@ void SignalsPage::refresh(double now)
 void SignalsPage::refreshBus(double now)
 {
     const BusLoad load = link_->tap().load();
-    const CanView view = link_->view();
+    const CanView& view = *moment_.bus;
     const auto of = [&](FrameTrouble trouble) {
         return QString::number(load.troubles[static_cast<std::size_t>(trouble)]);
     };
@@ -182,7 +182,7 @@ void SignalsPage::refreshMeasurement(double now)
 {
     headline_->setText(
         tr("This source is no CAN bus: it has no frames, and these are its values."));
-    const auto latest = acquisition_.latest();
+    const auto& latest = moment_.latest;
     if (!latest) return table_->setRows({});
     const double age = now - secondsOf(latest->arrived);
     std::vector<SignalRow> rows = rowsOf(latest->sample.measurement);

@@ -16,6 +16,7 @@ namespace terratact {
 
 class Acquisition;
 class CanSource;
+struct RobotMoment;
 class Card;
 class DbcFiles;
 class PreferenceStore;
@@ -32,8 +33,8 @@ class SignalsPage final : public Page {
     Q_OBJECT
 public:
     /// link: null if the source has no bus. All arguments must outlive the page.
-    SignalsPage(const Acquisition& acquisition, CanSource* link, PreferenceStore& preferences,
-                QWidget* parent = nullptr);
+    SignalsPage(const RobotMoment& moment, const Acquisition& acquisition, CanSource* link,
+                PreferenceStore& preferences, QWidget* parent = nullptr);
     void refresh(double now) override;
 
     SignalTable* table() const { return table_; }
@@ -47,6 +48,7 @@ private:
     void refreshBus(double now);
     void refreshMeasurement(double now);
 
+    const RobotMoment& moment_;
     const Acquisition& acquisition_;
     CanSource* link_;
     std::vector<DbcMessage> protocol_;  ///< empty: the protocol's file could not be used

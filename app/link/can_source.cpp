@@ -92,7 +92,8 @@ std::optional<Sample> CanSource::takePending()
         const auto measurement = link_.receive(received.frame, received.echo, received.time);
         if (!measurement) continue;
         return Sample{.measurement = *measurement,
-                      .truth = options_.truth ? std::optional(options_.truth()) : std::nullopt};
+                      .truth = options_.truth ? std::optional(options_.truth()) : std::nullopt,
+                      .forces = link_.telemetry().forces()};
     }
     return std::nullopt;
 }
@@ -173,9 +174,9 @@ CanView CanSource::view() const
     const std::scoped_lock lock(mutex_);
     return {.link = link_.view(steadyNow()),
             .bus = bus_->state(),
+            .busName = bus_->name(),
             .frames = bus_->counters(),
             .telemetry = link_.telemetry().counters(),
-            .line = link_.telemetry().line(),
             .forces = link_.telemetry().forces(),
             .transmits = options_.mode == Mode::Transmit,
             .whyNotTransmitting = whyNotTransmitting(),

@@ -20,16 +20,16 @@ namespace terratact {
 
 /// Snapshot of bus and link for the console.
 struct CanView {
-    LinkView link;
+    LinkView link{};
     BusState bus = BusState::Up;
-    BusCounters frames;
-    TelemetryCounters telemetry;
-    std::optional<SensorLine> line;  ///< newest complete sensor line
-    ElementForces forces;            ///< forces of that line
+    std::string busName{};
+    BusCounters frames{};
+    TelemetryCounters telemetry{};
+    ElementForces forces{};  ///< of the newest complete sensor line, even without a measurement
     bool transmits = false;
-    std::string whyNotTransmitting;  ///< reason in words; empty if the source transmits
-    bool waits = false;              ///< a replay that has not begun
-    bool ended = false;              ///< a replay at its end
+    std::string whyNotTransmitting{};  ///< reason in words; empty if the source transmits
+    bool waits = false;                ///< a replay that has not begun
+    bool ended = false;                ///< a replay at its end
 };
 
 /// Bit rate used for the bus load.
@@ -75,6 +75,7 @@ public:
     void approve(int bin);
 
     CanView view() const;
+    BusState busState() const { return bus_->state(); }
     /// Returns the history of all received frames, for the pages that show the bus.
     FrameHistory& tap() { return tap_; }
     BitRate bitrate() const { return {options_.bitrate, options_.nominal}; }

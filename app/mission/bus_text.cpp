@@ -37,6 +37,12 @@ QString matter(BusState state)
     return QStringLiteral("%1");
 }
 
+QString troubleOf(BusState state, const std::string& bus, const std::string& said)
+{
+    const bool works = state == BusState::Up || state == BusState::ErrorWarning;
+    return said.empty() || works ? format::sentence(said) : busWords(state, bus);
+}
+
 }  // namespace
 
 QString busWords(BusState state, const std::string& bus)
@@ -86,10 +92,12 @@ QString loadGlance(const BusLoad& load, const BitRate& bitrate)
 
 QString troubleWords(const CanSource* link, const std::string& said)
 {
-    if (said.empty() || !link) return format::sentence(said);
-    const CanView view = link->view();
-    const bool works = view.bus == BusState::Up || view.bus == BusState::ErrorWarning;
-    return works ? format::sentence(said) : busWords(view.bus, link->busName());
+    return link ? troubleOf(link->busState(), link->busName(), said) : format::sentence(said);
+}
+
+QString troubleWords(const CanView* bus, const std::string& said)
+{
+    return bus ? troubleOf(bus->bus, bus->busName, said) : format::sentence(said);
 }
 
 QString stillComes(const std::vector<TappedFrame>& frames, double silence)

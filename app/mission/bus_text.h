@@ -24,6 +24,7 @@ QString loadGlance(const BusLoad& load, const BitRate& bitrate);
 
 /// Returns why nothing is received or sent: the fault of the robot's bus, else the source's own text.
 QString troubleWords(const CanSource* link, const std::string& said);
+QString troubleWords(const CanView* bus, const std::string& said);
 
 /// Returns what is still received after telemetry has stopped for `silence` seconds: "frames still come, heartbeat 0.1
 /// s old". Only usable frames younger than kLinkLostAfter and half the silence count, because others may have come with

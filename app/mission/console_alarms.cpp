@@ -134,7 +134,7 @@ void ConsoleAlarms::lookAtLink(const AlarmViewState& viewState)
 
 void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmViewState& viewState)
 {
-    judge("bus", toneOf(bus.bus) != Tone::Plain, busWords(bus.bus, viewState.busName),
+    judge("bus", toneOf(bus.bus) != Tone::Plain, busWords(bus.bus, bus.busName),
           comesAndGoes(bus.bus) ? Severity::Caution : Severity::Critical,
           comesAndGoes(bus.bus) ? kFlutter : 0.0);
     judge("foreign", bus.link.foreignSender && bus.transmits,

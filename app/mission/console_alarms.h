@@ -22,9 +22,8 @@ namespace terratact {
 /// Current inputs of the alarms. An empty text means no trouble.
 struct AlarmViewState {
     LinkAccount link{};
-    QString sourceTrouble{};       ///< reason that there is no telemetry
-    std::optional<CanView> bus{};  ///< empty: the source has no bus
-    std::string busName{};
+    QString sourceTrouble{};           ///< reason that there is no telemetry
+    std::optional<CanView> bus{};      ///< empty: the source has no bus
     std::uint64_t wrongChecksums = 0;  ///< since the bus was opened
     QString noModel{}, panelTrouble{}, failedExploration{}, notRecorded{};
     bool isStopped = false;                     ///< the robot reports that it is stopped

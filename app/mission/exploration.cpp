@@ -222,7 +222,7 @@ void Exploration::driveOn()
 {
     // After an abort the robot accepts a drive only once its next status reports the end of the exploration.
     if (!driveWanted_) return;
-    const auto robot = link_ ? link_->view().link.robot : std::nullopt;
+    const auto robot = bus_ ? bus_->link.robot : std::nullopt;
     if (robot && robot->exploring && now_ - driveBegan_ < kEndsWithin) return;
     if (!whyNotDriving().isEmpty()) return driveWanted_.reset();  // driving is no longer allowed
     command(*std::exchange(driveWanted_, std::nullopt));
@@ -333,7 +333,7 @@ void Exploration::command(const Command& command)
 
 bool Exploration::armed() const
 {
-    return !link_ || link_->view().link.arming.phase == ArmingPhase::Armed;
+    return !link_ || (bus_ && bus_->link.arming.phase == ArmingPhase::Armed);
 }
 
 bool Exploration::answered() const
@@ -400,15 +400,16 @@ void Exploration::poll(AtemInput& in)
     }
 }
 
-void Exploration::tick(double now, const std::optional<Received>& latest)
+void Exploration::tick(const RobotMoment& moment)
 {
-    now_ = now;
-    latest_ = latest;
+    now_ = moment.now;
+    latest_ = moment.latest;
+    bus_ = moment.bus;
     const auto heardWithin = [this](double seconds) {
         return latest_ && now_ - secondsOf(latest_->arrived) <= seconds;
     };
     linkAlive_ = heardWithin(options_.linkLostAfter);
-    ended_ = following() && link_->view().ended;
+    ended_ = following() && bus_ && bus_->ended;
     estimation_.poll(latest_, heardWithin(options_.staleAfter));
     if (following())
         follow();

@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "app/link/acquisition.h"
 #include "app/link/can_source.h"
+#include "app/link/robot_moment.h"
 #include "app/mission/estimation.h"
 #include "app/mission/passive_exploration.h"
 #include "app/mission/preconditions.h"
@@ -77,8 +77,8 @@ public:
     void setSettings(const Settings& settings);
     void leave();  ///< call when the window closes: halts motion commanded from here
 
-    /// Polls all inputs. now: steady clock [s].
-    void tick(double now, const std::optional<Received>& latest);
+    /// Polls all inputs.
+    void tick(const RobotMoment& moment);
 
     // State.
     const Estimation& estimation() const { return estimation_; }
@@ -171,6 +171,7 @@ private:
     AtemInput pending_;  ///< actions of operator and worker since the last tick
     double now_ = 0.0;
     std::optional<Received> latest_;
+    std::optional<CanView> bus_;  ///< empty without a link, or before the first tick
     bool linkAlive_ = false;
     bool ended_ = false;
     PlanarGround ground_;

@@ -8,19 +8,6 @@
 namespace terratact {
 namespace {
 
-// Returns the voltage of an element; the sensor line numbers the voltages per side.
-std::optional<double> voltageOf(const SensorLine& line, Side side, std::size_t element)
-{
-    const auto& three = line.voltages[(side == Side::Left ? 0U : 2U) + element / 3];
-    return three ? std::optional((*three)[element % 3]) : std::nullopt;
-}
-
-bool hasVoltages(const SensorLine& line)
-{
-    return std::any_of(line.voltages.begin(), line.voltages.end(),
-                       [](const auto& three) { return three.has_value(); });
-}
-
 QString nameOf(const ForceArrayLayout& layout)
 {
     if (!layout.name.empty()) return format::shownName(layout.name);
@@ -32,38 +19,35 @@ QString nameOf(const ForceArrayLayout& layout)
 
 static_assert(kMaxForceArrays <= ForceBars::kArrays);
 
-ForceArray ForceArrays::arrayOf(const ForceArrayLayout& layout, const SensorLine& line,
-                                const ElementForces& felt, ForceDrift::Forces& beyondBias) const
+ForceArray ForceArrays::arrayOf(const ForceArrayLayout& layout, const ElementForces& felt,
+                                ForceDrift::Forces& beyondBias) const
 {
     ForceArray array;
-    const Side side = layout.side;
     array.name = nameOf(layout);
-    const auto& forces = side == Side::Left ? felt.left : felt.right;
+    const auto& forces = layout.side == Side::Left ? felt.left : felt.right;
     for (std::size_t e = 0; e < forces.size(); ++e) {
         ForceElement& element = array.elements[e];
         element.exists = layout.has[e];
-        if (!element.exists) continue;
-        element.volts = voltageOf(line, side, e);
-        if (!forces[e] || !element.volts) continue;
-        element.saturated = forces[e]->state == ElementState::Saturated;
-        if (element.saturated || forces[e]->state == ElementState::Sound)
-            element.newtons = forces[e]->force;
-        beyondBias[e] = signedForce(*element.volts, side, static_cast<int>(e),
-                                    robot_.forceCalibration, robot_.forceSaturation);
+        if (!element.exists || !forces[e]) continue;
+        const ElementForce& force = *forces[e];
+        element.volts = force.voltage;
+        element.saturated = force.state == ElementState::Saturated;
+        const bool sound = force.state == ElementState::Sound;
+        if (element.saturated || sound) element.newtons = force.force;
+        if (sound) beyondBias[e] = force.beyondBias;
     }
     return array;
 }
 
-std::vector<ForceArray> ForceArrays::of(const Measurement& measurement,
-                                        const std::optional<SensorLine>& line, double threshold)
+std::vector<ForceArray> ForceArrays::of(const Measurement& measurement, const ElementForces& felt,
+                                        double threshold)
 {
     std::vector<ForceArray> arrays;
     std::vector<ForceDrift::Forces> beyondBias;
-    if (line && hasVoltages(*line)) {
-        const ElementForces felt = elementForces(*line, robot_);
+    if (felt.carried) {
         for (const ForceArrayLayout& layout : robot_.forceArrays) {
             beyondBias.emplace_back();
-            arrays.push_back(arrayOf(layout, *line, felt, beyondBias.back()));
+            arrays.push_back(arrayOf(layout, felt, beyondBias.back()));
         }
     } else {
         arrays.emplace_back();

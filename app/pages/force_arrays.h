@@ -18,12 +18,12 @@ public:
 
     /// Returns the arrays of the robot file, if a sensor line of the bus has their forces. Otherwise returns one array
     /// with the measured forces, without voltages. threshold: contact threshold [N].
-    std::vector<ForceArray> of(const Measurement& measurement,
-                               const std::optional<SensorLine>& line, double threshold);
+    std::vector<ForceArray> of(const Measurement& measurement, const ElementForces& felt,
+                               double threshold);
 
 private:
-    ForceArray arrayOf(const ForceArrayLayout& layout, const SensorLine& line,
-                       const ElementForces& felt, ForceDrift::Forces& beyondBias) const;
+    ForceArray arrayOf(const ForceArrayLayout& layout, const ElementForces& felt,
+                       ForceDrift::Forces& beyondBias) const;
 
     RobotModel robot_;
     std::vector<ForceDrift> drifts_;

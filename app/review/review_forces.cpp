@@ -27,7 +27,7 @@ const std::vector<TimedForces>& ReviewForces::feltIn(std::size_t batch, double t
             const auto measured = listener.take(row.frame, secondsOf(row.time));
             if (measured && i == batch)
                 made.felt.push_back(
-                    {secondsOf(row.time), arrays.of(*measured, listener.line(), threshold)});
+                    {secondsOf(row.time), arrays.of(*measured, listener.forces(), threshold)});
         }
     recent_.push_front(std::move(made));
     if (recent_.size() > kRecent) recent_.pop_back();

@@ -92,7 +92,7 @@ void ReviewViewState::addMeasured(TerrainViewState& viewState, const ReviewMomen
     if (moment.measurement) {
         viewState.measurement = &*moment.measurement;
         viewState.age = secondsOf(moment.time - moment.measured);
-        forces_ = ForceArrays(robot_).of(*moment.measurement, moment.line, threshold);
+        forces_ = ForceArrays(robot_).of(*moment.measurement, moment.forces, threshold);
         viewState.forces = &forces_;
         forcesBefore_ = felt_.before(moment.time, threshold);
         viewState.forcesBefore = &forcesBefore_;

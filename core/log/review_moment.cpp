@@ -123,10 +123,10 @@ void ReviewMoments::hear(ReviewMoment& moment)
             const auto measurement = listener.take(row.frame, secondsOf(row.time));
             if (!measurement) continue;
             moment.measurement = measurement;
+            moment.forces = listener.forces();
             moment.measured = row.time;
             if (row.time > moment.time - sessionTimeOf(1.0)) ++lines;
         }
-    moment.line = listener.line();
     moment.linesPerSecond = lines;
     moment.linkAlive = isHeard(moment);
     moment.linkSince = moment.measured;

@@ -22,7 +22,7 @@ struct ReviewMoment {
 
     std::optional<Measurement> measurement{};  ///< newest of the last kReviewWindow
     SessionTime measured = 0;                  ///< time at which it arrived
-    std::optional<SensorLine> line{};          ///< sensor line of the bus behind the measurement
+    ElementForces forces{};                    ///< forces of the line behind the measurement
     double linesPerSecond = 0.0;               ///< telemetry lines in the last second
     /// State of the link as recorded; before its first record, by frames at this time.
     bool linkAlive = false;

@@ -94,21 +94,20 @@ ElementForce elementForce(double voltage, Side side, int element, const ForceCal
         throw std::invalid_argument("elementForce: the voltage must be finite");
     if (element < 0 || element >= kForceElements)
         throw std::invalid_argument("elementForce: the elements are 0 to 5");
-    if (voltage <= 0.0 || voltage < c.openBelow) return {0.0, ElementState::Open};
-    if (voltage >= c.supply || voltage > c.shortAbove) return {0.0, ElementState::Short};
+    ElementForce felt{.voltage = voltage};
+    if (voltage <= 0.0 || voltage < c.openBelow)
+        felt.state = ElementState::Open;
+    else if (voltage >= c.supply || voltage > c.shortAbove)
+        felt.state = ElementState::Short;
+    if (felt.state != ElementState::Sound) return felt;
     const double bias = biasOf(c, side, element);
     const double total = curveForce(elementResistance(voltage, c), c);
-    const bool saturated = total >= saturation;
-    const double force = std::max(0.0, std::min(total, saturation) - bias);
-    return {force, saturated ? ElementState::Saturated : ElementState::Sound};
-}
-
-std::optional<double> signedForce(double voltage, Side side, int element, const ForceCalibration& c,
-                                  double saturation)
-{
-    if (elementForce(voltage, side, element, c, saturation).state != ElementState::Sound)
-        return std::nullopt;
-    return curveForce(elementResistance(voltage, c), c) - biasOf(c, side, element);
+    felt.force = std::max(0.0, std::min(total, saturation) - bias);
+    if (total >= saturation)
+        felt.state = ElementState::Saturated;
+    else
+        felt.beyondBias = total - bias;
+    return felt;
 }
 
 }  // namespace terratact

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +52,8 @@ std::string describe(ElementState state);
 struct ElementForce {
     double force = 0.0;  ///< [N] on the flipper, never negative; 0 where Open or Short
     ElementState state = ElementState::Sound;
+    double beyondBias = 0.0;  ///< [N] signed: negative below the bias; 0 unless Sound
+    double voltage = 0.0;     ///< [V] measured voltage
     bool operator==(const ElementForce&) const = default;
 };
 
@@ -71,10 +72,5 @@ double curveForce(double resistance, const ForceCalibration& calibration);
 /// is finite and the element exists.
 ElementForce elementForce(double voltage, Side side, int element,
                           const ForceCalibration& calibration, double saturation);
-
-/// Returns the same force [N] for a Sound element, negative below its bias; empty for any other
-/// state.
-std::optional<double> signedForce(double voltage, Side side, int element,
-                                  const ForceCalibration& calibration, double saturation);
 
 }  // namespace terratact

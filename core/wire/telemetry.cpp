@@ -114,6 +114,7 @@ ElementForces elementForces(const SensorLine& line, const RobotModel& robot)
     ElementForces forces;
     for (std::size_t set = 0; set < line.voltages.size(); ++set) {
         if (!line.voltages[set]) continue;
+        forces.carried = true;
         const Side side = set < 2 ? Side::Left : Side::Right;
         auto& array = side == Side::Left ? forces.left : forces.right;
         for (std::size_t i = 0; i < kPerFrame; ++i) {
@@ -126,8 +127,8 @@ ElementForces elementForces(const SensorLine& line, const RobotModel& robot)
     return forces;
 }
 
-std::optional<Measurement> measurementOf(const SensorLine& line, const RobotStatus& status,
-                                         const RobotModel& robot, double time)
+std::optional<Measurement> measurementOf(const SensorLine& line, const ElementForces& forces,
+                                         const RobotStatus& status, double time)
 {
     if (!line.attitude || !line.frontAngles || !line.rearAngles) return std::nullopt;
     Measurement m{.time = time,
@@ -144,7 +145,7 @@ std::optional<Measurement> measurementOf(const SensorLine& line, const RobotStat
                       line.odometry ? std::optional(line.odometry->travelled) : std::nullopt,
                   .turned = line.odometry ? std::optional(line.odometry->turned) : std::nullopt};
     addCurrents(m, line);
-    addForces(m, elementForces(line, robot));
+    addForces(m, forces);
     return m;
 }
 

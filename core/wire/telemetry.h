@@ -14,17 +14,20 @@ namespace terratact {
 /// the element.
 struct ElementForces {
     std::array<std::optional<ElementForce>, kForceElements> left, right;
+    /// the line carried voltages, even if only of elements that the robot lacks
+    bool carried = false;
     bool operator==(const ElementForces&) const = default;
 };
 
+/// Converts the voltages of a line to forces: the only place where a received voltage becomes a force, once per line.
 ElementForces elementForces(const SensorLine& line, const RobotModel& robot);
 
-/// Converts a line of sensors and its status to a Measurement. A force is the mean of left and
+/// Converts a line of sensors, its elementForces() and its status to a Measurement. A force is the mean of left and
 /// right, or the value of the one that is not broken. Measurement::missing names forces with both
 /// broken, and currents that were not measured. Empty if attitude or angles are missing: there is
 /// no pose.
-std::optional<Measurement> measurementOf(const SensorLine& line, const RobotStatus& status,
-                                         const RobotModel& robot, double time);
+std::optional<Measurement> measurementOf(const SensorLine& line, const ElementForces& forces,
+                                         const RobotStatus& status, double time);
 
 /// Converts a Measurement to a line of sensors, for a simulated robot. The voltages are those that
 /// give the forces back. A missing element or force gets 0 V, which reads as a broken wire. Angles

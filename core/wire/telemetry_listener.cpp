@@ -80,14 +80,13 @@ bool TelemetryListener::isInOrder(const CanFrame& frame, FrameKind kind, double 
 
 std::optional<Measurement> TelemetryListener::measured(const SensorLine& line, double now)
 {
-    line_ = line;
     forces_ = elementForces(line, robot_);
     const LinkState link = this->link(FrameKind::RobotStatus, now);
     if (!status_ || link == LinkState::Lost) {
         ++counters_.orphans;
         return std::nullopt;
     }
-    const std::optional<Measurement> measurement = measurementOf(line, *status_, robot_, now);
+    const std::optional<Measurement> measurement = measurementOf(line, forces_, *status_, now);
     ++(measurement ? counters_.lines : counters_.partial);
     return measurement;
 }

@@ -61,9 +61,7 @@ public:
     /// Returns the challenge beside that token; 0: none.
     std::uint16_t challenge() const { return challenge_; }
 
-    /// Return the last complete line of sensors, even without a measurement, and the forces of its
-    /// elements.
-    const std::optional<SensorLine>& line() const { return line_; }
+    /// Returns the forces of the last complete line of sensors, even without a measurement.
     const ElementForces& forces() const { return forces_; }
 
     TelemetryCounters counters() const;
@@ -79,7 +77,6 @@ private:
     std::optional<RobotStatus> status_;
     std::optional<std::uint16_t> token_;
     std::uint16_t challenge_ = 0;
-    std::optional<SensorLine> line_;
     ElementForces forces_;
     TelemetryCounters counters_;
 };

@@ -27,7 +27,7 @@ inline constexpr int kBin06 = 9;
 
 /// An exploration with simulated telemetry and clock; only the estimator runs in a thread.
 struct Bench : testing::Test {
-    explicit Bench(CanSource* link = nullptr)
+    explicit Bench(CanSource* link = nullptr) : link_(link)
     {
         RobotModel robot;
         robot.armReachBegin = 0.35;
@@ -68,12 +68,16 @@ struct Bench : testing::Test {
         return e;
     }
 
+    RobotMoment moment() const
+    {
+        return {now, latest, link_ ? std::optional(link_->view()) : std::nullopt};
+    }
     /// Runs ticks of 40 ms, each with fresh telemetry.
     void tick(int times = 1)
     {
         for (int i = 0; i < times; ++i) {
             line();
-            exploration->tick(now, latest);
+            exploration->tick(moment());
         }
     }
     /// Adds telemetry without polling.
@@ -93,7 +97,10 @@ struct Bench : testing::Test {
     /// Runs ticks without telemetry.
     void tickInSilence(int times)
     {
-        for (int i = 0; i < times; ++i) exploration->tick(now += 0.04, latest);
+        for (int i = 0; i < times; ++i) {
+            now += 0.04;
+            exploration->tick(moment());
+        }
     }
     AtemPhase phase() const { return exploration->state().phase; }
     bool reaches(AtemPhase wanted)
@@ -180,6 +187,7 @@ struct Bench : testing::Test {
     std::atomic<std::size_t> draws = 200;
     std::atomic<bool> secondBlocked = false;  ///< also blocks previews
     std::atomic<bool> workerHeld = false;
+    CanSource* link_;  ///< null: the source is no bus
     ScriptedSource source;
     std::unique_ptr<EstimatorWorker> worker;
     std::unique_ptr<Exploration> exploration;

@@ -15,7 +15,7 @@ struct Alarming : testing::Test {
     double now = 1000.0;
     static constexpr LinkAccount kUp{.standing = LinkStanding::Up, .alive = true},
         kLost{.standing = LinkStanding::Lost, .gaps = 1};
-    AlarmViewState viewState{.link = kUp, .bus = CanView{}, .busName = "can0"};
+    AlarmViewState viewState{.link = kUp, .bus = CanView{.busName = "can0"}};
 
     void pass(double seconds)
     {

@@ -271,7 +271,7 @@ TEST_F(Bench, theEndOfTheGroundIsReportedWithItsFile)
         telemetry.activity = RobotActivity::Driving;
         for (int i = 0; i < 40; ++i) {
             line();
-            drives.tick(now, latest);
+            drives.tick({.now = now, .latest = latest});
         }
         return told.filter(QStringLiteral("ends here")).join('\n').toStdString();
     };

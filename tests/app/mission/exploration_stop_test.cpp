@@ -100,7 +100,7 @@ TEST_F(Bench, stopIsRepeatedToARobotWithoutTelemetry)
 {
     Exploration another(source, RobotModel{}, *worker, Exploration::Options{});
     another.stop();
-    for (int i = 0; i < 20; ++i) another.tick(now += 0.04, std::nullopt);
+    for (int i = 0; i < 20; ++i) another.tick({.now = (now += 0.04)});
     EXPECT_GE(sent<StopCommand>(), 3);
     EXPECT_EQ(another.stopViewState().state, StopViewState::State::Sent);
 }
@@ -176,9 +176,9 @@ TEST_F(Bench, theVerdictIsWithheldAsSoonAsTheTelemetryIsStale)
     };
     const double heard = now;
     EXPECT_FALSE(withheld());
-    exploration->tick(heard + kStaleAfter - 0.001, latest);
+    exploration->tick({.now = heard + kStaleAfter - 0.001, .latest = latest});
     EXPECT_FALSE(withheld());
-    exploration->tick(heard + kStaleAfter + 0.001, latest);
+    exploration->tick({.now = heard + kStaleAfter + 0.001, .latest = latest});
     EXPECT_TRUE(withheld()) << "with the values";
     EXPECT_TRUE(exploration->linkAlive()) << "the link is lost later";
     now = heard + kStaleAfter + 0.001;
@@ -270,7 +270,7 @@ struct LinkBench : Bench {
     LinkBench() : display(header, banner, list, acquisition, nullptr) {}
     void showAt(double time)
     {
-        exploration->tick(time, latest);
+        exploration->tick({.now = time, .latest = latest});
         display.show({.now = time,
                       .newest = &*latest,
                       .link = watch.poll({.now = time,
@@ -366,7 +366,9 @@ TEST_F(Bench, busErrorsWithholdTheVerdictOnlyWhileRecent)
     const auto showAt = [&](double time) {
         now = time - 0.04;
         line();
+        const CanView view = link.view();
         display.show({.now = time,
+                      .bus = &view,
                       .newest = &*latest,
                       .link = {.standing = LinkStanding::Up, .alive = true}});
     };

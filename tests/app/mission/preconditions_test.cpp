@@ -58,7 +58,7 @@ TEST_F(Bench, robotConditionsAreUnmetWithoutTelemetry)
     EXPECT_EQ(linesOf(exploration->preconditions()),
               "✔ telemetry is live\n✔ STOP is not latched\n✔ model fake.ttm is ready\n"
               "✔ left and right agree, roll is small");
-    exploration->tick(now + 0.849, latest);
+    exploration->tick({.now = now + 0.849, .latest = latest});
     const QString stale = "✘ no telemetry from the robot\n"
                           "! STOP: not known, no telemetry\n"
                           "✔ model fake.ttm is ready\n! left, right: not known, no telemetry";
@@ -67,7 +67,7 @@ TEST_F(Bench, robotConditionsAreUnmetWithoutTelemetry)
 
     telemetry.roll = 0.2;
     tick();
-    exploration->tick(now + 0.849, latest);
+    exploration->tick({.now = now + 0.849, .latest = latest});
     exploration->overrideWarnings();
     EXPECT_EQ(exploration->overridden(), "")
         << "of a roll that was, nobody can take anything upon him";
@@ -76,7 +76,7 @@ TEST_F(Bench, robotConditionsAreUnmetWithoutTelemetry)
     EXPECT_TRUE(linesOf(exploration->preconditions()).contains("! roll +11.5°"));
 
     Exploration unheard(source, RobotModel{}, *worker, Exploration::Options{});
-    unheard.tick(now, std::nullopt);
+    unheard.tick({.now = now});
     EXPECT_FALSE(linesOf(unheard.preconditions()).contains("✔ STOP"));
     EXPECT_TRUE(linesOf(unheard.preconditions()).contains("! left, right: not known"));
 }

@@ -52,7 +52,7 @@ TEST_F(Review, showsTheNewestTelemetryUpToTheTime)
         ASSERT_TRUE(moment.measurement) << t;
         EXPECT_LE(moment.measured, moment.time);
         EXPECT_LE(secondsOf(moment.time - moment.measured), 0.06);
-        EXPECT_TRUE(moment.line);
+        EXPECT_TRUE(moment.forces.carried);
         EXPECT_TRUE(moment.linkAlive);
     }
     EXPECT_NEAR(at(3.0).linesPerSecond, 20.0, 1.0);

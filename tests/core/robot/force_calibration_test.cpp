@@ -207,11 +207,13 @@ TEST(ForceDriftTest, aBiasThatFellReadsNegative)
         const double r = 6000.0 / force;  // the curve between 0.2 and 1 N
         return c.supply * c.reference / (c.reference + r);
     };
-    EXPECT_NEAR(*signedForce(voltage(0.2), Side::Left, 0, c, 20.0), -0.1, 1e-9);
+    EXPECT_NEAR(elementForce(voltage(0.2), Side::Left, 0, c, 20.0).beyondBias, -0.1, 1e-9);
     EXPECT_EQ(elementForce(voltage(0.2), Side::Left, 0, c, 20.0).force, 0.0);
-    EXPECT_NEAR(*signedForce(voltage(0.7), Side::Right, 0, c, 20.0), 0.4, 1e-9);
-    EXPECT_FALSE(signedForce(open, Side::Left, 0, c, 20.0));
-    EXPECT_FALSE(signedForce(0.99 * c.shortAbove, Side::Left, 0, c, 20.0)) << "saturated";
+    EXPECT_NEAR(elementForce(voltage(0.7), Side::Right, 0, c, 20.0).beyondBias, 0.4, 1e-9);
+    EXPECT_EQ(elementForce(open, Side::Left, 0, c, 20.0).beyondBias, 0.0);
+    const ElementForce saturated = elementForce(0.99 * c.shortAbove, Side::Left, 0, c, 20.0);
+    EXPECT_EQ(saturated.state, ElementState::Saturated);
+    EXPECT_EQ(saturated.beyondBias, 0.0);
 }
 
 }  // namespace

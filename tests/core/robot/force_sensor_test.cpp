@@ -78,13 +78,15 @@ TEST_F(ForceSensor, subtractsItsOwnBias)
 
 TEST_F(ForceSensor, saysWhenItIsSaturatedOpenOrShort)
 {
-    EXPECT_EQ(read(voltageAt(250.0)), (ElementForce{19.7, ElementState::Saturated}));
-    EXPECT_EQ(read(0.0), (ElementForce{0.0, ElementState::Open}));
+    EXPECT_EQ(read(voltageAt(250.0)),
+              (ElementForce{19.7, ElementState::Saturated, 0.0, voltageAt(250.0)}));
+    EXPECT_EQ(read(0.0), (ElementForce{0.0, ElementState::Open, 0.0, 0.0}));
     EXPECT_EQ(read(-0.1).state, ElementState::Open);
     EXPECT_EQ(read(calibration.openBelow - 1e-6).state, ElementState::Open);
     EXPECT_EQ(read(calibration.openBelow).state, ElementState::Sound);
     EXPECT_EQ(read(calibration.shortAbove).state, ElementState::Saturated);
-    EXPECT_EQ(read(calibration.shortAbove + 1e-6), (ElementForce{0.0, ElementState::Short}));
+    const double shorted = calibration.shortAbove + 1e-6;
+    EXPECT_EQ(read(shorted), (ElementForce{0.0, ElementState::Short, 0.0, shorted}));
     EXPECT_EQ(read(5.0).state, ElementState::Short);
     EXPECT_EQ(read(1e300).state, ElementState::Short);
 }

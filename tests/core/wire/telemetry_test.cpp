@@ -51,7 +51,8 @@ struct Wire : testing::Test {
     std::optional<Measurement> overTheWire(const Measurement& m)
     {
         const auto line = overTheWire(sensorLineOf(m, robot));
-        return line ? measurementOf(*line, statusOf(m), robot, m.time) : std::nullopt;
+        return line ? measurementOf(*line, elementForces(*line, robot), statusOf(m), m.time)
+                    : std::nullopt;
     }
 };
 
@@ -91,7 +92,7 @@ TEST_F(Wire, passesOverTheElementsThatTheRobotLacks)
     const ElementForces forces = elementForces(line, one);
     EXPECT_TRUE(forces.left[4]);
     EXPECT_FALSE(forces.right[4]) << "no broken wire of an element that does not exist";
-    const auto got = measurementOf(line, statusOf(measured()), one, 0.0);
+    const auto got = measurementOf(line, forces, statusOf(measured()), 0.0);
     ASSERT_TRUE(got);
     EXPECT_NEAR(got->force[4], 12.0, 0.05) << "of the left array alone";
 }
@@ -149,7 +150,8 @@ TEST_F(Wire, makesNoMeasurementWithoutAPose)
 {
     const SensorLine whole = sensorLineOf(measured(), robot);
     const auto has = [&](const SensorLine& line) {
-        return measurementOf(line, statusOf(measured()), robot, 0.0).has_value();
+        return measurementOf(line, elementForces(line, robot), statusOf(measured()), 0.0)
+            .has_value();
     };
     ASSERT_TRUE(has(whole));
     SensorLine line = whole;
@@ -169,7 +171,7 @@ TEST_F(Wire, namesMissingCurrentsAndForces)
     line.rearCurrents.reset();
     line.voltages[1].reset();  // elements 4 to 6 of both arrays
     line.voltages[3].reset();
-    const auto got = measurementOf(line, RobotStatus{}, robot, 0.0);
+    const auto got = measurementOf(line, elementForces(line, robot), RobotStatus{}, 0.0);
     ASSERT_TRUE(got);
     const Proprioception s = proprioception(*got);
     EXPECT_TRUE(s.frontCurrent && s.force[2]);
@@ -187,12 +189,14 @@ TEST_F(Wire, usesTheOtherSideOfABrokenElement)
     EXPECT_EQ(elements.left[1]->state, ElementState::Open);
     EXPECT_EQ(elements.right[5]->state, ElementState::Short);
     EXPECT_EQ(elements.left[5]->state, ElementState::Sound);
-    const auto got = measurementOf(line, RobotStatus{}, robot, 0.0);
+    const auto got = measurementOf(line, elementForces(line, robot), RobotStatus{}, 0.0);
     ASSERT_TRUE(got);
     EXPECT_NEAR(got->force[1], 0.5, 1e-6);
     EXPECT_NEAR(got->force[5], 19.0, 1e-6);
     (*line.voltages[2])[1] = 0.0;  // and right element 2
-    EXPECT_FALSE(proprioception(*measurementOf(line, RobotStatus{}, robot, 0.0)).force[1]);
+    EXPECT_FALSE(
+        proprioception(*measurementOf(line, elementForces(line, robot), RobotStatus{}, 0.0))
+            .force[1]);
 }
 
 TEST_F(Wire, averagesLeftAndRightAndDoesWithoutOneArray)
@@ -204,13 +208,17 @@ TEST_F(Wire, averagesLeftAndRightAndDoesWithoutOneArray)
     const SensorLine weaker = sensorLineOf(m, robot);
     line.voltages[2] = weaker.voltages[2];
     line.voltages[3] = weaker.voltages[3];
-    EXPECT_NEAR(measurementOf(line, RobotStatus{}, robot, 0.0)->force[4], 3.0, 1e-6);
+    EXPECT_NEAR(measurementOf(line, elementForces(line, robot), RobotStatus{}, 0.0)->force[4], 3.0,
+                1e-6);
     line.voltages[0].reset();
     line.voltages[1].reset();
-    EXPECT_NEAR(measurementOf(line, RobotStatus{}, robot, 0.0)->force[0], 2.0, 1e-6);
+    EXPECT_NEAR(measurementOf(line, elementForces(line, robot), RobotStatus{}, 0.0)->force[0], 2.0,
+                1e-6);
     EXPECT_FALSE(elementForces(line, robot).left[0]);
     line.voltages[3].reset();
-    EXPECT_FALSE(proprioception(*measurementOf(line, RobotStatus{}, robot, 0.0)).force[5]);
+    EXPECT_FALSE(
+        proprioception(*measurementOf(line, elementForces(line, robot), RobotStatus{}, 0.0))
+            .force[5]);
 }
 
 }  // namespace
