@@ -29,6 +29,10 @@ void addEstimation(TerrainViewState& viewState, const Estimation& estimation)
     if (viewState.second)
         viewState.secondName = format::text(name(viewState.second->settings.method));
     viewState.live = pointer(estimation.live());
+    const Estimation::Revisions revisions = estimation.revisions();
+    viewState.estimateRevision = revisions.estimate;
+    viewState.secondRevision = revisions.second;
+    viewState.liveRevision = revisions.live;
     viewState.ghost = estimation.ghost();
     viewState.whyNoGhost = estimation.whyNoGhost();
     viewState.verdict = estimation.verdict();

@@ -143,8 +143,11 @@ void MainWindow::addPages(const Options& options)
             const Estimation& estimation = exploration_->estimation();
             const auto& estimate = estimation.estimate();
             return NumbersViewState{
-                estimate ? &*estimate : nullptr, exploration_->whyNoEstimate(),
-                exploration_->options().stepLimit, estimation.verdict(),
+                estimate ? &*estimate : nullptr,
+                estimation.revisions().estimate,
+                exploration_->whyNoEstimate(),
+                exploration_->options().stepLimit,
+                estimation.verdict(),
                 moment_.latest ? std::optional(moment_.now - secondsOf(moment_.latest->arrived))
                                : std::nullopt};
         },

@@ -204,8 +204,8 @@ void Estimation::forget(const QString& why)
 void Estimation::setAside(const QString& why)
 {
     if (estimate_ && scene_ && pose_)
-        aside_ = Aside{*scene_,   *pose_,     capturedAt_, wasUnheard_,
-                       readings_, *estimate_, second_,     track_};
+        aside_ = Aside{*scene_,   *pose_,     capturedAt_,     wasUnheard_,
+                       readings_, *estimate_, second_.value(), track_};
     forgetGhost();
     forget(why);
 }

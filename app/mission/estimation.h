@@ -7,6 +7,7 @@
 
 #include "app/link/acquisition.h"
 #include "app/mission/estimator_worker.h"
+#include "app/runtime/revised.h"
 #include "core/atem/pose_watch.h"
 #include "core/eval/calibration_ledger.h"
 #include "core/infer/verdict/ghost_track.h"
@@ -84,7 +85,7 @@ public:
     const Settings& wanted() const { return options_.settings; }  ///< settings of the next estimate
     /// Returns the arm readings in scene().
     const std::vector<ArmReading>& readings() const { return readings_; }
-    const std::optional<TerrainEstimate>& estimate() const { return estimate_; }
+    const std::optional<TerrainEstimate>& estimate() const { return estimate_.value(); }
     double seconds() const { return seconds_; }  ///< computation time of estimate() [s]
     /// Returns why the last request gave no estimate(); empty: no reason that concerns a scene.
     QString whyNone() const { return whyNone_; }
@@ -92,8 +93,19 @@ public:
     /// Returns the verdict of estimate() for the present step limit; empty without an estimate.
     std::optional<Verdict> verdict() const;
     std::optional<Method> secondMethod() const { return secondMethod_; }
-    const std::optional<TerrainEstimate>& second() const { return second_; }
-    const std::optional<TerrainEstimate>& live() const { return live_; }  ///< the live preview
+    const std::optional<TerrainEstimate>& second() const { return second_.value(); }
+    const std::optional<TerrainEstimate>& live() const
+    {
+        return live_.value();
+    }  ///< the live preview
+    /// Revisions of estimate(), second() and live(): an unchanged number means an unchanged estimate.
+    struct Revisions {
+        std::uint64_t estimate = 0, second = 0, live = 0;
+    };
+    Revisions revisions() const
+    {
+        return {estimate_.revision(), second_.revision(), live_.revision()};
+    }
     /// Returns the last estimate moved by odometry until a new one exists. It affects no decision.
     std::optional<Ghost> ghost() const;
     /// Reason of the last estimate; empty: there is a ghost, or was no estimate.
@@ -168,7 +180,7 @@ private:
     // Numbers of the worker's jobs; 0: not running.
     int job_ = 0, secondJob_ = 0, liveJob_ = 0, warmUpJob_ = 0;
     int estimateJob_ = 0;  ///< job of estimate_
-    std::optional<TerrainEstimate> estimate_, second_, live_;
+    Revised<TerrainEstimate> estimate_, second_, live_;
     double seconds_ = 0.0;
     double askedLimit_ = 0.0;  ///< [m] step limit of the current or last request
     ProbeAdvice advice_;

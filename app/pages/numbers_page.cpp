@@ -79,16 +79,17 @@ void NumbersPage::refresh(double /*now*/)
         summary_->setText(viewState.whyNoEstimate);
         return;
     }
-    if (shown_ == *viewState.estimate && shownLimit_ == viewState.stepLimit) return;
-    shown_ = *viewState.estimate;
+    if (shown_ == viewState.revision && shownLimit_ == viewState.stepLimit) return;
+    shown_ = viewState.revision;
+    const TerrainEstimate& estimate = *viewState.estimate;
     shownLimit_ = viewState.stepLimit;
-    table_->setEstimate(*shown_, shownLimit_);
+    table_->setEstimate(estimate, shownLimit_);
     summary_->setText(tr("%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m. "
                          "The verdict's P counts steps over two bins (0.2 m) anywhere ahead, the "
                          "column those to the next bin alone")
-                          .arg(format::text(name(shown_->settings.method)))
-                          .arg(shown_->draws.size())
-                          .arg(shown_->settings.seed)
+                          .arg(format::text(name(estimate.settings.method)))
+                          .arg(estimate.draws.size())
+                          .arg(estimate.settings.seed)
                           .arg(format::number(shownLimit_, 2)));
 }
 

@@ -19,6 +19,7 @@ class NumbersTable;
 /// Content of the numbers page.
 struct NumbersViewState {
     const TerrainEstimate* estimate = nullptr;  ///< null: no estimate
+    std::uint64_t revision = 0;                 ///< of the estimate: the same number, the same one
     QString whyNoEstimate{};
     double stepLimit = kStepLimit;     ///< [m]
     std::optional<Verdict> verdict{};  ///< verdict of the estimate
@@ -46,7 +47,7 @@ private:
     QPushButton* copy_ = nullptr;
     void showVerdict(const NumbersViewState& viewState);
 
-    std::optional<TerrainEstimate> shown_;
+    std::optional<std::uint64_t> shown_;  ///< revision; empty: none
     double shownLimit_ = 0.0;
 };
 

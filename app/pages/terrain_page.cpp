@@ -108,14 +108,9 @@ bool flippersMove(const TerrainViewState& viewState)
     return viewState.state.phase == AtemPhase::Pressing;
 }
 
-bool isShown(const std::optional<TerrainEstimate>& shown, const TerrainEstimate* estimate)
+std::optional<std::uint64_t> revisionOf(const TerrainEstimate* estimate, std::uint64_t revision)
 {
-    return estimate ? shown == *estimate : !shown;
-}
-
-std::optional<TerrainEstimate> copyOf(const TerrainEstimate* estimate)
-{
-    return estimate ? std::optional(*estimate) : std::nullopt;
+    return estimate ? std::optional(revision) : std::nullopt;
 }
 
 }  // namespace
@@ -340,14 +335,16 @@ void TerrainPage::showForcesAge(const TerrainViewState& viewState)
 
 void TerrainPage::showEstimate(const TerrainViewState& viewState)
 {
+    const auto estimate = revisionOf(viewState.estimate, viewState.estimateRevision);
+    const auto second = revisionOf(viewState.second, viewState.secondRevision);
     if (viewState.live) {
         showPreview(viewState);
         shown_.reset();
-    } else if (viewState.estimate) {
-        if (!isShown(shown_, viewState.estimate)) {
+    } else if (estimate) {
+        if (shown_ != estimate) {
             terrain_->setEstimate(*viewState.estimate);
             strip_->setEstimate(*viewState.estimate, viewState.estimateSeconds);
-            shown_ = *viewState.estimate;
+            shown_ = estimate;
         }
     } else if (shown_ || shownLive_ || shownReason_ != viewState.whyNoEstimate) {
         shown_.reset();
@@ -356,12 +353,13 @@ void TerrainPage::showEstimate(const TerrainViewState& viewState)
         strip_->setNothing(QString());
     }
     terrain_->setGhost(viewState.ghost, viewState.whyNoGhost);
-    if (!isShown(shownSecond_, viewState.second)) {
-        shownSecond_ = copyOf(viewState.second);
-        terrain_->setSecond(shownSecond_, viewState.secondName);
+    if (shownSecond_ != second) {
+        shownSecond_ = second;
+        terrain_->setSecond(second ? std::optional(*viewState.second) : std::nullopt,
+                            viewState.secondName);
     }
-    shownLive_ = copyOf(viewState.live);
-    shownEstimate_ = viewState.estimate && !viewState.live;
+    shownLive_ = revisionOf(viewState.live, viewState.liveRevision);
+    shownEstimate_ = estimate && !viewState.live;
     if (shownEstimate_) shownReason_.clear();
 }
 
@@ -370,7 +368,7 @@ void TerrainPage::showPreview(const TerrainViewState& viewState)
     const bool moves = flippersMove(viewState);
     const QString note = moves ? tr("The flippers still move: nothing ahead is felt yet")
                                : tr("Preview from the way down: the estimate is being computed");
-    if (isShown(shownLive_, viewState.live) && shownReason_ == note) return;
+    if (shownLive_ == viewState.liveRevision && shownReason_ == note) return;
     terrain_->setEstimate(*viewState.live, note);
     strip_->setLive(moves ? tr("LIVE preview") : tr("preview"));
     shownReason_ = note;

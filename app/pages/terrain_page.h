@@ -52,8 +52,10 @@ struct TerrainViewState {
     const Measurement* scene = nullptr;  ///< the captured scene
     const std::optional<Heights>* sceneTruth = nullptr;
     const TerrainEstimate* estimate = nullptr;  ///< estimate of the scene
-    double estimateSeconds = 0.0;               ///< [s] computation time
-    const TerrainEstimate* second = nullptr;    ///< estimate by a second method
+    /// Revisions of estimate, second and live: the page draws one anew only if its revision changes.
+    std::uint64_t estimateRevision = 0, secondRevision = 0, liveRevision = 0;
+    double estimateSeconds = 0.0;             ///< [s] computation time
+    const TerrainEstimate* second = nullptr;  ///< estimate by a second method
     QString secondName{};
     const TerrainEstimate* live = nullptr;  ///< live preview, shown instead of the estimate
     QString whyNoEstimate{};
@@ -165,8 +167,8 @@ private:
     TerrainLayout* layout_ = nullptr;
 
     std::uint64_t shownCount_ = 0;
-    std::optional<TerrainEstimate> shown_, shownLive_, shownSecond_;
-    std::optional<std::array<double, 3>> shownPose_;  ///< pitch, front, rear [rad]
+    std::optional<std::uint64_t> shown_, shownLive_, shownSecond_;  ///< revisions; empty: none
+    std::optional<std::array<double, 3>> shownPose_;                ///< pitch, front, rear [rad]
     std::optional<Heights> shownTruth_;
     QString shownReason_;
     bool shownEstimate_ = false;

@@ -69,7 +69,7 @@ double ReviewViewState::threshold(const ReviewMoment& moment, const Preferences&
 }
 
 TerrainViewState ReviewViewState::terrain(const ReviewMoment& moment,
-                                          const std::optional<TerrainEstimate>& whatIf,
+                                          const Revised<TerrainEstimate>& whatIf,
                                           const Preferences& preferences)
 {
     TerrainViewState viewState{.now = secondsOf(moment.time)};
@@ -107,19 +107,22 @@ void ReviewViewState::addMeasured(TerrainViewState& viewState, const ReviewMomen
 }
 
 void ReviewViewState::addEstimates(TerrainViewState& viewState, const ReviewMoment& moment,
-                                   const std::optional<TerrainEstimate>& whatIf) const
+                                   const Revised<TerrainEstimate>& whatIf) const
 {
     const EstimateRow* const row = moment.estimate.get();
     if (row) {
         viewState.estimate = &row->estimate;
+        viewState.estimateRevision = revisionOf(row);
         viewState.estimateSeconds = row->seconds;
         viewState.verdict = verdict(moment);
     }
     if (whatIf && row) {
         viewState.second = &*whatIf;
+        viewState.secondRevision = 2 * whatIf.revision() + 1;  // never that of a recorded one
         viewState.secondName = tr("what if: %1").arg(format::text(name(whatIf->settings.method)));
     } else if (moment.second) {
         viewState.second = &moment.second->estimate;
+        viewState.secondRevision = 2 * revisionOf(moment.second.get());
         viewState.secondName = format::text(name(moment.second->estimate.settings.method));
     }
     viewState.whyNoEstimate = moment.forgotten.empty() ? tr("No estimate stood at this time")

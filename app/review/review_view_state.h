@@ -8,12 +8,19 @@
 #include "app/mission/probe_proposals.h"
 #include "app/pages/terrain_page.h"
 #include "app/review/review_forces.h"
+#include "app/runtime/revised.h"
 #include "app/shell/preferences.h"
 #include "core/atem/arm_choice.h"
 #include "core/log/review_ghost.h"
 #include "core/log/review_moment.h"
 
 namespace terratact {
+
+/// Returns the revision of a recorded estimate, which never changes: its number in the session; null: 0.
+inline std::uint64_t revisionOf(const EstimateRow* row)
+{
+    return row ? static_cast<std::uint64_t>(row->id) : 0;
+}
 
 /// Computes the values that the review's pages show at a moment of a session, like LiveViewState for a live run. GUI
 /// thread only.
@@ -34,14 +41,13 @@ public:
 
     /// Returns the state of the terrain page. whatIf: the same scene with other settings; the page shows it as second
     /// estimate. The result points into `moment`, `whatIf` and this object; it is valid until the next call.
-    TerrainViewState terrain(const ReviewMoment& moment,
-                             const std::optional<TerrainEstimate>& whatIf,
+    TerrainViewState terrain(const ReviewMoment& moment, const Revised<TerrainEstimate>& whatIf,
                              const Preferences& preferences);
 
 private:
     void addMeasured(TerrainViewState& viewState, const ReviewMoment& moment, double threshold);
     void addEstimates(TerrainViewState& viewState, const ReviewMoment& moment,
-                      const std::optional<TerrainEstimate>& whatIf) const;
+                      const Revised<TerrainEstimate>& whatIf) const;
     void addGhost(TerrainViewState& viewState, const ReviewMoment& moment);
     void addProbe(TerrainViewState& viewState, const ReviewMoment& moment, ProbePolicy policy);
     const ProbeAdvice& adviceOf(const std::shared_ptr<const EstimateRow>& estimate, double limit);

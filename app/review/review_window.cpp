@@ -101,8 +101,10 @@ void ReviewWindow::addPages(QStringList models)
     numbers_ = new NumbersPage(
         [this] {
             return NumbersViewState{moment_.estimate ? &moment_.estimate->estimate : nullptr,
+                                    revisionOf(moment_.estimate.get()),
                                     tr("No estimate stood at this time"),
-                                    viewStates_.limit(moment_), viewStates_.verdict(moment_),
+                                    viewStates_.limit(moment_),
+                                    viewStates_.verdict(moment_),
                                     moment_.measurement
                                         ? std::optional(secondsOf(moment_.time - moment_.measured))
                                         : std::nullopt};

@@ -151,6 +151,7 @@ void ScenesWindow::showViewState()
     page_->verdict()->setLimit(options_.stepLimit);
     if (estimate_) {
         viewState.estimate = &*estimate_;
+        viewState.estimateRevision = estimate_.revision();
         viewState.estimateSeconds = seconds_;
         viewState.verdict = verdictOf(*estimate_, measurement_, {}, options_.stepLimit);
         viewState.state.phase = AtemPhase::Presenting;

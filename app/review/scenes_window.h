@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/mission/estimator_worker.h"
+#include "app/runtime/revised.h"
 #include "app/shell/console_window.h"
 #include "core/learn/data/scene.h"
 #include "core/robot/robot_model.h"
@@ -33,7 +34,7 @@ public:
 
     void showScene(std::size_t scene);  ///< clamped to the last scene
     std::size_t scene() const { return scene_; }
-    const std::optional<TerrainEstimate>& estimate() const { return estimate_; }
+    const std::optional<TerrainEstimate>& estimate() const { return estimate_.value(); }
     TerrainPage* terrainPage() const { return page_; }
     QLabel* stateLabel() const { return state_; }
 
@@ -52,7 +53,7 @@ private:
     int job_ = 0;
     double seconds_ = 0.0;
     QString trouble_;
-    std::optional<TerrainEstimate> estimate_;
+    Revised<TerrainEstimate> estimate_;
 
     QLabel* state_ = nullptr;
     TerrainPage* page_ = nullptr;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/mission/estimator_worker.h"
+#include "app/runtime/revised.h"
 #include "app/shell/page.h"
 #include "core/log/session_rows.h"
 #include "core/robot/robot_model.h"
@@ -40,7 +41,7 @@ public:
     void estimate();    ///< estimates with the form's settings
 
     /// Returns the last answer for the estimate under review.
-    const std::optional<TerrainEstimate>& answer() const { return answer_; }
+    const Revised<TerrainEstimate>& answer() const { return answer_; }
 
     QComboBox* method() const { return method_; }
     QComboBox* quality() const { return quality_; }
@@ -80,7 +81,7 @@ private:
     QString recordedModel_, recordedHash_;
     std::string modelHash_;  ///< hash of the file modelPath_
     std::optional<Settings> asked_;
-    std::optional<TerrainEstimate> answer_;
+    Revised<TerrainEstimate> answer_;
 
     QWidget* form_ = nullptr;
     QComboBox* method_ = nullptr;
