@@ -17,16 +17,15 @@
 #include "app/console/settings_page.h"
 #include "app/console/signals_page.h"
 #include "app/console/training_page.h"
-#include "app/mission/preset_text.h"
 #include "app/mission/session_event_logger.h"
 #include "app/pages/numbers_page.h"
+#include "app/recording/session_folder.h"
 #include "app/shell/open_file.h"
 #include "app/shell/page.h"
 #include "app/shell/view_menu.h"
 #include "display/format.h"
 #include "widgets/base/elided_label.h"
 #include "widgets/base/navigation_rail.h"
-#include "widgets/base/theme.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/drive_pad.h"
@@ -44,11 +43,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kLook = 10ms;       // polling period
-constexpr double kRedraw = 0.04;   // [s] 25 Hz
-constexpr double kUnheard = 0.06;  // [s] redraw period without new telemetry, for growing ages
-constexpr double kToRead = 0.7;    // [s] an earlier request is a double click or key repeat
-constexpr double kNumbers = 0.2;   // [s] update period of numbers, slow enough to read
+constexpr auto kLook = 10ms;     // polling period
+constexpr double kToRead = 0.7;  // [s] an earlier request is a double click or key repeat
 
 }  // namespace
 
@@ -216,95 +212,6 @@ void MainWindow::addTraining(const Options& options)
         connect(worker_.get(), failed, training_, &TrainingPage::adoptionFailed);
 }
 
-int MainWindow::arrangement() const
-{
-    return static_cast<int>(preferences_->current().layout);
-}
-
-void MainWindow::arrange()
-{
-    const Preferences& preferences = preferences_->current();
-    terrainPage_->setThreshold(exploration_->options().settings.forceThreshold);
-    terrainPage_->arrange(preferences.layout, lookInForce().fontScale);
-}
-
-void MainWindow::applyPreferences(const Preferences& before)
-{
-    const Preferences& now = preferences_->current();
-    const QString changes = changesOf(before, now);
-    if (eventLogger_ && !changes.isEmpty()) eventLogger_->decision("settings", changes);
-    const Settings& set = exploration_->options().settings;
-    // Applies changed settings only, because they void a proposal; other changes, such as colours, do not.
-    if (const Settings wanted = withPreferences(set, now); wanted != withPreferences(set, before)) {
-        exploration_->setSettings(wanted);
-        offerQualities();
-    }
-    if (now.model != before.model) models_->loadPreferred();
-    if (now.sound != before.sound) {
-        alarms_->setSoundOn(now.sound);
-        alarmsPage_->table()->setSoundOn(now.sound);
-    }
-    if (recorder_ && now.record != before.record) recorder_->setOn(now.record);
-    if (now.obstacleLimit != before.obstacleLimit) {
-        exploration_->setStepLimit(now.obstacleLimit);
-        verdict()->setLimit(now.obstacleLimit);
-    }
-    setLook(now.theme, now.fontScale);
-    exploration_->setEstimateSeconds(now.estimateSeconds);
-    exploration_->setProbePolicy(now.probes);
-    if (now.robot != before.robot || now.language != before.language) reopen();
-}
-
-/// Takes the robot file of a dialog that may have been open since before arming.
-void MainWindow::takeRobot(const QString& path)
-{
-    if (const QString why = whyNotReopening(); !why.isEmpty())
-        return tell(tr("the robot stays: %1").arg(why), EventSeverity::Bad);
-    preferences_->change([path](Preferences& p) { p.robot = path; });
-}
-
-void MainWindow::reopen()
-{
-    if (const QString why = whyNotReopening(); !why.isEmpty()) {
-        tell(tr("robot and language change at the next start: %1").arg(why),
-             EventSeverity::Warning);
-        return;
-    }
-    leave();
-    emit reopenWanted();
-}
-
-void MainWindow::showCards()
-{
-    const ModelInUse& model = exploration_->estimation().model();
-    settings_->setModelCard(model.trouble.isEmpty() ? model.name + QLatin1Char('\n') + model.details
-                                                    : tr("no model: %1").arg(model.trouble));
-    settings_->setRobotCard(robotDetails_);
-    settings_->setReopenBlocked(whyNotReopening());
-}
-
-QString MainWindow::whyNotReopening() const
-{
-    if (exploration_->following()) return {};
-    if (exploring(exploration_->state().phase))
-        return tr("An exploration is running: end it with Esc first");
-    if (link_ && exploration_->armed()) return tr("The robot is armed: disarm it first (M)");
-    return {};
-}
-
-void MainWindow::offerQualities()
-{
-    const Method method = exploration_->options().settings.method;
-    const ModelInUse& model = exploration_->estimation().model();
-    const bool measured = !model.name.isEmpty() && model.content.toStdString() == presets_.model;
-    const std::vector<PresetCost> costs = measured ? presets_.costs : std::vector<PresetCost>{};
-    settings_->setPresets(costs);
-    QStringList names;
-    for (const QualityPreset preset : kQualityPresets) names << format::sentence(name(preset));
-    header()->setQualities(names, presetLines(method, costs),
-                           static_cast<int>(preferences_->current().preset));
-}
-
 void MainWindow::connectAll()
 {
     connectHeader();
@@ -407,132 +314,9 @@ void MainWindow::connectStop()
     sharedStop_->listen();
 }
 
-void MainWindow::lookSoon()
-{
-    if (!lookComes_.exchange(true))
-        QMetaObject::invokeMethod(this, &MainWindow::poll, Qt::QueuedConnection);
-}
-
-void MainWindow::poll()
-{
-    lookComes_ = false;
-    const double now = steadyNow();
-    if (const auto frozen = stalls_.poll(now)) tellOfStall(*frozen);
-    sharedStop_->poll();
-    tickPanel(now);
-    if (link_ && (!panel_ || panel_->answers(now))) link_->operatorAlive();
-    moment_ = momentOf(now, *acquisition_, link_);
-    const AtemPhase before = exploration_->state().phase;
-    exploration_->tick(moment_);
-    // An estimate is drawn at once, and so is a phase that changes what is offered. Telemetry and previews are drawn at
-    // 25 Hz, everything else later. Painting would also take processors from a running estimate; by the next frame most
-    // estimates are ready.
-    const AtemPhase phase = exploration_->state().phase;
-    const bool computes = phase == AtemPhase::Estimating || phase == AtemPhase::EstimatingAgain;
-    if (computes && phase != before) redrawn_ = now;
-    const bool news = (phase != before && !computes)
-                   || (exploration_->estimation().estimate().has_value() && !showsEstimate());
-    const bool isLive = exploring(phase) || (moment_.latest && moment_.latest->count != drawn_);
-    if (news || now - redrawn_ >= (isLive ? kRedraw : kUnheard) - 1e-3) redraw();
-}
-
-/// Reports a stall of a console that can send commands. The stall blocked motion commands, or the robot's watchdog
-/// halted it.
-void MainWindow::tellOfStall(double seconds)
-{
-    if (link_ && exploration_->armed())
-        tell(tr("this window froze for %1 ms: no command could leave")
-                 .arg(format::number(seconds * 1e3, 0)),
-             EventSeverity::Warning);
-}
-
-void MainWindow::redraw()
-{
-    const double now = moment_.now;
-    redrawn_ = now;
-    const LinkViewState link = viewStates_->link(moment_);
-    linkStatus_->show(link);
-    showAlarms(link.link);
-    showRecording(link.link);
-    linkStatus_->showArming(link.bus, viewStates_->panel(now));
-    showTerrain();
-    using Terrain = ProbeNotice::Terrain;
-    probeNotice_->show(exploration_->state(), exploration_->time(), exploration_->proposal(),
-                       probeCard()->isVoid(),
-                       !terrainPage_->isVisible() ? Terrain::Elsewhere
-                       : probeCard()->isCovered() ? Terrain::Covered
-                                                  : Terrain::Seen);
-    const StopViewState stop = exploration_->stopViewState();
-    const bool elsewhere = stop.state == StopViewState::State::NoEffect && sharedStop_->hasOther();
-    stopDisplay_->show(elsewhere ? StopViewState{.state = StopViewState::State::Elsewhere} : stop);
-    showPanelLost();
-    if (replayBar_) replayBar_->poll();
-    notice_->poll(now, !stopDisplay_->isLate());
-    header()->setOverridden(exploration_->overridden());
-    if (settings_->isVisible()) showCards();
-    if (auto* page = qobject_cast<Page*>(currentPage())) page->refresh(now);
-
-    prepared_ = steadyNow() - now;
-    if (const auto& latest = moment_.latest; latest && latest->count != drawn_) {
-        newestIn_ = secondsOf(latest->arrived);
-        drawn_ = latest->count;
-    }
-}
-
-void MainWindow::showPanelLost()
-{
-    panelLost_->setVisible(panel_ && panel_->isLost());
-    // A receive-only console stops nothing and cannot release another console's STOP.
-    panelLost_->setText(
-        exploration_->following() ? tr("PANEL LOST: connect the operator's panel")
-        : exploration_->state().phase == AtemPhase::Stopped
-            ? tr("PANEL LOST, which means STOP: connect the operator's panel, then "
-                 "hold R; or start without --panel")
-            : tr("PANEL LOST: connect the operator's panel, or start without --panel"));
-}
-
-void MainWindow::showTerrain()
-{
-    const double now = moment_.now;
-    TerrainViewState viewState = viewStates_->terrain(moment_);
-    viewState.numbersDue = now - numbersShown_ >= kNumbers;
-    viewState.numbersFor = kNumbers + kUnheard;
-    if (viewState.numbersDue) numbersShown_ = now;
-    terrainPage_->setViewState(viewState);
-}
-
-bool MainWindow::event(QEvent* event)
-{
-    if (event->type() != QEvent::UpdateRequest) return ConsoleWindow::event(event);
-    const double began = steadyNow();
-    const bool done = ConsoleWindow::event(event);  // paints all changes
-    const double ended = steadyNow();
-    meter_.frame(prepared_ + ended - began, newestIn_ < 0.0 ? -1.0 : ended - newestIn_);
-    prepared_ = 0.0;
-    newestIn_ = -1.0;
-    return done;
-}
-
 void MainWindow::restartMeter()
 {
     meter_ = LoopMeter(std::chrono::duration<double>(kLook).count());
-}
-
-void MainWindow::showAlarms(const LinkAccount& link)
-{
-    alarms_->poll(moment_.now, viewStates_->alarms(moment_, link));
-    const AlarmList& list = alarms_->list();
-    const auto all = list.alarms().size();
-    header()->setAlarms(static_cast<int>(all - list.count(AlarmState::Acknowledged)),
-                        static_cast<int>(all));
-}
-
-void MainWindow::showRecording(const LinkAccount& link)
-{
-    if (!eventLogger_) return;
-    eventLogger_->poll(link, moment_.bus, alarms_->list(),
-                       panel_ ? std::optional(panel_->state()) : std::nullopt);
-    recordingDisplay_->show(recorder_->state());
 }
 
 void MainWindow::mark()
@@ -541,16 +325,6 @@ void MainWindow::mark()
         return tell(tr("not marked: nothing is recorded"), EventSeverity::Warning);
     eventLogger_->mark({});
     tell(tr("marked in the recording"), EventSeverity::Note);
-}
-
-void MainWindow::tickPanel(double now)
-{
-    if (!panel_) return;
-    const bool silent = alarms_->list().silentFor(now) > 0.0;
-    panel_->tick(now, {.mayExplore = atemPanel()->requestButton()->isEnabled(),
-                       .shown = probeCard()->shown(),
-                       .covered = terrainPage_->isVisible() && probeCard()->isCovered(),
-                       .mayAsk = alarms_->soundOn() && !silent && !probeCard()->isVoid()});
 }
 
 void MainWindow::releaseStop()

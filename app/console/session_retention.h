@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/recording/session_recorder.h"
+#include "app/recording/session_folder.h"
 
 namespace terratact {
 

@@ -54,170 +54,6 @@ void Exploration::askAnew()
     if (state_.phase == AtemPhase::ProposingProbe) emit proposed();
 }
 
-QString Exploration::whyNoEstimate() const
-{
-    if (QString why = estimation_.whyNone(); !why.isEmpty()) return why;
-    const ModelInUse& model = estimation_.model();
-    if (!linkAlive_ && !ended_) return tr("No estimate yet: no telemetry from the robot");
-    if (!model.trouble.isEmpty()) return tr("No estimate: there is no model");
-    if (model.name.isEmpty()) return tr("No estimate yet: the model is being loaded");
-    if (following()) return tr("No estimate yet: it comes when the robot presses its flippers");
-    if (!armed()) return tr("No estimate yet: press M, then hold M to arm; then explore (A)");
-    return tr("No estimate yet: explore the terrain (A)");
-}
-
-QString Exploration::whyNotOffered() const
-{
-    if (!estimation_.estimate() || offered_) return {};
-    const ProbeOffer now = probes_.offer();  // limit, policy and telemetry may have changed
-    if (now.bin) return tr("Not offered when the estimate came: explore again to be asked");
-    return wordsOf(now.why);
-}
-
-QString Exploration::wordsOf(NoProbe why) const
-{
-    switch (why) {
-    case NoProbe::None: break;
-    case NoProbe::Certain:
-        return tr("Not offered: no bin in reach is less certain than ± %1 m")
-            .arg(format::number(estimation_.estimate()->settings.probeAbove, 2));
-    case NoProbe::Decided:
-        return tr("Not offered, as the settings have it: %1 stands without the arm")
-            .arg(format::sentence(name(estimation_.verdict()->stepVerdict)));
-    case NoProbe::NoGain:
-        return tr("Not offered, as the settings have it: no bin in reach tells about the step");
-    }
-    return {};
-}
-
-void Exploration::request()
-{
-    if (following() || armIsOut()) return;
-    askedBin_.reset();
-    explore();
-}
-
-void Exploration::explore()
-{
-    emit decided("explore", {});
-    pending_.requested = true;
-    driving_ = false;  // the exploration itself sends the halt
-    driveWanted_.reset();
-}
-
-bool Exploration::inReach(int bin) const
-{
-    return bin >= 0 && bin < kBins && robot_.armSd > 0.0 && robot_.armReaches(bin);
-}
-
-QString Exploration::whyNotAsking(int bin) const
-{
-    if (following()) return following_->why();
-    if (!inReach(bin)) return tr("the arm does not reach bin %1").arg(format::binName(bin));
-    if (state_.phase == AtemPhase::ProposingProbe)
-        return probes_.stands() ? QString() : Preconditions::stands(false).text;
-    if (exploring(state_.phase)) return tr("an exploration is running");
-    for (const Precondition& need : preconditions())
-        if (need.level == Precondition::Level::Missing
-            || need.level == Precondition::Level::Doubtful)
-            return need.text;
-    return {};
-}
-
-void Exploration::askProbe(int bin)
-{
-    if (const QString why = whyNotAsking(bin); !why.isEmpty())
-        return void(
-            emit happened(tr("no probe is asked for: %1").arg(why), EventSeverity::Warning));
-    if (state_.phase == AtemPhase::ProposingProbe) return choose(probes_.current()->id, bin);
-    emit decided("choose", format::binName(bin));
-    emit happened(tr("a probe at %1 is wanted: the robot presses anew, then it is asked")
-                      .arg(format::binName(bin)),
-                  EventSeverity::Note);
-    askedBin_ = bin;
-    explore();
-}
-
-void Exploration::forgetResult()
-{
-    if (exploring(state_.phase)) return;
-    const bool stood = estimation_.estimate().has_value();
-    emit decided("forget", {});
-    estimation_.setAside(tr("No estimate: explore the terrain (A)"));
-    probes_.withdraw();
-    const bool ends = state_.phase == AtemPhase::Presenting || state_.phase == AtemPhase::Failed;
-    if (ends || following()) pending_.aborted = true;
-    if (stood)
-        emit happened(tr("the estimate is off the screen: Ctrl+Z brings it back"),
-                      EventSeverity::Note);
-}
-
-void Exploration::restoreResult()
-{
-    if (!exploring(state_.phase) && estimation_.restore()) {
-        pending_.aborted = false;
-        emit decided("restore", {});
-        emit happened(tr("the estimate is back"), EventSeverity::Note);
-    } else {
-        emit happened(tr("no estimate can be brought back"), EventSeverity::Note);
-    }
-}
-
-void Exploration::abort()
-{
-    emit decided("abort", {});
-    pending_.aborted = true;
-}
-
-void Exploration::approve(quint64 proposal)
-{
-    if (!probes_.isCurrent(proposal)) return;
-    emit decided("approve", format::binName(probes_.current()->bin));
-    pending_.approved = true;
-    pending_.approvedFor = probes_.proposedOn();
-    approvedAt_ = now_;
-}
-
-void Exploration::refuse(quint64 proposal)
-{
-    if (!probes_.isCurrent(proposal)) return;
-    emit decided("refuse", format::binName(probes_.current()->bin));
-    pending_.refused = true;
-}
-
-void Exploration::choose(quint64 proposal, int bin)
-{
-    if (!probes_.isCurrent(proposal) || !probes_.stands() || !inReach(bin)) return;
-    emit decided("choose", format::binName(bin));
-    probes_.propose(bin);
-    emit proposed();
-    emit happened(tr("probe asked for at %1 instead").arg(format::binName(bin)),
-                  EventSeverity::Note);
-}
-
-void Exploration::setStepLimit(double metres)
-{
-    if (metres == options_.stepLimit) return;
-    options_.stepLimit = metres;
-    estimation_.adviseAnew();
-}
-
-void Exploration::setSecondMethod(std::optional<Method> method)
-{
-    emit decided("second method", method ? format::text(name(*method)) : QStringLiteral("none"));
-    estimation_.setSecondMethod(method);
-}
-
-void Exploration::drive(int direction)
-{
-    if (!whyNotDriving().isEmpty()) return;
-    driving_ = true;
-    driveBegan_ = now_;
-    driveWanted_ = DriveCommand{.speed = direction * options_.driveSpeed};
-    emit decided("drive", direction > 0 ? QStringLiteral("forward") : QStringLiteral("back"));
-    driveOn();
-}
-
 void Exploration::driveOn()
 {
     // After an abort the robot accepts a drive only once its next status reports the end of the exploration.
@@ -226,38 +62,6 @@ void Exploration::driveOn()
     if (robot && robot->exploring && now_ - driveBegan_ < kEndsWithin) return;
     if (!whyNotDriving().isEmpty()) return driveWanted_.reset();  // driving is no longer allowed
     command(*std::exchange(driveWanted_, std::nullopt));
-}
-
-void Exploration::halt()
-{
-    if (!std::exchange(driving_, false)) return;
-    driveWanted_.reset();
-    emit decided("halt", {});
-    command(HaltCommand{});
-}
-
-void Exploration::stop()
-{
-    stopFrom({});
-}
-
-void Exploration::stopFrom(const QString& where)
-{
-    if (following()) {
-        emit stoppedNothing(following_->why());
-        return;  // nothing is stopped, so the display must not say so
-    }
-    emit decided("stop", where);
-    if (stopViewState().state != StopViewState::State::Sent
-        && stopViewState().state != StopViewState::State::NotSent)
-        stopBegan_ = now_;
-    // A repeated press keeps an existing confirmation.
-    stopConfirmed_ = stopConfirmed_ && linkAlive_ && !releasing_;
-    sendStop();
-    pending_.stop = true;
-    releasing_ = false;
-    driving_ = false;
-    driveWanted_.reset();
 }
 
 void Exploration::sendStop()
@@ -290,36 +94,6 @@ StopViewState Exploration::stopViewState() const
     return {.state = stopTrouble_.isEmpty() ? State::Sent : State::NotSent,
             .seconds = now_ - stopBegan_,
             .why = stopTrouble_};
-}
-
-void Exploration::releaseStop()
-{
-    if (state_.phase != AtemPhase::Stopped || following()) return;
-    emit decided("release stop", {});
-    releasing_ = true;
-    releaseBegan_ = stopSent_ = now_;
-    command(ReleaseStopCommand{});
-    emit happened(tr("STOP released by the operator"), EventSeverity::Warning);
-}
-
-void Exploration::setSettings(const Settings& settings)
-{
-    const std::uint64_t seed = options_.settings.seed;
-    options_.settings = settings;
-    options_.settings.seed = seed;
-    emit happened(tr("the next estimate: %1, %2 draws, contacts above %3 N")
-                      .arg(format::text(name(settings.method)))
-                      .arg(settings.draws)
-                      .arg(format::number(settings.forceThreshold, 1)),
-                  EventSeverity::Note);
-}
-
-void Exploration::leave()
-{
-    halt();
-    if (exploring(state_.phase) && !following()) command(AbortAtemCommand{});
-    if (link_) link_->disarm();
-    estimation_.cancel();
 }
 
 void Exploration::command(const Command& command)
@@ -603,83 +377,12 @@ std::optional<int> Exploration::probingBin() const
     return probes ? std::optional(probing_) : std::nullopt;
 }
 
-QList<Precondition> Exploration::toDrive() const
-{
-    if (following()) return {Preconditions::arming(following_->why())};
-    QList<Precondition> list{
-        Preconditions::released(state_.phase == AtemPhase::Stopped, linkAlive_),
-        Preconditions::notExploring(exploring(state_.phase)),
-        Preconditions::telemetry(linkAlive_, ended_)};
-    if (link_) list << Preconditions::arming(whyNotArmed());
-    if (armIsOut()) list << Preconditions::armIsOut();
-    return list;
-}
-
-/// Returns true if the robot reports probing although no exploration runs, for example after an abort.
-bool Exploration::armIsOut() const
-{
-    return linkAlive_ && !following() && !exploring(state_.phase)
-        && latest_->sample.measurement.activity == RobotActivity::Probing;
-}
-
-QList<Precondition> Exploration::toProbe() const
-{
-    if (following()) return {Preconditions::arming(following_->why())};
-    QList<Precondition> list{Preconditions::telemetry(linkAlive_, ended_)};
-    if (link_) list << Preconditions::arming(whyNotArmed());
-    if (state_.phase != AtemPhase::ProposingProbe || !probes_.current())
-        return list << Preconditions::noProbeProposed();
-    if (estimation_.wasUnheard()) return list << Preconditions::wasUnheard();
-    return list << Preconditions::stands(probes_.stands());
-}
-
-QList<Precondition> Exploration::toReleaseStop() const
-{
-    if (following()) return {Preconditions::arming(following_->why())};
-    const bool confirmed = stopViewState().state == StopViewState::State::Confirmed;
-    return {Preconditions::telemetry(linkAlive_, ended_),
-            state_.phase == AtemPhase::Stopped ? Preconditions::stopConfirmed(confirmed, linkAlive_)
-                                               : Preconditions::nothingToRelease()};
-}
-
-QString Exploration::whyNotArmed() const
-{
-    if (armed()) return {};
-    return following() ? following_->why() : tr("not armed: press M, then hold M");
-}
-
-void Exploration::overrideWarnings()
-{
-    if (following() || !linkAlive_) return;  // the doubtful values are unknown
-    const Measurement& m = latest_->sample.measurement;
-    for (const QString& warning : ground_.overrideWarnings(m, options_.settings)) {
-        emit decided("override", warning);
-        emit happened(tr("overridden by the operator: %1").arg(warning), EventSeverity::Warning);
-    }
-}
-
 void Exploration::endOverrides()
 {
     if (!latest_) return;
     const Measurement& m = latest_->sample.measurement;
     for (const QString& reason : ground_.endOverrides(m, options_.settings))
         emit happened(tr("the override has ended: %1").arg(reason), EventSeverity::Warning);
-}
-
-QList<Precondition> Exploration::preconditions() const
-{
-    QList<Precondition> list{
-        Preconditions::telemetry(linkAlive_, ended_),
-        Preconditions::stop(state_.phase == AtemPhase::Stopped, releasing_, linkAlive_),
-    };
-    if (link_) list << Preconditions::arming(whyNotArmed());
-    if (armIsOut()) list << Preconditions::armIsOut();
-    list << Preconditions::model(estimation_.model());
-    if (linkAlive_)
-        list << ground_.judge(latest_->sample.measurement, options_.settings);
-    else
-        list << Preconditions::groundNotKnown();
-    return list;
 }
 
 }  // namespace terratact

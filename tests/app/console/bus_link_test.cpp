@@ -14,6 +14,7 @@
 #include "app/console/main_window.h"
 #include "app/console/signals_page.h"
 #include "app/mission/bus_text.h"
+#include "app/recording/session_folder.h"
 #include "app/runtime/resources.h"
 #include "core/log/review_ghost.h"
 #include "core/log/review_moment.h"

@@ -16,6 +16,7 @@
 
 #include "app/console/main_window.h"
 #include "app/console/session_retention.h"
+#include "app/recording/session_folder.h"
 #include "core/learn/model/model_file.h"
 #include "core/log/session_reader.h"
 #include "core/sim/terrain_shapes.h"

@@ -1,5 +1,6 @@
 // Tests when a probe is proposed, with which limit and policy, and that the estimate is recorded before.
 #include "app/mission/session_event_logger.h"
+#include "app/recording/session_folder.h"
 #include "core/log/session_reader.h"
 #include "tests/support/exploration_bench.h"
 #include "tests/support/sessions.h"

@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "app/cli/session_commands.h"
+#include "app/recording/session_folder.h"
 #include "app/runtime/steady_now.h"
 #include "core/log/session_reader.h"
 #include "tests/support/sessions.h"

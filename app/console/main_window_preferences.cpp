@@ -1,0 +1,104 @@
+// What changes with the preferences, and when the window may be built anew.
+#include "app/console/alarms_page.h"
+#include "app/console/main_window.h"
+#include "app/console/settings_page.h"
+#include "app/mission/preset_text.h"
+#include "app/mission/session_event_logger.h"
+#include "display/format.h"
+#include "widgets/base/theme.h"
+#include "widgets/control/status_header.h"
+#include "widgets/signals/alarm_table.h"
+#include "widgets/terrain/verdict_strip.h"
+
+namespace terratact {
+
+int MainWindow::arrangement() const
+{
+    return static_cast<int>(preferences_->current().layout);
+}
+
+void MainWindow::arrange()
+{
+    const Preferences& preferences = preferences_->current();
+    terrainPage_->setThreshold(exploration_->options().settings.forceThreshold);
+    terrainPage_->arrange(preferences.layout, lookInForce().fontScale);
+}
+
+void MainWindow::applyPreferences(const Preferences& before)
+{
+    const Preferences& now = preferences_->current();
+    const QString changes = changesOf(before, now);
+    if (eventLogger_ && !changes.isEmpty()) eventLogger_->decision("settings", changes);
+    const Settings& set = exploration_->options().settings;
+    // Applies changed settings only, because they void a proposal; other changes, such as colours, do not.
+    if (const Settings wanted = withPreferences(set, now); wanted != withPreferences(set, before)) {
+        exploration_->setSettings(wanted);
+        offerQualities();
+    }
+    if (now.model != before.model) models_->loadPreferred();
+    if (now.sound != before.sound) {
+        alarms_->setSoundOn(now.sound);
+        alarmsPage_->table()->setSoundOn(now.sound);
+    }
+    if (recorder_ && now.record != before.record) recorder_->setOn(now.record);
+    if (now.obstacleLimit != before.obstacleLimit) {
+        exploration_->setStepLimit(now.obstacleLimit);
+        verdict()->setLimit(now.obstacleLimit);
+    }
+    setLook(now.theme, now.fontScale);
+    exploration_->setEstimateSeconds(now.estimateSeconds);
+    exploration_->setProbePolicy(now.probes);
+    if (now.robot != before.robot || now.language != before.language) reopen();
+}
+
+/// Takes the robot file of a dialog that may have been open since before arming.
+void MainWindow::takeRobot(const QString& path)
+{
+    if (const QString why = whyNotReopening(); !why.isEmpty())
+        return tell(tr("the robot stays: %1").arg(why), EventSeverity::Bad);
+    preferences_->change([path](Preferences& p) { p.robot = path; });
+}
+
+void MainWindow::reopen()
+{
+    if (const QString why = whyNotReopening(); !why.isEmpty()) {
+        tell(tr("robot and language change at the next start: %1").arg(why),
+             EventSeverity::Warning);
+        return;
+    }
+    leave();
+    emit reopenWanted();
+}
+
+void MainWindow::showCards()
+{
+    const ModelInUse& model = exploration_->estimation().model();
+    settings_->setModelCard(model.trouble.isEmpty() ? model.name + QLatin1Char('\n') + model.details
+                                                    : tr("no model: %1").arg(model.trouble));
+    settings_->setRobotCard(robotDetails_);
+    settings_->setReopenBlocked(whyNotReopening());
+}
+
+QString MainWindow::whyNotReopening() const
+{
+    if (exploration_->following()) return {};
+    if (exploring(exploration_->state().phase))
+        return tr("An exploration is running: end it with Esc first");
+    if (link_ && exploration_->armed()) return tr("The robot is armed: disarm it first (M)");
+    return {};
+}
+
+void MainWindow::offerQualities()
+{
+    const Method method = exploration_->options().settings.method;
+    const ModelInUse& model = exploration_->estimation().model();
+    const bool measured = !model.name.isEmpty() && model.content.toStdString() == presets_.model;
+    const std::vector<PresetCost> costs = measured ? presets_.costs : std::vector<PresetCost>{};
+    settings_->setPresets(costs);
+    QStringList names;
+    for (const QualityPreset preset : kQualityPresets) names << format::sentence(name(preset));
+    header()->setQualities(names, presetLines(method, costs),
+                           static_cast<int>(preferences_->current().preset));
+}
+
+}  // namespace terratact

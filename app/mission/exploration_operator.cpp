@@ -1,0 +1,190 @@
+// What the operator does.
+#include <utility>
+
+#include "app/mission/exploration.h"
+#include "display/format.h"
+
+namespace terratact {
+
+void Exploration::request()
+{
+    if (following() || armIsOut()) return;
+    askedBin_.reset();
+    explore();
+}
+
+void Exploration::explore()
+{
+    emit decided("explore", {});
+    pending_.requested = true;
+    driving_ = false;  // the exploration itself sends the halt
+    driveWanted_.reset();
+}
+
+void Exploration::askProbe(int bin)
+{
+    if (const QString why = whyNotAsking(bin); !why.isEmpty())
+        return void(
+            emit happened(tr("no probe is asked for: %1").arg(why), EventSeverity::Warning));
+    if (state_.phase == AtemPhase::ProposingProbe) return choose(probes_.current()->id, bin);
+    emit decided("choose", format::binName(bin));
+    emit happened(tr("a probe at %1 is wanted: the robot presses anew, then it is asked")
+                      .arg(format::binName(bin)),
+                  EventSeverity::Note);
+    askedBin_ = bin;
+    explore();
+}
+
+void Exploration::forgetResult()
+{
+    if (exploring(state_.phase)) return;
+    const bool stood = estimation_.estimate().has_value();
+    emit decided("forget", {});
+    estimation_.setAside(tr("No estimate: explore the terrain (A)"));
+    probes_.withdraw();
+    const bool ends = state_.phase == AtemPhase::Presenting || state_.phase == AtemPhase::Failed;
+    if (ends || following()) pending_.aborted = true;
+    if (stood)
+        emit happened(tr("the estimate is off the screen: Ctrl+Z brings it back"),
+                      EventSeverity::Note);
+}
+
+void Exploration::restoreResult()
+{
+    if (!exploring(state_.phase) && estimation_.restore()) {
+        pending_.aborted = false;
+        emit decided("restore", {});
+        emit happened(tr("the estimate is back"), EventSeverity::Note);
+    } else {
+        emit happened(tr("no estimate can be brought back"), EventSeverity::Note);
+    }
+}
+
+void Exploration::abort()
+{
+    emit decided("abort", {});
+    pending_.aborted = true;
+}
+
+void Exploration::approve(quint64 proposal)
+{
+    if (!probes_.isCurrent(proposal)) return;
+    emit decided("approve", format::binName(probes_.current()->bin));
+    pending_.approved = true;
+    pending_.approvedFor = probes_.proposedOn();
+    approvedAt_ = now_;
+}
+
+void Exploration::refuse(quint64 proposal)
+{
+    if (!probes_.isCurrent(proposal)) return;
+    emit decided("refuse", format::binName(probes_.current()->bin));
+    pending_.refused = true;
+}
+
+void Exploration::choose(quint64 proposal, int bin)
+{
+    if (!probes_.isCurrent(proposal) || !probes_.stands() || !inReach(bin)) return;
+    emit decided("choose", format::binName(bin));
+    probes_.propose(bin);
+    emit proposed();
+    emit happened(tr("probe asked for at %1 instead").arg(format::binName(bin)),
+                  EventSeverity::Note);
+}
+
+void Exploration::setStepLimit(double metres)
+{
+    if (metres == options_.stepLimit) return;
+    options_.stepLimit = metres;
+    estimation_.adviseAnew();
+}
+
+void Exploration::setSecondMethod(std::optional<Method> method)
+{
+    emit decided("second method", method ? format::text(name(*method)) : QStringLiteral("none"));
+    estimation_.setSecondMethod(method);
+}
+
+void Exploration::drive(int direction)
+{
+    if (!whyNotDriving().isEmpty()) return;
+    driving_ = true;
+    driveBegan_ = now_;
+    driveWanted_ = DriveCommand{.speed = direction * options_.driveSpeed};
+    emit decided("drive", direction > 0 ? QStringLiteral("forward") : QStringLiteral("back"));
+    driveOn();
+}
+
+void Exploration::halt()
+{
+    if (!std::exchange(driving_, false)) return;
+    driveWanted_.reset();
+    emit decided("halt", {});
+    command(HaltCommand{});
+}
+
+void Exploration::stop()
+{
+    stopFrom({});
+}
+
+void Exploration::stopFrom(const QString& where)
+{
+    if (following()) {
+        emit stoppedNothing(following_->why());
+        return;  // nothing is stopped, so the display must not say so
+    }
+    emit decided("stop", where);
+    if (stopViewState().state != StopViewState::State::Sent
+        && stopViewState().state != StopViewState::State::NotSent)
+        stopBegan_ = now_;
+    // A repeated press keeps an existing confirmation.
+    stopConfirmed_ = stopConfirmed_ && linkAlive_ && !releasing_;
+    sendStop();
+    pending_.stop = true;
+    releasing_ = false;
+    driving_ = false;
+    driveWanted_.reset();
+}
+
+void Exploration::releaseStop()
+{
+    if (state_.phase != AtemPhase::Stopped || following()) return;
+    emit decided("release stop", {});
+    releasing_ = true;
+    releaseBegan_ = stopSent_ = now_;
+    command(ReleaseStopCommand{});
+    emit happened(tr("STOP released by the operator"), EventSeverity::Warning);
+}
+
+void Exploration::setSettings(const Settings& settings)
+{
+    const std::uint64_t seed = options_.settings.seed;
+    options_.settings = settings;
+    options_.settings.seed = seed;
+    emit happened(tr("the next estimate: %1, %2 draws, contacts above %3 N")
+                      .arg(format::text(name(settings.method)))
+                      .arg(settings.draws)
+                      .arg(format::number(settings.forceThreshold, 1)),
+                  EventSeverity::Note);
+}
+
+void Exploration::overrideWarnings()
+{
+    if (following() || !linkAlive_) return;  // the doubtful values are unknown
+    const Measurement& m = latest_->sample.measurement;
+    for (const QString& warning : ground_.overrideWarnings(m, options_.settings)) {
+        emit decided("override", warning);
+        emit happened(tr("overridden by the operator: %1").arg(warning), EventSeverity::Warning);
+    }
+}
+
+void Exploration::leave()
+{
+    halt();
+    if (exploring(state_.phase) && !following()) command(AbortAtemCommand{});
+    if (link_) link_->disarm();
+    estimation_.cancel();
+}
+
+}  // namespace terratact
