@@ -3,7 +3,6 @@
 #include <QStringList>
 #include <vector>
 
-#include "display/file_sentences.h"
 #include "display/format.h"
 
 namespace terratact {
@@ -179,25 +178,7 @@ namespace {
     QT_TRANSLATE_NOOP("core",
                       "the model of bin %1 m is singular: %2 of its variance was added as noise"),
     // What is wrong with a file, a bus or the panel: after its name, and before what the system says.
-    QT_TRANSLATE_NOOP("core", "cannot be opened"),
-    QT_TRANSLATE_NOOP("core", "cannot be read"),
     QT_TRANSLATE_NOOP("core", "cannot be written"),
-    QT_TRANSLATE_NOOP("core", "the directory cannot be made"),
-    QT_TRANSLATE_NOOP("core", "it is not a regular file"),
-    QT_TRANSLATE_NOOP("core", "is empty"),
-    QT_TRANSLATE_NOOP("core", "is a directory"),
-    QT_TRANSLATE_NOOP("core", "is not an SQLite file"),
-    QT_TRANSLATE_NOOP("core", "is larger than the %1 bytes allowed"),
-    QT_TRANSLATE_NOOP("core", "has %1 bytes where its header says %2"),
-    QT_TRANSLATE_NOOP("core", "it is truncated"),
-    QT_TRANSLATE_NOOP("core", "is larger than the %1 bytes allowed here"),
-    QT_TRANSLATE_NOOP("core", "line %1"),
-    QT_TRANSLATE_NOOP("core", "is an SQLite file of another application, not a Terratact model"),
-    QT_TRANSLATE_NOOP("core", "is a part of a model; `terratact merge` makes a model of all parts"),
-    QT_TRANSLATE_NOOP("core", "is a model of format version %1, and this program reads version %2"),
-    QT_TRANSLATE_NOOP("core", "its tables are not those of a Terratact model"),
-    QT_TRANSLATE_NOOP("core",
-                      "its content was altered: it does not have the hash that was stored with it"),
     QT_TRANSLATE_NOOP("core", "the disk is full"),
     QT_TRANSLATE_NOOP("core",
                       "only %1 MB are free, %2 MB are left alone; recording goes on when there is "
@@ -218,36 +199,7 @@ namespace {
     QT_TRANSLATE_NOOP("core", "waiting for an edge"),
     QT_TRANSLATE_NOOP("core", "setting an output"),
     QT_TRANSLATE_NOOP("core", "is not TOML"),
-    QT_TRANSLATE_NOOP("core", "nests deeper than %1 levels"),
-    QT_TRANSLATE_NOOP("core", "force_array holds no table"),
-    QT_TRANSLATE_NOOP("core", "force_array is no list of tables, expected [[force_array]]"),
-    QT_TRANSLATE_NOOP(
-        "core",
-        "no force_array has element %1, expected each of %2 to %3 left, right or on both sides"),
-    QT_TRANSLATE_NOOP("core", "is a whole model, expected a part of one"),
-    QT_TRANSLATE_NOOP("core", "its table meta describes another kind of model"),
-    QT_TRANSLATE_NOOP("core", "its training rows have the wrong number of columns"),
-    QT_TRANSLATE_NOOP("core", "its list of bins is empty"),
-    QT_TRANSLATE_NOOP("core", "its texts are too long"),
-    QT_TRANSLATE_NOOP("core", "a row covers a bin that does not exist"),
-    QT_TRANSLATE_NOOP("core", "%1 scenes without any known height left out"),
     QT_TRANSLATE_NOOP("core", "a stop line needs a name of %1 to %2 characters"),
-    QT_TRANSLATE_NOOP("core", "No such file or directory"),
-    QT_TRANSLATE_NOOP("core", "Permission denied"),
-    QT_TRANSLATE_NOOP("core", "Operation not permitted"),
-    QT_TRANSLATE_NOOP("core", "Is a directory"),
-    QT_TRANSLATE_NOOP("core", "Not a directory"),
-    QT_TRANSLATE_NOOP("core", "Read-only file system"),
-    QT_TRANSLATE_NOOP("core", "No space left on device"),
-    QT_TRANSLATE_NOOP("core", "Input/output error"),
-    QT_TRANSLATE_NOOP("core", "Network is down"),
-    QT_TRANSLATE_NOOP("core", "No such device"),
-    QT_TRANSLATE_NOOP("core", "No such device or address"),
-    QT_TRANSLATE_NOOP("core", "Device or resource busy"),
-    QT_TRANSLATE_NOOP("core", "No buffer space available"),
-    QT_TRANSLATE_NOOP("core", "Address already in use"),
-    QT_TRANSLATE_NOOP("core", "Address family not supported by protocol"),
-    QT_TRANSLATE_NOOP("core", "Protocol not supported"),
     // What mends a kernel without CAN.
     QT_TRANSLATE_NOOP("core",
                       "sudo modprobe can_raw   (where that fails: a kernel with CONFIG_CAN_RAW)"),
@@ -270,6 +222,21 @@ namespace {
     QT_TRANSLATE_NOOP("core", "telemetry unsteady"),
     QT_TRANSLATE_NOOP("core", "end of the log"),
     QT_TRANSLATE_NOOP("core", "gaps before: %1, the longest %2 s"),
+    // Events of a session.
+    QT_TRANSLATE_NOOP("core", "closed with the console"),
+    QT_TRANSLATE_NOOP("core", "the program that recorded ended without closing the session"),
+    QT_TRANSLATE_NOOP("core", "from a log of CAN frames"),
+    QT_TRANSLATE_NOOP("core", "frames that were lost when the log was recorded"),
+    QT_TRANSLATE_NOOP("core", "%1 frames and %2 other rows are not here: there was no room while "
+                              "the disk was slow or full, or they could not be written"),
+    QT_TRANSLATE_NOOP(
+        "core", "at line %1 the log's clock was set back by %2 s; the session goes on evenly"),
+    QT_TRANSLATE_NOOP(
+        "core", "at line %1 the log's clock was set forward by %2 s; the session goes on evenly"),
+    QT_TRANSLATE_NOOP("core", "the log's clock was set back %1 more times"),
+    QT_TRANSLATE_NOOP("core", "the end of the log is torn"),
+    QT_TRANSLATE_NOOP("core", "has no scenes"),
+    QT_TRANSLATE_NOOP("core", "the model gives no finite estimate of this scene"),
 };
 
 // Of events as sessions have them, apart from the sentences: files, sources and signals may have such names.
@@ -371,7 +338,6 @@ const char* const kOpenSentences[]{
     QT_TRANSLATE_NOOP("core", "%1 has no line named %2: it has %3 and more"),
     QT_TRANSLATE_NOOP("core", "%1 has no line named %2: it has %3"),
     QT_TRANSLATE_NOOP("core", "%1 has several lines named %2: say offset instead"),
-    QT_TRANSLATE_NOOP("core", "%1 has no line %2: it has 0 to %3"),
     QT_TRANSLATE_NOOP("core", "line %1 of %2 is asked for twice"),
     QT_TRANSLATE_NOOP("core", "line %1 of %2 is in use: %3 holds it; end that program, or wire the "
                               "panel to another line"),
@@ -384,6 +350,12 @@ const char* const kOpenSentences[]{
     QT_TRANSLATE_NOOP("core", "the panel's button %1 has been held for longer than anybody "
                               "presses: it counts as not pressed until it is let go; if nobody "
                               "holds it, its contact sticks or its wires touch"),
+    // Events of a session, and an input that a method needs.
+    QT_TRANSLATE_NOOP("core", "%1 is unknown, and method %2 needs it"),
+    QT_TRANSLATE_NOOP("core", "after %1"),
+    QT_TRANSLATE_NOOP("core", "from %1, %2 frames, last link %3, %4 batches of which are not what "
+                              "was recorded and left out"),
+    QT_TRANSLATE_NOOP("core", "from %1, %2 frames, last link %3"),
 };
 
 /// One with places for more than numbers.
@@ -413,7 +385,6 @@ const std::vector<OpenSentence>& openSentences()
     static const auto kAll = [] {
         std::vector<OpenSentence> all;
         for (const char* source : kOpenSentences) all.emplace_back(source);
-        for (const char* source : kOpenFileSentences) all.emplace_back(source);
         return all;
     }();
     return kAll;

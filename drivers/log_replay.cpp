@@ -17,9 +17,9 @@ namespace {
 
 constexpr std::size_t kMaxNames = 16;  // interfaces that are listed
 
-Error fileError(const std::string& path, const std::string& cause)
+Error fileError(const std::string& path, Message cause)
 {
-    return Error{path + ": " + cause};
+    return {Message::joined(Message::verbatim(path), std::move(cause))};
 }
 
 /// A log that can be read as often as needed.
@@ -32,7 +32,7 @@ public:
         source.path_ = path == "-" ? "standard input" : path;
         const auto type = std::filesystem::status(path, failure).type();
         if (type == std::filesystem::file_type::directory)
-            return fileError(path, "is a folder, no log of CAN traffic");
+            return fileError(path, TR_NOOP("core", "is a folder, no log of CAN traffic"));
         const bool isFile = type == std::filesystem::file_type::regular && path != "/dev/stdin";
         const bool isMissing = type == std::filesystem::file_type::not_found && path != "-";
         if (isFile || isMissing) return source;
@@ -61,10 +61,11 @@ private:
         std::vector<char> block(std::size_t{64} * 1024);
         for (;;) {
             const Result<std::size_t> got = (*bytes)(block);
-            if (!got) return fileError(path_, got.error().text);
+            if (!got) return fileError(path_, got.error().message);
             if (*got == 0) break;
             if (kept->size() + *got > LogReplay::kMaxPiped)
-                return fileError(path_, "is no file, and too long to be kept: copy it to one");
+                return fileError(
+                    path_, TR_NOOP("core", "is no file, and too long to be kept: copy it to one"));
             kept->append(block.data(), *got);
         }
         kept_ = std::move(kept);
@@ -78,19 +79,19 @@ private:
 /// Contents of a log.
 struct LogScan {
     struct Interface {
-        double last = 0.0;  ///< time of its newest frame [s], on the continuous clock
-        std::vector<std::string> silences;  ///< silences that a replay shortens
+        double last = 0.0;              ///< time of its newest frame [s], on the continuous clock
+        std::vector<Message> silences;  ///< silences that a replay shortens
     };
     std::map<std::string, Interface> interfaces;
-    std::vector<std::string> remarks;
+    std::vector<Message> remarks;
 };
 
-std::string silenceText(const LogReader& log, double seconds)
+Message silenceText(const LogReader& log, double seconds)
 {
     return log
-        .error(fmt::format("follows {:.0f} s of silence, which the replay shortens to {:.0f} s",
-                           seconds, LogReplay::kShortWait))
-        .text;
+        .error({TR_NOOP("core", "follows %1 s of silence, which the replay shortens to %2 s"),
+                fixed(seconds, 0), fixed(LogReplay::kShortWait, 0)})
+        .message;
 }
 
 Result<LogScan> scan(const LogSource& source, double speed)
@@ -103,7 +104,8 @@ Result<LogScan> scan(const LogSource& source, double speed)
         const auto frame = log->next();
         if (!frame) return frame.error();
         if (!*frame) break;
-        if (!(*frame)->time) return log->error("has no time; record with candump -L");
+        if (!(*frame)->time)
+            return log->error(TR_NOOP("core", "has no time; record with candump -L"));
         const auto known = found.interfaces.find((*frame)->interface);
         if (known == found.interfaces.end()) {
             if (found.interfaces.size() < kMaxNames)
@@ -129,13 +131,16 @@ std::string listed(const LogScan& scan)
 /// Returns the interface to replay.
 Result<std::string> chosen(const std::string& path, const LogScan& scan, const std::string& wanted)
 {
-    if (scan.interfaces.empty()) return fileError(path, "holds no frame");
+    if (scan.interfaces.empty()) return fileError(path, TR_NOOP("core", "holds no frame"));
     if (!wanted.empty() && !scan.interfaces.contains(wanted))
-        return fileError(path, "holds no frame of " + wanted + ", only of " + listed(scan));
+        return fileError(path, Message(TR_NOOP("core", "holds no frame of %1, only of %2"), wanted,
+                                       listed(scan)));
     if (!wanted.empty()) return wanted;
     if (scan.interfaces.size() > 1)
-        return fileError(path, "holds frames of " + listed(scan)
-                                   + ": name the one to replay with --interface");
+        return fileError(
+            path,
+            Message(TR_NOOP("core", "holds frames of %1: name the one to replay with --interface"),
+                    listed(scan)));
     return scan.interfaces.begin()->first;
 }
 
@@ -199,7 +204,8 @@ Status LogReplay::fetch()
         Result<std::optional<LoggedFrame>> got = log_.next();
         if (!got) return got.error();
         next_ = *std::move(got);
-        if (next_ && !next_->time) return log_.error("has lost its time: the log has changed");
+        if (next_ && !next_->time)
+            return log_.error(TR_NOOP("core", "has lost its time: the log has changed"));
     } while (next_ && next_->interface != options_.interface);
     logTime_ = log_.elapsed();
     const double wait = (logTime_ - before) / options_.speed;
@@ -311,7 +317,7 @@ Status LogReplay::send(const CanFrame&)
 {
     const std::lock_guard lock(mutex_);
     ++counters_.notSent;
-    return Error{name_ + ": a replay takes no commands"};
+    return Error{Message(TR_NOOP("core", "%1: a replay takes no commands"), name_)};
 }
 
 std::optional<double> LogReplay::wait() const

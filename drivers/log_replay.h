@@ -76,7 +76,7 @@ public:
 
     /// Returns one sentence for each remark about the log (LogReader::takeRemarks) and each
     /// shortened silence.
-    const std::vector<std::string>& remarks() const { return remarks_; }
+    const std::vector<Message>& remarks() const { return remarks_; }
 
     /// Returns the time until the next frame [s]; empty before the first receive() and after the
     /// last frame. For the receiving thread.
@@ -95,7 +95,7 @@ private:
     Options options_;
     Clock clock_;
     std::optional<LoggedFrame> next_;
-    std::vector<std::string> remarks_;
+    std::vector<Message> remarks_;
     /// Time of next_ since the log's beginning [s], on its continuous clock.
     double logTime_ = 0.0;
     double firstTime_ = 0.0;          ///< the same time of the first frame [s]

@@ -39,8 +39,8 @@ Status checkLog(const std::string& path)
     std::uint64_t untimed = 0, others = 0;
     for (;;) {
         const auto logged = log->next();
-        for (const std::string& remark : log->takeRemarks())
-            tell(CanFinding::Level::Warning, remark);
+        for (const Message& remark : log->takeRemarks())
+            tell(CanFinding::Level::Warning, remark.english());
         if (!logged) return logged.error();
         if (!*logged) break;
         if (!(*logged)->time) ++untimed;

@@ -92,7 +92,8 @@ private:
 
     void tellRemarks()
     {
-        for (const std::string& remark : log_.takeRemarks()) say(stderr, "terratact: {}\n", remark);
+        for (const Message& remark : log_.takeRemarks())
+            say(stderr, "terratact: {}\n", remark.english());
     }
 
     Status ending() const
@@ -106,8 +107,8 @@ private:
     {
         if (!options_.interface.empty() && logged.interface != options_.interface) return Done{};
         if (buses_.size() >= kMaxBuses && !buses_.contains(logged.interface))
-            return log_.error(
-                fmt::format("is of the {}th interface: so many are not believed", kMaxBuses + 1));
+            return log_.error(Message::verbatim(
+                fmt::format("is of the {}th interface: so many are not believed", kMaxBuses + 1)));
         Bus& bus = buses_[logged.interface];
         if (!bus.reader) bus.reader = frameReader(options_.protocol, book_);
         if (logged.time && !begin_) begin_ = logged.time;
@@ -165,7 +166,7 @@ Status decodeCanLog(const CanDecodeOptions& options)
 {
     const auto book = readDbcBook(options.protocol, options.dbc);
     if (!book) return book.error();
-    for (const std::string& remark : remarksOf(*book)) say(stderr, "terratact: {}\n", remark);
+    for (const Message& remark : remarksOf(*book)) say(stderr, "terratact: {}\n", remark.english());
     Result<LogReader> log = LogReader::open(options.log);
     if (!log) return log.error();
     std::optional<CsvOutput> csv;

@@ -133,10 +133,10 @@ Status monitorCan(const CanMonitorOptions& options)
     if (!book) return book.error();
     CanMonitor monitor(options.protocol, options.bitrate, *book);
     const Screen screen;
-    std::vector<std::string> remarks = remarksOf(*book);
+    std::vector<std::string> remarks;
+    for (const Message& remark : remarksOf(*book)) remarks.push_back(remark.english());
     if (isReplay)
-        remarks.insert(remarks.end(), opened->replay->remarks().begin(),
-                       opened->replay->remarks().end());
+        for (const Message& remark : opened->replay->remarks()) remarks.push_back(remark.english());
     if (!screen.isRedrawn())
         for (const std::string& remark : remarks) say(stderr, "terratact: {}\n", remark);
     screen.clear();

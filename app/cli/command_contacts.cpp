@@ -37,7 +37,7 @@ Status showContacts(const ContactsOptions& options)
     if (!robot) return robot.error();
     const auto file = readScenes(options.data);
     if (!file) return file.error();
-    for (const std::string& notice : file->notices) say(stderr, "terratact: {}\n", notice);
+    for (const Message& notice : file->notices) say(stderr, "terratact: {}\n", notice.english());
     const auto summaryBy = [&](ContactRule rule) {
         return summariseContacts(contactResiduals(*robot, file->scenes, options.threshold, rule));
     };

@@ -128,7 +128,7 @@ Result<SceneFile> scenesWithTruth(const std::string& path)
 {
     auto file = readScenesWithTruth(path);
     if (!file) return file.error();
-    for (const std::string& notice : file->notices) say(stderr, "terratact: {}\n", notice);
+    for (const Message& notice : file->notices) say(stderr, "terratact: {}\n", notice.english());
     return file;
 }
 

@@ -125,7 +125,7 @@ void printCard(const ModelFacts& facts)
             s.trainingScenes > 0
                 ? fmt::format("; {} of them are training scenes", s.trainingScenes)
                 : std::string(facts.learntFrom(s) ? "; the scenes it was trained on" : ""));
-    if (!facts.trouble.empty()) say(stderr, "terratact: {}\n", facts.trouble);
+    if (!facts.trouble.empty()) say(stderr, "terratact: {}\n", facts.trouble.english());
 }
 
 /// Prints p(hᵢ | h_{J∖i}, s) of every bin, with the other heights taken from the scene.

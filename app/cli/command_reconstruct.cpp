@@ -17,7 +17,7 @@ Status reconstructScenes(const ReconstructOptions& options)
     if (!bundle) return bundle.error();
     const auto file = readScenes(options.data);
     if (!file) return file.error();
-    for (const std::string& notice : file->notices) say(stderr, "terratact: {}\n", notice);
+    for (const Message& notice : file->notices) say(stderr, "terratact: {}\n", notice.english());
 
     auto estimates = estimateScenes(file->scenes, **bundle, options.settings, options.seconds);
     const std::size_t contradicting = checkEstimates(file->scenes, (*bundle)->robot, estimates);

@@ -215,7 +215,7 @@ Status exportSession(const SessionExportOptions& options)
                                       "do");
     const auto book = readDbcBook(CanProtocol::Terratact, options.dbc);
     if (!book) return book.error();
-    for (const std::string& remark : remarksOf(*book)) say(stderr, "terratact: {}\n", remark);
+    for (const Message& remark : remarksOf(*book)) say(stderr, "terratact: {}\n", remark.english());
     ExportSelection selection = options.selection;
     selection.book = *book;
     const auto counts = writeExport(*session, options.out, *format, selection);

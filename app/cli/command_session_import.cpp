@@ -32,8 +32,8 @@ public:
     {
         for (;;) {
             const auto logged = log.next();
-            for (const std::string& remark : log.takeRemarks())
-                say(stderr, "terratact: {}\n", remark);
+            for (const Message& remark : log.takeRemarks())
+                say(stderr, "terratact: {}\n", remark.english());
             if (!logged) return logged.error();
             if (!*logged) break;
             const bool isWanted =
@@ -68,13 +68,13 @@ private:
     Status take(const LogReader& log, const LoggedFrame& logged)
     {
         if (!logged.time || *logged.time < 0.0 || *logged.time > 9e9)
-            return log.error("has no time that a session could have");
+            return log.error(Message::verbatim("has no time that a session could have"));
         if (!writer_)
             if (Status begun = begin(log, logged); !begun) return begun;
         if (logged.interface != interface_)
-            return log.error(fmt::format("is of {}, the log began with {}: --interface says which "
-                                         "is wanted",
-                                         logged.interface, interface_));
+            return log.error(Message::verbatim(
+                fmt::format("is of {}, the log began with {}: --interface says which is wanted",
+                            logged.interface, interface_)));
         last_ = sessionTimeOf(log.elapsed() - begin_);
         if (Status told = tellSteps(); !told) return told;
         const FrameRow row{

@@ -117,7 +117,8 @@ void addDamage(const SessionReader& session, Saved& saved)
         if (isBatch)
             saved.spans.push_back({damage.first, damage.last, 1});
         else
-            saved.rest.push_back(fmt::format("at {}: {}", momentText(damage.first), damage.why));
+            saved.rest.push_back(
+                fmt::format("at {}: {}", momentText(damage.first), damage.why.english()));
     }
     for (const EstimateRow& row : session.estimates())
         if (!saved.draws.contains(row.id))
@@ -242,7 +243,7 @@ std::string troubleOf(const std::string& path)
     if (!session) return named(session.error().text);
     const SessionVerification found = session->verify();
     if (session->lacksJournal()) return "its journal is not beside it, both files belong together";
-    if (!found.damage.empty()) return "is damaged: " + found.damage.front().why;
+    if (!found.damage.empty()) return "is damaged: " + found.damage.front().why.english();
     return session->sealed() ? std::string()
                              : "cannot be closed where neither it nor its folder can be written";
 }

@@ -67,7 +67,8 @@ Result<ModelData> trainVisibly(const TrainOptions& options, const RobotModel& ro
          .bins = options.bins},
         {.cancelled = {},
          .progress = [&](const TrainingStep& step) { stages.show(step); },
-         .notice = [](const std::string& notice) { say(stderr, "terratact: {}\n", notice); }});
+         .notice =
+             [](const Message& notice) { say(stderr, "terratact: {}\n", notice.english()); }});
 }
 
 Status writePart(const TrainOptions& options, ModelData model, std::string robotHash)

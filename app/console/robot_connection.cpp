@@ -63,8 +63,8 @@ Result<std::unique_ptr<CanBus>> namedBus(const ConsoleOptions& options)
         auto log = LogReplay::open(options.replay,
                                    {.interface = options.interface, .speed = options.speed});
         if (!log) return log.error();
-        for (const std::string& remark : (*log)->remarks())
-            say(stderr, "terratact-console: {}\n", remark);
+        for (const Message& remark : (*log)->remarks())
+            say(stderr, "terratact-console: {}\n", remark.english());
         return std::unique_ptr<CanBus>(std::move(*log));
     }
     auto bus = SocketCan::open({.interface = options.can, .transmit = options.transmit});

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "display/format.h"
+#include "display/translated.h"
 
 namespace terratact {
 
@@ -22,7 +23,7 @@ void SharedStop::listen()
         line_.emplace(std::move(*line));
     else
         emit happened(tr("STOP in windows that are opened from here stops nothing: %1")
-                          .arg(format::sentence(line.error().text)),
+                          .arg(translated(line.error().message)),
                       EventSeverity::Warning);
 }
 

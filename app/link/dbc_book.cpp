@@ -49,10 +49,10 @@ public:
     }
     std::size_t count() const { return count_; }
     /// Returns "frame 022", "7 frames (022, 023, 024, 025 …)".
-    std::string text() const
+    Message text() const
     {
-        if (count_ == 1) return "frame " + ids_;
-        return fmt::format("{} frames ({}{})", count_, ids_, count_ > kMaxNamed ? " …" : "");
+        if (count_ == 1) return {TR_NOOP("core", "frame %1"), ids_};
+        return {TR_NOOP("core", "%1 frames (%2)"), count_, ids_ + (count_ > kMaxNamed ? " …" : "")};
     }
 
 private:
@@ -115,7 +115,8 @@ Status DbcBook::add(const std::string& path)
     std::error_code ignored;
     const auto type = std::filesystem::status(path, ignored).type();
     if (type == std::filesystem::file_type::fifo || type == std::filesystem::file_type::character)
-        return fileError(path, "is no regular file, which would be waited for: copy it to one");
+        return fileError(
+            path, TR_NOOP("core", "is no regular file, which would be waited for: copy it to one"));
     Result<DbcFile> file = readDbc(path);
     if (!file) return file.error();
     SomeIds ours;
@@ -139,15 +140,17 @@ Status DbcBook::add(const std::string& path)
     }
     remarks_.insert(remarks_.end(), file->warnings.begin(), file->warnings.end());
     if (ours.count() > 0)
-        remarks_.push_back(fileError(path, ours.text()
-                                               + ": the robot's protocol has that "
-                                                 "identifier and is what counts")
-                               .text);
+        remarks_.push_back(
+            fileError(path, Message(TR_NOOP("core", "%1: the robot's protocol has that identifier "
+                                                    "and is what counts"),
+                                    ours.text()))
+                .message);
     for (const auto& [other, ids] : theirs)
         remarks_.push_back(
-            fileError(path, fmt::format("{}: {} describes that already and is what counts",
-                                        ids.text(), other))
-                .text);
+            fileError(path,
+                      Message(TR_NOOP("core", "%1: %2 describes that already and is what counts"),
+                              ids.text(), other))
+                .message);
     return Done{};
 }
 
@@ -170,9 +173,9 @@ Result<std::shared_ptr<const DbcBook>> readDbcBook(CanProtocol protocol,
     return std::shared_ptr<const DbcBook>(std::move(book));
 }
 
-std::vector<std::string> remarksOf(const std::shared_ptr<const DbcBook>& book)
+std::vector<Message> remarksOf(const std::shared_ptr<const DbcBook>& book)
 {
-    return book ? book->remarks() : std::vector<std::string>();
+    return book ? book->remarks() : std::vector<Message>();
 }
 
 std::string wordOrNumber(const DbcSignal& signal, double value)

@@ -39,7 +39,7 @@ public:
         std::size_t frames = 0;  ///< number of described frames in use
     };
     const std::vector<File>& files() const { return files_; }
-    const std::vector<std::string>& remarks() const { return remarks_; }  ///< one sentence each
+    const std::vector<Message>& remarks() const { return remarks_; }  ///< one sentence each
 
 private:
     CanProtocol protocol_;
@@ -48,7 +48,7 @@ private:
     std::unordered_map<std::uint32_t, std::shared_ptr<const DescribedFrame>>
         groups_;  // J1939 messages by parameter group
     std::vector<File> files_;
-    std::vector<std::string> remarks_;
+    std::vector<Message> remarks_;
 };
 
 /// Reads these files into a book; null without files. Returns the Error of the first file that cannot be used.
@@ -56,7 +56,7 @@ Result<std::shared_ptr<const DbcBook>> readDbcBook(CanProtocol protocol,
                                                    const std::vector<std::string>& paths);
 
 /// Returns the remarks of a book that may be null.
-std::vector<std::string> remarksOf(const std::shared_ptr<const DbcBook>& book);
+std::vector<Message> remarksOf(const std::shared_ptr<const DbcBook>& book);
 
 /// Returns a signal's value as text: its label, possibly elided, or the digits that its scale resolves.
 std::string wordOrNumber(const DbcSignal& signal, std::uint64_t bits);

@@ -48,9 +48,10 @@ Result<std::vector<DbcMessage>> readProtocolDbc(const std::string& path)
         const std::string difference =
             found == file->messages.end() ? std::string(layout.name) : differenceOf(*found, layout);
         if (!difference.empty())
-            return fileError(path, fmt::format("is not of this program: {} is another or missing; "
-                                               "install the file that came with the program",
-                                               difference));
+            return fileError(
+                path, Message(TR_NOOP("core", "is not of this program: %1 is another or missing; "
+                                              "install the file that came with the program"),
+                              difference));
         ordered.push_back(std::move(*found));
     }
     return ordered;

@@ -37,12 +37,12 @@ Result<int> openWindow(Application& application, const ConsoleOptions& options)
     return openConsole(application, options);
 }
 
-int refused(Application& application, const ConsoleOptions& options, const std::string& why)
+int refused(Application& application, const ConsoleOptions& options, const Error& why)
 {
-    const int code = failed(why);
+    const int code = failed(why.text);
     if (options.errorsInWindow && !options.isPicture()
         && application.start(inForce(preferencesFor(options).preferences, options), false))
-        tellRefusal(options.replay, why);
+        tellRefusal(options.replay, why.message);
     return code;
 }
 
@@ -66,7 +66,7 @@ int run(int& argc, char** argv)
             return failed(missing);
     Application application(argc, argv);
     const auto ended = openWindow(application, options);
-    return ended ? *ended : refused(application, options, ended.error().text);
+    return ended ? *ended : refused(application, options, ended.error());
 }
 
 }  // namespace

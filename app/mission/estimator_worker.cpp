@@ -17,6 +17,7 @@
 #include "core/sim/posterior_check.h"
 #include "core/store/sha256.h"
 #include "display/format.h"
+#include "display/translated.h"
 
 namespace terratact {
 
@@ -139,7 +140,7 @@ void EstimatorWorker::take(const ModelLoader& load)
             emit modelLoaded(model->name, model->details, model->hash, model->content);
             return;
         }
-        why = format::sentence(model.error().text);
+        why = translated(model.error().message);
     } catch (const std::exception& error) {
         why = format::text(error.what());
     }

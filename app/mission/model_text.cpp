@@ -5,6 +5,7 @@
 
 #include "core/infer/verdict/obstacle.h"
 #include "display/format.h"
+#include "display/translated.h"
 
 namespace terratact {
 namespace {
@@ -50,7 +51,7 @@ QString ModelWords::card(const ModelFacts& facts)
     }
     if (shown == 0) lines << tr("never evaluated: its errors are unknown");
     if (!facts.trouble.empty())
-        lines << tr("its card is not used: %1").arg(format::sentence(facts.trouble));
+        lines << tr("its card is not used: %1").arg(translated(facts.trouble));
     lines
         << tr("content %1; scenes %2").arg(shortHash(facts.contentHash), shortHash(facts.dataHash));
     lines << tr("made by: %1").arg(format::text(facts.command));

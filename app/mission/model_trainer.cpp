@@ -16,6 +16,7 @@
 #include "core/store/file_read.h"
 #include "core/store/file_write.h"
 #include "display/format.h"
+#include "display/translated.h"
 
 namespace terratact {
 namespace {
@@ -177,11 +178,11 @@ void ModelTrainer::doTrain(const TrainingPlan& plan, const QString& path)
         progress_.cells[static_cast<std::size_t>(step.bin)][static_cast<std::size_t>(step.kind)] = {
             stateAfter(step.event), step.logLikelihood};
     };
-    watch.notice = [this](const std::string& notice) { emit noticed(format::sentence(notice)); };
+    watch.notice = [this](const Message& notice) { emit noticed(translated(notice)); };
     int scenes = 0;
     const Status written = trainInto(path.toStdString(), plan, watch, scenes);
     if (!written) {
-        end([this, why = format::sentence(written.error().text)] { emit failed(why); });
+        end([this, why = translated(written.error().message)] { emit failed(why); });
         return;
     }
     end([this, path, scenes] { emit trained(path, scenes); });
@@ -197,11 +198,11 @@ void ModelTrainer::doCompare(const ComparisonPlan& plan)
     };
     const auto comparison = compareModels(plan, watch);
     if (!comparison) {
-        end([this, why = format::sentence(comparison.error().text)] { emit failed(why); });
+        end([this, why = translated(comparison.error().message)] { emit failed(why); });
         return;
     }
     if (const Status kept = keepInCard(plan, *comparison); !kept)
-        emit noticed(format::sentence(kept.error().text));
+        emit noticed(translated(kept.error().message));
     end([this, comparison = *comparison] { emit compared(comparison); });
 }
 

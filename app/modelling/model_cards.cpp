@@ -45,7 +45,7 @@ ModelFacts factsOf(const std::string& path, const StoredModel& model)
                      .trouble = {}};
     auto card = readModelCard(path, model.contentHash);
     if (!card)
-        facts.trouble = card.error().text;
+        facts.trouble = card.error().message;
     else if (*card)
         facts.card = *std::move(*card);
     return facts;

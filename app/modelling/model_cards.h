@@ -17,7 +17,7 @@ struct ModelFacts {
     long scenes = 0;       ///< number of training scenes
     TrainingGround ground;
     ModelCard card;
-    std::string trouble;  ///< reason that the card is not used; empty: usable, or no card
+    Message trouble;  ///< reason that the card is not used; empty: usable, or no card
 
     bool learntFrom(const CardScores& scores) const { return scores.dataHash == dataHash; }
 };

@@ -194,12 +194,12 @@ std::string someOf(const std::set<std::string>& runs)
 
 Result<ModelData> readTraining(const TrainingPlan& plan, const TrainingWatch& watch)
 {
-    const auto tell = [&](const std::string& notice) {
+    const auto tell = [&](const Message& notice) {
         if (watch.notice) watch.notice(notice);
     };
     const auto file = readScenes(plan.data);
     if (!file) return file.error();
-    for (const std::string& notice : file->notices) tell(notice);
+    for (const Message& notice : file->notices) tell(notice);
     TrainingSet set;
     try {
         set = prepareTraining(file->scenes, {.conditionalRows = plan.conditionalRows,
@@ -208,19 +208,23 @@ Result<ModelData> readTraining(const TrainingPlan& plan, const TrainingWatch& wa
     } catch (const std::invalid_argument& error) {
         return fileError(plan.data, error.what());
     }
-    if (set.leftOut > 0) tell(fmt::format("{} scenes with unknown values left out", set.leftOut));
+    if (set.leftOut > 0)
+        tell({TR_NOOP("core", "%1 scenes with unknown values left out"), set.leftOut});
     if (set.exactCopies > 0)
-        tell(fmt::format("{} scenes are there twice: their copies were left out", set.exactCopies));
+        tell({TR_NOOP("core", "%1 scenes are there twice: their copies were left out"),
+              set.exactCopies});
     if (set.nearCopies > 0)
-        tell(fmt::format("{} scenes repeat another within the sensors' noise and were left out "
-                         "(runs {})",
-                         set.nearCopies, someOf(set.runsWithCopies)));
+        tell(
+            {TR_NOOP("core", "%1 scenes repeat another within the sensors' noise and were left out "
+                             "(runs %2)"),
+             set.nearCopies, someOf(set.runsWithCopies)});
     if (const auto rows = set.model.scannedHeights.rows();
         rows > kManyRows && (plan.inducing == 0 || plan.inducing > kManyRows))
-        tell(fmt::format(
-            "{} scenes for each conditional, whose training grows with their cube: "
-            "--inducing 1200 predicts nearly as well and trains in a fraction of the time",
-            rows));
+        tell({TR_NOOP("core",
+                      "%1 scenes for each conditional, whose training grows with their cube: "
+                      "--inducing 1200 predicts nearly as well and trains in a fraction of "
+                      "the time"),
+              rows});
     set.model.seed = plan.seed;
     set.model.inducing = plan.inducing;
     set.model.command = plan.commandLine;

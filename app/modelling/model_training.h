@@ -72,7 +72,7 @@ struct TrainingStep {
 struct TrainingWatch {
     std::function<bool()> cancelled;                    ///< any thread, every few milliseconds
     std::function<void(const TrainingStep&)> progress;  ///< one thread at a time
-    std::function<void(const std::string&)> notice;     ///< a sentence about the file
+    std::function<void(const Message&)> notice;         ///< a sentence about the file
 };
 
 /// Trains a model; it is complete unless the plan names bins. Plans that differ only in threads give the same model on

@@ -17,6 +17,7 @@
 #include "app/shell/file_dialog.h"
 #include "app/shell/preference_store.h"
 #include "display/format.h"
+#include "display/translated.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"
@@ -41,14 +42,14 @@ std::optional<DbcReading> readDbcFiles(const QStringList& paths,
 {
     DbcReading reading;
     auto protocol = readProtocolDbc(resourcePath("dbc/terratact.dbc"));
-    if (!protocol) reading.troubles.push_back(protocol.error().text);
+    if (!protocol) reading.troubles.push_back(protocol.error().message);
     if (protocol) reading.protocol = *std::move(protocol);
 
     auto book = std::make_shared<DbcBook>();
     for (const QString& path : paths) {
         if (!isWanted()) return std::nullopt;
         const Status added = book->add(path.toStdString());
-        if (!added) reading.troubles.push_back(added.error().text);
+        if (!added) reading.troubles.push_back(added.error().message);
         reading.files.emplace_back(path, added ? std::optional(book->files().back().frames)
                                                : std::nullopt);
     }
@@ -133,9 +134,9 @@ void DbcFiles::use(const DbcReading& reading)
         files << (frames ? DbcSays::tr("%1 (frames: %2)").arg(name, QString::number(*frames))
                          : DbcSays::tr("%1 (not used)").arg(name));
     }
-    for (const std::string& trouble : reading.troubles) {
-        say(stderr, "terratact-console: {}\n", trouble);
-        sentences << format::sentence(trouble);
+    for (const Message& trouble : reading.troubles) {
+        say(stderr, "terratact-console: {}\n", trouble.english());
+        sentences << translated(trouble);
     }
     show(files, sentences);
     emit wereRead(reading);

@@ -31,7 +31,7 @@ struct DbcReading {
     std::shared_ptr<const DbcBook> book;
     /// Files in use as text; empty: none.
     std::vector<std::pair<QString, std::optional<std::size_t>>> files;
-    std::vector<std::string> troubles;  ///< one sentence each
+    std::vector<Message> troubles;  ///< one sentence each
 };
 
 /// The preferred DBC files on a page. Buttons add and remove files; labels show the files in use and their errors.

@@ -105,12 +105,26 @@ std::string_view nameOf(ExportKind kind)
     return "events";
 }
 
-std::string rangeText(const ExportSelection& selection)
+Message notRecorded(const ExportSelection& selection)
 {
     const bool begins = std::isfinite(selection.from), ends = std::isfinite(selection.to);
-    if (begins && ends) return fmt::format(" from {} s to {} s", selection.from, selection.to);
-    if (begins) return fmt::format(" from {} s on", selection.from);
-    return ends ? fmt::format(" until {} s", selection.to) : std::string();
+    if (begins && ends)
+        return {TR_NOOP("core", "nothing was recorded from %1 s to %2 s"), selection.from,
+                selection.to};
+    if (begins) return {TR_NOOP("core", "nothing was recorded from %1 s on"), selection.from};
+    if (ends) return {TR_NOOP("core", "nothing was recorded until %1 s"), selection.to};
+    return TR_NOOP("core", "nothing was recorded");
+}
+
+SourceText noneOf(ExportKind kind)
+{
+    switch (kind) {
+    case ExportKind::Frames: return TR_NOOP("core", "no frames");
+    case ExportKind::Signals: return TR_NOOP("core", "no signals");
+    case ExportKind::Estimates: return TR_NOOP("core", "no estimates");
+    case ExportKind::Events: return TR_NOOP("core", "no events");
+    }
+    return TR_NOOP("core", "nothing was recorded");
 }
 
 /// Returns the reason that nothing was written.
@@ -120,14 +134,14 @@ Error nothingOf(const SessionReader& session, const ExportSelection& selection,
     if (counts.leftOut > 0)
         return fileError(
             session.path(),
-            fmt::format("none of the frames can be written in this format: {} left out",
-                        counts.leftOut));
-    const std::string kind =
-        selection.what ? fmt::format(": no {}", nameOf(*selection.what)) : std::string();
-    return fileError(session.path(),
-                     fmt::format("nothing was recorded{}{}: the session lasts {:.1f} s",
-                                 rangeText(selection), kind,
-                                 secondsOf(session.end() - session.begin())));
+            Message(
+                TR_NOOP("core", "none of the frames can be written in this format: %1 left out"),
+                counts.leftOut));
+    Message cause = notRecorded(selection);
+    if (selection.what) cause = Message::joined(std::move(cause), noneOf(*selection.what));
+    const Message length(TR_NOOP("core", "the session lasts %1 s"),
+                         fixed(secondsOf(session.end() - session.begin()), 1));
+    return fileError(session.path(), Message::joined(std::move(cause), length));
 }
 
 }  // namespace
@@ -163,14 +177,15 @@ Result<ExportCounts> writeExport(SessionReader& session, const std::string& path
 {
     const bool framesOnly = format == ExportFormat::Candump || format == ExportFormat::Asc;
     if (framesOnly && selection.what.value_or(ExportKind::Frames) != ExportKind::Frames)
-        return fileError(path, "a log of CAN frames holds nothing else; csv and mcap do");
+        return fileError(
+            path, TR_NOOP("core", "a log of CAN frames holds nothing else; csv and mcap do"));
     Result<TextOutput> out = TextOutput::begin(path);
     if (!out) return out.error();
     const PayloadSignals payload = payloadOf(session, selection);
     auto counts = run(session, *exporterFor(out->stream(), session, format, selection, payload),
                       selection, progress);
     if (counts) counts->withoutColumns = payload.leftOut();
-    if (!counts) return fileError(path, "not written: ended before it was whole");
+    if (!counts) return fileError(path, TR_NOOP("core", "not written: ended before it was whole"));
     if (counts->frames + counts->others == 0) return nothingOf(session, selection, *counts);
     if (Status done = out->commit(); !done) return done.error();
     return *counts;

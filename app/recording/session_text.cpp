@@ -61,7 +61,7 @@ std::string momentText(SessionTime time)
 std::string damageText(const SessionStart& start, const SessionDamage& damage)
 {
     return fmt::format("{} ({}) to {}: {}", utcText(wallTimeOf(start, damage.first)),
-                       momentText(damage.first), momentText(damage.last), damage.why);
+                       momentText(damage.first), momentText(damage.last), damage.why.english());
 }
 
 std::string driveName(const std::string& path)

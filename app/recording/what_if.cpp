@@ -61,19 +61,24 @@ Match likenessOf(const TerrainEstimate& a, const TerrainEstimate& b)
 
 Result<RobotModel> robotOf(const SessionReader& session)
 {
-    return robotModelFrom(session.path() + ": its robot", session.start().robot);
+    Result<RobotModel> robot = robotModelFrom("its robot", session.start().robot);
+    if (robot) return robot;
+    const Message& cause = robot.error().message.arguments.back();  // behind the name
+    return fileError(session.path(), Message::joined(TR_NOOP("core", "its robot"), cause));
 }
 
 Result<std::string> modelFileOf(const ModelRow& row, std::span<const std::string> paths)
 {
-    std::string seen;
+    Message missing(TR_NOOP("core", "the session's model %1 (%2…) is not there"), shown(row.name),
+                    row.hash.substr(0, 12));
     for (const std::string& path : paths) {
         const auto hash = sha256OfFile(path);
         if (hash && *hash == row.hash) return path;
-        seen += hash ? fmt::format("; {} is {:.12}…", path, *hash) : "; " + hash.error().text;
+        const Message seen = hash ? Message(TR_NOOP("core", "%1 is %2…"), path, hash->substr(0, 12))
+                                  : hash.error().message;
+        missing = Message(TR_NOOP("core", "%1; %2"), missing, seen);
     }
-    return Error{fmt::format("the session's model {} ({:.12}…) is not there{}", shown(row.name),
-                             row.hash, seen)};
+    return Error{std::move(missing)};
 }
 
 Result<TerrainEstimate> recordedEstimate(SessionReader& session, const EstimateRow& row)
@@ -88,13 +93,14 @@ Result<TerrainEstimate> recordedEstimate(SessionReader& session, const EstimateR
 Status requireModest(const Settings& settings)
 {
     if (settings.chains > kMaxChainsAgain)
-        return Error{fmt::format("its settings ask for {} chains, and at most {} are computed",
-                                 settings.chains, kMaxChainsAgain)};
+        return Error{
+            Message(TR_NOOP("core", "its settings ask for %1 chains, and at most %2 are computed"),
+                    settings.chains, kMaxChainsAgain)};
     const std::int64_t thrownAway = std::int64_t{settings.chains} * settings.burnIn;
     if (thrownAway + settings.draws > kMaxSweepsAgain)
-        return Error{fmt::format("its settings ask for {} sweeps to be kept and {} to be thrown "
-                                 "away, and at most {} are computed",
-                                 settings.draws, thrownAway, kMaxSweepsAgain)};
+        return Error{Message(TR_NOOP("core", "its settings ask for %1 sweeps to be kept and %2 to "
+                                             "be thrown away, and at most %3 are computed"),
+                             settings.draws, thrownAway, kMaxSweepsAgain)};
     return Done{};
 }
 
@@ -107,10 +113,10 @@ Result<TerrainEstimate> estimateAgain(const SessionReader& session, const Estima
     const SceneRow* scene = session.scene(row.scene);
     if (!scene)
         return fileError(session.path(),
-                         fmt::format("estimate {}: its scene is not there", row.id));
+                         Message(TR_NOOP("core", "estimate %1: its scene is not there"), row.id));
     if (const Status modest = requireModest(settings); !modest)
-        return fileError(session.path(),
-                         fmt::format("estimate {}: {}", row.id, modest.error().text));
+        return fileError(session.path(), Message(TR_NOOP("core", "estimate %1: %2"), row.id,
+                                                 modest.error().message));
     try {
         TerrainEstimate estimate = estimateTerrain(proprioception(scene->measurement), row.readings,
                                                    *robot, models, settings, watch);
@@ -118,7 +124,8 @@ Result<TerrainEstimate> estimateAgain(const SessionReader& session, const Estima
         writePosteriorCheck(estimate, proprioception(scene->measurement), *robot, pollOf(watch));
         return estimate;
     } catch (const std::exception& refused) {  // the recorded scene cannot be estimated
-        return fileError(session.path(), fmt::format("estimate {}: {}", row.id, refused.what()));
+        return fileError(session.path(),
+                         Message(TR_NOOP("core", "estimate %1: %2"), row.id, refused.what()));
     }
 }
 

@@ -7,6 +7,7 @@
 #include "app/review/review_timeline.h"
 #include "core/atem/link_watch.h"
 #include "display/format.h"
+#include "display/translated.h"
 #include "widgets/control/robot_readout.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/event_list.h"
@@ -84,7 +85,7 @@ void ReviewDisplay::showDamage(const ReviewMoment& moment)
         places_.damage.setText(tr("DAMAGED from %1 to %2, nothing of it is shown: %3")
                                    .arg(timeWords(secondsOf(moment.damage->first)),
                                         timeWords(secondsOf(moment.damage->last)),
-                                        format::sentence(moment.damage->why)));
+                                        translated(moment.damage->why)));
 }
 
 /// Shows the events up to this time, as the operator saw them.

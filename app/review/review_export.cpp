@@ -9,6 +9,7 @@
 #include "core/store/csv_text.h"
 #include "core/store/file_write.h"
 #include "display/format.h"
+#include "display/translated.h"
 #include "widgets/base/theme.h"
 #include "widgets/terrain/numbers_table.h"
 #include "widgets/terrain/terrain_profile_view.h"
@@ -22,7 +23,7 @@ struct ExportWords {
 
 QString troubleOf(const Status& status)
 {
-    return status ? QString() : format::sentence(status.error().text);
+    return status ? QString() : translated(status.error().message);
 }
 
 /// Switches to the day theme while it exists, because paper is white.

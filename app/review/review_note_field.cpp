@@ -7,6 +7,7 @@
 #include "app/review/review_player.h"
 #include "core/log/session_reader.h"
 #include "display/format.h"
+#include "display/translated.h"
 #include "widgets/base/tips.h"
 
 namespace terratact {
@@ -22,7 +23,7 @@ ReviewNoteField::ReviewNoteField(const SessionReader& session, const ReviewPlaye
     if (auto notes = readNotes(session.path()))
         notes_ = std::move(*notes);
     else
-        trouble_ = format::sentence(notes.error().text);
+        trouble_ = translated(notes.error().message);
     connect(this, &QLineEdit::returnPressed, this, &ReviewNoteField::take);
 }
 
@@ -35,8 +36,7 @@ void ReviewNoteField::take()
     std::stable_sort(notes.begin(), notes.end(),
                      [](const ReviewNote& a, const ReviewNote& b) { return a.time < b.time; });
     const Status saved = writeNotes(session_.path(), notes);
-    trouble_ =
-        saved ? QString() : tr("NOTE NOT SAVED: %1").arg(format::sentence(saved.error().text));
+    trouble_ = saved ? QString() : tr("NOTE NOT SAVED: %1").arg(translated(saved.error().message));
     if (saved) {
         notes_ = std::move(notes);
         clear();

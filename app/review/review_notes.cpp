@@ -33,13 +33,13 @@ Result<std::vector<ReviewNote>> readNotes(const std::string& session)
     if (const auto header = csv->next(); !header) return header.error();
     if (const auto& names = csv->fields();
         names.size() != 2 || names[0] != "t_s" || names[1] != "note")
-        return csv->error("is no file of notes: expected the columns t_s,note");
+        return csv->error(TR_NOOP("core", "is no file of notes: expected the columns t_s,note"));
     csv->takeHeader({});
     for (;;) {
         const Result<bool> more = csv->next();
         if (!more) return more.error();
         if (!*more) return notes;
-        if (notes.size() >= kMaxNotes) return csv->error("too many notes");
+        if (notes.size() >= kMaxNotes) return csv->error(TR_NOOP("core", "too many notes"));
         const Result<double> time = csv->number(0, "t_s");
         if (!time) return time.error();
         notes.push_back({*time, std::string(csvText(csv->fields()[1]))});

@@ -9,6 +9,7 @@
 #include "core/log/event_text.h"
 #include "core/log/review_moment.h"
 #include "display/format.h"
+#include "display/translated.h"
 
 namespace terratact {
 namespace {
@@ -171,7 +172,7 @@ void addSurvey(Timeline& timeline, const Surveyed& surveyed)
     for (const SessionDamage& damage : surveyed.damage)
         timeline.gaps << TimelineSpan{
             secondsOf(damage.first), secondsOf(damage.last), TimelineWeight::Bad,
-            ReviewWords::tr("DAMAGED, not shown: %1").arg(format::sentence(damage.why))};
+            ReviewWords::tr("DAMAGED, not shown: %1").arg(translated(damage.why))};
 }
 
 QString alarmSentence(const EventRow& event)

@@ -5,6 +5,7 @@
 #include "app/figures/session_report.h"
 #include "core/log/session_reader.h"
 #include "display/format.h"
+#include "display/translated.h"
 
 namespace terratact {
 namespace {
@@ -64,12 +65,12 @@ void SessionExportJob::run()
 {
     auto session = SessionReader::open(wish_.session);
     if (!session) {
-        emit ended(format::sentence(session.error().text), 0, 0, 0);
+        emit ended(translated(session.error().message), 0, 0, 0);
         return;
     }
     const auto written = write(*session);
     const ExportCounts counts = written ? *written : ExportCounts{};
-    emit ended(written ? QString() : format::sentence(written.error().text), counts.leftOut,
+    emit ended(written ? QString() : translated(written.error().message), counts.leftOut,
                static_cast<int>(session->damage().size()), static_cast<int>(counts.withoutColumns));
 }
 

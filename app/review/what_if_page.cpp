@@ -22,6 +22,7 @@
 #include "core/infer/estimate/quality_preset.h"
 #include "core/store/sha256.h"
 #include "display/format.h"
+#include "display/translated.h"
 #include "widgets/base/card.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/plain_table.h"
@@ -212,7 +213,7 @@ void WhatIfPage::asRecorded()
     row.name = recordedModel_.toStdString();
     row.hash = recordedHash_.toStdString();
     const auto found = modelFileOf(row, paths);
-    if (!found) return say(format::sentence(found.error().text), Tone::Doubt);
+    if (!found) return say(translated(found.error().message), Tone::Doubt);
     model_->setCurrentIndex(model_->findData(QString::fromStdString(*found)));
 }
 
@@ -263,7 +264,7 @@ void WhatIfPage::estimate()
     const QString path = model_->currentData().toString();
     if (path.isEmpty()) return say(tr("No model is chosen"), Tone::Bad);
     if (const Status modest = requireModest(settings()); !modest)
-        return say(tr("No estimate: %1").arg(format::sentence(modest.error().text)), Tone::Bad);
+        return say(tr("No estimate: %1").arg(translated(modest.error().message)), Tone::Bad);
     useModel(path);
     asked_ = settings();
     EstimateRequest request{scene_->measurement, recorded_->readings, *asked_};

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "display/format.h"
+#include "display/translated.h"
 #include "drivers/audio_output.h"
 
 namespace terratact {
@@ -50,7 +51,7 @@ private:
             const Status played = playAudio("default", samples, kRate);
             if (!played) QMetaObject::invokeMethod(qApp, [] { QApplication::beep(); });
             const std::lock_guard lock(mutex_);
-            trouble_ = played ? QString() : format::sentence(played.error().text);
+            trouble_ = played ? QString() : translated(played.error().message);
         }
     }
 

@@ -13,6 +13,7 @@
 #include "app/shell/language.h"
 #include "app/shell/text_sheet.h"
 #include "display/format.h"
+#include "display/translated.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/theme.h"
 
@@ -70,7 +71,7 @@ Status Application::start(const Preferences& preferences, bool pictures)
     return Done{};
 }
 
-void tellRefusal(const std::string& file, const std::string& why)
+void tellRefusal(const std::string& file, const Message& why)
 {
     constexpr int kWide = 620;  // [px] at 100 %
     const QString title =
@@ -81,7 +82,7 @@ void tellRefusal(const std::string& file, const std::string& why)
         Qt::Window);  // a window of its own on the desktop; closing it ends the program
     sheet.setAttribute(Qt::WA_QuitOnClose);
     sheet.setText(
-        QStringLiteral("<h3>%1</h3><p>%2</p>").arg(title, format::sentence(why).toHtmlEscaped()),
+        QStringLiteral("<h3>%1</h3><p>%2</p>").arg(title, translated(why).toHtmlEscaped()),
         sheet.screen()->availableSize(), scaled(kWide));
     sheet.show();
     QApplication::exec();

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "display/format.h"
+#include "display/translated.h"
 
 namespace terratact {
 namespace {
@@ -246,8 +247,7 @@ Settings withPreferences(Settings settings, const Preferences& preferences)
 LateSentence robotNotUsed(const Error& why)
 {
     return [why] {
-        return Says::tr("Preferences: %1; the shipped robot is used")
-            .arg(format::sentence(why.text));
+        return Says::tr("Preferences: %1; the shipped robot is used").arg(translated(why.message));
     };
 }
 

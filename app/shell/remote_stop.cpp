@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "display/format.h"
+#include "display/translated.h"
 
 namespace terratact {
 namespace {
@@ -47,7 +48,7 @@ void RemoteStop::fail(const Error& error)
 {
     emit said(error.code == ECONNREFUSED
                   ? tr("STOP HAS NO EFFECT HERE: the console that opened this window is gone")
-                  : tr("STOP NOT SENT: %1").arg(format::sentence(error.text)),
+                  : tr("STOP NOT SENT: %1").arg(translated(error.message)),
               EventSeverity::Bad);
 }
 

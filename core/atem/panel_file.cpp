@@ -18,15 +18,17 @@ public:
     {
         PanelLine line;
         if (section.has("line") == section.has("offset"))
-            throw TomlRefused{section.path("line")
-                              + " must say the line's name, or offset its position: one of both"};
+            throw TomlRefused{Message(
+                TR_NOOP("core", "%1 must say the line's name, or offset its position: one of both"),
+                section.path("line"))};
         if (section.has("line"))
             line.name = section.text("line");
         else
             line.offset = offsetOf(section);
         if (!used_.emplace(line.name, line.offset).second)
-            throw TomlRefused{section.path(section.has("line") ? "line" : "offset")
-                              + " names a line that the file has used before"};
+            throw TomlRefused{
+                Message(TR_NOOP("core", "%1 names a line that the file has used before"),
+                        section.path(section.has("line") ? "line" : "offset"))};
         return line;
     }
 
@@ -35,8 +37,8 @@ private:
     {
         const double offset = section.number("offset", {0.0, kMaxOffset});
         if (offset != std::floor(offset))
-            throw TomlRefused{tomlLine(section.node("offset")) + ": " + section.path("offset")
-                              + " is not a whole number"};
+            throw TomlRefused{Message(TR_NOOP("core", "%1: %2 is not a whole number"),
+                                      tomlLine(section.node("offset")), section.path("offset"))};
         return static_cast<unsigned>(offset);
     }
 
@@ -46,7 +48,7 @@ private:
 void readChip(TomlSection& section, PanelConfig& panel)
 {
     if (section.has("label") == section.has("name"))
-        throw TomlRefused{"chip must say its label, or its name: one of both"};
+        throw TomlRefused{TR_NOOP("core", "chip must say its label, or its name: one of both")};
     if (section.has("label"))
         panel.chipLabel = section.text("label");
     else

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace terratact {
@@ -39,9 +40,11 @@ std::string fixed(double value, int decimals)
     return fmt::format("{:.{}f}", value, decimals);
 }
 
-std::string format_as(const Message& message)
+Message withoutControls(Message message)
 {
-    return message.english();
+    std::ranges::replace_if(message.source, isControl, '?');
+    for (Message& argument : message.arguments) argument = withoutControls(std::move(argument));
+    return message;
 }
 
 }  // namespace terratact

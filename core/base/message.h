@@ -1,9 +1,11 @@
 #pragma once
 
 #include <concepts>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/base/text.h"
@@ -21,7 +23,7 @@ struct SourceText {
 #define TR_NOOP(context, english) (terratact::SourceText{context, english})
 
 /// Message to the operator: a sentence and its arguments, formatted where it is shown. core formats
-/// it in English (english()); the console translates the source text (widgets/base/translated.h).
+/// it in English (english()); the console translates the source text (display/translated.h).
 /// An argument is a message too. A number or a name has no context and is not translated.
 struct Message {
     Message() = default;
@@ -70,6 +72,19 @@ private:
     }
 };
 
+/// Exception for a condition outside of the program. what() is the message in English.
+class Failure : public std::runtime_error {
+public:
+    explicit Failure(Message message)
+        : std::runtime_error(message.english()), message_(std::move(message))
+    {
+    }
+    const Message& message() const { return message_; }
+
+private:
+    Message message_;
+};
+
 /// Returns a number with this many decimals, as an argument.
 std::string fixed(double value, int decimals);
 
@@ -89,7 +104,7 @@ std::string filled(std::string_view source, Part&& part)
     return text;
 }
 
-/// Formats a message for fmt::format.
-std::string format_as(const Message& message);
+/// Returns the message with '?' in place of control characters, in its arguments too.
+Message withoutControls(Message message);
 
 }  // namespace terratact

@@ -4,13 +4,26 @@
 #include <utility>
 #include <variant>
 
+#include "core/base/message.h"
+
 namespace terratact {
 
 /// Failure of a file, a bus or a model: one sentence for a person that names the thing, the place
 /// and the cause. A wrong argument is not an Error: it throws std::invalid_argument.
 struct Error {
-    std::string text;
-    int code = 0;  ///< errno if the system gave one, else 0
+    Error(Message said, int number = 0)
+        : text(said.english()), code(number), message(std::move(said))
+    {
+    }
+    /// In English alone, as the command line speaks.
+    Error(std::string english, int number = 0)
+        : text(english), code(number), message(Message::verbatim(std::move(english)))
+    {
+    }
+
+    std::string text;  ///< in English
+    int code;          ///< errno where the system gave one, else 0
+    Message message;   ///< the same for the operator's language
 };
 
 /// A value, or the Error that prevented it. Reading the absent one throws std::bad_variant_access.

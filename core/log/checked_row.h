@@ -14,11 +14,12 @@
 namespace terratact {
 
 /// Thrown by readers of rows if a row holds what no session can hold. SessionReader catches it.
-struct RefusedRow {
-    std::string cause;
+class RefusedRow : public Failure {
+public:
+    using Failure::Failure;
 };
 
-inline void require(bool holds, const char* cause)
+inline void require(bool holds, SourceText cause)
 {
     if (!holds) throw RefusedRow{cause};
 }
@@ -35,7 +36,7 @@ public:
     std::int64_t integer(std::int64_t least, std::int64_t most)
     {
         const std::int64_t value = statement_.integer(at_++);
-        require(value >= least && value <= most, "a number is out of range");
+        require(value >= least && value <= most, TR_NOOP("core", "a number is out of range"));
         return value;
     }
     int small(int least, int most) { return static_cast<int>(integer(least, most)); }
@@ -46,7 +47,7 @@ public:
     double real(double least = -kMaxNumber, double most = kMaxNumber)
     {
         const double value = statement_.real(at_++);
-        require(value >= least && value <= most, "a number is out of range");
+        require(value >= least && value <= most, TR_NOOP("core", "a number is out of range"));
         return value;
     }
     std::optional<double> realOrNone()
@@ -69,21 +70,21 @@ public:
     std::string text()
     {
         std::string value = statement_.text(at_++);
-        require(value.size() <= kMaxTextBytes, "a text is too long");
+        require(value.size() <= kMaxTextBytes, TR_NOOP("core", "a text is too long"));
         return value;
     }
     std::string blob() { return statement_.blob(at_++); }
     std::string hash()
     {
         std::string value = blob();
-        require(value.size() == Sha256::kBytes, "a hash has the wrong length");
+        require(value.size() == Sha256::kBytes, TR_NOOP("core", "a hash has the wrong length"));
         return value;
     }
     template <class Value>
     Value named(std::optional<Value> (*fromName)(std::string_view))
     {
         const auto value = fromName(text());
-        require(value.has_value(), "an unknown name");
+        require(value.has_value(), TR_NOOP("core", "an unknown name"));
         return *value;
     }
 

@@ -54,7 +54,7 @@ struct SessionReader::Impl {
     void readRows(const Part& part);
     template <class Take>
     std::int64_t forRows(std::size_t table, const Part& part, Take take);
-    void addDamage(const SessionBatch& batch, const std::string& why);
+    void addDamage(const SessionBatch& batch, const Message& why);
     bool isSound(std::int64_t batch) const
     {
         return byId(batches, batch) && !std::binary_search(unsound.begin(), unsound.end(), batch);
@@ -96,32 +96,35 @@ void SessionReader::Impl::checkStructure()
     structureChecked = true;
     const std::string fault = file.structureFault();
     file.grantSteps();
-    if (!fault.empty()) damage.push_back({begin, end, "its structure is damaged: " + fault});
+    if (!fault.empty())
+        damage.push_back(
+            {begin, end, Message(TR_NOOP("core", "its structure is damaged: %1"), fault)});
 }
 
 void SessionReader::Impl::missJournal()
 {
     lacksJournal = true;
     damage.push_back({end, end,
-                      "its journal " + nameOf(path)
-                          + "-wal is not beside it: what was recorded "
-                            "after that is in there; both files belong together"});
+                      Message(TR_NOOP("core", "its journal %1 is not beside it: what was recorded "
+                                              "after that is in there; both files belong "
+                                              "together"),
+                              nameOf(path) + "-wal")});
 }
 
 void SessionReader::Impl::loseJournal()
 {
     damage.push_back({end, end,
-                      "its journal " + nameOf(path)
-                          + "-wal is damaged from its beginning: what was recorded after that was "
-                            "in there"});
+                      Message(TR_NOOP("core", "its journal %1 is damaged from its beginning: what "
+                                              "was recorded after that was in there"),
+                              nameOf(path) + "-wal")});
 }
 
-void SessionReader::Impl::addDamage(const SessionBatch& batch, const std::string& why)
+void SessionReader::Impl::addDamage(const SessionBatch& batch, const Message& why)
 {
     if (damage.size() >= kMaxDamage) {
         SessionDamage& rest = damage.back();
         rest = {std::min(rest.first, batch.first), std::max(rest.last, batch.last),
-                "more than " + std::to_string(kMaxDamage) + " places are damaged"};
+                Message(TR_NOOP("core", "more than %1 places are damaged"), kMaxDamage)};
         return;
     }
     const SessionDamage found{batch.first, batch.last, why};
@@ -144,11 +147,11 @@ SessionReader::Impl::Part SessionReader::Impl::nextPart()
         }
         if (part.batches.size() % 1024 == 0) file.grantSteps();
         require(batches.size() + part.batches.size() < static_cast<std::size_t>(kMaxBatches),
-                "has more batches than a session can have");
+                TR_NOOP("core", "has more batches than a session can have"));
         part.batches.push_back(batchFrom(select));
         const auto& all = part.batches;
         require(all.size() < 2 || all.rbegin()[1].batch.id < all.back().batch.id,
-                "the batches are not in the order of their numbers");
+                TR_NOOP("core", "the batches are not in the order of their numbers"));
     }
     return part;
 }
@@ -165,11 +168,12 @@ void SessionReader::Impl::judge(const Part& part)
         const bool follows = batch.id == id && batch.frameFirst == frame;
         const bool linked = !chainCounts || (follows && chained(chain, batch, expected) == link);
         if (!linked && !broken)
-            broken = SessionDamage{batch.first, batch.last, "the chain of hashes is broken here"};
-        if (!linked) addDamage(batch, "the chain of hashes is broken here");
+            broken = SessionDamage{batch.first, batch.last,
+                                   TR_NOOP("core", "the chain of hashes is broken here")};
+        if (!linked) addDamage(batch, TR_NOOP("core", "the chain of hashes is broken here"));
         const auto found = hashes.find(batch.id);
         if (!linked || (found == hashes.end() ? none : found->second) != expected.rows) {
-            if (linked) addDamage(batch, "rows were changed, lost or added");
+            if (linked) addDamage(batch, TR_NOOP("core", "rows were changed, lost or added"));
             unsound.push_back(batch.id);
         }
         chain = link;
@@ -196,7 +200,8 @@ std::int64_t SessionReader::Impl::forRows(std::size_t table, const Part& part, T
         const std::int64_t batch = select.integer(1);
         if (batch > part.to) break;
         const std::int64_t id = select.integer(0);
-        require(id > last, "the rows of a table are not in the order of their numbers");
+        require(id > last,
+                TR_NOOP("core", "the rows of a table are not in the order of their numbers"));
         last = id;
         take(select, batch);
     }
@@ -247,7 +252,8 @@ std::map<std::int64_t, std::string> SessionReader::Impl::rowHashes(const Part& p
     }
     const SessionTime last = part.batches.back().batch.last;
     if (strays > 0)
-        damage.push_back({last, last, std::to_string(strays) + " rows belong to no batch"});
+        damage.push_back(
+            {last, last, Message(TR_NOOP("core", "%1 rows belong to no batch"), strays)});
     for (auto& [batch, tables] : hashes) {
         fill(tables, kSessionRowTables.size());
         Sha256 all;
@@ -262,19 +268,18 @@ void SessionReader::Impl::readRows(const Part& part)
     for (std::size_t table = 0; table < kSessionRowTables.size(); ++table) {
         const std::string_view name = kSessionRowTables.at(table);
         const std::size_t most = name == "scene" || name == "estimate" ? kMaxScenes : kMaxRows;
-        lastRow.at(
-            table) = forRows(table, part, [&](const SqliteStatement& select, std::int64_t batch) {
-            require(++rowCount.at(table) <= most, "a table has more rows than a session can have");
-            if (batch < part.from || !isSound(batch)) return;
-            try {
-                rows.take(table, select);
-            } catch (const RefusedRow& refused) {
-                addDamage(*byId(batches, batch), std::string("a row of its table ")
-                                                     .append(name)
-                                                     .append(": ")
-                                                     .append(refused.cause));
-            }
-        });
+        lastRow.at(table) =
+            forRows(table, part, [&](const SqliteStatement& select, std::int64_t batch) {
+                require(++rowCount.at(table) <= most,
+                        TR_NOOP("core", "a table has more rows than a session can have"));
+                if (batch < part.from || !isSound(batch)) return;
+                try {
+                    rows.take(table, select);
+                } catch (const RefusedRow& refused) {
+                    addDamage(*byId(batches, batch), {TR_NOOP("core", "a row of its table %1: %2"),
+                                                      name, refused.message()});
+                }
+            });
     }
 }
 
@@ -312,7 +317,8 @@ void SessionReader::Impl::countStrayFrames()
     SqliteStatement select =
         file.prepare("SELECT seq FROM can_frame WHERE seq < 1 OR seq > ? LIMIT 1");
     select.bind(0, last);
-    if (sealed && select.step()) damage.push_back({end, end, "frames belong to no batch"});
+    if (sealed && select.step())
+        damage.push_back({end, end, TR_NOOP("core", "frames belong to no batch")});
 }
 
 std::vector<FrameRow> SessionReader::Impl::frames(std::size_t index)
@@ -329,7 +335,7 @@ std::vector<FrameRow> SessionReader::Impl::frames(std::size_t index)
     RowBytes bytes;
     while (select.step()) {
         require(select.integer(0) == batch.frameFirst + static_cast<std::int64_t>(found.size()),
-                "frames were changed, lost or added");
+                TR_NOOP("core", "frames were changed, lost or added"));
         found.push_back(frameFrom(select));
         bytes.clear();
         bytes.addRow(select, select.columns());
@@ -338,7 +344,7 @@ std::vector<FrameRow> SessionReader::Impl::frames(std::size_t index)
     }
     const Hash& expected = frameHashes[index];
     require(hash.take() == std::string_view(expected.data(), expected.size()),
-            "frames were changed, lost or added");
+            TR_NOOP("core", "frames were changed, lost or added"));
     return found;
 }
 
@@ -375,15 +381,15 @@ Result<SessionReader> SessionReader::open(const std::string& path, std::size_t a
         if (SqliteFile::journalIsDamaged(path)) impl->loseJournal();
         return SessionReader(std::move(impl));
     } catch (const SqliteError& error) {
-        return fileError(path, error.what());
+        return fileError(path, error.message());
     } catch (const RefusedRow& refused) {
-        return fileError(path, refused.cause);
+        return fileError(path, refused.message());
     }
 }
 
 Result<bool> SessionReader::refresh()
 {
-    const auto failed = [this](const std::string& cause) {
+    const auto failed = [this](const Message& cause) {
         try {
             impl_->file.run("ROLLBACK");
         } catch (const SqliteError&) {
@@ -394,9 +400,9 @@ Result<bool> SessionReader::refresh()
     try {
         return impl_->readMore();
     } catch (const SqliteError& error) {
-        return failed(error.what());
+        return failed(error.message());
     } catch (const RefusedRow& refused) {
-        return failed(refused.cause);
+        return failed(refused.message());
     }
 }
 
@@ -493,9 +499,9 @@ std::vector<FrameRow> SessionReader::frames(std::size_t batch)
     try {
         return impl_->frames(batch);
     } catch (const RefusedRow& refused) {
-        impl_->addDamage(wanted, refused.cause);
+        impl_->addDamage(wanted, refused.message());
     } catch (const SqliteError& error) {
-        impl_->addDamage(wanted, error.what());
+        impl_->addDamage(wanted, error.message());
     }
     return {};
 }
@@ -507,15 +513,17 @@ std::vector<Heights> SessionReader::Impl::draws(std::int64_t estimate)
     SqliteStatement select = file.prepare("SELECT d.draws, e.draws_sha256 FROM estimate_draws d "
                                           "JOIN estimate e ON e.id = d.id WHERE d.id = ?");
     select.bind(0, estimate);
-    if (!select.step()) throw SqliteError("the draws of an estimate are missing");
+    if (!select.step()) throw SqliteError(TR_NOOP("core", "the draws of an estimate are missing"));
     const std::string bytes = select.blob(0);
     const auto size = static_cast<std::int64_t>(bytes.size());
     if (drawn.emplace(estimate, size).second) drawnBytes += size;
     if (drawnBytes > file.size())
-        throw SqliteError("its rows hold more bytes than the file has: they share pages");
+        throw SqliteError(
+            TR_NOOP("core", "its rows hold more bytes than the file has: they share pages"));
     Sha256 hash;
     hash.add(bytes);
-    if (hash.take() != select.blob(1)) throw SqliteError("the draws of an estimate were changed");
+    if (hash.take() != select.blob(1))
+        throw SqliteError(TR_NOOP("core", "the draws of an estimate were changed"));
     return drawsFrom(bytes);
 }
 
@@ -524,7 +532,7 @@ Result<std::vector<Heights>> SessionReader::draws(std::int64_t estimate)
     try {
         return impl_->draws(estimate);
     } catch (const SqliteError& error) {
-        return fileError(impl_->path, error.what());
+        return fileError(impl_->path, error.message());
     }
 }
 
@@ -542,11 +550,11 @@ SessionVerification SessionReader::verify(const std::function<bool(double)>& pro
         if (!impl_->structureChecked) impl_->checkStructure();
         impl_->countStrayFrames();
     } catch (const SqliteError& error) {
-        impl_->damage.push_back({0, 0, error.what()});
+        impl_->damage.push_back({0, 0, error.message()});
     }
     for (const EstimateRow& row : impl_->rows.estimates)
         if (const auto stored = draws(row.id); !stored)
-            impl_->damage.push_back({row.time, row.time, stored.error().text});
+            impl_->damage.push_back({row.time, row.time, stored.error().message});
     found.events = static_cast<std::int64_t>(impl_->rows.events.size());
     found.damage = impl_->damage;
     found.broken = impl_->broken;

@@ -16,7 +16,7 @@ namespace terratact {
 /// Time span whose rows are hidden, because they are not what was recorded.
 struct SessionDamage {
     SessionTime first = 0, last = 0;
-    std::string why;
+    Message why;
     bool operator==(const SessionDamage&) const = default;
 };
 

@@ -32,7 +32,7 @@ std::uint64_t seedFrom(const std::string& text)
 {
     std::uint64_t seed = 0;
     for (const char c : text) {
-        require(c >= '0' && c <= '9' && text.size() <= 20, "a seed is no number");
+        require(c >= '0' && c <= '9' && text.size() <= 20, TR_NOOP("core", "a seed is no number"));
         seed = seed * 10 + static_cast<std::uint64_t>(c - '0');
     }
     return seed;
@@ -68,12 +68,14 @@ CanFrame canFrameFrom(CheckedRow& row, std::int64_t& flags)
     frame.error = (flags & kErrorFlag) != 0;
     frame.fd = (flags & kFdFlag) != 0;
     frame.length = static_cast<std::uint8_t>(flags >> kLengthShift);
-    require(frame.length <= (frame.fd ? kFdBytes : kClassicBytes), "a frame is too long");
-    require(frame.extended || frame.error || frame.id <= 0x7FF, "an identifier is too large");
+    require(frame.length <= (frame.fd ? kFdBytes : kClassicBytes),
+            TR_NOOP("core", "a frame is too long"));
+    require(frame.extended || frame.error || frame.id <= 0x7FF,
+            TR_NOOP("core", "an identifier is too large"));
     const std::string data = row.blob();
     // Older sessions stored only the first eight bytes of a longer CAN FD frame.
     frame.isCut = data.size() == kClassicBytes && frame.length > kClassicBytes;
-    require(data.size() == bytesOf(frame).size(), "a frame has the wrong length");
+    require(data.size() == bytesOf(frame).size(), TR_NOOP("core", "a frame has the wrong length"));
     std::copy(data.begin(), data.end(), reinterpret_cast<char*>(frame.data.data()));
     return frame;
 }
@@ -113,7 +115,7 @@ ModelRow modelFrom(CheckedRow& row, std::int64_t id)
 void addTruth(CheckedRow& row, std::vector<SceneRow>& scenes)
 {
     SceneRow* const scene = byId(scenes, row.id());
-    require(scene != nullptr, "truth of no scene");
+    require(scene != nullptr, TR_NOOP("core", "truth of no scene"));
     const auto bin = static_cast<std::size_t>(row.small(0, kBins - 1));
     if (!scene->truth) scene->truth = Heights{};
     scene->truth->at(bin) = row.real();
@@ -122,14 +124,14 @@ void addTruth(CheckedRow& row, std::vector<SceneRow>& scenes)
 void addReading(CheckedRow& row, std::vector<EstimateRow>& estimates)
 {
     EstimateRow* const estimate = byId(estimates, row.id());
-    require(estimate != nullptr, "a reading of no estimate");
+    require(estimate != nullptr, TR_NOOP("core", "a reading of no estimate"));
     estimate->readings.push_back(readingFrom(row));
 }
 
 void addOffer(CheckedRow& row, std::vector<ProposalRow>& proposals)
 {
     ProposalRow* const proposal = byId(proposals, row.id());
-    require(proposal != nullptr, "an offer of no proposal");
+    require(proposal != nullptr, TR_NOOP("core", "an offer of no proposal"));
     OfferedBin offer;
     offer.bin = row.small(0, kBins - 1);
     offer.varianceShare = row.real();
@@ -170,11 +172,11 @@ EstimateRow estimateFrom(CheckedRow& row, std::int64_t id, const SessionRows& ro
 {
     EstimateRow r{.id = id, .time = row.time()};
     r.scene = row.id();
-    require(byId(rows.scenes, r.scene) != nullptr, "an estimate of no scene");
+    require(byId(rows.scenes, r.scene) != nullptr, TR_NOOP("core", "an estimate of no scene"));
     const auto found = settings.find(row.id());
-    require(found != settings.end(), "an estimate without settings");
+    require(found != settings.end(), TR_NOOP("core", "an estimate without settings"));
     r.model = row.id();
-    require(byId(rows.models, r.model) != nullptr, "an estimate without a model");
+    require(byId(rows.models, r.model) != nullptr, TR_NOOP("core", "an estimate without a model"));
     r.role = row.named(estimateRoleFromName);
     r.seconds = row.real(0.0);
     r.stepLimit = row.real(0.0);
@@ -195,7 +197,7 @@ EstimateRow estimateFrom(CheckedRow& row, std::int64_t id, const SessionRows& ro
 void addBin(CheckedRow& row, std::vector<EstimateRow>& estimates)
 {
     EstimateRow* const found = byId(estimates, row.id());
-    require(found != nullptr, "a bin of no estimate");
+    require(found != nullptr, TR_NOOP("core", "a bin of no estimate"));
     TerrainEstimate& e = found->estimate;
     const auto i = static_cast<std::size_t>(row.small(0, kBins - 1));
     e.origin[i] = row.named(originFromName);
@@ -214,7 +216,8 @@ ProposalRow proposalFrom(CheckedRow& row, std::int64_t id, const SessionRows& ro
 {
     ProposalRow p{.id = id, .time = row.time()};
     p.estimate = row.id();
-    require(byId(rows.estimates, p.estimate) != nullptr, "a proposal without an estimate");
+    require(byId(rows.estimates, p.estimate) != nullptr,
+            TR_NOOP("core", "a proposal without an estimate"));
     p.bin = row.small(0, kBins - 1);
     for (double* value : {&p.height, &p.q10, &p.q90, &p.sd, &p.limit, &p.armSd, &p.seconds,
                           &p.stepLimit, &p.bitsBefore})
@@ -235,7 +238,7 @@ EventRow eventFrom(CheckedRow& row, std::int64_t id)
     e.shown = row.text();
     if (!row.hasMore()) return withNames(std::move(e));
     const auto message = messageFromJson(row.text());
-    require(message.has_value(), "a message is no JSON");
+    require(message.has_value(), TR_NOOP("core", "a message is no JSON"));
     e.message = *message;
     return e;
 }
@@ -250,7 +253,7 @@ StoredBatch batchFrom(const SqliteStatement& select)
     batch.id = row.id();
     batch.first = row.time();
     batch.last = row.time();
-    require(batch.first <= batch.last, "a batch ends before it begins");
+    require(batch.first <= batch.last, TR_NOOP("core", "a batch ends before it begins"));
     batch.frameFirst = row.id();
     batch.frameCount = row.integer(0, kMaxPerBatch);
     stored.hashes.frames = row.hash();

@@ -291,11 +291,12 @@ Result<SalvagedPages> salvagePages(const std::string& path, const std::string& s
         if (found.batches > 0) return found;
         std::error_code none;
         std::filesystem::remove(scratch, none);
-        return fileError(path, "nothing of a session is whole in it", kNothingWhole);
+        return fileError(path, TR_NOOP("core", "nothing of a session is whole in it"),
+                         kNothingWhole);
     } catch (const SqliteError& error) {
         std::error_code none;
         if (made) std::filesystem::remove(scratch, none);
-        return fileError(scratch, error.what());
+        return fileError(scratch, error.message());
     }
 }
 

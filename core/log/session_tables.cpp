@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kDrawBytes = sizeof(double) * kBins;
 
-void require(bool holds, const std::string& cause)
+void require(bool holds, const Message& cause)
 {
     if (!holds) throw SqliteError(cause);
 }
@@ -48,7 +48,8 @@ std::string hashOf(const SessionStart& start)
 std::int64_t wallTimeFrom(const std::string& text)
 {
     const auto value = writtenIntegerFrom<std::int64_t>(text);
-    require(value && *value >= 0 && *value <= kMaxWallTime, "its start is no time: " + shown(text));
+    require(value && *value >= 0 && *value <= kMaxWallTime,
+            Message(TR_NOOP("core", "its start is no time: %1"), shown(text)));
     return *value;
 }
 
@@ -57,16 +58,20 @@ std::int64_t wallTimeFrom(const std::string& text)
 std::int64_t requireSessionSchema(SqliteFile& file, const std::string& lonely)
 {
     if (!lonely.empty() && file.integer("SELECT count(*) FROM sqlite_schema") == 0)
-        throw SqliteError("holds nothing without its journal " + lonely
-                          + "-wal, which is not beside it: both files belong together, copy both");
+        throw SqliteError(
+            Message(TR_NOOP("core", "holds nothing without its journal %1, which is not beside it: "
+                                    "both files belong together, copy both"),
+                    lonely + "-wal"));
     require(file.integer("PRAGMA application_id") == kSessionApplicationId,
-            "is an SQLite file of another application, not a session");
+            TR_NOOP("core", "is an SQLite file of another application, not a session"));
     const std::int64_t version = file.integer("PRAGMA user_version");
-    require(version >= kFirstSessionVersion && version <= kSessionVersion,
-            "is a session of format version " + std::to_string(version)
-                + ", and this program reads versions " + std::to_string(kFirstSessionVersion)
-                + " to " + std::to_string(kSessionVersion));
-    const std::string other = "its tables are not those of a session";
+    require(
+        version >= kFirstSessionVersion && version <= kSessionVersion,
+        Message(
+            TR_NOOP("core",
+                    "is a session of format version %1, and this program reads versions %2 to %3"),
+            version, kFirstSessionVersion, kSessionVersion));
+    const Message other(TR_NOOP("core", "its tables are not those of a session"));
     SqliteStatement found = file.prepare("SELECT type, name, sql FROM sqlite_schema ORDER BY name");
     for (const SchemaEntry& entry : sessionSchema(version)) {
         require(found.step(), other);
@@ -96,13 +101,14 @@ StoredStart readSessionStart(SqliteFile& file)
     const auto keys = metaOf({});
     for (std::size_t i = 0; i < keys.size(); ++i) {
         require(select.step() && select.text(0) == keys[i].first,
-                std::string("does not say its ") + keys[i].first);
+                Message(TR_NOOP("core", "does not say its %1"), keys[i].first));
         values[i] = select.text(1);
         require(values[i].size() <= kMaxMetaBytes,
-                std::string("says too much of its ") + keys[i].first);
+                Message(TR_NOOP("core", "says too much of its %1"), keys[i].first));
     }
-    require(!select.step(), "says more of its start than a session does");
-    require(values[5] == "yes" || values[5] == "no", "does not say whether it could transmit");
+    require(!select.step(), TR_NOOP("core", "says more of its start than a session does"));
+    require(values[5] == "yes" || values[5] == "no",
+            TR_NOOP("core", "does not say whether it could transmit"));
     StoredStart stored{{.wallTime = wallTimeFrom(values[6]),
                         .program = values[1],
                         .source = values[4],
@@ -129,7 +135,7 @@ std::string bytesOfDraws(const std::vector<Heights>& draws)
 
 std::vector<Heights> drawsFrom(std::string_view bytes)
 {
-    require(bytes.size() % kDrawBytes == 0, "has draws that are not whole");
+    require(bytes.size() % kDrawBytes == 0, TR_NOOP("core", "has draws that are not whole"));
     std::vector<Heights> draws(bytes.size() / kDrawBytes);
     std::size_t at = 0;
     for (Heights& draw : draws)
@@ -138,7 +144,7 @@ std::vector<Heights> drawsFrom(std::string_view bytes)
             for (int i = 0; i < 8; ++i)
                 value |= std::uint64_t{static_cast<unsigned char>(bytes[at++])} << (8 * i);
             height = std::bit_cast<double>(value);
-            require(std::isfinite(height), "has a draw that is not finite");
+            require(std::isfinite(height), TR_NOOP("core", "has a draw that is not finite"));
         }
     return draws;
 }

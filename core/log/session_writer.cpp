@@ -274,7 +274,8 @@ void SessionWriter::Impl::addEvent(const EventRow& r)
 void SessionWriter::Impl::commit()
 {
     if (!open) return;
-    if (batch.id > kMaxBatches) throw SqliteError("it has as many batches as a session can have");
+    if (batch.id > kMaxBatches)
+        throw SqliteError(TR_NOOP("core", "it has as many batches as a session can have"));
     const BatchHashes hashes{.frames = frameHash.take(), .rows = rows.take()};
     std::string next = chained(chain, batch, hashes);
     int column = 0;
@@ -303,12 +304,12 @@ namespace {
 template <class Impl, class Step>
 Status attempt(Impl& impl, Step step)
 {
-    if (impl.broken) return fileError(impl.path, "recording into it has ended");
+    if (impl.broken) return fileError(impl.path, TR_NOOP("core", "recording into it has ended"));
     try {
         step();
     } catch (const SqliteError& error) {
         impl.broken = true;
-        return fileError(impl.path, error.what());
+        return fileError(impl.path, error.message());
     }
     return Done{};
 }
@@ -331,8 +332,10 @@ void requireKnown(std::int64_t id, std::int64_t last, bool mayBeNone)
 Result<SessionWriter> SessionWriter::create(const std::string& path, const SessionStart& start)
 {
     if (printable(start.bus) != start.bus)
-        return fileError(path, "is not made: the name of the bus " + shown(start.bus)
-                                   + " has control characters");
+        return fileError(
+            path,
+            Message(TR_NOOP("core", "is not made: the name of the bus %1 has control characters"),
+                    shown(start.bus)));
     bool made = false;
     try {
         SqliteFile file = SqliteFile::createLog(path);
@@ -352,7 +355,7 @@ Result<SessionWriter> SessionWriter::create(const std::string& path, const Sessi
         if (made)
             for (const char* const end : {"", "-wal", "-shm"})
                 std::filesystem::remove(path + end, none);
-        return fileError(path, error.what());
+        return fileError(path, error.message());
     }
 }
 
@@ -483,7 +486,8 @@ Status SessionWriter::seal()
         impl_->commit();
         impl_->broken = true;
         if (!impl_->file.leaveJournal())
-            throw SqliteError("is read by somebody, so its journal stays beside it");
+            throw SqliteError(
+                TR_NOOP("core", "is read by somebody, so its journal stays beside it"));
     });
 }
 
@@ -519,7 +523,8 @@ void SessionWriter::Impl::goOn()
     chain = readSessionStart(file).hash;
     const auto counted = [](std::int64_t value) {
         constexpr std::int64_t kMax = std::int64_t{1} << 48U;
-        if (value < 0 || value > kMax) throw SqliteError("a number is out of range");
+        if (value < 0 || value > kMax)
+            throw SqliteError(TR_NOOP("core", "a number is out of range"));
         return value;
     };
     SqliteStatement newest = file.prepare(
@@ -540,23 +545,26 @@ Result<SessionRecovery> recoverSession(const std::string& path, bool evenAlone)
 {
     const bool linked = isLink(path) || isLink(path + "-wal") || isLink(path + "-shm");
     if (linked)
-        return fileError(path,
-                         isLink(path) ? "is a symbolic link: name the file itself"
-                                      : "its journal is a symbolic link, which is not followed",
-                         kNotFollowed);
+        return fileError(
+            path,
+            isLink(path) ? TR_NOOP("core", "is a symbolic link: name the file itself")
+                         : TR_NOOP("core", "its journal is a symbolic link, which is not followed"),
+            kNotFollowed);
     try {
         if (!SqliteFile::isJournaled(path)) return SessionRecovery::NotNeeded;
         if (!evenAlone && SqliteFile::lacksJournal(path))
-            return fileError(path, "its journal is not beside it: both files belong together");
+            return fileError(
+                path, TR_NOOP("core", "its journal is not beside it: both files belong together"));
         if (!evenAlone && SqliteFile::journalIsDamaged(path))
-            return fileError(path, "its journal is damaged: nothing of it can be read");
+            return fileError(path,
+                             TR_NOOP("core", "its journal is damaged: nothing of it can be read"));
         SqliteFile file = SqliteFile::reopenLog(path);
         requireSessionSchema(file);
         if (!file.leaveJournal()) return SessionRecovery::InUse;
         SqliteFile alone = SqliteFile::reopenLog(path);
         return SessionWriter::finish(path, std::move(alone));
     } catch (const SqliteError& error) {
-        return fileError(path, error.what());
+        return fileError(path, error.message());
     }
 }
 

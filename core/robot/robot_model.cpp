@@ -62,7 +62,8 @@ std::vector<Vec2> polygonOf(const toml::node& node, const std::string& key)
     for (const toml::node& point : tomlArray(node, key, 3, kMaxPoints))
         polygon.push_back(pointOf(point, key));
     if (!isConvex(polygon))
-        throw TomlRefused{tomlLine(node) + ": " + key + " holds a polygon that is not convex"};
+        throw TomlRefused{Message(TR_NOOP("core", "%1: %2 holds a polygon that is not convex"),
+                                  tomlLine(node), key)};
     return polygon;
 }
 
@@ -105,8 +106,10 @@ std::vector<ForcePoint> curveOf(const toml::node& node, const std::string& key)
                         || (curve[n - 1].force > curve[n - 2].force
                             && curve[n - 1].resistance < curve[n - 2].resistance);
         if (!falls)
-            throw TomlRefused{tomlLine(point) + ": " + key
-                              + " must rise in force and fall in resistance from point to point"};
+            throw TomlRefused{Message(
+                TR_NOOP("core",
+                        "%1: %2 must rise in force and fall in resistance from point to point"),
+                tomlLine(point), key)};
     }
     return curve;
 }
@@ -133,7 +136,8 @@ void readForceElements(TomlSection& section, RobotModel& robot)
     for (std::size_t i = 0; i < robot.elementShare.size(); ++i) {
         robot.elementShare[i] = tomlNumber(shares[i], key, kShare);
         if (i > 0 && robot.elementShare[i] <= robot.elementShare[i - 1])
-            throw TomlRefused{tomlLine(node) + ": " + key + " does not increase from pivot to tip"};
+            throw TomlRefused{Message(TR_NOOP("core", "%1: %2 does not increase from pivot to tip"),
+                                      tomlLine(node), key)};
     }
     robot.forceSaturation = section.number("saturation_n", kPositive);
 }
@@ -148,11 +152,13 @@ void readElements(TomlSection& section, ForceArrayLayout& array,
         const double number = tomlNumber(entry, key, {1.0, kForceElements});
         const auto e = static_cast<std::size_t>(number) - 1;
         if (number != std::floor(number))
-            throw TomlRefused{tomlLine(entry) + ": " + key + " holds " + numberText(number)
-                              + ", expected whole numbers"};
+            throw TomlRefused{Message(TR_NOOP("core", "%1: %2 holds %3, expected whole numbers"),
+                                      tomlLine(entry), key, numberText(number))};
         if (taken[e])
-            throw TomlRefused{tomlLine(entry) + ": " + key + " names element " + numberText(number)
-                              + " of that side again, expected one array for each"};
+            throw TomlRefused{Message(
+                TR_NOOP("core",
+                        "%1: %2 names element %3 of that side again, expected one array for each"),
+                tomlLine(entry), key, numberText(number))};
         taken[e] = array.has[e] = true;
     }
 }
@@ -163,9 +169,9 @@ ForceArrayLayout forceArrayOf(TomlSection& section,
     ForceArrayLayout array;
     array.name = section.text("name");
     if (array.name.size() > kMaxForceArrayNameLength)
-        throw TomlRefused{tomlLine(section.node("name")) + ": " + section.path("name") + " is "
-                          + shown(array.name) + ", expected at most "
-                          + std::to_string(kMaxForceArrayNameLength) + " bytes"};
+        throw TomlRefused{Message(TR_NOOP("core", "%1: %2 is %3, expected at most %4 bytes"),
+                                  tomlLine(section.node("name")), section.path("name"),
+                                  shown(array.name), kMaxForceArrayNameLength)};
     array.side = section.choice("side", {"left", "right"}) == 0 ? Side::Left : Side::Right;
     readElements(section, array, taken[array.side == Side::Left ? 0 : 1]);
     return array;
@@ -176,9 +182,10 @@ void requireAllElements(const toml::node& node, const RobotModel& robot)
     for (int e = 0; e < kForceElements; ++e)
         if (!haveElement(robot.forceArrays, Side::Left, e)
             && !haveElement(robot.forceArrays, Side::Right, e))
-            throw TomlRefused{tomlLine(node) + ": no force_array has element "
-                              + std::to_string(e + 1)
-                              + ", expected each of 1 to 6 left, right or on both sides"};
+            throw TomlRefused{
+                Message(TR_NOOP("core", "%1: no force_array has element %2, expected each of 1 to "
+                                        "6 left, right or on both sides"),
+                        tomlLine(node), e + 1)};
 }
 
 void readForceArrays(TomlSection& file, RobotModel& robot)
@@ -188,24 +195,28 @@ void readForceArrays(TomlSection& file, RobotModel& robot)
     const toml::node& node = file.node(kKey);
     const toml::array* const tables = node.as_array();
     if (!tables || tables->empty())
-        throw TomlRefused{tomlLine(node)
-                          + ": force_array is no list of tables, expected [[force_array]]"};
+        throw TomlRefused{Message(
+            TR_NOOP("core", "%1: force_array is no list of tables, expected [[force_array]]"),
+            tomlLine(node))};
     if (tables->size() > kMaxForceArrays)
-        throw TomlRefused{tomlLine((*tables)[kMaxForceArrays])
-                          + ": one [[force_array]] more than the " + std::to_string(kMaxForceArrays)
-                          + " expected at most"};
+        throw TomlRefused{
+            Message(TR_NOOP("core", "%1: one [[force_array]] more than the %2 expected at most"),
+                    tomlLine((*tables)[kMaxForceArrays]), kMaxForceArrays)};
     robot.forceArrays.clear();
     std::array<std::array<bool, kForceElements>, 2> taken{};
     for (const toml::node& entry : *tables) {
         const toml::table* const table = entry.as_table();
-        if (!table) throw TomlRefused{tomlLine(entry) + ": force_array holds no table"};
+        if (!table)
+            throw TomlRefused{
+                Message(TR_NOOP("core", "%1: force_array holds no table"), tomlLine(entry))};
         TomlSection section(*table, "force_array.");
         ForceArrayLayout array = forceArrayOf(section, taken);
         for (const ForceArrayLayout& other : robot.forceArrays)
             if (other.name == array.name)
-                throw TomlRefused{tomlLine(section.node("name")) + ": " + section.path("name")
-                                  + " is " + shown(array.name)
-                                  + " again, expected a name of its own for each array"};
+                throw TomlRefused{Message(
+                    TR_NOOP("core",
+                            "%1: %2 is %3 again, expected a name of its own for each array"),
+                    tomlLine(section.node("name")), section.path("name"), shown(array.name))};
         robot.forceArrays.push_back(std::move(array));
         section.refuseUnknown();
     }

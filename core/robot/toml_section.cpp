@@ -13,25 +13,23 @@ namespace {
 constexpr std::size_t kMaxBytes = std::size_t{64} * 1024;
 constexpr int kDeepest = 16;
 
-std::string expectedNumber(TomlRange range)
-{
-    return "expected a number from " + numberText(range.least) + " to " + numberText(range.most);
-}
-
 }  // namespace
 
-std::string tomlLine(const toml::node& node)
+Message tomlLine(const toml::node& node)
 {
-    return "line " + std::to_string(node.source().begin.line);
+    return {TR_NOOP("core", "line %1"), node.source().begin.line};
 }
 
 double tomlNumber(const toml::node& node, const std::string& key, TomlRange range)
 {
-    const std::string place = tomlLine(node) + ": " + key;
-    if (!node.is_number()) throw TomlRefused{place + " is not a number, " + expectedNumber(range)};
+    if (!node.is_number())
+        throw TomlRefused{
+            Message(TR_NOOP("core", "%1: %2 is not a number, expected a number from %3 to %4"),
+                    tomlLine(node), key, range.least, range.most)};
     const double value = node.value<double>().value_or(std::nan(""));
     if (value >= range.least && value <= range.most) return value;
-    throw TomlRefused{place + " is " + numberText(value) + ", " + expectedNumber(range)};
+    throw TomlRefused{Message(TR_NOOP("core", "%1: %2 is %3, expected a number from %4 to %5"),
+                              tomlLine(node), key, value, range.least, range.most)};
 }
 
 const toml::array& tomlArray(const toml::node& node, const std::string& key, std::size_t least,
@@ -39,9 +37,11 @@ const toml::array& tomlArray(const toml::node& node, const std::string& key, std
 {
     const toml::array* const array = node.as_array();
     if (array && array->size() >= least && array->size() <= most) return *array;
-    const std::string count = least == most ? std::to_string(least)
-                                            : std::to_string(least) + " to " + std::to_string(most);
-    throw TomlRefused{tomlLine(node) + ": " + key + " is not an array of " + count + " elements"};
+    if (least == most)
+        throw TomlRefused{Message(TR_NOOP("core", "%1: %2 is not an array of %3 elements"),
+                                  tomlLine(node), key, least)};
+    throw TomlRefused{Message(TR_NOOP("core", "%1: %2 is not an array of %3 to %4 elements"),
+                              tomlLine(node), key, least, most)};
 }
 
 TomlSection::TomlSection(const toml::table& table, std::string prefix)
@@ -53,7 +53,7 @@ const toml::node& TomlSection::node(std::string_view key)
 {
     known_.emplace(key);
     const toml::node* const found = table_.get(key);
-    if (!found) throw TomlRefused{"the key " + path(key) + " is missing"};
+    if (!found) throw TomlRefused{Message(TR_NOOP("core", "the key %1 is missing"), path(key))};
     return *found;
 }
 
@@ -66,9 +66,11 @@ std::string TomlSection::text(std::string_view key)
 {
     const auto* const value = node(key).as_string();
     if (!value || !isReadableName(value->get()))
-        throw TomlRefused{
-            tomlLine(node(key)) + ": " + path(key)
-            + " is not a text of 1 to 100 characters, none of them a control character"};
+        throw TomlRefused{Message(
+            TR_NOOP(
+                "core",
+                "%1: %2 is not a text of 1 to 100 characters, none of them a control character"),
+            tomlLine(node(key)), path(key))};
     return value->get();
 }
 
@@ -78,17 +80,21 @@ std::size_t TomlSection::choice(std::string_view key,
     const std::string value = text(key);
     const auto* const found = std::find(choices.begin(), choices.end(), value);
     if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
-    std::string list;
-    for (const std::string_view name : choices)
-        list.append(list.empty() ? "" : " or ").append("\"").append(name).append("\"");
-    throw TomlRefused{tomlLine(node(key)) + ": " + path(key) + " is " + shown(value) + ", expected "
-                      + list};
+    Message list;
+    for (const std::string_view name : choices) {
+        const Message quoted = Message::verbatim('"' + std::string(name) + '"');
+        list = list.empty() ? quoted : Message(TR_NOOP("core", "%1 or %2"), list, quoted);
+    }
+    throw TomlRefused{Message(TR_NOOP("core", "%1: %2 is %3, expected %4"), tomlLine(node(key)),
+                              path(key), shown(value), list)};
 }
 
 const toml::table& TomlSection::table(std::string_view key)
 {
     const toml::table* const table = node(key).as_table();
-    if (!table) throw TomlRefused{tomlLine(node(key)) + ": " + path(key) + " is not a table"};
+    if (!table)
+        throw TomlRefused{
+            Message(TR_NOOP("core", "%1: %2 is not a table"), tomlLine(node(key)), path(key))};
     return *table;
 }
 
@@ -96,19 +102,19 @@ void TomlSection::refuseUnknown() const
 {
     for (const auto& [key, value] : table_)
         if (!known_.contains(std::string(key.str())))
-            throw TomlRefused{tomlLine(value) + ": " + shown(path(key.str()))
-                              + " is not a known key"};
+            throw TomlRefused{Message(TR_NOOP("core", "%1: %2 is not a known key"), tomlLine(value),
+                                      shown(path(key.str())))};
 }
 
 Status readToml(const std::string& name, const std::string& text,
                 const std::function<void(TomlSection&)>& read)
 {
-    if (text.empty()) return fileError(name, "is empty");
+    if (text.empty()) return fileError(name, TR_NOOP("core", "is empty"));
     if (text.size() > kMaxBytes)
-        return fileError(name,
-                         "is larger than the " + std::to_string(kMaxBytes) + " bytes allowed here");
+        return fileError(
+            name, Message(TR_NOOP("core", "is larger than the %1 bytes allowed here"), kMaxBytes));
     if (nestingDepth(text) > kDeepest)
-        return fileError(name, "nests deeper than " + std::to_string(kDeepest) + " levels");
+        return fileError(name, Message(TR_NOOP("core", "nests deeper than %1 levels"), kDeepest));
     try {
         const toml::table table = toml::parse(std::string_view(text));
         TomlSection file(table, "");
@@ -116,10 +122,10 @@ Status readToml(const std::string& name, const std::string& text,
         file.refuseUnknown();
         return Done{};
     } catch (const toml::parse_error& error) {
-        return fileError(name, "line " + std::to_string(error.source().begin.line)
-                                   + ": is not TOML: " + std::string(error.description()));
+        return fileError(name, Message(TR_NOOP("core", "line %1: is not TOML: %2"),
+                                       error.source().begin.line, error.description()));
     } catch (const TomlRefused& refused) {
-        return fileError(name, refused.cause);
+        return fileError(name, refused.message());
     }
 }
 

@@ -18,8 +18,9 @@ namespace terratact {
 // sources that read a file format include this header.
 
 /// Refusal of a file: a sentence without the file's name. readTomlFile() catches it.
-struct TomlRefused {
-    std::string cause;
+class TomlRefused : public Failure {
+public:
+    using Failure::Failure;
 };
 
 /// Closed range: both ends belong to it.
@@ -31,7 +32,7 @@ struct TomlRange {
 double tomlNumber(const toml::node& node, const std::string& key, TomlRange range);
 const toml::array& tomlArray(const toml::node& node, const std::string& key, std::size_t least,
                              std::size_t most);
-std::string tomlLine(const toml::node& node);  ///< "line 7"
+Message tomlLine(const toml::node& node);  ///< "line 7"
 
 /// One table of the file. Every key that is asked for must exist; refuseUnknown() refuses all other
 /// keys. Throws TomlRefused.

@@ -36,24 +36,29 @@ std::string lowerCase(std::string_view text)
 }
 
 /// Returns why a kind of file cannot be read as CSV, and what to do; empty if nothing prevents it.
-std::string_view refusalOf(ContentKind kind)
+Message refusalOf(ContentKind kind)
 {
     switch (kind) {
     case ContentKind::Plain: return {};
-    case ContentKind::Utf16: return "is text in UTF-16: save it as CSV in UTF-8";
-    case ContentKind::Utf32: return "is text in UTF-32: save it as CSV in UTF-8";
+    case ContentKind::Utf16: return TR_NOOP("core", "is text in UTF-16: save it as CSV in UTF-8");
+    case ContentKind::Utf32: return TR_NOOP("core", "is text in UTF-32: save it as CSV in UTF-8");
     case ContentKind::Zip:
-        return "is a workbook or an archive, not text: save the sheet as CSV in UTF-8";
+        return TR_NOOP("core",
+                       "is a workbook or an archive, not text: save the sheet as CSV in UTF-8");
     case ContentKind::OldWorkbook:
-        return "is a workbook of an office program, not text: save the sheet as CSV in UTF-8";
-    case ContentKind::Gzip: return "is compressed by gzip, not text: unpack it first";
-    case ContentKind::Pdf: return "is a PDF, not text: export the numbers as CSV";
+        return TR_NOOP(
+            "core", "is a workbook of an office program, not text: save the sheet as CSV in UTF-8");
+    case ContentKind::Gzip:
+        return TR_NOOP("core", "is compressed by gzip, not text: unpack it first");
+    case ContentKind::Pdf: return TR_NOOP("core", "is a PDF, not text: export the numbers as CSV");
     case ContentKind::Session:
-        return "is a recorded session, not text: terratact session scenes writes its scenes as CSV";
+        return TR_NOOP(
+            "core",
+            "is a recorded session, not text: terratact session scenes writes its scenes as CSV");
     case ContentKind::Sqlite:
     case ContentKind::Journal: break;
     }
-    return "is an SQLite file, not text";
+    return TR_NOOP("core", "is an SQLite file, not text");
 }
 
 /// Number of each separator in a line, outside of quotes. A tab beside another separator is a
@@ -171,15 +176,18 @@ Result<CsvReader> CsvReader::over(std::string name, std::string text)
 
 Status CsvReader::begin()
 {
-    if (const std::string_view why = refusalOf(contentKind(*text_)); !why.empty())
+    if (const Message why = refusalOf(contentKind(*text_)); !why.empty())
         return fileError(name_, why);
     if (rest_.find('\0') != std::string_view::npos)
-        return fileError(name_, "holds bytes of value 0, which no text in UTF-8 does: save it as "
-                                "CSV in UTF-8");
+        return fileError(
+            name_,
+            TR_NOOP(
+                "core",
+                "holds bytes of value 0, which no text in UTF-8 does: save it as CSV in UTF-8"));
     const Result<bool> isSaid = takeSeparatorLine();
     if (!isSaid) return isSaid.error();
     takeRemarks();
-    if (rest_.empty()) return fileError(name_, "is empty");
+    if (rest_.empty()) return fileError(name_, TR_NOOP("core", "is empty"));
     return *isSaid ? Status(Done{}) : chooseSeparator();
 }
 
@@ -194,7 +202,8 @@ Result<bool> CsvReader::takeSeparatorLine()
     rest_.remove_prefix(whole.size());
     takeLineEnd();
     if (separator_ == ',' || separator_ == ';' || separator_ == '\t') return true;
-    return fileError(name_, "line 1: names a separator that is no comma, semicolon or tab");
+    return fileError(
+        name_, TR_NOOP("core", "line 1: names a separator that is no comma, semicolon or tab"));
 }
 
 // Skips comments and blank lines.
@@ -218,17 +227,19 @@ Status CsvReader::chooseSeparator()
 {
     const std::string_view line = lineOf(rest_);
     const SeparatorCounts n = countSeparators(line);
-    const auto refuse = [this](std::string_view how) {
-        return fileError(name_, "line " + std::to_string(nextLine_) + ": the fields are separated "
-                                    + std::string(how)
-                                    + ": save them separated by commas, numbers with a point");
+    const auto refuse = [this](SourceText how) {
+        return fileError(
+            name_, Message(TR_NOOP("core", "line %1: %2: save them separated by commas, numbers "
+                                           "with a point"),
+                           nextLine_, how));
     };
     const std::size_t most = std::max({n.commas, n.semicolons, n.tabs});
     if (most == 0) {
-        if (line.find('|') != std::string_view::npos) return refuse("by |");
+        if (line.find('|') != std::string_view::npos)
+            return refuse(TR_NOOP("core", "the fields are separated by |"));
         if (line.find('"') == std::string_view::npos
             && withoutBlanks(line).find_first_of(kBlanks) != std::string_view::npos)
-            return refuse("by blanks");
+            return refuse(TR_NOOP("core", "the fields are separated by blanks"));
         return Done{};
     }
     const bool isPlain = line.find('"') == std::string_view::npos;
@@ -240,7 +251,7 @@ Status CsvReader::chooseSeparator()
             return Done{};
         }
     if ((n.commas == most) + (n.semicolons == most) + (n.tabs == most) > 1)
-        return refuse("in more than one way");
+        return refuse(TR_NOOP("core", "the fields are separated in more than one way"));
     separator_ = n.commas == most ? ',' : n.semicolons == most ? ';' : '\t';
     return Done{};
 }
@@ -271,7 +282,7 @@ Result<std::string_view> CsvReader::takeQuoted()
     bool isDoubled = false;
     for (std::size_t end = 0;; ++end) {
         end = begin.find('"', end);
-        if (end == std::string_view::npos) return error("a quote does not end");
+        if (end == std::string_view::npos) return error(TR_NOOP("core", "a quote does not end"));
         if (begin.substr(end).starts_with("\"\"")) {
             isDoubled = true;
             ++end;
@@ -296,7 +307,7 @@ Result<std::string_view> CsvReader::takeQuoted()
 Result<bool> CsvReader::takeField()
 {
     if (fields_.size() == kMaxFields)
-        return error("has more than " + std::to_string(kMaxFields) + " fields");
+        return error(Message(TR_NOOP("core", "has more than %1 fields"), kMaxFields));
     const auto skipBlanks = [this] {
         while (!rest_.empty() && rest_.front() != separator_
                && kBlanks.find(rest_.front()) != std::string_view::npos)
@@ -312,13 +323,14 @@ Result<bool> CsvReader::takeField()
         fields_.push_back(takePlain());
     }
     if (fields_.back().size() > kMaxFieldLength)
-        return error("has a field of more than " + std::to_string(kMaxFieldLength) + " bytes");
+        return error(
+            Message(TR_NOOP("core", "has a field of more than %1 bytes"), kMaxFieldLength));
     if (rest_.starts_with(separator_)) {
         rest_.remove_prefix(1);
         return true;
     }
     if (rest_.empty() || kLineEnds.find(rest_.front()) != std::string_view::npos) return false;
-    return error("has text behind a closing quote");
+    return error(TR_NOOP("core", "has text behind a closing quote"));
 }
 
 // Reads a record. Returns false at the end of the file.
@@ -379,12 +391,15 @@ Status CsvReader::checkCount()
 {
     while (fields_.size() > columns_ && fields_.back().empty()) fields_.pop_back();
     if (fields_.size() == columns_) return Done{};
-    const std::string cause = "has " + std::to_string(fields_.size())
-                            + " fields where the header has " + std::to_string(columns_);
+    const Message cause(TR_NOOP("core", "has %1 fields where the header has %2"), fields_.size(),
+                        columns_);
     if (fields_.size() < columns_ && lacksLineEnd_)
-        return error("is torn: " + cause + ", and the file does not end with a line end");
+        return error(Message(TR_NOOP("core", "is torn: has %1 fields where the header has %2, and "
+                                             "the file does not end with a line end"),
+                             fields_.size(), columns_));
     if (fields_.size() > columns_ && separator_ == ',')
-        return error(cause + ": are there decimal commas? save numbers with a point");
+        return error(Message(
+            TR_NOOP("core", "%1: are there decimal commas? save numbers with a point"), cause));
     return error(cause);
 }
 
@@ -401,8 +416,8 @@ Result<bool> CsvReader::isUnits() const
         const std::string_view unit = withoutBrackets(fields_[i]);
         if (units_[i].empty() || unit.empty() || unit == "-") continue;
         if (lowerCase(unit) != lowerCase(units_[i]))
-            return error(columnNames_[i] + " is " + shown(fields_[i])
-                         + ", expected a number, or its unit " + units_[i]);
+            return error(Message(TR_NOOP("core", "%1 is %2, expected a number, or its unit %3"),
+                                 columnNames_[i], shown(fields_[i]), units_[i]));
     }
     return any;
 }
@@ -420,18 +435,21 @@ bool CsvReader::isNumber(std::size_t field) const
 Result<double> CsvReader::number(std::size_t field, std::string_view what)
 {
     const std::string_view text = withoutBlanks(fields_.at(field));
-    if (text.empty()) return error(std::string(what) + " is empty");
+    if (text.empty()) return error(Message(TR_NOOP("core", "%1 is empty"), what));
     const std::optional<double> value = numberIn(text, separator_ != ',');
     if ((!value || std::isnan(*value)) && isMissingWord(text))
-        return error(std::string(what) + " is not measured: " + shown(text));
+        return error(Message(TR_NOOP("core", "%1 is not measured: %2"), what, shown(text)));
     if (!value) {
         const bool grouped = text.find(',') != std::string_view::npos
                           && text.find_first_not_of("0123456789.,+-") == std::string_view::npos;
-        return error(
-            std::string(what) + " is not a number: " + shown(text)
-            + (grouped ? ": save numbers with a point, and nothing between thousands" : ""));
+        const SourceText refusal =
+            grouped ? TR_NOOP("core", "%1 is not a number: %2: save numbers with a point, and "
+                                      "nothing between thousands")
+                    : TR_NOOP("core", "%1 is not a number: %2");
+        return error(Message(refusal, what, shown(text)));
     }
-    if (!std::isfinite(*value)) return error(std::string(what) + " is not finite: " + shown(text));
+    if (!std::isfinite(*value))
+        return error(Message(TR_NOOP("core", "%1 is not finite: %2"), what, shown(text)));
     if (separator_ == ',') return *value;
     const std::size_t mark = text.find_first_of(",.");
     if (mark == std::string_view::npos) return *value;
@@ -440,10 +458,18 @@ Result<double> CsvReader::number(std::size_t field, std::string_view what)
         decimalLine_ = line_;
     }
     if (decimalMark_ == text[mark]) return *value;
-    return error(std::string(what) + " is " + shown(text) + ", and line "
-                 + std::to_string(decimalLine_) + " has a decimal "
-                 + (decimalMark_ == ',' ? "comma" : "point")
-                 + ": save all numbers with a decimal point");
+    const SourceText refusal =
+        decimalMark_ == ','
+            ? TR_NOOP("core", "%1 is %2, and line %3 has a decimal comma: save all numbers with a "
+                              "decimal point")
+            : TR_NOOP("core", "%1 is %2, and line %3 has a decimal point: save all numbers with a "
+                              "decimal point");
+    return error(Message(refusal, what, shown(text), decimalLine_));
+}
+
+Error CsvReader::error(Message cause) const
+{
+    return fileError(name_, Message(TR_NOOP("core", "line %1: %2"), line_, cause));
 }
 
 Error CsvReader::error(std::string_view cause) const

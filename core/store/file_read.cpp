@@ -3,12 +3,11 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
-#include <system_error>
+#include <utility>
 
-#include "core/base/text.h"
+#include "core/base/system_message.h"
 
 namespace terratact {
 namespace {
@@ -34,35 +33,38 @@ private:
     int fd_;
 };
 
-Error systemError(const std::string& path, std::string_view what, int code)
+Error systemError(const std::string& path, SourceText what, int code)
 {
-    return fileError(path, std::string(what) + ": " + std::generic_category().message(code), code);
+    return fileError(path, Message::joined(what, systemMessage(code)), code);
 }
 
 }  // namespace
 
+Error fileError(const std::string& path, Message cause, int code)
+{
+    return {Message::joined(Message::verbatim(path), withoutControls(std::move(cause))), code};
+}
+
 Error fileError(const std::string& path, std::string_view cause, int code)
 {
-    Error error{path + ": " + std::string(cause), code};
-    const auto quoted = error.text.end() - static_cast<std::ptrdiff_t>(cause.size());
-    std::replace_if(quoted, error.text.end(), isControl, '?');
-    return error;
+    Message whole = withoutControls(Message::verbatim(std::string(cause)));
+    return {path + ": " + whole.source, code};
 }
 
 Result<std::string> readFile(const std::string& path, std::size_t most)
 {
     const OpenFile file(path);
-    if (file.fd() < 0) return systemError(path, "cannot be opened", errno);
+    if (file.fd() < 0) return systemError(path, TR_NOOP("core", "cannot be opened"), errno);
     std::string content;
     std::array<char, 65536> block{};
     for (;;) {
         const ssize_t got = ::read(file.fd(), block.data(), block.size());
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) return systemError(path, "cannot be read", errno);
+        if (got < 0) return systemError(path, TR_NOOP("core", "cannot be read"), errno);
         if (got == 0) return content;
         if (content.size() + static_cast<std::size_t>(got) > most)
-            return fileError(path,
-                             "is larger than the " + std::to_string(most) + " bytes allowed here");
+            return fileError(
+                path, Message(TR_NOOP("core", "is larger than the %1 bytes allowed here"), most));
         content.append(block.data(), static_cast<std::size_t>(got));
     }
 }

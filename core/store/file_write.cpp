@@ -12,19 +12,20 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/system_message.h"
 #include "core/store/content_kind.h"
 
 namespace terratact {
 namespace {
 
-Error cannotWrite(const std::string& path, const std::string& cause, int code)
+Error cannotWrite(const std::string& path, Message cause, int code)
 {
-    return Error{path + ": cannot be written: " + cause, code};
+    return {Message(TR_NOOP("core", "%1: cannot be written: %2"), path, cause), code};
 }
 
 Error cannotWrite(const std::string& path, int code)
 {
-    return cannotWrite(path, std::generic_category().message(code), code);
+    return cannotWrite(path, systemMessage(code), code);
 }
 
 /// Descriptor that its destructor closes; close() returns whether the system kept what was written.
@@ -132,13 +133,18 @@ Status checkReplaceable(const std::string& path)
     struct stat old {};
     if (::stat(path.c_str(), &old) != 0) return Done{};
     if (S_ISDIR(old.st_mode)) return cannotWrite(path, EISDIR);
-    if (!S_ISREG(old.st_mode)) return cannotWrite(path, "it is not a regular file", 0);
+    if (!S_ISREG(old.st_mode))
+        return cannotWrite(path, TR_NOOP("core", "it is not a regular file"), 0);
     if (isSessionName(path) || isRecording(path))
         return cannotWrite(
-            path, "a recorded session is there, which is never replaced: name another file", 0);
+            path,
+            TR_NOOP("core",
+                    "a recorded session is there, which is never replaced: name another file"),
+            0);
     if (::access(path.c_str(), W_OK) != 0) return cannotWrite(path, errno);
     if ((old.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0)
-        return cannotWrite(path, "it is write-protected: name another file", EACCES);
+        return cannotWrite(path, TR_NOOP("core", "it is write-protected: name another file"),
+                           EACCES);
     return Done{};
 }
 
@@ -193,7 +199,9 @@ Status makeDirectory(const std::string& path, FolderAccess access)
     }
     std::filesystem::create_directories(path, failed);
     if (failed)
-        return Error{path + ": the directory cannot be made: " + failed.message(), failed.value()};
+        return Error{Message(TR_NOOP("core", "%1: the directory cannot be made: %2"), path,
+                             systemMessage(failed.value())),
+                     failed.value()};
     return Done{};
 }
 

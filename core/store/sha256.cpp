@@ -57,8 +57,8 @@ Result<std::string> sha256OfFile(const std::string& path)
     std::error_code unknown;
     const auto there = std::filesystem::status(path, unknown);
     if (std::filesystem::is_fifo(there) || std::filesystem::is_character_file(there))
-        return fileError(path, "is a pipe or a device, which is read only once, and this is read "
-                               "twice: save it as a file first");
+        return fileError(path, TR_NOOP("core", "is a pipe or a device, which is read only once, "
+                                               "and this is read twice: save it as a file first"));
     constexpr std::size_t kMaxHashed = std::size_t{1} << 30U;
     const auto bytes = readFile(path, kMaxHashed);
     if (!bytes) return bytes.error();

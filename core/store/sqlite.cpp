@@ -11,16 +11,42 @@
 #include <fstream>
 #include <limits>
 #include <system_error>
+#include <utility>
 
+#include "core/base/system_message.h"
 #include "core/base/text.h"
 #include "core/store/content_kind.h"
 
 namespace terratact {
 namespace {
 
+/// What SQLite says of the last failure, for translation where it is a usual one.
+Message sqliteMessage(sqlite3* file)
+{
+    static constexpr std::array kUsual{
+        TR_NOOP("core", "database disk image is malformed"),
+        TR_NOOP("core", "file is not a database"),
+        TR_NOOP("core", "database is locked"),
+        TR_NOOP("core", "database or disk is full"),
+        TR_NOOP("core", "disk I/O error"),
+        TR_NOOP("core", "unable to open database file"),
+        TR_NOOP("core", "attempt to write a readonly database"),
+        TR_NOOP("core", "string or blob too big"),
+        TR_NOOP("core", "SQL logic error"),
+        TR_NOOP("core", "out of memory"),
+    };
+    constexpr std::string_view kSchema = "malformed database schema (";
+    const std::string said = sqlite3_errmsg(file);
+    for (const SourceText& usual : kUsual)
+        if (said == usual.english) return usual;
+    if (said.starts_with(kSchema))
+        return {TR_NOOP("core", "malformed database schema %1"), said.substr(kSchema.size() - 1)};
+    return Message::verbatim(said);
+}
+
 void check(int code, sqlite3* file)
 {
-    if (code != SQLITE_OK) throw SqliteError(sqlite3_errmsg(file));
+    if (code != SQLITE_OK) throw SqliteError(sqliteMessage(file));
 }
 
 /// Returns a path as an SQLite URI, with all but plain characters percent-encoded.
@@ -57,19 +83,19 @@ Header headerOf(const std::string& path)
 {
     std::error_code unknown;
     const std::filesystem::file_status there = std::filesystem::status(path, unknown);
-    if (std::filesystem::is_directory(there)) throw SqliteError("is a directory");
+    if (std::filesystem::is_directory(there)) throw SqliteError(TR_NOOP("core", "is a directory"));
     if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
-        throw SqliteError(
-            "it is not a regular file, and an SQLite file is read back and forth: save "
-            "it as a file first");
+        throw SqliteError(TR_NOOP("core", "it is not a regular file, and an SQLite file is read "
+                                          "back and forth: save it as a file first"));
     Header header{};
     errno = 0;
     std::ifstream in(path, std::ios::binary);
-    if (!in) throw SqliteError("cannot be opened: " + std::generic_category().message(errno));
+    if (!in)
+        throw SqliteError(Message(TR_NOOP("core", "cannot be opened: %1"), systemMessage(errno)));
     in.read(header.data(), header.size());
-    if (in.gcount() == 0) throw SqliteError("is empty");
+    if (in.gcount() == 0) throw SqliteError(TR_NOOP("core", "is empty"));
     if (!in || std::string_view(header.data(), kMagic.size()) != kMagic)
-        throw SqliteError("is not an SQLite file");
+        throw SqliteError(TR_NOOP("core", "is not an SQLite file"));
     return header;
 }
 
@@ -82,12 +108,15 @@ void checkSize(const std::string& path, std::uintmax_t most)
     const std::uint64_t page = bigEndian(&header[16], 2);
     const std::uint64_t expected = (page == 1 ? 65536 : page) * bigEndian(&header[28], 4);
     const std::uintmax_t size = std::filesystem::file_size(path, none);
-    if (none) throw SqliteError("has no size: " + none.message());
+    if (none)
+        throw SqliteError(Message(TR_NOOP("core", "has no size: %1"), systemMessage(none.value())));
     if (size > most)
-        throw SqliteError("is larger than the " + std::to_string(most) + " bytes allowed");
+        throw SqliteError(Message(TR_NOOP("core", "is larger than the %1 bytes allowed"), most));
     if (size == expected) return;
-    throw SqliteError("has " + std::to_string(size) + " bytes where its header says "
-                      + std::to_string(expected) + (size < expected ? ": it is truncated" : ""));
+    const SourceText text =
+        size < expected ? TR_NOOP("core", "has %1 bytes where its header says %2: it is truncated")
+                        : TR_NOOP("core", "has %1 bytes where its header says %2");
+    throw SqliteError(Message(text, size, expected));
 }
 
 /// Ends long statements of a hostile file. SQLite calls stopNow() every kStepsPerCall steps.
@@ -145,7 +174,8 @@ void SqliteStatement::take(std::int64_t bytes) const
     if (!bytesLeft_) return;
     *bytesLeft_ -= bytes;
     if (*bytesLeft_ < 0)
-        throw SqliteError("its rows hold more bytes than the file has: they share pages");
+        throw SqliteError(
+            TR_NOOP("core", "its rows hold more bytes than the file has: they share pages"));
 }
 
 bool SqliteStatement::step()
@@ -153,7 +183,7 @@ bool SqliteStatement::step()
     const int code = sqlite3_step(statement_.get());
     if (code == SQLITE_ROW) take(kMinCell);
     if (code == SQLITE_ROW) return true;
-    if (code != SQLITE_DONE) throw SqliteError(sqlite3_errmsg(sqlite3_db_handle(statement_.get())));
+    if (code != SQLITE_DONE) throw SqliteError(sqliteMessage(sqlite3_db_handle(statement_.get())));
     return false;
 }
 
@@ -168,7 +198,8 @@ void SqliteStatement::expect(int column, int type) const
 {
     if (this->type(column) == type) return;
     const char* const name = sqlite3_column_name(statement_.get(), column);
-    throw SqliteError(std::string("a value of the wrong type in ") + (name ? name : "a column"));
+    throw SqliteError(
+        Message(TR_NOOP("core", "a value of the wrong type in %1"), name ? name : "a column"));
 }
 
 double SqliteStatement::real(int column) const
@@ -230,7 +261,7 @@ SqliteFile::SqliteFile(const std::string& name, int flags)
     const int code = sqlite3_open_v2(
         name.c_str(), &file, flags | SQLITE_OPEN_PRIVATECACHE | SQLITE_OPEN_NOMUTEX, nullptr);
     file_.reset(file);
-    if (!file) throw SqliteError("out of memory");
+    if (!file) throw SqliteError(TR_NOOP("core", "out of memory"));
     check(code, file);
 }
 
@@ -290,10 +321,13 @@ void requireReadableJournal(const std::string& path)
     const bool isFile = std::filesystem::is_regular_file(journal, none);
     if (isFile && ::access(journal.c_str(), R_OK) == 0) return;
     const int code = errno;
+    const std::string name = printable(journal.filename().string());
+    if (!isFile)
+        throw SqliteError(Message(
+            TR_NOOP("core", "its journal %1 is not a file; both files belong together"), name));
     throw SqliteError(
-        "its journal " + printable(journal.filename().string()) + " "
-        + (isFile ? "cannot be read: " + std::generic_category().message(code) : "is not a file")
-        + "; both files belong together");
+        Message(TR_NOOP("core", "its journal %1 cannot be read: %2; both files belong together"),
+                name, systemMessage(code)));
 }
 
 }  // namespace
@@ -344,9 +378,9 @@ void SqliteFile::makeEmpty(const std::string& path)
     const int made =
         ::open(path.c_str(), O_CREAT | O_EXCL | O_NOFOLLOW | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
     if (made < 0)
-        throw SqliteError(errno == EEXIST
-                              ? "is there already"
-                              : "cannot be created: " + std::generic_category().message(errno));
+        throw SqliteError(errno == EEXIST ? Message(TR_NOOP("core", "is there already"))
+                                          : Message(TR_NOOP("core", "cannot be created: %1"),
+                                                    systemMessage(errno)));
     ::close(made);
 }
 
@@ -376,7 +410,7 @@ void SqliteFile::journal()
 {
     SqliteStatement mode = prepare("PRAGMA journal_mode = WAL");
     if (!mode.step() || mode.text(0) != "wal")
-        throw SqliteError("its file system keeps no write-ahead journal");
+        throw SqliteError(TR_NOOP("core", "its file system keeps no write-ahead journal"));
     run("PRAGMA synchronous = FULL");
     // A file in WAL mode without a journal is then one whose journal was removed.
     check(sqlite3_db_config(file_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr),
@@ -391,7 +425,7 @@ bool SqliteFile::leaveJournal()
     const SqliteStatement mode = prepare("PRAGMA journal_mode = DELETE");
     const int code = sqlite3_step(mode.statement_.get());
     if (code == SQLITE_BUSY || code == SQLITE_LOCKED) return false;
-    if (code != SQLITE_ROW) throw SqliteError(sqlite3_errmsg(file_.get()));
+    if (code != SQLITE_ROW) throw SqliteError(sqliteMessage(file_.get()));
     return mode.text(0) == "delete";
 }
 
@@ -429,7 +463,7 @@ std::string SqliteFile::structureFault()
 {
     if (callsLeft_) *callsLeft_ = kCalls + static_cast<int>(size_ / kStepsPerCall);
     SqliteStatement statement = prepare("PRAGMA integrity_check(1)");
-    if (!statement.step()) throw SqliteError("its structure cannot be checked");
+    if (!statement.step()) throw SqliteError(TR_NOOP("core", "its structure cannot be checked"));
     std::string finding = statement.text(0);
     if (finding == "ok") return {};
     std::replace(finding.begin(), finding.end(), '\n', ' ');
@@ -439,7 +473,7 @@ std::string SqliteFile::structureFault()
 void SqliteFile::checkStructure()
 {
     if (const std::string fault = structureFault(); !fault.empty())
-        throw SqliteError("its structure is damaged: " + fault);
+        throw SqliteError(Message(TR_NOOP("core", "its structure is damaged: %1"), fault));
 }
 
 SqliteFile SqliteFile::fill(const std::string& path)
@@ -462,7 +496,7 @@ SqliteStatement SqliteFile::prepare(std::string_view sql)
 std::int64_t SqliteFile::integer(std::string_view sql)
 {
     SqliteStatement statement = prepare(sql);
-    if (!statement.step()) throw SqliteError("a number is missing");
+    if (!statement.step()) throw SqliteError(TR_NOOP("core", "a number is missing"));
     return statement.integer(0);
 }
 

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -14,9 +13,9 @@ namespace terratact {
 
 /// SQLite refused a step; the text is SQLite's. A caller that knows the file's name returns an
 /// Error.
-class SqliteError : public std::runtime_error {
+class SqliteError : public Failure {
 public:
-    using std::runtime_error::runtime_error;
+    using Failure::Failure;
 };
 
 /// A prepared statement.  Parameters and columns count from 0.

@@ -81,7 +81,8 @@ public:
         const Result<double> moment = logSeconds(first);
         if (!moment) return moment.error();
         const double time = isRelative_ ? last_ + *moment : *moment;
-        if (!(base_ + time <= kMaxLogSeconds)) return expectedInLog("a time", first);
+        if (!(base_ + time <= kMaxLogSeconds))
+            return expectedInLog(TR_NOOP("core", "a time"), first);
         last_ = time;
         LoggedFrame logged;
         logged.time = base_ + time;
@@ -104,7 +105,7 @@ private:
             if (const auto seconds = secondsOfDateLine(words.rest()))
                 base_ = *seconds;
             else
-                remark_ = "the date is not understood: times count from 0";
+                remark_ = TR_NOOP("core", "the date is not understood: times count from 0");
             return nothing();
         }
         if (first == "base") return bases(words);
@@ -137,7 +138,7 @@ private:
     {
         const auto channel = isDigits(digits) ? integerFrom<unsigned>(digits) : std::nullopt;
         if (!channel || *channel > kMaxChannels)
-            return expectedInLog("the number of a channel", digits);
+            return expectedInLog(TR_NOOP("core", "the number of a channel"), digits);
         logged.interface = interfaceOfBus(*channel);
         return Done{};
     }
@@ -173,7 +174,8 @@ private:
         // A remote frame may lack its length.
         if (frame.remote && !length) return std::optional(std::move(logged));
         // A classic frame may have a length code up to 15, and then has eight bytes.
-        if (!length || *length > 15) return expectedInLog("a length from 0 to 8", word);
+        if (!length || *length > 15)
+            return expectedInLog(TR_NOOP("core", "a length from 0 to 8"), word);
         frame.length = static_cast<std::uint8_t>(std::min<std::size_t>(*length, kClassicBytes));
         if (frame.remote) return std::optional(std::move(logged));
         return withBytes(std::move(logged), words);
@@ -206,8 +208,9 @@ private:
         if (switched != "0" && switched != "1") switched = words.next();
         const std::string_view state = words.next(), code = words.next();
         if ((switched != "0" && switched != "1") || (state != "0" && state != "1"))
-            return expectedInLog("0 or 1 for the flags BRS and ESI", switched);
-        if (!integerFrom<unsigned>(code, 16)) return expectedInLog("a length code", code);
+            return expectedInLog(TR_NOOP("core", "0 or 1 for the flags BRS and ESI"), switched);
+        if (!integerFrom<unsigned>(code, 16))
+            return expectedInLog(TR_NOOP("core", "a length code"), code);
         const std::string_view word = words.next();
         const auto length = isDigits(word) ? integerFrom<unsigned>(word) : std::nullopt;
         frame.fd = true;

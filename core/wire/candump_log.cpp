@@ -21,7 +21,7 @@ constexpr std::size_t kMaxNameLength = 15;  // of an interface name
 
 Error expectedTime(std::string_view found)
 {
-    return expectedInLog("a time like (1436509052.249713)", found);
+    return expectedInLog(TR_NOOP("core", "a time like (1436509052.249713)"), found);
 }
 
 // "(1436509052.249713)"
@@ -51,7 +51,7 @@ Result<double> timeOfDate(std::string_view date, std::string_view clock)
     const std::string_view plain = clock.substr(0, clock.empty() ? 0 : clock.size() - 1);
     const auto time = clock.ends_with(')') ? secondsOfDate(date.substr(1), plain) : std::nullopt;
     if (!time)
-        return expectedInLog("a time like (2025-01-10 12:34:56.249713)",
+        return expectedInLog(TR_NOOP("core", "a time like (2025-01-10 12:34:56.249713)"),
                              fmt::format("{} {}", date, clock));
     return *time;
 }
@@ -68,24 +68,25 @@ Result<CanFrame> frameWithId(std::string_view digits)
     CanFrame frame;
     const std::optional<std::uint32_t> id = integerFrom<std::uint32_t>(digits, 16);
     if (!id || (digits.size() != 3 && digits.size() != 8))
-        return expectedInLog("an identifier of 3 or 8 hexadecimal digits", digits);
+        return expectedInLog(TR_NOOP("core", "an identifier of 3 or 8 hexadecimal digits"), digits);
     frame.error = digits.size() == 8 && (*id & kErrorBit) != 0;
     frame.extended = digits.size() == 8 && !frame.error;
     frame.id = frame.error ? *id & ~kErrorBit : *id;
     if (digits.size() == 3 && frame.id > kMaxStandardId)
-        return expectedInLog("a standard identifier up to 7FF", digits);
-    if (frame.id > kMaxExtendedId) return expectedInLog("an identifier up to 3FFFFFFF", digits);
+        return expectedInLog(TR_NOOP("core", "a standard identifier up to 7FF"), digits);
+    if (frame.id > kMaxExtendedId)
+        return expectedInLog(TR_NOOP("core", "an identifier up to 3FFFFFFF"), digits);
     return frame;
 }
 
 // Reads what follows "044#R".
 Status takeRemote(CanFrame& frame, std::string_view length)
 {
-    if (frame.error) return Error{"an error frame cannot be a remote frame"};
+    if (frame.error) return Error{TR_NOOP("core", "an error frame cannot be a remote frame")};
     frame.remote = true;
     if (length.empty()) return Done{};
     if (length.size() != 1 || length[0] < '0' || length[0] > '8')
-        return expectedInLog("a length from 0 to 8 after R", length);
+        return expectedInLog(TR_NOOP("core", "a length from 0 to 8 after R"), length);
     frame.length = static_cast<std::uint8_t>(length[0] - '0');
     return Done{};
 }
@@ -93,7 +94,7 @@ Status takeRemote(CanFrame& frame, std::string_view length)
 Status takeBytes(CanFrame& frame, std::string_view digits)
 {
     if (digits.size() % 2 != 0)
-        return expectedInLog("an even number of hexadecimal digits", digits);
+        return expectedInLog(TR_NOOP("core", "an even number of hexadecimal digits"), digits);
     if (Status done = setFrameLength(frame, digits.size() / 2, digits); !done) return done;
     for (std::size_t i = 0; i < frame.length; ++i)
         if (Status done = setFrameByte(frame, i, digits.substr(2 * i, 2)); !done) return done;
@@ -114,9 +115,10 @@ Result<CanFrame> compactFrame(std::string_view word)
     if (content.starts_with('#')) {
         frame->fd = true;
         if (content.size() < 2 || !integerFrom<unsigned>(content.substr(1, 1), 16))
-            return expectedInLog("a digit of flags after ##", content.substr(1, 1));
+            return expectedInLog(TR_NOOP("core", "a digit of flags after ##"),
+                                 content.substr(1, 1));
         content.remove_prefix(2);
-        if (frame->error) return Error{"an error frame cannot be a CAN FD frame"};
+        if (frame->error) return Error{TR_NOOP("core", "an error frame cannot be a CAN FD frame")};
     }
     if (const Status done = takeBytes(*frame, content); !done) return done.error();
     return frame;
@@ -127,9 +129,11 @@ Status takeLength(CanFrame& frame, std::string_view word)
 {
     const bool isBracketed = word.starts_with('[') && word.ends_with(']') && word.size() > 2;
     const std::string_view digits = isBracketed ? word.substr(1, word.size() - 2) : "";
-    if (!isDigits(digits) || digits.size() > 2) return expectedInLog("a length like [5]", word);
+    if (!isDigits(digits) || digits.size() > 2)
+        return expectedInLog(TR_NOOP("core", "a length like [5]"), word);
     frame.fd = digits.size() == 2;
-    if (frame.fd && frame.error) return Error{"an error frame cannot be a CAN FD frame"};
+    if (frame.fd && frame.error)
+        return Error{TR_NOOP("core", "an error frame cannot be a CAN FD frame")};
     return setFrameLength(frame, *integerFrom<unsigned>(digits, 10), word);
 }
 
@@ -139,11 +143,12 @@ Status takeLongBytes(CanFrame& frame, LogWords& words)
         if (Status done = setFrameByte(frame, i, words.next()); !done) return done;
     if (frame.error) {
         const std::string_view word = words.next();
-        if (word != "ERRORFRAME") return expectedInLog("the word ERRORFRAME", word);
+        if (word != "ERRORFRAME")
+            return expectedInLog(TR_NOOP("core", "the word ERRORFRAME"), word);
     }
     const std::string_view rest = words.rest();
     if (rest.empty() || (rest.size() > 1 && rest.front() == '\'')) return Done{};  // candump -a
-    return expectedInLog("no more than the bytes", rest);
+    return expectedInLog(TR_NOOP("core", "no more than the bytes"), rest);
 }
 
 // Reads "044 [5] 2A 36 6C 2B BA"; `id` is its first word.
@@ -155,8 +160,9 @@ Result<CanFrame> longFrame(std::string_view id, LogWords& words)
     const std::string_view rest = words.rest();
     if (rest.starts_with("remote")) {
         if (words.next() != "remote" || words.next() != "request" || !words.rest().empty())
-            return expectedInLog("the words remote request", rest);
-        if (frame->error || frame->fd) return Error{"only a classic data frame can be requested"};
+            return expectedInLog(TR_NOOP("core", "the words remote request"), rest);
+        if (frame->error || frame->fd)
+            return Error{TR_NOOP("core", "only a classic data frame can be requested")};
         frame->remote = true;
         return frame;
     }
@@ -168,11 +174,12 @@ Result<CanFrame> longFrame(std::string_view id, LogWords& words)
 Result<LogDirection> directionFrom(LogWords& words)
 {
     const std::string_view word = words.next();
-    if (!words.rest().empty()) return expectedInLog("the end of the line", words.rest());
+    if (!words.rest().empty())
+        return expectedInLog(TR_NOOP("core", "the end of the line"), words.rest());
     if (word.empty()) return LogDirection::Unknown;
     if (word == "R") return LogDirection::Received;
     if (word == "T") return LogDirection::Sent;
-    return expectedInLog("a direction R or T", word);
+    return expectedInLog(TR_NOOP("core", "a direction R or T"), word);
 }
 
 // Skips "RX - -" of candump -x; `word` is its first word.
@@ -217,7 +224,7 @@ Result<LoggedFrame> frameFromCandump(std::string_view line)
         logged.frame = *frame;
         return logged;
     }
-    if (!isName(word)) return expectedInLog("the name of an interface", word);
+    if (!isName(word)) return expectedInLog(TR_NOOP("core", "the name of an interface"), word);
     logged.interface = word;
     word = words.next();
     const bool isCompact = word.find('#') != std::string_view::npos;

@@ -134,12 +134,14 @@ private:
              std::array{Flag{"extended", &frame.extended}, Flag{"remote", &frame.remote},
                         Flag{"error", &frame.error}, Flag{"fd", &frame.fd}, Flag{"sent", &sent}}) {
             const auto truth = truthOf(field(fields, column));
-            if (!truth) return expectedInLog("true or false", field(fields, column));
+            if (!truth)
+                return expectedInLog(TR_NOOP("core", "true or false"), field(fields, column));
             *flag = *truth;
         }
         if (frame.error && (frame.remote || frame.fd))
-            return Error{"an error frame cannot be of another kind, too"};
-        if (frame.remote && frame.fd) return Error{"a CAN FD frame cannot be a remote frame"};
+            return Error{TR_NOOP("core", "an error frame cannot be of another kind, too")};
+        if (frame.remote && frame.fd)
+            return Error{TR_NOOP("core", "a CAN FD frame cannot be a remote frame")};
         if (frame.error) frame.extended = false;
         const std::string_view direction = field(fields, "dir");
         if (direction == "Tx" || sent) logged.direction = LogDirection::Sent;
@@ -163,7 +165,8 @@ private:
     {
         const std::string_view text = field(fields, "bus");
         const auto bus = isDigits(text) ? integerFrom<std::uint8_t>(text) : std::nullopt;
-        if (!bus && !text.empty()) return expectedInLog("the number of a bus", text);
+        if (!bus && !text.empty())
+            return expectedInLog(TR_NOOP("core", "the number of a bus"), text);
         logged.interface = interfaceOfBus(bus ? *bus + 1U : 1U);
         return Done{};
     }
@@ -183,7 +186,8 @@ private:
         if (dialect_ == Dialect::Own) return takeDigits(field(fields, "data"), frame);
         const auto bytes = bytesOfBase64(field(fields, "data"));
         if (!bytes || bytes->size() != frame.length)
-            return expectedInLog("as many bytes in base 64 as dlc says", field(fields, "data"));
+            return expectedInLog(TR_NOOP("core", "as many bytes in base 64 as dlc says"),
+                                 field(fields, "data"));
         std::copy(bytes->begin(), bytes->end(), frame.data.begin());
         return Done{};
     }
@@ -207,7 +211,7 @@ private:
             frame.isCut = frame.length > kClassicBytes;
         const std::size_t known = bytesOf(frame).size();
         if (digits.size() != 2 * known)
-            return expectedInLog("as many bytes as the length says", digits);
+            return expectedInLog(TR_NOOP("core", "as many bytes as the length says"), digits);
         for (std::size_t i = 0; i < known; ++i)
             if (Status done = setFrameByte(frame, i, digits.substr(2 * i, 2)); !done) return done;
         return Done{};

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/system_message.h"
 #include "core/store/file_read.h"
 
 namespace terratact {
@@ -65,7 +66,8 @@ Result<LogBytes::Source> LogBytes::sourceOf(const std::string& path)
     const auto file = std::make_shared<LogFile>(path);
     if (file->fd() < 0) {
         const int code = errno;
-        return fileError(path, "cannot be opened: " + std::generic_category().message(code), code);
+        return fileError(
+            path, Message(TR_NOOP("core", "cannot be opened: %1"), systemMessage(code)), code);
     }
     return Source([file](std::span<char> room) -> Result<std::size_t> {
         for (;;) {
@@ -73,7 +75,8 @@ Result<LogBytes::Source> LogBytes::sourceOf(const std::string& path)
             if (got >= 0) return static_cast<std::size_t>(got);
             const int code = errno;
             if (code != EINTR)
-                return Error{"cannot be read: " + std::generic_category().message(code), code};
+                return Error{Message(TR_NOOP("core", "cannot be read: %1"), systemMessage(code)),
+                             code};
         }
     });
 }
@@ -117,7 +120,8 @@ Status LogBytes::begin()
     if (const auto first = peek(2); !first) return first.error();
     if (block_.starts_with("\x1F\x8B")) {
         packed_ = std::make_unique<Packed>();
-        if (!packed_->isReady) return Error{"cannot be unpacked: there is no memory"};
+        if (!packed_->isReady)
+            return Error{TR_NOOP("core", "cannot be unpacked: there is no memory")};
         std::copy(block_.begin(), block_.end(), packed_->input.begin());
         packed_->stream.next_in = reinterpret_cast<Bytef*>(packed_->input.data());
         packed_->stream.avail_in = static_cast<uInt>(block_.size());
@@ -126,7 +130,7 @@ Status LogBytes::begin()
     }
     if (const auto first = peek(4); !first) return first.error();
     if (packed_ && block_.starts_with("\x1F\x8B"))
-        return Error{"is packed by gzip twice: unpack it once (gzip -d)"};
+        return Error{TR_NOOP("core", "is packed by gzip twice: unpack it once (gzip -d)")};
     if (block_.starts_with("\xEF\xBB\xBF")) take(3);
     isLowFirst_ = block_.starts_with("\xFF\xFE");
     isWide_ = isLowFirst_ || block_.starts_with("\xFE\xFF");
@@ -194,7 +198,8 @@ Result<std::size_t> LogBytes::unpack(std::span<char> room)
         const int result = ::inflate(&p.stream, Z_NO_FLUSH);
         p.isWhole = result == Z_STREAM_END;
         if (result != Z_OK && result != Z_STREAM_END && result != Z_BUF_ERROR)
-            return Error{"cannot be unpacked from here on: its packed bytes are damaged"};
+            return Error{
+                TR_NOOP("core", "cannot be unpacked from here on: its packed bytes are damaged")};
     }
     return room.size() - p.stream.avail_out;
 }

@@ -67,43 +67,50 @@ bool isTrcLine(std::string_view first)
     return first.size() > 1 && first.ends_with(')') && isDigits(first.substr(0, first.size() - 1));
 }
 
-constexpr std::string_view kConvert =
-    "; expected a log of candump, .asc, .trc, or CSV of GVRET or python-can: export it as one of "
-    "them";
-
-/// Returns the kind of another text by its beginning.
-std::string otherKindOf(std::string_view line, std::string_view first)
+Message convert(SourceText kind)
 {
-    const auto is = [](std::string_view what) {
-        return "is " + std::string(what) + std::string(kConvert);
-    };
-    if (line.starts_with("***BUSMASTER")) return is("a log of BusMaster");
-    if (first == "Microchip") return is("a log of Microchip");
-    if (line.starts_with("Time,") || line.starts_with("Time;")) return is("a table, no known log");
+    return {TR_NOOP("core", "is %1; expected a log of candump, .asc, .trc, or CSV of GVRET or "
+                            "python-can: export it as one of them"),
+            kind};
+}
+
+/// Returns the kind of another text by its beginning; empty if none is known.
+Message otherKindOf(std::string_view line, std::string_view first)
+{
+    if (line.starts_with("***BUSMASTER")) return convert(TR_NOOP("core", "a log of BusMaster"));
+    if (first == "Microchip") return convert(TR_NOOP("core", "a log of Microchip"));
+    if (line.starts_with("Time,") || line.starts_with("Time;"))
+        return convert(TR_NOOP("core", "a table, no known log"));
     if (isCsvHeading(line)) return {};
     const bool isDate = line.size() > 10 && line[4] == '-' && line[7] == '-' && line[10] == 'T';
-    if (isDate && isTable(line)) return is("a log of NMEA 2000 of canboat");
+    if (isDate && isTable(line)) return convert(TR_NOOP("core", "a log of NMEA 2000 of canboat"));
     if (line.starts_with("BO_ ") || line.starts_with("VERSION \""))
-        return "is a DBC file, which --dbc reads; expected a log of CAN traffic";
+        return TR_NOOP("core", "is a DBC file, which --dbc reads; expected a log of CAN traffic");
     LogWords words(line);
     (void)words.next();
     const std::string_view second = words.next();
     const bool isCrtd = isNumber(first) && second.size() >= 3
                      && (second.ends_with("R11") || second.ends_with("R29")
                          || second.ends_with("T11") || second.ends_with("CXX"));
-    if (isCrtd) return is("a log of CRTD");
-    if (line.starts_with("{") || line.starts_with("<?xml")) return is("JSON or XML, no known log");
-    if (isTable(line)) return is("a table, no known log");
+    if (isCrtd) return convert(TR_NOOP("core", "a log of CRTD"));
+    if (line.starts_with("{") || line.starts_with("<?xml"))
+        return convert(TR_NOOP("core", "JSON or XML, no known log"));
+    if (isTable(line)) return convert(TR_NOOP("core", "a table, no known log"));
     return {};
 }
 
+/// What to do with a file of a kind.
+enum class Cure { Convert, AsText, Said };
+
 struct Magic {
-    std::string_view begin, kind;
+    std::string_view begin;
+    SourceText kind;
+    Cure cure = Cure::Convert;
 };
 
 }  // namespace
 
-std::string LogFormat::takeRemark()
+Message LogFormat::takeRemark()
 {
     return std::exchange(remark_, {});
 }
@@ -124,42 +131,43 @@ Result<std::unique_ptr<LogFormat>> formatOfLine(std::string_view line)
     if (isAscHeading(first, begin) || isAscLine(first, second)) return ascFormat();
     if (first.starts_with('#') || first.starts_with("//")) return std::unique_ptr<LogFormat>();
     if (isCsvHeading(begin) || isGvretLine(begin)) return csvFormat(begin);
-    if (std::string other = otherKindOf(begin, first); !other.empty())
-        return Error{std::move(other)};
+    if (Message other = otherKindOf(begin, first); !other.empty()) return Error{std::move(other)};
     return candumpFormat();
 }
 
-std::string binaryKindOf(std::string_view begin)
+Message binaryKindOf(std::string_view begin)
 {
     using namespace std::string_view_literals;
     constexpr std::array kKinds{
-        Magic{"LOGG"sv, "a binary log of Vector (.blf)"},
-        Magic{"MDF     "sv, "a measurement file (.mf4, .mdf)"},
-        Magic{"\x89MCAP0"sv, "an MCAP file"},
-        Magic{"SQLite format 3\0"sv, "a session or another SQLite file"},
-        Magic{"\x0A\x0D\x0D\x0A"sv, "a capture of Wireshark (.pcapng)"},
-        Magic{"\xD4\xC3\xB2\xA1"sv, "a capture of tcpdump (.pcap)"},
-        Magic{"\xA1\xB2\xC3\xD4"sv, "a capture of tcpdump (.pcap)"},
-        Magic{"PK\x03\x04"sv, "a ZIP archive: unpack it"},
+        Magic{"LOGG"sv, TR_NOOP("core", "a binary log of Vector (.blf)"), Cure::AsText},
+        Magic{"MDF     "sv, TR_NOOP("core", "a measurement file (.mf4, .mdf)"), Cure::AsText},
+        Magic{"\x89MCAP0"sv, TR_NOOP("core", "an MCAP file")},
+        Magic{"SQLite format 3\0"sv,
+              TR_NOOP("core", "is a session or another SQLite file; expected a log of CAN frames: "
+                              "session export makes one of a session"),
+              Cure::Said},
+        Magic{"\x0A\x0D\x0D\x0A"sv, TR_NOOP("core", "a capture of Wireshark (.pcapng)")},
+        Magic{"\xD4\xC3\xB2\xA1"sv, TR_NOOP("core", "a capture of tcpdump (.pcap)")},
+        Magic{"\xA1\xB2\xC3\xD4"sv, TR_NOOP("core", "a capture of tcpdump (.pcap)")},
+        Magic{"PK\x03\x04"sv, TR_NOOP("core", "is a ZIP archive: unpack it"), Cure::Said},
         Magic{"\xFD"
               "7zXZ"sv,
-              "packed by xz: unpack it (xz -d)"},
-        Magic{"\x28\xB5\x2F\xFD"sv, "packed by zstd: unpack it (zstd -d)"},
-        Magic{"#ROSBAG V"sv, "a bag of ROS"},
-        Magic{"BZh"sv, "packed by bzip2: unpack it (bzip2 -d)"},
+              TR_NOOP("core", "is packed by xz: unpack it (xz -d)"), Cure::Said},
+        Magic{"\x28\xB5\x2F\xFD"sv, TR_NOOP("core", "is packed by zstd: unpack it (zstd -d)"),
+              Cure::Said},
+        Magic{"#ROSBAG V"sv, TR_NOOP("core", "a bag of ROS")},
+        Magic{"BZh"sv, TR_NOOP("core", "is packed by bzip2: unpack it (bzip2 -d)"), Cure::Said},
     };
     constexpr std::size_t kTarMagic = 257;
     if (begin.size() > kTarMagic && begin.substr(kTarMagic).starts_with("ustar"))
-        return "is a tar archive: unpack it (tar -xf)";
-    for (const auto& [magic, kind] : kKinds) {
+        return TR_NOOP("core", "is a tar archive: unpack it (tar -xf)");
+    for (const auto& [magic, kind, cure] : kKinds) {
         if (!begin.starts_with(magic)) continue;
-        std::string is = "is " + std::string(kind);
-        if (kind.find(": unpack") != std::string_view::npos) return is;
-        if (magic == "SQLite format 3\0"sv)
-            return is + "; expected a log of CAN frames: session export makes one of a session";
-        if (magic == "LOGG"sv || magic == "MDF     "sv)
-            return is + "; expected a log as text: can_logconvert of python-can makes one";
-        return is + std::string(kConvert);
+        if (cure == Cure::Said) return kind;
+        if (cure == Cure::Convert) return convert(kind);
+        return {TR_NOOP("core", "is %1; expected a log as text: can_logconvert of python-can makes "
+                                "one"),
+                kind};
     }
     return {};
 }

@@ -28,14 +28,14 @@ public:
     std::uint64_t passedOver() const { return passed_; }  ///< lines of events that are no frames
 
     /// Returns a remark about the last line; empty: none.
-    std::string takeRemark();
+    Message takeRemark();
 
 protected:
     /// Counts a line that is neither a frame nor a heading.
     std::optional<LoggedFrame> passOver();
 
     std::uint64_t dropped_ = 0, passed_ = 0;
-    std::string remark_;
+    Message remark_;
 };
 
 std::unique_ptr<LogFormat> candumpFormat();  ///< core/wire/candump_log.h says what it reads
@@ -58,6 +58,6 @@ std::string logCsvName(std::string_view field);
 Result<std::unique_ptr<LogFormat>> formatOfLine(std::string_view line);
 
 /// Returns what a binary file is, and which program makes a log of it. Empty: it may be a log.
-std::string binaryKindOf(std::string_view begin);
+Message binaryKindOf(std::string_view begin);
 
 }  // namespace terratact

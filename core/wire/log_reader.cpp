@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/system_message.h"
 #include "core/store/file_read.h"
 #include "core/wire/log_text.h"
 
@@ -21,7 +22,7 @@ LogBytes::Source sourceOf(std::unique_ptr<std::istream> log)
         stream->read(room.data(), static_cast<std::streamsize>(room.size()));
         const int code = errno;
         if (stream->bad())
-            return Error{"cannot be read: " + std::generic_category().message(code), code};
+            return Error{Message(TR_NOOP("core", "cannot be read: %1"), systemMessage(code)), code};
         return static_cast<std::size_t>(stream->gcount());
     };
 }
@@ -61,19 +62,19 @@ std::string LogReader::format() const
     return std::string(format_->name()) + (bytes_.isPacked() ? ", packed by gzip" : "");
 }
 
-Error LogReader::error(std::string_view cause) const
+Error LogReader::error(Message cause) const
 {
-    return fileError(name_, fmt::format("line {}: {}", line_, cause));
+    return fileError(name_, Message(TR_NOOP("core", "line %1: %2"), line_, cause));
 }
 
-std::vector<std::string> LogReader::takeRemarks()
+std::vector<Message> LogReader::takeRemarks()
 {
     return std::exchange(remarks_, {});
 }
 
-void LogReader::remark(std::string_view what)
+void LogReader::remark(Message what)
 {
-    remarks_.push_back(error(what).text);
+    remarks_.push_back(error(std::move(what)).message);
 }
 
 /// Reads the next line into text_.
@@ -81,9 +82,9 @@ Result<LogReader::Line> LogReader::readLine()
 {
     for (std::size_t looked = 0;;) {
         const Result<std::string_view> got = bytes_.peek(looked + 1);
-        if (!got) return fileError(name_, got.error().text, got.error().code);
+        if (!got) return fileError(name_, got.error().message, got.error().code);
         if (!std::exchange(hasLooked_, true))
-            if (const std::string kind = binaryKindOf(*got); !kind.empty())
+            if (const Message kind = binaryKindOf(*got); !kind.empty())
                 return fileError(name_, kind);
         const std::size_t end = got->find(lineEnd_, looked);
         if (end <= kMaxLineLength) {  // npos is larger
@@ -124,9 +125,10 @@ bool LogReader::endsLinesWithCr(std::string_view atHand) const
 Result<LogReader::Line> LogReader::endOfLongLine()
 {
     ++line_;
-    const Error tooLong =
-        error(fmt::format("is longer than {} bytes{}", kMaxLineLength,
-                          format_ ? "" : ": this is no log of CAN frames as text"));
+    const SourceText refusal =
+        format_ ? TR_NOOP("core", "is longer than %1 bytes")
+                : TR_NOOP("core", "is longer than %1 bytes: this is no log of CAN frames as text");
+    const Error tooLong = error(Message(refusal, kMaxLineLength));
     const Result<std::string_view> begin = bytes_.peek(1);
     text_ = begin ? begin->substr(0, kMaxLineLength) : std::string_view();
     bytes_.take(text_.size());
@@ -134,7 +136,7 @@ Result<LogReader::Line> LogReader::endOfLongLine()
     if (zeros == text_.size() || !isZeros(std::string_view(text_).substr(zeros))) return tooLong;
     for (;;) {
         const Result<std::string_view> rest = bytes_.peek(1);
-        if (!rest) return fileError(name_, rest.error().text, rest.error().code);
+        if (!rest) return fileError(name_, rest.error().message, rest.error().code);
         if (rest->empty()) break;
         if (!isZeros(*rest)) return tooLong;
         bytes_.take(rest->size());
@@ -147,15 +149,15 @@ Status LogReader::chooseFormat()
 {
     if (format_ || LogWords(text_).rest().empty()) return Done{};
     Result<std::unique_ptr<LogFormat>> format = formatOfLine(text_);
-    if (!format) return fileError(name_, format.error().text);
+    if (!format) return fileError(name_, format.error().message);
     format_ = *std::move(format);
     return Done{};
 }
 
-void LogReader::tear(std::string_view what)
+void LogReader::tear(Message what)
 {
     isTorn_ = true;
-    remark(what);
+    remark(std::move(what));
 }
 
 /// Adds the last remarks.
@@ -163,38 +165,49 @@ std::optional<LoggedFrame> LogReader::end()
 {
     if (std::exchange(hasEnded_, true)) return std::nullopt;
     if (bytes_.isTorn() && !isTorn_ && line_ > 0)
-        tear("the packed log is torn behind it: what came before is read");
+        tear(TR_NOOP("core", "the packed log is torn behind it: what came before is read"));
     if (bytes_.isTorn() && line_ == 0) {
         isTorn_ = true;
-        remarks_.push_back(fileError(name_, "the packed log is torn before its first line").text);
+        remarks_.push_back(
+            fileError(name_, TR_NOOP("core", "the packed log is torn before its first line"))
+                .message);
     }
     if (bytes_.isFollowed())
-        remark("bytes that are not gzip stand behind the packed log and are left out");
+        remark(TR_NOOP("core",
+                       "bytes that are not gzip stand behind the packed log and are left out"));
     if (steps_ > kMaxSteps)
         remarks_.push_back(
-            fileError(name_, fmt::format("the clock is set {} more times", steps_ - kMaxSteps))
-                .text);
+            fileError(name_, Message(TR_NOOP("core", "the clock is set %1 more times"),
+                                     steps_ - kMaxSteps))
+                .message);
     const std::size_t steps = clock_.frames() > 0 ? clock_.frames() - 1 : 0;
     // In candump -td every time is relative to the line before.
     if (format_ && format_->name() == "candump" && clock_.first() == 0.0 && steps >= 3
         && 4 * clock_.notLater() >= steps)
         remarks_.push_back(
-            fileError(name_, fmt::format("{} of {} times are no later than the one before, from 0 "
-                                         "on: is this a log of candump -td, whose times are wrong "
-                                         "here? Record with candump -L",
-                                         clock_.notLater(), steps))
-                .text);
+            fileError(
+                name_,
+                Message(
+                    TR_NOOP(
+                        "core",
+                        "%1 of %2 times are no later than the one before, from 0 on: is this a log "
+                        "of candump -td, whose times are wrong here? Record with candump -L"),
+                    clock_.notLater(), steps))
+                .message);
     const std::uint64_t passed = format_ ? format_->passedOver() : 0;
     if (passed == 1)
         remarks_.push_back(
-            fileError(name_, fmt::format("line {} holds no frame and is passed over", firstPassed_))
-                .text);
+            fileError(name_, Message(TR_NOOP("core", "line %1 holds no frame and is passed over"),
+                                     firstPassed_))
+                .message);
     if (passed > 1)
         remarks_.push_back(
-            fileError(name_, fmt::format("{} lines hold no frame and are passed over, the first is "
-                                         "line {}",
-                                         passed, firstPassed_))
-                .text);
+            fileError(
+                name_,
+                Message(TR_NOOP("core",
+                                "%1 lines hold no frame and are passed over, the first is line %2"),
+                        passed, firstPassed_))
+                .message);
     return std::nullopt;
 }
 
@@ -206,11 +219,14 @@ void LogReader::watchClock(const LoggedFrame& logged)
     if (!step_ || ++steps_ > kMaxSteps) return;
     const bool isCandump = format_->name() == "candump";
     if (*step_ < 0.0)
-        return remark(fmt::format("{:.10g} s later than the line before: was the clock set? The "
-                                  "silence is left out",
-                                  -*step_));
-    remark(fmt::format("{:.6g} s earlier than the line before: was the clock set{}?", *step_,
-                       isCandump ? ", or is this a log of candump -td" : ""));
+        return remark({TR_NOOP("core", "%1 s later than the line before: was the clock set? The "
+                                       "silence is left out"),
+                       fmt::format("{:.10g}", -*step_)});
+    const SourceText earlier =
+        isCandump ? TR_NOOP("core", "%1 s earlier than the line before: was the clock set, or is "
+                                    "this a log of candump -td?")
+                  : TR_NOOP("core", "%1 s earlier than the line before: was the clock set?");
+    remark({earlier, fmt::format("{:.6g}", *step_)});
 }
 
 Result<std::optional<LoggedFrame>> LogReader::frameOf(Line line)
@@ -218,16 +234,17 @@ Result<std::optional<LoggedFrame>> LogReader::frameOf(Line line)
     const std::uint64_t passed = format_->passedOver();
     Result<std::optional<LoggedFrame>> taken = format_->take(text_);
     if (passed == 0 && format_->passedOver() > 0) firstPassed_ = line_;
-    if (const std::string said = format_->takeRemark(); !said.empty()) remark(said);
+    if (Message said = format_->takeRemark(); !said.empty()) remark(std::move(said));
     // Only candump's compact lines do not state their length.
     const bool mayBeCut = text_.find('#') != std::string::npos && format_->name() == "candump";
     if (taken && *taken && line == Line::Unended && mayBeCut)
-        remark("has no line end: it is read as it stands, and may have been longer");
+        remark(
+            TR_NOOP("core", "has no line end: it is read as it stands, and may have been longer"));
     if (taken && !*taken && line == Line::Unended && format_->passedOver() > passed)
-        tear("has no line end and holds no frame: it may be torn");
+        tear(TR_NOOP("core", "has no line end and holds no frame: it may be torn"));
     if (taken) return taken;
-    if (line == Line::Whole) return error(taken.error().text);
-    tear("is torn: the log ends within it; what came before is read");
+    if (line == Line::Whole) return error(taken.error().message);
+    tear(TR_NOOP("core", "is torn: the log ends within it; what came before is read"));
     return std::optional<LoggedFrame>{};
 }
 

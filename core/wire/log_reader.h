@@ -55,11 +55,11 @@ public:
     /// Returns the remarks since the last call, each a sentence that names file and line: clock
     /// steps (the first kMaxSteps), a truncated end, lines without a frame. They are complete after
     /// the last frame.
-    std::vector<std::string> takeRemarks();
+    std::vector<Message> takeRemarks();
     static constexpr std::uint64_t kMaxSteps = 5;
 
     /// Returns "file: line 7: cause".
-    Error error(std::string_view cause) const;
+    Error error(Message cause) const;
 
 private:
     enum class Line : std::uint8_t { None, Whole, Unended };
@@ -69,9 +69,9 @@ private:
     Status chooseFormat();
     Result<std::optional<LoggedFrame>> frameOf(Line line);
     void watchClock(const LoggedFrame& logged);
-    void remark(std::string_view what);
+    void remark(Message what);
     std::optional<LoggedFrame> end();
-    void tear(std::string_view what);
+    void tear(Message what);
 
     std::string name_;
     LogBytes bytes_;
@@ -81,7 +81,7 @@ private:
     std::uint64_t line_ = 0, steps_ = 0;
     char lineEnd_ = '\n';  ///< CR if the log has no other line ends
     std::optional<double> step_;
-    std::vector<std::string> remarks_;
+    std::vector<Message> remarks_;
     std::uint64_t firstPassed_ = 0;  ///< first line without a frame
     bool isTorn_ = false, hasEnded_ = false, hasLooked_ = false;
 };

@@ -16,10 +16,11 @@ constexpr std::array<std::size_t, 7> kLongFdLengths{12, 16, 20, 24, 32, 48, 64};
 
 }  // namespace
 
-Error expectedInLog(std::string_view what, std::string_view found)
+Error expectedInLog(SourceText what, std::string_view found)
 {
-    return Error{fmt::format("expected {}, found {}", what,
-                             found.empty() ? "the end of the line" : shown(found))};
+    return Error{Message(TR_NOOP("core", "expected %1, found %2"), what,
+                         found.empty() ? Message(TR_NOOP("core", "the end of the line"))
+                                       : Message::verbatim(shown(found)))};
 }
 
 std::string_view LogWords::next()
@@ -52,7 +53,7 @@ Result<double> logSeconds(std::string_view text, double perSecond)
     const bool isPlain = text.find_first_not_of("0123456789.") == std::string_view::npos;
     const std::optional<double> number = isPlain ? numberFrom(text) : std::nullopt;
     if (!number || !(*number / perSecond <= kMaxLogSeconds))
-        return expectedInLog("a time, a number that is not negative", text);
+        return expectedInLog(TR_NOOP("core", "a time, a number that is not negative"), text);
     return *number / perSecond;
 }
 
@@ -67,7 +68,8 @@ bool isFrameLength(std::size_t length, bool fd)
 Status setFrameLength(CanFrame& frame, std::size_t length, std::string_view found)
 {
     if (!isFrameLength(length, frame.fd))
-        return expectedInLog(frame.fd ? "as many bytes as CAN FD can have" : "at most 8 bytes",
+        return expectedInLog(frame.fd ? TR_NOOP("core", "as many bytes as CAN FD can have")
+                                      : TR_NOOP("core", "at most 8 bytes"),
                              found);
     frame.length = static_cast<std::uint8_t>(length);
     return Done{};
@@ -84,8 +86,9 @@ Status setFrameByte(CanFrame& frame, std::size_t i, std::string_view digits, int
     const auto byte =
         digits.size() <= most ? integerFrom<std::uint8_t>(digits, base) : std::nullopt;
     if (!byte || (base == 16 && digits.size() != 2))
-        return expectedInLog(
-            base == 10 ? "a byte from 0 to 255" : "a byte of two hexadecimal digits", digits);
+        return expectedInLog(base == 10 ? TR_NOOP("core", "a byte from 0 to 255")
+                                        : TR_NOOP("core", "a byte of two hexadecimal digits"),
+                             digits);
     if (i < frame.data.size()) frame.data[i] = *byte;
     return Done{};
 }
@@ -95,8 +98,8 @@ Status setFrameId(CanFrame& frame, std::string_view digits, int base)
     const std::uint32_t most = frame.extended ? kMaxExtendedId : kMaxStandardId;
     const auto id = integerFrom<std::uint32_t>(digits, base);
     if (!id || *id > most)
-        return expectedInLog(frame.extended ? "an identifier up to 1FFFFFFF"
-                                            : "a standard identifier up to 7FF",
+        return expectedInLog(frame.extended ? TR_NOOP("core", "an identifier up to 1FFFFFFF")
+                                            : TR_NOOP("core", "a standard identifier up to 7FF"),
                              digits);
     frame.id = *id;
     return Done{};

@@ -18,7 +18,7 @@ inline constexpr std::uint32_t kMaxExtendedId = 0x1FFF'FFFF;
 inline constexpr double kMaxLogSeconds = 9'999'999'999.0;  ///< later times are refused
 
 /// Returns "expected WHAT, found 'FOUND'".
-Error expectedInLog(std::string_view what, std::string_view found);
+Error expectedInLog(SourceText what, std::string_view found);
 
 /// Splits a line at its blanks.
 class LogWords {

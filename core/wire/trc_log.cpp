@@ -92,7 +92,7 @@ private:
         if (text.starts_with(kVersion)) {
             const std::string_view version = text.substr(kVersion.size());
             if (version.empty() || version.front() < '1' || version.front() > '2')
-                return expectedInLog("version 1.0 to 2.1 of the format", version);
+                return expectedInLog(TR_NOOP("core", "version 1.0 to 2.1 of the format"), version);
             if (version == "2.0") columns_ = kColumns20;
         } else if (text.starts_with(kStart)) {
             setStart(secondsOfDays(text.substr(kStart.size())));
@@ -110,7 +110,8 @@ private:
     void setStart(std::optional<double> seconds)
     {
         start_ = seconds.value_or(0.0);
-        if (!seconds) remark_ = "the start time is not understood: times count from 0";
+        if (!seconds)
+            remark_ = TR_NOOP("core", "the start time is not understood: times count from 0");
     }
 
     Status setTime(LoggedFrame& logged, std::string_view word) const
@@ -124,7 +125,7 @@ private:
     static Status setBus(LoggedFrame& logged, std::string_view word)
     {
         const auto bus = isDigits(word) ? integerFrom<std::uint8_t>(word) : std::nullopt;
-        if (!bus) return expectedInLog("the number of a bus", word);
+        if (!bus) return expectedInLog(TR_NOOP("core", "the number of a bus"), word);
         logged.interface = interfaceOfBus(*bus);
         return Done{};
     }
@@ -140,7 +141,7 @@ private:
     Taken oldFrame(std::string_view number, LogWords& words)
     {
         if (!isDigits(number.substr(0, number.size() - 1)))
-            return expectedInLog("the number of a frame, such as 1)", number);
+            return expectedInLog(TR_NOOP("core", "the number of a frame, such as 1)"), number);
         LoggedFrame logged;
         logged.interface = interfaceOfBus(1);
         if (const Status done = setTime(logged, words.next()); !done) return done.error();
@@ -179,7 +180,8 @@ private:
             if (column == 'T' && !setType(logged.frame, type)) return passOver();
             if (const Status done = setColumn(logged, column, word); !done) return done.error();
         }
-        if (type.empty()) return expectedInLog("a line with the columns of the heading", "");
+        if (type.empty())
+            return expectedInLog(TR_NOOP("core", "a line with the columns of the heading"), "");
         return withBytes(std::move(logged), words);
     }
 
@@ -194,12 +196,14 @@ private:
     Status setColumn(LoggedFrame& logged, char column, std::string_view word) const
     {
         switch (column) {
-        case 'N': return isDigits(word) ? Status(Done{}) : expectedInLog("a number", word);
+        case 'N':
+            return isDigits(word) ? Status(Done{})
+                                  : expectedInLog(TR_NOOP("core", "a number"), word);
         case 'O': return setTime(logged, word);
         case 'B': return setBus(logged, word);
         case 'I': return setId(logged.frame, word);
         case 'd':
-            if (!isDirection(word)) return expectedInLog("Rx or Tx", word);
+            if (!isDirection(word)) return expectedInLog(TR_NOOP("core", "Rx or Tx"), word);
             logged.direction = word == "Rx" ? LogDirection::Received : LogDirection::Sent;
             return Done{};
         case 'l':
@@ -211,7 +215,8 @@ private:
     static Status setLength(CanFrame& frame, bool isCode, std::string_view word)
     {
         const auto number = isDigits(word) ? integerFrom<unsigned>(word) : std::nullopt;
-        if (!number || (isCode && *number > 15)) return expectedInLog("a length", word);
+        if (!number || (isCode && *number > 15))
+            return expectedInLog(TR_NOOP("core", "a length"), word);
         if (!isCode) return setFrameLength(frame, *number, word);
         const std::size_t bytes =
             frame.fd ? bytesOfCode(*number) : std::min<std::size_t>(*number, kClassicBytes);

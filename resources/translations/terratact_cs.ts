@@ -202,17 +202,6 @@
     </message>
 </context>
 <context>
-    <name>LiveViewState</name>
-    <message>
-        <source>The operator&apos;s panel does not answer, which means STOP</source>
-        <translation>Panel operátora neodpovídá, což znamená STOP</translation>
-    </message>
-    <message>
-        <source>The operator&apos;s panel does not answer</source>
-        <translation>Panel operátora neodpovídá</translation>
-    </message>
-</context>
-<context>
     <name>FileDialog</name>
     <message>
         <source>There is no file:</source>
@@ -322,6 +311,17 @@
     <message>
         <source>BACK after %1 — measured values are live, the terrain is as it was felt before</source>
         <translation>ZPĚT po %1 — měřené hodnoty jsou živé, terén je z doby předtím</translation>
+    </message>
+</context>
+<context>
+    <name>LiveViewState</name>
+    <message>
+        <source>The operator&apos;s panel does not answer, which means STOP</source>
+        <translation>Panel operátora neodpovídá, což znamená STOP</translation>
+    </message>
+    <message>
+        <source>The operator&apos;s panel does not answer</source>
+        <translation>Panel operátora neodpovídá</translation>
     </message>
 </context>
 <context>
@@ -760,21 +760,6 @@ značka K</translation>
     </message>
 </context>
 <context>
-    <name>ReviewViewState</name>
-    <message>
-        <source>A review commands no robot</source>
-        <translation>Přehrávání neřídí žádného robota</translation>
-    </message>
-    <message>
-        <source>what if: %1</source>
-        <translation>co kdyby: %1</translation>
-    </message>
-    <message>
-        <source>No estimate stood at this time</source>
-        <translation>V tomto čase neplatil žádný odhad</translation>
-    </message>
-</context>
-<context>
     <name>ReviewTimeline</name>
     <message>
         <source>scene %1</source>
@@ -923,6 +908,21 @@ značka K</translation>
     <message>
         <source>overridden: %1</source>
         <translation>přebito: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewViewState</name>
+    <message>
+        <source>A review commands no robot</source>
+        <translation>Přehrávání neřídí žádného robota</translation>
+    </message>
+    <message>
+        <source>what if: %1</source>
+        <translation>co kdyby: %1</translation>
+    </message>
+    <message>
+        <source>No estimate stood at this time</source>
+        <translation>V tomto čase neplatil žádný odhad</translation>
     </message>
 </context>
 <context>
@@ -1431,10 +1431,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>nelze zapsat</translation>
     </message>
     <message>
-        <source>the directory cannot be made</source>
-        <translation>složku nelze vytvořit</translation>
-    </message>
-    <message>
         <source>it is not a regular file</source>
         <translation>není to obyčejný soubor</translation>
     </message>
@@ -1457,10 +1453,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>has %1 bytes where its header says %2</source>
         <translation>má %1 bajtů, hlavička udává %2</translation>
-    </message>
-    <message>
-        <source>it is truncated</source>
-        <translation>je uříznutý</translation>
     </message>
     <message>
         <source>is larger than the %1 bytes allowed here</source>
@@ -1647,10 +1639,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>%1 má několik linek jménem %2: uveďte místo toho offset</translation>
     </message>
     <message>
-        <source>%1 has no line %2: it has 0 to %3</source>
-        <translation>%1 nemá linku %2: má 0 až %3</translation>
-    </message>
-    <message>
         <source>it is open to the group %1; run: %2 (and log in again)</source>
         <translation>je otevřen skupině %1; spusťte: %2 (a znovu se přihlaste)</translation>
     </message>
@@ -1693,18 +1681,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>nests deeper than %1 levels</source>
         <translation>vnoření je hlubší než %1 úrovní</translation>
-    </message>
-    <message>
-        <source>force_array holds no table</source>
-        <translation>force_array neobsahuje tabulku</translation>
-    </message>
-    <message>
-        <source>force_array is no list of tables, expected [[force_array]]</source>
-        <translation>force_array není seznam tabulek, očekává se [[force_array]]</translation>
-    </message>
-    <message>
-        <source>no force_array has element %1, expected each of %2 to %3 left, right or on both sides</source>
-        <translation>žádné force_array nemá prvek %1, očekává se každý z %2 až %3 vlevo, vpravo nebo na obou stranách</translation>
     </message>
     <message>
         <source>is a whole model, expected a part of one</source>
@@ -1763,38 +1739,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>chybí klíč %1</translation>
     </message>
     <message>
-        <source>%1 is not a number, expected a number from %2 to %3</source>
-        <translation>%1 není číslo, očekává se číslo od %2 do %3</translation>
-    </message>
-    <message>
-        <source>%1 is %2, expected a number from %3 to %4</source>
-        <translation>%1 je %2, očekává se číslo od %3 do %4</translation>
-    </message>
-    <message>
-        <source>%1 is not an array of %2 elements</source>
-        <translation>%1 není pole o počtu prvků %2</translation>
-    </message>
-    <message>
-        <source>%1 is not a table</source>
-        <translation>%1 není tabulka</translation>
-    </message>
-    <message>
-        <source>%1 is not a known key</source>
-        <translation>%1 není známý klíč</translation>
-    </message>
-    <message>
-        <source>%1 is not a text of 1 to 100 characters, none of them a control character</source>
-        <translation>%1 není text o 1 až 100 znacích bez řídicích znaků</translation>
-    </message>
-    <message>
-        <source>%1 holds a polygon that is not convex</source>
-        <translation>%1 obsahuje mnohoúhelník, který není konvexní</translation>
-    </message>
-    <message>
-        <source>%1 does not increase from pivot to tip</source>
-        <translation>%1 neroste od čepu ke špičce</translation>
-    </message>
-    <message>
         <source>is a model of other features: %1 stands where %2 is expected</source>
         <translation>je model jiných příznaků: stojí tu %1, očekává se %2</translation>
     </message>
@@ -1809,14 +1753,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>its table %1 has too many rows</source>
         <translation>jeho tabulka %1 má příliš mnoho řádků</translation>
-    </message>
-    <message>
-        <source>%1 is out of range</source>
-        <translation>%1 je mimo rozsah</translation>
-    </message>
-    <message>
-        <source>the column %1 is not known and was left out</source>
-        <translation>sloupec %1 není známý a byl vynechán</translation>
     </message>
     <message>
         <source>Address family not supported by protocol</source>
@@ -1879,18 +1815,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>CAN socket nelze otevřít (%1)</translation>
     </message>
     <message>
-        <source>has %1 training rows, expected %2 to %3</source>
-        <translation>má %1 trénovacích řádků, očekává se %2 až %3</translation>
-    </message>
-    <message>
-        <source>training row %1</source>
-        <translation>trénovací řádek %1</translation>
-    </message>
-    <message>
-        <source>scanned row</source>
-        <translation>skenovaný řádek</translation>
-    </message>
-    <message>
         <source>is it in degrees?</source>
         <translation>není ve stupních?</translation>
     </message>
@@ -1935,28 +1859,12 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>jeho počet indukujících řádků je mimo rozsah</translation>
     </message>
     <message>
-        <source>its number of inducing rows is not one</source>
-        <translation>jeho počet indukujících řádků není číslo</translation>
-    </message>
-    <message>
-        <source>its seed is not a number</source>
-        <translation>jeho semínko není číslo</translation>
-    </message>
-    <message>
         <source>its table length_scale is not in the order of the inputs</source>
         <translation>jeho tabulka length_scale není v pořadí vstupů</translation>
     </message>
     <message>
-        <source>one [[force_array]] more than the %1 expected at most</source>
-        <translation>o jedno [[force_array]] více než nejvýše očekávaných %1</translation>
-    </message>
-    <message>
         <source>chip must say its label, or its name: one of both</source>
         <translation>chip musí uvést label, nebo name: jedno z obou</translation>
-    </message>
-    <message>
-        <source>is torn</source>
-        <translation>je utržený</translation>
     </message>
     <message>
         <source>has more than %1 fields</source>
@@ -1975,10 +1883,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>má %1 polí, hlavička jich má %2</translation>
     </message>
     <message>
-        <source>run is not a name</source>
-        <translation>run není jméno</translation>
-    </message>
-    <message>
         <source>is one scene more than the %1 allowed in a file</source>
         <translation>je o jednu scénu více, než kolik smí být v souboru (%1)</translation>
     </message>
@@ -1995,14 +1899,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>příliš mnoho poznámek</translation>
     </message>
     <message>
-        <source>is no file of notes</source>
-        <translation>není soubor poznámek</translation>
-    </message>
-    <message>
-        <source>expected the columns t_s,note</source>
-        <translation>očekávají se sloupce t_s,note</translation>
-    </message>
-    <message>
         <source>its robot</source>
         <translation>její robot</translation>
     </message>
@@ -2011,16 +1907,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>je soubor SQLite jiné aplikace, ne relace</translation>
     </message>
     <message>
-        <source>is a session of format version %1, and this program reads version %2</source>
-        <translation>je relace formátu verze %1, tento program čte verzi %2</translation>
-    </message>
-    <message>
         <source>its tables are not those of a session</source>
         <translation>jeho tabulky nejsou tabulky relace</translation>
-    </message>
-    <message>
-        <source>its start is no time</source>
-        <translation>jeho začátek není čas</translation>
     </message>
     <message>
         <source>says more of its start than a session does</source>
@@ -2143,20 +2031,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>neznámé jméno</translation>
     </message>
     <message>
-        <source>its scene is not there</source>
-        <translation>jeho scéna tu není</translation>
-    </message>
-    <message>
-        <source>estimate %1</source>
-        <translation>odhad %1</translation>
-    </message>
-    <message>
         <source>the model gives no finite estimate of this scene</source>
         <translation>model nedává pro tuto scénu konečný odhad</translation>
-    </message>
-    <message>
-        <source>has no size</source>
-        <translation>nemá velikost</translation>
     </message>
     <message>
         <source>out of memory</source>
@@ -2165,10 +2041,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>its structure cannot be checked</source>
         <translation>jeho strukturu nelze ověřit</translation>
-    </message>
-    <message>
-        <source>its structure is damaged</source>
-        <translation>jeho struktura je poškozena</translation>
     </message>
     <message>
         <source>a number is missing</source>
@@ -2223,22 +2095,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>nepopisuje žádnou zprávu: očekávají se řádky začínající BO_; je to soubor DBC?</translation>
     </message>
     <message>
-        <source>is no regular file, which would be waited for</source>
-        <translation>není běžný soubor, čekalo by se na něj</translation>
-    </message>
-    <message>
-        <source>copy it to one</source>
-        <translation>zkopírujte jej do takového</translation>
-    </message>
-    <message>
-        <source>the robot&apos;s protocol has that identifier and is what counts</source>
-        <translation>tento identifikátor má protokol robota a ten platí</translation>
-    </message>
-    <message>
-        <source>%1 more things are left out</source>
-        <translation>dalších vynechaných věcí: %1</translation>
-    </message>
-    <message>
         <source>the name of a table of words (VAL_TABLE_) is passed over</source>
         <translation>jméno tabulky slov (VAL_TABLE_) se přeskakuje</translation>
     </message>
@@ -2281,10 +2137,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>the word of a raw value</source>
         <translation>slovo surové hodnoty</translation>
-    </message>
-    <message>
-        <source>%1 (integer), %2 (float) or %3 (double)</source>
-        <translation>%1 (celé číslo), %2 (float) nebo %3 (double)</translation>
     </message>
     <message>
         <source>the name of a multiplexor</source>
@@ -2347,10 +2199,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>délka signálu v bitech</translation>
     </message>
     <message>
-        <source>the byte order, %1 (little-endian) or %2</source>
-        <translation>pořadí bajtů, %1 (little-endian) nebo %2</translation>
-    </message>
-    <message>
         <source>the signal&apos;s scale</source>
         <translation>měřítko signálu</translation>
     </message>
@@ -2395,56 +2243,12 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>%1 je %2, mimo rozsah od %3 do %4 %5 (%6)</translation>
     </message>
     <message>
-        <source>%1 is %2, expected at most %3 bytes</source>
-        <translation>%1 je %2, očekává se nejvýše %3 bajtů</translation>
-    </message>
-    <message>
-        <source>%1 is %2 again, expected a name of its own for each array</source>
-        <translation>%1 je znovu %2, očekává se pro každé pole vlastní jméno</translation>
-    </message>
-    <message>
-        <source>%1 is %2, expected &quot;%3&quot; or &quot;%4&quot;</source>
-        <translation>%1 je %2, očekává se &quot;%3&quot; nebo &quot;%4&quot;</translation>
-    </message>
-    <message>
-        <source>%1 is not an array of %2 to %3 elements</source>
-        <translation>%1 není pole o %2 až %3 prvcích</translation>
-    </message>
-    <message>
-        <source>%1 must rise in force and fall in resistance from point to point</source>
-        <translation>%1 musí od bodu k bodu růst v síle a klesat v odporu</translation>
-    </message>
-    <message>
-        <source>%1 holds %2, expected whole numbers</source>
-        <translation>%1 obsahuje %2, očekávají se celá čísla</translation>
-    </message>
-    <message>
-        <source>%1 names element %2 of that side again, expected one array for each</source>
-        <translation>%1 uvádí prvek %2 téže strany znovu, očekává se pro každý jedno pole</translation>
-    </message>
-    <message>
         <source>%1 must say the line&apos;s name, or offset its position: one of both</source>
         <translation>%1 musí uvést jméno linky, nebo offset její polohu: jedno z obou</translation>
     </message>
     <message>
         <source>%1 names a line that the file has used before</source>
         <translation>%1 uvádí linku, kterou soubor už použil</translation>
-    </message>
-    <message>
-        <source>%1 is not a whole number</source>
-        <translation>%1 není celé číslo</translation>
-    </message>
-    <message>
-        <source>%1 is not the name of a method</source>
-        <translation>%1 není jméno metody</translation>
-    </message>
-    <message>
-        <source>%1 is not a date such as 2026-11-22T07:05:00Z</source>
-        <translation>%1 není datum jako 2026-11-22T07:05:00Z</translation>
-    </message>
-    <message>
-        <source>%1 is not a SHA-256</source>
-        <translation>%1 není SHA-256</translation>
     </message>
     <message>
         <source>is the card of another model: of content %1, and the model&apos;s is %2</source>
@@ -2475,10 +2279,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>jeho tabulce meta chybí %1</translation>
     </message>
     <message>
-        <source>has %1 rows in its table %2, expected %3 to %4</source>
-        <translation>má v tabulce %2 řádků: %1, očekává se %3 až %4</translation>
-    </message>
-    <message>
         <source>the rows of its table %1 are not numbered from 0</source>
         <translation>řádky jeho tabulky %1 nejsou číslovány od 0</translation>
     </message>
@@ -2499,32 +2299,12 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>hodnota nesprávného typu v %1</translation>
     </message>
     <message>
-        <source>malformed database schema (%1) - %2</source>
-        <translation>poškozené schéma databáze (%1) - %2</translation>
-    </message>
-    <message>
-        <source>malformed database schema (%1)</source>
-        <translation>poškozené schéma databáze (%1)</translation>
-    </message>
-    <message>
         <source>does not say its %1</source>
         <translation>neuvádí %1</translation>
     </message>
     <message>
-        <source>a row of its table %1</source>
-        <translation>řádek jeho tabulky %1</translation>
-    </message>
-    <message>
-        <source>the session&apos;s model %1 (%2…) is not there; %3</source>
-        <translation>model relace %1 (%2…) tu není; %3</translation>
-    </message>
-    <message>
         <source>the session&apos;s model %1 (%2…) is not there</source>
         <translation>model relace %1 (%2…) tu není</translation>
-    </message>
-    <message>
-        <source>%1 is %2…; %3</source>
-        <translation>%1 je %2…; %3</translation>
     </message>
     <message>
         <source>%1 is %2…</source>
@@ -2543,10 +2323,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>%1 nemá jednu váhu na každý indukující řádek</translation>
     </message>
     <message>
-        <source>%1 is not a number</source>
-        <translation>%1 není číslo</translation>
-    </message>
-    <message>
         <source>%1 is not finite</source>
         <translation>%1 není konečné číslo</translation>
     </message>
@@ -2559,20 +2335,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>délkové měřítko (%1)</translation>
     </message>
     <message>
-        <source>a mean of %1</source>
-        <translation>střední hodnota (%1)</translation>
-    </message>
-    <message>
-        <source>a weight of %1</source>
-        <translation>váha (%1)</translation>
-    </message>
-    <message>
         <source>a standard deviation of %1</source>
         <translation>směrodatná odchylka (%1)</translation>
-    </message>
-    <message>
-        <source>mean of %1</source>
-        <translation>střední hodnota (%1)</translation>
     </message>
     <message>
         <source>residual_sd of %1</source>
@@ -2585,10 +2349,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>noise_sd of %1</source>
         <translation>noise_sd (%1)</translation>
-    </message>
-    <message>
-        <source>log_likelihood of %1</source>
-        <translation>log_likelihood (%1)</translation>
     </message>
     <message>
         <source>feature set %1, bin %2</source>
@@ -2613,10 +2373,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>the signal %1 is left out: %2 has another of that name</source>
         <translation>signál %1 je vynechán: %2 má jiný téhož jména</translation>
-    </message>
-    <message>
-        <source>%1 describes that already and is what counts</source>
-        <translation>už to popisuje %1, a to platí</translation>
     </message>
     <message>
         <source>is not of this program: %1 is another or missing; install the file that came with the program</source>
@@ -2669,10 +2425,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>%1 behind the signal&apos;s length</source>
         <translation>%1 za délkou signálu</translation>
-    </message>
-    <message>
-        <source>%1 or %2 behind the byte order</source>
-        <translation>%1 nebo %2 za pořadím bajtů</translation>
     </message>
     <message>
         <source>%1 before the signal&apos;s scale</source>
@@ -2731,40 +2483,16 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>konec řádku</translation>
     </message>
     <message>
-        <source>a time like (%1)</source>
-        <translation>čas jako (%1)</translation>
-    </message>
-    <message>
         <source>the name of an interface</source>
         <translation>název rozhraní</translation>
-    </message>
-    <message>
-        <source>an identifier of %1 or %2 hexadecimal digits</source>
-        <translation>identifikátor o %1 nebo %2 šestnáctkových číslicích</translation>
-    </message>
-    <message>
-        <source>a standard identifier up to %1FF</source>
-        <translation>standardní identifikátor do %1FF</translation>
-    </message>
-    <message>
-        <source>an identifier up to %1FFFFFFF</source>
-        <translation>identifikátor do %1FFFFFFF</translation>
     </message>
     <message>
         <source>as many bytes as CAN FD can have</source>
         <translation>tolik bajtů, kolik CAN FD může mít</translation>
     </message>
     <message>
-        <source>at most %1 bytes</source>
-        <translation>nejvýše %1 bajtů</translation>
-    </message>
-    <message>
         <source>a byte of two hexadecimal digits</source>
         <translation>bajt o dvou šestnáctkových číslicích</translation>
-    </message>
-    <message>
-        <source>a length from %1 to %2 after R</source>
-        <translation>délka od %1 do %2 za R</translation>
     </message>
     <message>
         <source>an even number of hexadecimal digits</source>
@@ -2773,10 +2501,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>a digit of flags after ##</source>
         <translation>číslice příznaků za ##</translation>
-    </message>
-    <message>
-        <source>a length like [%1]</source>
-        <translation>délka jako [%1]</translation>
     </message>
     <message>
         <source>no more than the bytes</source>
@@ -2835,10 +2559,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>je složka, ne záznam provozu na CAN</translation>
     </message>
     <message>
-        <source>is no file, and too long to be kept</source>
-        <translation>není soubor a je příliš dlouhý na to, aby se uchoval</translation>
-    </message>
-    <message>
         <source>cannot be unpacked from here on: its packed bytes are damaged</source>
         <translation>odsud dál nejde rozbalit: zabalené bajty jsou poškozené</translation>
     </message>
@@ -2851,16 +2571,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>čas, číslo, které není záporné</translation>
     </message>
     <message>
-        <source>a time like (%1-%2-%3 %4:%5:%6)</source>
-        <translation>čas jako (%1-%2-%3 %4:%5:%6)</translation>
-    </message>
-    <message>
         <source>a time</source>
         <translation>čas</translation>
-    </message>
-    <message>
-        <source>a byte from %1 to %2</source>
-        <translation>bajt od %1 do %2</translation>
     </message>
     <message>
         <source>the number of a channel</source>
@@ -2869,14 +2581,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>the number of a bus</source>
         <translation>číslo sběrnice</translation>
-    </message>
-    <message>
-        <source>the number of a frame, such as %1)</source>
-        <translation>číslo rámce, například %1)</translation>
-    </message>
-    <message>
-        <source>a length from %1 to %2</source>
-        <translation>délka od %1 do %2</translation>
     </message>
     <message>
         <source>a length code</source>
@@ -2891,10 +2595,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>číslo</translation>
     </message>
     <message>
-        <source>%1 or %2 for the flags BRS and ESI</source>
-        <translation>%1 nebo %2 pro příznaky BRS a ESI</translation>
-    </message>
-    <message>
         <source>a line with the columns of the heading</source>
         <translation>řádek se sloupci ze záhlaví</translation>
     </message>
@@ -2907,16 +2607,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>true nebo false</translation>
     </message>
     <message>
-        <source>as many bytes in base %1 as dlc says</source>
-        <translation>tolik bajtů v base %1, kolik říká dlc</translation>
-    </message>
-    <message>
         <source>as many bytes as the length says</source>
         <translation>tolik bajtů, kolik říká délka</translation>
-    </message>
-    <message>
-        <source>version %1 to %2 of the format</source>
-        <translation>verze formátu %1 až %2</translation>
     </message>
     <message>
         <source>an error frame cannot be of another kind, too</source>
@@ -2953,10 +2645,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>a log of CRTD</source>
         <translation>záznam CRTD</translation>
-    </message>
-    <message>
-        <source>a log of NMEA %1 of canboat</source>
-        <translation>záznam NMEA %1 programu canboat</translation>
     </message>
     <message>
         <source>a table, no known log</source>
@@ -3037,10 +2725,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>the signal %1 is left out: expected &apos;:&apos; behind its name, or M or a multiplexor&apos;s value such as m1, found %2</source>
         <translation>signál %1 je vynechán: za jeho názvem se očekává &apos;:&apos;, nebo M či hodnota multiplexoru jako m1, nalezeno %2</translation>
-    </message>
-    <message>
-        <source>expected %1, found %2; what it says is left out</source>
-        <translation>očekává se %1, nalezeno %2; co tam stojí, je vynecháno</translation>
     </message>
     <message>
         <source>the message %1 is left out: its identifier %2 is none of CAN; expected at most 2047, or 2147483648 and 29 bits</source>
@@ -3159,60 +2843,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>popojeďte o %1 m a prozkoumejte znovu</translation>
     </message>
     <message>
-        <source>is text in UTF-%1</source>
-        <translation>je text v UTF-%1</translation>
-    </message>
-    <message>
-        <source>save it as CSV in UTF-%1</source>
-        <translation>uložte ho jako CSV v UTF-%1</translation>
-    </message>
-    <message>
-        <source>is a workbook or an archive, not text</source>
-        <translation>je sešit tabulkového programu nebo archiv, ne text</translation>
-    </message>
-    <message>
-        <source>is a workbook of an office program, not text</source>
-        <translation>je sešit kancelářského programu, ne text</translation>
-    </message>
-    <message>
-        <source>save the sheet as CSV in UTF-%1</source>
-        <translation>uložte list jako CSV v UTF-%1</translation>
-    </message>
-    <message>
-        <source>is compressed by gzip, not text</source>
-        <translation>je komprimován programem gzip, není text</translation>
-    </message>
-    <message>
-        <source>unpack it first</source>
-        <translation>nejprve ho rozbalte</translation>
-    </message>
-    <message>
-        <source>is a PDF, not text</source>
-        <translation>je PDF, ne text</translation>
-    </message>
-    <message>
-        <source>export the numbers as CSV</source>
-        <translation>exportujte čísla jako CSV</translation>
-    </message>
-    <message>
-        <source>is a recorded session, not text</source>
-        <translation>je zaznamenaná relace, ne text</translation>
-    </message>
-    <message>
-        <source>terratact session scenes writes its scenes as CSV</source>
-        <translation>terratact session scenes zapíše její scény jako CSV</translation>
-    </message>
-    <message>
         <source>is an SQLite file, not text</source>
         <translation>je soubor SQLite, ne text</translation>
-    </message>
-    <message>
-        <source>holds bytes of value %1, which no text in UTF-%2 does</source>
-        <translation>obsahuje bajty s hodnotou %1, což žádný text v UTF-%2 nemá</translation>
-    </message>
-    <message>
-        <source>names a separator that is no comma, semicolon or tab</source>
-        <translation>uvádí oddělovač, který není čárka, středník ani tabulátor</translation>
     </message>
     <message>
         <source>the fields are separated by |</source>
@@ -3227,56 +2859,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>pole jsou oddělena více způsoby</translation>
     </message>
     <message>
-        <source>save them separated by commas, numbers with a point</source>
-        <translation>uložte je oddělená čárkami, čísla s desetinnou tečkou</translation>
-    </message>
-    <message>
         <source>has text behind a closing quote</source>
         <translation>má text za koncovou uvozovkou</translation>
-    </message>
-    <message>
-        <source>has %1 fields where the header has %2, and the file does not end with a line end</source>
-        <translation>má %1 polí, kde jich záhlaví má %2, a soubor nekončí koncem řádku</translation>
-    </message>
-    <message>
-        <source>are there decimal commas? save numbers with a point</source>
-        <translation>jsou tam desetinné čárky? uložte čísla s desetinnou tečkou</translation>
-    </message>
-    <message>
-        <source>save numbers with a point, and nothing between thousands</source>
-        <translation>uložte čísla s desetinnou tečkou a bez oddělovače tisíců</translation>
-    </message>
-    <message>
-        <source>save all numbers with a decimal point</source>
-        <translation>uložte všechna čísla s desetinnou tečkou</translation>
-    </message>
-    <message>
-        <source>it holds a comma, a quote or a control character</source>
-        <translation>obsahuje čárku, uvozovku nebo řídicí znak</translation>
-    </message>
-    <message>
-        <source>the last line has no line end; it was read as it is</source>
-        <translation>poslední řádek nemá konec řádku; byl přečten tak, jak je</translation>
-    </message>
-    <message>
-        <source>a recorded session is there, which is never replaced</source>
-        <translation>je tam zaznamenaná relace, která se nikdy nepřepisuje</translation>
-    </message>
-    <message>
-        <source>it is write-protected</source>
-        <translation>je chráněn proti zápisu</translation>
-    </message>
-    <message>
-        <source>name another file</source>
-        <translation>zvolte jiný soubor</translation>
-    </message>
-    <message>
-        <source>none of the frames can be written in this format</source>
-        <translation>v tomto formátu nelze zapsat žádný rámec</translation>
-    </message>
-    <message>
-        <source>%1 left out</source>
-        <translation>vynecháno: %1</translation>
     </message>
     <message>
         <source>nothing was recorded</source>
@@ -3315,32 +2899,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>relace trvá %1 s</translation>
     </message>
     <message>
-        <source>is a pipe or a device, which is read only once, and this is read twice</source>
-        <translation>je roura nebo zařízení, které lze číst jen jednou, a tohle se čte dvakrát</translation>
-    </message>
-    <message>
-        <source>save it as a file first</source>
-        <translation>nejprve to uložte jako soubor</translation>
-    </message>
-    <message>
         <source>%1 is %2, expected a number, or its unit %3</source>
         <translation>%1 je %2, čekalo se číslo nebo jeho jednotka %3</translation>
-    </message>
-    <message>
-        <source>%1 is %2, and line %3 has a decimal comma</source>
-        <translation>%1 je %2, a řádek %3 má desetinnou čárku</translation>
-    </message>
-    <message>
-        <source>%1 is %2, and line %3 has a decimal point</source>
-        <translation>%1 je %2, a řádek %3 má desetinnou tečku</translation>
-    </message>
-    <message>
-        <source>%1 is not measured</source>
-        <translation>%1 není změřeno</translation>
-    </message>
-    <message>
-        <source>it is not a regular file, and an SQLite file is read back and forth</source>
-        <translation>není to obyčejný soubor, a soubor SQLite se čte na přeskáčku</translation>
     </message>
     <message>
         <source>pitch angle</source>
@@ -3485,6 +3045,594 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>is longer than %1 bytes: this is no log of CAN frames as text</source>
         <translation>je delší než %1 bajtů: to není textový záznam rámců CAN</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a whole number</source>
+        <translation>%1: %2 není celé číslo</translation>
+    </message>
+    <message>
+        <source>%1: the column %2 is not known and was left out</source>
+        <translation>%1: sloupec %2 není známý a byl vynechán</translation>
+    </message>
+    <message>
+        <source>run is longer than %1 bytes: %2</source>
+        <translation>run je delší než %1 bajtů: %2</translation>
+    </message>
+    <message>
+        <source>run is not text in UTF-8: %1: save the file as CSV in UTF-8</source>
+        <translation>run není text v UTF-8: %1: uložte soubor jako CSV v UTF-8</translation>
+    </message>
+    <message>
+        <source>run is not a name: %1: it holds a comma, a quote or a control character</source>
+        <translation>run není jméno: %1: obsahuje čárku, uvozovku nebo řídicí znak</translation>
+    </message>
+    <message>
+        <source>%1: the last line has no line end; it was read as it is</source>
+        <translation>%1: poslední řádek nemá konec řádku; byl přečten tak, jak je</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not the name of a method: %3</source>
+        <translation>%1: %2 není jméno metody: %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a date such as 2026-11-22T07:05:00Z: %3</source>
+        <translation>%1: %2 není datum jako 2026-11-22T07:05:00Z: %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a SHA-256: %3</source>
+        <translation>%1: %2 není SHA-256: %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a table</source>
+        <translation>%1: %2 není tabulka</translation>
+    </message>
+    <message>
+        <source>has %1 training rows, expected 1 to %2</source>
+        <translation>má %1 trénovacích řádků, očekává se 1 až %2</translation>
+    </message>
+    <message>
+        <source>training row %1: %2</source>
+        <translation>trénovací řádek %1: %2</translation>
+    </message>
+    <message>
+        <source>mean of %1 is out of range</source>
+        <translation>střední hodnota (%1) je mimo rozsah</translation>
+    </message>
+    <message>
+        <source>a weight of %1 is out of range</source>
+        <translation>váha (%1) je mimo rozsah</translation>
+    </message>
+    <message>
+        <source>contact_bias is out of range</source>
+        <translation>contact_bias je mimo rozsah</translation>
+    </message>
+    <message>
+        <source>scanned row: %1</source>
+        <translation>skenovaný řádek: %1</translation>
+    </message>
+    <message>
+        <source>noise_sd of %1 is out of range</source>
+        <translation>noise_sd (%1) je mimo rozsah</translation>
+    </message>
+    <message>
+        <source>log_likelihood of %1 is not finite</source>
+        <translation>log_likelihood (%1) není konečné číslo</translation>
+    </message>
+    <message>
+        <source>a mean of %1 is out of range</source>
+        <translation>střední hodnota (%1) je mimo rozsah</translation>
+    </message>
+    <message>
+        <source>holds a bin that is not in its list of bins</source>
+        <translation>obsahuje bod, který není v jeho seznamu bodů</translation>
+    </message>
+    <message>
+        <source>holds residuals of a bin that is not in its list of bins</source>
+        <translation>obsahuje rezidua bodu, který není v jeho seznamu bodů</translation>
+    </message>
+    <message>
+        <source>holds what only a whole model has</source>
+        <translation>obsahuje to, co má jen celý model</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>nelze zapsat: %1</translation>
+    </message>
+    <message>
+        <source>its seed is not a number: %1</source>
+        <translation>jeho semínko není číslo: %1</translation>
+    </message>
+    <message>
+        <source>its number of inducing rows is not one: %1</source>
+        <translation>jeho počet indukujících řádků není číslo: %1</translation>
+    </message>
+    <message>
+        <source>its list of bins is wrong: %1</source>
+        <translation>jeho seznam bodů je chybný: %1</translation>
+    </message>
+    <message>
+        <source>has %1 rows in its table %2, expected 1 to %3</source>
+        <translation>má v tabulce %2 řádků: %1, očekává se 1 až %3</translation>
+    </message>
+    <message>
+        <source>its table surface_input is not numbered from 0</source>
+        <translation>jeho tabulka surface_input není číslována od 0</translation>
+    </message>
+    <message>
+        <source>its table clearance has too many rows</source>
+        <translation>jeho tabulka clearance má příliš mnoho řádků</translation>
+    </message>
+    <message>
+        <source>its structure is damaged: %1</source>
+        <translation>jeho struktura je poškozena: %1</translation>
+    </message>
+    <message>
+        <source>a row of its table %1: %2</source>
+        <translation>řádek jeho tabulky %1: %2</translation>
+    </message>
+    <message>
+        <source>a message is no JSON</source>
+        <translation>zpráva není JSON</translation>
+    </message>
+    <message>
+        <source>nothing of a session is whole in it</source>
+        <translation>nic z relace v něm není celé</translation>
+    </message>
+    <message>
+        <source>its start is no time: %1</source>
+        <translation>jeho začátek není čas: %1</translation>
+    </message>
+    <message>
+        <source>is a session of format version %1, and this program reads versions %2 to %3</source>
+        <translation>je relace ve formátu verze %1 a tento program čte verze %2 až %3</translation>
+    </message>
+    <message>
+        <source>it has as many batches as a session can have</source>
+        <translation>má už tolik dávek, kolik jich relace může mít</translation>
+    </message>
+    <message>
+        <source>recording into it has ended</source>
+        <translation>záznam do něj skončil</translation>
+    </message>
+    <message>
+        <source>is read by somebody, so its journal stays beside it</source>
+        <translation>někdo ho čte, jeho žurnál proto zůstává vedle něj</translation>
+    </message>
+    <message>
+        <source>its journal is damaged: nothing of it can be read</source>
+        <translation>jeho žurnál je poškozený: nelze z něj nic přečíst</translation>
+    </message>
+    <message>
+        <source>%1: %2 holds a polygon that is not convex</source>
+        <translation>%1: %2 obsahuje mnohoúhelník, který není konvexní</translation>
+    </message>
+    <message>
+        <source>%1: %2 must rise in force and fall in resistance from point to point</source>
+        <translation>%1: %2 musí od bodu k bodu růst v síle a klesat v odporu</translation>
+    </message>
+    <message>
+        <source>%1: %2 does not increase from pivot to tip</source>
+        <translation>%1: %2 neroste od čepu ke špičce</translation>
+    </message>
+    <message>
+        <source>%1: %2 holds %3, expected whole numbers</source>
+        <translation>%1: %2 obsahuje %3, očekávají se celá čísla</translation>
+    </message>
+    <message>
+        <source>%1: %2 names element %3 of that side again, expected one array for each</source>
+        <translation>%1: %2 uvádí prvek %3 téže strany znovu, očekává se pro každý jedno pole</translation>
+    </message>
+    <message>
+        <source>%1: %2 is %3, expected at most %4 bytes</source>
+        <translation>%1: %2 je %3, očekává se nejvýše %4 bajtů</translation>
+    </message>
+    <message>
+        <source>%1: no force_array has element %2, expected each of 1 to 6 left, right or on both sides</source>
+        <translation>%1: žádné force_array nemá prvek %2, očekává se každý z 1 až 6 vlevo, vpravo nebo na obou stranách</translation>
+    </message>
+    <message>
+        <source>%1: force_array is no list of tables, expected [[force_array]]</source>
+        <translation>%1: force_array není seznam tabulek, očekává se [[force_array]]</translation>
+    </message>
+    <message>
+        <source>%1: one [[force_array]] more than the %2 expected at most</source>
+        <translation>%1: o jedno [[force_array]] více než nejvýše očekávaných %2</translation>
+    </message>
+    <message>
+        <source>%1: force_array holds no table</source>
+        <translation>%1: force_array neobsahuje tabulku</translation>
+    </message>
+    <message>
+        <source>%1: %2 is %3 again, expected a name of its own for each array</source>
+        <translation>%1: %2 je znovu %3, očekává se pro každé pole vlastní jméno</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a number, expected a number from %3 to %4</source>
+        <translation>%1: %2 není číslo, očekává se číslo od %3 do %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 is %3, expected a number from %4 to %5</source>
+        <translation>%1: %2 je %3, očekává se číslo od %4 do %5</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not an array of %3 elements</source>
+        <translation>%1: %2 není pole o počtu prvků %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not an array of %3 to %4 elements</source>
+        <translation>%1: %2 není pole o počtu prvků %3 až %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a text of 1 to 100 characters, none of them a control character</source>
+        <translation>%1: %2 není text o 1 až 100 znacích bez řídicích znaků</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 nebo %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 is %3, expected %4</source>
+        <translation>%1: %2 je %3, očekává se %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a known key</source>
+        <translation>%1: %2 není známý klíč</translation>
+    </message>
+    <message>
+        <source>line %1: is not TOML: %2</source>
+        <translation>řádek %1: není TOML: %2</translation>
+    </message>
+    <message>
+        <source>is text in UTF-16: save it as CSV in UTF-8</source>
+        <translation>je text v UTF-16: uložte ho jako CSV v UTF-8</translation>
+    </message>
+    <message>
+        <source>is text in UTF-32: save it as CSV in UTF-8</source>
+        <translation>je text v UTF-32: uložte ho jako CSV v UTF-8</translation>
+    </message>
+    <message>
+        <source>is a workbook or an archive, not text: save the sheet as CSV in UTF-8</source>
+        <translation>je sešit tabulkového programu nebo archiv, ne text: uložte list jako CSV v UTF-8</translation>
+    </message>
+    <message>
+        <source>is a workbook of an office program, not text: save the sheet as CSV in UTF-8</source>
+        <translation>je sešit kancelářského programu, ne text: uložte list jako CSV v UTF-8</translation>
+    </message>
+    <message>
+        <source>is compressed by gzip, not text: unpack it first</source>
+        <translation>je komprimován programem gzip, není text: nejprve ho rozbalte</translation>
+    </message>
+    <message>
+        <source>is a PDF, not text: export the numbers as CSV</source>
+        <translation>je PDF, ne text: exportujte čísla jako CSV</translation>
+    </message>
+    <message>
+        <source>is a recorded session, not text: terratact session scenes writes its scenes as CSV</source>
+        <translation>je zaznamenaná relace, ne text: terratact session scenes zapíše její scény jako CSV</translation>
+    </message>
+    <message>
+        <source>holds bytes of value 0, which no text in UTF-8 does: save it as CSV in UTF-8</source>
+        <translation>obsahuje bajty s hodnotou 0, což žádný text v UTF-8 nemá: uložte ho jako CSV v UTF-8</translation>
+    </message>
+    <message>
+        <source>line 1: names a separator that is no comma, semicolon or tab</source>
+        <translation>řádek 1: uvádí oddělovač, který není čárka, středník ani tabulátor</translation>
+    </message>
+    <message>
+        <source>line %1: %2: save them separated by commas, numbers with a point</source>
+        <translation>řádek %1: %2: uložte je oddělená čárkami, čísla s desetinnou tečkou</translation>
+    </message>
+    <message>
+        <source>is torn: has %1 fields where the header has %2, and the file does not end with a line end</source>
+        <translation>je utržený: má %1 polí, kde jich záhlaví má %2, a soubor nekončí koncem řádku</translation>
+    </message>
+    <message>
+        <source>%1: are there decimal commas? save numbers with a point</source>
+        <translation>%1: jsou tam desetinné čárky? uložte čísla s desetinnou tečkou</translation>
+    </message>
+    <message>
+        <source>%1 is not measured: %2</source>
+        <translation>%1 není změřeno: %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a number: %2: save numbers with a point, and nothing between thousands</source>
+        <translation>%1 není číslo: %2: uložte čísla s desetinnou tečkou a bez oddělovače tisíců</translation>
+    </message>
+    <message>
+        <source>%1 is not a number: %2</source>
+        <translation>%1 není číslo: %2</translation>
+    </message>
+    <message>
+        <source>%1 is not finite: %2</source>
+        <translation>%1 není konečné číslo: %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2, and line %3 has a decimal comma: save all numbers with a decimal point</source>
+        <translation>%1 je %2, a řádek %3 má desetinnou čárku: uložte všechna čísla s desetinnou tečkou</translation>
+    </message>
+    <message>
+        <source>%1 is %2, and line %3 has a decimal point: save all numbers with a decimal point</source>
+        <translation>%1 je %2, a řádek %3 má desetinnou tečku: uložte všechna čísla s desetinnou tečkou</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>řádek %1: %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2</source>
+        <translation>%1: nelze zapsat: %2</translation>
+    </message>
+    <message>
+        <source>a recorded session is there, which is never replaced: name another file</source>
+        <translation>je tam zaznamenaná relace, která se nikdy nepřepisuje: zvolte jiný soubor</translation>
+    </message>
+    <message>
+        <source>it is write-protected: name another file</source>
+        <translation>je chráněn proti zápisu: zvolte jiný soubor</translation>
+    </message>
+    <message>
+        <source>%1: the directory cannot be made: %2</source>
+        <translation>%1: složku nelze vytvořit: %2</translation>
+    </message>
+    <message>
+        <source>is a pipe or a device, which is read only once, and this is read twice: save it as a file first</source>
+        <translation>je roura nebo zařízení, které lze číst jen jednou, a tohle se čte dvakrát: nejprve to uložte jako soubor</translation>
+    </message>
+    <message>
+        <source>malformed database schema %1</source>
+        <translation>chybné schéma databáze %1</translation>
+    </message>
+    <message>
+        <source>it is not a regular file, and an SQLite file is read back and forth: save it as a file first</source>
+        <translation>není to obyčejný soubor, a soubor SQLite se čte na přeskáčku: nejprve to uložte jako soubor</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>nelze otevřít: %1</translation>
+    </message>
+    <message>
+        <source>has no size: %1</source>
+        <translation>nemá velikost: %1</translation>
+    </message>
+    <message>
+        <source>has %1 bytes where its header says %2: it is truncated</source>
+        <translation>má %1 bajtů, hlavička udává %2: je uříznutý</translation>
+    </message>
+    <message>
+        <source>cannot be created: %1</source>
+        <translation>nelze vytvořit: %1</translation>
+    </message>
+    <message>
+        <source>the date is not understood: times count from 0</source>
+        <translation>datum není srozumitelné: časy se počítají od 0</translation>
+    </message>
+    <message>
+        <source>a length from 0 to 8</source>
+        <translation>délka od 0 do 8</translation>
+    </message>
+    <message>
+        <source>0 or 1 for the flags BRS and ESI</source>
+        <translation>0 nebo 1 pro příznaky BRS a ESI</translation>
+    </message>
+    <message>
+        <source>a time like (1436509052.249713)</source>
+        <translation>čas jako (1436509052.249713)</translation>
+    </message>
+    <message>
+        <source>a time like (2025-01-10 12:34:56.249713)</source>
+        <translation>čas jako (2025-01-10 12:34:56.249713)</translation>
+    </message>
+    <message>
+        <source>an identifier of 3 or 8 hexadecimal digits</source>
+        <translation>identifikátor o 3 nebo 8 šestnáctkových číslicích</translation>
+    </message>
+    <message>
+        <source>a standard identifier up to 7FF</source>
+        <translation>standardní identifikátor do 7FF</translation>
+    </message>
+    <message>
+        <source>an identifier up to 3FFFFFFF</source>
+        <translation>identifikátor do 3FFFFFFF</translation>
+    </message>
+    <message>
+        <source>a length from 0 to 8 after R</source>
+        <translation>délka od 0 do 8 za R</translation>
+    </message>
+    <message>
+        <source>a length like [5]</source>
+        <translation>délka jako [5]</translation>
+    </message>
+    <message>
+        <source>as many bytes in base 64 as dlc says</source>
+        <translation>tolik bajtů v base 64, kolik říká dlc</translation>
+    </message>
+    <message>
+        <source>%1; what it says is left out</source>
+        <translation>%1; co říká, je vynecháno</translation>
+    </message>
+    <message>
+        <source>line %1: expected %2, found %3</source>
+        <translation>řádek %1: očekáváno: %2, nalezeno: %3</translation>
+    </message>
+    <message>
+        <source>0 (integer), 1 (float) or 2 (double)</source>
+        <translation>0 (celé číslo), 1 (float) nebo 2 (double)</translation>
+    </message>
+    <message>
+        <source>is no text in UTF-8: its letters are read as Windows code page 1252; where they look wrong, save it as UTF-8</source>
+        <translation>není text v UTF-8: jeho písmena se čtou podle kódové stránky Windows 1252; vypadají-li špatně, uložte ho jako UTF-8</translation>
+    </message>
+    <message>
+        <source>%1: %2 more things are left out</source>
+        <translation>%1: dalších vynechaných věcí: %2</translation>
+    </message>
+    <message>
+        <source>the byte order, 1 (little-endian) or 0</source>
+        <translation>pořadí bajtů, 1 (little-endian) nebo 0</translation>
+    </message>
+    <message>
+        <source>%1 or &apos;-&apos; behind the byte order</source>
+        <translation>%1 nebo &apos;-&apos; za pořadím bajtů</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>nelze přečíst: %1</translation>
+    </message>
+    <message>
+        <source>a log of NMEA 2000 of canboat</source>
+        <translation>záznam NMEA 2000 programu canboat</translation>
+    </message>
+    <message>
+        <source>a bag of ROS</source>
+        <translation>záznam systému ROS (bag)</translation>
+    </message>
+    <message>
+        <source>the packed log is torn behind it: what came before is read</source>
+        <translation>komprimovaný záznam je za ním utržený: čte se, co bylo předtím</translation>
+    </message>
+    <message>
+        <source>the packed log is torn before its first line</source>
+        <translation>komprimovaný záznam je utržený před prvním řádkem</translation>
+    </message>
+    <message>
+        <source>bytes that are not gzip stand behind the packed log and are left out</source>
+        <translation>za komprimovaným záznamem jsou bajty, které nejsou gzip, a jsou vynechány</translation>
+    </message>
+    <message>
+        <source>the clock is set %1 more times</source>
+        <translation>hodiny jsou nastaveny ještě %1krát</translation>
+    </message>
+    <message>
+        <source>%1 of %2 times are no later than the one before, from 0 on: is this a log of candump -td, whose times are wrong here? Record with candump -L</source>
+        <translation>%1 z %2 časů nejsou pozdější než předchozí, od 0: je to záznam z candump -td, jehož časy tu nesouhlasí? Zaznamenávejte pomocí candump -L</translation>
+    </message>
+    <message>
+        <source>line %1 holds no frame and is passed over</source>
+        <translation>řádek %1 neobsahuje žádný rámec a je přeskočen</translation>
+    </message>
+    <message>
+        <source>%1 lines hold no frame and are passed over, the first is line %2</source>
+        <translation>%1 řádků neobsahuje žádný rámec a jsou přeskočeny, první je řádek %2</translation>
+    </message>
+    <message>
+        <source>%1 s later than the line before: was the clock set? The silence is left out</source>
+        <translation>o %1 s později než předchozí řádek: byly hodiny přestaveny? Mezera je vynechána</translation>
+    </message>
+    <message>
+        <source>%1 s earlier than the line before: was the clock set, or is this a log of candump -td?</source>
+        <translation>o %1 s dříve než předchozí řádek: byly hodiny přestaveny, nebo je to záznam z candump -td?</translation>
+    </message>
+    <message>
+        <source>%1 s earlier than the line before: was the clock set?</source>
+        <translation>o %1 s dříve než předchozí řádek: byly hodiny přestaveny?</translation>
+    </message>
+    <message>
+        <source>has no line end: it is read as it stands, and may have been longer</source>
+        <translation>nemá konec řádku: čte se, jak je, a mohl být delší</translation>
+    </message>
+    <message>
+        <source>has no line end and holds no frame: it may be torn</source>
+        <translation>nemá konec řádku ani rámec: může být utržený</translation>
+    </message>
+    <message>
+        <source>is torn: the log ends within it; what came before is read</source>
+        <translation>je utržený: záznam končí uvnitř něj; čte se, co bylo předtím</translation>
+    </message>
+    <message>
+        <source>at most 8 bytes</source>
+        <translation>nejvýše 8 bajtů</translation>
+    </message>
+    <message>
+        <source>a byte from 0 to 255</source>
+        <translation>bajt od 0 do 255</translation>
+    </message>
+    <message>
+        <source>an identifier up to 1FFFFFFF</source>
+        <translation>identifikátor do 1FFFFFFF</translation>
+    </message>
+    <message>
+        <source>version 1.0 to 2.1 of the format</source>
+        <translation>verze formátu 1.0 až 2.1</translation>
+    </message>
+    <message>
+        <source>the start time is not understood: times count from 0</source>
+        <translation>čas začátku není srozumitelný: časy se počítají od 0</translation>
+    </message>
+    <message>
+        <source>the number of a frame, such as 1)</source>
+        <translation>číslo rámce, například 1)</translation>
+    </message>
+    <message>
+        <source>is no file, and too long to be kept: copy it to one</source>
+        <translation>není soubor a je příliš dlouhý na to, aby se uchoval: zkopírujte jej do souboru</translation>
+    </message>
+    <message>
+        <source>follows %1 s of silence, which the replay shortens to %2 s</source>
+        <translation>následuje po %1 s ticha, které přehrávání zkracuje na %2 s</translation>
+    </message>
+    <message>
+        <source>has lost its time: the log has changed</source>
+        <translation>ztratil svůj čas: záznam se změnil</translation>
+    </message>
+    <message>
+        <source>%1: a replay takes no commands</source>
+        <translation>%1: přehrávání nepřijímá příkazy</translation>
+    </message>
+    <message>
+        <source>is no regular file, which would be waited for: copy it to one</source>
+        <translation>není běžný soubor, čekalo by se na něj: zkopírujte jej do souboru</translation>
+    </message>
+    <message>
+        <source>%1: the robot&apos;s protocol has that identifier and is what counts</source>
+        <translation>%1: tento identifikátor má protokol robota a ten platí</translation>
+    </message>
+    <message>
+        <source>%1: %2 describes that already and is what counts</source>
+        <translation>%1: už to popisuje %2, a to platí</translation>
+    </message>
+    <message>
+        <source>%1 scenes with unknown values left out</source>
+        <translation>vynechané scény s neznámými hodnotami: %1</translation>
+    </message>
+    <message>
+        <source>%1 scenes are there twice: their copies were left out</source>
+        <translation>scén, které jsou tu dvakrát: %1; jejich kopie byly vynechány</translation>
+    </message>
+    <message>
+        <source>%1 scenes repeat another within the sensors&apos; noise and were left out (runs %2)</source>
+        <translation>scén, které v mezích šumu čidel opakují jinou: %1; byly vynechány (jízdy %2)</translation>
+    </message>
+    <message>
+        <source>%1 scenes for each conditional, whose training grows with their cube: --inducing 1200 predicts nearly as well and trains in a fraction of the time</source>
+        <translation>%1 scén pro každou podmíněnou předpověď, jejíž trénink roste s jejich třetí mocninou: --inducing 1200 předpovídá skoro stejně dobře a trénuje se ve zlomku času</translation>
+    </message>
+    <message>
+        <source>none of the frames can be written in this format: %1 left out</source>
+        <translation>v tomto formátu nelze zapsat žádný rámec: vynecháno %1</translation>
+    </message>
+    <message>
+        <source>a log of CAN frames holds nothing else; csv and mcap do</source>
+        <translation>záznam rámců CAN nic jiného neobsahuje; csv a mcap ano</translation>
+    </message>
+    <message>
+        <source>not written: ended before it was whole</source>
+        <translation>nezapsáno: skončilo dříve, než bylo celé</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>estimate %1: its scene is not there</source>
+        <translation>odhad %1: jeho scéna tu není</translation>
+    </message>
+    <message>
+        <source>estimate %1: %2</source>
+        <translation>odhad %1: %2</translation>
+    </message>
+    <message>
+        <source>is no file of notes: expected the columns t_s,note</source>
+        <translation>není soubor poznámek: očekávají se sloupce t_s,note</translation>
     </message>
 </context>
 <context>
@@ -4741,45 +4889,6 @@ F1</translation>
     </message>
 </context>
 <context>
-    <name>terratact::PassiveExploration</name>
-    <message>
-        <source>Following: the front flippers press down</source>
-        <translation>Sledování: přední flippery tlačí dolů</translation>
-    </message>
-    <message>
-        <source>Estimating …</source>
-        <translation>Odhaduje se …</translation>
-    </message>
-    <message>
-        <source>following: the robot has pressed its flippers down</source>
-        <translation>sledování: robot přitlačil flippery</translation>
-    </message>
-    <message>
-        <source>following: the arm is probing</source>
-        <translation>sledování: rameno sonduje</translation>
-    </message>
-    <message>
-        <source>following: the robot is stopped</source>
-        <translation>sledování: robot je zastaven</translation>
-    </message>
-    <message>
-        <source>No estimate: the robot is stopped</source>
-        <translation>Bez odhadu: robot je zastaven</translation>
-    </message>
-    <message>
-        <source>following: no estimate: %1</source>
-        <translation>sledování: bez odhadu: %1</translation>
-    </message>
-    <message>
-        <source>No estimate: %1</source>
-        <translation>Bez odhadu: %1</translation>
-    </message>
-    <message>
-        <source>The robot has moved: the next press brings the next estimate</source>
-        <translation>Robot se pohnul: další přitlačení přinese další odhad</translation>
-    </message>
-</context>
-<context>
     <name>terratact::ForceArrays</name>
     <message>
         <source>L</source>
@@ -5242,6 +5351,45 @@ F1</translation>
     <message>
         <source>the panel is lost</source>
         <translation>panel ztracen</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::PassiveExploration</name>
+    <message>
+        <source>Following: the front flippers press down</source>
+        <translation>Sledování: přední flippery tlačí dolů</translation>
+    </message>
+    <message>
+        <source>Estimating …</source>
+        <translation>Odhaduje se …</translation>
+    </message>
+    <message>
+        <source>following: the robot has pressed its flippers down</source>
+        <translation>sledování: robot přitlačil flippery</translation>
+    </message>
+    <message>
+        <source>following: the arm is probing</source>
+        <translation>sledování: rameno sonduje</translation>
+    </message>
+    <message>
+        <source>following: the robot is stopped</source>
+        <translation>sledování: robot je zastaven</translation>
+    </message>
+    <message>
+        <source>No estimate: the robot is stopped</source>
+        <translation>Bez odhadu: robot je zastaven</translation>
+    </message>
+    <message>
+        <source>following: no estimate: %1</source>
+        <translation>sledování: bez odhadu: %1</translation>
+    </message>
+    <message>
+        <source>No estimate: %1</source>
+        <translation>Bez odhadu: %1</translation>
+    </message>
+    <message>
+        <source>The robot has moved: the next press brings the next estimate</source>
+        <translation>Robot se pohnul: další přitlačení přinese další odhad</translation>
     </message>
 </context>
 <context>

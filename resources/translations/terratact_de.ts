@@ -202,17 +202,6 @@
     </message>
 </context>
 <context>
-    <name>LiveViewState</name>
-    <message>
-        <source>The operator&apos;s panel does not answer, which means STOP</source>
-        <translation>Das Bedienpult antwortet nicht, das heißt STOP</translation>
-    </message>
-    <message>
-        <source>The operator&apos;s panel does not answer</source>
-        <translation>Das Bedienpult antwortet nicht</translation>
-    </message>
-</context>
-<context>
     <name>FileDialog</name>
     <message>
         <source>There is no file:</source>
@@ -322,6 +311,17 @@
     <message>
         <source>BACK after %1 — measured values are live, the terrain is as it was felt before</source>
         <translation>WIEDER DA nach %1 — Messwerte sind aktuell, das Gelände ist das von vorher</translation>
+    </message>
+</context>
+<context>
+    <name>LiveViewState</name>
+    <message>
+        <source>The operator&apos;s panel does not answer, which means STOP</source>
+        <translation>Das Bedienpult antwortet nicht, das heißt STOP</translation>
+    </message>
+    <message>
+        <source>The operator&apos;s panel does not answer</source>
+        <translation>Das Bedienpult antwortet nicht</translation>
     </message>
 </context>
 <context>
@@ -760,21 +760,6 @@ Marke K</translation>
     </message>
 </context>
 <context>
-    <name>ReviewViewState</name>
-    <message>
-        <source>A review commands no robot</source>
-        <translation>Eine Rückschau befiehlt keinem Roboter</translation>
-    </message>
-    <message>
-        <source>what if: %1</source>
-        <translation>was wäre: %1</translation>
-    </message>
-    <message>
-        <source>No estimate stood at this time</source>
-        <translation>Zu dieser Zeit galt keine Schätzung</translation>
-    </message>
-</context>
-<context>
     <name>ReviewTimeline</name>
     <message>
         <source>scene %1</source>
@@ -923,6 +908,21 @@ Marke K</translation>
     <message>
         <source>overridden: %1</source>
         <translation>übergangen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ReviewViewState</name>
+    <message>
+        <source>A review commands no robot</source>
+        <translation>Eine Rückschau befiehlt keinem Roboter</translation>
+    </message>
+    <message>
+        <source>what if: %1</source>
+        <translation>was wäre: %1</translation>
+    </message>
+    <message>
+        <source>No estimate stood at this time</source>
+        <translation>Zu dieser Zeit galt keine Schätzung</translation>
     </message>
 </context>
 <context>
@@ -1431,10 +1431,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>kann nicht geschrieben werden</translation>
     </message>
     <message>
-        <source>the directory cannot be made</source>
-        <translation>der Ordner lässt sich nicht anlegen</translation>
-    </message>
-    <message>
         <source>it is not a regular file</source>
         <translation>es ist keine gewöhnliche Datei</translation>
     </message>
@@ -1457,10 +1453,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>has %1 bytes where its header says %2</source>
         <translation>hat %1 Bytes, laut Kopf %2</translation>
-    </message>
-    <message>
-        <source>it is truncated</source>
-        <translation>sie ist abgeschnitten</translation>
     </message>
     <message>
         <source>is larger than the %1 bytes allowed here</source>
@@ -1647,10 +1639,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>%1 hat mehrere Leitungen namens %2: bitte statt dessen offset angeben</translation>
     </message>
     <message>
-        <source>%1 has no line %2: it has 0 to %3</source>
-        <translation>%1 hat keine Leitung %2: er hat 0 bis %3</translation>
-    </message>
-    <message>
         <source>it is open to the group %1; run: %2 (and log in again)</source>
         <translation>offen für die Gruppe %1; ausführen: %2 (und neu anmelden)</translation>
     </message>
@@ -1693,18 +1681,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>nests deeper than %1 levels</source>
         <translation>ist tiefer als %1 Ebenen verschachtelt</translation>
-    </message>
-    <message>
-        <source>force_array holds no table</source>
-        <translation>force_array enthält keine Tabelle</translation>
-    </message>
-    <message>
-        <source>force_array is no list of tables, expected [[force_array]]</source>
-        <translation>force_array ist keine Liste von Tabellen, erwartet wird [[force_array]]</translation>
-    </message>
-    <message>
-        <source>no force_array has element %1, expected each of %2 to %3 left, right or on both sides</source>
-        <translation>kein force_array hat das Element %1, erwartet wird jedes von %2 bis %3 links, rechts oder auf beiden Seiten</translation>
     </message>
     <message>
         <source>is a whole model, expected a part of one</source>
@@ -1763,38 +1739,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>der Schlüssel %1 fehlt</translation>
     </message>
     <message>
-        <source>%1 is not a number, expected a number from %2 to %3</source>
-        <translation>%1 ist keine Zahl, erwartet wird eine Zahl von %2 bis %3</translation>
-    </message>
-    <message>
-        <source>%1 is %2, expected a number from %3 to %4</source>
-        <translation>%1 ist %2, erwartet wird eine Zahl von %3 bis %4</translation>
-    </message>
-    <message>
-        <source>%1 is not an array of %2 elements</source>
-        <translation>%1 ist keine Liste von %2 Elementen</translation>
-    </message>
-    <message>
-        <source>%1 is not a table</source>
-        <translation>%1 ist keine Tabelle</translation>
-    </message>
-    <message>
-        <source>%1 is not a known key</source>
-        <translation>%1 ist kein bekannter Schlüssel</translation>
-    </message>
-    <message>
-        <source>%1 is not a text of 1 to 100 characters, none of them a control character</source>
-        <translation>%1 ist kein Text von 1 bis 100 Zeichen ohne Steuerzeichen</translation>
-    </message>
-    <message>
-        <source>%1 holds a polygon that is not convex</source>
-        <translation>%1 enthält ein Vieleck, das nicht konvex ist</translation>
-    </message>
-    <message>
-        <source>%1 does not increase from pivot to tip</source>
-        <translation>%1 wächst nicht vom Drehpunkt zur Spitze</translation>
-    </message>
-    <message>
         <source>is a model of other features: %1 stands where %2 is expected</source>
         <translation>ist ein Modell anderer Merkmale: hier steht %1, erwartet wird %2</translation>
     </message>
@@ -1809,14 +1753,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>its table %1 has too many rows</source>
         <translation>seine Tabelle %1 hat zu viele Zeilen</translation>
-    </message>
-    <message>
-        <source>%1 is out of range</source>
-        <translation>%1 liegt außerhalb des Bereichs</translation>
-    </message>
-    <message>
-        <source>the column %1 is not known and was left out</source>
-        <translation>die Spalte %1 ist nicht bekannt und wurde ausgelassen</translation>
     </message>
     <message>
         <source>Address family not supported by protocol</source>
@@ -1879,18 +1815,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ein CAN-Socket lässt sich nicht öffnen (%1)</translation>
     </message>
     <message>
-        <source>has %1 training rows, expected %2 to %3</source>
-        <translation>hat %1 Trainingszeilen, erwartet werden %2 bis %3</translation>
-    </message>
-    <message>
-        <source>training row %1</source>
-        <translation>Trainingszeile %1</translation>
-    </message>
-    <message>
-        <source>scanned row</source>
-        <translation>gescannte Zeile</translation>
-    </message>
-    <message>
         <source>is it in degrees?</source>
         <translation>etwa in Grad?</translation>
     </message>
@@ -1935,28 +1859,12 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>seine Zahl induzierender Zeilen liegt außerhalb des Bereichs</translation>
     </message>
     <message>
-        <source>its number of inducing rows is not one</source>
-        <translation>seine Zahl induzierender Zeilen ist keine Zahl</translation>
-    </message>
-    <message>
-        <source>its seed is not a number</source>
-        <translation>sein Startwert ist keine Zahl</translation>
-    </message>
-    <message>
         <source>its table length_scale is not in the order of the inputs</source>
         <translation>seine Tabelle length_scale hat nicht die Reihenfolge der Eingänge</translation>
     </message>
     <message>
-        <source>one [[force_array]] more than the %1 expected at most</source>
-        <translation>ein [[force_array]] mehr als die höchstens erwarteten %1</translation>
-    </message>
-    <message>
         <source>chip must say its label, or its name: one of both</source>
         <translation>chip muss label oder name angeben: eines von beiden</translation>
-    </message>
-    <message>
-        <source>is torn</source>
-        <translation>ist abgerissen</translation>
     </message>
     <message>
         <source>has more than %1 fields</source>
@@ -1975,10 +1883,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>hat %1 Felder, die Kopfzeile %2</translation>
     </message>
     <message>
-        <source>run is not a name</source>
-        <translation>run ist kein Name</translation>
-    </message>
-    <message>
         <source>is one scene more than the %1 allowed in a file</source>
         <translation>ist eine Szene mehr als die %1, die in einer Datei erlaubt sind</translation>
     </message>
@@ -1995,14 +1899,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>zu viele Notizen</translation>
     </message>
     <message>
-        <source>is no file of notes</source>
-        <translation>ist keine Datei mit Notizen</translation>
-    </message>
-    <message>
-        <source>expected the columns t_s,note</source>
-        <translation>erwartet werden die Spalten t_s,note</translation>
-    </message>
-    <message>
         <source>its robot</source>
         <translation>ihr Roboter</translation>
     </message>
@@ -2011,16 +1907,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ist die SQLite-Datei eines anderen Programms, keine Sitzung</translation>
     </message>
     <message>
-        <source>is a session of format version %1, and this program reads version %2</source>
-        <translation>ist eine Sitzung in Formatversion %1, dieses Programm liest Version %2</translation>
-    </message>
-    <message>
         <source>its tables are not those of a session</source>
         <translation>ihre Tabellen sind nicht die einer Sitzung</translation>
-    </message>
-    <message>
-        <source>its start is no time</source>
-        <translation>ihr Beginn ist keine Zeit</translation>
     </message>
     <message>
         <source>says more of its start than a session does</source>
@@ -2143,20 +2031,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ein unbekannter Name</translation>
     </message>
     <message>
-        <source>its scene is not there</source>
-        <translation>ihre Szene ist nicht da</translation>
-    </message>
-    <message>
-        <source>estimate %1</source>
-        <translation>Schätzung %1</translation>
-    </message>
-    <message>
         <source>the model gives no finite estimate of this scene</source>
         <translation>das Modell gibt für diese Szene keine endliche Schätzung</translation>
-    </message>
-    <message>
-        <source>has no size</source>
-        <translation>hat keine Größe</translation>
     </message>
     <message>
         <source>out of memory</source>
@@ -2165,10 +2041,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>its structure cannot be checked</source>
         <translation>ihr Aufbau lässt sich nicht prüfen</translation>
-    </message>
-    <message>
-        <source>its structure is damaged</source>
-        <translation>ihr Aufbau ist beschädigt</translation>
     </message>
     <message>
         <source>a number is missing</source>
@@ -2223,22 +2095,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>beschreibt keine Nachricht: erwartet werden Zeilen, die mit BO_ beginnen; ist es eine DBC-Datei?</translation>
     </message>
     <message>
-        <source>is no regular file, which would be waited for</source>
-        <translation>ist keine gewöhnliche Datei, auf sie würde gewartet</translation>
-    </message>
-    <message>
-        <source>copy it to one</source>
-        <translation>in eine solche kopieren</translation>
-    </message>
-    <message>
-        <source>the robot&apos;s protocol has that identifier and is what counts</source>
-        <translation>das Protokoll des Roboters hat diese Kennung, und das gilt</translation>
-    </message>
-    <message>
-        <source>%1 more things are left out</source>
-        <translation>weitere ausgelassene Dinge: %1</translation>
-    </message>
-    <message>
         <source>the name of a table of words (VAL_TABLE_) is passed over</source>
         <translation>der Name einer Worttabelle (VAL_TABLE_) wird übergangen</translation>
     </message>
@@ -2281,10 +2137,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>the word of a raw value</source>
         <translation>das Wort eines Rohwerts</translation>
-    </message>
-    <message>
-        <source>%1 (integer), %2 (float) or %3 (double)</source>
-        <translation>%1 (ganze Zahl), %2 (float) oder %3 (double)</translation>
     </message>
     <message>
         <source>the name of a multiplexor</source>
@@ -2347,10 +2199,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>die Länge des Signals in Bits</translation>
     </message>
     <message>
-        <source>the byte order, %1 (little-endian) or %2</source>
-        <translation>die Bytereihenfolge, %1 (little-endian) oder %2</translation>
-    </message>
-    <message>
         <source>the signal&apos;s scale</source>
         <translation>die Skalierung des Signals</translation>
     </message>
@@ -2395,56 +2243,12 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>%1 ist %2, außerhalb des Bereichs von %3 bis %4 %5 (%6)</translation>
     </message>
     <message>
-        <source>%1 is %2, expected at most %3 bytes</source>
-        <translation>%1 ist %2, erwartet werden höchstens %3 Bytes</translation>
-    </message>
-    <message>
-        <source>%1 is %2 again, expected a name of its own for each array</source>
-        <translation>%1 ist noch einmal %2, erwartet wird für jedes Feld ein eigener Name</translation>
-    </message>
-    <message>
-        <source>%1 is %2, expected &quot;%3&quot; or &quot;%4&quot;</source>
-        <translation>%1 ist %2, erwartet wird &quot;%3&quot; oder &quot;%4&quot;</translation>
-    </message>
-    <message>
-        <source>%1 is not an array of %2 to %3 elements</source>
-        <translation>%1 ist keine Liste von %2 bis %3 Elementen</translation>
-    </message>
-    <message>
-        <source>%1 must rise in force and fall in resistance from point to point</source>
-        <translation>%1 muss von Punkt zu Punkt in der Kraft steigen und im Widerstand fallen</translation>
-    </message>
-    <message>
-        <source>%1 holds %2, expected whole numbers</source>
-        <translation>%1 enthält %2, erwartet werden ganze Zahlen</translation>
-    </message>
-    <message>
-        <source>%1 names element %2 of that side again, expected one array for each</source>
-        <translation>%1 nennt Element %2 dieser Seite noch einmal, erwartet wird für jedes ein Feld</translation>
-    </message>
-    <message>
         <source>%1 must say the line&apos;s name, or offset its position: one of both</source>
         <translation>%1 muss den Namen der Leitung angeben, oder offset ihre Stelle: eines von beiden</translation>
     </message>
     <message>
         <source>%1 names a line that the file has used before</source>
         <translation>%1 nennt eine Leitung, die die Datei schon benutzt hat</translation>
-    </message>
-    <message>
-        <source>%1 is not a whole number</source>
-        <translation>%1 ist keine ganze Zahl</translation>
-    </message>
-    <message>
-        <source>%1 is not the name of a method</source>
-        <translation>%1 ist nicht der Name eines Verfahrens</translation>
-    </message>
-    <message>
-        <source>%1 is not a date such as 2026-11-22T07:05:00Z</source>
-        <translation>%1 ist kein Datum wie 2026-11-22T07:05:00Z</translation>
-    </message>
-    <message>
-        <source>%1 is not a SHA-256</source>
-        <translation>%1 ist kein SHA-256</translation>
     </message>
     <message>
         <source>is the card of another model: of content %1, and the model&apos;s is %2</source>
@@ -2475,10 +2279,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>seiner Tabelle meta fehlt %1</translation>
     </message>
     <message>
-        <source>has %1 rows in its table %2, expected %3 to %4</source>
-        <translation>hat %1 Zeilen in seiner Tabelle %2, erwartet werden %3 bis %4</translation>
-    </message>
-    <message>
         <source>the rows of its table %1 are not numbered from 0</source>
         <translation>die Zeilen seiner Tabelle %1 sind nicht ab 0 nummeriert</translation>
     </message>
@@ -2499,32 +2299,12 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ein Wert vom falschen Typ in %1</translation>
     </message>
     <message>
-        <source>malformed database schema (%1) - %2</source>
-        <translation>beschädigtes Datenbankschema (%1) - %2</translation>
-    </message>
-    <message>
-        <source>malformed database schema (%1)</source>
-        <translation>beschädigtes Datenbankschema (%1)</translation>
-    </message>
-    <message>
         <source>does not say its %1</source>
         <translation>nennt nicht: %1</translation>
     </message>
     <message>
-        <source>a row of its table %1</source>
-        <translation>eine Zeile ihrer Tabelle %1</translation>
-    </message>
-    <message>
-        <source>the session&apos;s model %1 (%2…) is not there; %3</source>
-        <translation>das Modell der Sitzung %1 (%2…) ist nicht da; %3</translation>
-    </message>
-    <message>
         <source>the session&apos;s model %1 (%2…) is not there</source>
         <translation>das Modell der Sitzung %1 (%2…) ist nicht da</translation>
-    </message>
-    <message>
-        <source>%1 is %2…; %3</source>
-        <translation>%1 ist %2…; %3</translation>
     </message>
     <message>
         <source>%1 is %2…</source>
@@ -2543,10 +2323,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>%1 hat nicht ein Gewicht je induzierender Zeile</translation>
     </message>
     <message>
-        <source>%1 is not a number</source>
-        <translation>%1 ist keine Zahl</translation>
-    </message>
-    <message>
         <source>%1 is not finite</source>
         <translation>%1 ist nicht endlich</translation>
     </message>
@@ -2559,20 +2335,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>eine Längenskala (%1)</translation>
     </message>
     <message>
-        <source>a mean of %1</source>
-        <translation>ein Mittelwert (%1)</translation>
-    </message>
-    <message>
-        <source>a weight of %1</source>
-        <translation>ein Gewicht (%1)</translation>
-    </message>
-    <message>
         <source>a standard deviation of %1</source>
         <translation>eine Standardabweichung (%1)</translation>
-    </message>
-    <message>
-        <source>mean of %1</source>
-        <translation>der Mittelwert (%1)</translation>
     </message>
     <message>
         <source>residual_sd of %1</source>
@@ -2585,10 +2349,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>noise_sd of %1</source>
         <translation>noise_sd (%1)</translation>
-    </message>
-    <message>
-        <source>log_likelihood of %1</source>
-        <translation>log_likelihood (%1)</translation>
     </message>
     <message>
         <source>feature set %1, bin %2</source>
@@ -2613,10 +2373,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>the signal %1 is left out: %2 has another of that name</source>
         <translation>das Signal %1 ist ausgelassen: %2 hat ein anderes dieses Namens</translation>
-    </message>
-    <message>
-        <source>%1 describes that already and is what counts</source>
-        <translation>%1 beschreibt das schon, und das gilt</translation>
     </message>
     <message>
         <source>is not of this program: %1 is another or missing; install the file that came with the program</source>
@@ -2669,10 +2425,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>%1 behind the signal&apos;s length</source>
         <translation>%1 hinter der Länge des Signals</translation>
-    </message>
-    <message>
-        <source>%1 or %2 behind the byte order</source>
-        <translation>%1 oder %2 hinter der Bytereihenfolge</translation>
     </message>
     <message>
         <source>%1 before the signal&apos;s scale</source>
@@ -2731,40 +2483,16 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>das Ende der Zeile</translation>
     </message>
     <message>
-        <source>a time like (%1)</source>
-        <translation>eine Zeit wie (%1)</translation>
-    </message>
-    <message>
         <source>the name of an interface</source>
         <translation>der Name einer Schnittstelle</translation>
-    </message>
-    <message>
-        <source>an identifier of %1 or %2 hexadecimal digits</source>
-        <translation>eine Kennung aus %1 oder %2 hexadezimalen Ziffern</translation>
-    </message>
-    <message>
-        <source>a standard identifier up to %1FF</source>
-        <translation>eine Standardkennung bis %1FF</translation>
-    </message>
-    <message>
-        <source>an identifier up to %1FFFFFFF</source>
-        <translation>eine Kennung bis %1FFFFFFF</translation>
     </message>
     <message>
         <source>as many bytes as CAN FD can have</source>
         <translation>so viele Bytes, wie CAN FD haben kann</translation>
     </message>
     <message>
-        <source>at most %1 bytes</source>
-        <translation>höchstens %1 Bytes</translation>
-    </message>
-    <message>
         <source>a byte of two hexadecimal digits</source>
         <translation>ein Byte aus zwei hexadezimalen Ziffern</translation>
-    </message>
-    <message>
-        <source>a length from %1 to %2 after R</source>
-        <translation>eine Länge von %1 bis %2 nach R</translation>
     </message>
     <message>
         <source>an even number of hexadecimal digits</source>
@@ -2773,10 +2501,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>a digit of flags after ##</source>
         <translation>eine Ziffer mit Merkmalen nach ##</translation>
-    </message>
-    <message>
-        <source>a length like [%1]</source>
-        <translation>eine Länge wie [%1]</translation>
     </message>
     <message>
         <source>no more than the bytes</source>
@@ -2835,10 +2559,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ist ein Ordner, kein Log von CAN-Verkehr</translation>
     </message>
     <message>
-        <source>is no file, and too long to be kept</source>
-        <translation>ist keine Datei, und zu lang, um behalten zu werden</translation>
-    </message>
-    <message>
         <source>cannot be unpacked from here on: its packed bytes are damaged</source>
         <translation>lässt sich von hier an nicht entpacken: die gepackten Bytes sind beschädigt</translation>
     </message>
@@ -2851,16 +2571,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>eine Zeit, eine Zahl, die nicht negativ ist</translation>
     </message>
     <message>
-        <source>a time like (%1-%2-%3 %4:%5:%6)</source>
-        <translation>eine Zeit wie (%1-%2-%3 %4:%5:%6)</translation>
-    </message>
-    <message>
         <source>a time</source>
         <translation>eine Zeit</translation>
-    </message>
-    <message>
-        <source>a byte from %1 to %2</source>
-        <translation>ein Byte von %1 bis %2</translation>
     </message>
     <message>
         <source>the number of a channel</source>
@@ -2869,14 +2581,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>the number of a bus</source>
         <translation>die Nummer eines Busses</translation>
-    </message>
-    <message>
-        <source>the number of a frame, such as %1)</source>
-        <translation>die Nummer eines Rahmens, etwa %1)</translation>
-    </message>
-    <message>
-        <source>a length from %1 to %2</source>
-        <translation>eine Länge von %1 bis %2</translation>
     </message>
     <message>
         <source>a length code</source>
@@ -2891,10 +2595,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>eine Zahl</translation>
     </message>
     <message>
-        <source>%1 or %2 for the flags BRS and ESI</source>
-        <translation>%1 oder %2 für die Bits BRS und ESI</translation>
-    </message>
-    <message>
         <source>a line with the columns of the heading</source>
         <translation>eine Zeile mit den Spalten der Kopfzeile</translation>
     </message>
@@ -2907,16 +2607,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>true oder false</translation>
     </message>
     <message>
-        <source>as many bytes in base %1 as dlc says</source>
-        <translation>so viele Bytes in Base %1, wie dlc sagt</translation>
-    </message>
-    <message>
         <source>as many bytes as the length says</source>
         <translation>so viele Bytes, wie die Länge sagt</translation>
-    </message>
-    <message>
-        <source>version %1 to %2 of the format</source>
-        <translation>Version %1 bis %2 des Formats</translation>
     </message>
     <message>
         <source>an error frame cannot be of another kind, too</source>
@@ -2953,10 +2645,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>a log of CRTD</source>
         <translation>ein Log von CRTD</translation>
-    </message>
-    <message>
-        <source>a log of NMEA %1 of canboat</source>
-        <translation>ein Log von NMEA %1 von canboat</translation>
     </message>
     <message>
         <source>a table, no known log</source>
@@ -3037,10 +2725,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>the signal %1 is left out: expected &apos;:&apos; behind its name, or M or a multiplexor&apos;s value such as m1, found %2</source>
         <translation>das Signal %1 entfällt: erwartet wird &apos;:&apos; hinter seinem Namen, oder M oder der Wert eines Multiplexors wie m1, gefunden %2</translation>
-    </message>
-    <message>
-        <source>expected %1, found %2; what it says is left out</source>
-        <translation>erwartet wird %1, gefunden %2; was dort steht, entfällt</translation>
     </message>
     <message>
         <source>the message %1 is left out: its identifier %2 is none of CAN; expected at most 2047, or 2147483648 and 29 bits</source>
@@ -3159,60 +2843,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>%1 m weiterfahren und erneut erkunden</translation>
     </message>
     <message>
-        <source>is text in UTF-%1</source>
-        <translation>ist Text in UTF-%1</translation>
-    </message>
-    <message>
-        <source>save it as CSV in UTF-%1</source>
-        <translation>speichern Sie ihn als CSV in UTF-%1</translation>
-    </message>
-    <message>
-        <source>is a workbook or an archive, not text</source>
-        <translation>ist eine Arbeitsmappe oder ein Archiv, kein Text</translation>
-    </message>
-    <message>
-        <source>is a workbook of an office program, not text</source>
-        <translation>ist eine Arbeitsmappe eines Büroprogramms, kein Text</translation>
-    </message>
-    <message>
-        <source>save the sheet as CSV in UTF-%1</source>
-        <translation>speichern Sie das Blatt als CSV in UTF-%1</translation>
-    </message>
-    <message>
-        <source>is compressed by gzip, not text</source>
-        <translation>ist mit gzip komprimiert, kein Text</translation>
-    </message>
-    <message>
-        <source>unpack it first</source>
-        <translation>entpacken Sie sie zuerst</translation>
-    </message>
-    <message>
-        <source>is a PDF, not text</source>
-        <translation>ist ein PDF, kein Text</translation>
-    </message>
-    <message>
-        <source>export the numbers as CSV</source>
-        <translation>exportieren Sie die Zahlen als CSV</translation>
-    </message>
-    <message>
-        <source>is a recorded session, not text</source>
-        <translation>ist eine aufgezeichnete Sitzung, kein Text</translation>
-    </message>
-    <message>
-        <source>terratact session scenes writes its scenes as CSV</source>
-        <translation>terratact session scenes schreibt ihre Szenen als CSV</translation>
-    </message>
-    <message>
         <source>is an SQLite file, not text</source>
         <translation>ist eine SQLite-Datei, kein Text</translation>
-    </message>
-    <message>
-        <source>holds bytes of value %1, which no text in UTF-%2 does</source>
-        <translation>enthält Bytes mit dem Wert %1, wie kein Text in UTF-%2</translation>
-    </message>
-    <message>
-        <source>names a separator that is no comma, semicolon or tab</source>
-        <translation>nennt ein Trennzeichen, das weder Komma, Semikolon noch Tabulator ist</translation>
     </message>
     <message>
         <source>the fields are separated by |</source>
@@ -3227,56 +2859,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>die Felder sind auf mehr als eine Art getrennt</translation>
     </message>
     <message>
-        <source>save them separated by commas, numbers with a point</source>
-        <translation>speichern Sie sie durch Kommas getrennt, Zahlen mit Punkt</translation>
-    </message>
-    <message>
         <source>has text behind a closing quote</source>
         <translation>hat Text hinter einem schließenden Anführungszeichen</translation>
-    </message>
-    <message>
-        <source>has %1 fields where the header has %2, and the file does not end with a line end</source>
-        <translation>hat %1 Felder, wo die Kopfzeile %2 hat, und die Datei endet ohne Zeilenende</translation>
-    </message>
-    <message>
-        <source>are there decimal commas? save numbers with a point</source>
-        <translation>gibt es Dezimalkommas? Speichern Sie Zahlen mit Punkt</translation>
-    </message>
-    <message>
-        <source>save numbers with a point, and nothing between thousands</source>
-        <translation>speichern Sie Zahlen mit Punkt und ohne Tausendertrennung</translation>
-    </message>
-    <message>
-        <source>save all numbers with a decimal point</source>
-        <translation>speichern Sie alle Zahlen mit Dezimalpunkt</translation>
-    </message>
-    <message>
-        <source>it holds a comma, a quote or a control character</source>
-        <translation>er enthält ein Komma, ein Anführungszeichen oder ein Steuerzeichen</translation>
-    </message>
-    <message>
-        <source>the last line has no line end; it was read as it is</source>
-        <translation>die letzte Zeile hat kein Zeilenende; sie wurde gelesen, wie sie ist</translation>
-    </message>
-    <message>
-        <source>a recorded session is there, which is never replaced</source>
-        <translation>dort ist eine aufgezeichnete Sitzung, die nie ersetzt wird</translation>
-    </message>
-    <message>
-        <source>it is write-protected</source>
-        <translation>sie ist schreibgeschützt</translation>
-    </message>
-    <message>
-        <source>name another file</source>
-        <translation>nennen Sie eine andere Datei</translation>
-    </message>
-    <message>
-        <source>none of the frames can be written in this format</source>
-        <translation>keiner der Frames kann in diesem Format geschrieben werden</translation>
-    </message>
-    <message>
-        <source>%1 left out</source>
-        <translation>%1 ausgelassen</translation>
     </message>
     <message>
         <source>nothing was recorded</source>
@@ -3315,32 +2899,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>die Sitzung dauert %1 s</translation>
     </message>
     <message>
-        <source>is a pipe or a device, which is read only once, and this is read twice</source>
-        <translation>ist eine Pipe oder ein Gerät, das nur einmal gelesen wird, und dies wird zweimal gelesen</translation>
-    </message>
-    <message>
-        <source>save it as a file first</source>
-        <translation>speichern Sie es zuerst als Datei</translation>
-    </message>
-    <message>
         <source>%1 is %2, expected a number, or its unit %3</source>
         <translation>%1 ist %2, erwartet wurde eine Zahl oder ihre Einheit %3</translation>
-    </message>
-    <message>
-        <source>%1 is %2, and line %3 has a decimal comma</source>
-        <translation>%1 ist %2, und Zeile %3 hat ein Dezimalkomma</translation>
-    </message>
-    <message>
-        <source>%1 is %2, and line %3 has a decimal point</source>
-        <translation>%1 ist %2, und Zeile %3 hat einen Dezimalpunkt</translation>
-    </message>
-    <message>
-        <source>%1 is not measured</source>
-        <translation>%1 ist nicht gemessen</translation>
-    </message>
-    <message>
-        <source>it is not a regular file, and an SQLite file is read back and forth</source>
-        <translation>ist keine gewöhnliche Datei, und eine SQLite-Datei wird vor und zurück gelesen</translation>
     </message>
     <message>
         <source>pitch angle</source>
@@ -3485,6 +3045,594 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>is longer than %1 bytes: this is no log of CAN frames as text</source>
         <translation>ist länger als %1 Bytes: das ist kein Protokoll von CAN-Frames als Text</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a whole number</source>
+        <translation>%1: %2 ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>%1: the column %2 is not known and was left out</source>
+        <translation>%1: die Spalte %2 ist nicht bekannt und wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>run is longer than %1 bytes: %2</source>
+        <translation>run ist länger als %1 Bytes: %2</translation>
+    </message>
+    <message>
+        <source>run is not text in UTF-8: %1: save the file as CSV in UTF-8</source>
+        <translation>run ist kein Text in UTF-8: %1: die Datei als CSV in UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>run is not a name: %1: it holds a comma, a quote or a control character</source>
+        <translation>run ist kein Name: %1: er enthält ein Komma, ein Anführungszeichen oder ein Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>%1: the last line has no line end; it was read as it is</source>
+        <translation>%1: die letzte Zeile hat kein Zeilenende; sie wurde gelesen, wie sie ist</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not the name of a method: %3</source>
+        <translation>%1: %2 ist nicht der Name eines Verfahrens: %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a date such as 2026-11-22T07:05:00Z: %3</source>
+        <translation>%1: %2 ist kein Datum wie 2026-11-22T07:05:00Z: %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a SHA-256: %3</source>
+        <translation>%1: %2 ist kein SHA-256: %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a table</source>
+        <translation>%1: %2 ist keine Tabelle</translation>
+    </message>
+    <message>
+        <source>has %1 training rows, expected 1 to %2</source>
+        <translation>hat %1 Trainingszeilen, erwartet werden 1 bis %2</translation>
+    </message>
+    <message>
+        <source>training row %1: %2</source>
+        <translation>Trainingszeile %1: %2</translation>
+    </message>
+    <message>
+        <source>mean of %1 is out of range</source>
+        <translation>der Mittelwert (%1) liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>a weight of %1 is out of range</source>
+        <translation>ein Gewicht (%1) liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>contact_bias is out of range</source>
+        <translation>contact_bias liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>scanned row: %1</source>
+        <translation>gescannte Zeile: %1</translation>
+    </message>
+    <message>
+        <source>noise_sd of %1 is out of range</source>
+        <translation>noise_sd (%1) liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>log_likelihood of %1 is not finite</source>
+        <translation>log_likelihood (%1) ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>a mean of %1 is out of range</source>
+        <translation>ein Mittelwert (%1) liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>holds a bin that is not in its list of bins</source>
+        <translation>enthält ein Feld, das nicht in seiner Liste der Felder steht</translation>
+    </message>
+    <message>
+        <source>holds residuals of a bin that is not in its list of bins</source>
+        <translation>enthält Residuen eines Feldes, das nicht in seiner Liste der Felder steht</translation>
+    </message>
+    <message>
+        <source>holds what only a whole model has</source>
+        <translation>enthält, was nur ein ganzes Modell hat</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>its seed is not a number: %1</source>
+        <translation>sein Startwert ist keine Zahl: %1</translation>
+    </message>
+    <message>
+        <source>its number of inducing rows is not one: %1</source>
+        <translation>seine Zahl induzierender Zeilen ist keine Zahl: %1</translation>
+    </message>
+    <message>
+        <source>its list of bins is wrong: %1</source>
+        <translation>seine Liste der Felder ist falsch: %1</translation>
+    </message>
+    <message>
+        <source>has %1 rows in its table %2, expected 1 to %3</source>
+        <translation>hat %1 Zeilen in seiner Tabelle %2, erwartet werden 1 bis %3</translation>
+    </message>
+    <message>
+        <source>its table surface_input is not numbered from 0</source>
+        <translation>seine Tabelle surface_input ist nicht ab 0 nummeriert</translation>
+    </message>
+    <message>
+        <source>its table clearance has too many rows</source>
+        <translation>seine Tabelle clearance hat zu viele Zeilen</translation>
+    </message>
+    <message>
+        <source>its structure is damaged: %1</source>
+        <translation>ihr Aufbau ist beschädigt: %1</translation>
+    </message>
+    <message>
+        <source>a row of its table %1: %2</source>
+        <translation>eine Zeile ihrer Tabelle %1: %2</translation>
+    </message>
+    <message>
+        <source>a message is no JSON</source>
+        <translation>eine Nachricht ist kein JSON</translation>
+    </message>
+    <message>
+        <source>nothing of a session is whole in it</source>
+        <translation>nichts von einer Sitzung ist darin ganz</translation>
+    </message>
+    <message>
+        <source>its start is no time: %1</source>
+        <translation>ihr Beginn ist keine Zeit: %1</translation>
+    </message>
+    <message>
+        <source>is a session of format version %1, and this program reads versions %2 to %3</source>
+        <translation>ist eine Sitzung der Formatversion %1, und dieses Programm liest die Versionen %2 bis %3</translation>
+    </message>
+    <message>
+        <source>it has as many batches as a session can have</source>
+        <translation>sie hat so viele Stapel, wie eine Sitzung haben kann</translation>
+    </message>
+    <message>
+        <source>recording into it has ended</source>
+        <translation>die Aufzeichnung darin ist beendet</translation>
+    </message>
+    <message>
+        <source>is read by somebody, so its journal stays beside it</source>
+        <translation>wird von jemandem gelesen, daher bleibt ihr Journal daneben</translation>
+    </message>
+    <message>
+        <source>its journal is damaged: nothing of it can be read</source>
+        <translation>ihr Journal ist beschädigt: nichts davon ist lesbar</translation>
+    </message>
+    <message>
+        <source>%1: %2 holds a polygon that is not convex</source>
+        <translation>%1: %2 enthält ein Vieleck, das nicht konvex ist</translation>
+    </message>
+    <message>
+        <source>%1: %2 must rise in force and fall in resistance from point to point</source>
+        <translation>%1: %2 muss von Punkt zu Punkt in der Kraft steigen und im Widerstand fallen</translation>
+    </message>
+    <message>
+        <source>%1: %2 does not increase from pivot to tip</source>
+        <translation>%1: %2 wächst nicht vom Drehpunkt zur Spitze</translation>
+    </message>
+    <message>
+        <source>%1: %2 holds %3, expected whole numbers</source>
+        <translation>%1: %2 enthält %3, erwartet werden ganze Zahlen</translation>
+    </message>
+    <message>
+        <source>%1: %2 names element %3 of that side again, expected one array for each</source>
+        <translation>%1: %2 nennt Element %3 dieser Seite noch einmal, erwartet wird für jedes ein Feld</translation>
+    </message>
+    <message>
+        <source>%1: %2 is %3, expected at most %4 bytes</source>
+        <translation>%1: %2 ist %3, erwartet werden höchstens %4 Bytes</translation>
+    </message>
+    <message>
+        <source>%1: no force_array has element %2, expected each of 1 to 6 left, right or on both sides</source>
+        <translation>%1: kein force_array hat das Element %2, erwartet wird jedes von 1 bis 6 links, rechts oder auf beiden Seiten</translation>
+    </message>
+    <message>
+        <source>%1: force_array is no list of tables, expected [[force_array]]</source>
+        <translation>%1: force_array ist keine Liste von Tabellen, erwartet wird [[force_array]]</translation>
+    </message>
+    <message>
+        <source>%1: one [[force_array]] more than the %2 expected at most</source>
+        <translation>%1: ein [[force_array]] mehr als die höchstens erwarteten %2</translation>
+    </message>
+    <message>
+        <source>%1: force_array holds no table</source>
+        <translation>%1: force_array enthält keine Tabelle</translation>
+    </message>
+    <message>
+        <source>%1: %2 is %3 again, expected a name of its own for each array</source>
+        <translation>%1: %2 ist noch einmal %3, erwartet wird für jedes Feld ein eigener Name</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a number, expected a number from %3 to %4</source>
+        <translation>%1: %2 ist keine Zahl, erwartet wird eine Zahl von %3 bis %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 is %3, expected a number from %4 to %5</source>
+        <translation>%1: %2 ist %3, erwartet wird eine Zahl von %4 bis %5</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not an array of %3 elements</source>
+        <translation>%1: %2 ist keine Liste von %3 Elementen</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not an array of %3 to %4 elements</source>
+        <translation>%1: %2 ist keine Liste von %3 bis %4 Elementen</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a text of 1 to 100 characters, none of them a control character</source>
+        <translation>%1: %2 ist kein Text von 1 bis 100 Zeichen ohne Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 is %3, expected %4</source>
+        <translation>%1: %2 ist %3, erwartet wird %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a known key</source>
+        <translation>%1: %2 ist kein bekannter Schlüssel</translation>
+    </message>
+    <message>
+        <source>line %1: is not TOML: %2</source>
+        <translation>Zeile %1: ist kein TOML: %2</translation>
+    </message>
+    <message>
+        <source>is text in UTF-16: save it as CSV in UTF-8</source>
+        <translation>ist Text in UTF-16: speichern Sie ihn als CSV in UTF-8</translation>
+    </message>
+    <message>
+        <source>is text in UTF-32: save it as CSV in UTF-8</source>
+        <translation>ist Text in UTF-32: speichern Sie ihn als CSV in UTF-8</translation>
+    </message>
+    <message>
+        <source>is a workbook or an archive, not text: save the sheet as CSV in UTF-8</source>
+        <translation>ist eine Arbeitsmappe oder ein Archiv, kein Text: speichern Sie das Blatt als CSV in UTF-8</translation>
+    </message>
+    <message>
+        <source>is a workbook of an office program, not text: save the sheet as CSV in UTF-8</source>
+        <translation>ist eine Arbeitsmappe eines Büroprogramms, kein Text: speichern Sie das Blatt als CSV in UTF-8</translation>
+    </message>
+    <message>
+        <source>is compressed by gzip, not text: unpack it first</source>
+        <translation>ist mit gzip komprimiert, kein Text: entpacken Sie sie zuerst</translation>
+    </message>
+    <message>
+        <source>is a PDF, not text: export the numbers as CSV</source>
+        <translation>ist ein PDF, kein Text: exportieren Sie die Zahlen als CSV</translation>
+    </message>
+    <message>
+        <source>is a recorded session, not text: terratact session scenes writes its scenes as CSV</source>
+        <translation>ist eine aufgezeichnete Sitzung, kein Text: terratact session scenes schreibt ihre Szenen als CSV</translation>
+    </message>
+    <message>
+        <source>holds bytes of value 0, which no text in UTF-8 does: save it as CSV in UTF-8</source>
+        <translation>enthält Bytes mit dem Wert 0, wie kein Text in UTF-8: speichern Sie ihn als CSV in UTF-8</translation>
+    </message>
+    <message>
+        <source>line 1: names a separator that is no comma, semicolon or tab</source>
+        <translation>Zeile 1: nennt ein Trennzeichen, das weder Komma, Semikolon noch Tabulator ist</translation>
+    </message>
+    <message>
+        <source>line %1: %2: save them separated by commas, numbers with a point</source>
+        <translation>Zeile %1: %2: speichern Sie sie durch Kommas getrennt, Zahlen mit Punkt</translation>
+    </message>
+    <message>
+        <source>is torn: has %1 fields where the header has %2, and the file does not end with a line end</source>
+        <translation>ist abgerissen: hat %1 Felder, wo die Kopfzeile %2 hat, und die Datei endet ohne Zeilenende</translation>
+    </message>
+    <message>
+        <source>%1: are there decimal commas? save numbers with a point</source>
+        <translation>%1: gibt es Dezimalkommas? Speichern Sie Zahlen mit Punkt</translation>
+    </message>
+    <message>
+        <source>%1 is not measured: %2</source>
+        <translation>%1 ist nicht gemessen: %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a number: %2: save numbers with a point, and nothing between thousands</source>
+        <translation>%1 ist keine Zahl: %2: speichern Sie Zahlen mit Punkt und ohne Tausendertrennung</translation>
+    </message>
+    <message>
+        <source>%1 is not a number: %2</source>
+        <translation>%1 ist keine Zahl: %2</translation>
+    </message>
+    <message>
+        <source>%1 is not finite: %2</source>
+        <translation>%1 ist nicht endlich: %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2, and line %3 has a decimal comma: save all numbers with a decimal point</source>
+        <translation>%1 ist %2, und Zeile %3 hat ein Dezimalkomma: speichern Sie alle Zahlen mit Dezimalpunkt</translation>
+    </message>
+    <message>
+        <source>%1 is %2, and line %3 has a decimal point: save all numbers with a decimal point</source>
+        <translation>%1 ist %2, und Zeile %3 hat einen Dezimalpunkt: speichern Sie alle Zahlen mit Dezimalpunkt</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2</source>
+        <translation>%1: lässt sich nicht schreiben: %2</translation>
+    </message>
+    <message>
+        <source>a recorded session is there, which is never replaced: name another file</source>
+        <translation>dort ist eine aufgezeichnete Sitzung, die nie ersetzt wird: nennen Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>it is write-protected: name another file</source>
+        <translation>sie ist schreibgeschützt: nennen Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>%1: the directory cannot be made: %2</source>
+        <translation>%1: der Ordner lässt sich nicht anlegen: %2</translation>
+    </message>
+    <message>
+        <source>is a pipe or a device, which is read only once, and this is read twice: save it as a file first</source>
+        <translation>ist eine Pipe oder ein Gerät, das nur einmal gelesen wird, und dies wird zweimal gelesen: speichern Sie es zuerst als Datei</translation>
+    </message>
+    <message>
+        <source>malformed database schema %1</source>
+        <translation>fehlerhaftes Datenbankschema %1</translation>
+    </message>
+    <message>
+        <source>it is not a regular file, and an SQLite file is read back and forth: save it as a file first</source>
+        <translation>ist keine gewöhnliche Datei, und eine SQLite-Datei wird vor und zurück gelesen: speichern Sie es zuerst als Datei</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>lässt sich nicht öffnen: %1</translation>
+    </message>
+    <message>
+        <source>has no size: %1</source>
+        <translation>hat keine Größe: %1</translation>
+    </message>
+    <message>
+        <source>has %1 bytes where its header says %2: it is truncated</source>
+        <translation>hat %1 Bytes, laut Kopf %2: sie ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>cannot be created: %1</source>
+        <translation>lässt sich nicht anlegen: %1</translation>
+    </message>
+    <message>
+        <source>the date is not understood: times count from 0</source>
+        <translation>das Datum ist nicht verständlich: die Zeiten zählen ab 0</translation>
+    </message>
+    <message>
+        <source>a length from 0 to 8</source>
+        <translation>eine Länge von 0 bis 8</translation>
+    </message>
+    <message>
+        <source>0 or 1 for the flags BRS and ESI</source>
+        <translation>0 oder 1 für die Bits BRS und ESI</translation>
+    </message>
+    <message>
+        <source>a time like (1436509052.249713)</source>
+        <translation>eine Zeit wie (1436509052.249713)</translation>
+    </message>
+    <message>
+        <source>a time like (2025-01-10 12:34:56.249713)</source>
+        <translation>eine Zeit wie (2025-01-10 12:34:56.249713)</translation>
+    </message>
+    <message>
+        <source>an identifier of 3 or 8 hexadecimal digits</source>
+        <translation>eine Kennung aus 3 oder 8 hexadezimalen Ziffern</translation>
+    </message>
+    <message>
+        <source>a standard identifier up to 7FF</source>
+        <translation>eine Standardkennung bis 7FF</translation>
+    </message>
+    <message>
+        <source>an identifier up to 3FFFFFFF</source>
+        <translation>eine Kennung bis 3FFFFFFF</translation>
+    </message>
+    <message>
+        <source>a length from 0 to 8 after R</source>
+        <translation>eine Länge von 0 bis 8 nach R</translation>
+    </message>
+    <message>
+        <source>a length like [5]</source>
+        <translation>eine Länge wie [5]</translation>
+    </message>
+    <message>
+        <source>as many bytes in base 64 as dlc says</source>
+        <translation>so viele Bytes in Base 64, wie dlc sagt</translation>
+    </message>
+    <message>
+        <source>%1; what it says is left out</source>
+        <translation>%1; was dort steht, ist ausgelassen</translation>
+    </message>
+    <message>
+        <source>line %1: expected %2, found %3</source>
+        <translation>Zeile %1: erwartet: %2, gefunden: %3</translation>
+    </message>
+    <message>
+        <source>0 (integer), 1 (float) or 2 (double)</source>
+        <translation>0 (ganze Zahl), 1 (float) oder 2 (double)</translation>
+    </message>
+    <message>
+        <source>is no text in UTF-8: its letters are read as Windows code page 1252; where they look wrong, save it as UTF-8</source>
+        <translation>ist kein Text in UTF-8: seine Buchstaben werden nach Windows-Codepage 1252 gelesen; wo sie falsch aussehen, als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>%1: %2 more things are left out</source>
+        <translation>%1: weitere ausgelassene Dinge: %2</translation>
+    </message>
+    <message>
+        <source>the byte order, 1 (little-endian) or 0</source>
+        <translation>die Bytereihenfolge, 1 (little-endian) oder 0</translation>
+    </message>
+    <message>
+        <source>%1 or &apos;-&apos; behind the byte order</source>
+        <translation>%1 oder &apos;-&apos; hinter der Bytereihenfolge</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>ist nicht lesbar: %1</translation>
+    </message>
+    <message>
+        <source>a log of NMEA 2000 of canboat</source>
+        <translation>ein Log von NMEA 2000 von canboat</translation>
+    </message>
+    <message>
+        <source>a bag of ROS</source>
+        <translation>eine Aufzeichnung von ROS (bag)</translation>
+    </message>
+    <message>
+        <source>the packed log is torn behind it: what came before is read</source>
+        <translation>das gepackte Protokoll ist dahinter abgerissen: gelesen wird, was davor kam</translation>
+    </message>
+    <message>
+        <source>the packed log is torn before its first line</source>
+        <translation>das gepackte Protokoll ist vor seiner ersten Zeile abgerissen</translation>
+    </message>
+    <message>
+        <source>bytes that are not gzip stand behind the packed log and are left out</source>
+        <translation>hinter dem gepackten Protokoll stehen Bytes, die kein gzip sind; sie sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>the clock is set %1 more times</source>
+        <translation>die Uhr wird noch %1-mal gestellt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 times are no later than the one before, from 0 on: is this a log of candump -td, whose times are wrong here? Record with candump -L</source>
+        <translation>%1 von %2 Zeiten sind nicht später als die vorige, ab 0: ist das ein Protokoll von candump -td, dessen Zeiten hier falsch sind? Mit candump -L aufzeichnen</translation>
+    </message>
+    <message>
+        <source>line %1 holds no frame and is passed over</source>
+        <translation>Zeile %1 enthält keinen Frame und wird übergangen</translation>
+    </message>
+    <message>
+        <source>%1 lines hold no frame and are passed over, the first is line %2</source>
+        <translation>%1 Zeilen enthalten keinen Frame und werden übergangen, die erste ist Zeile %2</translation>
+    </message>
+    <message>
+        <source>%1 s later than the line before: was the clock set? The silence is left out</source>
+        <translation>%1 s später als die Zeile davor: wurde die Uhr gestellt? Die Stille ist ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 s earlier than the line before: was the clock set, or is this a log of candump -td?</source>
+        <translation>%1 s früher als die Zeile davor: wurde die Uhr gestellt, oder ist das ein Protokoll von candump -td?</translation>
+    </message>
+    <message>
+        <source>%1 s earlier than the line before: was the clock set?</source>
+        <translation>%1 s früher als die Zeile davor: wurde die Uhr gestellt?</translation>
+    </message>
+    <message>
+        <source>has no line end: it is read as it stands, and may have been longer</source>
+        <translation>hat kein Zeilenende: sie wird gelesen, wie sie dasteht, und war vielleicht länger</translation>
+    </message>
+    <message>
+        <source>has no line end and holds no frame: it may be torn</source>
+        <translation>hat kein Zeilenende und keinen Frame: sie ist vielleicht abgerissen</translation>
+    </message>
+    <message>
+        <source>is torn: the log ends within it; what came before is read</source>
+        <translation>ist abgerissen: das Protokoll endet darin; gelesen wird, was davor kam</translation>
+    </message>
+    <message>
+        <source>at most 8 bytes</source>
+        <translation>höchstens 8 Bytes</translation>
+    </message>
+    <message>
+        <source>a byte from 0 to 255</source>
+        <translation>ein Byte von 0 bis 255</translation>
+    </message>
+    <message>
+        <source>an identifier up to 1FFFFFFF</source>
+        <translation>eine Kennung bis 1FFFFFFF</translation>
+    </message>
+    <message>
+        <source>version 1.0 to 2.1 of the format</source>
+        <translation>Version 1.0 bis 2.1 des Formats</translation>
+    </message>
+    <message>
+        <source>the start time is not understood: times count from 0</source>
+        <translation>die Startzeit ist nicht verständlich: die Zeiten zählen ab 0</translation>
+    </message>
+    <message>
+        <source>the number of a frame, such as 1)</source>
+        <translation>die Nummer eines Rahmens, etwa 1)</translation>
+    </message>
+    <message>
+        <source>is no file, and too long to be kept: copy it to one</source>
+        <translation>ist keine Datei, und zu lang, um behalten zu werden: in eine Datei kopieren</translation>
+    </message>
+    <message>
+        <source>follows %1 s of silence, which the replay shortens to %2 s</source>
+        <translation>folgt auf %1 s Stille, die die Wiedergabe auf %2 s verkürzt</translation>
+    </message>
+    <message>
+        <source>has lost its time: the log has changed</source>
+        <translation>hat seine Zeit verloren: das Protokoll hat sich geändert</translation>
+    </message>
+    <message>
+        <source>%1: a replay takes no commands</source>
+        <translation>%1: eine Wiedergabe nimmt keine Befehle an</translation>
+    </message>
+    <message>
+        <source>is no regular file, which would be waited for: copy it to one</source>
+        <translation>ist keine gewöhnliche Datei, auf sie würde gewartet: in eine Datei kopieren</translation>
+    </message>
+    <message>
+        <source>%1: the robot&apos;s protocol has that identifier and is what counts</source>
+        <translation>%1: das Protokoll des Roboters hat diese Kennung, und das gilt</translation>
+    </message>
+    <message>
+        <source>%1: %2 describes that already and is what counts</source>
+        <translation>%1: %2 beschreibt das schon, und das gilt</translation>
+    </message>
+    <message>
+        <source>%1 scenes with unknown values left out</source>
+        <translation>ausgelassene Szenen mit unbekannten Werten: %1</translation>
+    </message>
+    <message>
+        <source>%1 scenes are there twice: their copies were left out</source>
+        <translation>%1 Szenen sind doppelt vorhanden: ihre Kopien wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 scenes repeat another within the sensors&apos; noise and were left out (runs %2)</source>
+        <translation>%1 Szenen wiederholen eine andere im Rahmen des Sensorrauschens und wurden ausgelassen (Fahrten %2)</translation>
+    </message>
+    <message>
+        <source>%1 scenes for each conditional, whose training grows with their cube: --inducing 1200 predicts nearly as well and trains in a fraction of the time</source>
+        <translation>%1 Szenen für jede bedingte Vorhersage, deren Training mit ihrer dritten Potenz wächst: --inducing 1200 sagt fast so gut vorher und trainiert in einem Bruchteil der Zeit</translation>
+    </message>
+    <message>
+        <source>none of the frames can be written in this format: %1 left out</source>
+        <translation>keiner der Frames kann in diesem Format geschrieben werden: %1 ausgelassen</translation>
+    </message>
+    <message>
+        <source>a log of CAN frames holds nothing else; csv and mcap do</source>
+        <translation>ein Protokoll von CAN-Frames enthält nichts anderes; csv und mcap schon</translation>
+    </message>
+    <message>
+        <source>not written: ended before it was whole</source>
+        <translation>nicht geschrieben: endete, bevor es ganz war</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>estimate %1: its scene is not there</source>
+        <translation>Schätzung %1: ihre Szene ist nicht da</translation>
+    </message>
+    <message>
+        <source>estimate %1: %2</source>
+        <translation>Schätzung %1: %2</translation>
+    </message>
+    <message>
+        <source>is no file of notes: expected the columns t_s,note</source>
+        <translation>ist keine Datei mit Notizen: erwartet werden die Spalten t_s,note</translation>
     </message>
 </context>
 <context>
@@ -4741,45 +4889,6 @@ F1</translation>
     </message>
 </context>
 <context>
-    <name>terratact::PassiveExploration</name>
-    <message>
-        <source>Following: the front flippers press down</source>
-        <translation>Mitverfolgt: die vorderen Flipper drücken an</translation>
-    </message>
-    <message>
-        <source>Estimating …</source>
-        <translation>Schätzt …</translation>
-    </message>
-    <message>
-        <source>following: the robot has pressed its flippers down</source>
-        <translation>mitverfolgt: der Roboter hat die Flipper angedrückt</translation>
-    </message>
-    <message>
-        <source>following: the arm is probing</source>
-        <translation>mitverfolgt: der Arm sondiert</translation>
-    </message>
-    <message>
-        <source>following: the robot is stopped</source>
-        <translation>mitverfolgt: der Roboter ist gestoppt</translation>
-    </message>
-    <message>
-        <source>No estimate: the robot is stopped</source>
-        <translation>Keine Schätzung: der Roboter ist gestoppt</translation>
-    </message>
-    <message>
-        <source>following: no estimate: %1</source>
-        <translation>mitverfolgt: keine Schätzung: %1</translation>
-    </message>
-    <message>
-        <source>No estimate: %1</source>
-        <translation>Keine Schätzung: %1</translation>
-    </message>
-    <message>
-        <source>The robot has moved: the next press brings the next estimate</source>
-        <translation>Der Roboter hat sich bewegt: das nächste Andrücken bringt die nächste Schätzung</translation>
-    </message>
-</context>
-<context>
     <name>terratact::ForceArrays</name>
     <message>
         <source>L</source>
@@ -5242,6 +5351,45 @@ F1</translation>
     <message>
         <source>the panel is lost</source>
         <translation>das Pult ist weg</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::PassiveExploration</name>
+    <message>
+        <source>Following: the front flippers press down</source>
+        <translation>Mitverfolgt: die vorderen Flipper drücken an</translation>
+    </message>
+    <message>
+        <source>Estimating …</source>
+        <translation>Schätzt …</translation>
+    </message>
+    <message>
+        <source>following: the robot has pressed its flippers down</source>
+        <translation>mitverfolgt: der Roboter hat die Flipper angedrückt</translation>
+    </message>
+    <message>
+        <source>following: the arm is probing</source>
+        <translation>mitverfolgt: der Arm sondiert</translation>
+    </message>
+    <message>
+        <source>following: the robot is stopped</source>
+        <translation>mitverfolgt: der Roboter ist gestoppt</translation>
+    </message>
+    <message>
+        <source>No estimate: the robot is stopped</source>
+        <translation>Keine Schätzung: der Roboter ist gestoppt</translation>
+    </message>
+    <message>
+        <source>following: no estimate: %1</source>
+        <translation>mitverfolgt: keine Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>No estimate: %1</source>
+        <translation>Keine Schätzung: %1</translation>
+    </message>
+    <message>
+        <source>The robot has moved: the next press brings the next estimate</source>
+        <translation>Der Roboter hat sich bewegt: das nächste Andrücken bringt die nächste Schätzung</translation>
     </message>
 </context>
 <context>

@@ -138,8 +138,10 @@ TEST_F(Replaying, saysWhereTheClockGoesBackAndTheEndIsTorn)
     ASSERT_TRUE(bus) << bus.error().text;
     const auto& remarks = (*bus)->remarks();
     ASSERT_EQ(remarks.size(), 2U);
-    EXPECT_TRUE(remarks[0].starts_with(path() + ": line 2: 100 s earlier")) << remarks[0];
-    EXPECT_TRUE(remarks[1].starts_with(path() + ": line 3: is torn")) << remarks[1];
+    EXPECT_TRUE(remarks[0].english().starts_with(path() + ": line 2: 100 s earlier"))
+        << remarks[0].english();
+    EXPECT_TRUE(remarks[1].english().starts_with(path() + ": line 3: is torn"))
+        << remarks[1].english();
     EXPECT_EQ(receive(**bus, 0ms), 2U);
     EXPECT_EQ((*bus)->state(), BusState::Ended);
 }
@@ -151,7 +153,7 @@ TEST_F(Replaying, shortensASilenceOfYearsAndSaysSo)
                           {.interface = "can0"});
     ASSERT_TRUE(bus) << bus.error().text;
     ASSERT_EQ((*bus)->remarks().size(), 1U);
-    EXPECT_NE((*bus)->remarks()[0].find("line 3: follows 100000000 s of silence"),
+    EXPECT_NE((*bus)->remarks()[0].english().find("line 3: follows 100000000 s of silence"),
               std::string::npos);
     EXPECT_FALSE((*bus)->wait());
     ASSERT_EQ(receive(**bus, 0ms), 1U);

@@ -56,7 +56,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Result<DbcFile> file = dbcFrom("f", textOf(data, size));
     if (!file) return promiseRefusal(file.error(), "f"), 0;
     promise(!file->messages.empty(), "a file describes a message");
-    for (const std::string& warning : file->warnings) promiseRefusal({warning}, "f");
+    for (const Message& warning : file->warnings) promiseRefusal({warning}, "f");
     for (const DbcMessage& message : file->messages) promiseMessage(message);
     return 0;
 }

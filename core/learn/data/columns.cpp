@@ -10,19 +10,19 @@ namespace {
 
 constexpr Column angle(std::string_view name)
 {
-    return {name, "rad", -std::numbers::pi, std::numbers::pi, "is it in degrees?"};
+    return {name, "rad", -std::numbers::pi, std::numbers::pi, TR_NOOP("core", "is it in degrees?")};
 }
 constexpr Column current(std::string_view name)
 {
-    return {name, "A", -100.0, 100.0, "is it in mA?"};
+    return {name, "A", -100.0, 100.0, TR_NOOP("core", "is it in mA?")};
 }
 constexpr Column force(std::string_view name)
 {
-    return {name, "N", 0.0, 1000.0, "is it raw or without its bias taken off?"};
+    return {name, "N", 0.0, 1000.0, TR_NOOP("core", "is it raw or without its bias taken off?")};
 }
 constexpr Column height(std::string_view name)
 {
-    return {name, "m", -5.0, 5.0, "is it in mm?"};
+    return {name, "m", -5.0, 5.0, TR_NOOP("core", "is it in mm?")};
 }
 
 constexpr std::array<Column, kFeatures> kFeatureColumns{
@@ -39,11 +39,15 @@ constexpr std::array<Column, kBins> kHeightColumns{
 
 }  // namespace
 
-std::string Column::refusal(double value) const
+Message Column::refusal(double value) const
 {
-    return std::string(name) + " is " + numberText(value) + ", beyond the range from "
-         + numberText(least) + " to " + numberText(most) + " " + std::string(unit) + " ("
-         + std::string(doubt) + ")";
+    return {TR_NOOP("core", "%1 is %2, beyond the range from %3 to %4 %5 (%6)"),
+            name,
+            value,
+            least,
+            most,
+            unit,
+            doubt};
 }
 
 std::span<const Column, kFeatures> featureColumns()

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/message.h"
 #include "core/robot/measurement.h"
 #include "core/terrain/bins.h"
 
@@ -15,12 +16,12 @@ namespace terratact {
 struct Column {
     std::string_view name;
     std::string_view unit;
-    double least, most;      ///< both ends belong to the range
-    std::string_view doubt;  ///< likely cause of a value beyond the range
+    double least, most;  ///< both ends belong to the range
+    SourceText doubt;    ///< likely cause of a value beyond the range
 
     bool holds(double value) const { return value >= least && value <= most; }
     /// Returns why a value beyond the range is refused.
-    std::string refusal(double value) const;
+    Message refusal(double value) const;
 };
 
 /// Returns the features of s in order: pitch, flipper angles, currents, forces.

@@ -77,24 +77,26 @@ bool isRunName(std::string_view text)
 
 /// Returns why a value is refused in a column; empty if it is accepted. An infinity is beyond every
 /// range.
-std::string refusal(int slot, double value)
+Message refusal(int slot, double value)
 {
-    if (slot == kTime) return std::isfinite(value) ? "" : "t_s is not finite";
+    if (slot == kTime)
+        return std::isfinite(value) ? Message()
+                                    : Message(TR_NOOP("core", "%1 is not finite"), "t_s");
     const Column& column = slot < kFirstHeight ? featureColumns()[index(slot, kFirstFeature)]
                                                : heightColumns()[index(slot, kFirstHeight)];
-    return column.holds(value) ? "" : column.refusal(value);
+    return column.holds(value) ? Message() : column.refusal(value);
 }
 
 /// Meaning of every column of the file.
 struct Layout {
     std::vector<int> slots;
-    std::vector<std::string> notices;
+    std::vector<Message> notices;
 };
 
 Result<Layout> layoutOf(CsvReader& csv)
 {
     if (csv.fields().size() > kMaxColumns)
-        return csv.error("has more than " + std::to_string(kMaxColumns) + " columns");
+        return csv.error(Message(TR_NOOP("core", "has more than %1 columns"), kMaxColumns));
     Layout layout;
     std::vector<std::string> units;
     std::string unknown;
@@ -102,19 +104,24 @@ Result<Layout> layoutOf(CsvReader& csv)
         const int slot = slotNamed(name);
         units.push_back(slot == kUnknown ? "" : unitOf(slot));
         if (slot == kUnknown && looksLikeHeight(name))
-            return csv.error(shown(name)
-                             + " is not a height column, expected h_-0.3_m … h_+0.0_m … h_+0.7_m");
+            return csv.error(Message(TR_NOOP("core", "%1 is not a height column, expected %2"),
+                                     shown(name), "h_-0.3_m … h_+0.0_m … h_+0.7_m"));
         if (slot != kUnknown && std::count(layout.slots.begin(), layout.slots.end(), slot) > 0)
-            return csv.error("the column " + std::string(name) + " appears twice");
+            return csv.error(Message(TR_NOOP("core", "the column %1 appears twice"), name));
         layout.slots.push_back(slot);
         if (slot != kUnknown || name.empty()) continue;
-        layout.notices.push_back(csv.name() + ": the column " + shown(name)
-                                 + " is not known and was left out");
-        unknown += (unknown.empty() ? "; not known: " : ", ") + shown(name);
+        layout.notices.emplace_back(
+            TR_NOOP("core", "%1: the column %2 is not known and was left out"), csv.name(),
+            shown(name));
+        unknown += (unknown.empty() ? "" : ", ") + shown(name);
     }
     for (int slot = 0; slot < kFirstHeight; ++slot)
         if (std::count(layout.slots.begin(), layout.slots.end(), slot) == 0)
-            return csv.error("the column " + std::string(slotName(slot)) + " is missing" + unknown);
+            return csv.error(
+                unknown.empty()
+                    ? Message(TR_NOOP("core", "the column %1 is missing"), slotName(slot))
+                    : Message(TR_NOOP("core", "the column %1 is missing; not known: %2"),
+                              slotName(slot), unknown));
     csv.takeHeader(std::move(units));
     return layout;
 }
@@ -142,22 +149,25 @@ Status readField(CsvReader& csv, std::size_t field, int slot, Draft& draft)
     if (slot == kUnknown || (slot >= kNeverEmpty && csv.isMissing(field))) return Done{};
     if (slot == kRun) {
         const std::string_view text = csvText(csv.fields()[field]);
-        if (text.empty()) return csv.error("run is empty");
+        if (text.empty()) return csv.error(Message(TR_NOOP("core", "%1 is empty"), "run"));
         if (text.size() > kMaxRunNameLength)
-            return csv.error("run is longer than " + std::to_string(kMaxRunNameLength)
-                             + " bytes: " + shown(text));
+            return csv.error(Message(TR_NOOP("core", "run is longer than %1 bytes: %2"),
+                                     kMaxRunNameLength, shown(text)));
         if (!isUtf8(text))
-            return csv.error("run is not text in UTF-8: " + shown(text)
-                             + ": save the file as CSV in UTF-8");
+            return csv.error(Message(
+                TR_NOOP("core", "run is not text in UTF-8: %1: save the file as CSV in UTF-8"),
+                shown(text)));
         if (!isRunName(text))
-            return csv.error("run is not a name: " + shown(text)
-                             + ": it holds a comma, a quote or a control character");
+            return csv.error(Message(
+                TR_NOOP("core",
+                        "run is not a name: %1: it holds a comma, a quote or a control character"),
+                shown(text)));
         draft.run = text;
         return Done{};
     }
     const Result<double> value = csv.number(field, slotName(slot));
     if (!value) return value.error();
-    if (const std::string cause = refusal(slot, *value); !cause.empty()) return csv.error(cause);
+    if (const Message cause = refusal(slot, *value); !cause.empty()) return csv.error(cause);
     draft.set(slot, *value);
     return Done{};
 }
@@ -182,8 +192,8 @@ std::string header()
 std::string field(const std::optional<double>& value, int slot)
 {
     if (!value) return "";
-    if (const std::string cause = refusal(slot, *value); !cause.empty())
-        throw std::invalid_argument("writeScenes: " + cause);
+    if (const Message cause = refusal(slot, *value); !cause.empty())
+        throw std::invalid_argument("writeScenes: " + cause.english());
     return numberText(*value);
 }
 
@@ -225,16 +235,17 @@ Result<SceneFile> readScenes(CsvReader csv)
         if (!more) return more.error();
         if (!*more) break;
         if (file.scenes.size() == kMaxScenes)
-            return csv.error("is one scene more than the " + std::to_string(kMaxScenes)
-                             + " allowed in a file");
+            return csv.error(Message(
+                TR_NOOP("core", "is one scene more than the %1 allowed in a file"), kMaxScenes));
         Result<Scene> scene = readScene(csv, *layout);
         if (!scene) return scene.error();
         file.scenes.push_back(*std::move(scene));
     }
-    if (file.scenes.empty()) return csv.error("is the header, and no scene follows it");
+    if (file.scenes.empty())
+        return csv.error(TR_NOOP("core", "is the header, and no scene follows it"));
     if (csv.lacksLineEnd())
-        file.notices.push_back(csv.name()
-                               + ": the last line has no line end; it was read as it is");
+        file.notices.emplace_back(
+            TR_NOOP("core", "%1: the last line has no line end; it was read as it is"), csv.name());
     return file;
 }
 
@@ -246,9 +257,11 @@ Result<SceneFile> readScenesWithTruth(const std::string& path)
         return std::ranges::none_of(scene.truth, [](const auto& h) { return h.has_value(); });
     });
     if (file->scenes.empty())
-        return fileError(path, "no scene has a known height (columns h_-0.3_m … h_+0.7_m)");
+        return fileError(
+            path, TR_NOOP("core", "no scene has a known height (columns h_-0.3_m … h_+0.7_m)"));
     if (left > 0)
-        file->notices.push_back(fmt::format("{} scenes without any known height left out", left));
+        file->notices.emplace_back(TR_NOOP("core", "%1 scenes without any known height left out"),
+                                   left);
     return file;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/base/result.h"
 #include "core/learn/data/scene.h"
 #include "core/store/csv_reader.h"
@@ -14,7 +15,7 @@ inline constexpr std::size_t kMaxScenes = 200'000;
 
 struct SceneFile {
     std::vector<Scene> scenes;
-    std::vector<std::string> notices;  ///< notices such as ignored unknown columns
+    std::vector<Message> notices;  ///< notices such as ignored unknown columns
     std::string hash;  ///< SHA-256 of the file's bytes, hexadecimal; empty without a file
 };
 

@@ -38,21 +38,24 @@ bool isMethod(const std::string& text)
 }
 
 std::string checked(TomlSection& section, std::string_view key, bool (*holds)(const std::string&),
-                    const char* what)
+                    SourceText refusal)
 {
     std::string text = section.text(key);
     if (holds(text)) return text;
-    throw TomlRefused{tomlLine(section.node(key)) + ": " + section.path(key) + " is not " + what
-                      + ": " + shown(text)};
+    throw TomlRefused{
+        Message(refusal, tomlLine(section.node(key)), section.path(key), shown(text))};
 }
 
 CardScores scoresFrom(TomlSection& section)
 {
     CardScores scores;
-    scores.method = checked(section, "method", isMethod, "the name of a method");
-    scores.date = checked(section, "date", isDate, "a date such as 2026-11-22T07:05:00Z");
+    scores.method = checked(section, "method", isMethod,
+                            TR_NOOP("core", "%1: %2 is not the name of a method: %3"));
+    scores.date = checked(section, "date", isDate,
+                          TR_NOOP("core", "%1: %2 is not a date such as 2026-11-22T07:05:00Z: %3"));
     scores.data = section.text("data");
-    scores.dataHash = checked(section, "data_sha256", isHash, "a SHA-256");
+    scores.dataHash =
+        checked(section, "data_sha256", isHash, TR_NOOP("core", "%1: %2 is not a SHA-256: %3"));
     scores.scenes = static_cast<std::size_t>(section.number("scenes", {1.0, kMaxEvaluated}));
     if (section.has("training_scenes"))
         scores.trainingScenes =
@@ -64,15 +67,19 @@ CardScores scoresFrom(TomlSection& section)
 
 void readCard(TomlSection& file, ModelCard& card)
 {
-    card.model = checked(file, "model", isHash, "a SHA-256");
+    card.model = checked(file, "model", isHash, TR_NOOP("core", "%1: %2 is not a SHA-256: %3"));
     if (file.has("trained"))
-        card.trained = checked(file, "trained", isDate, "a date such as 2026-11-22T07:05:00Z");
+        card.trained =
+            checked(file, "trained", isDate,
+                    TR_NOOP("core", "%1: %2 is not a date such as 2026-11-22T07:05:00Z: %3"));
     if (file.has("terrain")) card.terrain = file.text("terrain");
     if (!file.has("evaluation")) return;
     for (const toml::node& node :
          tomlArray(file.node("evaluation"), "evaluation", 1, kMaxCardScores)) {
         const toml::table* const table = node.as_table();
-        if (!table) throw TomlRefused{tomlLine(node) + ": evaluation is not a table"};
+        if (!table)
+            throw TomlRefused{
+                Message(TR_NOOP("core", "%1: %2 is not a table"), tomlLine(node), "evaluation")};
         TomlSection section(*table, "evaluation.");
         card.scores.push_back(scoresFrom(section));
         section.refuseUnknown();
@@ -139,9 +146,11 @@ Result<std::optional<ModelCard>> readModelCard(const std::string& modelPath,
     const Status read = readTomlFile(path, [&card](TomlSection& file) { readCard(file, card); });
     if (!read) return read.error();
     if (card.model != contentHash)
-        return fileError(path, "is the card of another model: of content "
-                                   + card.model.substr(0, 16) + ", and the model's is "
-                                   + contentHash.substr(0, 16));
+        return fileError(
+            path,
+            Message(TR_NOOP("core",
+                            "is the card of another model: of content %1, and the model's is %2"),
+                    card.model.substr(0, 16), contentHash.substr(0, 16)));
     return std::optional(std::move(card));
 }
 

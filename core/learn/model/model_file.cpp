@@ -19,7 +19,7 @@ void requireArgument(const ModelData& model, const std::string& caller)
     try {
         model_file::requireModel(model);
     } catch (const model_file::Refused& refused) {
-        throw std::invalid_argument(caller + ": " + refused.cause);
+        throw std::invalid_argument(caller + ": " + refused.what());
     }
 }
 
@@ -39,7 +39,7 @@ Status writeModel(const std::string& path, const ModelData& model)
     try {
         model_file::fill(file->temporaryPath(), model);
     } catch (const SqliteError& error) {
-        return fileError(path, "cannot be written: " + std::string(error.what()));
+        return fileError(path, Message(TR_NOOP("core", "cannot be written: %1"), error.message()));
     }
     return file->commit();
 }
@@ -50,9 +50,9 @@ Result<StoredModel> readModel(const std::string& path)
         SqliteFile file = SqliteFile::openUntrusted(path, model_file::kMaxBytes);
         return model_file::readStored(file);
     } catch (const SqliteError& error) {
-        return fileError(path, error.what());
+        return fileError(path, error.message());
     } catch (const model_file::Refused& refused) {
-        return fileError(path, refused.cause);
+        return fileError(path, refused.message());
     }
 }
 

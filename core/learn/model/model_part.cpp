@@ -114,7 +114,7 @@ Status writeModelPart(const std::string& path, const ModelPart& part)
     try {
         model_file::requireModel(part.model, &part.portion);
     } catch (const model_file::Refused& refused) {
-        throw std::invalid_argument("writeModelPart: " + refused.cause);
+        throw std::invalid_argument(std::string("writeModelPart: ") + refused.what());
     }
     Result<NewFile> file = NewFile::begin(path);
     if (!file) return file.error();
@@ -132,9 +132,9 @@ Result<ModelPart> readModelPart(const std::string& path)
         SqliteFile file = SqliteFile::openUntrusted(path, model_file::kMaxBytes);
         return model_file::readStoredPart(file);
     } catch (const SqliteError& error) {
-        return fileError(path, error.what());
+        return fileError(path, error.message());
     } catch (const model_file::Refused& refused) {
-        return fileError(path, refused.cause);
+        return fileError(path, refused.message());
     }
 }
 

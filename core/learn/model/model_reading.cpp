@@ -17,55 +17,65 @@ namespace {
 /// Goes to a row that must exist.
 void nextRow(SqliteStatement& statement, const std::string& table)
 {
-    require(statement.step(), "its table " + table + " ends too early");
+    require(statement.step(),
+            [&] { return Message(TR_NOOP("core", "its table %1 ends too early"), table); });
 }
 
 void noMoreRows(SqliteStatement& statement, const std::string& table)
 {
-    require(!statement.step(), "its table " + table + " has too many rows");
+    require(!statement.step(),
+            [&] { return Message(TR_NOOP("core", "its table %1 has too many rows"), table); });
 }
 
 void checkApplication(SqliteFile& file, std::int64_t expected)
 {
     const std::int64_t found = file.integer("PRAGMA application_id");
     if (found == expected) return;
-    require(found != kApplicationId, "is a whole model, expected a part of one");
+    require(found != kApplicationId, TR_NOOP("core", "is a whole model, expected a part of one"));
     require(found != kPartApplicationId,
-            "is a part of a model; `terratact merge` makes a model of all parts");
-    throw Refused{"is an SQLite file of another application, not a Terratact model"};
+            TR_NOOP("core", "is a part of a model; `terratact merge` makes a model of all parts"));
+    throw Refused{
+        TR_NOOP("core", "is an SQLite file of another application, not a Terratact model")};
 }
 
 void checkVersion(SqliteFile& file)
 {
     const std::int64_t version = file.integer("PRAGMA user_version");
-    require(version == kUserVersion, "is a model of format version " + std::to_string(version)
-                                         + ", and this program reads version "
-                                         + std::to_string(kUserVersion));
+    require(version == kUserVersion, [&] {
+        return Message(
+            TR_NOOP("core", "is a model of format version %1, and this program reads version %2"),
+            version, kUserVersion);
+    });
 }
 
 void checkSchema(SqliteFile& file)
 {
-    require(hasOnlyTables(file, schema()), "its tables are not those of a Terratact model");
+    require(hasOnlyTables(file, schema()),
+            TR_NOOP("core", "its tables are not those of a Terratact model"));
 }
 
 std::uint64_t seedFrom(const std::string& text)
 {
     const auto seed = writtenIntegerFrom<std::uint64_t>(text);
-    require(seed.has_value(), "its seed is not a number: " + shown(text));
+    require(seed.has_value(),
+            [&] { return Message(TR_NOOP("core", "its seed is not a number: %1"), shown(text)); });
     return *seed;
 }
 
 int inducingFrom(const std::string& text)
 {
     const auto rows = writtenIntegerFrom<int>(text);
-    require(rows && *rows > 0, "its number of inducing rows is not one: " + shown(text));
+    require(rows && *rows > 0, [&] {
+        return Message(TR_NOOP("core", "its number of inducing rows is not one: %1"), shown(text));
+    });
     return *rows;
 }
 
 BinSet binsFrom(const std::string& list)
 {
     const auto bins = binSetFrom(list);
-    require(bins && text(*bins) == list, "its list of bins is wrong: " + shown(list));
+    require(bins && text(*bins) == list,
+            [&] { return Message(TR_NOOP("core", "its list of bins is wrong: %1"), shown(list)); });
     return *bins;
 }
 
@@ -77,7 +87,8 @@ std::string readMeta(SqliteFile& file, ModelData& model, Portion* portion)
     while (row.step()) meta[row.text(0)] = row.text(1);
     const auto take = [&meta](const std::string& key) {
         const auto found = meta.find(key);
-        require(found != meta.end(), "its table meta lacks " + key);
+        require(found != meta.end(),
+                [&] { return Message(TR_NOOP("core", "its table meta lacks %1"), key); });
         std::string value = found->second;
         meta.erase(found);
         return value;
@@ -94,7 +105,8 @@ std::string readMeta(SqliteFile& file, ModelData& model, Portion* portion)
         portion->commandBeforeOut = take("command_before_out");
         portion->commandAfterOut = take("command_after_out");
     }
-    require(meta == explanations(), "its table meta describes another kind of model");
+    require(meta == explanations(),
+            TR_NOOP("core", "its table meta describes another kind of model"));
     return hash;
 }
 
@@ -106,8 +118,11 @@ std::string named(std::string_view name, std::string_view unit)
 
 void requireInput(bool holds, const std::string& found, const std::string& expected)
 {
-    require(holds, "is a model of other features: " + shown(found) + " stands where " + expected
-                       + " is expected");
+    require(holds, [&] {
+        return Message(
+            TR_NOOP("core", "is a model of other features: %1 stands where %2 is expected"),
+            shown(found), expected);
+    });
 }
 
 void readInputs(SqliteFile& file, BinModelData& data)
@@ -141,8 +156,11 @@ void readBins(SqliteFile& file, BinModelData& data, const BinSet& bins)
         nextRow(row, "bin");
         require(row.integer(0) == static_cast<std::int64_t>(i)
                     && row.text(1) == heightColumns()[i].name,
-                "is a model of other bins: " + shown(row.text(1)) + " stands where "
-                    + std::string(heightColumns()[i].name) + " is expected");
+                [&] {
+                    return Message(
+                        TR_NOOP("core", "is a model of other bins: %1 stands where %2 is expected"),
+                        shown(row.text(1)), heightColumns()[i].name);
+                });
         data.bins[i].signalSd = row.real(2);
         data.bins[i].noiseSd = row.real(3);
         data.logLikelihood[i] = row.real(4);
@@ -162,7 +180,7 @@ void readLengthScales(SqliteFile& file, BinModelData& data, const BinSet& bins)
         for (Eigen::Index d = 0; d < size; ++d) {
             nextRow(row, "length_scale");
             require(row.integer(0) == bin && row.integer(1) == (d < bin ? d : d + 1),
-                    "its table length_scale is not in the order of the inputs");
+                    TR_NOOP("core", "its table length_scale is not in the order of the inputs"));
             scales[d] = row.real(2);
         }
     }
@@ -173,15 +191,18 @@ void readLengthScales(SqliteFile& file, BinModelData& data, const BinSet& bins)
 Eigen::MatrixXd readMatrix(SqliteFile& file, const std::string& table, Eigen::Index columns)
 {
     const std::int64_t rows = file.integer("SELECT count(*) FROM " + table);
-    require(rows >= 1 && rows <= kMaxRows, "has " + std::to_string(rows) + " rows in its table "
-                                               + table + ", expected 1 to "
-                                               + std::to_string(kMaxRows));
+    require(rows >= 1 && rows <= kMaxRows, [&] {
+        return Message(TR_NOOP("core", "has %1 rows in its table %2, expected 1 to %3"), rows,
+                       table, kMaxRows);
+    });
     Eigen::MatrixXd values(rows, columns);
     SqliteStatement found = file.prepare("SELECT * FROM " + table + " ORDER BY row");
     for (Eigen::Index row = 0; row < rows; ++row) {
         nextRow(found, table);
-        require(found.integer(0) == row,
-                "the rows of its table " + table + " are not numbered from 0");
+        require(found.integer(0) == row, [&] {
+            return Message(TR_NOOP("core", "the rows of its table %1 are not numbered from 0"),
+                           table);
+        });
         int column = 1;
         for (double& value : values.row(row)) value = found.real(column++);
     }
@@ -208,8 +229,9 @@ Eigen::VectorXd readNumbers(SqliteFile& file, const std::string& table, const st
     found.bind(1, covered ? 1 : 0);
     std::vector<double> numbers;
     while (found.step()) {
-        require(found.integer(2) == std::ssize(numbers),
-                "its table " + table + " is not numbered from 0");
+        require(found.integer(2) == std::ssize(numbers), [&] {
+            return Message(TR_NOOP("core", "its table %1 is not numbered from 0"), table);
+        });
         numbers.push_back(found.real(3));
     }
     return Eigen::Map<const Eigen::VectorXd>(numbers.data(), std::ssize(numbers));
@@ -260,7 +282,8 @@ void readClearance(SqliteFile& file, ClearanceData& data, const BinSet& bins)
     SqliteStatement input = file.prepare("SELECT * FROM surface_input ORDER BY position");
     for (int d = 0; d < static_cast<int>(kFeatures); ++d) {
         nextRow(input, "surface_input");
-        require(input.integer(0) == d, "its table surface_input is not numbered from 0");
+        require(input.integer(0) == d,
+                TR_NOOP("core", "its table surface_input is not numbered from 0"));
         data.featureMean[d] = input.real(1);
         data.featureSd[d] = input.real(2);
     }
@@ -275,7 +298,7 @@ void readClearance(SqliteFile& file, ClearanceData& data, const BinSet& bins)
     const Eigen::MatrixXd rows = readMatrix(file, "residual_row", kBins + 1);
     for (const double mask : rows.col(0)) {
         require(mask >= 0.0 && mask < std::ldexp(1.0, kBins) && mask == std::floor(mask),
-                "a row covers a bin that does not exist");
+                TR_NOOP("core", "a row covers a bin that does not exist"));
         data.coveredBins.push_back(static_cast<unsigned>(mask));
     }
     data.residuals = rows.rightCols(kBins);
@@ -292,9 +315,12 @@ void requireNothingElse(SqliteFile& file, const BinSet& bins)
         require(file.integer("SELECT count(*) FROM " + std::string(table) + " WHERE bin NOT IN ("
                              + list + ") OR covered NOT IN (0, 1)")
                     == 0,
-                "its table " + std::string(table) + " holds a bin that does not exist");
+                [&] {
+                    return Message(TR_NOOP("core", "its table %1 holds a bin that does not exist"),
+                                   table);
+                });
     require(file.integer("SELECT count(*) FROM clearance") == 3,
-            "its table clearance has too many rows");
+            TR_NOOP("core", "its table clearance has too many rows"));
 }
 
 void requireNoOtherSet(SqliteFile& file)
@@ -303,7 +329,11 @@ void requireNoOtherSet(SqliteFile& file)
         require(file.integer("SELECT count(*) FROM " + std::string(table)
                              + " WHERE feature_set NOT IN ('pa', 'paf')")
                     == 0,
-                "its table " + std::string(table) + " holds a feature set other than pa and paf");
+                [&] {
+                    return Message(
+                        TR_NOOP("core", "its table %1 holds a feature set other than pa and paf"),
+                        table);
+                });
 }
 
 /// Reads everything behind the file's identifiers. Returns the stored hash.
@@ -327,7 +357,8 @@ std::string readContent(SqliteFile& file, ModelData& model, Portion* portion)
     requireModel(model, portion);
     std::string hash = hashOf(model, portion);
     require(hash == stored,
-            "its content was altered: it does not have the hash that was stored with it");
+            TR_NOOP("core",
+                    "its content was altered: it does not have the hash that was stored with it"));
     return hash;
 }
 

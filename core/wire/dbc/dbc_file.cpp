@@ -23,25 +23,23 @@ class DbcParser {
 public:
     DbcParser(const std::string& path, std::string_view utf8) : scan_(utf8) { file_.path = path; }
 
-    void warn(const std::string& what) { warnings_.add(what); }
+    void warn(Message what) { warnings_.add(std::move(what)); }
 
     Result<DbcFile> parse()
     {
         while (!scan_.atEnd()) {
             const DbcScanner::Place place = scan_.place();
-            const std::string_view keyword = scan_.word("the keyword of a section (BO_, CM_ …)");
+            const std::string_view keyword =
+                scan_.word(TR_NOOP("core", "the keyword of a section (BO_, CM_ …)"));
             if (keyword != "SG_") messages_.endMessage();
             section(keyword, place.line);
             if (scan_.failure().empty()) continue;
-            warnings_.add(scan_.failure() + "; what it says is left out");
+            warnings_.add(
+                Message(TR_NOOP("core", "%1; what it says is left out"), scan_.failure()));
             scan_.recover(place);
         }
         messages_.endMessage();
-        if (file_.messages.empty())
-            return fileError(file_.path,
-                             "describes no message: expected lines that begin with BO_; is it a "
-                             "DBC file?"
-                                 + firstWarning());
+        if (file_.messages.empty()) return describesNothing();
         messages_.finish();
         takeDefaults();
         warnings_.end();
@@ -49,10 +47,20 @@ public:
     }
 
 private:
-    std::string firstWarning() const
+    Error describesNothing() const
     {
-        if (file_.warnings.empty()) return {};
-        return " First fault: " + file_.warnings.front().substr(file_.path.size() + 2);
+        if (file_.warnings.empty())
+            return fileError(file_.path,
+                             TR_NOOP("core", "describes no message: expected lines that "
+                                             "begin with BO_; is it a DBC file?"));
+        // Without the file's name, which stands in front.
+        const Message& first = file_.warnings.front().arguments.back();
+        return fileError(
+            file_.path,
+            Message(TR_NOOP("core",
+                            "describes no message: expected lines that begin with BO_; is it "
+                            "a DBC file? First fault: %1"),
+                    first));
     }
 
     void section(std::string_view keyword, int line)
@@ -60,7 +68,8 @@ private:
         if (keyword == "BO_") return messages_.message(line);
         if (keyword == "SG_") return messages_.signal(line);
         if (keyword == "NS_" || keyword == "BS_" || keyword == "BU_") return scan_.skipIndented();
-        if (keyword == "VERSION") return static_cast<void>(scan_.text("the version"));
+        if (keyword == "VERSION")
+            return static_cast<void>(scan_.text(TR_NOOP("core", "the version")));
         if (keyword == "CM_") comment();
         if (keyword == "VAL_") words(line);
         if (keyword == "SIG_VALTYPE_") valueType(line);
@@ -69,9 +78,9 @@ private:
         if (keyword == "BA_DEF_") attributeKind();
         if (keyword == "BA_DEF_DEF_") attributeDefault();
         if (!keyword.empty() && !isDbcKeyword(keyword))
-            scan_.refuse(fmt::format("line {}: expected the keyword of a section, such as BO_ or "
-                                     "CM_, found {}",
-                                     line, shown(keyword)));
+            scan_.refuse(Message(TR_NOOP("core", "line %1: expected %2, found %3"), line,
+                                 TR_NOOP("core", "the keyword of a section, such as BO_ or CM_"),
+                                 shown(keyword)));
         scan_.skipSection();
     }
 
@@ -86,9 +95,9 @@ private:
         } else if (of == "SG_") {
             if (const auto place = messages_.signalNext()) comment = &messages_.at(*place).comment;
         } else if (!of.empty()) {
-            (void)scan_.word("what the comment is about");
+            (void)scan_.word(TR_NOOP("core", "what the comment is about"));
         }
-        *comment = readable(scan_.text("a comment"), kDbcText, true);
+        *comment = readable(scan_.text(TR_NOOP("core", "a comment")), kDbcText, true);
     }
 
     // Reads "VAL_ 256 Gear 0 "neutral" 1 "first" ;", but skips the values of an environment
@@ -98,10 +107,12 @@ private:
         if (scan_.isNameNext()) return;
         const auto place = messages_.signalNext();
         if (scan_.isNameNext())
-            return warnings_.add(line, "the name of a table of words (VAL_TABLE_) is passed over");
+            return warnings_.add(
+                line, TR_NOOP("core", "the name of a table of words (VAL_TABLE_) is passed over"));
         while (scan_.failure().empty() && !scan_.isNext(';') && !scan_.atEnd()) {
-            const double raw = scan_.number("a raw value");
-            std::string word = readable(scan_.text("the word of a raw value"), kDbcText, false);
+            const double raw = scan_.number(TR_NOOP("core", "a raw value"));
+            std::string word =
+                readable(scan_.text(TR_NOOP("core", "the word of a raw value")), kDbcText, false);
             // The highest 64-bit values are no exact doubles; they get no text.
             if (place && std::abs(raw) <= 0x1p53)
                 messages_.at(*place).words[static_cast<std::int64_t>(std::round(raw))] =
@@ -114,7 +125,8 @@ private:
     {
         const auto place = messages_.signalNext();
         (void)scan_.take(':');
-        const std::uint64_t type = scan_.whole("0 (integer), 1 (float) or 2 (double)", 2);
+        const std::uint64_t type =
+            scan_.whole(TR_NOOP("core", "0 (integer), 1 (float) or 2 (double)"), 2);
         if (!place || type == 0) return;
         DbcSignal& s = messages_.at(*place);
         const int bits = type == 1 ? 32 : 64;
@@ -122,10 +134,9 @@ private:
             s.type = type == 1 ? DbcSignal::Type::Float : DbcSignal::Type::Double;
             return;
         }
-        warnings_.add(line,
-                      fmt::format("the signal {} is left out: it is no {} of IEEE 754, it has "
-                                  "{} bits, expected {}",
-                                  s.name, type == 1 ? "float" : "double", s.length, bits));
+        warnings_.add(line, Message(TR_NOOP("core", "the signal %1 is left out: it is no %2 of "
+                                                    "IEEE 754, it has %3 bits, expected %4"),
+                                    s.name, type == 1 ? "float" : "double", s.length, bits));
         messages_.leaveOut(*place);
     }
 
@@ -133,13 +144,15 @@ private:
     void selections(int line)
     {
         const auto place = messages_.signalNext();
-        const std::string multiplexor(scan_.word("the name of a multiplexor"));
+        const std::string multiplexor(scan_.word(TR_NOOP("core", "the name of a multiplexor")));
         std::vector<DbcSignal::Selection> ranges;
         do {
             DbcSignal::Selection range;
-            range.first = scan_.whole("the first value of a multiplexor", ~std::uint64_t{0});
-            scan_.expect('-', "between two values of a multiplexor");
-            range.last = scan_.whole("the last value of a multiplexor", ~std::uint64_t{0});
+            range.first =
+                scan_.whole(TR_NOOP("core", "the first value of a multiplexor"), ~std::uint64_t{0});
+            scan_.expect('-', TR_NOOP("core", "%1 between two values of a multiplexor"));
+            range.last =
+                scan_.whole(TR_NOOP("core", "the last value of a multiplexor"), ~std::uint64_t{0});
             ranges.push_back(range);
         } while (scan_.take(',') && scan_.failure().empty());
         if (place && scan_.failure().empty())
@@ -149,9 +162,10 @@ private:
     // Reads "BA_ "GenMsgCycleTime" BO_ 256 100;".
     void attribute()
     {
-        const std::string name = readable(scan_.text("an attribute's name"), kDbcName, false);
+        const std::string name =
+            readable(scan_.text(TR_NOOP("core", "an attribute's name")), kDbcName, false);
         if (name == "ProtocolType" && scan_.isNext('"')) {
-            isJ1939_ = scan_.text("the protocol") == "J1939";
+            isJ1939_ = scan_.text(TR_NOOP("core", "the protocol")) == "J1939";
             return;
         }
         const std::string_view of = scan_.wordIfAny();
@@ -162,28 +176,29 @@ private:
         if (name == "SystemMessageLongSymbol") return messageName(m);
         if (name == "VFrameFormat") return frameFormat(m, index);
         if (scan_.isNext('"')) return;
-        const double value = scan_.number("the attribute's value");
+        const double value = scan_.number(TR_NOOP("core", "the attribute's value"));
         if (m) m->attributes[name] = value;
     }
 
     void signalName()
     {
         const auto place = messages_.signalNext();
-        std::string name = readable(scan_.text("a long name"), kDbcName, false);
+        std::string name = readable(scan_.text(TR_NOOP("core", "a long name")), kDbcName, false);
         if (place && !name.empty()) messages_.rename(*place, std::move(name));
     }
 
     void messageName(DbcMessage* m)
     {
-        std::string name = readable(scan_.text("a long name"), kDbcName, false);
+        std::string name = readable(scan_.text(TR_NOOP("core", "a long name")), kDbcName, false);
         if (m && !name.empty()) m->name = std::move(name);
     }
 
     /// Reads a format: its name, or its number in the file's list of formats.
     std::string formatNext()
     {
-        if (scan_.isNext('"')) return std::string(scan_.text("a frame format"));
-        const std::uint64_t number = scan_.whole("the number of a frame format", 65535);
+        if (scan_.isNext('"')) return std::string(scan_.text(TR_NOOP("core", "a frame format")));
+        const std::uint64_t number =
+            scan_.whole(TR_NOOP("core", "the number of a frame format"), 65535);
         if (formats_.empty()) return number == kJ1939Format ? kJ1939 : "";
         return number < formats_.size() ? formats_[number] : "";
     }
@@ -198,22 +213,23 @@ private:
     // Reads "BA_DEF_ BO_ "VFrameFormat" ENUM "StandardCAN","ExtendedCAN","reserved","J1939PG";".
     void attributeKind()
     {
-        if (scan_.wordIfAny() != "BO_" || scan_.text("an attribute's name") != "VFrameFormat"
+        if (scan_.wordIfAny() != "BO_"
+            || scan_.text(TR_NOOP("core", "an attribute's name")) != "VFrameFormat"
             || scan_.wordIfAny() != "ENUM")
             return;
         formats_.clear();
-        do formats_.emplace_back(scan_.text("a frame format"));
+        do formats_.emplace_back(scan_.text(TR_NOOP("core", "a frame format")));
         while (scan_.take(',') && scan_.failure().empty());
     }
 
     void attributeDefault()
     {
-        const std::string_view name = scan_.text("an attribute's name");
+        const std::string_view name = scan_.text(TR_NOOP("core", "an attribute's name"));
         if (name == "VFrameFormat") defaultFormat_ = formatNext();
         if (name == "ProtocolType" && scan_.isNext('"'))
-            isJ1939_ = isJ1939_ || scan_.text("the protocol") == "J1939";
+            isJ1939_ = isJ1939_ || scan_.text(TR_NOOP("core", "the protocol")) == "J1939";
         if (name == "GenMsgCycleTime" && !scan_.isNext('"'))
-            cycleTime_ = scan_.number("the attribute's default");
+            cycleTime_ = scan_.number(TR_NOOP("core", "the attribute's default"));
     }
 
     void takeDefaults()
@@ -283,9 +299,8 @@ std::string withLineFeeds(std::string_view text)
 Result<DbcFile> dbcFrom(const std::string& path, std::string_view content)
 {
     if (content.find('\0') != std::string_view::npos)
-        return fileError(path,
-                         "is no text in UTF-8 or Windows code page 1252: expected a DBC file; save "
-                         "it anew as such");
+        return fileError(path, TR_NOOP("core", "is no text in UTF-8 or Windows code page 1252: "
+                                               "expected a DBC file; save it anew as such"));
     constexpr std::string_view kMark = "\xEF\xBB\xBF";
     if (content.starts_with(kMark)) content.remove_prefix(kMark.size());
     if (content.find('\n') == std::string_view::npos
@@ -295,8 +310,9 @@ Result<DbcFile> dbcFrom(const std::string& path, std::string_view content)
     const std::string letters = fromWindows1252(content);
     DbcParser parser(path, letters);
     if (dependsOnCodePage(content))
-        parser.warn("is no text in UTF-8: its letters are read as Windows code page 1252; where "
-                    "they look wrong, save it as UTF-8");
+        parser.warn(TR_NOOP("core",
+                            "is no text in UTF-8: its letters are read as Windows code page "
+                            "1252; where they look wrong, save it as UTF-8"));
     return parser.parse();
 }
 

@@ -14,8 +14,8 @@ inline constexpr std::size_t kMaxDbcBytes = 8U << 20U;
 /// Contents of a DBC file.
 struct DbcFile {
     std::string path;
-    std::vector<DbcMessage> messages;   ///< in the file's order; every identifier is unique
-    std::vector<std::string> warnings;  ///< "FILE: line 12: …": what was skipped, the first few
+    std::vector<DbcMessage> messages;  ///< in the file's order; every identifier is unique
+    std::vector<Message> warnings;     ///< "FILE: line 12: …": what was skipped, the first few
 };
 
 /// Reads a DBC file. It reads messages, signals of either byte order, IEEE floats, nested

@@ -23,36 +23,37 @@ constexpr std::size_t kMaxWarnings = 20;
 
 }  // namespace
 
-void DbcWarnings::add(int line, const std::string& what)
+void DbcWarnings::add(int line, Message what)
 {
-    add(fmt::format("line {}: {}", line, what));
+    add(Message(TR_NOOP("core", "line %1: %2"), line, what));
 }
 
-void DbcWarnings::add(const std::string& what)
+void DbcWarnings::add(Message what)
 {
     if (file_.warnings.size() >= kMaxWarnings) {
         ++unsaid_;
         return;
     }
-    file_.warnings.push_back(fileError(file_.path, what).text);
+    file_.warnings.push_back(fileError(file_.path, std::move(what)).message);
 }
 
 void DbcWarnings::end()
 {
     if (unsaid_ > 0)
         file_.warnings.push_back(
-            fmt::format("{}: {} more things are left out", file_.path, unsaid_));
+            Message(TR_NOOP("core", "%1: %2 more things are left out"), file_.path, unsaid_));
 }
 
 // Reads "BO_ 256 Engine: 8 Gateway".
 void DbcMessages::message(int line)
 {
     DbcMessage m;
-    const std::uint64_t id = scan_.whole("the message's identifier", 0xFFFF'FFFF);
-    m.name = scan_.word("the message's name");
-    scan_.expect(':', "behind the message's name");
-    const auto length = static_cast<int>(scan_.whole("the message's length in bytes", 65535));
-    if (!scan_.isLineEndNext()) m.sender = scan_.word("the message's sender");
+    const std::uint64_t id = scan_.whole(TR_NOOP("core", "the message's identifier"), 0xFFFF'FFFF);
+    m.name = scan_.word(TR_NOOP("core", "the message's name"));
+    scan_.expect(':', TR_NOOP("core", "%1 behind the message's name"));
+    const auto length =
+        static_cast<int>(scan_.whole(TR_NOOP("core", "the message's length in bytes"), 65535));
+    if (!scan_.isLineEndNext()) m.sender = scan_.word(TR_NOOP("core", "the message's sender"));
     isOpen_ = true;
     keeps_ = scan_.failure().empty() && m.name != kSignalsOfNoFrame && mayBe(id, m, length, line);
     if (!keeps_) return;
@@ -67,22 +68,26 @@ void DbcMessages::message(int line)
 bool DbcMessages::mayBe(std::uint64_t id, const DbcMessage& m, int length, int line)
 {
     if (length > kMaxFrameLength) {
-        warnings_.add(line,
-                      fmt::format("the message {} is left out: it has {} bytes, no frame more "
-                                  "than {}",
-                                  m.name, length, kMaxFrameLength));
+        warnings_.add(
+            line,
+            Message(TR_NOOP("core",
+                            "the message %1 is left out: it has %2 bytes, no frame more than %3"),
+                    m.name, length, kMaxFrameLength));
         return false;
     }
     const bool isExtended = id >= kExtendedId;
     if ((isExtended ? id - kExtendedId : id) > (isExtended ? kMax29Bits : kMax11Bits)) {
-        warnings_.add(line, fmt::format("the message {} is left out: its identifier {} is none of "
-                                        "CAN; expected at most 2047, or 2147483648 and 29 bits",
-                                        m.name, id));
+        warnings_.add(
+            line,
+            Message(TR_NOOP("core", "the message %1 is left out: its identifier %2 is none of CAN; "
+                                    "expected at most 2047, or 2147483648 and 29 bits"),
+                    m.name, id));
         return false;
     }
     if (const auto first = byId_.find(id); first != byId_.end()) {
-        warnings_.add(line, fmt::format("the message {} is left out: {} has its identifier", m.name,
-                                        file_.messages[first->second].name));
+        warnings_.add(line,
+                      Message(TR_NOOP("core", "the message %1 is left out: %2 has its identifier"),
+                              m.name, file_.messages[first->second].name));
         return false;
     }
     return true;
@@ -91,26 +96,27 @@ bool DbcMessages::mayBe(std::uint64_t id, const DbcMessage& m, int length, int l
 // Reads " SG_ Speed m1 : 8|16@1+ (0.1,-40) [0|250] "km/h" Display,Brake".
 void DbcMessages::signal(int line)
 {
-    if (!isOpen_) return scan_.fail("expected a message (BO_) before its signals");
+    if (!isOpen_) return scan_.fail(TR_NOOP("core", "a message (BO_) before its signals"));
     DbcSignal s;
-    s.name = scan_.word("the signal's name");
+    s.name = scan_.word(TR_NOOP("core", "the signal's name"));
     const std::optional<Multiplexing> multiplexing = multiplex(s, line);
-    scan_.expect(':', "behind the signal's name");
-    s.start = static_cast<int>(scan_.whole("the signal's first bit", 65535));
-    scan_.expect('|', "behind the signal's first bit");
-    s.length = static_cast<int>(scan_.whole("the signal's length in bits", 65535));
-    scan_.expect('@', "behind the signal's length");
-    s.isBigEndian = scan_.whole("the byte order, 1 (little-endian) or 0", 1) == 0;
+    scan_.expect(':', TR_NOOP("core", "%1 behind the signal's name"));
+    s.start = static_cast<int>(scan_.whole(TR_NOOP("core", "the signal's first bit"), 65535));
+    scan_.expect('|', TR_NOOP("core", "%1 behind the signal's first bit"));
+    s.length = static_cast<int>(scan_.whole(TR_NOOP("core", "the signal's length in bits"), 65535));
+    scan_.expect('@', TR_NOOP("core", "%1 behind the signal's length"));
+    s.isBigEndian = scan_.whole(TR_NOOP("core", "the byte order, 1 (little-endian) or 0"), 1) == 0;
     if (scan_.take('-'))
         s.type = DbcSignal::Type::Signed;
     else
-        scan_.expect('+', "or '-' behind the byte order");
+        scan_.expect('+', TR_NOOP("core", "%1 or '-' behind the byte order"));
     scaleAndRange(s);
-    const std::string_view unit = scan_.text("the signal's unit");
+    const std::string_view unit = scan_.text(TR_NOOP("core", "the signal's unit"));
     if (unit.find('\n') != std::string_view::npos)
-        return scan_.refuse(fmt::format("line {}: expected a quotation mark at the end of the "
-                                        "signal's unit, found the end of the line",
-                                        line));
+        return scan_.refuse(Message(TR_NOOP("core", "line %1: expected %2, found %3"), line,
+                                    Message(TR_NOOP("core", "a quotation mark at the end of %1"),
+                                            TR_NOOP("core", "the signal's unit")),
+                                    TR_NOOP("core", "the end of the line")));
     s.unit = readable(unit, kDbcText, false);
     s.receivers = readable(scan_.restOfLine(), kDbcText, false);
     s.receivers.erase(0, std::min(s.receivers.find_first_not_of(' '), s.receivers.size()));
@@ -134,26 +140,27 @@ std::optional<DbcMessages::Multiplexing> DbcMessages::multiplex(DbcSignal& s, in
         return found;
     }
     if (found.selects) return found;
-    warnings_.add(line, fmt::format("the signal {} is left out: expected ':' behind its name, or M "
-                                    "or a multiplexor's value such as m1, found {}",
-                                    shown(s.name), shown(word)));
+    warnings_.add(
+        line, Message(TR_NOOP("core", "the signal %1 is left out: expected ':' behind its name, or "
+                                      "M or a multiplexor's value such as m1, found %2"),
+                      shown(s.name), shown(word)));
     return std::nullopt;
 }
 
 void DbcMessages::scaleAndRange(DbcSignal& s)
 {
-    scan_.expect('(', "before the signal's scale");
-    s.scale = scan_.number("the signal's scale");
-    scan_.expect(',', "between scale and offset");
-    s.offset = scan_.number("the signal's offset");
-    scan_.expect(')', "behind the signal's offset");
+    scan_.expect('(', TR_NOOP("core", "%1 before the signal's scale"));
+    s.scale = scan_.number(TR_NOOP("core", "the signal's scale"));
+    scan_.expect(',', TR_NOOP("core", "%1 between scale and offset"));
+    s.offset = scan_.number(TR_NOOP("core", "the signal's offset"));
+    scan_.expect(')', TR_NOOP("core", "%1 behind the signal's offset"));
     range(s);
 }
 
 // Reads "[-1|.5]". Only displays use the range: a range that is no pair of numbers is ignored.
 void DbcMessages::range(DbcSignal& s)
 {
-    scan_.expect('[', "before the signal's range");
+    scan_.expect('[', TR_NOOP("core", "%1 before the signal's range"));
     const std::string_view both = scan_.upTo(']');
     const std::size_t bar = both.find('|');
     const auto number = [](std::string_view text) -> std::optional<double> {
@@ -170,7 +177,7 @@ void DbcMessages::range(DbcSignal& s)
             s.most = *most;
         }
     }
-    scan_.expect(']', "behind the signal's range");
+    scan_.expect(']', TR_NOOP("core", "%1 behind the signal's range"));
 }
 
 void DbcMessages::keep(DbcSignal s, const Multiplexing& multiplexing)
@@ -179,19 +186,21 @@ void DbcMessages::keep(DbcSignal s, const Multiplexing& multiplexing)
     const int line = multiplexing.line;
     if (s.length < 1 || s.length > 64)
         return warnings_.add(
-            line, fmt::format("the signal {} is left out: it has {} bits, expected 1 to 64", s.name,
-                              s.length));
+            line,
+            Message(TR_NOOP("core", "the signal %1 is left out: it has %2 bits, expected 1 to 64"),
+                    s.name, s.length));
     if (s.end() > 8 * m.length)
-        return warnings_.add(line, fmt::format("the signal {} is left out: it does not fit its "
-                                               "message {}, it ends with bit {} of {}",
-                                               s.name, m.name, s.end(), 8 * m.length));
-    if (s.scale == 0.0)
         return warnings_.add(line,
-                             fmt::format("the signal {} is left out: its scale is 0", s.name));
+                             Message(TR_NOOP("core", "the signal %1 is left out: it does not fit "
+                                                     "its message %2, it ends with bit %3 of %4"),
+                                     s.name, m.name, s.end(), 8 * m.length));
+    if (s.scale == 0.0)
+        return warnings_.add(
+            line, Message(TR_NOOP("core", "the signal %1 is left out: its scale is 0"), s.name));
     if (!names_.insert(s.name).second)
         return warnings_.add(
-            line,
-            fmt::format("the signal {} is left out: {} has another of that name", s.name, m.name));
+            line, Message(TR_NOOP("core", "the signal %1 is left out: %2 has another of that name"),
+                          s.name, m.name));
     m.payload.push_back(std::move(s));
     multiplexing_.push_back(multiplexing);
 }
@@ -232,9 +241,10 @@ void DbcMessages::select(const Place& place, const std::string& multiplexor,
     if (s.selectedBy.empty()) return;
     const auto above = signals_.find(std::pair(place.message, multiplexor));
     if (above == signals_.end())
-        return warnings_.add(line, fmt::format("what selects {} is passed over: its message has no "
-                                               "signal {}",
-                                               s.name, shown(multiplexor)));
+        return warnings_.add(
+            line,
+            Message(TR_NOOP("core", "what selects %1 is passed over: its message has no signal %2"),
+                    s.name, shown(multiplexor)));
     s.selector = above->second;
     s.selectedBy = std::move(ranges);
 }
@@ -290,16 +300,18 @@ void DbcMessages::finish(std::size_t message, std::vector<bool> isOut)
         if (s.selector) s.selector = newPlace[*s.selector];
     m.payload = std::move(kept);
     if (dropped > 0)
-        warnings_.add(lines_[message],
-                      fmt::format("{} multiplexed signals of {} are left out: expected one signal "
-                                  "marked M, or what selects them (SG_MUL_VAL_), at most {} below "
-                                  "each other",
-                                  dropped, m.name, DbcSignal::kMaxNesting));
+        warnings_.add(
+            lines_[message],
+            Message(TR_NOOP("core",
+                            "%1 multiplexed signals of %2 are left out: expected one signal marked "
+                            "M, or what selects them (SG_MUL_VAL_), at most %3 below each other"),
+                    dropped, m.name, DbcSignal::kMaxNesting));
 }
 
 DbcMessage* DbcMessages::messageNext(std::size_t* index)
 {
-    const auto found = byId_.find(scan_.whole("a message's identifier", 0xFFFF'FFFF));
+    const auto found =
+        byId_.find(scan_.whole(TR_NOOP("core", "a message's identifier"), 0xFFFF'FFFF));
     if (found == byId_.end()) return nullptr;
     if (index) *index = found->second;
     return &file_.messages[found->second];
@@ -309,7 +321,7 @@ std::optional<DbcMessages::Place> DbcMessages::signalNext()
 {
     std::size_t index = 0;
     const DbcMessage* m = messageNext(&index);
-    const std::string name(scan_.word("a signal's name"));
+    const std::string name(scan_.word(TR_NOOP("core", "a signal's name")));
     const auto found = m ? signals_.find(std::pair(index, name)) : signals_.end();
     if (found == signals_.end()) return std::nullopt;
     return Place{index, found->second};

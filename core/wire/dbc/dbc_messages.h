@@ -21,9 +21,9 @@ public:
     /// file: must outlive this object.
     explicit DbcWarnings(DbcFile& file) : file_(file) {}
 
-    void add(int line, const std::string& what);
-    void add(const std::string& what);  ///< `what` names its line
-    void end();                         ///< adds the number of further warnings
+    void add(int line, Message what);
+    void add(Message what);  ///< `what` names its line
+    void end();              ///< adds the number of further warnings
 
 private:
     DbcFile& file_;

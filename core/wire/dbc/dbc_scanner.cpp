@@ -49,7 +49,7 @@ DbcScanner::Place DbcScanner::place()
 
 void DbcScanner::recover(const Place& place)
 {
-    failure_.clear();
+    failure_ = {};
     at_ = place.at;
     line_ = place.line;
     do {
@@ -83,9 +83,9 @@ bool DbcScanner::take(char c)
     return true;
 }
 
-void DbcScanner::expect(char c, std::string_view place)
+void DbcScanner::expect(char c, SourceText place)
 {
-    if (!take(c)) fail(fmt::format("expected '{}' {}", c, place));
+    if (!take(c)) fail(Message(place, std::string{'\'', c, '\''}));
 }
 
 bool DbcScanner::isNameNext()
@@ -119,18 +119,18 @@ std::string_view DbcScanner::wordIfAny()
     return text_.substr(begin, at_ - begin);
 }
 
-std::string_view DbcScanner::word(std::string_view what)
+std::string_view DbcScanner::word(SourceText what)
 {
     skipBlanks();
     const std::size_t begin = at_;
     const std::string_view found = wordIfAny();
     if (!found.empty() && found.size() <= kDbcName) return found;
     at_ = begin;
-    fail(fmt::format("expected {} of at most {} letters, digits and _", what, kDbcName));
+    fail(Message(TR_NOOP("core", "%1 of at most %2 letters, digits and _"), what, kDbcName));
     return {};
 }
 
-double DbcScanner::number(std::string_view what)
+double DbcScanner::number(SourceText what)
 {
     skipBlanks();
     const std::size_t begin = at_;
@@ -140,11 +140,11 @@ double DbcScanner::number(std::string_view what)
     const std::optional<double> value = numberFrom(found);
     if (value && std::isfinite(*value)) return *value;
     at_ = begin;
-    fail(fmt::format("expected {}, a number", what));
+    fail(Message(TR_NOOP("core", "%1, a number"), what));
     return 0.0;
 }
 
-std::uint64_t DbcScanner::whole(std::string_view what, std::uint64_t most)
+std::uint64_t DbcScanner::whole(SourceText what, std::uint64_t most)
 {
     skipBlanks();
     const std::size_t begin = at_;
@@ -154,14 +154,14 @@ std::uint64_t DbcScanner::whole(std::string_view what, std::uint64_t most)
     at_ = static_cast<std::size_t>(rest - text_.data());
     if (error == std::errc{} && value <= most) return value;
     at_ = begin;
-    fail(fmt::format("expected {}, a whole number of at most {}", what, most));
+    fail(Message(TR_NOOP("core", "%1, a whole number of at most %2"), what, most));
     return 0;
 }
 
-std::string_view DbcScanner::text(std::string_view what)
+std::string_view DbcScanner::text(SourceText what)
 {
     if (!isNext('"')) {
-        fail(fmt::format("expected {} in quotation marks", what));
+        fail(Message(TR_NOOP("core", "%1 in quotation marks"), what));
         return {};
     }
     const std::size_t before = at_;
@@ -173,7 +173,7 @@ std::string_view DbcScanner::text(std::string_view what)
     if (at_ == text_.size()) {
         at_ = before;
         line_ = line;
-        fail(fmt::format("expected a quotation mark at the end of {}", what));
+        fail(Message(TR_NOOP("core", "a quotation mark at the end of %1"), what));
         return {};
     }
     const std::string_view found = text_.substr(begin, at_ - begin);
@@ -210,25 +210,26 @@ void DbcScanner::skipSection()
         if (line_ > began && isSectionNext()) return;
         began = line_;
         if (isNext('"'))
-            (void)text("a text");
+            (void)text(TR_NOOP("core", "a text"));
         else if (wordIfAny().empty())
             advance();
     }
 }
 
-void DbcScanner::fail(std::string_view expected)
+void DbcScanner::fail(const Message& expected)
 {
     if (!failure_.empty()) return;
     skipBlanks();
     // The token is a word, or a single semicolon.
     const std::size_t end = std::min(text_.find_first_of(" \t\r\n;", at_ + 1), text_.size());
     const std::string_view found = text_.substr(at_, end - at_);
-    failure_ = fmt::format("line {}: {}, found {}", line_, expected,
-                           found.empty() ? "the end of the file" : shown(found));
+    failure_ = {TR_NOOP("core", "line %1: expected %2, found %3"), line_, expected,
+                found.empty() ? Message(TR_NOOP("core", "the end of the file"))
+                              : Message::verbatim(shown(found))};
     at_ = text_.size();
 }
 
-void DbcScanner::refuse(std::string failure)
+void DbcScanner::refuse(Message failure)
 {
     if (failure_.empty()) failure_ = std::move(failure);
     at_ = text_.size();

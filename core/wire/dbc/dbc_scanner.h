@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/message.h"
+
 namespace terratact {
 
 /// Returns true for a word that may begin a section, such as "BO_" or "BA_DEF_DEF_".
@@ -19,7 +21,7 @@ public:
     explicit DbcScanner(std::string_view text) : text_(text) {}
 
     /// Returns "line 3: expected …, found …"; empty: no failure.
-    const std::string& failure() const { return failure_; }
+    const Message& failure() const { return failure_; }
 
     /// Start of a section.
     struct Place {
@@ -39,11 +41,11 @@ public:
     bool take(char c);     ///< false if another character is next
 
     // Required tokens; `what` and `place` describe the failure if one is missing.
-    void expect(char c, std::string_view place);
-    std::string_view word(std::string_view what);
-    double number(std::string_view what);
-    std::uint64_t whole(std::string_view what, std::uint64_t most);
-    std::string_view text(std::string_view what);  ///< text between quotation marks, unchanged
+    void expect(char c, SourceText place);  ///< place: with %1 for the character
+    std::string_view word(SourceText what);
+    double number(SourceText what);
+    std::uint64_t whole(SourceText what, std::uint64_t most);
+    std::string_view text(SourceText what);  ///< text between quotation marks, unchanged
 
     std::string_view wordIfAny();   ///< empty without a failure if there is no word
     std::string_view restOfLine();  ///< remaining text of the line
@@ -56,8 +58,8 @@ public:
     void skipSection();
 
     /// Sets the failure to `expected` and the text found here.
-    void fail(std::string_view expected);
-    void refuse(std::string failure);  ///< sets the failure to this sentence
+    void fail(const Message& expected);
+    void refuse(Message failure);  ///< sets the failure to this sentence
 
 private:
     void advance();
@@ -68,7 +70,7 @@ private:
     std::string_view text_;
     std::size_t at_ = 0;
     int line_ = 1;
-    std::string failure_;
+    Message failure_;
 };
 
 }  // namespace terratact

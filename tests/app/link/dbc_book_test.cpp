@@ -59,7 +59,7 @@ TEST_F(Books, neverOverrideTheProtocol)
     EXPECT_TRUE(book.find(gas(0x22, true))) << "ours have 11 bits";
     EXPECT_TRUE(book.find(gas(519)));
     ASSERT_EQ(book.remarks().size(), 1U);
-    EXPECT_EQ(book.remarks()[0],
+    EXPECT_EQ(book.remarks()[0].english(),
               path + ": frame 022: the robot's protocol has that identifier and is what counts");
 
     DbcBook absolem(CanProtocol::Absolem);
@@ -74,9 +74,10 @@ TEST_F(Books, doNotDescribeFramesOfTheProtocol)
     ASSERT_TRUE(book.add(path));
     EXPECT_EQ(book.frames(), 0U);
     ASSERT_EQ(book.remarks().size(), 1U);
-    EXPECT_EQ(book.remarks()[0], path
-                                     + ": 25 frames (010, 011, 012, 013 …): the robot's protocol "
-                                       "has that identifier and is what counts");
+    EXPECT_EQ(book.remarks()[0].english(),
+              path
+                  + ": 25 frames (010, 011, 012, 013 …): the robot's protocol "
+                    "has that identifier and is what counts");
 }
 
 TEST_F(Books, letTheFirstOfTwoFilesCount)
@@ -87,7 +88,7 @@ TEST_F(Books, letTheFirstOfTwoFilesCount)
     EXPECT_EQ(book.find(gas())->message.name, "Gas");
     EXPECT_EQ(book.find(gas(292))->file, "two.dbc");
     ASSERT_EQ(book.remarks().size(), 1U);
-    EXPECT_EQ(book.remarks()[0],
+    EXPECT_EQ(book.remarks()[0].english(),
               two + ": frame 123: one.dbc describes that already and is what counts");
 }
 

@@ -51,10 +51,11 @@ TEST_F(Training, tellsOfInducingRowsWhereThereAreManyScenes)
     const auto noticesOf = [&](const std::vector<Scene>& all) {
         plan.data = written("learn.csv", all);
         std::string said;
-        EXPECT_THROW((void)trainModel(plan, {.cancelled = [] { return true; },
-                                             .progress = {},
-                                             .notice = [&](const std::string& s) { said += s; }}),
-                     Cancelled);
+        EXPECT_THROW(
+            (void)trainModel(plan, {.cancelled = [] { return true; },
+                                    .progress = {},
+                                    .notice = [&](const Message& s) { said += s.english(); }}),
+            Cancelled);
         return said;
     };
     EXPECT_NE(noticesOf(scenes).find("--inducing 1200"), std::string::npos);

@@ -24,6 +24,7 @@
 #include "core/wire/dbc/dbc_file.h"
 #include "core/wire/log_reader.h"
 #include "display/format.h"
+#include "display/translated.h"
 #include "drivers/log_replay.h"
 #include "tests/support/random_model.h"
 #include "tests/support/sessions.h"
@@ -45,14 +46,15 @@ QStringList plainWords(QString text)
     return text.split(kBetween, Qt::SkipEmptyParts).filter(kPlain);
 }
 
-/// Removes messages of foreign parsers, which are not translated.
-QString withoutForeign(const std::string& english)
+/// Leaves out the words of foreign parsers, which are not translated: they stand in the last place.
+Message withoutForeign(Message message)
 {
-    static const QRegularExpression kHead(QStringLiteral(
-        "^.*?(is not TOML|its structure is damaged|malformed database schema \\(\\w+\\))"));
-    const QString whole = format::text(english);
-    const QRegularExpressionMatch head = kHead.match(whole);
-    return head.hasMatch() ? head.captured() : whole;
+    static const char* const kForeign[]{"line %1: is not TOML: %2", "its structure is damaged: %1",
+                                        "malformed database schema %1"};
+    for (Message& argument : message.arguments) argument = withoutForeign(std::move(argument));
+    for (const char* const source : kForeign)
+        if (message.source == source) message.arguments.back() = Message::verbatim("…");
+    return message;
 }
 
 /// Error sentences of the readers, one of each form.
@@ -64,14 +66,15 @@ public:
     template <class Value>
     void take(const Result<Value>& read)
     {
-        if (!read) add(read.error().text);
+        if (!read) add(read.error().message);
     }
-    void add(const std::string& refusal)
+    void add(const Message& refusal)
     {
         static const QRegularExpression kData(
             QStringLiteral("'[^']*'|[0-9][-+.0-9e]*|[a-z_]*_[a-z_]*"));
-        const QString english = withoutForeign(refusal);
-        forms_.emplace(QString(english).replace(kData, QStringLiteral("…")), english);
+        Message message = withoutForeign(refusal);
+        const QString english = format::text(message.english());
+        forms_.emplace(QString(english).replace(kData, QStringLiteral("…")), std::move(message));
     }
     std::size_t size() const { return forms_.size(); }
 
@@ -80,8 +83,9 @@ public:
         for (const char* language : {"cs", "de"}) {
             if (installLanguage(*qApp, language) != QLatin1String(language))
                 GTEST_SKIP() << "built without translations";
-            for (const auto& [form, english] : forms_) {
-                const QString translated = format::sentence(english.toStdString());
+            for (const auto& [form, message] : forms_) {
+                const QString english = format::text(message.english());
+                const QString translated = terratact::translated(message);
                 EXPECT_NE(translated, english) << language;
                 for (const QString& word : englishIn(english, translated))
                     ADD_FAILURE() << language << ": \"" << word.toStdString() << "\" is left in \""
@@ -108,7 +112,7 @@ private:
     }
 
     QSet<QString> data_;
-    std::map<QString, QString> forms_;  ///< form without data, and its first sentence
+    std::map<QString, Message> forms_;  ///< form without data, and its first sentence
 };
 
 void execute(const std::string& path, const std::string& sql)
@@ -352,7 +356,7 @@ TEST(Refusals, ofScenes)
         const std::string path = dir.write("scenes.csv", content);
         const auto file = readScenes(path);
         refusals.take(file);
-        for (const std::string& notice : file ? file->notices : std::vector<std::string>{})
+        for (const Message& notice : file ? file->notices : std::vector<Message>{})
             refusals.add(notice);
         refusals.take(readScenesWithTruth(path));
     };
@@ -437,7 +441,7 @@ TEST(Refusals, ofDbcFiles)
     const auto read = [&](const std::string& content) {
         const auto file = dbcFrom("my.dbc", content);
         refusals.take(file);
-        for (const std::string& warning : file ? file->warnings : std::vector<std::string>{})
+        for (const Message& warning : file ? file->warnings : std::vector<Message>{})
             refusals.add(warning);
     };
     for (std::size_t at = 0; at < text.size(); ++at) {
@@ -472,7 +476,7 @@ TEST(Refusals, ofDbcFiles)
     refusals.take(book.add(dir.write("three.dbc", text + "BO_ 257 Another_1: 8 G1\n")));
     refusals.take(book.add(kSource + "/resources/dbc/terratact.dbc"));
     refusals.take(book.add(dir.write("ours.dbc", "BO_ 34 Ours_1: 8 G1\n")));
-    for (const std::string& remark : book.remarks()) refusals.add(remark);
+    for (const Message& remark : book.remarks()) refusals.add(remark);
     EXPECT_GE(refusals.size(), 60U);
     refusals.expectTranslated();
 }
@@ -489,7 +493,7 @@ TEST(Refusals, ofLogs)
         LogReader reader("broken.log", std::make_unique<std::istringstream>(log));
         for (;;) {
             const auto frame = reader.next();
-            if (!frame) refusals.add(frame.error().text);
+            if (!frame) refusals.add(frame.error().message);
             if (!frame || !*frame) return;
         }
     };
@@ -537,7 +541,7 @@ TEST(Refusals, ofLogs)
                              dir.write("untimed.log", "  vcan0  044   [1]  2A\n")})
         refusals.take(LogReplay::open(path, {}));
     refusals.take(LogReplay::open(dir.file("two.log"), {.interface = "can7"}));
-    refusals.add("my.csv: has no scenes");
+    refusals.add(Message::verbatim("my.csv: has no scenes"));
     EXPECT_GE(refusals.size(), 24U);
     refusals.expectTranslated();
 }

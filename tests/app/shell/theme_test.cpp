@@ -21,9 +21,14 @@
 #include "core/atem/following.h"
 #include "core/infer/verdict/estimate_text.h"
 #include "core/infer/verdict/verdict.h"
+#include "core/learn/data/scene_file.h"
 #include "core/robot/force_sensor.h"
+#include "core/robot/robot_model.h"
 #include "core/robot/watch/sensor_suspicion.h"
+#include "core/store/csv_reader.h"
+#include "core/store/file_read.h"
 #include "display/format.h"
+#include "display/translated.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
@@ -214,23 +219,26 @@ TEST(Languages, numbersAreWrittenAndReadTheSameInEach)
 
 TEST(Languages, fileErrorsAreTranslatedAroundTheirNames)
 {
-    const std::string english[]{
-        "/home/no 2/robot.toml: line 7: body.mass_kg is 0, expected a number from 0.1 to 5000",
-        "robot.toml: the key body.mass_kg is missing",
-        "robot.toml: line 3: 'wheels' is not a known key",
-        "scenes.csv: the column 'colour' is not known and was left out",
-        "mine.ttm: its table bin ends too early",
-        "session deleted, since all together are larger than you have set: /tmp/a.tts"};
+    const auto scenes = [](std::string header) {
+        return readScenes(*CsvReader::over("scenes.csv", header + "\n1\n")).error().message;
+    };
+    const Message messages[]{
+        robotModelFrom("/home/no 2/robot.toml", "name = 3\n").error().message,
+        robotModelFrom("robot.toml", "wheels = 3\n").error().message,
+        scenes("colour"),
+        scenes("h_9_m"),
+        fileError("mine.ttm", TR_NOOP("core", "is empty")).message,
+    };
     for (const char* language : {"cs", "de"}) {
         if (installLanguage(*qApp, language) != QLatin1String(language))
             GTEST_SKIP() << "built without translations";
-        for (const std::string& sentence : english) {
-            const QString translated = format::sentence(sentence);
+        for (const Message& message : messages) {
+            const std::string sentence = message.english();
+            const QString translated = terratact::translated(message);
             EXPECT_NE(translated.toStdString(), sentence) << language;
             for (const char* word : {" is ", " not ", "expected", "since", "line "})
                 EXPECT_FALSE(translated.contains(QLatin1String(word))) << translated.toStdString();
-            for (const char* name : {"/home/no 2/robot.toml", "body.mass_kg", "0.1", "5000",
-                                     "'wheels'", "'colour'", "mine.ttm", "/tmp/a.tts"})
+            for (const char* name : {"/home/no 2/robot.toml", "'h_9_m'", "colour", "mine.ttm"})
                 EXPECT_EQ(translated.contains(QLatin1String(name)),
                           sentence.find(name) != std::string::npos)
                     << translated.toStdString();
@@ -254,7 +262,7 @@ TEST(Languages, namesOfFilesColumnsAndSourcesAreNotTranslated)
             const std::string behind = "session deleted, since it is older than you have set: ";
             EXPECT_TRUE(format::sentence(behind + name).endsWith(": " + whose)) << name;
             const QString column =
-                format::sentence(std::string("the column ") + name + " appears twice");
+                translated(Message(TR_NOOP("core", "the column %1 appears twice"), name));
             EXPECT_TRUE(column.split(' ').contains(whose)) << column.toStdString();
             EXPECT_FALSE(column.contains("twice")) << column.toStdString();
             EXPECT_EQ(format::sourceName(name), whose);

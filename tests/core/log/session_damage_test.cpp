@@ -82,9 +82,9 @@ TEST_F(DamagedSession, mainFileIsASessionFromTheStart)
     EXPECT_FALSE(reader->sealed());
     EXPECT_TRUE(reader->lacksJournal());
     ASSERT_EQ(reader->damage().size(), 1U);
-    EXPECT_NE(reader->damage()[0].why.find("its journal alone.tts-wal is not beside it"),
+    EXPECT_NE(reader->damage()[0].why.english().find("its journal alone.tts-wal is not beside it"),
               std::string::npos)
-        << reader->damage()[0].why;
+        << reader->damage()[0].why.english();
     EXPECT_FALSE(std::filesystem::exists(alone + "-wal")) << "looking at it must not make one";
     EXPECT_FALSE(std::filesystem::exists(alone + "-shm"));
 }
@@ -227,8 +227,9 @@ TEST_F(DamagedSession, pagesThatRowsShareAreFound)
     auto reader = SessionReader::open(path);
     ASSERT_TRUE(reader) << reader.error().text;
     ASSERT_FALSE(reader->damage().empty());
-    EXPECT_NE(reader->damage().back().why.find("2nd reference to page"), std::string::npos)
-        << reader->damage().back().why;
+    EXPECT_NE(reader->damage().back().why.english().find("2nd reference to page"),
+              std::string::npos)
+        << reader->damage().back().why.english();
     EXPECT_FALSE(reader->verify().damage.empty());
 }
 

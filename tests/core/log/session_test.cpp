@@ -272,7 +272,7 @@ std::string told(const std::string& path, std::size_t atATime)
     for (const EventRow& row : reader->events())
         text += "event " + std::to_string(row.id) + row.text;
     for (const SessionDamage& damage : reader->damage())
-        text += "damage " + std::to_string(damage.first) + damage.why;
+        text += "damage " + std::to_string(damage.first) + damage.why.english();
     const SessionVerification found = reader->verify();
     return text + std::to_string(found.batches) + "/" + std::to_string(found.frames) + found.chain
          + (found.broken ? found.broken->why : "");
@@ -320,7 +320,8 @@ TEST_F(Session, withMoreDamageThanCanBeListedIsStillRead)
     auto reader = SessionReader::open(path);
     ASSERT_TRUE(reader) << reader.error().text;
     ASSERT_EQ(reader->damage().size(), 10'000U);
-    EXPECT_NE(reader->damage().back().why.find("more than 10000 places"), std::string::npos);
+    EXPECT_NE(reader->damage().back().why.english().find("more than 10000 places"),
+              std::string::npos);
     EXPECT_EQ(allFrames(*reader).size(), 1000U);
 }
 

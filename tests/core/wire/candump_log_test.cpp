@@ -223,7 +223,7 @@ struct CandumpFile : testing::Test {
             auto next = reader->next();
             if (!next) return next.error();
             dropped = reader->dropped();
-            for (std::string& remark : reader->takeRemarks()) remarks.push_back(std::move(remark));
+            for (const Message& remark : reader->takeRemarks()) remarks.push_back(remark.english());
             if (!*next) return frames;
             frames.push_back(**std::move(next));
         }

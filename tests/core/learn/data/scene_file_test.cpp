@@ -168,7 +168,7 @@ TEST_F(SceneFileTest, unknownColumnsAreKeptOutWithANotice)
     const Result<SceneFile> read = this->read("weather," + kHeader + "wet," + kScene);
     ASSERT_TRUE(read) << read.error().text;
     ASSERT_EQ(read->notices.size(), 1U);
-    EXPECT_NE(read->notices[0].find("'weather'"), std::string::npos);
+    EXPECT_NE(read->notices[0].english().find("'weather'"), std::string::npos);
     EXPECT_EQ(read->scenes, this->read(kHeader + kScene)->scenes);
 }
 
@@ -190,8 +190,8 @@ TEST_F(SceneFileTest, leavesOutScenesOfWhichNoHeightIsKnown)
     ASSERT_TRUE(known) << known.error().text;
     ASSERT_EQ(known->scenes.size(), 1U);
     EXPECT_EQ(known->scenes[0].time, 1.0);
-    EXPECT_EQ(known->notices,
-              std::vector<std::string>{"2 scenes without any known height left out"});
+    ASSERT_EQ(known->notices.size(), 1U);
+    EXPECT_EQ(known->notices[0].english(), "2 scenes without any known height left out");
     const auto all = readScenesWithTruth(dir.write("scenes.csv", kHeader + oneHeight));
     ASSERT_TRUE(all) << all.error().text;
     EXPECT_TRUE(all->notices.empty());
@@ -313,7 +313,7 @@ TEST_F(SceneFileTest, readsALastLineWithoutItsEndAndSaysSo)
     ASSERT_TRUE(read) << read.error().text;
     EXPECT_EQ(read->scenes, this->read(whole)->scenes);
     ASSERT_EQ(read->notices.size(), 1U);
-    EXPECT_NE(read->notices[0].find("no line end"), std::string::npos);
+    EXPECT_NE(read->notices[0].english().find("no line end"), std::string::npos);
 }
 
 TEST_F(SceneFileTest, readsWhatSpreadsheetsAndStatisticsProgramsWrite)
@@ -339,7 +339,7 @@ TEST_F(SceneFileTest, readsWhatSpreadsheetsAndStatisticsProgramsWrite)
         const Result<SceneFile> read = this->read(text);
         ASSERT_TRUE(read) << read.error().text;
         EXPECT_EQ(read->scenes, expected->scenes) << text;
-        EXPECT_TRUE(read->notices.empty()) << read->notices[0];
+        EXPECT_TRUE(read->notices.empty()) << read->notices[0].english();
     }
 }
 

@@ -75,7 +75,7 @@ TEST(Columns, refuseNanAndValuesBeyondTheirRange)
     const Column& height = heightColumns()[0];
     EXPECT_TRUE(height.holds(-5.0) && height.holds(5.0));
     EXPECT_FALSE(height.holds(5.0001) || height.holds(std::nan("")));
-    EXPECT_NE(height.refusal(200.0).find("mm"), std::string::npos);
+    EXPECT_NE(height.refusal(200.0).english().find("mm"), std::string::npos);
 }
 
 }  // namespace

@@ -232,8 +232,10 @@ TEST(DbcMultiplexing, withoutAMultiplexorIsLeftOutWithItsLine)
     EXPECT_EQ(file->messages[0].payload[0].name, "Always");
     EXPECT_TRUE(file->messages[1].payload.empty());
     ASSERT_EQ(file->warnings.size(), 2U);
-    EXPECT_TRUE(file->warnings[0].starts_with("f.dbc: line 2: 3 multiplexed signals of M"));
-    EXPECT_TRUE(file->warnings[1].starts_with("f.dbc: line 7: 1 multiplexed signals of N"));
+    EXPECT_TRUE(
+        file->warnings[0].english().starts_with("f.dbc: line 2: 3 multiplexed signals of M"));
+    EXPECT_TRUE(
+        file->warnings[1].english().starts_with("f.dbc: line 7: 1 multiplexed signals of N"));
 }
 
 TEST(DbcFiles, giveTheLongNames)
@@ -318,7 +320,8 @@ TEST(Dbc, aSignalBelowTheNodesIsNamedAsFault)
     ASSERT_TRUE(read);
     ASSERT_EQ(read->messages.size(), 1U);
     ASSERT_EQ(read->warnings.size(), 1U);
-    EXPECT_NE(read->warnings[0].find("line 2"), std::string::npos) << read->warnings[0];
+    EXPECT_NE(read->warnings[0].english().find("line 2"), std::string::npos)
+        << read->warnings[0].english();
 }
 
 /// A file as other programs write it.
@@ -459,8 +462,8 @@ TEST(DbcFiles, duplicatesKeepTheFirstWithAWarning)
     const std::vector<std::string> lines{"line 3", "line 4", "line 5", "line 8"};
     ASSERT_EQ(file->warnings.size(), lines.size());
     for (std::size_t i = 0; i < lines.size(); ++i)
-        EXPECT_TRUE(file->warnings[i].starts_with("f.dbc: " + lines[i] + ": "))
-            << file->warnings[i];
+        EXPECT_TRUE(file->warnings[i].english().starts_with("f.dbc: " + lines[i] + ": "))
+            << file->warnings[i].english();
 }
 
 TEST(DbcFiles, loseOnlyTheFaultyLine)
@@ -500,10 +503,11 @@ TEST(DbcFiles, loseOnlyTheFaultyLine)
         const Result<DbcFile> file = parsed(head + kept + c.line + more);
         ASSERT_TRUE(file) << c.line << file.error().text;
         ASSERT_EQ(file->warnings.size(), 1U) << c.line;
-        EXPECT_TRUE(file->warnings[0].starts_with("f.dbc: line 5: ")) << file->warnings[0];
+        EXPECT_TRUE(file->warnings[0].english().starts_with("f.dbc: line 5: "))
+            << file->warnings[0].english();
         for (const std::string_view part : c.parts)
-            EXPECT_NE(file->warnings[0].find(part), std::string::npos)
-                << "no " << part << " in " << file->warnings[0];
+            EXPECT_NE(file->warnings[0].english().find(part), std::string::npos)
+                << "no " << part << " in " << file->warnings[0].english();
         ASSERT_EQ(file->messages.size(), 2U) << c.line;
         const bool isLost = c.line.starts_with("SIG_VALTYPE_");
         EXPECT_EQ(file->messages[0].payload.size(), isLost ? 0U : 1U) << c.line;
@@ -517,8 +521,8 @@ TEST(DbcFiles, withAQuoteThatDoesNotEndKeepTheRest)
     ASSERT_TRUE(file) << file.error().text;
     EXPECT_EQ(file->messages.size(), 2U);
     ASSERT_EQ(file->warnings.size(), 1U);
-    EXPECT_TRUE(file->warnings[0].starts_with("f.dbc: line 2: expected a quotation mark"))
-        << file->warnings[0];
+    EXPECT_TRUE(file->warnings[0].english().starts_with("f.dbc: line 2: expected a quotation mark"))
+        << file->warnings[0].english();
 }
 
 TEST(DbcFiles, skipOtherSectionsSilently)
@@ -532,7 +536,7 @@ TEST(DbcFiles, skipOtherSectionsSilently)
                              "BO_ 258 N: 8\n\x1A";
     const Result<DbcFile> file = parsed(text);
     ASSERT_TRUE(file) << file.error().text;
-    EXPECT_TRUE(file->warnings.empty()) << file->warnings.front();
+    EXPECT_TRUE(file->warnings.empty()) << file->warnings.front().english();
     ASSERT_EQ(file->messages.size(), 2U);
     EXPECT_EQ(file->messages[0].payload.size(), 2U);
     EXPECT_EQ(file->messages[0].payload[0].most, 0.0) << "no range";
@@ -588,7 +592,7 @@ TEST(DbcFiles, largeFilesAreReadWithFewWarnings)
     EXPECT_EQ(file->messages.size(), 20'001U);
     EXPECT_EQ(file->messages.back().payload.back().words.at(1), "one");
     EXPECT_EQ(file->warnings.size(), 21U);
-    EXPECT_EQ(file->warnings.back(), "f.dbc: 19980 more things are left out");
+    EXPECT_EQ(file->warnings.back().english(), "f.dbc: 19980 more things are left out");
 }
 
 TEST(DbcFiles, damagedFilesOnlyGiveErrors)
@@ -651,7 +655,8 @@ TEST(DbcFile, aUnitThatDoesNotEndTakesNoOtherSignalAway)
     ASSERT_EQ(file->messages.at(0).payload.size(), 1U);
     EXPECT_EQ(file->messages[0].payload[0].name, "R");
     ASSERT_EQ(file->warnings.size(), 1U);
-    EXPECT_TRUE(file->warnings[0].starts_with("f.dbc: line 2: expected a quotation mark"));
+    EXPECT_TRUE(
+        file->warnings[0].english().starts_with("f.dbc: line 2: expected a quotation mark"));
 }
 
 TEST(DbcFile, linesMayEndWithCrAlone)
