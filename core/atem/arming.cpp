@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/base/message.h"
 #include "core/base/named.h"
 
 namespace terratact {
@@ -88,10 +89,10 @@ ArmingState nextArming(const ArmingState& state, const ArmingInput& in, const Ar
 std::string describe(ArmingPhase phase)
 {
     switch (phase) {
-    case ArmingPhase::Disarmed: return "disarmed";
-    case ArmingPhase::Confirming: return "confirm to arm";
-    case ArmingPhase::Requested: return "waiting for the robot to arm";
-    case ArmingPhase::Armed: return "armed";
+    case ArmingPhase::Disarmed: return TR_NOOP("event", "disarmed").english;
+    case ArmingPhase::Confirming: return TR_NOOP("event", "confirm to arm").english;
+    case ArmingPhase::Requested: return TR_NOOP("event", "waiting for the robot to arm").english;
+    case ArmingPhase::Armed: return TR_NOOP("event", "armed").english;
     }
     throw std::invalid_argument("describe: no such ArmingPhase");
 }
@@ -99,17 +100,21 @@ std::string describe(ArmingPhase phase)
 std::string describe(DisarmCause cause)
 {
     switch (cause) {
-    case DisarmCause::None: return "not armed yet";
-    case DisarmCause::Operator: return "disarmed by the operator";
-    case DisarmCause::Stop: return "STOP is latched";
-    case DisarmCause::OperatorAbsent: return "window or panel does not answer";
-    case DisarmCause::ForeignSender: return "somebody else sends this console's frames";
-    case DisarmCause::LinkNotGood: return "the link is not good";
-    case DisarmCause::AlreadyArmed: return "the robot is armed, but not by this console";
-    case DisarmCause::ConfirmTimeout: return "not confirmed in time";
-    case DisarmCause::RequestTimeout: return "the robot did not arm in time";
-    case DisarmCause::RobotDisarmed: return "the robot has disarmed";
-    case DisarmCause::EpochChanged: return "the robot has begun anew";
+    case DisarmCause::None: return TR_NOOP("core", "not armed yet").english;
+    case DisarmCause::Operator: return TR_NOOP("core", "disarmed by the operator").english;
+    case DisarmCause::Stop: return TR_NOOP("core", "STOP is latched").english;
+    case DisarmCause::OperatorAbsent:
+        return TR_NOOP("core", "window or panel does not answer").english;
+    case DisarmCause::ForeignSender:
+        return TR_NOOP("core", "somebody else sends this console's frames").english;
+    case DisarmCause::LinkNotGood: return TR_NOOP("core", "the link is not good").english;
+    case DisarmCause::AlreadyArmed:
+        return TR_NOOP("core", "the robot is armed, but not by this console").english;
+    case DisarmCause::ConfirmTimeout: return TR_NOOP("core", "not confirmed in time").english;
+    case DisarmCause::RequestTimeout:
+        return TR_NOOP("core", "the robot did not arm in time").english;
+    case DisarmCause::RobotDisarmed: return TR_NOOP("core", "the robot has disarmed").english;
+    case DisarmCause::EpochChanged: return TR_NOOP("core", "the robot has begun anew").english;
     }
     throw std::invalid_argument("describe: no such DisarmCause");
 }

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/base/message.h"
+
 namespace terratact {
 namespace {
 
@@ -79,16 +81,19 @@ AtemState nextFollowed(const AtemState& now, const FollowInput& in, const AtemLi
 std::string describeFollowed(AtemPhase phase)
 {
     switch (phase) {
-    case AtemPhase::Idle: return "following: nothing is explored";
+    case AtemPhase::Idle: return TR_NOOP("core", "following: nothing is explored").english;
     case AtemPhase::Halting:
-    case AtemPhase::Pressing: return "following: flippers go down";
-    case AtemPhase::Estimating: return "following: flippers pressed, estimating the terrain";
-    case AtemPhase::Probing: return "following: flippers pressed, arm is probing";
-    case AtemPhase::EstimatingAgain: return "following: estimating again with the arm's height";
+    case AtemPhase::Pressing: return TR_NOOP("core", "following: flippers go down").english;
+    case AtemPhase::Estimating:
+        return TR_NOOP("core", "following: flippers pressed, estimating the terrain").english;
+    case AtemPhase::Probing:
+        return TR_NOOP("core", "following: flippers pressed, arm is probing").english;
+    case AtemPhase::EstimatingAgain:
+        return TR_NOOP("core", "following: estimating again with the arm's height").english;
     case AtemPhase::ProposingProbe:
-    case AtemPhase::Presenting: return "following: estimate stands";
-    case AtemPhase::Stopped: return "following: the robot is stopped";
-    case AtemPhase::Failed: return "following: no estimate";
+    case AtemPhase::Presenting: return TR_NOOP("core", "following: estimate stands").english;
+    case AtemPhase::Stopped: return TR_NOOP("core", "following: the robot is stopped").english;
+    case AtemPhase::Failed: return TR_NOOP("core", "following: no estimate").english;
     }
     throw std::invalid_argument("describeFollowed: no such phase");
 }

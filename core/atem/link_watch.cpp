@@ -4,16 +4,22 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/base/message.h"
+
 namespace terratact {
 
 std::string describe(const LinkAccount& link)
 {
     switch (link.standing) {
-    case LinkStanding::Silent: return "no telemetry yet";
-    case LinkStanding::Up: return "link is up";
-    case LinkStanding::Lost: return link.alone ? "telemetry lost" : "link lost";
-    case LinkStanding::Unsteady: return link.alone ? "telemetry unsteady" : "link unsteady";
-    case LinkStanding::Ended: return "end of the log";
+    case LinkStanding::Silent: return TR_NOOP("core", "no telemetry yet").english;
+    case LinkStanding::Up: return TR_NOOP("core", "link is up").english;
+    case LinkStanding::Lost:
+        return link.alone ? TR_NOOP("core", "telemetry lost").english
+                          : TR_NOOP("core", "link lost").english;
+    case LinkStanding::Unsteady:
+        return link.alone ? TR_NOOP("core", "telemetry unsteady").english
+                          : TR_NOOP("core", "link unsteady").english;
+    case LinkStanding::Ended: return TR_NOOP("core", "end of the log").english;
     }
     throw std::invalid_argument("describe: no such LinkStanding");
 }

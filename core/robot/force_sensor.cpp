@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/base/message.h"
+
 namespace terratact {
 namespace {
 
@@ -56,9 +58,9 @@ std::string describe(ElementState state)
 {
     switch (state) {
     case ElementState::Sound: return "sound";
-    case ElementState::Saturated: return "saturated";
-    case ElementState::Open: return "wire broken";
-    case ElementState::Short: return "short circuit";
+    case ElementState::Saturated: return TR_NOOP("core", "saturated").english;
+    case ElementState::Open: return TR_NOOP("core", "wire broken").english;
+    case ElementState::Short: return TR_NOOP("core", "short circuit").english;
     }
     throw std::invalid_argument("describe: no such ElementState");
 }

@@ -2839,10 +2839,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>položte přední flippery plošeji</translation>
     </message>
     <message>
-        <source>drive on %1 m and explore again</source>
-        <translation>popojeďte o %1 m a prozkoumejte znovu</translation>
-    </message>
-    <message>
         <source>is an SQLite file, not text</source>
         <translation>je soubor SQLite, ne text</translation>
     </message>
@@ -3633,6 +3629,34 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>is no file of notes: expected the columns t_s,note</source>
         <translation>není soubor poznámek: očekávají se sloupce t_s,note</translation>
+    </message>
+    <message>
+        <source>drive on 0.1 m and explore again</source>
+        <translation>popojeďte o 0.1 m a prozkoumejte znovu</translation>
+    </message>
+    <message>
+        <source>force 1</source>
+        <translation>síla 1</translation>
+    </message>
+    <message>
+        <source>force 2</source>
+        <translation>síla 2</translation>
+    </message>
+    <message>
+        <source>force 3</source>
+        <translation>síla 3</translation>
+    </message>
+    <message>
+        <source>force 4</source>
+        <translation>síla 4</translation>
+    </message>
+    <message>
+        <source>force 5</source>
+        <translation>síla 5</translation>
+    </message>
+    <message>
+        <source>force 6</source>
+        <translation>síla 6</translation>
     </message>
 </context>
 <context>

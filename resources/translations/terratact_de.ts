@@ -2839,10 +2839,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>die vorderen Flipper flacher legen</translation>
     </message>
     <message>
-        <source>drive on %1 m and explore again</source>
-        <translation>%1 m weiterfahren und erneut erkunden</translation>
-    </message>
-    <message>
         <source>is an SQLite file, not text</source>
         <translation>ist eine SQLite-Datei, kein Text</translation>
     </message>
@@ -3633,6 +3629,34 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>is no file of notes: expected the columns t_s,note</source>
         <translation>ist keine Datei mit Notizen: erwartet werden die Spalten t_s,note</translation>
+    </message>
+    <message>
+        <source>drive on 0.1 m and explore again</source>
+        <translation>0.1 m weiterfahren und erneut erkunden</translation>
+    </message>
+    <message>
+        <source>force 1</source>
+        <translation>Kraft 1</translation>
+    </message>
+    <message>
+        <source>force 2</source>
+        <translation>Kraft 2</translation>
+    </message>
+    <message>
+        <source>force 3</source>
+        <translation>Kraft 3</translation>
+    </message>
+    <message>
+        <source>force 4</source>
+        <translation>Kraft 4</translation>
+    </message>
+    <message>
+        <source>force 5</source>
+        <translation>Kraft 5</translation>
+    </message>
+    <message>
+        <source>force 6</source>
+        <translation>Kraft 6</translation>
     </message>
 </context>
 <context>

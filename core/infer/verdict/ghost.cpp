@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/base/message.h"
+
 namespace terratact {
 namespace {
 
@@ -79,14 +81,21 @@ Ghost ghostOf(const TerrainEstimate& estimate, const ImuMotion& motion)
 std::string describe(NoGhost why)
 {
     switch (why) {
-    case NoGhost::NoOdometry: return "the robot reports no odometry";
-    case NoGhost::TooFar: return "the robot has driven too far since the last estimate";
-    case NoGhost::TooUncertain: return "the last estimate has become too uncertain";
-    case NoGhost::Tilted: return "the robot has tilted too much since the last estimate";
-    case NoGhost::Turned: return "the robot has turned since the last estimate";
+    case NoGhost::NoOdometry: return TR_NOOP("core", "the robot reports no odometry").english;
+    case NoGhost::TooFar:
+        return TR_NOOP("core", "the robot has driven too far since the last estimate").english;
+    case NoGhost::TooUncertain:
+        return TR_NOOP("core", "the last estimate has become too uncertain").english;
+    case NoGhost::Tilted:
+        return TR_NOOP("core", "the robot has tilted too much since the last estimate").english;
+    case NoGhost::Turned:
+        return TR_NOOP("core", "the robot has turned since the last estimate").english;
     case NoGhost::Unheard:
-        return "telemetry was missing for a while, in which the robot may have moved";
-    case NoGhost::NothingLeft: return "nothing of the last estimate is left in view";
+        return TR_NOOP("core",
+                       "telemetry was missing for a while, in which the robot may have moved")
+            .english;
+    case NoGhost::NothingLeft:
+        return TR_NOOP("core", "nothing of the last estimate is left in view").english;
     }
     throw std::invalid_argument("describe: no such NoGhost");
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/base/message.h"
 #include "core/infer/estimate/contradiction.h"
 
 namespace terratact {
@@ -118,14 +119,22 @@ std::string_view name(StepVerdict stepVerdict)
 std::string describe(WithholdReason reason)
 {
     switch (reason) {
-    case WithholdReason::Stale: return "no live telemetry, the robot may have moved";
-    case WithholdReason::Unheard: return "the link was lost, the robot may have moved";
-    case WithholdReason::NotConverged: return "the chains have not converged";
-    case WithholdReason::UnlikeTraining: return "the scene is unlike all training";
-    case WithholdReason::Roll: return "the robot rolls, left and right ground differ";
-    case WithholdReason::Asymmetry: return "the flippers differ, left and right ground differ";
-    case WithholdReason::SensorFault: return "a sensor may lie, see the alarms";
-    case WithholdReason::Contradiction: return std::string(kContradictsReadings);
+    case WithholdReason::Stale:
+        return TR_NOOP("core", "no live telemetry, the robot may have moved").english;
+    case WithholdReason::Unheard:
+        return TR_NOOP("core", "the link was lost, the robot may have moved").english;
+    case WithholdReason::NotConverged:
+        return TR_NOOP("core", "the chains have not converged").english;
+    case WithholdReason::UnlikeTraining:
+        return TR_NOOP("core", "the scene is unlike all training").english;
+    case WithholdReason::Roll:
+        return TR_NOOP("core", "the robot rolls, left and right ground differ").english;
+    case WithholdReason::Asymmetry:
+        return TR_NOOP("core", "the flippers differ, left and right ground differ").english;
+    case WithholdReason::SensorFault:
+        return TR_NOOP("core", "a sensor may lie, see the alarms").english;
+    case WithholdReason::Contradiction:
+        return TR_NOOP("core", "the estimate contradicts the readings").english;
     }
     throw std::invalid_argument("describe: no such WithholdReason");
 }
@@ -148,9 +157,12 @@ std::string describe(Shortfall shortfall)
 {
     switch (shortfall) {
     case Shortfall::None: return {};
-    case Shortfall::NothingFelt: return "the front flippers press on nothing";
-    case Shortfall::ShortHorizon: return "the front flippers reach further than they press";
-    case Shortfall::Spanned: return "the front flippers span ground that they do not press";
+    case Shortfall::NothingFelt:
+        return TR_NOOP("core", "the front flippers press on nothing").english;
+    case Shortfall::ShortHorizon:
+        return TR_NOOP("core", "the front flippers reach further than they press").english;
+    case Shortfall::Spanned:
+        return TR_NOOP("core", "the front flippers span ground that they do not press").english;
     }
     throw std::invalid_argument("describe: no such Shortfall");
 }
@@ -159,8 +171,8 @@ std::string describe(Help help)
 {
     switch (help) {
     case Help::Nothing: return {};
-    case Help::Flatten: return "lay the front flippers flatter";
-    case Help::DriveOn: return "drive on 0.1 m and explore again";
+    case Help::Flatten: return TR_NOOP("core", "lay the front flippers flatter").english;
+    case Help::DriveOn: return TR_NOOP("core", "drive on 0.1 m and explore again").english;
     }
     throw std::invalid_argument("describe: no such Help");
 }

@@ -2,27 +2,29 @@
 
 #include <stdexcept>
 
+#include "core/base/message.h"
+
 namespace terratact {
 namespace {
 
 constexpr std::size_t kFirstForce = indexOf(Sensor::Force1);
-constexpr std::array kNames{"pitch angle",
-                            "roll angle",
-                            "front left flipper angle",
-                            "front right flipper angle",
-                            "rear left flipper angle",
-                            "rear right flipper angle",
-                            "front left flipper current",
-                            "front right flipper current",
-                            "rear left flipper current",
-                            "rear right flipper current",
-                            "force 1",
-                            "force 2",
-                            "force 3",
-                            "force 4",
-                            "force 5",
-                            "force 6",
-                            "track odometry"};
+constexpr std::array kNames{TR_NOOP("core", "pitch angle"),
+                            TR_NOOP("core", "roll angle"),
+                            TR_NOOP("core", "front left flipper angle"),
+                            TR_NOOP("core", "front right flipper angle"),
+                            TR_NOOP("core", "rear left flipper angle"),
+                            TR_NOOP("core", "rear right flipper angle"),
+                            TR_NOOP("core", "front left flipper current"),
+                            TR_NOOP("core", "front right flipper current"),
+                            TR_NOOP("core", "rear left flipper current"),
+                            TR_NOOP("core", "rear right flipper current"),
+                            TR_NOOP("core", "force 1"),
+                            TR_NOOP("core", "force 2"),
+                            TR_NOOP("core", "force 3"),
+                            TR_NOOP("core", "force 4"),
+                            TR_NOOP("core", "force 5"),
+                            TR_NOOP("core", "force 6"),
+                            TR_NOOP("core", "track odometry")};
 static_assert(kNames.size() == kSensors);
 
 /// Returns pitch to rear right current, in the order of Sensor.
@@ -54,7 +56,7 @@ SensorKind kindOf(Sensor sensor)
 
 std::string_view describe(Sensor sensor)
 {
-    return kNames.at(indexOf(sensor));
+    return kNames.at(indexOf(sensor)).english;
 }
 
 SensorReadings readingsOf(const Measurement& m)
