@@ -53,14 +53,24 @@ EdgePressure::EdgePressure(const RobotModel& robot, const Loads& force,
         constant_[e] = moments.constant;
         linear_[e] = moments.linear;
     }
+    tipSinks_ = tipExceeds(fitWithout(kTip));
     const Fit all = fitWithout(kNone);
     a_ = all.a;
     b_ = all.b;
     even_ = all.count >= 3 && agrees(all);
 }
 
+/// Returns true if element 6 exceeds what a fit to the other elements predicts.
+bool EdgePressure::tipExceeds(const Fit& others) const
+{
+    if (others.count < 2 || !loaded_[kTip] || !force_[kTip]) return false;
+    const double expected = predicted(others, kTip);
+    return *force_[kTip] > expected + kTipSinksSd * sdOf(others, kTip, expected);
+}
+
 bool EdgePressure::isFitted(std::size_t element) const
 {
+    if (element == kTip && tipSinks_) return false;
     return loaded_[element] && force_[element] && *force_[element] < saturation_;
 }
 
@@ -93,12 +103,27 @@ double EdgePressure::predicted(const Fit& fit, std::size_t element) const
     return constant_[element] * fit.a + linear_[element] * fit.b;
 }
 
+/// Returns the sd of an element's force about `expected`: its own noise and that of the fit.
+double EdgePressure::sdOf(const Fit& fit, std::size_t element, double expected) const
+{
+    const double c = constant_[element], l = linear_[element];
+    const double ofFit = c * c * fit.varA + 2.0 * c * l * fit.covariance + l * l * fit.varB;
+    return std::sqrt(ofFit + variance(expected));
+}
+
+double EdgePressure::allowedSd(std::size_t element) const
+{
+    if (element == 0) return tipSinks_ ? kFirstElementOnSoftSd : kFirstElementSd;
+    return element == kTip ? kLastElementSd : kOtherElementSd;
+}
+
 bool EdgePressure::agrees(const Fit& fit) const
 {
     double chiSquared = 0.0;
     for (std::size_t e = 0; e < force_.size(); ++e) {
         const double expected = predicted(fit, e);
-        const bool above = loaded_[e] && force_[e] && expected < *force_[e];
+        const bool saturated = loaded_[e] && force_[e] && *force_[e] >= saturation_;
+        const bool above = saturated && expected < *force_[e] && !(e == kTip && tipSinks_);
         if (!isFitted(e) && !above) continue;
         chiSquared += (*force_[e] - expected) * (*force_[e] - expected) / variance(expected);
     }
@@ -107,18 +132,14 @@ bool EdgePressure::agrees(const Fit& fit) const
 
 bool EdgePressure::hasItsShare(std::size_t element) const
 {
-    if (!force_[element]) return true;
+    if (!force_[element] || (element == kTip && tipSinks_)) return true;
     const Fit others = fitWithout(element);
     if (others.count < 2) return false;
-    const double c = constant_[element], l = linear_[element];
     const double whole = predicted(others, element);
     if (element == 0 && whole > kMaxSaturation * saturation_) return false;
     const double expected = std::min(whole, saturation_);
-    const double ofFit =
-        c * c * others.varA + 2.0 * c * l * others.covariance + l * l * others.varB;
-    const double sd = std::sqrt(ofFit + variance(expected));
-    const double allowed = element == 0 ? kFirstElementSd : kOtherElementSd;
-    return *force_[element] >= expected - allowed * sd;
+    const double sd = sdOf(others, element, expected);
+    return *force_[element] >= expected - allowedSd(element) * sd;
 }
 
 }  // namespace terratact

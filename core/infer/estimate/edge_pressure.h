@@ -15,9 +15,15 @@ inline constexpr double kForceSdFloor = 0.3;
 
 /// An element that reads this many sd less than the others predict does not rest on even ground.
 /// Element 1 also carries the stretch between the pivot and itself. A gap in that stretch shows in
-/// element 1 alone.
+/// element 1 alone. A fall behind the last bin that the flippers cover takes load from element 6
+/// alone.
 inline constexpr double kFirstElementSd = 0.85;
+inline constexpr double kFirstElementOnSoftSd = 0.0;  ///< where the tip sinks in
+inline constexpr double kLastElementSd = 1.5;
 inline constexpr double kOtherElementSd = 3.0;
+
+/// The tip sinks in where element 6 reads this many sd more than the others predict.
+inline constexpr double kTipSinksSd = 1.0;
 
 /// A saturated element 1 says nothing where the others predict more than this multiple of
 /// saturation.
@@ -30,7 +36,8 @@ inline constexpr double kMaxSaturation = 2.0;
 /// The elements share the load like the supports of a beam: element e reads ∫ w_e(u) p(u) du. w_e
 /// falls linearly from 1 at its own place to 0 at its neighbours' places. Elements 1 and 6 carry
 /// all load beyond them. a and b are the weighted least squares over the loaded elements below
-/// saturation.
+/// saturation. On soft ground the tip's circle sinks in, too, and adds to element 6. An element 6
+/// that exceeds the others' prediction by kTipSinksSd is therefore not part of the fit.
 class EdgePressure {
 public:
     using Loads = std::array<std::optional<double>, kForceElements>;  ///< [N]
@@ -46,9 +53,10 @@ public:
     bool isEven() const { return even_; }
 
     /// Returns true if the element carries what a fit to the other loaded elements predicts. The
-    /// tolerance is the noise of both (kFirstElementSd, kOtherElementSd). A prediction above
-    /// saturation counts as saturation, for element 1 up to kMaxSaturation. Returns true for an
-    /// element without a force, and false where fewer than two others are loaded.
+    /// tolerance is the noise of both, times the constants above. A prediction above saturation
+    /// counts as saturation, for element 1 up to kMaxSaturation. Returns true for an element
+    /// without a force, and for element 6 where the tip sinks in. Returns false where fewer than
+    /// two others are loaded.
     bool hasItsShare(std::size_t element) const;
 
     /// Returns p(u) [N]: the load of the whole edge if the pressure were p(u) everywhere; 0 if
@@ -62,9 +70,13 @@ private:
         int count = 0;
     };
     static constexpr std::size_t kNone = kForceElements;
+    static constexpr std::size_t kTip = kForceElements - 1;
 
     Fit fitWithout(std::size_t element) const;
+    bool tipExceeds(const Fit& others) const;
     double predicted(const Fit& fit, std::size_t element) const;
+    double sdOf(const Fit& fit, std::size_t element, double expected) const;
+    double allowedSd(std::size_t element) const;
     bool agrees(const Fit& fit) const;
     bool isFitted(std::size_t element) const;
 
@@ -73,6 +85,7 @@ private:
     std::array<double, kForceElements> constant_{}, linear_{};  ///< ∫ w_e du, ∫ w_e u du
     double saturation_;
     double a_ = 0.0, b_ = 0.0;
+    bool tipSinks_ = false;
     bool even_ = false;
 };
 

@@ -52,8 +52,8 @@ inline constexpr double kLoadShare = 0.2;
 inline constexpr double kPressedWithin = 0.015;
 
 /// A bin may begin this far behind the flippers' edge [m], under the pivot, where no element is.
-/// On level ground it is 0 m at a pitch of 0, and 0.02 m at a pitch of 0.15 rad.
-inline constexpr double kUnsensedWithin = 0.02;
+/// On level ground it is 0 m at a pitch of 0, and 0.01 m at a pitch of 0.07 rad.
+inline constexpr double kUnsensedWithin = 0.01;
 
 /// Touch of every bin as the force elements of the front flippers tell it.
 struct PressedBins {

@@ -22,10 +22,14 @@ const RobotModel& robotOnEdge()
     return robot;
 }
 
+/// Soft ground: the robot sinks in by about 15 mm.
+constexpr GroundOptions kSoft{.softLayer = 0.025, .softStiffness = 110.0};
+
 /// Readings without noise, front flippers pressed by 20 N m, rear flippers up.
-Proprioception readingsOver(const TerrainProfile& terrain)
+Proprioception readingsOver(const TerrainProfile& terrain, const GroundOptions& ground = {})
 {
-    const auto rest = restPose(robotOnEdge(), terrain, kRobotAt, PressTorque{20.0}, HoldAngle{0.5});
+    const auto rest =
+        restPose(robotOnEdge(), terrain, kRobotAt, PressTorque{20.0}, HoldAngle{0.5}, 0.0, ground);
     return exactReadings(robotOnEdge(), *rest);
 }
 
@@ -40,9 +44,9 @@ TerrainProfile holeAhead(double begin, double end)
     return std::move(path).finish(6.0);
 }
 
-EdgePressure pressureOver(const TerrainProfile& terrain)
+EdgePressure pressureOver(const TerrainProfile& terrain, const GroundOptions& ground = {})
 {
-    return {robotOnEdge(), readingsOver(terrain).force, kAllLoaded};
+    return {robotOnEdge(), readingsOver(terrain, ground).force, kAllLoaded};
 }
 
 TEST(EdgePressure, isLinearOverEvenGround)
@@ -83,6 +87,31 @@ TEST(EdgePressure, holeUnderThePivotTakesFromElementOne)
     const EdgePressure pressure = pressureOver(holeAhead(0.10, 0.29));
     EXPECT_FALSE(pressure.hasItsShare(0));
     EXPECT_TRUE(pressure.hasItsShare(4));
+}
+
+TEST(EdgePressure, tipThatSinksInLeavesGroundEven)
+{
+    const EdgePressure pressure = pressureOver(flatTerrain(6.0), kSoft);
+    EXPECT_TRUE(pressure.isEven());
+    for (std::size_t e = 0; e < kForceElements; ++e) EXPECT_TRUE(pressure.hasItsShare(e)) << e;
+    const auto force = readingsOver(flatTerrain(6.0), kSoft).force;
+    EXPECT_GT(*force[5], 0.6 * *force[4]) << "the tip's circle adds to half a share";
+}
+
+TEST(EdgePressure, holeUnderTheFlipperIsUnevenOnSoftGround)
+{
+    EXPECT_FALSE(pressureOver(holeAhead(0.38, 0.46), kSoft).isEven());
+}
+
+TEST(EdgePressure, lightTipIsShort)
+{
+    const auto tipOf = [](double force) {
+        const EdgePressure::Loads loads{10.0, 7.5, 7.5, 7.5, 7.5, force};
+        return EdgePressure(robotOnEdge(), loads, kAllLoaded).hasItsShare(5);
+    };
+    EXPECT_TRUE(tipOf(3.7));  // half a share
+    EXPECT_TRUE(tipOf(9.0));
+    EXPECT_FALSE(tipOf(2.0));
 }
 
 TEST(EdgePressure, needsThreeLoadedElements)
@@ -127,8 +156,8 @@ TEST(EdgePressure, holeThatEndsUnderTheTracksIsNotFelt)
 
 TEST(EdgePressure, steepSlopeHidesGroundUnderThePivot)
 {
-    EXPECT_EQ(firstBinAheadOf(slopeTerrain(0.05, 0.5, 6.0)), Touch::Felt);
-    EXPECT_NE(firstBinAheadOf(slopeTerrain(0.25, 0.5, 6.0)), Touch::Felt);
+    EXPECT_EQ(firstBinAheadOf(slopeTerrain(0.03, 0.5, 6.0)), Touch::Felt);
+    EXPECT_NE(firstBinAheadOf(slopeTerrain(0.06, 0.5, 6.0)), Touch::Felt);
 }
 
 }  // namespace
