@@ -196,7 +196,7 @@ void addHazards(CLI::App& app, Job& job)
     const auto o = std::make_shared<HazardsOptions>();
     addRobot(*c, o->robot);
     addModel(*c, o->model);
-    addNumber(*c, "--drives", o->drives, "Drives per kind of hazard and ground")
+    addNumber(*c, "--drives", o->drives, "Drives per kind of hazard, ground and press")
         ->check(CLI::Range(1, 10'000));
     addNumber(*c, "--step-limit", o->stepLimit,
               "Ground that rises or falls by more within two bins is a step [m]")

@@ -9,47 +9,10 @@
 
 #include "app/runtime/parallel.h"
 #include "core/infer/verdict/verdict.h"
-#include "core/sim/drive.h"
-#include "core/sim/random_terrain.h"
-#include "core/sim/terrain_shapes.h"
 #include "core/terrain/step.h"
 
 namespace terratact {
 namespace {
-
-constexpr double kStops = 0.1;       // [m] distance between two scenes
-constexpr double kBefore = 1.0;      // [m] judged ground before the hazard
-constexpr double kBehind = 0.5;      // [m] ground behind the latest start of the hazard
-constexpr double kFirstStop = 0.65;  // [m] see stopsOver()
-constexpr double kSpeed = 0.3;       // [m/s] speed of driveOver()
-
-struct Ground {
-    std::string_view name;
-    double roughness;  // [m³] G(n₀) of ISO 8608
-};
-constexpr std::array kGrounds{Ground{"level", 0.0}, Ground{"class A", 16e-6},
-                              Ground{"class C", 256e-6}};
-
-/// Drives once and returns the scenes near the hazard, with exact truth.
-std::vector<Scene> driveOnce(const RobotModel& robot, const Ground& ground,
-                             std::optional<Hazard> hazard, std::mt19937_64& rng)
-{
-    const TerrainProfile terrain = hazard ? randomHazardTerrain(*hazard, ground.roughness, rng)
-                                 : ground.roughness > 0.0
-                                     ? isoRoughness(ground.roughness, kRandomTerrainLength, rng)
-                                     : flatTerrain(kRandomTerrainLength);
-    DriveConditions conditions;
-    conditions.noise.height = 0.0;
-    const DriveStyle style = randomDriveStyle(rng);
-    int skipped = 0;
-    std::vector<Scene> scenes = driveOver(robot, terrain, stopsOver(terrain, kStops), "hazard",
-                                          style, conditions, rng, skipped);
-    std::erase_if(scenes, [](const Scene& scene) {
-        const double x = kFirstStop + kSpeed * scene.time;
-        return x < kHazardBegin - kBefore || x > kHazardEnd + kBehind;
-    });
-    return scenes;
-}
 
 int reachOf(const TerrainEstimate& estimate)
 {
@@ -58,13 +21,6 @@ int reachOf(const TerrainEstimate& estimate)
         if (std::isfinite(estimate.ceiling[static_cast<std::size_t>(bin)]))
             last = std::max(last, bin);
     return last;
-}
-
-bool isFeltTo(const TerrainEstimate& estimate, int last)
-{
-    for (int bin = kFirstAhead; bin <= last; ++bin)
-        if (estimate.touch[static_cast<std::size_t>(bin)] != Touch::Felt) return false;
-    return true;
 }
 
 void countBands(const TerrainEstimate& estimate, const Heights& truth, VerdictCounts& counts)
@@ -83,19 +39,19 @@ void countBands(const TerrainEstimate& estimate, const Heights& truth, VerdictCo
     }
 }
 
-VerdictCounts judge(const Scene& scene, const TerrainEstimate& estimate, double stepLimit)
+VerdictCounts judge(const HazardScene& driven, const TerrainEstimate& estimate, double stepLimit)
 {
     Heights truth{};
-    for (std::size_t i = 0; i < kBins; ++i) truth[i] = scene.truth[i].value();
-    const Verdict verdict = verdictOf(estimate, scene.s, stepLimit);
+    for (std::size_t i = 0; i < kBins; ++i) truth[i] = driven.scene.truth[i].value();
+    const Verdict verdict = verdictOf(estimate, driven.scene.s, stepLimit);
     const auto horizon =
         static_cast<int>(std::lround((verdict.horizon - binBegin(0)) / kBinWidth)) - 1;
     const int reach = reachOf(estimate);
     const bool clear = verdict.stepVerdict == StepVerdict::Clear;
     const bool stepAhead = hasStep(truth, stepLimit, kFirstAhead, kBins - 1);
     const bool stepBefore = clear && hasStep(truth, stepLimit, kFirstAhead, horizon);
-    const bool flat = !hasStep(truth, stepLimit, kFirstAhead, reach);
-    const bool felt = flat && isFeltTo(estimate, reach);
+    const bool flat = isFlatTo(truth, stepLimit, reach);
+    const bool pressed = flat && isPressedTo(driven.contacts, reach);
     VerdictCounts c;
     c.scenes = 1;
     c.withStep = stepAhead ? 1 : 0;
@@ -105,48 +61,74 @@ VerdictCounts judge(const Scene& scene, const TerrainEstimate& estimate, double 
     c.overlooked = clear && stepAhead && !stepBefore ? 1 : 0;
     c.flat = flat ? 1 : 0;
     c.flatClear = flat && clear ? 1 : 0;
-    c.felt = felt ? 1 : 0;
-    c.feltClear = felt && clear ? 1 : 0;
+    c.pressed = pressed ? 1 : 0;
+    c.pressedClear = pressed && clear ? 1 : 0;
     countBands(estimate, truth, c);
     return c;
 }
 
+constexpr std::string_view kNoHazard = "none";
+
+/// What one drive is like.
+struct DriveKind {
+    std::size_t ground = 0;  ///< index into kHazardGrounds
+    std::optional<Hazard> hazard;
+    PressStyle style = PressStyle::Random;
+};
+
+/// The console's press is tried with the last rate alone.
+std::vector<double> ratesOf(const HazardTrial& trial, PressStyle style)
+{
+    if (style == PressStyle::Random) return trial.rates;
+    return {trial.rates.back()};
+}
+
 /// Returns the counts of one drive for each rate.
 std::vector<VerdictCounts> judgeDrive(const EstimatorBundle& bundle, const HazardTrial& trial,
-                                      const Ground& ground, std::optional<Hazard> hazard,
-                                      std::uint64_t seed)
+                                      const DriveKind& kind, std::uint64_t seed)
 {
     std::mt19937_64 rng(seed);
-    std::vector<VerdictCounts> counts(trial.rates.size());
-    for (const Scene& scene : driveOnce(bundle.robot, ground, hazard, rng))
-        for (std::size_t r = 0; r < trial.rates.size(); ++r) {
+    const std::vector<double> rates = ratesOf(trial, kind.style);
+    std::vector<VerdictCounts> counts(rates.size());
+    const auto scenes =
+        driveTowards(bundle.robot, kHazardGrounds[kind.ground], kind.hazard, kind.style, rng);
+    for (const HazardScene& driven : scenes)
+        for (std::size_t r = 0; r < rates.size(); ++r) {
             Settings settings = trial.settings;
-            settings.hazardRate = trial.rates[r];
-            const SceneEstimate result = estimateScene(scene, bundle, settings);
+            settings.hazardRate = rates[r];
+            const SceneEstimate result = estimateScene(driven.scene, bundle, settings);
             if (!result.estimate) {
                 ++counts[r].failed;
                 continue;
             }
-            counts[r] += judge(scene, *result.estimate, trial.stepLimit);
+            counts[r] += judge(driven, *result.estimate, trial.stepLimit);
         }
     return counts;
 }
 
-void addLines(const EstimatorBundle& bundle, const HazardTrial& trial, std::size_t ground,
-              std::optional<Hazard> hazard, std::vector<HazardLine>& lines)
+/// No two kinds of drives share a seed.
+std::uint64_t seedOf(const HazardTrial& trial, const DriveKind& kind)
 {
-    const std::size_t kind = hazard ? static_cast<std::size_t>(*hazard) + 1 : 0;
+    const std::size_t hazard = kind.hazard ? static_cast<std::size_t>(*kind.hazard) + 1 : 0;
+    const std::size_t style = kind.style == PressStyle::Random ? 0 : kHazards.size() + 1;
+    return trial.seed * 10'000'019
+         + ((style + hazard) * kHazardGrounds.size() + kind.ground) * 10'007;
+}
+
+void addLines(const EstimatorBundle& bundle, const HazardTrial& trial, const DriveKind& kind,
+              std::vector<HazardLine>& lines)
+{
     std::vector<std::vector<VerdictCounts>> drives(static_cast<std::size_t>(trial.drives));
     parallelFor(trial.drives, [&](int k) {
         const auto drive = static_cast<std::size_t>(k);
-        const std::uint64_t seed =
-            trial.seed * 1'000'003 + (kind * kGrounds.size() + ground) * 10'007 + drive;
-        drives[drive] = judgeDrive(bundle, trial, kGrounds[ground], hazard, seed);
+        drives[drive] = judgeDrive(bundle, trial, kind, seedOf(trial, kind) + drive);
     });
-    for (std::size_t r = 0; r < trial.rates.size(); ++r) {
-        HazardLine line{std::string(kGrounds[ground].name),
-                        hazard ? std::string(name(*hazard)) : std::string("none"),
-                        trial.rates[r],
+    const std::vector<double> rates = ratesOf(trial, kind.style);
+    for (std::size_t r = 0; r < rates.size(); ++r) {
+        HazardLine line{std::string(kHazardGrounds[kind.ground].name),
+                        kind.hazard ? std::string(name(*kind.hazard)) : std::string(kNoHazard),
+                        kind.style,
+                        rates[r],
                         {}};
         for (const auto& counts : drives) line.counts += counts[r];
         lines.push_back(std::move(line));
@@ -161,22 +143,63 @@ double share(std::size_t part, std::size_t whole, double of)
 std::string tableLine(const std::string& what, const VerdictCounts& c)
 {
     return fmt::format(
-        "{:<20} {:>6} {:>6} {:>7} {:>6} {:>6} {:>7.2f} {:>6.0f} {:>6} {:>6.0f} {:>6.1f} {:>6.1f}\n",
+        "{:<20} {:>6} {:>6} {:>7} {:>6} {:>6} {:>7.2f} {:>6} {:>6.0f} {:>6} {:>6.0f} "
+        "{:>6.1f} {:>6.1f}\n",
         what, c.scenes, c.withStep, c.blocked, c.clear, c.falseClear,
-        share(c.falseClear, c.withStep, 1000.0), share(c.flatClear, c.flat, 100.0), c.felt,
-        share(c.feltClear, c.felt, 100.0), share(c.feltCovered, c.feltBins, 100.0),
+        share(c.falseClear, c.withStep, 1000.0), c.flat, share(c.flatClear, c.flat, 100.0),
+        c.pressed, share(c.pressedClear, c.pressed, 100.0), share(c.feltCovered, c.feltBins, 100.0),
         share(c.unfeltCovered, c.unfeltBins, 100.0));
 }
 
-constexpr std::string_view kHead = "                     scenes   step BLOCKED  CLEAR  false  per "
-                                   "1k  flat%   felt  felt% felt80  unf80\n";
+constexpr std::string_view kHead =
+    "                     scenes   step BLOCKED  CLEAR  false  per 1k   flat  "
+    "flat%  press press% felt80  unf80\n";
 
-VerdictCounts total(std::span<const HazardLine> lines, double rate, std::string_view ground)
+constexpr std::string_view kLegend = R"(
+random press: 12 to 24 N m, rear flippers -15 to 40 degrees; press of the console: 18 N m, rear flippers 11 degrees
+step: a true step ahead; false: CLEAR with a true step before its horizon, per 1k of the scenes with a step ahead
+flat: the true ground from the rear bin to the front flippers' reach is flat, flat%: CLEAR of these scenes
+press: of the flat scenes, those in which the simulated robot truly presses on all the ground ahead up to that reach
+(no stretch above 0.05 m without a contact force), press%: CLEAR of these scenes
+felt80, unf80: cover of the 80 % bands of felt bins, and of bins ahead that are not felt [%]
+)";
+
+/// Which lines a total sums up.
+struct Selection {
+    PressStyle style = PressStyle::Random;
+    double rate = 0.0;
+    std::string_view ground = {};  ///< empty: all
+    std::string_view hazard = {};  ///< empty: all
+};
+
+bool isSelected(const HazardLine& line, const Selection& selection)
+{
+    return line.style == selection.style && line.rate == selection.rate
+        && (selection.ground.empty() || line.ground == selection.ground)
+        && (selection.hazard.empty() || line.hazard == selection.hazard);
+}
+
+std::string totalLine(std::span<const HazardLine> lines, const std::string& what,
+                      const Selection& selection)
 {
     VerdictCounts sum;
     for (const HazardLine& line : lines)
-        if (line.rate == rate && (ground.empty() || line.ground == ground)) sum += line.counts;
-    return sum;
+        if (isSelected(line, selection)) sum += line.counts;
+    return tableLine(what, sum);
+}
+
+/// Totals of each ground, first of the scenes without hazards, then of all.
+std::string totals(std::span<const HazardLine> lines, PressStyle style, double rate)
+{
+    std::string text(kHead);
+    for (const std::string_view hazard : {kNoHazard, std::string_view{}}) {
+        const std::string suffix = hazard.empty() ? "" : ", none";
+        for (const HazardGround& ground : kHazardGrounds)
+            text += totalLine(lines, std::string(ground.name) + suffix,
+                              {style, rate, ground.name, hazard});
+        text += totalLine(lines, "all" + suffix, {style, rate, {}, hazard});
+    }
+    return text;
 }
 
 std::vector<double> ratesOf(std::span<const HazardLine> lines)
@@ -200,8 +223,8 @@ VerdictCounts& VerdictCounts::operator+=(const VerdictCounts& o)
     overlooked += o.overlooked;
     flat += o.flat;
     flatClear += o.flatClear;
-    felt += o.felt;
-    feltClear += o.feltClear;
+    pressed += o.pressed;
+    pressedClear += o.pressedClear;
     feltBins += o.feltBins;
     feltCovered += o.feltCovered;
     unfeltBins += o.unfeltBins;
@@ -212,32 +235,27 @@ VerdictCounts& VerdictCounts::operator+=(const VerdictCounts& o)
 std::vector<HazardLine> tryHazards(const EstimatorBundle& bundle, const HazardTrial& trial)
 {
     std::vector<HazardLine> lines;
-    for (std::size_t ground = 0; ground < kGrounds.size(); ++ground) {
-        addLines(bundle, trial, ground, std::nullopt, lines);
-        for (const Hazard hazard : kHazards) addLines(bundle, trial, ground, hazard, lines);
-    }
+    for (const PressStyle style : {PressStyle::Random, PressStyle::Console})
+        for (std::size_t ground = 0; ground < kHazardGrounds.size(); ++ground) {
+            addLines(bundle, trial, {ground, std::nullopt, style}, lines);
+            for (const Hazard hazard : kHazards)
+                addLines(bundle, trial, {ground, hazard, style}, lines);
+        }
     return lines;
 }
 
 std::string hazardTable(std::span<const HazardLine> lines, double rate)
 {
-    std::string text = fmt::format("rate {} per unfelt bin\n{}", rate, kHead);
+    std::string text = fmt::format("random press, rate {} per unfelt bin\n{}", rate, kHead);
     for (const HazardLine& line : lines)
-        if (line.rate == rate) text += tableLine(line.ground + ", " + line.hazard, line.counts);
-    for (const double each : ratesOf(lines)) {
-        text += fmt::format("\nall hazards, rate {} per unfelt bin\n{}", each, kHead);
-        for (const Ground& ground : kGrounds)
-            text += tableLine(std::string(ground.name), total(lines, each, ground.name));
-        text += tableLine("all", total(lines, each, {}));
-    }
-    return text
-         + "\nstep: a true step ahead; false: CLEAR with a true step before its horizon, per 1k of "
-           "these scenes; "
-           "flat%: CLEAR of\nthe scenes without a true step up to the front flippers' reach; felt: "
-           "of these, those "
-           "felt up to the reach, felt%: CLEAR\nof them; felt80, unf80: cover of the 80 % bands of "
-           "felt bins, and "
-           "of bins ahead that are not felt [%]\n";
+        if (isSelected(line, {PressStyle::Random, rate}))
+            text += tableLine(line.ground + ", " + line.hazard, line.counts);
+    for (const double each : ratesOf(lines))
+        text += fmt::format("\nrandom press, totals, rate {} per unfelt bin\n{}", each,
+                            totals(lines, PressStyle::Random, each));
+    text += fmt::format("\npress of the console, totals, rate {} per unfelt bin\n{}", rate,
+                        totals(lines, PressStyle::Console, rate));
+    return text.append(kLegend);
 }
 
 }  // namespace terratact

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "app/modelling/hazard_scenes.h"
 #include "app/modelling/scene_estimates.h"
-#include "core/sim/hazard_terrain.h"
 
 namespace terratact {
 
 /// Ground and settings of a trial of the verdict before hazards.
 struct HazardTrial {
-    int drives = 40;          ///< number per kind of hazard and roughness, and without hazard
+    int drives = 40;  ///< number per ground, press style and kind of hazard, and without hazard
     std::uint64_t seed = 1;   ///< seed of ground, drives and noise
     double stepLimit = 0.10;  ///< [m] obstacle height, see hasStep()
     Settings settings;        ///< options of the estimates; `rates` replaces the hazard rate
@@ -24,11 +24,10 @@ struct VerdictCounts {
     std::size_t scenes = 0, failed = 0;
     std::size_t withStep = 0;  ///< scenes with a true step ahead (bins kFirstAhead … 10)
     std::size_t clear = 0, blocked = 0;
-    std::size_t falseClear = 0;           ///< CLEAR with a true step before the felt horizon
-    std::size_t overlooked = 0;           ///< CLEAR with a true step beyond the felt horizon
-    std::size_t flat = 0, flatClear = 0;  ///< no true step within the front flippers' reach
-    std::size_t felt = 0,
-                feltClear = 0;  ///< subset of flat scenes with every bin within reach felt
+    std::size_t falseClear = 0;                 ///< CLEAR with a true step before the felt horizon
+    std::size_t overlooked = 0;                 ///< CLEAR with a true step beyond the felt horizon
+    std::size_t flat = 0, flatClear = 0;        ///< isFlatTo() the front flippers' reach
+    std::size_t pressed = 0, pressedClear = 0;  ///< of these: isPressedTo() that reach
     std::size_t feltBins = 0, feltCovered = 0;  ///< felt bins; those with truth in the 80 % band
     std::size_t unfeltBins = 0,
                 unfeltCovered = 0;  ///< bins ahead not felt; those with truth in the 80 % band
@@ -38,18 +37,19 @@ struct VerdictCounts {
 
 /// One row of the result.
 struct HazardLine {
-    std::string ground;  ///< "level", "class A", "class C"
+    std::string ground;  ///< name of kHazardGrounds
     std::string hazard;  ///< "none", or name of the hazard
+    PressStyle style = PressStyle::Random;
     double rate = 0.0;
     VerdictCounts counts;
 };
 
 /// Drives the simulated robot over ground outside the training data (core/sim/hazard_terrain.h). Every 0.1 m it
-/// estimates a scene and judges its verdict. Ground is level or has roughness of ISO 8608 classes A and C. Rows are
-/// ordered by ground, hazard and rate.
+/// estimates a scene and judges its verdict. The grounds are kHazardGrounds. Rows are ordered by press style, ground,
+/// hazard and rate; the console's press is tried with the last rate alone.
 std::vector<HazardLine> tryHazards(const EstimatorBundle& bundle, const HazardTrial& trial);
 
-/// Returns a table for the terminal: rows of one rate by ground and hazard, totals per rate.
+/// Returns a table for the terminal: rows of one rate by ground and hazard, totals per rate and press style.
 std::string hazardTable(std::span<const HazardLine> lines, double rate);
 
 }  // namespace terratact

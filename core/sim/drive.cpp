@@ -38,6 +38,7 @@ public:
         const auto rest = restNear(x);
         if (!rest) return std::nullopt;
         pitch = rest->pose.pitch;
+        if (conditions_.rested) conditions_.rested(*rest);
         const Heights truth = binHeights(terrain_, imuPosition(robot_, rest->pose));
         const Proprioception readings =
             noisy(exactReadings(robot_, *rest), conditions_.noise, robot_.forceSaturation, rng);

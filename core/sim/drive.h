@@ -29,6 +29,8 @@ struct DriveConditions {
     GroundOptions ground{};
     /// Changes a noisy reading before it is recorded; empty: no change.
     std::function<Proprioception(const Proprioception&)> reading{};
+    /// Receives the rest pose of every scene, before its readings get their noise; empty: nobody does.
+    std::function<void(const RestPose&)> rested{};
     /// Largest slide at a stop towards less energy [m]; 0: friction holds the robot.
     double slide = 0.0;
 };

@@ -1,0 +1,87 @@
+#include "app/modelling/hazard_scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "core/robot/kinematics.h"
+#include "core/sim/drive.h"
+#include "core/sim/random_terrain.h"
+#include "core/sim/terrain_shapes.h"
+#include "core/terrain/step.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kStops = 0.1;       // [m] distance between two scenes
+constexpr double kBefore = 1.0;      // [m] judged ground before the hazard
+constexpr double kBehind = 0.5;      // [m] ground behind the latest start of the hazard
+constexpr double kFirstStop = 0.65;  // [m] see stopsOver()
+constexpr double kSpeed = 0.3;       // [m/s] speed of driveOver()
+
+TerrainProfile terrainOf(const HazardGround& ground, std::optional<Hazard> hazard,
+                         std::mt19937_64& rng)
+{
+    if (hazard) return randomHazardTerrain(*hazard, ground.roughness, rng);
+    if (ground.roughness > 0.0) return isoRoughness(ground.roughness, kRandomTerrainLength, rng);
+    return flatTerrain(kRandomTerrainLength);
+}
+
+std::vector<double> contactsOf(const RobotModel& robot, const RestPose& rest)
+{
+    const double origin = imuPosition(robot, rest.pose).x;
+    std::vector<double> contacts;
+    for (const GroundContact& contact : rest.contacts) contacts.push_back(contact.point.x - origin);
+    std::ranges::sort(contacts);
+    return contacts;
+}
+
+}  // namespace
+
+std::vector<HazardScene> driveTowards(const RobotModel& robot, const HazardGround& ground,
+                                      std::optional<Hazard> hazard, PressStyle style,
+                                      std::mt19937_64& rng)
+{
+    const TerrainProfile terrain = terrainOf(ground, hazard, rng);
+    std::vector<std::vector<double>> contacts;
+    DriveConditions conditions;
+    conditions.noise.height = 0.0;
+    conditions.rested = [&](const RestPose& rest) { contacts.push_back(contactsOf(robot, rest)); };
+    if (ground.isSoft) conditions.ground = randomSoftGround(rng);
+    const DriveStyle drive = style == PressStyle::Random ? randomDriveStyle(rng) : DriveStyle{};
+    int skipped = 0;
+    std::vector<Scene> scenes = driveOver(robot, terrain, stopsOver(terrain, kStops), "hazard",
+                                          drive, conditions, rng, skipped);
+    std::vector<HazardScene> near;
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+        const double x = kFirstStop + kSpeed * scenes[k].time;
+        if (x >= kHazardBegin - kBefore && x <= kHazardEnd + kBehind)
+            near.push_back({std::move(scenes[k]), std::move(contacts[k])});
+    }
+    return near;
+}
+
+bool isFlatTo(const Heights& truth, double stepLimit, int lastBin)
+{
+    if (hasStep(truth, stepLimit, 0, lastBin)) return false;
+    const double rise = (truth[static_cast<std::size_t>(lastBin)] - truth[0]) / lastBin;
+    for (int bin = 1; bin < lastBin; ++bin)
+        if (std::abs(truth[static_cast<std::size_t>(bin)] - truth[0] - rise * bin) > kFlatWithin)
+            return false;
+    return true;
+}
+
+bool isPressedTo(const std::vector<double>& contacts, int lastBin)
+{
+    double from = binBegin(kFirstAhead);
+    for (const double x : contacts) {
+        if (x < from) continue;
+        if (x >= binEnd(lastBin)) break;
+        if (x - from > kLongestUnpressed) return false;
+        from = x;
+    }
+    return binEnd(lastBin) - from <= kLongestUnpressed;
+}
+
+}  // namespace terratact

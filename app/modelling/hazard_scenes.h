@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <string_view>
+#include <vector>
+
+#include "core/learn/data/scene.h"
+#include "core/robot/robot_model.h"
+#include "core/sim/hazard_terrain.h"
+#include "core/terrain/bins.h"
+
+namespace terratact {
+
+/// Ground on which hazards lie.
+struct HazardGround {
+    std::string_view name;
+    double roughness = 0.0;  ///< G(n₀) of ISO 8608 [m³], see isoRoughness()
+    bool isSoft = false;     ///< see randomSoftGround()
+};
+inline constexpr std::array kHazardGrounds{
+    HazardGround{"level", 0.0, false},      HazardGround{"class A", 16e-6, false},
+    HazardGround{"class C", 256e-6, false}, HazardGround{"soft", 0.0, true},
+    HazardGround{"soft A", 16e-6, true},    HazardGround{"soft C", 256e-6, true}};
+
+/// How a drive presses its front flippers and holds its rear ones.
+enum class PressStyle : std::uint8_t {
+    Random,  ///< randomDriveStyle()
+    Console  ///< DriveStyle{}: the press torque of the console, rear flippers up a little
+};
+
+/// A scene with exact truth, and where the simulated robot truly pressed on the ground.
+struct HazardScene {
+    Scene scene;
+    std::vector<double> contacts;  ///< x of every contact force [m], DEM frame, ascending
+};
+
+/// Drives once over random ground (core/sim/hazard_terrain.h) and returns a scene every 0.1 m, from 1 m before the
+/// earliest hazard to 0.5 m behind the latest. Without a hazard, the ground has its roughness alone.
+std::vector<HazardScene> driveTowards(const RobotModel& robot, const HazardGround& ground,
+                                      std::optional<Hazard> hazard, PressStyle style,
+                                      std::mt19937_64& rng);
+
+/// True heights of flat ground lie within this distance of a straight line [m].
+inline constexpr double kFlatWithin = 0.02;
+
+/// Returns true if the true ground from the first bin to lastBin is flat: it has no step above stepLimit [m], and its
+/// bins lie within kFlatWithin of the line through the two outer ones.
+bool isFlatTo(const Heights& truth, double stepLimit, int lastBin);
+
+/// A robot that presses leaves no longer stretch without a contact force [m].
+inline constexpr double kLongestUnpressed = 0.05;
+
+/// Returns true if the robot presses on all the ground from bin kFirstAhead to lastBin: no stretch of it longer than
+/// kLongestUnpressed is without a contact.
+bool isPressedTo(const std::vector<double>& contacts, int lastBin);
+
+}  // namespace terratact
