@@ -52,40 +52,6 @@ void addFaults(CLI::App& app, Job& job)
     });
 }
 
-void addGhost(CLI::App& app, Job& job)
-{
-    auto* c = app.add_subcommand(
-        "ghost", "What the last estimate is worth at the next scene of simulated drives");
-    const auto o = std::make_shared<GhostOptions>();
-    o->settings.hazardRate = 0.0;  // compares the model's bands without hazard rate
-    const auto methods = std::make_shared<std::vector<std::string>>();
-    addRobot(*c, o->robot);
-    addModel(*c, o->model);
-    addTerrain(*c, o->terrain, "boxes, varied, or a CSV file of profiles")->capture_default_str();
-    addNumber(*c, "--drives", o->drives, "Drives; of a file every profile, at most so many")
-        ->check(CLI::Range(1, 100'000));
-    addNumber(*c, "--spacing", o->spacing, "Driven between two scenes [m]")
-        ->check(CLI::Range(0.01, 1.0));
-    addNumber(*c, "--step", o->step, "Distance of a file's heights [m]")
-        ->check(CLI::Range(0.001, 1.0));
-    c->add_flag("--blocks", o->blocks,
-                "A file's heights are flat-topped blocks with vertical faces");
-    c->add_option("--methods", *methods, "Methods to compare (default: local and clearance)")
-        ->delimiter(',')
-        ->check(CLI::IsMember({"clearance", "joint", "local"}));
-    addNumber(*c, "--sd-factor", o->sdFactor,
-              "Of the ghost's sd where it is a measurement of the next estimate")
-        ->check(CLI::Range(0.1, 100.0));
-    addNumber(*c, "--seed", o->settings.seed, "Seed of terrain, noise and estimates");
-    c->callback([o, methods, &job] {
-        useShippedRobot(o->robot);
-        useShippedModel(o->model);
-        if (methods->empty()) *methods = {"local", "clearance"};
-        o->methods = methodsFrom(*methods);
-        job = [o] { return judgeGhost(*o); };
-    });
-}
-
 void addProbes(CLI::App& app, Job& job)
 {
     auto* c = app.add_subcommand("probes", "The sd of an arm's readings, from a recording of them");
@@ -151,7 +117,6 @@ void addModelPredict(CLI::App& model, Job& job)
 void addInspection(CLI::App& app, Job& job)
 {
     addContacts(app, job);
-    addGhost(app, job);
     addFaults(app, job);
     addProbes(app, job);
     addCalibrate(app, job);

@@ -18,7 +18,7 @@ using Job = std::function<Status()>;
 /// Adds simulate, train, reconstruct, evaluate, hazards, merge, tradeoff. words: arguments after the program's name;
 /// models and parts store them.
 void addModelling(CLI::App& app, Job& job, const std::vector<std::string>& words);
-/// Adds contacts, ghost, probes, calibrate, model, which assess measurements and models.
+/// Adds contacts, probes, calibrate, model, which assess measurements and models.
 void addInspection(CLI::App& app, Job& job);
 /// Adds panel, demo, robot, can.
 void addBuses(CLI::App& app, Job& job);

@@ -89,21 +89,6 @@ Status tradeoff(const TradeoffOptions& options);
 /// Returns the names of the files that tradeoff() writes.
 std::vector<std::string> tradeoffFiles();
 
-struct GhostOptions {
-    std::string robot, model;
-    std::string terrain = "varied";  ///< "boxes", "varied", or a profile file
-    double step = 0.1;               ///< [m] spacing of the heights in a file
-    bool blocks = false;             ///< heights of a file are flat-topped blocks
-    int drives = 60;                 ///< number over random ground; maximum of a file's profiles
-    double spacing = 0.3;            ///< [m] distance between two scenes
-    double sdFactor = 1.0;           ///< factor on the ghost's sd when used as a measurement
-    std::vector<Method> methods;
-    Settings settings;
-};
-/// Drives simulated robots from scene to scene. Prints the error of the last estimate at the next scene. It is judged
-/// as drawn, and as a weak measurement for the next estimate.
-Status judgeGhost(const GhostOptions& options);
-
 struct FaultsOptions {
     std::string robot, model;
     std::string terrain = "varied";  ///< "varied", or a profile file

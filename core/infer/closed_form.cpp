@@ -147,8 +147,7 @@ GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::Ve
 
 TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const ArmReading> arm,
                                       const RobotModel& robot, const ClearanceModel& model,
-                                      const Settings& settings, const WeakHeights& weak,
-                                      const Poll& poll)
+                                      const Settings& settings, const Poll& poll)
 {
     check(settings);
     callPoll(poll);
@@ -160,7 +159,7 @@ TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const A
     GaussianMixture distribution =
         surfaceDistribution(model, x, coveredBins(estimate.ceiling), settings.method);
 
-    MeasuredBins measured = measureBins(robot, s, arm, estimate.ceiling, settings, weak);
+    MeasuredBins measured = measureBins(robot, s, arm, estimate.ceiling, settings);
     takeAll(distribution, measured, model, estimate);
     if (estimate.novelty > 1.0)
         estimate.warnings.push_back(fmt::format(

@@ -26,7 +26,7 @@ GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::Ve
                                     unsigned covered, Method method);
 
 /// Estimates one scene in closed form, without a Markov chain. Contacts (with the model's bias and
-/// sd), arm readings and weak heights are measurements (measured_bins.h). Each conditions the
+/// sd) and arm readings are measurements (measured_bins.h). Each conditions the
 /// mixture exactly in the surface coordinate y (core/learn/model/clearance.h). Its error in y is
 /// the change of y when the ground lies one sd lower. A measurement more than two standard
 /// deviations from every component first collapses the mixture into one Gaussian.
@@ -38,7 +38,6 @@ GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::Ve
 /// estimate is not finite.
 TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const ArmReading> arm,
                                       const RobotModel& robot, const ClearanceModel& model,
-                                      const Settings& settings, const WeakHeights& weak = {},
-                                      const Poll& poll = {});
+                                      const Settings& settings, const Poll& poll = {});
 
 }  // namespace terratact

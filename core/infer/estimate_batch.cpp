@@ -26,13 +26,12 @@ bool EstimateBatch::hasRoomFor(const Settings& settings) const
 
 void EstimateBatch::add(std::size_t number, const Proprioception& s,
                         std::span<const ArmReading> arm, const Settings& settings,
-                        const Watch& watch, const WeakHeights& weak)
+                        const Watch& watch)
 {
     if (isClosedForm(methodWithout(settings.method, missingFor(settings.method, s))))
-        ready_.push_back(
-            {number, closedFormEstimate(s, arm, robot_, models_, settings, watch, weak)});
+        ready_.push_back({number, closedFormEstimate(s, arm, robot_, models_, settings, watch)});
     else
-        scenes_.emplace_back(number, sceneSampling(s, arm, robot_, models_, settings, watch, weak),
+        scenes_.emplace_back(number, sceneSampling(s, arm, robot_, models_, settings, watch),
                              watch);
 }
 

@@ -42,7 +42,7 @@ public:
     /// Adds a scene. Takes and throws what estimateTerrain does; after an exception the batch is
     /// unchanged.
     void add(std::size_t number, const Proprioception& s, std::span<const ArmReading> arm,
-             const Settings& settings, const Watch& watch = {}, const WeakHeights& weak = {});
+             const Settings& settings, const Watch& watch = {});
 
     /// Sweeps until at least one scene has ended, and removes the ended scenes. Returns nothing
     /// only if the batch is empty. Throws as estimateTerrain; the batch cannot continue after that.

@@ -65,12 +65,10 @@ void makeProcesses(const Models& models, const Settings& settings, const Watch& 
 
 SceneSampling sceneSampling(const Proprioception& s, std::span<const ArmReading> arm,
                             const RobotModel& robot, const Models& models, const Settings& settings,
-                            const Watch& watch, const WeakHeights& weak)
+                            const Watch& watch)
 {
     if (settings.method == Method::Clearance)
-        return clearanceSampling(s, arm, robot, models.conditionals, settings, watch, weak);
-    if (weak != WeakHeights{})
-        throw std::invalid_argument("the paper's methods take no weak heights");
+        return clearanceSampling(s, arm, robot, models.conditionals, settings, watch);
     const MissingFeatures missing = missingFor(settings.method, s);
     const bool paf = usesForces(settings.method) && missing.none();
     SceneSampling sampling =
@@ -81,8 +79,7 @@ SceneSampling sceneSampling(const Proprioception& s, std::span<const ArmReading>
 
 TerrainEstimate closedFormEstimate(const Proprioception& s, std::span<const ArmReading> arm,
                                    const RobotModel& robot, const Models& models,
-                                   const Settings& settings, const Watch& watch,
-                                   const WeakHeights& weak)
+                                   const Settings& settings, const Watch& watch)
 {
     const Poll poll = pollOf(watch);
     const MissingFeatures missing = missingFor(settings.method, s);
@@ -90,8 +87,8 @@ TerrainEstimate closedFormEstimate(const Proprioception& s, std::span<const ArmR
     own.method = methodWithout(settings.method, missing);
     const auto reduced =
         missing.any() ? models.reduced.without(missing, watch.sideBySide, poll) : nullptr;
-    TerrainEstimate estimate = reconstructClosedForm(
-        s, arm, robot, reduced ? *reduced : models.clearance, own, weak, poll);
+    TerrainEstimate estimate =
+        reconstructClosedForm(s, arm, robot, reduced ? *reduced : models.clearance, own, poll);
     estimate.settings = settings;
     tellMissing(estimate, settings.method, missing);
     return estimate;
@@ -99,12 +96,11 @@ TerrainEstimate closedFormEstimate(const Proprioception& s, std::span<const ArmR
 
 TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmReading> arm,
                                 const RobotModel& robot, const Models& models,
-                                const Settings& settings, const Watch& watch,
-                                const WeakHeights& weak)
+                                const Settings& settings, const Watch& watch)
 {
     if (isClosedForm(methodWithout(settings.method, missingFor(settings.method, s))))
-        return closedFormEstimate(s, arm, robot, models, settings, watch, weak);
-    return sampleScene(sceneSampling(s, arm, robot, models, settings, watch, weak), watch);
+        return closedFormEstimate(s, arm, robot, models, settings, watch);
+    return sampleScene(sceneSampling(s, arm, robot, models, settings, watch), watch);
 }
 
 }  // namespace terratact

@@ -35,24 +35,21 @@ void makeProcesses(const Models& models, const Settings& settings, const Watch& 
 /// methodWithout() chooses the method (missing_sensors.h). TerrainEstimate::missing and its
 /// warnings then say what is missing.
 /// The same scene, models and settings give the same result, bit for bit on one machine.
-/// Throws std::invalid_argument for settings out of range, and for weak heights with one of the
-/// paper's methods. These take exact measurements only. Throws Cancelled.
+/// Throws std::invalid_argument for settings out of range. Throws Cancelled.
 TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmReading> arm,
                                 const RobotModel& robot, const Models& models,
-                                const Settings& settings, const Watch& watch = {},
-                                const WeakHeights& weak = {});
+                                const Settings& settings, const Watch& watch = {});
 
 /// Estimates one scene by a method that needs no chain (isClosedForm of methodWithout). Throws as
 /// estimateTerrain.
 TerrainEstimate closedFormEstimate(const Proprioception& s, std::span<const ArmReading> arm,
                                    const RobotModel& robot, const Models& models,
-                                   const Settings& settings, const Watch& watch = {},
-                                   const WeakHeights& weak = {});
+                                   const Settings& settings, const Watch& watch = {});
 
 /// Prepares a scene up to the sampling, for a method that samples. Throws as estimateTerrain. The
 /// result refers to the models.
 SceneSampling sceneSampling(const Proprioception& s, std::span<const ArmReading> arm,
                             const RobotModel& robot, const Models& models, const Settings& settings,
-                            const Watch& watch = {}, const WeakHeights& weak = {});
+                            const Watch& watch = {});
 
 }  // namespace terratact

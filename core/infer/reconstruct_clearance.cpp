@@ -55,8 +55,7 @@ OptionalHeights fixExact(const MeasuredBins& measured, const ClearanceStates::Me
 
 SceneSampling clearanceSampling(const Proprioception& s, std::span<const ArmReading> arm,
                                 const RobotModel& robot, const ClearanceConditionals& models,
-                                const Settings& settings, const Watch& watch,
-                                const WeakHeights& weak)
+                                const Settings& settings, const Watch& watch)
 {
     check(settings);
     SceneSampling sampling;
@@ -64,7 +63,7 @@ SceneSampling clearanceSampling(const Proprioception& s, std::span<const ArmRead
     estimate.settings = settings;
     estimate.ceiling = bodyCeiling(robot, s.pitch, s.front, s.rear);
     const Eigen::VectorXd x = features(FeatureSet::Paf, s);
-    MeasuredBins measured = measureBins(robot, s, arm, estimate.ceiling, settings, weak);
+    MeasuredBins measured = measureBins(robot, s, arm, estimate.ceiling, settings);
     estimate.warnings = std::move(measured.warnings);
     for (std::size_t i = 0; i < kBins; ++i)
         if (measured.bin[i]) estimate.origin[i] = measured.bin[i]->origin;
@@ -89,10 +88,9 @@ SceneSampling clearanceSampling(const Proprioception& s, std::span<const ArmRead
 
 TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const ArmReading> arm,
                                      const RobotModel& robot, const ClearanceConditionals& models,
-                                     const Settings& settings, const Watch& watch,
-                                     const WeakHeights& weak)
+                                     const Settings& settings, const Watch& watch)
 {
-    return sampleScene(clearanceSampling(s, arm, robot, models, settings, watch, weak), watch);
+    return sampleScene(clearanceSampling(s, arm, robot, models, settings, watch), watch);
 }
 
 }  // namespace terratact

@@ -17,9 +17,8 @@ inline constexpr double kExactSd = 0.001;
 
 /// Estimates one scene by Method::Clearance: Gibbs sampling with the clearance as the state of a
 /// bin under the robot (ClearanceStates).
-/// Contacts and arm readings are noisy measurements of their bins and become their origin. Weak
-/// heights are measurements too, but no origin. Measured bins are also drawn, unless the
-/// measurement's sd is at most kExactSd; then they keep its height.
+/// Contacts and arm readings are noisy measurements of their bins and become their origin. Measured
+/// bins are also drawn, unless the measurement's sd is at most kExactSd; then they keep its height.
 /// The height to show is the median of the draws. No draw is above its ceiling. Convergence is
 /// judged over all bins that are drawn.
 /// The same scene, models and settings give the same result, bit for bit on one machine.
@@ -28,15 +27,13 @@ inline constexpr double kExactSd = 0.001;
 /// that is not finite. Throws Cancelled.
 TerrainEstimate reconstructClearance(const Proprioception& s, std::span<const ArmReading> arm,
                                      const RobotModel& robot, const ClearanceConditionals& models,
-                                     const Settings& settings, const Watch& watch = {},
-                                     const WeakHeights& weak = {});
+                                     const Settings& settings, const Watch& watch = {});
 
 /// Prepares the same estimate up to the sampling, for a caller that samples several scenes at once
 /// (EstimateBatch). The result refers to the models.
 /// watch: used while models are factorised, which may happen when the chains start.
 SceneSampling clearanceSampling(const Proprioception& s, std::span<const ArmReading> arm,
                                 const RobotModel& robot, const ClearanceConditionals& models,
-                                const Settings& settings, const Watch& watch = {},
-                                const WeakHeights& weak = {});
+                                const Settings& settings, const Watch& watch = {});
 
 }  // namespace terratact

@@ -13,7 +13,6 @@ constexpr double kBehind =
 constexpr double kAhead = 0.80;      // [m] largest distance of the last bin's end ahead
 constexpr double kSpeed = 0.3;       // [m/s]
 constexpr double kSlideStep = 0.01;  // [m]
-constexpr double kRollStep = 0.05;   // [m]
 
 OptionalHeights known(const Heights& heights)
 {
@@ -85,50 +84,6 @@ private:
     double startPitch_;
 };
 
-/// The robot between the stops, with raised front flippers.
-class Rolling {
-public:
-    Rolling(const RobotModel& robot, const TerrainProfile& terrain, const DriveStyle& style,
-            const SensorNoise& noise)
-        : robot_(robot), terrain_(terrain), style_(style), noise_(noise)
-    {
-    }
-
-    double travelled() const { return travelled_; }
-    double pitch() const { return at_ ? at_->pitch : 0.0; }
-
-    /// Rolls to x in steps. If the robot finds no rest pose, that way is added to the next step.
-    void rollTo(double x, double slip, std::vector<OdometryReading>& way, std::mt19937_64& rng)
-    {
-        if (at_) report(way, rng);
-        const double from = at_ ? at_->base.x : x;
-        const int steps = at_ ? static_cast<int>(std::ceil((x - from) / kRollStep - 1e-9)) : 1;
-        for (int k = 1; k <= steps; ++k) {
-            const auto rest =
-                restPose(robot_, terrain_, from + (x - from) * k / steps,
-                         HoldAngle{style_.drivingAngle}, HoldAngle{style_.rearAngle}, pitch());
-            if (!rest) continue;
-            if (at_) travelled_ += (1.0 + slip) * trackWay(*at_, rest->pose);
-            at_ = rest->pose;
-            report(way, rng);
-        }
-    }
-
-private:
-    void report(std::vector<OdometryReading>& way, std::mt19937_64& rng) const
-    {
-        const double noise = noise_.pitch * std::normal_distribution<double>()(rng);
-        way.push_back({travelled_, at_->pitch + noise});
-    }
-
-    const RobotModel& robot_;
-    const TerrainProfile& terrain_;
-    const DriveStyle& style_;
-    const SensorNoise& noise_;
-    std::optional<Pose> at_;
-    double travelled_ = 0.0;  // [m] as the tracks report it
-};
-
 }  // namespace
 
 DriveStyle randomDriveStyle(std::mt19937_64& rng)
@@ -174,33 +129,6 @@ std::vector<Scene> driveOver(const RobotModel& robot, const TerrainProfile& terr
         scene->run = run;
         scene->time = (x - stops.front()) / kSpeed;
         scenes.push_back(*std::move(scene));
-    }
-    return scenes;
-}
-
-std::vector<DrivenScene> driveWithOdometry(const RobotModel& robot, const TerrainProfile& terrain,
-                                           const std::vector<double>& stops, const std::string& run,
-                                           const DriveStyle& style,
-                                           const DriveConditions& conditions, double slipShare,
-                                           std::mt19937_64& rng, int& skipped)
-{
-    std::vector<DrivenScene> scenes;
-    Rolling rolling(robot, terrain, style, conditions.noise);
-    std::vector<OdometryReading> way;
-    for (const double x : stops) {
-        const double slip = slipShare * std::normal_distribution<double>()(rng);
-        rolling.rollTo(x, slip, way, rng);
-        double pitch = rolling.pitch();
-        std::optional<Scene> scene =
-            Stop(robot, terrain, style, conditions, pitch).measured(x, pitch, rng);
-        if (!scene) {
-            ++skipped;
-            continue;
-        }
-        scene->run = run;
-        scene->time = (x - stops.front()) / kSpeed;
-        way.push_back({rolling.travelled(), scene->s.pitch});
-        scenes.push_back({*std::move(scene), std::exchange(way, {})});
     }
     return scenes;
 }

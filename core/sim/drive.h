@@ -53,27 +53,4 @@ std::vector<Scene> driveOver(const RobotModel& robot, const TerrainProfile& terr
                              const DriveStyle& style, const DriveConditions& conditions,
                              std::mt19937_64& rng, int& skipped);
 
-/// Reading of track odometry and IMU.
-struct OdometryReading {
-    double travelled = 0.0;  ///< distance since the drive's start with slip [m]
-    double pitch = 0.0;      ///< pitch with noise [rad]
-};
-
-struct DrivenScene {
-    Scene scene;
-    /// Readings from the last scene, or the drive's start, to this one: the flippers rise, the
-    /// robot drives, and the flippers go down. The last reading belongs to this scene.
-    std::vector<OdometryReading> way;
-};
-
-/// Drives as driveOver, with odometry between the stops. Like SimulatedRobot it rests with raised
-/// front flippers at the first stop, and then at least every 5 cm. The tracks roll trackWay and
-/// report (1 + e) times that, e ~ N(0, slipShare²), drawn at every stop. Its random sequence
-/// differs from driveOver's.
-std::vector<DrivenScene> driveWithOdometry(const RobotModel& robot, const TerrainProfile& terrain,
-                                           const std::vector<double>& stops, const std::string& run,
-                                           const DriveStyle& style,
-                                           const DriveConditions& conditions, double slipShare,
-                                           std::mt19937_64& rng, int& skipped);
-
 }  // namespace terratact

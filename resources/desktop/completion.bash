@@ -72,7 +72,7 @@ _terratact_value() {
     *:--out) _terratact_files ;;
     console:--terrain | robot:--terrain) _terratact_files csv && _terratact_words varied ;;
     "model card:--terrain" | *:--trained) ;;
-    ghost:--terrain | faults:--terrain) _terratact_files csv && _terratact_words boxes varied ;;
+    faults:--terrain) _terratact_files csv && _terratact_words boxes varied ;;
     *:--terrain) _terratact_files csv && _terratact_words boxes varied hazards ;;
     *:--replay) _terratact_files log asc trc csv gz ;;
     *:--dbc) _terratact_files dbc ;;
@@ -80,7 +80,6 @@ _terratact_value() {
     *:--sessions) _terratact_files ;;
     *:--can | *:--interface) _terratact_buses ;;
     *:--method) _terratact_words "$methods" ;;
-    ghost:--methods) _terratact_list "clearance joint local" ;;
     *:--methods) _terratact_list "$methods" ;;
     *:--ceiling) _terratact_words truncate clamp none ;;
     *:--contacts) _terratact_words isolated any none ;;
@@ -117,7 +116,6 @@ _terratact_options() {
     merge) echo --robot --out ;;
     contacts) echo --robot --data --threshold ;;
     faults) echo --robot --model --terrain --drives --spacing --step --blocks --matrix --return --seed ;;
-    ghost) echo --robot --model --terrain --drives --spacing --step --blocks --methods --sd-factor --seed ;;
     probes) echo --data ;;
     calibrate) echo --data --robot ;;
     "model show") echo --csv ;;
@@ -144,7 +142,7 @@ _terratact_options() {
 # What may stand where no option does.
 _terratact_argument() {
   case $1 in
-    "") _terratact_words simulate train reconstruct evaluate hazards merge tradeoff contacts faults ghost probes calibrate model panel \
+    "") _terratact_words simulate train reconstruct evaluate hazards merge tradeoff contacts faults probes calibrate model panel \
       demo robot can session ;;
     model) _terratact_words show card predict ;;
     panel) _terratact_words check ;;

@@ -40,7 +40,7 @@ class Commands(unittest.TestCase):
         return few
 
     def test_every_command_explains_itself(self):
-        for command in ("simulate", "train", "reconstruct", "evaluate", "merge", "tradeoff", "contacts", "faults", "ghost", "probes", "calibrate", "panel",
+        for command in ("simulate", "train", "reconstruct", "evaluate", "merge", "tradeoff", "contacts", "faults", "probes", "calibrate", "panel",
                         "demo", "model"):
             self.assertIn("--help", run(command, "--help"))
         self.assertIn("terratact", run("--version"))
@@ -162,19 +162,6 @@ class Commands(unittest.TestCase):
         self.assertIn("reading_sd_m = 0.0283", text)
         readings.write_text("place,height_m,truth_m\na,0.10,\nb,0.14,\n")
         self.assertIn("no place is read twice", complaint("probes", "--data", readings))
-
-    def test_ghost_scores_the_last_estimate(self):
-        command = ("ghost", "--model", self.model, "--terrain", "boxes", "--drives", 6, "--methods", "local")
-        text = run(*command)
-        self.assertIn("6 drives over boxes", text)
-        scenes, bins = (int(re.search(pattern, text)[1]) for pattern in
-                        (r"local: (\d+) scenes with", r"all bins without it +(\d+)"))
-        self.assertEqual(bins, 11 * scenes)
-        self.assertRegex(text, r"its bins: mean \|error\| [+-]\d+\.\d mm .*: (not shown to help|helps)\n")
-        self.assertEqual(text, run(*command))
-        self.assertNotEqual(text, run(*command, "--sd-factor", 5))
-        self.assertIn("fewer than 5 drives", run(*command[:-4], "--drives", 2, "--methods", "local"))
-        complaint(*command, "--sd-factor", 0, code=2)
 
     def test_faults_says_which_faulty_sensors_are_noticed(self):
         text = run("faults", "--model", self.model, "--drives", 2)

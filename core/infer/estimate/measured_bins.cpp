@@ -52,26 +52,16 @@ void addReading(MeasuredBins& measured, const ArmReading& reading, const Heights
                         binCentre(reading.bin), 1000.0 * (reading.height - ceiling[bin])));
 }
 
-void addWeak(MeasuredBins& measured, std::size_t bin, const WeakHeight& weak)
-{
-    if (!std::isfinite(weak.height) || !(weak.sd > 0.0))
-        throw std::invalid_argument("a weak height needs a finite height and a positive sd");
-    if (!measured.bin[bin])
-        measured.bin[bin] = MeasuredHeight{weak.height, weak.sd, Origin::Sampled};
-}
-
 }  // namespace
 
 MeasuredBins measureBins(const RobotModel& robot, const Proprioception& s,
                          std::span<const ArmReading> arm, const Heights& ceiling,
-                         const Settings& settings, const WeakHeights& weak)
+                         const Settings& settings)
 {
     MeasuredBins measured;
     if (usesForces(settings.method) && settings.contacts != ContactRule::None)
         addContacts(measured, robot, s, settings);
     for (const ArmReading& reading : arm) addReading(measured, reading, ceiling);
-    for (std::size_t i = 0; i < kBins; ++i)
-        if (weak[i]) addWeak(measured, i, *weak[i]);
     return measured;
 }
 

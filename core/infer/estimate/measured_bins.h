@@ -19,15 +19,6 @@ struct MeasuredHeight {
     Origin origin = Origin::Contact;
 };
 
-/// Height of a bin from a source other than touch at this pose, such as the last estimate
-/// (ghost.h).
-struct WeakHeight {
-    double height = 0.0;  ///< [m]
-    double sd = 0.0;      ///< [m]
-    bool operator==(const WeakHeight&) const = default;
-};
-using WeakHeights = std::array<std::optional<WeakHeight>, kBins>;
-
 struct MeasuredBins {
     /// The arm's reading where both touched it.
     std::array<std::optional<MeasuredHeight>, kBins> bin{};
@@ -38,11 +29,10 @@ struct MeasuredBins {
 
 /// Returns the contacts of the flippers (for methods that use forces) and the readings of the arm.
 /// ceiling: of this pose [m]. A reading more than 3 sd above it is kept and named in `warnings`.
-/// weak: used where nothing touched the bin, whose origin stays Origin::Sampled.
 /// Throws std::invalid_argument unless every reading has a bin 0 … 10, a finite height and a
 /// positive sd.
 MeasuredBins measureBins(const RobotModel& robot, const Proprioception& s,
                          std::span<const ArmReading> arm, const Heights& ceiling,
-                         const Settings& settings, const WeakHeights& weak = {});
+                         const Settings& settings);
 
 }  // namespace terratact

@@ -201,40 +201,6 @@ TEST(ClosedForm, repeatsForASeedAndRefusesWrongArguments)
         std::invalid_argument);
 }
 
-TEST(ClosedForm, weakHeightKeepsItsSdAndOriginSampled)
-{
-    const Scene& scene = bench().scenes.front();
-    const TerrainEstimate plain = estimate(scene, Method::Local);
-    const auto with = [&](double sd) {
-        WeakHeights weak;
-        weak[10] = WeakHeight{plain.height[10] + 2.0 * plain.sd[10], sd};
-        return estimateTerrain(scene.s, {}, bench().robot, bench().models,
-                               settingsFor(Method::Local), {}, weak);
-    };
-    const TerrainEstimate strong = with(0.1 * plain.sd[10]), weak = with(plain.sd[10]);
-    EXPECT_GT(strong.height[10], weak.height[10]);
-    EXPECT_GT(weak.height[10], plain.height[10]);
-    EXPECT_LT(weak.sd[10], plain.sd[10]);
-    EXPECT_EQ(strong.origin[10], Origin::Sampled);
-    EXPECT_NEAR(with(100.0).height[10], plain.height[10], 0.001);
-    EXPECT_THROW((void)with(0.0), std::invalid_argument);
-}
-
-TEST(ClosedForm, armReadingOverridesAWeakHeight)
-{
-    const Scene& scene = bench().scenes.front();
-    const ArmReading reading{10, 0.05, 0.02};
-    WeakHeights weak;
-    weak[10] = WeakHeight{-0.4, 0.01};
-    EXPECT_EQ(estimateTerrain(scene.s, {&reading, 1}, bench().robot, bench().models,
-                              settingsFor(Method::Local), {}, weak),
-              estimate(scene, Method::Local, {&reading, 1}));
-    EXPECT_THROW((void)estimateTerrain(scene.s, {}, bench().robot, bench().models,
-                                       settingsFor(Method::Pafc), {}, weak),
-                 std::invalid_argument)
-        << "the paper's methods fix what they measure";
-}
-
 TEST(Surface, goesBackAndForth)
 {
     for (const double h : {-0.5, -0.3, -0.2501, -0.24})

@@ -38,47 +38,6 @@ TEST(Drive, repeatsForASeedAndNoiseIsSeeded)
     EXPECT_EQ(driveOnce(SensorNoise::none(), 3), driveOnce(SensorNoise::none(), 4));
 }
 
-std::vector<DrivenScene> drivenWith(double slipShare, const SensorNoise& noise, unsigned seed)
-{
-    std::mt19937_64 rng(seed);
-    int skipped = 0;
-    const TerrainProfile terrain = boxTerrain(0.1, 2.0, 1.0, 6.0);
-    return driveWithOdometry(absolem(), terrain, {1.0, 1.3, 1.6, 1.9, 2.2}, "7", {},
-                             {.noise = noise}, slipShare, rng, skipped);
-}
-
-TEST(DriveWithOdometry, saysHowTheTracksRolledFromSceneToScene)
-{
-    const auto drive = drivenWith(0.0, SensorNoise::none(), 1);
-    ASSERT_EQ(drive.size(), 5U);
-    EXPECT_EQ(drive[0].way.back().travelled, 0.0);
-    for (std::size_t k = 1; k < drive.size(); ++k) {
-        const double way = drive[k].way.back().travelled - drive[k - 1].way.back().travelled;
-        EXPECT_NEAR(way, 0.3, k < 3 ? 0.002 : 0.05) << "level, then up the box";
-        EXPECT_EQ(drive[k].way.back().pitch, drive[k].scene.s.pitch);
-        EXPECT_GE(drive[k].way.size(), 7U);
-    }
-}
-
-TEST(DriveWithOdometry, slipsAnewBetweenTheScenesAndIsSeeded)
-{
-    const auto exact = drivenWith(0.0, SensorNoise::none(), 1);
-    const auto slipped = drivenWith(0.1, SensorNoise::none(), 1);
-    std::vector<double> slip;
-    for (std::size_t k = 1; k < exact.size(); ++k) {
-        EXPECT_EQ(exact[k].scene, slipped[k].scene);
-        const auto way = [k](const auto& drive) {
-            return drive[k].way.back().travelled - drive[k - 1].way.back().travelled;
-        };
-        slip.push_back(way(slipped) / way(exact) - 1.0);
-        EXPECT_LT(std::abs(slip.back()), 0.5);
-    }
-    EXPECT_NE(slip[0], 0.0);
-    EXPECT_NE(slip[0], slip[1]);
-    EXPECT_EQ(drivenWith(0.1, {}, 4).back().way.back().travelled,
-              drivenWith(0.1, {}, 4).back().way.back().travelled);
-}
-
 TEST(SoftGround, isSoftWithinItsBounds)
 {
     std::mt19937_64 rng(5);
