@@ -12,11 +12,15 @@
 #include <functional>
 #include <utility>
 
+#include "core/base/named.h"
 #include "display/format.h"
 #include "display/translated.h"
 
 namespace terratact {
 namespace {
+
+constexpr auto kThemeNameNames = namesOf<ThemeName>("day", "night-red", "high-contrast");
+constexpr auto kLayoutNames = namesOf<Layout>("drive", "probe", "review");
 
 constexpr qint64 kLargestFile = 1 << 20;  // [bytes]
 constexpr std::array kThemes{ThemeName::Day, ThemeName::NightRed, ThemeName::HighContrast};
@@ -207,22 +211,12 @@ void setAside(const QString& path, const LateSentence& why, LoadedPreferences& l
 
 std::string_view name(ThemeName theme)
 {
-    switch (theme) {
-    case ThemeName::Day: return "day";
-    case ThemeName::NightRed: return "night-red";
-    case ThemeName::HighContrast: return "high-contrast";
-    }
-    return {};
+    return nameIn(kThemeNameNames, theme);
 }
 
 std::string_view name(Layout layout)
 {
-    switch (layout) {
-    case Layout::Drive: return "drive";
-    case Layout::Probe: return "probe";
-    case Layout::Review: return "review";
-    }
-    return {};
+    return nameIn(kLayoutNames, layout);
 }
 
 std::vector<Method> offeredMethods()

@@ -121,20 +121,11 @@ std::string describe(DisarmCause cause)
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kArmingNames{"disarmed", "confirming", "requested",
-                                                       "armed"};
+constexpr auto kArmingNames = namesOf<ArmingPhase>("disarmed", "confirming", "requested", "armed");
 
-constexpr std::array<std::string_view, 11> kCauseNames{"none",
-                                                       "operator",
-                                                       "stop",
-                                                       "operator-absent",
-                                                       "foreign-sender",
-                                                       "link-not-good",
-                                                       "already-armed",
-                                                       "confirm-timeout",
-                                                       "request-timeout",
-                                                       "robot-disarmed",
-                                                       "epoch-changed"};
+constexpr auto kCauseNames = namesOf<DisarmCause>(
+    "none", "operator", "stop", "operator-absent", "foreign-sender", "link-not-good",
+    "already-armed", "confirm-timeout", "request-timeout", "robot-disarmed", "epoch-changed");
 
 }  // namespace
 

@@ -204,14 +204,13 @@ std::string describe(AtemFailure failure)
 
 namespace {
 
-constexpr std::array<std::string_view, 10> kPhaseNames{
-    "idle",    "halting",          "pressing",   "estimating", "proposing-probe",
-    "probing", "estimating-again", "presenting", "stopped",    "failed"};
+constexpr auto kPhaseNames =
+    namesOf<AtemPhase>("idle", "halting", "pressing", "estimating", "proposing-probe", "probing",
+                       "estimating-again", "presenting", "stopped", "failed");
 
-constexpr std::array<std::string_view, 12> kFailureNames{
-    "none",           "halt-timeout",  "press-timeout", "estimate-timeout",
-    "estimate-error", "probe-timeout", "probe-refused", "press-refused",
-    "link-lost",      "pose-changed",  "approval-void", "disarmed"};
+constexpr auto kFailureNames = namesOf<AtemFailure>(
+    "none", "halt-timeout", "press-timeout", "estimate-timeout", "estimate-error", "probe-timeout",
+    "probe-refused", "press-refused", "link-lost", "pose-changed", "approval-void", "disarmed");
 
 }  // namespace
 

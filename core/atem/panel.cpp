@@ -1,10 +1,13 @@
 #include "core/atem/panel.h"
 
+#include "core/base/named.h"
 #include <cmath>
 #include <stdexcept>
 
 namespace terratact {
 namespace {
+
+constexpr auto kPanelContactNames = namesOf<PanelContact>("atem", "approve", "refuse", "stop");
 
 constexpr double kLampTime = 0.3;    ///< [s] test of each lamp
 constexpr double kBuzzerTime = 0.1;  ///< [s]
@@ -62,13 +65,7 @@ bool pressedAnew(ContactState& button, double now, const PanelLimits& limits)
 
 std::string_view name(PanelContact contact)
 {
-    switch (contact) {
-    case PanelContact::Atem: return "atem";
-    case PanelContact::Approve: return "approve";
-    case PanelContact::Refuse: return "refuse";
-    case PanelContact::Stop: return "stop";
-    }
-    throw std::invalid_argument("name: no such contact");
+    return nameIn(kPanelContactNames, contact);
 }
 
 bool PanelState::held(PanelContact button) const

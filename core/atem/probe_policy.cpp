@@ -1,19 +1,20 @@
 #include "core/atem/probe_policy.h"
 
+#include "core/base/named.h"
 #include <algorithm>
 #include <functional>
 #include <numbers>
 
 namespace terratact {
+namespace {
+
+constexpr auto kProbePolicyNames = namesOf<ProbePolicy>("variance", "variance-if-open", "question");
+
+}  // namespace
 
 std::string_view name(ProbePolicy policy)
 {
-    switch (policy) {
-    case ProbePolicy::Variance: return "variance";
-    case ProbePolicy::VarianceOpen: return "variance-if-open";
-    case ProbePolicy::Question: return "question";
-    }
-    return {};
+    return nameIn(kProbePolicyNames, policy);
 }
 
 std::vector<ProbeGain> ranked(const ProbeAdvice& advice, ProbePolicy policy)

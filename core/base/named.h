@@ -17,8 +17,36 @@ std::optional<Value> named(std::string_view text, const std::array<Value, n>& va
     return std::nullopt;
 }
 
-/// The name of an enumerator, from the table of all names in the order of the values.  Throws std::invalid_argument for
-/// a value without a name.
+/// Returns true if the enumeration has an enumerator of that value. The compiler writes other values
+/// as a cast, such as (Enum)7.
+template <class Enum, Enum value>
+constexpr bool isEnumerator()
+{
+    const std::string_view signature(__PRETTY_FUNCTION__);
+    return signature[signature.rfind("= ") + 2] != '(';
+}
+
+/// Returns the number of enumerators. Their values are 0, 1, 2 and so on.
+template <class Enum, std::size_t from = 0>
+constexpr std::size_t enumerators()
+{
+    if constexpr (isEnumerator<Enum, static_cast<Enum>(from)>())
+        return enumerators<Enum, from + 1>();
+    else
+        return from;
+}
+
+/// Returns the table of an enumeration's names, in the order of the enumerators. A table of another
+/// size does not compile.
+template <class Enum, class... Text>
+constexpr auto namesOf(Text... names)
+{
+    static_assert(sizeof...(names) == enumerators<Enum>(), "every enumerator needs one name");
+    return std::array<std::string_view, sizeof...(names)>{names...};
+}
+
+/// Returns the name of an enumerator from namesOf(). Throws std::invalid_argument for a value without
+/// a name.
 template <class Enum, std::size_t n>
 std::string_view nameIn(const std::array<std::string_view, n>& names, Enum value)
 {
@@ -27,9 +55,10 @@ std::string_view nameIn(const std::array<std::string_view, n>& names, Enum value
     return names[i];
 }
 
-/// The enumerator of that name; empty: none.
+/// Returns the enumerator of that name; empty if there is none.
 template <class Enum, std::size_t n>
-std::optional<Enum> valueIn(const std::array<std::string_view, n>& names, std::string_view text)
+constexpr std::optional<Enum> valueIn(const std::array<std::string_view, n>& names,
+                                      std::string_view text)
 {
     for (std::size_t i = 0; i < n; ++i)
         if (names[i] == text) return static_cast<Enum>(i);

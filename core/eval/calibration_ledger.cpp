@@ -1,5 +1,6 @@
 #include "core/eval/calibration_ledger.h"
 
+#include "core/base/named.h"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,6 +8,9 @@
 
 namespace terratact {
 namespace {
+
+constexpr auto kCalibrationNames =
+    namesOf<Calibration>("too few", "too narrow", "honest", "too wide");
 
 constexpr double kWilson = 1.959963984540054;  // Φ⁻¹(0.975)
 constexpr double kPromised = 0.80;             // nominal coverage of the shown bands
@@ -50,13 +54,7 @@ Coverage wilson(std::size_t k, std::size_t n)
 
 std::string_view name(Calibration calibration)
 {
-    switch (calibration) {
-    case Calibration::TooFew: return "too few";
-    case Calibration::TooNarrow: return "too narrow";
-    case Calibration::Honest: return "honest";
-    case Calibration::TooWide: return "too wide";
-    }
-    throw std::invalid_argument("name: no such Calibration");
+    return nameIn(kCalibrationNames, calibration);
 }
 
 void CalibrationLedger::record(const TerrainEstimate& shownBefore, int bin, double measured,

@@ -1,5 +1,6 @@
 #include "core/eval/claims.h"
 
+#include "core/base/named.h"
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -8,6 +9,8 @@
 
 namespace terratact {
 namespace {
+
+constexpr auto kClaimVerdictNames = namesOf<ClaimVerdict>("holds", "does not hold", "not decided");
 
 using ByPlace = std::map<std::pair<std::size_t, int>, double>;  // (scene, bin) → |error|
 
@@ -49,12 +52,7 @@ Comparison compare(const Claim& claim, std::span<const BinError> errors,
 
 std::string_view name(ClaimVerdict verdict)
 {
-    switch (verdict) {
-    case ClaimVerdict::Holds: return "holds";
-    case ClaimVerdict::DoesNotHold: return "does not hold";
-    case ClaimVerdict::NotDecided: return "not decided";
-    }
-    throw std::invalid_argument("name: no such ClaimVerdict");
+    return nameIn(kClaimVerdictNames, verdict);
 }
 
 ClaimResult judge(const Claim& claim, std::span<const BinError> errors,

@@ -6,10 +6,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/base/named.h"
 #include "core/infer/verdict/obstacle.h"
 
 namespace terratact {
 namespace {
+
+constexpr auto kStepPlaceNames = namesOf<StepPlace>("anywhere", "ahead");
 
 int firstBin(StepPlace place)
 {
@@ -91,11 +94,7 @@ std::optional<Interval> scoreInterval(std::span<const StepForecast> forecasts,
 
 std::string_view name(StepPlace place)
 {
-    switch (place) {
-    case StepPlace::Anywhere: return "anywhere";
-    case StepPlace::Ahead: return "ahead";
-    }
-    throw std::invalid_argument("name: no such StepPlace");
+    return nameIn(kStepPlaceNames, place);
 }
 
 std::vector<StepForecast> stepForecasts(std::size_t sceneIndex, const Scene& scene,

@@ -7,10 +7,10 @@
 namespace terratact {
 namespace {
 
-constexpr std::array<std::string_view, 3> kRoles{"first", "again", "second"};
-constexpr std::array<std::string_view, kEventKinds> kKinds{
-    "word",     "decision", "phase", "arming", "link", "forgotten", "unheard",
-    "override", "alarm",    "panel", "marker", "gap",  "session"};
+constexpr auto kRoles = namesOf<EstimateRole>("first", "again", "second");
+constexpr auto kKinds =
+    namesOf<EventKind>("word", "decision", "phase", "arming", "link", "forgotten", "unheard",
+                       "override", "alarm", "panel", "marker", "gap", "session");
 
 }  // namespace
 

@@ -1,12 +1,15 @@
 #include "core/sim/disturbance.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "core/base/named.h"
 
 namespace terratact {
 namespace {
+
+constexpr auto kDisturbanceNames =
+    namesOf<Disturbance>("none", "imu-noise", "forces-high", "forces-low", "dead-element",
+                         "soft-ground", "light-robot", "heavy-robot", "friction-free");
 
 constexpr double kNoisyPitch = 0.0175;    // [rad] 1°
 constexpr double kForceError = 0.25;      // share
@@ -32,23 +35,12 @@ void scaleMasses(RobotModel& robot, double factor)
 
 std::string_view name(Disturbance disturbance)
 {
-    switch (disturbance) {
-    case Disturbance::None: return "none";
-    case Disturbance::ImuNoise: return "imu-noise";
-    case Disturbance::ForcesHigh: return "forces-high";
-    case Disturbance::ForcesLow: return "forces-low";
-    case Disturbance::DeadElement: return "dead-element";
-    case Disturbance::SoftGround: return "soft-ground";
-    case Disturbance::LightRobot: return "light-robot";
-    case Disturbance::HeavyRobot: return "heavy-robot";
-    case Disturbance::FrictionFree: return "friction-free";
-    }
-    throw std::invalid_argument("name: no such Disturbance");
+    return nameIn(kDisturbanceNames, disturbance);
 }
 
 std::optional<Disturbance> disturbanceFromName(std::string_view text)
 {
-    return named(text, kDisturbances);
+    return valueIn<Disturbance>(kDisturbanceNames, text);
 }
 
 SensorNoise disturbed(SensorNoise noise, Disturbance disturbance)

@@ -12,6 +12,9 @@
 namespace terratact {
 namespace {
 
+constexpr auto kHazardNames =
+    namesOf<Hazard>("drop", "gap", "pit", "ditch", "ramp-drop", "wall", "lip");
+
 double between(std::mt19937_64& rng, double low, double high)
 {
     return std::uniform_real_distribution<double>(low, high)(rng);
@@ -63,21 +66,12 @@ void addHazardShape(TerrainPath& path, Hazard hazard, std::mt19937_64& rng)
 
 std::string_view name(Hazard hazard)
 {
-    switch (hazard) {
-    case Hazard::Drop: return "drop";
-    case Hazard::Gap: return "gap";
-    case Hazard::Pit: return "pit";
-    case Hazard::Ditch: return "ditch";
-    case Hazard::RampDrop: return "ramp-drop";
-    case Hazard::Wall: return "wall";
-    case Hazard::Lip: return "lip";
-    }
-    throw std::invalid_argument("name: no such Hazard");
+    return nameIn(kHazardNames, hazard);
 }
 
 std::optional<Hazard> hazardFromName(std::string_view text)
 {
-    return named(text, kHazards);
+    return valueIn<Hazard>(kHazardNames, text);
 }
 
 TerrainProfile randomHazardTerrain(Hazard hazard, double roughness, std::mt19937_64& rng)

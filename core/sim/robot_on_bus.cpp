@@ -11,6 +11,9 @@
 namespace terratact {
 namespace {
 
+constexpr auto kRobotFaultNames = namesOf<RobotFault>(
+    "none", "silence", "stuck-imu", "dead-element", "refuse-probe", "slow-arm", "reboot");
+
 constexpr double kMaxStepTime = 0.05;  // [s] largest step of simulated time
 constexpr double kSlowArm = 3.0;
 
@@ -24,21 +27,12 @@ bool moves(const Command& command)
 
 std::string_view name(RobotFault fault)
 {
-    switch (fault) {
-    case RobotFault::None: return "none";
-    case RobotFault::Silence: return "silence";
-    case RobotFault::StuckImu: return "stuck-imu";
-    case RobotFault::DeadElement: return "dead-element";
-    case RobotFault::RefuseProbe: return "refuse-probe";
-    case RobotFault::SlowArm: return "slow-arm";
-    case RobotFault::Reboot: return "reboot";
-    }
-    throw std::invalid_argument("name: no such RobotFault");
+    return nameIn(kRobotFaultNames, fault);
 }
 
 std::optional<RobotFault> robotFaultFromName(std::string_view text)
 {
-    return named(text, kRobotFaults);
+    return valueIn<RobotFault>(kRobotFaultNames, text);
 }
 
 RobotOnBus::RobotOnBus(RobotModel model, SimulatedRobot robot, const Options& options)

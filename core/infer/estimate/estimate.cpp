@@ -1,29 +1,24 @@
 #include "core/infer/estimate/estimate.h"
 
-#include <stdexcept>
+#include "core/base/named.h"
 #include <string_view>
 
 namespace terratact {
+namespace {
+
+constexpr auto kOriginNames = namesOf<Origin>("sampled", "contact", "arm");
+constexpr auto kEndingNames = namesOf<Ending>("converged", "sweeps", "time", "not sampled");
+
+}  // namespace
 
 std::string_view name(Origin origin)
 {
-    switch (origin) {
-    case Origin::Sampled: return "sampled";
-    case Origin::Contact: return "contact";
-    case Origin::Arm: return "arm";
-    }
-    throw std::invalid_argument("name: no such Origin");
+    return nameIn(kOriginNames, origin);
 }
 
 std::string_view name(Ending ending)
 {
-    switch (ending) {
-    case Ending::Converged: return "converged";
-    case Ending::Sweeps: return "sweeps";
-    case Ending::Time: return "time";
-    case Ending::NotSampled: return "not sampled";
-    }
-    throw std::invalid_argument("name: no such Ending");
+    return nameIn(kEndingNames, ending);
 }
 
 }  // namespace terratact

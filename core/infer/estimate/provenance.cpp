@@ -1,6 +1,13 @@
 #include "core/infer/estimate/provenance.h"
+#include "core/base/named.h"
 
 namespace terratact {
+namespace {
+
+constexpr auto kProvenanceNames =
+    namesOf<Provenance>("arm", "contact", "constrained", "sampled", "prior only");
+
+}  // namespace
 
 Provenance provenance(const TerrainEstimate& estimate, int bin)
 {
@@ -17,14 +24,7 @@ Provenance provenance(const TerrainEstimate& estimate, int bin)
 
 std::string_view name(Provenance provenance)
 {
-    switch (provenance) {
-    case Provenance::Arm: return "arm";
-    case Provenance::Contact: return "contact";
-    case Provenance::Constrained: return "constrained";
-    case Provenance::Sampled: return "sampled";
-    case Provenance::PriorOnly: return "prior only";
-    }
-    return {};
+    return nameIn(kProvenanceNames, provenance);
 }
 
 BarPattern barPattern(Provenance provenance)

@@ -7,6 +7,8 @@
 namespace terratact {
 namespace {
 
+constexpr auto kQualityPresetNames = namesOf<QualityPreset>("fast", "balanced", "accurate");
+
 struct PresetSettings {
     int draws, chains, burnIn;
     Precision precision;
@@ -28,17 +30,12 @@ PresetSettings settingsOf(QualityPreset preset)
 
 std::string_view name(QualityPreset preset)
 {
-    switch (preset) {
-    case QualityPreset::Fast: return "fast";
-    case QualityPreset::Balanced: return "balanced";
-    case QualityPreset::Accurate: return "accurate";
-    }
-    throw std::invalid_argument("name: no such QualityPreset");
+    return nameIn(kQualityPresetNames, preset);
 }
 
 std::optional<QualityPreset> qualityPresetFromName(std::string_view text)
 {
-    return named(text, kQualityPresets);
+    return valueIn<QualityPreset>(kQualityPresetNames, text);
 }
 
 Settings withPreset(Settings settings, QualityPreset preset)

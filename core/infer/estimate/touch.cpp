@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "core/base/named.h"
 #include "core/infer/estimate/edge_pressure.h"
@@ -11,6 +10,9 @@
 
 namespace terratact {
 namespace {
+
+constexpr auto kTouchNames =
+    namesOf<Touch>("felt", "felt in part", "bounded", "not felt", "not recorded");
 
 constexpr auto kElements = static_cast<std::size_t>(kForceElements);
 
@@ -104,19 +106,12 @@ Touch touchOfBin(const ElementLoads& loads, const EdgePressure& pressure, int bi
 
 std::string_view name(Touch touch)
 {
-    switch (touch) {
-    case Touch::Felt: return "felt";
-    case Touch::FeltInPart: return "felt in part";
-    case Touch::Bounded: return "bounded";
-    case Touch::NotFelt: return "not felt";
-    case Touch::Unrecorded: return "not recorded";
-    }
-    throw std::invalid_argument("name: no such Touch");
+    return nameIn(kTouchNames, touch);
 }
 
 std::optional<Touch> touchFromName(std::string_view text)
 {
-    return named(text, kTouches);
+    return valueIn<Touch>(kTouchNames, text);
 }
 
 PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const Heights& ceiling)

@@ -1,88 +1,69 @@
 #include "core/infer/estimate/variant.h"
 
 #include <array>
-#include <stdexcept>
 
 #include "core/base/named.h"
 
 namespace terratact {
+namespace {
+
+constexpr auto kMethodNames =
+    namesOf<Method>("pa", "pac", "pafc", "pafac", "clearance", "joint", "local");
+constexpr auto kCeilingRuleNames = namesOf<CeilingRule>("truncate", "clamp", "none");
+constexpr auto kContactRuleNames = namesOf<ContactRule>("isolated", "any", "none");
+constexpr auto kScanOrderNames = namesOf<ScanOrder>("forward", "reverse", "random");
+constexpr auto kPrecisionNames = namesOf<Precision>("single", "double");
+
+}  // namespace
 
 std::string_view name(Method method)
 {
-    switch (method) {
-    case Method::Pa: return "pa";
-    case Method::Pac: return "pac";
-    case Method::Pafc: return "pafc";
-    case Method::Pafac: return "pafac";
-    case Method::Clearance: return "clearance";
-    case Method::Joint: return "joint";
-    case Method::Local: return "local";
-    }
-    throw std::invalid_argument("name: no such Method");
+    return nameIn(kMethodNames, method);
 }
 
 std::string_view name(CeilingRule rule)
 {
-    switch (rule) {
-    case CeilingRule::Truncate: return "truncate";
-    case CeilingRule::Clamp: return "clamp";
-    case CeilingRule::None: return "none";
-    }
-    throw std::invalid_argument("name: no such CeilingRule");
+    return nameIn(kCeilingRuleNames, rule);
 }
 
 std::string_view name(ContactRule rule)
 {
-    switch (rule) {
-    case ContactRule::Isolated: return "isolated";
-    case ContactRule::Any: return "any";
-    case ContactRule::None: return "none";
-    }
-    throw std::invalid_argument("name: no such ContactRule");
+    return nameIn(kContactRuleNames, rule);
 }
 
 std::string_view name(ScanOrder scan)
 {
-    switch (scan) {
-    case ScanOrder::Forward: return "forward";
-    case ScanOrder::Reverse: return "reverse";
-    case ScanOrder::Random: return "random";
-    }
-    throw std::invalid_argument("name: no such ScanOrder");
+    return nameIn(kScanOrderNames, scan);
 }
 
 std::string_view name(Precision precision)
 {
-    switch (precision) {
-    case Precision::Single: return "single";
-    case Precision::Double: return "double";
-    }
-    throw std::invalid_argument("name: no such Precision");
+    return nameIn(kPrecisionNames, precision);
 }
 
 std::optional<Method> methodFromName(std::string_view text)
 {
-    return named(text, kMethods);
+    return valueIn<Method>(kMethodNames, text);
 }
 
 std::optional<CeilingRule> ceilingRuleFromName(std::string_view text)
 {
-    return named(text, std::array{CeilingRule::Truncate, CeilingRule::Clamp, CeilingRule::None});
+    return valueIn<CeilingRule>(kCeilingRuleNames, text);
 }
 
 std::optional<ContactRule> contactRuleFromName(std::string_view text)
 {
-    return named(text, std::array{ContactRule::Isolated, ContactRule::Any, ContactRule::None});
+    return valueIn<ContactRule>(kContactRuleNames, text);
 }
 
 std::optional<ScanOrder> scanOrderFromName(std::string_view text)
 {
-    return named(text, std::array{ScanOrder::Forward, ScanOrder::Reverse, ScanOrder::Random});
+    return valueIn<ScanOrder>(kScanOrderNames, text);
 }
 
 std::optional<Precision> precisionFromName(std::string_view text)
 {
-    return named(text, std::array{Precision::Single, Precision::Double});
+    return valueIn<Precision>(kPrecisionNames, text);
 }
 
 }  // namespace terratact

@@ -7,10 +7,13 @@
 #include <stdexcept>
 
 #include "core/base/message.h"
+#include "core/base/named.h"
 #include "core/infer/estimate/contradiction.h"
 
 namespace terratact {
 namespace {
+
+constexpr auto kStepVerdictNames = namesOf<StepVerdict>("CLEAR", "BLOCKED", "CANNOT TELL");
 
 std::vector<WithholdReason> withholdReasons(const TerrainEstimate& estimate,
                                             const Measurement& scene, const LinkSinceScene& since)
@@ -108,12 +111,7 @@ bool isClear(const Verdict& verdict)
 
 std::string_view name(StepVerdict stepVerdict)
 {
-    switch (stepVerdict) {
-    case StepVerdict::Clear: return "CLEAR";
-    case StepVerdict::Blocked: return "BLOCKED";
-    case StepVerdict::CannotTell: return "CANNOT TELL";
-    }
-    return {};
+    return nameIn(kStepVerdictNames, stepVerdict);
 }
 
 std::string describe(WithholdReason reason)
