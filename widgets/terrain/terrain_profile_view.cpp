@@ -1,19 +1,11 @@
 #include "widgets/terrain/terrain_profile_view.h"
 
-#include <qwt_interval_symbol.h>
-#include <qwt_legend_label.h>
 #include <qwt_plot_curve.h>
-#include <qwt_plot_grid.h>
 #include <qwt_plot_intervalcurve.h>
-#include <qwt_plot_marker.h>
 #include <qwt_plot_shapeitem.h>
 #include <qwt_plot_textlabel.h>
-#include <qwt_scale_map.h>
-#include <qwt_symbol.h>
 #include <qwt_text.h>
 
-#include <QKeyEvent>
-#include <QMouseEvent>
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
@@ -27,20 +19,13 @@
 #include "widgets/terrain/bin_inspector.h"
 #include "widgets/terrain/profile_layers.h"
 #include "widgets/terrain/provenance_marks.h"
-#include "widgets/terrain/provenance_text.h"
 #include "widgets/terrain/terrain_items.h"
-#include "widgets/terrain/touch_text.h"
 
 namespace terratact {
 namespace {
 
 // [m] limits to which the view grows for outlying heights.
 constexpr double kLowest = -1.6, kHighest = 1.2;
-
-QwtSymbol* symbol(QwtSymbol::Style style, const QColor& line, const QColor& fill, int size)
-{
-    return new QwtSymbol(style, fill, QPen(line, 2.0), QSize(size, size));
-}
 
 /// Sets a text at the top of the canvas.
 void setLabel(QwtPlotTextLabel& label, QwtText words)
@@ -76,147 +61,6 @@ void setInLegend(QwtPlotItem& item, bool shown)
 }
 
 }  // namespace
-
-TerrainProfileView::TerrainProfileView(QWidget* parent)
-    : QwtPlot(parent), axes_(*this), robot_(*this)
-{
-    setAccessibleName(tr("Terrain profile"));
-    makePlain(*this);
-    canvas()->installEventFilter(this);
-    setAutoFillBackground(false);
-
-    auto* key = new Key(*this);
-    key->setFrameStyle(QFrame::NoFrame);
-    insertLegend(key, QwtPlot::BottomLegend);
-
-    (new BandKey)->attach(this);
-    zones_ = new BinZones;
-    zones_->attach(this);
-
-    grid_ = new QwtPlotGrid;
-    grid_->enableX(false);
-    grid_->setZ(0.5);
-    grid_->attach(this);
-    (new BinBorders)->attach(this);
-
-    const auto line = [this](double z, const QString& name) {
-        auto* item = new LineItem(name);
-        item->setBrush(Qt::NoBrush);
-        item->setRenderHint(QwtPlotItem::RenderAntialiased);
-        item->setItemAttribute(QwtPlotItem::Legend, !name.isEmpty());
-        item->setZ(z);
-        item->attach(this);
-        return item;
-    };
-    ceilings_ = line(12.0, tr("ceiling"));
-    meanPrior_ = line(20.0, {});
-    mean_ = line(21.0, {});
-    truthLine_ = line(19.0, tr("truth"));
-
-    for (const Provenance from : {Provenance::Contact, Provenance::Arm, Provenance::Constrained,
-                                  Provenance::Sampled, Provenance::PriorOnly}) {
-        const auto kind = static_cast<std::size_t>(from);
-        auto* bar = new QwtPlotIntervalCurve;
-        bar->setStyle(QwtPlotIntervalCurve::NoCurve);
-        bar->setItemAttribute(QwtPlotItem::Legend, false);
-        bar->setZ(24.0);
-        bar->attach(this);
-        bars_[kind] = bar;
-
-        auto* points = new MarkCurve(from);
-        points->setZ(26.0);
-        points->attach(this);
-        points_[kind] = points;
-    }
-
-    letters_ = new MarkLetters;
-    letters_->attach(this);
-
-    imu_ = new QwtPlotMarker;
-    imu_->setValue(0.0, 0.0);
-    imu_->setLabelAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    imu_->setSpacing(6);
-    imu_->setRenderHint(QwtPlotItem::RenderAntialiased);
-    imu_->setZ(15.0);
-    imu_->attach(this);
-
-    armMark_ = new ArmMark(*zones_);
-    armMark_->setVisible(false);
-    armMark_->attach(this);
-
-    draws_ = new SampleLines;
-    draws_->attach(this);
-    second_ = new SecondEstimate;
-    second_->attach(this);
-    twoHeights_ = new TwoHeights;
-    twoHeights_->attach(this);
-    ghost_ = new GhostLayer;
-    ghost_->attach(this);
-    staleOverlay_ = new StaleOverlay;
-    staleOverlay_->attach(this);
-    for (QwtPlotItem* layer : std::initializer_list<QwtPlotItem*>{draws_, second_, ghost_})
-        layer->setItemAttribute(QwtPlotItem::Legend,
-                                false);  // no legend entry until there is something to show
-    inspector_ = new BinInspector(this);
-    setFocusPolicy(Qt::TabFocus);
-    canvas()->setMouseTracking(true);
-
-    const auto label = [this] {
-        auto* item = new Note;
-        item->setItemAttribute(QwtPlotItem::Legend, false);
-        item->setZ(40.0);
-        item->attach(this);
-        return item;
-    };
-    note_ = label();
-    ghostNote_ = label();
-
-    clearEstimate(tr("No estimate yet"));
-    showTruth();
-    restyle();
-}
-
-void TerrainProfileView::restyle()
-{
-    setCanvasBackground(theme().card);
-    axes_.restyle();
-    grid_->setMajorPen(theme().grid, 1.0);
-
-    ceilings_->setPen(QPen(theme().ceiling, 1.5, Qt::DotLine));
-    QPen soft(theme().sampled, 2.5, Qt::CustomDashLine, Qt::RoundCap, Qt::RoundJoin);
-    soft.setDashPattern({2.5, 2.5});
-    meanPrior_->setPen(soft);
-    mean_->setPen(QPen(theme().sampled, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    truthLine_->setPen(QPen(theme().truth, 1.2));
-
-    for (const Provenance from : kProvenances) {
-        const auto kind = static_cast<std::size_t>(from);
-        const ProvenanceMark mark = markOf(from);
-        bars_[kind]->setSymbol(new PatternBar(mark.bar));
-        points_[kind]->setSymbol(symbol(mark.shape, mark.line, mark.fill, scaled(mark.size)));
-    }
-    imu_->setSymbol(symbol(QwtSymbol::Ellipse, theme().text, theme().text, scaled(7)));
-    imu_->setLabel(inked(tr("IMU"), theme().muted, sized(font(), 12)));
-    showNote(note_->text().text(), estimate_.has_value());
-    showGhostNote(ghostNote_->text().text());
-    robot_.restyle();
-    for (QwtPlotItem* item : itemList()) item->legendChanged();
-    sizeLegend();
-    replot();
-}
-
-void TerrainProfileView::sizeLegend()
-{
-    const QFont small = sized(font(), 13);
-    for (QWidget* label : legend()->findChildren<QwtLegendLabel*>()) label->setFont(small);
-}
-
-void TerrainProfileView::changeEvent(QEvent* event)
-{
-    QwtPlot::changeEvent(event);
-    // Restyles later, because the style sheet sets the palettes of the parts after this event.
-    if (event->type() == QEvent::StyleChange) QTimer::singleShot(0, this, [this] { restyle(); });
-}
 
 void TerrainProfileView::setEstimate(const TerrainEstimate& estimate, const QString& note)
 {
@@ -379,47 +223,6 @@ void TerrainProfileView::setSecond(const std::optional<TerrainEstimate>& estimat
     replot();
 }
 
-void TerrainProfileView::inspect(std::optional<int> bin)
-{
-    if (!estimate_ || !bin) return inspector_->clear();
-    inspector_->setBin(*estimate_, *bin, closeUp(*bin));
-    // The inspector stands beside the bin, so that it does not hide it.
-    const QPoint at = canvas()->mapTo(this, pixelOf(binEnd(*bin), 0.0).toPoint());
-    const int width = inspector_->width();
-    const bool right = at.x() + 8 + width < this->width();
-    const int left =
-        right ? at.x() + 8
-              : canvas()->mapTo(this, pixelOf(binBegin(*bin), 0.0).toPoint()).x() - 8 - width;
-    inspector_->move(std::max(0, left), canvas()->y() + 8);
-    inspector_->raise();
-}
-
-QStringList TerrainProfileView::closeUp(int bin) const
-{
-    const TerrainEstimate& e = *estimate_;
-    const auto i = static_cast<std::size_t>(bin);
-    QStringList lines{
-        tr("bin %1").arg(format::binName(bin)),
-        tr("height %1 m ± %2 m")
-            .arg(format::signedNumber(e.height[i], 3), format::number(e.sd[i], 3)),
-        tr("80 % in %1 … %2 m")
-            .arg(format::signedNumber(e.q10[i], 3), format::signedNumber(e.q90[i], 3)),
-        e.ceiling[i] < kDrawableLimit
-            ? tr("ceiling %1 m").arg(format::signedNumber(e.ceiling[i], 3))
-            : tr("nothing of the robot above it"),
-        tr("from: %1 (%2)")
-            .arg(provenanceWord(provenance(e, bin)), provenanceLetter(provenance(e, bin))),
-        tr("touch: %1").arg(touchWord(e.touch[i]))};
-    if (const auto& two = twoHeights_->modes[i])
-        lines << tr("either %1 m (%2 %)")
-                     .arg(format::signedNumber(two->lowMean, 2),
-                          format::number(100.0 * two->lowShare, 0))
-              << tr("or %1 m (%2 %)")
-                     .arg(format::signedNumber(two->highMean, 2),
-                          format::number(100.0 * two->highShare, 0));
-    return lines;
-}
-
 void TerrainProfileView::setOutline(const Outline& outline)
 {
     robot_.setOutline(outline);
@@ -525,74 +328,6 @@ bool TerrainProfileView::setScales()
         }
     }
     return axes_.fit(bottom, top, MarkLetters::reserved(font(), canvas()->height()));
-}
-
-QPointF TerrainProfileView::pixelOf(double x, double z) const
-{
-    return {canvasMap(QwtPlot::xBottom).transform(x), canvasMap(QwtPlot::yLeft).transform(z)};
-}
-
-QPointF TerrainProfileView::pointAt(QPointF pixel) const
-{
-    return {canvasMap(QwtPlot::xBottom).invTransform(pixel.x()),
-            canvasMap(QwtPlot::yLeft).invTransform(pixel.y())};
-}
-
-QString TerrainProfileView::binText(int bin) const
-{
-    if (!estimate_ || bin < 0 || bin >= kBins) return {};
-    const auto i = static_cast<std::size_t>(bin);
-    const Touch touch = estimate_->touch[i];
-    const bool recorded = touch != Touch::Unrecorded;
-    if (recorded && isUnfeltAhead(*estimate_, bin))
-        return tr("bin %1: %2").arg(format::binName(bin), touchWord(touch));
-    const QString known =
-        tr("bin %1: %2 m, 80 % in %3 … %4, %5")
-            .arg(format::binName(bin), format::signedNumber(estimate_->height[i], 2),
-                 format::signedNumber(estimate_->q10[i], 2),
-                 format::signedNumber(estimate_->q90[i], 2),
-                 provenanceWord(provenance(*estimate_, bin)));
-    return recorded ? known + QStringLiteral(", ") + touchWord(touch) : known;
-}
-
-void TerrainProfileView::describe()
-{
-    QStringList lines;
-    for (int bin = 0; bin < kBins && estimate_; ++bin) lines << binText(bin);
-    if (const QString note = note_->text().text(); !note.isEmpty()) lines.prepend(note);
-    if (!staleOverlay_->words.isEmpty())
-        lines.prepend(tr("not live: nothing is heard of the robot"));
-    if (!ghostNote_->text().text().isEmpty()) lines << ghostNote_->text().text();
-    setAccessibleDescription(lines.join(QLatin1Char('\n')));
-}
-
-bool TerrainProfileView::eventFilter(QObject* object, QEvent* event)
-{
-    if (object == canvas() && event->type() == QEvent::MouseMove)
-        inspect(binOf(pointAt(static_cast<QMouseEvent*>(event)->position()).x()));
-    if (object == canvas() && event->type() == QEvent::MouseButtonDblClick) {
-        const auto* click = static_cast<QMouseEvent*>(event);
-        const std::optional<int> bin = binOf(pointAt(click->position()).x());
-        if (bin && click->button() == Qt::LeftButton) emit binChosen(*bin);
-    }
-    if (object == canvas() && event->type() == QEvent::Leave) inspect(std::nullopt);
-    return QwtPlot::eventFilter(object, event);
-}
-
-void TerrainProfileView::keyPressEvent(QKeyEvent* event)
-{
-    const int now = inspector_->bin();
-    if (event->key() == Qt::Key_Right) return inspect(now < 0 ? 0 : std::min(now + 1, kBins - 1));
-    const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (enters && now >= 0) return void(emit binChosen(now));
-    if (event->key() == Qt::Key_Left) return inspect(now < 0 ? kBins - 1 : std::max(now - 1, 0));
-    QwtPlot::keyPressEvent(event);
-}
-
-void TerrainProfileView::focusOutEvent(QFocusEvent* event)
-{
-    inspect(std::nullopt);
-    QwtPlot::focusOutEvent(event);
 }
 
 }  // namespace terratact

@@ -101,6 +101,11 @@ protected:
 private:
     static constexpr std::size_t kKinds = kProvenances.size();
 
+    void addLines();
+    void addBars();
+    void addMarks();
+    void addLayers();
+    void addNotes();
     void sizeLegend();
     void showEstimate();
     void showDraws();
