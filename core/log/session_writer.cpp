@@ -3,84 +3,23 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <initializer_list>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "core/base/text.h"
 #include "core/log/message_json.h"
 #include "core/log/session_hash.h"
+#include "core/log/session_row_checks.h"
 #include "core/log/session_schema.h"
+#include "core/log/session_table_insert.h"
 #include "core/log/session_tables.h"
 #include "core/store/file_read.h"
 #include "core/store/sqlite.h"
 
 namespace terratact {
 namespace {
-
-struct Blob {
-    std::string_view bytes;
-};
-
-/// Inserts rows of one table and hashes them.
-class Table {
-public:
-    Table(SqliteFile& file, std::int64_t version, std::string_view name)
-        : insert_(prepare(file, name, sessionColumns(version, name)))
-    {
-        for (; index_ < kSessionRowTables.size() && kSessionRowTables.at(index_) != name;
-             ++index_) {
-        }
-    }
-
-    template <class... Values>
-    const std::string& insert(const Values&... values)
-    {
-        bytes_.clear();
-        int column = 0;
-        (put(column++, values), ...);
-        insert_.run();
-        return bytes_.bytes();
-    }
-    std::size_t index() const { return index_; }
-
-private:
-    static SqliteStatement prepare(SqliteFile& file, std::string_view name, int columns)
-    {
-        std::string sql = "INSERT INTO " + std::string(name) + " VALUES(?";
-        for (int i = 1; i < columns; ++i) sql += ", ?";
-        return file.prepare(sql + ")");
-    }
-    template <class Value>
-    void put(int column, const Value& value)
-    {
-        insert_.bind(column, value);
-        bytes_.add(value);
-    }
-    void put(int column, const std::string& value)
-    {
-        put(column, beginningOf(value, kMaxTextBytes));
-    }
-    template <class Value>
-    void put(int column, const std::optional<Value>& value)
-    {
-        if (value) return put(column, *value);
-        insert_.bind(column, nullptr);
-        bytes_.addNull();
-    }
-    void put(int column, const Blob& value)
-    {
-        insert_.bindBlob(column, value.bytes);
-        bytes_.addBlob(value.bytes);
-    }
-
-    SqliteStatement insert_;
-    std::size_t index_ = 0;
-    RowBytes bytes_;
-};
 
 constexpr std::size_t kFrameBytes = 30;  // approximate size of a frame in the file [bytes]
 
@@ -147,7 +86,7 @@ struct SessionWriter::Impl {
         batch.last = std::max(batch.last, time);
     }
     template <class... Values>
-    void row(Table& table, const Values&... values)
+    void row(SessionTableInsert& table, const Values&... values)
     {
         const std::string& bytes = table.insert(values...);
         journaledBytes += bytes.size();
@@ -164,8 +103,8 @@ struct SessionWriter::Impl {
     std::string path;
     SqliteFile file;
     std::int64_t version;  ///< of the file; only events are added to an older one
-    Table frameTable, modelTable, settingsTable, sceneTable, truthTable, estimateTable, binTable,
-        readingTable, proposalTable, offerTable, eventTable;
+    SessionTableInsert frameTable, modelTable, settingsTable, sceneTable, truthTable, estimateTable,
+        binTable, readingTable, proposalTable, offerTable, eventTable;
     SqliteStatement drawsInsert, batchInsert, begin, end;
 
     int journaledBatches = 0;        ///< since the last checkpoint
@@ -314,19 +253,6 @@ Status attempt(Impl& impl, Step step)
     return Done{};
 }
 
-void requireNext(std::int64_t id, std::int64_t& last)
-{
-    if (id <= last)
-        throw std::invalid_argument("SessionWriter: an id that is not larger than the last");
-    last = id;
-}
-
-void requireKnown(std::int64_t id, std::int64_t last, bool mayBeNone)
-{
-    if (id > last || id < 0 || (id == 0 && !mayBeNone))
-        throw std::invalid_argument("SessionWriter: a row refers to one that was not added");
-}
-
 }  // namespace
 
 Result<SessionWriter> SessionWriter::create(const std::string& path, const SessionStart& start)
@@ -358,55 +284,6 @@ Result<SessionWriter> SessionWriter::create(const std::string& path, const Sessi
         return fileError(path, error.message());
     }
 }
-
-namespace {
-
-void requireFinite(std::initializer_list<double> values)
-{
-    for (const double value : values)
-        if (!std::isfinite(value))
-            throw std::invalid_argument("SessionWriter: a number that is not finite");
-}
-
-void requireFinite(const Heights& heights)
-{
-    for (const double height : heights) requireFinite({height});
-}
-
-void requireFinite(const SceneRow& row)
-{
-    const Measurement& m = row.measurement;
-    requireFinite({m.time, m.pitch, m.roll, m.frontLeft, m.frontRight, m.rearLeft, m.rearRight,
-                   m.frontLeftCurrent, m.frontRightCurrent, m.rearLeftCurrent, m.rearRightCurrent,
-                   m.travelled.value_or(0.0), m.turned.value_or(0.0)});
-    for (const double force : m.force) requireFinite({force});
-    if (m.arm) requireFinite({m.arm->height, m.arm->sd});
-    if (row.truth) requireFinite(*row.truth);
-}
-
-void requireFinite(const EstimateRow& row)
-{
-    const TerrainEstimate& e = row.estimate;
-    const Settings& s = e.settings;
-    requireFinite({row.seconds, row.stepLimit, e.novelty, s.forceThreshold, s.contactSd,
-                   s.probeAbove, s.rollLimit, s.asymmetryLimit, s.hazardRate, e.feltTo});
-    for (const double ceiling : e.ceiling)
-        if (!std::isinf(ceiling)) requireFinite({ceiling});
-    for (const Heights* values : {&e.mean, &e.sd, &e.q10, &e.q90, &e.height, &e.rhat, &e.ess})
-        requireFinite(*values);
-    for (const Heights& draw : e.draws) requireFinite(draw);
-    for (const ArmReading& reading : row.readings) requireFinite({reading.height, reading.sd});
-}
-
-void requireFinite(const ProposalRow& row)
-{
-    requireFinite({row.height, row.q10, row.q90, row.sd, row.limit, row.armSd, row.seconds,
-                   row.stepLimit, row.bitsBefore});
-    for (const OfferedBin& offer : row.offers)
-        requireFinite({offer.varianceShare, offer.bitsAfter});
-}
-
-}  // namespace
 
 Status SessionWriter::add(const FrameRow& row)
 {
@@ -508,16 +385,6 @@ const std::string& SessionWriter::path() const
     return impl_->path;
 }
 
-namespace {
-
-bool isLink(const std::string& path)
-{
-    std::error_code none;
-    return std::filesystem::is_symlink(path, none);
-}
-
-}  // namespace
-
 void SessionWriter::Impl::goOn()
 {
     chain = readSessionStart(file).hash;
@@ -539,33 +406,6 @@ void SessionWriter::Impl::goOn()
     lastEvent = counted(file.integer("SELECT coalesce(max(id), 0) FROM event"));
     SqliteStatement last = file.prepare("SELECT kind, subject FROM event ORDER BY id DESC LIMIT 1");
     ended = last.step() && last.text(0) == name(EventKind::Session) && last.text(1) == "ended";
-}
-
-Result<SessionRecovery> recoverSession(const std::string& path, bool evenAlone)
-{
-    const bool linked = isLink(path) || isLink(path + "-wal") || isLink(path + "-shm");
-    if (linked)
-        return fileError(
-            path,
-            isLink(path) ? TR_NOOP("core", "is a symbolic link: name the file itself")
-                         : TR_NOOP("core", "its journal is a symbolic link, which is not followed"),
-            kNotFollowed);
-    try {
-        if (!SqliteFile::isJournaled(path)) return SessionRecovery::NotNeeded;
-        if (!evenAlone && SqliteFile::lacksJournal(path))
-            return fileError(
-                path, TR_NOOP("core", "its journal is not beside it: both files belong together"));
-        if (!evenAlone && SqliteFile::journalIsDamaged(path))
-            return fileError(path,
-                             TR_NOOP("core", "its journal is damaged: nothing of it can be read"));
-        SqliteFile file = SqliteFile::reopenLog(path);
-        requireSessionSchema(file);
-        if (!file.leaveJournal()) return SessionRecovery::InUse;
-        SqliteFile alone = SqliteFile::reopenLog(path);
-        return SessionWriter::finish(path, std::move(alone));
-    } catch (const SqliteError& error) {
-        return fileError(path, error.message());
-    }
 }
 
 Result<SessionRecovery> SessionWriter::finish(const std::string& path, SqliteFile file)

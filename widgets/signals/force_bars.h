@@ -5,12 +5,11 @@
 #include <QRectF>
 #include <array>
 #include <cstddef>
-#include <deque>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "core/robot/measurement.h"
+#include "widgets/signals/peak_hold.h"
 
 class QwtPlotGrid;
 class QwtPlotMarker;
@@ -40,21 +39,6 @@ struct ForceArray {
 struct TimedForces {
     double time = 0.0;
     std::vector<ForceArray> arrays{};
-};
-
-/// Maximum over the last kHold seconds.
-class PeakHold {
-public:
-    static constexpr double kHold = 3.0;  ///< [s]
-
-    /// `time` [s] must not be NaN. A time before the last one restarts the maximum.
-    void take(double time, double value);
-    void forget(double time);  ///< drops values older than kHold
-    std::optional<double> peak() const;
-
-private:
-    std::deque<std::pair<double, double>>
-        falling_;  // (time, value); each value exceeds all later ones
 };
 
 /// Forces of all arrays as six groups of live bars with numbers, calibrated [N] or raw [V]. Bars of the arrays 1 to 4

@@ -1,0 +1,69 @@
+#include "core/log/session_row_checks.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace terratact {
+namespace {
+
+void requireAllFinite(const Heights& heights)
+{
+    for (const double height : heights) requireFinite({height});
+}
+
+}  // namespace
+
+void requireFinite(std::initializer_list<double> values)
+{
+    for (const double value : values)
+        if (!std::isfinite(value))
+            throw std::invalid_argument("SessionWriter: a number that is not finite");
+}
+
+void requireFinite(const SceneRow& row)
+{
+    const Measurement& m = row.measurement;
+    requireFinite({m.time, m.pitch, m.roll, m.frontLeft, m.frontRight, m.rearLeft, m.rearRight,
+                   m.frontLeftCurrent, m.frontRightCurrent, m.rearLeftCurrent, m.rearRightCurrent,
+                   m.travelled.value_or(0.0), m.turned.value_or(0.0)});
+    for (const double force : m.force) requireFinite({force});
+    if (m.arm) requireFinite({m.arm->height, m.arm->sd});
+    if (row.truth) requireAllFinite(*row.truth);
+}
+
+void requireFinite(const EstimateRow& row)
+{
+    const TerrainEstimate& e = row.estimate;
+    const Settings& s = e.settings;
+    requireFinite({row.seconds, row.stepLimit, e.novelty, s.forceThreshold, s.contactSd,
+                   s.probeAbove, s.rollLimit, s.asymmetryLimit, s.hazardRate, e.feltTo});
+    for (const double ceiling : e.ceiling)
+        if (!std::isinf(ceiling)) requireFinite({ceiling});
+    for (const Heights* values : {&e.mean, &e.sd, &e.q10, &e.q90, &e.height, &e.rhat, &e.ess})
+        requireAllFinite(*values);
+    for (const Heights& draw : e.draws) requireAllFinite(draw);
+    for (const ArmReading& reading : row.readings) requireFinite({reading.height, reading.sd});
+}
+
+void requireFinite(const ProposalRow& row)
+{
+    requireFinite({row.height, row.q10, row.q90, row.sd, row.limit, row.armSd, row.seconds,
+                   row.stepLimit, row.bitsBefore});
+    for (const OfferedBin& offer : row.offers)
+        requireFinite({offer.varianceShare, offer.bitsAfter});
+}
+
+void requireNext(std::int64_t id, std::int64_t& last)
+{
+    if (id <= last)
+        throw std::invalid_argument("SessionWriter: an id that is not larger than the last");
+    last = id;
+}
+
+void requireKnown(std::int64_t id, std::int64_t last, bool mayBeNone)
+{
+    if (id > last || id < 0 || (id == 0 && !mayBeNone))
+        throw std::invalid_argument("SessionWriter: a row refers to one that was not added");
+}
+
+}  // namespace terratact
