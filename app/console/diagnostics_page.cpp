@@ -150,17 +150,6 @@ DiagnosticsSection loopDiagnostics(const LoopMeter& meter)
              {DiagnosticsPage::tr("telemetry to screen"), halfAndWorst(meter.latencies())}}};
 }
 
-DiagnosticsSection longestDiagnostics(const std::vector<LongEvent>& events)
-{
-    QStringList lines;
-    for (const LongEvent& event : events)
-        lines << DiagnosticsPage::tr("%1 at %2: %3")
-                     .arg(milliseconds(event.seconds), event.at.toString(Qt::ISODate), event.what);
-    return {DiagnosticsPage::tr("Since the start"),
-            {{DiagnosticsPage::tr("longest events"),
-              lines.isEmpty() ? format::kNothing : lines.join(QLatin1Char('\n'))}}};
-}
-
 QString contactWords(const PanelFacts& panel, PanelContact contact)
 {
     const QString level = panel.report.state.contacts[contact].closed
@@ -249,8 +238,8 @@ QList<DiagnosticsSection> standingDiagnostics()
 
 QList<DiagnosticsSection> consoleDiagnostics(const ConsoleFacts& facts, const LoopMeter& meter)
 {
-    return {presentDiagnostics(facts), loopDiagnostics(meter), longestDiagnostics(facts.longest),
-            panelDiagnostics(facts.panel), partsDiagnostics(facts)};
+    return {presentDiagnostics(facts), loopDiagnostics(meter), panelDiagnostics(facts.panel),
+            partsDiagnostics(facts)};
 }
 
 QString plainText(const QList<DiagnosticsSection>& sections)

@@ -9,7 +9,6 @@
 
 #include "app/link/can_source.h"
 #include "app/mission/estimation.h"
-#include "app/shell/event_watch.h"
 #include "app/shell/page.h"
 #include "drivers/operator_panel.h"
 
@@ -52,7 +51,6 @@ struct ConsoleFacts {
     bool estimating = false;
     QString source{}, robot{}, robotDetails{};
     ModelInUse model{};
-    std::vector<LongEvent> longest{};  ///< since the start
 };
 
 /// Returns these facts with frame times, latency and lateness of the event loop.

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "app/mission/bus_text.h"
-#include "app/shell/watched_application.h"
 #include "display/format.h"
 
 namespace terratact {
@@ -171,8 +170,7 @@ ConsoleFacts LiveViewState::facts(const RobotMoment& moment, const QString& sour
                        .source = source,
                        .robot = format::shownName(robot_),
                        .robotDetails = robotDetails,
-                       .model = parts_.exploration.estimation().model(),
-                       .longest = WatchedApplication::longestEvents()};
+                       .model = parts_.exploration.estimation().model()};
     if (moment.latest) facts.telemetryAge = now - secondsOf(moment.latest->arrived);
     if (moment.bus) facts.bus = busWords(moment.bus->bus, moment.bus->busName);
     if (parts_.link) facts.waiting = parts_.link->waiting();

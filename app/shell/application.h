@@ -1,11 +1,11 @@
 #pragma once
 
+#include <QApplication>
 #include <optional>
 #include <string>
 
 #include "app/shell/console_options.h"
 #include "app/shell/preferences.h"
-#include "app/shell/watched_application.h"
 #include "core/base/result.h"
 
 namespace terratact {
@@ -24,7 +24,7 @@ public:
 private:
     int& argc_;
     char** argv_;
-    std::optional<WatchedApplication> application_;
+    std::optional<QApplication> application_;
 };
 
 /// Shows a window with the reason that no other opens, until it is closed. file: the file to open, or empty. Call after

@@ -4573,18 +4573,6 @@ F1</translation>
         <translation>STOP až na sběrnici</translation>
     </message>
     <message>
-        <source>%1 at %2: %3</source>
-        <translation>%1 v %2: %3</translation>
-    </message>
-    <message>
-        <source>Since the start</source>
-        <translation>Od spuštění</translation>
-    </message>
-    <message>
-        <source>longest events</source>
-        <translation>nejdelší události</translation>
-    </message>
-    <message>
         <source>bus</source>
         <translation>sběrnice</translation>
     </message>

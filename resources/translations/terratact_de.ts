@@ -4573,18 +4573,6 @@ F1</translation>
         <translation>STOP bis auf den Bus</translation>
     </message>
     <message>
-        <source>%1 at %2: %3</source>
-        <translation>%1 um %2: %3</translation>
-    </message>
-    <message>
-        <source>Since the start</source>
-        <translation>Seit dem Start</translation>
-    </message>
-    <message>
-        <source>longest events</source>
-        <translation>längste Ereignisse</translation>
-    </message>
-    <message>
         <source>bus</source>
         <translation>Bus</translation>
     </message>

@@ -1,4 +1,4 @@
-// Tests the diagnostics page: lateness of the event loop, and the longest events.
+// Tests the diagnostics page: lateness of the event loop.
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -7,7 +7,6 @@
 #include <cerrno>
 
 #include "app/console/diagnostics_page.h"
-#include "app/shell/event_watch.h"
 #include "app/shell/loop_meter.h"
 #include "tests/support/foreign_tongue.h"
 
@@ -39,44 +38,6 @@ TEST(LoopMeter, countsWhatABeatIsLate)
     EXPECT_EQ(meter.frames().count(), 2U);
     EXPECT_EQ(meter.latencies().count(), 1U);
     EXPECT_THROW(LoopMeter(0.0), std::invalid_argument);
-}
-
-TEST(EventWatch, keepsTheLongestEventsOfTheInnermostLoop)
-{
-    EventWatch watch;
-    const auto handle = [&watch](int level, double seconds, const char* what) {
-        ASSERT_TRUE(watch.begins(level));
-        EXPECT_FALSE(watch.begins(level)) << "what it sends meanwhile is part of it";
-        if (watch.ends(level, seconds)) watch.keep({seconds, what, {}});
-    };
-    const auto kept = [&watch] {
-        QStringList all;
-        for (const LongEvent& event : watch.longest()) all << event.what;
-        return all.join(' ');
-    };
-    EXPECT_FALSE(watch.begins(0)) << "there is no loop yet";
-    handle(1, 0.2, "b");
-    handle(1, 0.3, "a");
-    handle(1, 0.1, "d");
-    handle(1, 0.15, "c");
-    EXPECT_EQ(kept(), "a b c");
-    ASSERT_TRUE(watch.begins(1));
-    handle(2, 0.25, "button");
-    EXPECT_FALSE(watch.ends(1, 9.0)) << "while a dialog is open its events are handled";
-    EXPECT_EQ(kept(), "a button b");
-    handle(1, 0.5, "afterwards");
-    EXPECT_EQ(kept(), "afterwards a button");
-}
-
-TEST(ConsoleDiagnostics, sayWhichEventsTookLongest)
-{
-    const auto text = [](const ConsoleFacts& facts) {
-        return plainText(consoleDiagnostics(facts, LoopMeter(0.01)));
-    };
-    EXPECT_TRUE(text({}).contains("longest events: --\n"));
-    ConsoleFacts facts;
-    facts.longest = {{0.2, "Timer for QTimer", QTime(1, 2, 3)}, {0.1, "Paint for QWidget", {}}};
-    EXPECT_TRUE(text(facts).contains("200.0 ms at 01:02:03: Timer for QTimer\n100.0 ms at"));
 }
 
 TEST(ConsoleDiagnostics, nameTheFixForAKernelWithoutCan)
