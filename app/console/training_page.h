@@ -69,6 +69,8 @@ signals:
 
 private:
     enum class Phase { Idle, Training, Trained, Comparing, Compared, Adopting };
+    static constexpr int kColumnBefore = 1, kColumnAfter = 2, kColumnDifference = 3;
+    static constexpr int kPerMille = 1000;  ///< range of the progress bar
 
     QWidget* trainCard();
     QWidget* compareCard();
