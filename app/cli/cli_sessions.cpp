@@ -133,14 +133,14 @@ void addSessionWhatIf(CLI::App& session, Job& job)
     c->add_flag_callback(
          "--all", [] {}, "All estimates, which is so without it")
         ->excludes(one);
-    addChoice(*c, "--method", o->method, methodFromName, "pa|pac|pafc|pafac|clearance|joint|local",
-              "Another method");
-    addChoice(*c, "--quality", o->preset, qualityPresetFromName, "fast|balanced|accurate",
+    addChoice(*c, "--method", o->changes.method, methodFromName,
+              "pa|pac|pafc|pafac|clearance|joint|local", "Another method");
+    addChoice(*c, "--quality", o->changes.preset, qualityPresetFromName, "fast|balanced|accurate",
               "Draws, chains, burn-in, precision and inducing rows of a "
               "preset");
-    c->add_option("--threshold", o->threshold, "Another force of a contact [N]")
+    c->add_option("--threshold", o->changes.threshold, "Another force of a contact [N]")
         ->check(CLI::Range(0.0, 1000.0));
-    c->add_option("--seed", o->seed, "Another seed of the random numbers");
+    c->add_option("--seed", o->changes.seed, "Another seed of the random numbers");
     addInput(*c, "--model", o->model,
              "Another model (*.ttm), or where the session's is, if it is "
              "not the shipped one");

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/modelling/session_reruns.h"
 #include "app/recording/session_export.h"
 #include "core/base/result.h"
 #include "core/infer/estimate/quality_preset.h"
@@ -60,17 +61,9 @@ struct SessionReportOptions {
 };
 Status reportSession(const SessionReportOptions& options);
 
-struct WhatIfOptions {
+struct WhatIfOptions : SessionReruns::Options {
     std::vector<std::string> files;  ///< sessions or folders
-    std::int64_t estimate = 0;       ///< 0: all estimates
-    std::string shippedModel;        ///< model to try if it is the session's
-    std::string model;               ///< model to estimate with; empty: the session's
     std::string out;                 ///< CSV output; empty: none
-    // Requested changes of the settings.
-    std::optional<Method> method{};
-    std::optional<QualityPreset> preset{};
-    std::optional<double> threshold{};  ///< [N]
-    std::optional<std::uint64_t> seed{};
 };
 /// Recomputes recorded estimates and prints the differences. Without changes, returns an Error unless every estimate is
 /// equal up to the last bits (Match in app/recording/what_if.h).

@@ -1,0 +1,226 @@
+#include "app/modelling/session_reruns.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "core/log/later_poses.h"
+#include "core/store/csv_text.h"
+#include "core/store/file_read.h"
+#include "core/store/sha256.h"
+
+namespace terratact {
+namespace {
+
+Settings changed(Settings settings, const RerunChanges& changes)
+{
+    if (changes.method) settings.method = *changes.method;
+    if (changes.preset) settings = withPreset(settings, *changes.preset);
+    if (changes.threshold) settings.forceThreshold = *changes.threshold;
+    if (changes.seed) settings.seed = *changes.seed;
+    return settings;
+}
+
+Scene evaluated(const SceneRow& row)
+{
+    Scene scene{
+        .run = {}, .time = secondsOf(row.time), .s = proprioception(row.measurement), .truth = {}};
+    if (row.truth)
+        for (std::size_t i = 0; i < kBins; ++i) scene.truth[i] = (*row.truth)[i];
+    return scene;
+}
+
+}  // namespace
+
+SessionReruns::SessionReruns(Options options, Hooks hooks)
+    : options_(std::move(options)), hooks_(std::move(hooks))
+{
+}
+
+Status SessionReruns::add(const std::string& file)
+{
+    auto session = SessionReader::open(file);
+    if (!session) return session.error();
+    sessions_.push_back(std::make_unique<SessionReader>(std::move(*session)));
+    SessionReader& reader = *sessions_.back();
+    if (hooks_.opened) hooks_.opened(reader);
+    const std::set<std::int64_t> repeated = origins_.take(reader);
+    bool any = false;
+    for (const EstimateRow& row : reader.estimates()) {
+        if (options_.estimate != 0 && row.id != options_.estimate) continue;
+        any = true;
+        if (repeated.contains(row.scene)) continue;
+        if (Status done = repeat(reader, row); !done) return done;
+    }
+    if (!any && options_.estimate != 0)
+        return fileError(file, fmt::format("has no estimate {}", options_.estimate));
+    return Done{};
+}
+
+Result<const EstimatorBundle*> SessionReruns::bundleOf(const RobotModel& robot,
+                                                       const std::string& robotText,
+                                                       const std::string& path)
+{
+    auto& bundle = bundles_[{robotText, path}];
+    if (!bundle) {
+        auto model = readModel(path);
+        if (!model) return model.error();
+        bundle = std::make_unique<EstimatorBundle>(robot, std::move(*model));
+    }
+    return static_cast<const EstimatorBundle*>(bundle.get());
+}
+
+Result<std::string> SessionReruns::modelPath(const SessionReader& session, const EstimateRow& row,
+                                             bool& recordedOne) const
+{
+    const ModelRow* model = session.model(row.model);
+    if (!model)
+        return fileError(session.path(),
+                         fmt::format("estimate {}: its model is not there", row.id));
+    if (options_.model.empty()) {
+        const auto path = modelFileOf(*model, std::array{options_.shippedModel});
+        recordedOne = true;
+        if (path) return *path;
+        return Error{path.error().text + "; --model FILE names it or another"};
+    }
+    const auto hash = sha256OfFile(options_.model);
+    if (!hash) return hash.error();
+    recordedOne = *hash == model->hash;
+    return options_.model;
+}
+
+Status SessionReruns::repeat(SessionReader& session, const EstimateRow& row)
+{
+    const auto robot = robotOf(session);
+    if (!robot) return robot.error();
+    bool recordedModel = false;
+    const auto path = modelPath(session, row, recordedModel);
+    if (!path) return path.error();
+    const auto bundle = bundleOf(*robot, session.start().robot, *path);
+    if (!bundle) return bundle.error();
+    auto before = recordedEstimate(session, row);
+    if (!before) return before.error();
+    const Watch watch = hooks_.watch ? hooks_.watch(row) : Watch{};
+    if (watch.cancelled && watch.cancelled()) throw Cancelled{};
+    const Settings settings = changed(row.estimate.settings, options_.changes);
+    auto again = estimateAgain(session, row, (*bundle)->models, settings, watch);
+    if (!again) return again.error();
+    Rerun rerun{.session = &session, .row = row, .again = std::move(*again), .differences = {}};
+    rerun.row.estimate = std::move(*before);
+    rerun.asRecorded = recordedModel && settings == row.estimate.settings;
+    rerun.differences = differencesBetween(rerun.row.estimate, rerun.again,
+                                           session.scene(row.scene)->measurement, row.stepLimit);
+    reruns_.push_back(std::move(rerun));
+    return Done{};
+}
+
+std::size_t SessionReruns::sessionsWithReruns() const
+{
+    std::set<const SessionReader*> sessions;
+    for (const Rerun& rerun : reruns_) sessions.insert(rerun.session);
+    return sessions.size();
+}
+
+std::size_t SessionReruns::failed() const
+{
+    return static_cast<std::size_t>(
+        std::ranges::count_if(reruns_, [](const Rerun& rerun) { return rerun.failed(); }));
+}
+
+RerunErrors SessionReruns::errors() const
+{
+    RerunErrors errors;
+    for (std::size_t k = 0; k < reruns_.size(); ++k) {
+        const Scene scene = evaluated(*reruns_[k].session->scene(reruns_[k].row.scene));
+        for (const BinError& e : binErrors(k, scene, "then", reruns_[k].row.estimate))
+            errors.then.push_back(e);
+        for (const BinError& e : binErrors(k, scene, "now", reruns_[k].again))
+            errors.now.push_back(e);
+    }
+    return errors;
+}
+
+RerunLedgers SessionReruns::laterProbes(const SessionReader& session) const
+{
+    RerunLedgers ledgers;
+    for (const Rerun& later : reruns_) {
+        if (later.session != &session || later.row.role == EstimateRole::Second) continue;
+        const Rerun* before = nullptr;
+        for (const Rerun& r : reruns_)
+            if (r.session == &session && r.row.scene == later.row.scene && r.row.id < later.row.id
+                && r.row.readings.size() < later.row.readings.size())
+                before = &r;
+        if (!before) continue;
+        for (std::size_t k = before->row.readings.size(); k < later.row.readings.size(); ++k) {
+            const ArmReading& reading = later.row.readings[k];
+            ledgers.then.record(before->row.estimate, reading.bin, reading.height, reading.sd,
+                                Origin::Arm);
+            ledgers.now.record(before->again, reading.bin, reading.height, reading.sd, Origin::Arm);
+        }
+    }
+    return ledgers;
+}
+
+RerunLedgers SessionReruns::laterPoses(SessionReader& session) const
+{
+    std::map<std::int64_t, const Rerun*> last;  // last rerun of each scene
+    for (const Rerun& r : reruns_)
+        if (r.session == &session && r.row.role != EstimateRole::Second) last[r.row.scene] = &r;
+    std::vector<const Rerun*> ofScene;
+    std::vector<EstimateOfScene> estimates;  // recorded and recomputed estimates alternate
+    for (std::size_t scene = 0; scene < session.scenes().size(); ++scene) {
+        const auto found = last.find(session.scenes()[scene].id);
+        ofScene.push_back(found == last.end() ? nullptr : found->second);
+        if (!ofScene.back()) continue;
+        estimates.push_back({scene, &ofScene.back()->row.estimate});
+        estimates.push_back({scene, &ofScene.back()->again});
+    }
+    RerunLedgers ledgers;
+    const auto robot = robotOf(session);
+    if (!robot || ofScene.size() < 2) return ledgers;
+    for (const LaterPose& pose : terratact::laterPoses(session, *robot, estimates)) {
+        if (!ofScene[pose.scene]) continue;
+        CalibrationLedger& ledger = pose.estimate % 2 == 0 ? ledgers.then : ledgers.now;
+        ledger.record(*estimates[pose.estimate].estimate, pose.ghost,
+                      ofScene[pose.scene]->row.estimate);
+    }
+    return ledgers;
+}
+
+std::string SessionReruns::csv() const
+{
+    std::string text = "file,estimate,scene,t_s,method,bin_m,height_then_m,height_now_m,"
+                       "sd_then_m,sd_now_m,q10_then_m,q10_now_m,q90_then_m,q90_now_m,truth_m,"
+                       "identical,verdict_then,verdict_now\n";
+    for (const Rerun& r : reruns_) {
+        const TerrainEstimate &a = r.row.estimate, &b = r.again;
+        const SceneRow* scene = r.session->scene(r.row.scene);
+        for (std::size_t i = 0; i < kBins; ++i)
+            text += fmt::format(
+                "{},{},{},{},{},{:+.1f},{},{},{},{},{},{},{},{},{},{:d},{},{}\n",
+                csvField(r.session->path()), r.row.id, r.row.scene, secondsOf(r.row.time),
+                name(b.settings.method), binCentre(static_cast<int>(i)), a.height[i], b.height[i],
+                a.sd[i], b.sd[i], a.q10[i], b.q10[i], a.q90[i], b.q90[i],
+                scene->truth ? numberText(scene->truth->at(i)) : "",
+                r.differences.likeness == Match::Identical, name(r.differences.before.stepVerdict),
+                name(r.differences.after.stepVerdict));
+    }
+    return text;
+}
+
+std::vector<std::string> sessionsAt(const std::string& path)
+{
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(path, ignored)) return {path};
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(path))
+        if (entry.path().extension() == ".tts") files.push_back(entry.path().string());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+}  // namespace terratact

@@ -1,0 +1,76 @@
+#include "app/modelling/session_reruns.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/temporary_directory.h"
+
+namespace terratact {
+namespace {
+
+const std::string kDemo = TERRATACT_SOURCE_DIR "/resources/sessions/demo.tts";
+
+TEST(SessionReruns, aFolderGivesItsSessionsSortedByName)
+{
+    const TemporaryDirectory folder;
+    for (const char* name : {"b.tts", "a.tts", "notes.txt"})
+        std::ofstream(folder.file(name)) << "x";
+    EXPECT_EQ(sessionsAt(folder.file("")),
+              (std::vector<std::string>{folder.file("a.tts"), folder.file("b.tts")}));
+    EXPECT_EQ(sessionsAt(folder.file("notes.txt")),
+              std::vector<std::string>{folder.file("notes.txt")})
+        << "a file is read, whatever its name";
+}
+
+TEST(SessionReruns, errorsNameTheFile)
+{
+    SessionReruns reruns({}, {});
+    const Status missing = reruns.add("no-such.tts");
+    ASSERT_FALSE(missing);
+    EXPECT_NE(missing.error().text.find("no-such.tts"), std::string::npos);
+}
+
+TEST(SessionReruns, refusesAnEstimateThatDoesNotExist)
+{
+    int opened = 0;
+    SessionReruns counting({.estimate = 999'999'999, .shippedModel = {}, .model = {}},
+                           {.opened = [&](const SessionReader&) { ++opened; }, .watch = {}});
+    const Status none = counting.add(kDemo);
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().text.find("has no estimate 999999999"), std::string::npos)
+        << none.error().text;
+    EXPECT_EQ(opened, 1);
+    EXPECT_TRUE(counting.all().empty());
+}
+
+TEST(SessionReruns, aMissingModelLeavesNoRerun)
+{
+    SessionReruns reruns({.estimate = 0,
+                          .shippedModel = TERRATACT_SOURCE_DIR "/no-such.ttm",
+                          .model = TERRATACT_SOURCE_DIR "/no-such.ttm"},
+                         {});
+    const Status none = reruns.add(kDemo);
+    ASSERT_FALSE(none) << "the model cannot be read";
+    EXPECT_TRUE(reruns.all().empty());
+    EXPECT_EQ(reruns.failed(), 0U);
+}
+
+TEST(SessionReruns, failsOnlyIfNothingExplainsADifference)
+{
+    Rerun rerun;
+    rerun.asRecorded = true;
+    rerun.differences.likeness = Match::Other;
+    EXPECT_TRUE(rerun.failed());
+    rerun.differences.likeness = Match::LastBits;
+    EXPECT_FALSE(rerun.failed());
+    rerun.differences.likeness = Match::Other;
+    rerun.row.estimate.ending = Ending::Time;
+    EXPECT_FALSE(rerun.failed()) << "time ended the recorded sampling";
+    rerun.row.estimate.ending = {};
+    rerun.asRecorded = false;
+    EXPECT_FALSE(rerun.failed()) << "a change was requested";
+}
+
+}  // namespace
+}  // namespace terratact
