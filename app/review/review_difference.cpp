@@ -2,8 +2,12 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
+#include "core/store/csv_text.h"
 #include "display/format.h"
 #include "widgets/signals/session_timeline.h"
 
@@ -17,10 +21,11 @@ struct DifferenceWords {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Formats in the C locale with the fewest digits that read back equal; empty for a missing value.
-QString field(double value)
+std::string field(double value)
 {
-    return std::isfinite(value) ? QString::number(value, 'g', QLocale::FloatingPointShortest)
-                                : QString();
+    return std::isfinite(value)
+             ? QString::number(value, 'g', QLocale::FloatingPointShortest).toStdString()
+             : std::string();
 }
 
 }  // namespace
@@ -47,17 +52,18 @@ QString differenceWords(const ReviewMoment& a, const ReviewMoment& b)
 
 QString numbersCsv(const ReviewMoment& moment)
 {
-    QString header = QStringLiteral(
-        "t_s,measured_s,pitch_rad,roll_rad,front_left_rad,front_right_rad,rear_left_rad,"
-        "rear_right_rad,front_left_a,front_right_a,rear_left_a,rear_right_a");
-    QStringList row{field(secondsOf(moment.time))};
+    std::vector<std::string> header{"t_s",           "measured_s",     "pitch_rad",
+                                    "roll_rad",      "front_left_rad", "front_right_rad",
+                                    "rear_left_rad", "rear_right_rad", "front_left_a",
+                                    "front_right_a", "rear_left_a",    "rear_right_a"};
+    std::vector<std::string> row{field(secondsOf(moment.time))};
     if (const auto& m = moment.measurement) {
-        row << field(secondsOf(moment.measured));
+        row.push_back(field(secondsOf(moment.measured)));
         for (const double value :
              {m->pitch, m->roll, m->frontLeft, m->frontRight, m->rearLeft, m->rearRight})
-            row << field(value);
+            row.push_back(field(value));
         const auto put = [&](std::size_t feature, double value) {
-            row << (m->missing[feature] ? QString() : field(value));
+            row.push_back(m->missing[feature] ? std::string() : field(value));
         };
         put(kFrontCurrentFeature, m->frontLeftCurrent);
         put(kFrontCurrentFeature, m->frontRightCurrent);
@@ -65,10 +71,10 @@ QString numbersCsv(const ReviewMoment& moment)
         put(kRearCurrentFeature, m->rearRightCurrent);
         for (std::size_t e = 0; e < m->force.size(); ++e) put(kFirstForceFeature + e, m->force[e]);
     } else {
-        while (row.size() < 12 + kForceElements) row << QString();
+        row.resize(12 + kForceElements);
     }
-    for (int i = 1; i <= kForceElements; ++i) header += QStringLiteral(",force_%1_n").arg(i);
-    return header + QLatin1Char('\n') + row.join(QLatin1Char(',')) + QLatin1Char('\n');
+    for (int i = 1; i <= kForceElements; ++i) header.push_back("force_" + std::to_string(i) + "_n");
+    return QString::fromStdString(csvLine(header) + csvLine(row));
 }
 
 }  // namespace terratact

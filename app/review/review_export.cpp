@@ -4,6 +4,8 @@
 
 #include <QApplication>
 #include <QFileInfo>
+#include <string>
+#include <vector>
 
 #include "app/review/review_difference.h"
 #include "core/store/csv_text.h"
@@ -54,10 +56,10 @@ QString csvOf(const QString& table)
 {
     QString csv;
     for (const QString& line : table.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
-        QStringList fields;
+        std::vector<std::string> fields;
         for (const QString& cell : line.split(QLatin1Char('\t')))
-            fields << QString::fromStdString(csvField(cell.toStdString()));
-        csv += fields.join(QLatin1Char(',')) + QLatin1Char('\n');
+            fields.push_back(cell.toStdString());
+        csv += QString::fromStdString(csvLine(fields));
     }
     return csv;
 }

@@ -2,6 +2,7 @@
 
 #include <QByteArray>
 #include <QLocale>
+#include <array>
 #include <filesystem>
 #include <utility>
 
@@ -50,8 +51,9 @@ Status writeNotes(const std::string& session, const std::vector<ReviewNote>& not
 {
     std::string text = std::string(kHeader) + "\n";
     for (const ReviewNote& note : notes)
-        text += QByteArray::number(note.time, 'g', QLocale::FloatingPointShortest).toStdString()
-              + "," + csvField(note.text) + "\n";
+        text += csvLine(std::array{
+            QByteArray::number(note.time, 'g', QLocale::FloatingPointShortest).toStdString(),
+            note.text});
     return writeFileAtomically(notesPath(session), text);
 }
 

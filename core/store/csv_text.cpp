@@ -46,6 +46,16 @@ std::string csvField(std::string_view text)
     return quoted + "\"";
 }
 
+std::string csvLine(std::span<const std::string> fields)
+{
+    std::string line;
+    for (const std::string& field : fields) {
+        if (&field != fields.data()) line += ',';
+        line += csvField(field);
+    }
+    return line + '\n';
+}
+
 std::string_view csvText(std::string_view field)
 {
     if (field.starts_with('\'') && beginsFormula(field)) field.remove_prefix(1);

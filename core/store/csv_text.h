@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,9 @@ namespace terratact {
 /// apostrophe. A text with a separator, a quote, a line end or an outer blank is quoted as in RFC
 /// 4180.
 std::string csvField(std::string_view text);
+
+/// Returns one line of a CSV file: csvField() of each text, separated by commas, with its line end.
+std::string csvLine(std::span<const std::string> fields);
 
 /// Returns the text of an unquoted field that csvField() made: it removes the added apostrophe.
 std::string_view csvText(std::string_view field);
