@@ -182,12 +182,12 @@ void LinkStatus::tellChange(const LinkAccount& link)
                     EventSeverity::Note, QTime::currentTime());
     else if (link.standing != LinkStanding::Silent)
         events_.add(text, isDown(link) ? EventSeverity::Bad : EventSeverity::Note,
-                    QTime::currentTime());
+                    QTime::currentTime(), EventPlace::LinkBanner);
 }
 
-bool LinkStatus::says(const QString& text) const
+bool LinkStatus::isBannerShown() const
 {
-    return !banner_.isHidden() && banner_.text().startsWith(text.toUpper());
+    return !banner_.isHidden();
 }
 
 void LinkStatus::showRobot(const Received* newest, double age)

@@ -39,7 +39,7 @@ public:
     void show(const LinkViewState& viewState);
     /// Call for every frame of the window. panel: precondition of the panel for motion; empty: no panel.
     void showArming(const CanView* bus, const std::optional<Precondition>& panel);
-    bool says(const QString& text) const;  ///< true if the banner shows the text in capitals
+    bool isBannerShown() const;  ///< true if the banner shows a lost or unsteady link
 
 private:
     void count(const CanView& view, double now);

@@ -271,17 +271,16 @@ void MainWindow::connectExploration()
     connect(drivePad(), &DrivePad::driveRequested, exploration, &Exploration::drive);
     connect(drivePad(), &DrivePad::haltRequested, exploration, &Exploration::halt);
     connect(exploration, &Exploration::happened, this, &MainWindow::tell);
+    connect(exploration, &Exploration::stateChanged, this, &MainWindow::tellState);
     if (panel_) connect(panel_.get(), &PanelControl::happened, this, &MainWindow::tell);
 }
 
 /// Reports trouble on every page, in a banner if the event list is hidden.
-void MainWindow::notice(const QString& text, EventSeverity severity)
+void MainWindow::notice(const QString& text, EventSeverity severity, EventPlace place)
 {
-    const QString state = exploration_->stateWords();
-    const bool panelSays = atemPanel()->isVisible() && !state.isEmpty() && text.contains(state);
-    if (severity != EventSeverity::Bad || events()->isVisible() || panelSays
-        || linkStatus_->says(text))
-        return;
+    const bool isShown = (place == EventPlace::ExplorationPanel && atemPanel()->isVisible())
+                      || (place == EventPlace::LinkBanner && linkStatus_->isBannerShown());
+    if (severity != EventSeverity::Bad || events()->isVisible() || isShown) return;
     notice_->say(text, steadyNow());
 }
 
@@ -344,6 +343,11 @@ void MainWindow::open()
 std::function<void(const QString&)> MainWindow::notOpened()
 {
     return [this](const QString& why) { tell(why, EventSeverity::Bad); };
+}
+
+void MainWindow::tellState(const QString& text, EventSeverity severity)
+{
+    events()->add(text, severity, QTime::currentTime(), EventPlace::ExplorationPanel);
 }
 
 void MainWindow::tell(const QString& text, EventSeverity severity)

@@ -118,13 +118,15 @@ private:
     void addPages(const Options& options);
     void showAlarms(const LinkAccount& link);
     void showRecording(const LinkAccount& link);
-    void notice(const QString& text, EventSeverity severity);
+    void notice(const QString& text, EventSeverity severity, EventPlace place);
     void showPanelLost();
     void mark();
     void connectAll();
     void connectHeader();
     void connectExploration();
     void tell(const QString& text, EventSeverity severity);  ///< adds an event
+    /// Adds an event that the exploration panel shows, too.
+    void tellState(const QString& text, EventSeverity severity);
     void connectWorker();
     /// Polls telemetry, panel and estimator: on new telemetry and estimates, and every 10 ms. It draws at up to 25 Hz.
     void poll();

@@ -24,6 +24,8 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
     if (const QString why = whyFollowing(link); !why.isEmpty()) {
         following_ = std::make_unique<PassiveExploration>(why, estimation_, options_.limits);
         connect(following_.get(), &PassiveExploration::happened, this, &Exploration::happened);
+        connect(following_.get(), &PassiveExploration::stateChanged, this,
+                &Exploration::stateChanged);
     }
     state_.followed = following();
     connect(&estimation_, &Estimation::happened, this, &Exploration::happened);
@@ -71,7 +73,7 @@ void Exploration::sendStop()
     const Status sent = source_.send(StopCommand{});
     const QString trouble = sent ? QString() : troubleWords(link_, sent.error().text);
     if (!trouble.isEmpty() && trouble != stopTrouble_)
-        emit happened(tr("STOP not sent: %1").arg(trouble), EventSeverity::Bad);
+        emit stateChanged(tr("STOP not sent: %1").arg(trouble), EventSeverity::Bad);
     stopTrouble_ = trouble;
 }
 
@@ -332,7 +334,7 @@ void Exploration::fail()
     const QString why = failureWords();
     estimation_.cancel();
     if (linkAlive_) command(AbortAtemCommand{});
-    emit happened(tr("exploration failed: %1").arg(why), EventSeverity::Bad);
+    emit stateChanged(tr("exploration failed: %1").arg(why), EventSeverity::Bad);
     if (!estimation_.estimate()) forget(tr("No estimate: %1").arg(why));
 }
 

@@ -119,6 +119,8 @@ public:
 
 signals:
     void happened(const QString& text, terratact::EventSeverity severity);
+    /// Emitted instead of happened() for an event that stateWords() contains.
+    void stateChanged(const QString& text, terratact::EventSeverity severity);
     void stoppedNothing(const QString& why);  ///< stop() had no effect
     // Signals for the session's record.
     void proposed();                                      ///< a probe was proposed

@@ -75,7 +75,7 @@ void PassiveExploration::enter(const AtemState& state, const Received& latest)
 void PassiveExploration::fail(AtemFailure failure)
 {
     const QString why = format::sentence(describe(failure));
-    emit happened(tr("following: no estimate: %1").arg(why), EventSeverity::Bad);
+    emit stateChanged(tr("following: no estimate: %1").arg(why), EventSeverity::Bad);
     estimation_.cancel();
     estimation_.forget(tr("No estimate: %1").arg(why));
 }

@@ -24,6 +24,8 @@ public:
 
 signals:
     void happened(const QString& text, terratact::EventSeverity severity);
+    /// Emitted instead of happened() for an event that the state shows, too.
+    void stateChanged(const QString& text, terratact::EventSeverity severity);
 
 private:
     void poll(FollowInput& in, const Received& latest) const;

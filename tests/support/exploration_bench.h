@@ -41,8 +41,9 @@ struct Bench : testing::Test {
         });
         exploration =
             std::make_unique<Exploration>(source, robot, *worker, Exploration::Options{}, link);
-        QObject::connect(exploration.get(), &Exploration::happened,
-                         [this](const QString& text) { events << text; });
+        for (const auto signal : {&Exploration::happened, &Exploration::stateChanged})
+            QObject::connect(exploration.get(), signal,
+                             [this](const QString& text) { events << text; });
         worker->start();
         EXPECT_TRUE(gui::eventually([this] { return events.contains("model fake.ttm loaded"); }));
         tick(3);

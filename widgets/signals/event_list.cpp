@@ -30,10 +30,10 @@ EventList::EventList(QWidget* parent) : QListWidget(parent)
     setFrameShape(QFrame::NoFrame);
 }
 
-void EventList::add(const QString& text, EventSeverity severity, QTime at)
+void EventList::add(const QString& text, EventSeverity severity, QTime at, EventPlace place)
 {
     tell(text, severity, at);
-    emit added(text, severity);
+    emit added(text, severity, place);
 }
 
 void EventList::tell(const QString& text, EventSeverity severity, QTime at)

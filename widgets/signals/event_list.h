@@ -15,12 +15,13 @@ public:
     explicit EventList(QWidget* parent = nullptr);
     QSize sizeHint() const override { return {300, 110}; }
     QSize minimumSizeHint() const override { return {scaled(150), 80}; }
-    void add(const QString& text, EventSeverity severity, QTime at);
+    void add(const QString& text, EventSeverity severity, QTime at,
+             EventPlace place = EventPlace::ListOnly);
     /// Adds an event without emitting added(), because the session records it elsewhere.
     void tell(const QString& text, EventSeverity severity, QTime at);
 
 signals:
-    void added(const QString& text, terratact::EventSeverity severity);
+    void added(const QString& text, terratact::EventSeverity severity, terratact::EventPlace place);
 
 protected:
     void changeEvent(QEvent* event) override;
