@@ -315,7 +315,7 @@ TEST_F(Recorder, everyFileHasTheStateFromBeforeItsStart)
         auto reader = SessionReader::open(file);
         ASSERT_TRUE(reader) << reader.error().text;
         const auto found = reader->verify();
-        EXPECT_FALSE(found.broken) << found.broken->why;
+        EXPECT_FALSE(found.broken) << found.broken->why.english();
         EXPECT_NE(reader->proposal(1), nullptr) << file;
         EXPECT_NE(reader->estimate(1), nullptr) << file;
         EXPECT_NE(reader->estimate(2), nullptr) << file;
