@@ -25,7 +25,7 @@ trap 'rm -f "$page"' EXIT
   echo 'What remains at the default rate are gaps whose far edge lies within 0.02 m of the pivot, where the first element loses less load than its'
   echo 'noise, falls that begin within the last 0.02 m before the horizon, and slots of less than 0.05 m.'
   echo
-  echo 'On hard rough ground the robot rests on single points (*press* is near 0 there). Between them nothing is felt, and no rule can tell flat'
+  echo 'On hard rough ground the robot rests on single points (*press* is 0 there). Between them nothing is felt, and the readings seldom tell flat'
   echo 'ground from a gap that the flippers span: CLEAR needs a probe or a lower rate, and a lower rate costs what the tables show.'
 } >"$page"
 cp "$page" hazards.md
