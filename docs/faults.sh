@@ -35,8 +35,11 @@ table() {
 table >>"$page"
 cat >>"$page" <<'EOF'
 
-A tilt of the IMU agrees with everything else in one direction. The same drives, each there and back over its ground: what no sensor
-tells in one direction is noticed after the turn, in part of the drives.
+A tilt of the IMU agrees with everything else in one direction. So the same is driven there and back: the robot turns on the spot at the
+end of its way, and returns over the same ground. A drive that comes back less than 3 m is left out, because the robot got stuck or tipped
+over on its way. The ground's slope changes its sign there, and a shift of the pitch does not. A shift is thus noticed at the end of the drive,
+not in each scene: after 2.5 m back or more. A robot that backs up over its ground, without a turn, sees the same slope again, and notices
+nothing.
 
     terratact faults --drives 40 --seed 1 --return
 
@@ -47,8 +50,9 @@ cat >>"$page" <<'EOF'
 ## Every kind at every sensor
 
 Drives [%] with any suspicion, without estimates; a letter says why a fault is not noticed in every drive. Some drives raise a suspicion
-without a fault, too: the row *none* above says how many. Telemetry that the watch reads has the mean of left and right forces, so that a
-fault of one element of the twelve has half of its size there.
+without a fault, too: the row *none* above says how many. The watch reads each of the twelve elements: *force-1* is element 1 of both sides,
+*left-force-1* that of the left side alone. In the simulation both sides feel the same ground. `terratact simulate --disturb` records scenes,
+which have the mean of both sides: a fault of one side is half as large in them.
 
     terratact faults --matrix --drives 10 --seed 1
 

@@ -24,10 +24,14 @@ namespace {
 
 using WatchedDrives = std::vector<std::vector<WatchedLine>>;
 
+constexpr double kLeastBack =
+    3.0;  // [m] else a drive did not come back: the robot tipped over, or got stuck
+
+/// Returns the grounds to drive over, twice as many if some robots may not come back.
 Result<std::vector<TerrainProfile>> watchedGrounds(const FaultsOptions& options)
 {
     std::vector<TerrainProfile> grounds;
-    const auto most = static_cast<std::size_t>(options.drives);
+    const std::size_t most = static_cast<std::size_t>(options.drives) * (options.comesBack ? 2 : 1);
     if (options.terrain == "varied") {
         std::mt19937_64 rng(options.settings.seed);
         for (std::size_t k = 0; k < most; ++k) grounds.push_back(randomVariedTerrain(rng));
@@ -41,23 +45,41 @@ Result<std::vector<TerrainProfile>> watchedGrounds(const FaultsOptions& options)
     return grounds;
 }
 
-WatchedDrives driveWatched(const FaultsOptions& options, const RobotModel& robot,
-                           const std::vector<TerrainProfile>& grounds)
+std::vector<WatchedLine> driveOne(const FaultsOptions& options, const RobotModel& robot,
+                                  const TerrainProfile& ground, std::size_t k)
 {
-    WatchedDrives drives(grounds.size());
-    Progress progress("drive", static_cast<int>(grounds.size()));
-    parallelFor(static_cast<int>(grounds.size()), [&](int n) {
-        const auto k = static_cast<std::size_t>(n);
-        std::seed_seq seed{options.settings.seed, static_cast<std::uint64_t>(k)};
-        std::mt19937_64 rng(seed);
-        WatchedStyle style;
-        style.flippers = randomDriveStyle(rng);
-        style.spacing = options.spacing;
-        style.comesBack = options.comesBack;
-        drives[k] = driveWithTelemetry(robot, grounds[k], style, rng());
-        progress.tick();
-    });
-    return drives;
+    std::seed_seq seed{options.settings.seed, static_cast<std::uint64_t>(k)};
+    std::mt19937_64 rng(seed);
+    WatchedStyle style;
+    style.flippers = randomDriveStyle(rng);
+    style.spacing = options.spacing;
+    style.comesBack = options.comesBack;
+    return driveWithTelemetry(robot, ground, style, rng());
+}
+
+/// Returns the drives. Those that were to come back, but did not, are left out and counted.
+WatchedDrives driveWatched(const FaultsOptions& options, const RobotModel& robot,
+                           const std::vector<TerrainProfile>& grounds, std::size_t& leftOut)
+{
+    const auto wanted = static_cast<std::size_t>(options.drives);
+    WatchedDrives kept;
+    Progress progress("drive", options.drives);
+    for (std::size_t next = 0; kept.size() < wanted && next < grounds.size();) {
+        WatchedDrives drives(std::min(wanted - kept.size(), grounds.size() - next));
+        parallelFor(static_cast<int>(drives.size()), [&](int n) {
+            const std::size_t k = next + static_cast<std::size_t>(n);
+            drives[k - next] = driveOne(options, robot, grounds[k], k);
+        });
+        next += drives.size();
+        for (std::vector<WatchedLine>& drive : drives) {
+            const bool isWhole = !options.comesBack || wayBack(drive) >= kLeastBack;
+            leftOut += isWhole ? 0 : 1;
+            if (!isWhole) continue;
+            kept.push_back(std::move(drive));
+            progress.tick();
+        }
+    }
+    return kept;
 }
 
 /// Results of one fault on all drives.
@@ -155,10 +177,13 @@ bool isFlagged(const FaultRow& row)
         || percent(row.seconds.size(), row.drives) >= 90.0;
 }
 
-void printHead(const FaultsOptions& options, std::size_t drives)
+void printHead(const FaultsOptions& options, std::size_t drives, std::size_t leftOut)
 {
-    say("{} drives over {}{}, a scene every {:.2f} m\n", drives, options.terrain,
+    say("{} drives over {}{}, a scene every {:.2f} m", drives, options.terrain,
         options.comesBack ? " and back" : "", options.spacing);
+    if (options.comesBack)
+        say("; {} that came back less than {:.0f} m are left out", leftOut, kLeastBack);
+    say("\n");
     say("{:<38}{:>8}{:>7}{:>9}{:>8}{:>8}{:>8}{:>9}{:>8}{:>8}{:>7}\n", "", "mean mm", "in 80",
         "suspect", "contra", "doubt", "drives", "after s", "scenes", "left mm", "in 80");
 }
@@ -206,12 +231,14 @@ Status judgeFaults(const FaultsOptions& options)
     if (!bundle) return bundle.error();
     const auto grounds = watchedGrounds(options);
     if (!grounds) return grounds.error();
-    const WatchedDrives drives = driveWatched(options, (*bundle)->robot, *grounds);
+    std::size_t leftOut = 0;
+    const WatchedDrives drives = driveWatched(options, (*bundle)->robot, *grounds, leftOut);
+    if (drives.empty()) return Error{"no drive came back over its ground: try other ground", 0};
     if (options.matrix) {
         printMatrix((*bundle)->robot, drives);
         return Done{};
     }
-    printHead(options, drives.size());
+    printHead(options, drives.size(), leftOut);
     FaultRow sound;
     std::size_t harmful = 0, flagged = 0;
     std::string missed;

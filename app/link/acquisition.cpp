@@ -4,6 +4,8 @@
 #include <exception>
 #include <utility>
 
+#include "core/wire/telemetry.h"
+
 namespace terratact {
 
 using namespace std::chrono_literals;
@@ -51,7 +53,9 @@ Acquisition::Acquisition(MeasurementSource& source, std::function<void()> heard,
 void Acquisition::take(const Sample& sample)
 {
     const SteadyTime now = std::chrono::steady_clock::now();
-    if (sensors_) sensors_->take(sample.measurement);
+    if (sensors_)
+        sensors_->take(
+            SensedLine{.measurement = sample.measurement, .sides = sideForces(sample.forces)});
     {
         const std::scoped_lock lock(mutex_);
         latest_ = received(latest_, sample, {now, sleeplessNow()});

@@ -19,7 +19,6 @@ constexpr std::array<std::string_view, 11> kMatrixSensors{"pitch",
                                                           "rear-left-current",
                                                           "rear-right-current",
                                                           "odometry"};
-constexpr int kElements = 6;
 
 /// Returns an amount that is large enough to harm, and that a drive of a minute shows.
 std::string_view amountOf(std::string_view kind, const SensorFault& fault)
@@ -34,16 +33,15 @@ std::string_view amountOf(std::string_view kind, const SensorFault& fault)
     return sensor == SensorKind::Force ? ":10" : "";
 }
 
-std::string_view reasonOfForce(std::string_view kind, const SensorFault& fault)
+std::string_view reasonOfForce(std::string_view kind, Sensor sensor)
 {
-    const Sensor sensor = fault.sensors.front();
-    const bool isAtEnd = sensor == Sensor::Force1 || sensor == Sensor::Force6;
-    if (fault.isOfOneSide && kind != "out-of-range")
-        return "the watch reads the mean of left and right, which has half of it";
+    const std::size_t element = elementOf(sensor);
+    const bool isTip = element + 1 == kForceElements;
     if (kind == "drift") return "a minute of it is a newton or two at the end of a drive";
     if (kind == "stuck" || kind == "flipped" || kind == "late")
-        return sensor == Sensor::Force6 ? "" : "most presses do not load this element at all";
-    if (kind == "swapped" && !isAtEnd) return "neighbours of the middle share most loads";
+        return isTip ? "" : "most presses do not load this element at all";
+    if (kind == "swapped" && element != 0 && !isTip)
+        return "neighbours of the middle share most loads";
     return "";
 }
 
@@ -64,7 +62,7 @@ std::string_view reasonOf(std::string_view kind, const SensorFault& fault)
         if (kind == "drift") return "left and right differ by another amount at every press";
         if (isRear && kind == "late") return "the rear flippers are held";
         return "";
-    case SensorKind::Force: return reasonOfForce(kind, fault);
+    case SensorKind::Force: return reasonOfForce(kind, sensor);
     case SensorKind::Way:
         if (kind == "swapped") return "there is one of it";
         if (kind == "drift") return "slipping tracks report the same";
@@ -100,7 +98,7 @@ std::vector<MatrixCell> faultMatrix()
     std::vector<MatrixCell> cells;
     for (const std::string_view sensor : kMatrixSensors) addRow(cells, std::string(sensor));
     for (const char* side : {"", "left-", "right-"})
-        for (int e = 1; e <= kElements; ++e)
+        for (int e = 1; e <= kForceElements; ++e)
             addRow(cells, std::string(side) + "force-" + std::to_string(e));
     return cells;
 }

@@ -20,7 +20,7 @@ struct MatrixCell {
 std::vector<std::string_view> matrixKinds();
 
 /// Returns each kind at each sensor, sensor by sensor: attitude, four angles, four currents, six
-/// forces, the twelve elements that the forces are the means of, odometry.
+/// forces on both sides, the twelve elements by themselves, odometry.
 std::vector<MatrixCell> faultMatrix();
 
 }  // namespace terratact

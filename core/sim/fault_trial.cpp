@@ -78,6 +78,13 @@ constexpr std::array kTried{
     TriedFault{"offset:force-3:3", "element 3 +3 N", ""},
     TriedFault{"zero:force-6", "element 6 zero", kElement},
     TriedFault{"swapped:forces", "forces in the reverse order", kPasses},
+    TriedFault{"zero:left-forces", "left forces zero", ""},
+    TriedFault{"swapped:left-forces", "left forces in the reverse order", ""},
+    TriedFault{"zero:left-force-6", "left element 6 zero", ""},
+    TriedFault{"full-scale:left-force-6", "left element 6 saturated", ""},
+    TriedFault{"offset:left-force-3:3", "left element 3 +3 N", ""},
+    TriedFault{"late:left-force-6", "left element 6 0.5 s late", ""},
+    TriedFault{"spikes:left-force-3:10", "left element 3 ±10 N in one line of four", ""},
     TriedFault{"stuck:odometry", "odometry stuck", ""},
     TriedFault{"late:odometry", "odometry 0.5 s late", ""},
     TriedFault{"spikes:odometry", "odometry ±1 m in one line of four", ""},
@@ -109,8 +116,9 @@ WatchedFault watchFault(std::span<const WatchedLine> drive, const RobotModel& ro
     WatchedFault watched;
     SensorWatch watch(robot);
     for (const WatchedLine& line : drive) {
-        const Measurement m = faulty ? faulty->take(line.measurement) : line.measurement;
-        watch.take(m);
+        const SensedLine sensed = faulty ? faulty->take(line.sensed()) : line.sensed();
+        const Measurement& m = sensed.measurement;
+        watch.take(sensed);
         if (line.truth)
             watched.scenes.push_back({.scene = {.run = std::to_string(number + 1),
                                                 .time = m.time,

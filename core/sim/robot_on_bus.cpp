@@ -151,22 +151,24 @@ void RobotOnBus::reboot()
     lastCounter_ = telemetryCounter_ = heartbeatCounter_ = 0;
 }
 
-Measurement RobotOnBus::measured()
+SensedLine RobotOnBus::measured()
 {
-    Measurement m = robot_.measure();
+    SensedLine line = robot_.sense();
+    Measurement& m = line.measurement;
     if (faulty(RobotFault::StuckImu)) {
         if (!stuck_) stuck_ = m;
         m.pitch = stuck_->pitch;
         m.roll = stuck_->roll;
     }
-    if (faultySensors_ && *last_ - *began_ >= options_.faultAt) m = faultySensors_->take(m);
-    return m;
+    if (faultySensors_ && *last_ - *began_ >= options_.faultAt) return faultySensors_->take(line);
+    return line;
 }
 
 std::vector<CanFrame> RobotOnBus::telemetry()
 {
-    const Measurement m = measured();
-    SensorLine line = sensorLineOf(m, model_);
+    const SensedLine sensed = measured();
+    const Measurement& m = sensed.measurement;
+    SensorLine line = sensorLineOf(sensed, model_);
     if (faulty(RobotFault::DeadElement)) {
         const bool left = haveElement(model_.forceArrays, Side::Left, 3);
         line.voltages[left ? 1 : 3]->front() = 0.0;  // element 4

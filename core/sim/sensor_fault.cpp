@@ -77,13 +77,20 @@ const Named* find(std::string_view text, const std::array<Named, n>& all)
     return found == all.end() ? nullptr : &*found;
 }
 
-/// Returns the text without a side before forces, and whether there was one.
-std::pair<std::string_view, bool> withoutSide(std::string_view text)
+/// Returns the text without a side before forces, and element 1 of that side or of the means.
+std::pair<std::string_view, Sensor> withoutSide(std::string_view text)
 {
-    for (const std::string_view side : kSides)
-        if (text.starts_with(side) && text.substr(side.size()).starts_with(kForceName))
-            return {text.substr(side.size()), true};
-    return {text, false};
+    constexpr std::array kFirst{Sensor::LeftForce1, Sensor::RightForce1};
+    for (std::size_t k = 0; k < kSides.size(); ++k)
+        if (text.starts_with(kSides[k]) && text.substr(kSides[k].size()).starts_with(kForceName))
+            return {text.substr(kSides[k].size()), kFirst[k]};
+    return {text, Sensor::Force1};
+}
+
+/// Returns element e of the same side, or of the means.
+Sensor likeForce(Sensor force, std::size_t e)
+{
+    return sensorAt(indexOf(force) - elementOf(force) + e);
 }
 
 double usualAmount(FaultKind kind, Sensor sensor)
@@ -116,7 +123,7 @@ Sensor opposite(Sensor sensor)
     if (sensor >= Sensor::FrontLeft && sensor <= Sensor::RearRightCurrent)
         return sensorAt(angle + ((i - angle) ^ 1U));
     if (kindOf(sensor) == SensorKind::Force)
-        return sensorAt(indexOf(Sensor::Force1) + indexOf(Sensor::Force6) - i);
+        return likeForce(sensor, kForceElements - 1 - elementOf(sensor));
     return sensor;
 }
 
@@ -126,6 +133,22 @@ Sensor ofOtherAxle(Sensor sensor)
     const std::size_t angle = indexOf(Sensor::FrontLeft);
     if (sensor < Sensor::FrontLeft || sensor > Sensor::RearRightCurrent) return sensor;
     return sensorAt(angle + ((indexOf(sensor) - angle) ^ 2U));
+}
+
+/// Returns the readings that a fault of the sensor changes: a mean force if no side is known, else
+/// its sides.
+std::vector<Sensor> readingsWith(Sensor sensor, const SensedLine& line)
+{
+    if (kindOf(sensor) != SensorKind::Force) return {sensor};
+    const std::size_t e = elementOf(sensor);
+    if (!line.sides.knows(e)) return {meanForce(e)};
+    return isMeanForce(sensor) ? std::vector{leftForce(e), rightForce(e)} : std::vector{sensor};
+}
+
+/// Returns the reading with the fault of `sensor`: a mean has half of a fault of one side.
+double ofReading(Sensor sensor, Sensor reading, double truth, double wrong)
+{
+    return isSideForce(sensor) && isMeanForce(reading) ? (truth + wrong) / 2.0 : wrong;
 }
 
 Measurement lineOf(const Proprioception& s, double time)
@@ -150,13 +173,16 @@ std::optional<SensorFault> sensorFaultFrom(std::string_view text)
     if (first == std::string_view::npos) return std::nullopt;
     const std::size_t second = text.find(':', first + 1);
     const auto* kind = find(text.substr(0, first), kKinds);
-    const auto [name, isOfOneSide] = withoutSide(
+    const auto [name, firstForce] = withoutSide(
         text.substr(first + 1, second == std::string_view::npos ? second : second - first - 1));
     const auto* sensors = find(name, kSensorNames);
     if (!kind || !sensors) return std::nullopt;
-    SensorFault fault{.kind = kind->kind, .sensors = {}, .amount = 0.0, .isOfOneSide = isOfOneSide};
-    for (std::size_t i = indexOf(sensors->first); i <= indexOf(sensors->last); ++i)
-        fault.sensors.push_back(sensorAt(i));
+    SensorFault fault{.kind = kind->kind, .sensors = {}, .amount = 0.0};
+    for (std::size_t i = indexOf(sensors->first); i <= indexOf(sensors->last); ++i) {
+        const Sensor sensor = sensorAt(i);
+        fault.sensors.push_back(isMeanForce(sensor) ? likeForce(firstForce, elementOf(sensor))
+                                                    : sensor);
+    }
     fault.amount = usualAmount(fault.kind, sensors->first);
     if (second == std::string_view::npos) return fault;
     const auto amount = numberIn(text.substr(second + 1));
@@ -198,45 +224,52 @@ double FaultySensors::limitOf(Sensor sensor) const
     return 0.0;
 }
 
-void FaultySensors::keepScene(const Measurement& truth)
+void FaultySensors::keepScene(const SensedLine& truth)
 {
-    const bool isPressed =
-        truth.activity == RobotActivity::Pressed || truth.activity == RobotActivity::Probing;
+    const RobotActivity activity = truth.measurement.activity;
+    const bool isPressed = activity == RobotActivity::Pressed || activity == RobotActivity::Probing;
     const bool wasPressed = before_ == RobotActivity::Pressed || before_ == RobotActivity::Probing;
     if (isPressed && !wasPressed) nextScene_ = truth;
     if (!isPressed && wasPressed) atScene_ = nextScene_;
-    before_ = truth.activity;
+    before_ = activity;
 }
 
 double FaultySensors::late(Sensor sensor, double value) const
 {
-    const double until = past_.back().time - fault_.amount + 1e-9;
+    const double until = past_.back().measurement.time - fault_.amount + 1e-9;
     for (std::size_t k = past_.size(); k > 0; --k) {
-        const Measurement& line = past_[k - 1];
+        const SensedLine& line = past_[k - 1];
         value = readingsOf(line)[indexOf(sensor)].value_or(value);
-        if (line.time <= until) break;
+        if (line.measurement.time <= until) break;
     }
     return value;
 }
 
-double FaultySensors::faulty(Sensor sensor, double value, const Measurement& truth)
+/// Returns the amount that a spike adds to this line.
+double FaultySensors::push()
 {
-    const auto of = [sensor](const Measurement& m, double otherwise) {
-        return readingsOf(m)[indexOf(sensor)].value_or(otherwise);
+    const bool isSpike = fault_.kind == FaultKind::Spikes;
+    if (!isSpike && fault_.kind != FaultKind::Scatter) return 0.0;
+    if (isSpike && std::uniform_real_distribution<double>(0.0, 1.0)(rng_) >= kSpikeShare)
+        return 0.0;
+    return std::uniform_int_distribution<int>(0, 1)(rng_) ? fault_.amount : -fault_.amount;
+}
+
+double FaultySensors::faulty(Sensor sensor, double value, const SensedLine& truth,
+                             double push) const
+{
+    const auto of = [sensor](const SensedLine& line, double otherwise) {
+        return readingsOf(line)[indexOf(sensor)].value_or(otherwise);
     };
-    const auto eitherWay = [this] {
-        return std::uniform_int_distribution<int>(0, 1)(rng_) ? fault_.amount : -fault_.amount;
-    };
+    const double elapsed = truth.measurement.time - first_->measurement.time;
     switch (fault_.kind) {
     case FaultKind::Stuck: return of(*first_, value);
     case FaultKind::StuckAtScene: return atScene_ ? of(*atScene_, value) : value;
     case FaultKind::Zero: return 0.0;
     case FaultKind::Offset: return value + fault_.amount;
-    case FaultKind::Drift: return value + fault_.amount * (truth.time - first_->time) / kMinute;
+    case FaultKind::Drift: return value + fault_.amount * elapsed / kMinute;
     case FaultKind::Spikes:
-        if (std::uniform_real_distribution<double>(0.0, 1.0)(rng_) >= kSpikeShare) return value;
-        return value + eitherWay();
-    case FaultKind::Scatter: return value + eitherWay();
+    case FaultKind::Scatter: return value + push;
     case FaultKind::Flipped: return -value;
     case FaultKind::Swapped:
     case FaultKind::SwappedAxles: return of(truth, value);
@@ -247,48 +280,47 @@ double FaultySensors::faulty(Sensor sensor, double value, const Measurement& tru
     return value;
 }
 
-double FaultySensors::ofBothSides(double truth, double wrong) const
-{
-    return fault_.isOfOneSide ? (truth + wrong) / 2.0 : wrong;
-}
-
-void FaultySensors::swap(Measurement& m, const Measurement& truth) const
+void FaultySensors::swap(SensedLine& line, const SensedLine& truth) const
 {
     const SensorReadings from = readingsOf(truth);
-    const auto set = [&](Sensor sensor, Sensor with) {
-        const auto &was = from[indexOf(sensor)], &becomes = from[indexOf(with)];
-        if (was && becomes) setReading(m, sensor, ofBothSides(*was, *becomes));
+    const auto set = [&](Sensor to, Sensor with, Sensor as) {
+        const auto &was = from[indexOf(to)], &becomes = from[indexOf(with)];
+        if (was && becomes) setReading(line, to, ofReading(as, to, *was, *becomes));
     };
-    for (const Sensor sensor : fault_.sensors) {
-        const Sensor other =
-            fault_.kind == FaultKind::Swapped ? opposite(sensor) : ofOtherAxle(sensor);
-        set(sensor, other);
-        set(other, sensor);
-    }
+    for (const Sensor sensor : fault_.sensors)
+        for (const Sensor of : readingsWith(sensor, truth)) {
+            const Sensor other = fault_.kind == FaultKind::Swapped ? opposite(of) : ofOtherAxle(of);
+            set(of, other, sensor);
+            set(other, of, sensor);
+        }
 }
 
-Measurement FaultySensors::take(const Measurement& truth)
+SensedLine FaultySensors::take(const SensedLine& truth)
 {
     if (!first_) first_ = truth;
     keepScene(truth);
     if (fault_.kind == FaultKind::Late) {
         past_.push_back(truth);
-        while (past_.front().time < truth.time - kMaxDelay) past_.pop_front();
+        const double oldest = truth.measurement.time - kMaxDelay;
+        while (past_.front().measurement.time < oldest) past_.pop_front();
     }
-    Measurement m = truth;
+    SensedLine line = truth;
     if (fault_.kind == FaultKind::Swapped || fault_.kind == FaultKind::SwappedAxles) {
-        swap(m, truth);
-        return m;
+        swap(line, truth);
+        return line;
     }
     const SensorReadings readings = readingsOf(truth);
     for (const Sensor sensor : fault_.sensors) {
-        const auto value = readings[indexOf(sensor)];
-        if (!value) continue;
-        double wrong = faulty(sensor, *value, truth);
-        if (kindOf(sensor) == SensorKind::Force) wrong = std::clamp(wrong, 0.0, forceSaturation_);
-        setReading(m, sensor, ofBothSides(*value, wrong));
+        const double added = push();
+        for (const Sensor of : readingsWith(sensor, truth)) {
+            const auto value = readings[indexOf(of)];
+            if (!value) continue;
+            double wrong = faulty(of, *value, truth, added);
+            if (kindOf(of) == SensorKind::Force) wrong = std::clamp(wrong, 0.0, forceSaturation_);
+            setReading(line, of, ofReading(sensor, of, *value, wrong));
+        }
     }
-    return m;
+    return line;
 }
 
 FaultyScenes::FaultyScenes(SensorFault fault, const RobotModel& robot, std::uint64_t seed)

@@ -10,6 +10,7 @@
 
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
+#include "core/robot/sensed_line.h"
 #include "core/robot/watch/sensor.h"
 
 namespace terratact {
@@ -36,8 +37,6 @@ struct SensorFault {
     FaultKind kind = FaultKind::Stuck;
     std::vector<Sensor> sensors;
     double amount = 0.0;  ///< in SI units of the sensor; seconds for Late
-    /// True for force elements of one side only: the mean of both sides then has half of the fault.
-    bool isOfOneSide = false;
 };
 
 /// Returns the fault of "KIND:SENSORS" or "KIND:SENSORS:AMOUNT", such as "stuck:pitch",
@@ -60,22 +59,28 @@ class FaultySensors {
 public:
     FaultySensors(SensorFault fault, const RobotModel& robot, std::uint64_t seed);
 
-    /// Returns the next line with the fault. Lines must come in order of time.
-    Measurement take(const Measurement& truth);
+    /// Returns the next line with the fault. Lines must come in order of time. A fault of a force is
+    /// one of both sides if they are known, and the mean follows them. If only the mean is known, it
+    /// has half of a fault of one side.
+    SensedLine take(const SensedLine& truth);
+    Measurement take(const Measurement& truth)
+    {
+        return take(SensedLine{.measurement = truth, .sides = {}}).measurement;
+    }
 
 private:
-    double faulty(Sensor sensor, double value, const Measurement& truth);
+    double push();
+    double faulty(Sensor sensor, double value, const SensedLine& truth, double push) const;
     double late(Sensor sensor, double value) const;
-    double ofBothSides(double truth, double wrong) const;
-    void swap(Measurement& m, const Measurement& truth) const;
+    void swap(SensedLine& line, const SensedLine& truth) const;
     double limitOf(Sensor sensor) const;
-    void keepScene(const Measurement& truth);
+    void keepScene(const SensedLine& truth);
 
     SensorFault fault_;
     double forceSaturation_ = 0.0, currentLimit_ = 0.0;
     std::mt19937_64 rng_;
-    std::optional<Measurement> first_, atScene_, nextScene_;
-    std::deque<Measurement> past_;  ///< for Late
+    std::optional<SensedLine> first_, atScene_, nextScene_;
+    std::deque<SensedLine> past_;  ///< for Late
     RobotActivity before_ = RobotActivity::Halted;
 };
 

@@ -43,6 +43,26 @@ Proprioception noisy(const Proprioception& exact, const SensorNoise& noise, doub
     return s;
 }
 
+SideForces sidesOf(const Measurement& measurement, const SensorNoise& noise,
+                   const RobotModel& robot, std::mt19937_64& rng)
+{
+    SideForces sides;
+    for (std::size_t e = 0; e < kForceElements; ++e) {
+        if (measurement.missing[kFirstForceFeature + e]) continue;
+        const auto has = [&](Side side) {
+            return haveElement(robot.forceArrays, side, static_cast<int>(e));
+        };
+        const double mean = measurement.force[e];
+        const double sd = std::hypot(noise.forceShare * mean, noise.forceFloor);
+        const double most = std::min(mean, robot.forceSaturation - mean);
+        const double drawn = std::clamp(withNoise(0.0, sd, rng), -most, most);
+        const double half = has(Side::Left) && has(Side::Right) ? drawn : 0.0;
+        if (has(Side::Left)) sides.left[e] = mean + half;
+        if (has(Side::Right)) sides.right[e] = mean - half;
+    }
+    return sides;
+}
+
 Heights noisy(const Heights& exact, const SensorNoise& noise, std::mt19937_64& rng)
 {
     check(noise);

@@ -3,6 +3,8 @@
 #include <random>
 
 #include "core/robot/measurement.h"
+#include "core/robot/robot_model.h"
+#include "core/robot/sensed_line.h"
 #include "core/terrain/bins.h"
 
 namespace terratact {
@@ -25,6 +27,12 @@ struct SensorNoise {
 /// Throws std::invalid_argument for a negative standard deviation or saturation ≤ 0.
 Proprioception noisy(const Proprioception& exact, const SensorNoise& noise, double saturation,
                      std::mt19937_64& rng);
+
+/// Returns the forces of both sides for means of measurement.force, on ground that loads both sides
+/// alike: the mean plus and minus a difference with the noise of a mean. An element on one side only
+/// reads the mean. Elements that the robot lacks or that are missing are empty.
+SideForces sidesOf(const Measurement& measurement, const SensorNoise& noise,
+                   const RobotModel& robot, std::mt19937_64& rng);
 
 /// Returns the terrain as the scanner reports it.
 Heights noisy(const Heights& exact, const SensorNoise& noise, std::mt19937_64& rng);

@@ -18,8 +18,8 @@ constexpr double kHighestFlipper = 3.1;  // [rad]
 
 SimulatedRobot::SimulatedRobot(RobotModel robot, TerrainProfile terrain, const Options& options)
     : robot_(std::move(robot)), terrain_(std::move(terrain)), options_(options), rng_(options.seed),
-      slipRng_(~options.seed), rollRng_(options.seed ^ 0x5555), x_(options.startX),
-      frontTarget_(options.drivingAngle), rearTarget_(options.rearAngle)
+      slipRng_(~options.seed), rollRng_(options.seed ^ 0x5555), sideRng_(options.seed ^ 0x3333),
+      x_(options.startX), frontTarget_(options.drivingAngle), rearTarget_(options.rearAngle)
 {
     settle();
 }
@@ -241,6 +241,12 @@ Measurement SimulatedRobot::measure()
     m.travelled = travelled_;
     m.turned = 0.0;  // the simulated world is a plane
     return m;
+}
+
+SensedLine SimulatedRobot::sense()
+{
+    const Measurement m = measure();
+    return {.measurement = m, .sides = sidesOf(m, options_.noise, robot_, sideRng_)};
 }
 
 Heights SimulatedRobot::truth() const

@@ -6,6 +6,7 @@
 #include "core/robot/command.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
+#include "core/robot/sensed_line.h"
 #include "core/sim/rest_pose.h"
 #include "core/sim/sensor_noise.h"
 #include "core/terrain/terrain_profile.h"
@@ -39,6 +40,8 @@ public:
 
     /// Returns one line of telemetry with sensor noise.
     Measurement measure();
+    /// Returns measure() with both sides of the force elements.
+    SensedLine sense();
 
     /// Returns the true bin heights at the present pose.
     Heights truth() const;
@@ -71,6 +74,7 @@ private:
     /// separate, so that sensor noise does not depend on the number of drives
     std::mt19937_64 slipRng_;
     std::mt19937_64 rollRng_;  ///< separate for the same reason
+    std::mt19937_64 sideRng_;  ///< separate, so that no mean depends on its sides
     RestPose rest_;
     double time_ = 0.0;
     double x_ = 0.0;

@@ -48,7 +48,11 @@ public:
 
     double x() const { return robot_.rest().pose.base.x; }
     double pitch() const { return robot_.rest().pose.pitch; }
-    Measurement measure() { return robot_.measure(); }
+    WatchedLine sense()
+    {
+        const SensedLine line = robot_.sense();
+        return {.measurement = line.measurement, .truth = std::nullopt, .sides = line.sides};
+    }
 
 private:
     /// Returns false once the drive is over.
@@ -57,7 +61,7 @@ private:
         if (lines_.size() >= most_) return false;
         const RobotActivity before = robot_.activity();
         robot_.step(style_.period);
-        WatchedLine line{.measurement = robot_.measure(), .truth = std::nullopt};
+        WatchedLine line = sense();
         if (robot_.activity() == RobotActivity::Pressed && before == RobotActivity::Pressing)
             line.truth = robot_.truth();
         lines_.push_back(line);
@@ -125,7 +129,7 @@ std::vector<WatchedLine> turning(Drive& out, Drive& back, double period, const M
             std::numbers::pi * static_cast<double>(k) / static_cast<double>(count);
         const double share = (1.0 - std::cos(turned)) / 2.0;
         Drive& at = share < 0.5 ? out : back;
-        WatchedLine line{.measurement = at.measure(), .truth = std::nullopt};
+        WatchedLine line = at.sense();
         Measurement& m = line.measurement;
         m.pitch += (1.0 - share) * out.pitch() + share * back.pitch() - at.pitch();
         m.time = last.time + static_cast<double>(k) * period;
@@ -138,6 +142,17 @@ std::vector<WatchedLine> turning(Drive& out, Drive& back, double period, const M
 }
 
 }  // namespace
+
+double wayBack(const std::vector<WatchedLine>& drive)
+{
+    double way = 0.0;
+    for (std::size_t k = 1; k < drive.size(); ++k) {
+        const Measurement &before = drive[k - 1].measurement, &now = drive[k].measurement;
+        if (std::abs(before.turned.value_or(0.0)) > std::numbers::pi / 2.0)
+            way += now.travelled.value_or(0.0) - before.travelled.value_or(0.0);
+    }
+    return way;
+}
 
 std::vector<WatchedLine> driveWithTelemetry(const RobotModel& robot, const TerrainProfile& terrain,
                                             const WatchedStyle& style, std::uint64_t seed,

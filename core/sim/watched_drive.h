@@ -6,6 +6,7 @@
 
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
+#include "core/robot/sensed_line.h"
 #include "core/sim/drive.h"
 #include "core/sim/simulated_robot.h"
 #include "core/terrain/bins.h"
@@ -18,6 +19,9 @@ namespace terratact {
 struct WatchedLine {
     Measurement measurement;
     std::optional<Heights> truth{};
+    SideForces sides{};
+
+    SensedLine sensed() const { return {.measurement = measurement, .sides = sides}; }
 };
 
 /// Style of a drive with telemetry: drive, press the flippers down, stand, and drive on.
@@ -38,5 +42,8 @@ inline constexpr double kTurning = 4.0;  ///< [s]
 std::vector<WatchedLine> driveWithTelemetry(const RobotModel& robot, const TerrainProfile& terrain,
                                             const WatchedStyle& style, std::uint64_t seed,
                                             std::size_t most = 100'000);
+
+/// Returns the way of the tracks [m] after a quarter of a turn.
+double wayBack(const std::vector<WatchedLine>& drive);
 
 }  // namespace terratact

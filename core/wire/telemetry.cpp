@@ -91,17 +91,20 @@ std::optional<SensorLine::Odometry> odometryOf(const Measurement& m)
                                 std::remainder(m.turned.value_or(0.0), 2.0 * std::numbers::pi)};
 }
 
-SensorLine::Three voltages(const Measurement& m, std::size_t set, const RobotModel& robot)
+SensorLine::Three voltages(const SensedLine& line, std::size_t set, const RobotModel& robot)
 {
+    const Measurement& m = line.measurement;
     const ForceCalibration& c = robot.forceCalibration;
     const auto& bias = set < 2 ? c.biasLeft : c.biasRight;
+    const auto& side = set < 2 ? line.sides.left : line.sides.right;
     SensorLine::Three three{};
     for (std::size_t i = 0; i < kPerFrame; ++i) {
         const std::size_t e = kPerFrame * (set % 2) + i;
         const bool wired =
             haveElement(robot.forceArrays, set < 2 ? Side::Left : Side::Right, static_cast<int>(e));
         const bool sound = wired && !m.missing[kFirstForceFeature + e];
-        const double voltage = sound ? voltageOf(m.force[e], bias[e], robot) : 0.0;
+        const double voltage =
+            sound ? voltageOf(side[e].value_or(m.force[e]), bias[e], robot) : 0.0;
         three[i] = clamped(FrameKind::LeftForces1To3, i, voltage);
     }
     return three;
@@ -127,6 +130,19 @@ ElementForces elementForces(const SensorLine& line, const RobotModel& robot)
     return forces;
 }
 
+SideForces sideForces(const ElementForces& elements)
+{
+    const auto whole = [](const std::optional<ElementForce>& element) {
+        return isWhole(element) ? std::optional(element->force) : std::nullopt;
+    };
+    SideForces sides;
+    for (std::size_t e = 0; e < sides.left.size(); ++e) {
+        sides.left[e] = whole(elements.left[e]);
+        sides.right[e] = whole(elements.right[e]);
+    }
+    return sides;
+}
+
 std::optional<Measurement> measurementOf(const SensorLine& line, const ElementForces& forces,
                                          const RobotStatus& status, double time)
 {
@@ -149,8 +165,14 @@ std::optional<Measurement> measurementOf(const SensorLine& line, const ElementFo
     return m;
 }
 
-SensorLine sensorLineOf(const Measurement& m, const RobotModel& robot)
+SensorLine sensorLineOf(const Measurement& measurement, const RobotModel& robot)
 {
+    return sensorLineOf(SensedLine{.measurement = measurement, .sides = {}}, robot);
+}
+
+SensorLine sensorLineOf(const SensedLine& sensed, const RobotModel& robot)
+{
+    const Measurement& m = sensed.measurement;
     SensorLine line;
     line.odometry = odometryOf(m);
     line.attitude = SensorLine::Attitude{clamped(FrameKind::Attitude, 0, m.pitch),
@@ -164,7 +186,7 @@ SensorLine sensorLineOf(const Measurement& m, const RobotModel& robot)
         line.rearCurrents =
             currents(FrameKind::RearCurrents, m.rearLeftCurrent, m.rearRightCurrent);
     for (std::size_t set = 0; set < line.voltages.size(); ++set)
-        line.voltages[set] = voltages(m, set, robot);
+        line.voltages[set] = voltages(sensed, set, robot);
     line.arm = m.arm;
     if (line.arm) {
         line.arm->height = clamped(FrameKind::ArmResult, 1, line.arm->height);

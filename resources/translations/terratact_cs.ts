@@ -3658,6 +3658,54 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>force 6</source>
         <translation>síla 6</translation>
     </message>
+    <message>
+        <source>left force 1</source>
+        <translation>levá síla 1</translation>
+    </message>
+    <message>
+        <source>left force 2</source>
+        <translation>levá síla 2</translation>
+    </message>
+    <message>
+        <source>left force 3</source>
+        <translation>levá síla 3</translation>
+    </message>
+    <message>
+        <source>left force 4</source>
+        <translation>levá síla 4</translation>
+    </message>
+    <message>
+        <source>left force 5</source>
+        <translation>levá síla 5</translation>
+    </message>
+    <message>
+        <source>left force 6</source>
+        <translation>levá síla 6</translation>
+    </message>
+    <message>
+        <source>right force 1</source>
+        <translation>pravá síla 1</translation>
+    </message>
+    <message>
+        <source>right force 2</source>
+        <translation>pravá síla 2</translation>
+    </message>
+    <message>
+        <source>right force 3</source>
+        <translation>pravá síla 3</translation>
+    </message>
+    <message>
+        <source>right force 4</source>
+        <translation>pravá síla 4</translation>
+    </message>
+    <message>
+        <source>right force 5</source>
+        <translation>pravá síla 5</translation>
+    </message>
+    <message>
+        <source>right force 6</source>
+        <translation>pravá síla 6</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -3658,6 +3658,54 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>force 6</source>
         <translation>Kraft 6</translation>
     </message>
+    <message>
+        <source>left force 1</source>
+        <translation>linke Kraft 1</translation>
+    </message>
+    <message>
+        <source>left force 2</source>
+        <translation>linke Kraft 2</translation>
+    </message>
+    <message>
+        <source>left force 3</source>
+        <translation>linke Kraft 3</translation>
+    </message>
+    <message>
+        <source>left force 4</source>
+        <translation>linke Kraft 4</translation>
+    </message>
+    <message>
+        <source>left force 5</source>
+        <translation>linke Kraft 5</translation>
+    </message>
+    <message>
+        <source>left force 6</source>
+        <translation>linke Kraft 6</translation>
+    </message>
+    <message>
+        <source>right force 1</source>
+        <translation>rechte Kraft 1</translation>
+    </message>
+    <message>
+        <source>right force 2</source>
+        <translation>rechte Kraft 2</translation>
+    </message>
+    <message>
+        <source>right force 3</source>
+        <translation>rechte Kraft 3</translation>
+    </message>
+    <message>
+        <source>right force 4</source>
+        <translation>rechte Kraft 4</translation>
+    </message>
+    <message>
+        <source>right force 5</source>
+        <translation>rechte Kraft 5</translation>
+    </message>
+    <message>
+        <source>right force 6</source>
+        <translation>rechte Kraft 6</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

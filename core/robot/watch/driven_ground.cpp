@@ -20,14 +20,14 @@ double trackReach(const RobotModel& r)
     return r.trackAxle / 2.0 + r.trackRadius;
 }
 
+}  // namespace
+
 double centreOfMass(const RobotModel& r)
 {
     return (r.bodyMass * r.bodyCom.x + r.front.mass * r.front.pivot.x
             + r.rear.mass * r.rear.pivot.x)
          / r.totalMass();
 }
-
-}  // namespace
 
 void RearLoad::take(const Measurement& line)
 {

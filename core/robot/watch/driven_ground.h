@@ -26,6 +26,9 @@ private:
 /// Returns 0 if the tips are above the tracks.
 double supportAngle(const RobotModel& robot, double rear);
 
+/// Returns x of the robot's centre of mass in its own frame [m], with the flippers' masses at their pivots.
+double centreOfMass(const RobotModel& robot);
+
 /// Upper bound of the ground that the tracks have passed over. No ground is higher than the lowest
 /// position of the tracks above it, and most high spots have carried them. The frame is along
 /// gravity and begins with the first line. Dead reckoning moves the robot by a way ds of the tracks

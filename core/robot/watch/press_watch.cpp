@@ -87,7 +87,7 @@ void PressWatch::take(const Measurement& line)
 {
     found_.clear();
     cleared_.clear();
-    const SensorReadings readings = readingsOf(line);
+    const SensorReadings readings = readingsOf({.measurement = line, .sides = {}});
     const bool presses = line.activity == RobotActivity::Pressing;
     if (presses && activity_ != RobotActivity::Pressing) {
         press_.emplace(Press{});
@@ -216,7 +216,7 @@ void PressWatch::judgeSettled(double now)
     }
     judgeSides(now);
     for (std::size_t i = 0; i < kSensors; ++i)
-        if (!press.isSuspect[i]) cleared_.push_back(sensorAt(i));
+        if (!press.isSuspect[i] && !isSideForce(sensorAt(i))) cleared_.push_back(sensorAt(i));
 }
 
 void PressWatch::judgePitch(double now)

@@ -21,6 +21,7 @@ namespace terratact {
 ///             presses, in units of noise.
 /// Fewer rules apply to a press that found no ground, and to one that ends within kSettle. The
 /// watch has no clock.
+/// Forces are the means of left and right.
 class PressWatch {
 public:
     static constexpr double kSettle = 0.6;   ///< [s] of standing after which everything is at rest

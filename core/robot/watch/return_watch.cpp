@@ -1,15 +1,18 @@
 #include "core/robot/watch/return_watch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace terratact {
 namespace {
 
-constexpr std::size_t kSteps = 500;
+constexpr std::size_t kSteps = 2000;
 // [A] front flippers with more current lean on something and change the slope
 constexpr double kFrontLoad = 0.5;
 constexpr double kMaxWay = 0.5;  // [m] between two lines
+constexpr double kHardly = 0.1;  // share of a step with loaded rear flippers
 
 bool isFrontLoaded(const Measurement& m)
 {
@@ -34,8 +37,9 @@ void ReturnWatch::take(const Measurement& line)
     travelled_ = line.travelled;
     if (std::abs(ds) > kMaxWay) return reset();
     const double rear = (line.rearLeft + line.rearRight) / 2.0;
-    const double pitch = line.pitch + (rear_.isLoaded() ? supportAngle(robot_, rear) : 0.0);
-    const Vec2 ahead = rotated({ds * std::cos(pitch), 0.0}, *line.turned);
+    const double support = rear_.isLoaded() ? supportAngle(robot_, rear) : 0.0;
+    const double pitch = line.pitch + support;
+    const Vec2 ahead = rotated({ds / std::cos(support) * std::cos(pitch), 0.0}, *line.turned);
     place_ = {place_.x + ahead.x, place_.z + ahead.z};
     if (line.activity != RobotActivity::Driving || !(ds > 0.0) || isFrontLoaded(line)) return;
     way_ += ds;
@@ -44,68 +48,61 @@ void ReturnWatch::take(const Measurement& line)
     if (way_ >= kStep) end(*line.turned, line.time);
 }
 
-std::size_t ReturnWatch::turnedAt() const
-{
-    const double heading = steps_.back().heading;
-    std::size_t first = steps_.size();
-    while (first > 0 && std::abs(turnBetween(steps_[first - 1].heading, heading)) < kOpposite)
-        --first;
-    return first;
-}
-
-double ReturnWatch::wayBack() const
-{
-    return static_cast<double>(steps_.size() - turnedAt()) * kStep;
-}
-
-std::optional<double> ReturnWatch::shiftNow() const
-{
-    const std::size_t turned = turnedAt();
-    const std::size_t back = steps_.size() - turned;
-    if (wayBack() < kMinWay) return std::nullopt;
-    const auto isOut = [this](const Step& s) {
-        return std::abs(turnBetween(s.heading, steps_.back().heading))
-             > std::numbers::pi - kOpposite;
-    };
-    std::size_t nearest = turned;
-    double least = kNear;
-    Step there{}, here{};
-    for (std::size_t k = turned; k > 0 && isOut(steps_[k - 1]); --k) {
-        const Vec2 from = steps_.back().place, to = steps_[k - 1].place;
-        const double apart = std::hypot(to.x - from.x, to.z - from.z);
-        if (apart > least) continue;
-        least = apart;
-        nearest = k - 1;
-    }
-    if (nearest == turned) return std::nullopt;
-    for (std::size_t k = nearest; k < steps_.size(); ++k) {
-        Step& sum = k < turned ? there : here;
-        sum.pitch += steps_[k].pitch / static_cast<double>(k < turned ? turned - nearest : back);
-        sum.loaded += steps_[k].loaded / static_cast<double>(k < turned ? turned - nearest : back);
-    }
-    const double loaded = (there.loaded + here.loaded) / 2.0;
-    return (there.pitch + here.pitch) / 2.0 - (kNoseUp - kNoseDown * loaded);
-}
-
 void ReturnWatch::end(double heading, double now)
 {
-    steps_.push_back({.place = place_,
-                      .heading = heading,
-                      .pitch = pitchWay_ / way_,
-                      .loaded = loadedWay_ / way_});
+    const double loaded = loadedWay_ / way_;
+    const Vec2 mass = rotated({centreOfMass(robot_), 0.0}, heading);
+    const Step step{.place = {place_.x + mass.x, place_.z + mass.z},
+                    .heading = heading,
+                    .pitch = pitchWay_ / way_,
+                    .load = loaded < kHardly       ? Load::None
+                          : loaded > 1.0 - kHardly ? Load::All
+                                                   : Load::Some};
     way_ = pitchWay_ = loadedWay_ = 0.0;
+    if (const Step* there = opposite(step)) {
+        const double bias = step.load == Load::All ? kLoaded : kUnloaded;
+        shifts_.push_back((there->pitch + step.pitch) / 2.0 - bias);
+        firstTravelled_ = firstTravelled_ ? firstTravelled_ : travelled_;
+        if (shifts_.size() > kMaxPlaces) shifts_.pop_front();
+    }
+    steps_.push_back(step);
     if (steps_.size() > kSteps) steps_.pop_front();
-    const auto shift = shiftNow();
-    if (!shift) return;
-    shift_ = shift;
-    limit_ = kLimit * std::sqrt(kLimitWay / wayBack());
+    if (shifts_.size() < kMinPlaces || *travelled_ - *firstTravelled_ < kMinWay) return;
+    shift_ = middleMean();
     if (isCleared()) return;
     found_.push_back({.sensor = Sensor::Pitch,
                       .trouble = SensorTrouble::BothWays,
                       .since = now,
                       .until = now + kHold,
-                      .amount = *shift,
+                      .amount = *shift_,
                       .way = 0.0});
+}
+
+const ReturnWatch::Step* ReturnWatch::opposite(const Step& step) const
+{
+    if (step.load == Load::Some) return nullptr;
+    const Step* nearest = nullptr;
+    double least = kSame;
+    for (auto there = steps_.rbegin(); there != steps_.rend(); ++there) {
+        if (there->load != step.load
+            || std::abs(turnBetween(there->heading, step.heading)) < std::numbers::pi - kOpposite)
+            continue;
+        const Vec2 apart =
+            rotated({there->place.x - step.place.x, there->place.z - step.place.z}, -step.heading);
+        if (std::abs(apart.x) > least || std::abs(apart.z) > kNear) continue;
+        least = std::abs(apart.x);
+        nearest = &*there;
+    }
+    return nearest;
+}
+
+double ReturnWatch::middleMean() const
+{
+    std::vector<double> sorted(shifts_.begin(), shifts_.end());
+    std::sort(sorted.begin(), sorted.end());
+    const auto quarter = static_cast<std::ptrdiff_t>(sorted.size() / 4);
+    const double sum = std::accumulate(sorted.begin() + quarter, sorted.end() - quarter, 0.0);
+    return sum / static_cast<double>(sorted.size() - 2 * static_cast<std::size_t>(quarter));
 }
 
 }  // namespace terratact

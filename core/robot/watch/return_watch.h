@@ -12,59 +12,68 @@
 namespace terratact {
 
 /// Detects a shifted zero of pitch when the robot returns over ground that it passed in the other
-/// direction. The slope of the ground changes its sign there, but the shift does not:
-///   shift = ½ (mean θ out + mean θ back) − (kNoseUp − kNoseDown λ)
-/// Both means are over the same way from the point where the robot turned. θ is the pitch of the
-/// line that the robot rests on (supportAngle). λ is the share of the way on which rear flippers
-/// carry a load. A robot that climbs over edges points up for longer than the ground does: its
-/// centre of mass lies behind its middle. Loaded rear flippers make it point down. kNoseUp and
-/// kNoseDown were fitted to simulated drives over generated ground. Over real profiles the same fit
-/// gives 0.0113 and 0.048, with a residual of 0.012 rad. In one direction alone no sensor of this
+/// direction. The slope of the ground changes its sign there, but the shift does not. At each place
+/// of the centre of mass,
+///   shift = ½ (θ out + θ back) − bias.
+/// θ is the pitch of the line that the robot rests on (supportAngle). The bias is kLoaded where the
+/// rear flippers carry a load in both directions, and kUnloaded where they carry none in either.
+/// Other places are left out, and so are lines whose front flippers lean on something. The contacts
+/// of a robot on an edge depend on the position of its centre of mass, not of its middle. Slip
+/// displaces the places, so the watch takes the mean of the middle half of all shifts. Both biases
+/// were fitted to simulated drives over generated ground. In one direction alone no sensor of this
 /// robot can tell a shift from a slope.
 /// The watch needs way and turn of the odometry. Its memory is bounded, and it has no clock.
 class ReturnWatch {
 public:
-    static constexpr double kStep = 0.1;  ///< [m]
-    /// [m] largest distance of a place on the way out that counts as the same.
-    static constexpr double kNear = 0.3;
+    static constexpr double kStep = 0.02;  ///< [m] way of a place
+    /// [m] largest distance to the side of a place on the way out that counts as the same
+    static constexpr double kNear = 0.2;
+    static constexpr double kSame = 0.025;  ///< [m] largest distance along the way
     /// [rad] largest deviation of the headings from half a turn
     static constexpr double kOpposite = 0.3;
-    static constexpr double kMinWay = 2.5;                         ///< [m] least way back
-    static constexpr double kNoseUp = 0.0115, kNoseDown = 0.0537;  ///< [rad]
-    /// Limit of the shift [rad] over kLimitWay. Over another way it is kLimit √(kLimitWay / way).
-    static constexpr double kLimit = 0.075;
-    static constexpr double kLimitWay = 4.0;  ///< [m] way back
-    static constexpr double kHold = 600.0;    ///< [s] duration of a suspicion, unless it is cleared
+    static constexpr std::size_t kMinPlaces =
+        40;  ///< least number of places passed in both directions
+    static constexpr std::size_t kMaxPlaces = 400;  ///< only the newest are kept
+    static constexpr double kMinWay = 2.5;          ///< [m] least way since the first of them
+    static constexpr double kUnloaded = 0.0055, kLoaded = -0.0095;  ///< [rad] bias
+    /// [rad] limit of the shift over n places: kLimit + kLimitOfOne / √n
+    static constexpr double kLimit = 0.03, kLimitOfOne = 0.06;
+    static constexpr double kHold = 600.0;  ///< [s] duration of a suspicion, unless it is cleared
 
     explicit ReturnWatch(const RobotModel& robot) : robot_(robot) {}
     void take(const Measurement& line);
     /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
+    /// Returns the latest shift [rad]; empty: too few places were passed in both directions.
+    std::optional<double> shift() const { return shift_; }
+    std::size_t places() const { return shifts_.size(); }
     /// Returns true if the last shift is within its limit.
-    bool isCleared() const { return shift_ && std::abs(*shift_) < limit_; }
+    bool isCleared() const { return shift_ && std::abs(*shift_) < limit(); }
     void reset();
 
 private:
+    enum class Load { None, Some, All };
     struct Step {
-        Vec2 place;  ///< x along the first heading, z to its left [m]
+        Vec2 place;  ///< centre of mass; x along the first heading, z to its left [m]
         double heading = 0.0;
-        double pitch = 0.0;   ///< mean over the step [rad]
-        double loaded = 0.0;  ///< share of the step with loaded rear flippers
+        double pitch = 0.0;  ///< mean over the step [rad]
+        Load load = Load::None;
     };
     void end(double heading, double now);
-    /// Returns the index of the first step of the way back.
-    std::size_t turnedAt() const;
-    std::optional<double> shiftNow() const;  ///< empty: not far enough back
-    double wayBack() const;                  ///< [m]
+    double limit() const { return kLimit + kLimitOfOne / std::sqrt(static_cast<double>(places())); }
+    /// Returns the same place, passed in the other direction with the same load, or nullptr.
+    const Step* opposite(const Step& step) const;
+    double middleMean() const;
 
     RobotModel robot_;
     RearLoad rear_;
     std::optional<double> travelled_;
-    Vec2 place_;
+    Vec2 place_;                                           ///< middle of the robot
     double way_ = 0.0, pitchWay_ = 0.0, loadedWay_ = 0.0;  ///< sums over the current step
     std::deque<Step> steps_;
-    std::optional<double> shift_;  ///< latest value [rad]
-    double limit_ = 0.0;           ///< limit for that value [rad]
+    std::deque<double> shifts_;             ///< shifts of single places [rad]
+    std::optional<double> firstTravelled_;  ///< odometry at the first place [m]
+    std::optional<double> shift_;           ///< latest value [rad]
     std::vector<SensorSuspicion> found_;
 };
 

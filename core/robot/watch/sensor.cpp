@@ -7,7 +7,6 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kFirstForce = indexOf(Sensor::Force1);
 constexpr std::array kNames{TR_NOOP("core", "pitch angle"),
                             TR_NOOP("core", "roll angle"),
                             TR_NOOP("core", "front left flipper angle"),
@@ -24,7 +23,19 @@ constexpr std::array kNames{TR_NOOP("core", "pitch angle"),
                             TR_NOOP("core", "force 4"),
                             TR_NOOP("core", "force 5"),
                             TR_NOOP("core", "force 6"),
-                            TR_NOOP("core", "track odometry")};
+                            TR_NOOP("core", "track odometry"),
+                            TR_NOOP("core", "left force 1"),
+                            TR_NOOP("core", "left force 2"),
+                            TR_NOOP("core", "left force 3"),
+                            TR_NOOP("core", "left force 4"),
+                            TR_NOOP("core", "left force 5"),
+                            TR_NOOP("core", "left force 6"),
+                            TR_NOOP("core", "right force 1"),
+                            TR_NOOP("core", "right force 2"),
+                            TR_NOOP("core", "right force 3"),
+                            TR_NOOP("core", "right force 4"),
+                            TR_NOOP("core", "right force 5"),
+                            TR_NOOP("core", "right force 6")};
 static_assert(kNames.size() == kSensors);
 
 /// Returns pitch to rear right current, in the order of Sensor.
@@ -43,6 +54,16 @@ auto plainReadings(Line& m)
                       &m.rearRightCurrent};
 }
 
+void setSide(SensedLine& line, Sensor sensor, double value)
+{
+    const std::size_t e = elementOf(sensor);
+    auto& side = sensor < Sensor::RightForce1 ? line.sides.left[e] : line.sides.right[e];
+    if (!side) return;
+    side = value;
+    const double left = line.sides.left[e].value_or(value);
+    line.measurement.force[e] = (left + line.sides.right[e].value_or(value)) / 2.0;
+}
+
 }  // namespace
 
 SensorKind kindOf(Sensor sensor)
@@ -50,8 +71,7 @@ SensorKind kindOf(Sensor sensor)
     if (sensor <= Sensor::Roll) return SensorKind::Attitude;
     if (sensor <= Sensor::RearRight) return SensorKind::Angle;
     if (sensor <= Sensor::RearRightCurrent) return SensorKind::Current;
-    if (sensor <= Sensor::Force6) return SensorKind::Force;
-    return SensorKind::Way;
+    return sensor == Sensor::Travelled ? SensorKind::Way : SensorKind::Force;
 }
 
 std::string_view describe(Sensor sensor)
@@ -59,26 +79,43 @@ std::string_view describe(Sensor sensor)
     return kNames.at(indexOf(sensor)).english;
 }
 
-SensorReadings readingsOf(const Measurement& m)
+SensorReadings readingsOf(const SensedLine& line)
 {
+    const Measurement& m = line.measurement;
     SensorReadings readings;
     const auto plain = plainReadings(m);
     for (std::size_t i = 0; i < plain.size(); ++i) readings[i] = *plain[i];
-    for (std::size_t e = 0; e < m.force.size(); ++e) readings[kFirstForce + e] = m.force[e];
+    for (std::size_t e = 0; e < m.force.size(); ++e) {
+        readings[indexOf(meanForce(e))] = m.force[e];
+        readings[indexOf(leftForce(e))] = line.sides.left[e];
+        readings[indexOf(rightForce(e))] = line.sides.right[e];
+    }
     readings[indexOf(Sensor::Travelled)] = m.travelled;
     return readings;
 }
 
-void setReading(Measurement& m, Sensor sensor, double value)
+SensorReadings judgedReadings(const SensedLine& line)
 {
+    SensorReadings readings = readingsOf(line);
+    for (std::size_t e = 0; e < kForceElements; ++e)
+        if (line.sides.knows(e)) readings[indexOf(meanForce(e))].reset();
+    return readings;
+}
+
+void setReading(SensedLine& line, Sensor sensor, double value)
+{
+    Measurement& m = line.measurement;
     const std::size_t i = indexOf(sensor);
     const auto plain = plainReadings(m);
-    if (i < plain.size())
+    if (i < plain.size()) {
         *plain[i] = value;
-    else if (sensor != Sensor::Travelled)
-        m.force.at(i - kFirstForce) = value;
-    else if (m.travelled)
-        m.travelled = value;
+    } else if (sensor == Sensor::Travelled) {
+        if (m.travelled) m.travelled = value;
+    } else if (isMeanForce(sensor)) {
+        m.force[elementOf(sensor)] = value;
+    } else {
+        setSide(line, sensor, value);
+    }
 }
 
 }  // namespace terratact

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace terratact {
@@ -18,6 +19,12 @@ std::string stuckWords(const SensorSuspicion& s)
 }
 
 }  // namespace
+
+bool isSuspected(const std::vector<SensorSuspicion>& suspicions, Sensor sensor)
+{
+    return std::any_of(suspicions.begin(), suspicions.end(),
+                       [sensor](const SensorSuspicion& s) { return s.sensor == sensor; });
+}
 
 std::string describeTrouble(const SensorSuspicion& s)
 {

@@ -36,6 +36,9 @@ struct SensorSuspicion {
     bool operator==(const SensorSuspicion&) const = default;
 };
 
+/// Returns true if one of the suspicions is of that sensor.
+bool isSuspected(const std::vector<SensorSuspicion>& suspicions, Sensor sensor);
+
 /// Returns the fault without the sensor: "not changed for 12 s while the robot drove 0.6 m,
 /// stuck?".
 std::string describeTrouble(const SensorSuspicion& suspicion);

@@ -27,31 +27,46 @@ void SensorWatch::reset()
     presses_.reset();
     pitchSign_.reset();
     unloaded_.reset();
+    sides_.reset();
     ground_.reset();
     return_.reset();
     last_.reset();
 }
 
-void SensorWatch::take(const Measurement& line)
+void SensorWatch::take(const SensedLine& sensed)
 {
+    const Measurement& line = sensed.measurement;
     if (!std::isfinite(line.time))
         throw std::invalid_argument("SensorWatch: the time must be finite");
     if (last_ && line.time < *last_) standing_.clear();
     if (last_ && (line.time < *last_ || line.time - *last_ > kMaxSilence)) reset();
     last_ = line.time;
-    stuck_.take(line);
-    spikes_.take(line);
+    stuck_.take(sensed);
+    spikes_.take(sensed);
     presses_.take(line);
     pitchSign_.take(line);
-    unloaded_.take(line);
+    unloaded_.take(sensed);
+    sides_.take(sensed);
     ground_.take(line);
     return_.take(line);
     for (const auto* found :
          {&stuck_.found(), &spikes_.found(), &presses_.found(), &pitchSign_.found(),
-          &unloaded_.found(), &ground_.found(), &return_.found()})
+          &unloaded_.found(), &sides_.found(), &ground_.found(), &return_.found()})
         for (const SensorSuspicion& suspicion : *found) note(suspicion);
     forgetCleared();
     forgetOld(line.time);
+    preferSides();
+}
+
+/// Drops suspicions of means for a fault that one side has: it shows in the mean, too.
+void SensorWatch::preferSides()
+{
+    std::erase_if(standing_, [this](const SensorSuspicion& mean) {
+        return isMeanForce(mean.sensor)
+            && std::any_of(standing_.begin(), standing_.end(), [&mean](const SensorSuspicion& s) {
+                   return isSideForce(s.sensor) && s.trouble == mean.trouble;
+               });
+    });
 }
 
 void SensorWatch::forgetCleared()
@@ -65,6 +80,7 @@ void SensorWatch::forgetCleared()
             return s.sensor == sensor && PressWatch::judges(s.trouble) && !isOfPitchSign(s);
         });
     std::erase_if(standing_, [this](const SensorSuspicion& s) {
+        if (isSideForce(s.sensor)) return sides_.isCleared(s);
         return ground_.isCleared(s)
             || (s.trouble == SensorTrouble::BothWays && return_.isCleared());
     });

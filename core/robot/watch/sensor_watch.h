@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "core/robot/robot_model.h"
+#include "core/robot/sensed_line.h"
 #include "core/robot/watch/ground_watch.h"
 #include "core/robot/watch/pitch_sign_watch.h"
 #include "core/robot/watch/press_watch.h"
 #include "core/robot/watch/return_watch.h"
 #include "core/robot/watch/sensor.h"
 #include "core/robot/watch/sensor_suspicion.h"
+#include "core/robot/watch/side_watch.h"
 #include "core/robot/watch/spike_watch.h"
 #include "core/robot/watch/stuck_watch.h"
 #include "core/robot/watch/unloaded_watch.h"
@@ -27,8 +29,11 @@ class SensorWatch {
 public:
     explicit SensorWatch(const RobotModel& robot);
 
-    /// Adds the next line. Throws std::invalid_argument unless its time is finite.
-    void take(const Measurement& line);
+    /// Adds the next line. Judges each side of a force element that is known, else the mean. Throws
+    /// std::invalid_argument unless the time is finite.
+    void take(const SensedLine& line);
+    /// Adds a line of which only the means of the force elements are known.
+    void take(const Measurement& line) { take(SensedLine{.measurement = line, .sides = {}}); }
 
     /// Returns the suspicions at the time of the last line, at most one per sensor and fault, in
     /// that order.
@@ -40,12 +45,14 @@ private:
     void note(const SensorSuspicion& found);
     void forgetCleared();
     void forgetOld(double now);
+    void preferSides();
 
     StuckWatch stuck_;
     SpikeWatch spikes_;
     PressWatch presses_;
     PitchSignWatch pitchSign_;
     UnloadedWatch unloaded_;
+    SideWatch sides_;
     GroundWatch ground_;
     ReturnWatch return_;
     std::optional<double> last_;

@@ -6,11 +6,12 @@
 namespace terratact {
 namespace {
 
-constexpr double kTilt = 1.5;    // [rad]
-constexpr double kSpeed = 1.5;   // [m/s]
-constexpr double kJump = 0.3;    // [m] a robot that tips over an edge rolls less in one line
-constexpr double kMaxGap = 0.2;  // [s] largest gap between neighbouring lines
-constexpr double kAnew = 0.05;   // [m] largest odometry after a restart
+constexpr double kTilt = 1.5;       // [rad]
+constexpr double kSpeed = 1.5;      // [m/s]
+constexpr double kSideShare = 0.4;  // of a force of one side, whose noise no mean reduces
+constexpr double kJump = 0.3;       // [m] a robot that tips over an edge rolls less at once
+constexpr double kMaxGap = 0.2;     // [s] between lines that are neighbours
+constexpr double kAnew = 0.05;      // [m] odometry of a robot that began anew
 
 double spikeLimit(SensorKind kind)
 {
@@ -61,26 +62,29 @@ void SpikeWatch::suspect(Sensor sensor, SensorTrouble trouble, double now, doubl
                       .way = 0.0});
 }
 
-void SpikeWatch::lookForSpike(std::size_t i, const Measurement& line,
-                              const SensorReadings& readings)
+void SpikeWatch::lookForSpike(std::size_t i, const Line& line)
 {
     const Sensor sensor = sensorAt(i);
     const SensorKind kind = kindOf(sensor);
-    const auto first = readingsOf(*beforeThat_)[i], middle = readingsOf(*before_)[i];
-    const auto last = readings[i];
+    const auto &first = beforeThat_->readings[i], &middle = before_->readings[i];
+    const auto& last = line.readings[i];
     if (!first || !middle || !last) return;
     if ((kind == SensorKind::Current || kind == SensorKind::Force)
-        && !(stays(*beforeThat_, *before_) && stays(*before_, line)))
+        && !(stays(beforeThat_->measurement, before_->measurement)
+             && stays(before_->measurement, line.measurement)))
         return;
     const double up = difference(sensor, *first, *middle);
     const double down = difference(sensor, *last, *middle);
     const double least = std::min(std::abs(up), std::abs(down));
-    if (up * down <= 0.0 || least <= spikeLimit(kind)) return;
+    const double around = std::max(std::abs(*first), std::abs(*last));
+    const double limit = spikeLimit(kind) + (isSideForce(sensor) ? kSideShare * around : 0.0);
+    if (up * down <= 0.0 || least <= limit) return;
     auto& times = spikes_[i];
-    times.push_back(line.time);
-    while (times.front() < line.time - kWindow) times.pop_front();
+    const double now = line.measurement.time;
+    times.push_back(now);
+    while (times.front() < now - kWindow) times.pop_front();
     if (times.size() > kSpikes) times.pop_front();
-    if (times.size() >= kSpikes) suspect(sensor, SensorTrouble::Spikes, line.time, least);
+    if (times.size() >= kSpikes) suspect(sensor, SensorTrouble::Spikes, now, least);
 }
 
 void SpikeWatch::lookAtRange(const Measurement& line, const SensorReadings& readings)
@@ -93,23 +97,24 @@ void SpikeWatch::lookAtRange(const Measurement& line, const SensorReadings& read
             || (kind == SensorKind::Current && size > currentLimit_))
             suspect(sensorAt(i), SensorTrouble::OutOfRange, line.time, *readings[i]);
     }
-    if (!before_ || !line.travelled || !before_->travelled) return;
-    const double way = *line.travelled - *before_->travelled;
+    if (!before_ || !line.travelled || !before_->measurement.travelled) return;
+    const double way = *line.travelled - *before_->measurement.travelled;
     const bool isAnew = std::abs(*line.travelled) < kAnew;
     if (!isAnew && std::abs(way) > kJump
-        && std::abs(way) > kSpeed * std::max(line.time - before_->time, 0.05))
+        && std::abs(way) > kSpeed * std::max(line.time - before_->measurement.time, 0.05))
         suspect(Sensor::Travelled, SensorTrouble::OutOfRange, line.time, *line.travelled);
 }
 
-void SpikeWatch::take(const Measurement& line)
+void SpikeWatch::take(const SensedLine& sensed)
 {
     found_.clear();
-    const SensorReadings readings = readingsOf(line);
-    lookAtRange(line, readings);
-    const bool neighbours = beforeThat_ && line.time - before_->time <= kMaxGap
-                         && before_->time - beforeThat_->time <= kMaxGap;
-    if (neighbours)
-        for (std::size_t i = 0; i < kSensors; ++i) lookForSpike(i, line, readings);
+    const Line line{sensed.measurement, judgedReadings(sensed)};
+    lookAtRange(line.measurement, line.readings);
+    const auto follows = [](const Line& first, const Line& second) {
+        return second.measurement.time - first.measurement.time <= kMaxGap;
+    };
+    if (beforeThat_ && follows(*before_, line) && follows(*beforeThat_, *before_))
+        for (std::size_t i = 0; i < kSensors; ++i) lookForSpike(i, line);
     beforeThat_ = before_;
     before_ = line;
 }

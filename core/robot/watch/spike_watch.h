@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/robot/robot_model.h"
+#include "core/robot/sensed_line.h"
 #include "core/robot/watch/sensor.h"
 #include "core/robot/watch/sensor_suspicion.h"
 
@@ -16,6 +17,7 @@ namespace terratact {
 ///          6 N or 0.1 m; currents and forces only while the robot stands. kSpikes within kWindow count.
 ///   range  |pitch| or |roll| is above 1.5 rad, a current is above twice that of the motor's largest
 ///          torque, or odometry is faster than 1.5 m/s. A return of odometry to 0 is a restart instead.
+/// A force of one side must jump by 0.4 of its size more.
 /// Angles are wrapped and forces end at their largest value, so that neither can leave its range.
 class SpikeWatch {
 public:
@@ -24,18 +26,22 @@ public:
     static constexpr double kHold = 30.0;    ///< [s] duration of a suspicion after the last spike
 
     explicit SpikeWatch(const RobotModel& robot);
-    void take(const Measurement& line);
+    void take(const SensedLine& line);
     /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
     void reset();
 
 private:
-    void lookForSpike(std::size_t sensor, const Measurement& line, const SensorReadings& readings);
+    struct Line {
+        Measurement measurement;
+        SensorReadings readings;
+    };
+    void lookForSpike(std::size_t sensor, const Line& line);
     void lookAtRange(const Measurement& line, const SensorReadings& readings);
     void suspect(Sensor sensor, SensorTrouble trouble, double now, double amount);
 
     double currentLimit_;
-    std::optional<Measurement> before_, beforeThat_;
+    std::optional<Line> before_, beforeThat_;
     std::array<std::deque<double>, kSensors> spikes_;  ///< times of the spikes [s]
     std::vector<SensorSuspicion> found_;
 };

@@ -57,9 +57,10 @@ bool StuckWatch::likeIsNoisy(Sensor sensor, const Run& run) const
 
 bool StuckWatch::otherForceMoved(Sensor sensor, const Run& run) const
 {
-    for (std::size_t i = indexOf(Sensor::Force1); i <= indexOf(Sensor::Force6); ++i)
-        if (i != indexOf(sensor) && run.low[i] && *run.high[i] - *run.low[i] >= kForceChange)
-            return true;
+    for (std::size_t i = 0; i < kSensors; ++i) {
+        const bool isOther = kindOf(sensorAt(i)) == SensorKind::Force && i != indexOf(sensor);
+        if (isOther && run.low[i] && *run.high[i] - *run.low[i] >= kForceChange) return true;
+    }
     return false;
 }
 
@@ -107,14 +108,17 @@ void StuckWatch::follow(Run& run, const Measurement& line, const SensorReadings&
     widen(run.low, run.high, readings);
 }
 
-void StuckWatch::take(const Measurement& line)
+void StuckWatch::take(const SensedLine& sensed)
 {
     found_.clear();
-    const SensorReadings readings = readingsOf(line);
+    const Measurement& line = sensed.measurement;
+    const SensorReadings readings = judgedReadings(sensed);
     const double front = (line.frontLeft + line.frontRight) / 2.0;
     const double rear = (line.rearLeft + line.rearRight) / 2.0;
     rollMeasured_ = rollMeasured_ || line.roll != 0.0;
-    for (const double force : line.force) forceEnd_ = std::max(forceEnd_, force);
+    for (std::size_t i = 0; i < kSensors; ++i)
+        if (readings[i] && kindOf(sensorAt(i)) == SensorKind::Force)
+            forceEnd_ = std::max(forceEnd_, *readings[i]);
     const double dt = before_ ? line.time - before_->time : 0.0;
     const double wasFront = smoothFront_, wasRear = smoothRear_;
     const double share = before_ ? kSmoothing : 1.0;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/robot/sensed_line.h"
 #include "core/robot/watch/sensor.h"
 #include "core/robot/watch/sensor_suspicion.h"
 
@@ -24,7 +25,7 @@ public:
     /// [s] duration of a suspicion once the reading changes again
     static constexpr double kHold = 10.0;
 
-    void take(const Measurement& line);
+    void take(const SensedLine& line);
     /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
 

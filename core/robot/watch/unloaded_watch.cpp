@@ -18,42 +18,50 @@ void UnloadedWatch::reset()
     found_.clear();
 }
 
-void UnloadedWatch::suspect(std::size_t element, double now)
+void UnloadedWatch::suspect(Sensor sensor, double now)
 {
-    found_.push_back({.sensor = sensorAt(indexOf(Sensor::Force1) + element),
+    found_.push_back({.sensor = sensor,
                       .trouble = SensorTrouble::LoadedFree,
                       .since = now,
                       .until = now + kHold,
-                      .amount = elements_[element].least,
+                      .amount = elements_[indexOf(sensor)].least,
                       .way = 0.0});
 }
 
-void UnloadedWatch::take(const Measurement& line)
+void UnloadedWatch::add(Element& element, double force, double way)
+{
+    const bool isFree = force < kLoad;
+    if (element.lines == 0) element.least = force;
+    ++element.lines;
+    element.free += isFree ? 1 : 0;
+    element.way += way;
+    if (!isFree) element.least = std::min(element.least, force);
+    if (10 * element.free > std::max(element.lines, kMinLines / 2)) element = {};
+}
+
+void UnloadedWatch::take(const SensedLine& sensed)
 {
     found_.clear();
+    const Measurement& line = sensed.measurement;
     const bool isRaised = line.frontLeft >= kRaised && line.frontRight >= kRaised;
     const double way = travelled_ && line.travelled ? std::abs(*line.travelled - *travelled_) : 0.0;
     travelled_ = line.travelled;
     if (line.activity != RobotActivity::Driving || !isRaised || !(way > 0.0)) return;
-    int together = 0;
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-        Element& element = elements_[e];
-        const double force = line.force[e];
-        const bool isFree = force < kLoad;
-        if (element.lines == 0) element.least = force;
-        ++element.lines;
-        element.free += isFree ? 1 : 0;
-        element.way += way;
-        if (!isFree) element.least = std::min(element.least, force);
-        if (10 * element.free > std::max(element.lines, kMinLines / 2)) element = {};
-        if (element.lines >= kMinLines && element.way >= kWay) ++together;
+    const SensorReadings readings = judgedReadings(sensed);
+    std::array<bool, kForceElements> isLoaded{};
+    for (std::size_t i = 0; i < kSensors; ++i) {
+        if (!readings[i] || kindOf(sensorAt(i)) != SensorKind::Force) continue;
+        Element& element = elements_[i];
+        add(element, *readings[i], way);
+        if (element.lines >= kMinLines && element.way >= kWay)
+            isLoaded[elementOf(sensorAt(i))] = true;
     }
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-        const Element& element = elements_[e];
-        const bool isLong = element.way >= kLongWay;
-        if (element.lines >= kMinLines
-            && (isLong || (together >= kTogether && element.way >= kWay)))
-            suspect(e, line.time);
+    const bool areTogether = std::count(isLoaded.begin(), isLoaded.end(), true) >= kTogether;
+    for (std::size_t i = 0; i < kSensors; ++i) {
+        const Element& element = elements_[i];
+        if (element.lines < kMinLines) continue;
+        if (element.way >= kLongWay || (areTogether && element.way >= kWay))
+            suspect(sensorAt(i), line.time);
     }
 }
 

@@ -5,13 +5,16 @@
 #include <optional>
 #include <vector>
 
+#include "core/robot/sensed_line.h"
+#include "core/robot/watch/sensor.h"
 #include "core/robot/watch/sensor_suspicion.h"
 
 namespace terratact {
 
 /// Detects forces on raised front flippers while the robot drives. An element that feels at least
 /// kLoad in nine lines of ten has drifted or is stuck. Four elements together are suspected over
-/// kWay, one alone over kLongWay. The flipper may lean on a wall for a while.
+/// kWay, one alone over kLongWay. The flipper may lean on a wall for a while. Both sides of an
+/// element count as one of the four.
 class UnloadedWatch {
 public:
     static constexpr double kLoad = 1.0;     ///< [N]
@@ -20,7 +23,7 @@ public:
     static constexpr double kLongWay = 1.5;  ///< [m]
     static constexpr double kHold = 60.0;  ///< [s] duration of a suspicion after the last such line
 
-    void take(const Measurement& line);
+    void take(const SensedLine& line);
     /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
     void reset();
@@ -31,10 +34,11 @@ private:
         double way = 0.0;         ///< [m]
         double least = 0.0;       ///< [N]
     };
-    void suspect(std::size_t element, double now);
+    void add(Element& element, double force, double way);
+    void suspect(Sensor sensor, double now);
 
     std::optional<double> travelled_;
-    std::array<Element, kForceElements> elements_{};
+    std::array<Element, kSensors> elements_{};  ///< of forces
     std::vector<SensorSuspicion> found_;
 };
 

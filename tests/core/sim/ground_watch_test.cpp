@@ -160,6 +160,8 @@ TEST(ReturnWatch, SuspectsAPitchThatIsShifted)
     EXPECT_FALSE(shifted(""));
     EXPECT_TRUE(shifted("offset:pitch:0.1"));
     EXPECT_TRUE(shifted("offset:pitch:-0.1"));
+    EXPECT_TRUE(shifted("offset:pitch:0.0524")) << "3 degrees";
+    EXPECT_TRUE(shifted("offset:pitch:-0.0524"));
     EXPECT_TRUE(shifted("drift:pitch:0.1"));
 }
 
@@ -172,14 +174,15 @@ TEST(ReturnWatch, SaysNothingOfOneDirection)
 TEST(StuckWatch, DoesNotCallOdometryStuckInATurn)
 {
     StuckWatch watch;
-    Measurement m;
+    SensedLine line;
+    Measurement& m = line.measurement;
     m.activity = RobotActivity::Driving;
     m.travelled = 1.0;
     for (int k = 0; k < 300; ++k) {
         m.time = 0.05 * k;
         m.pitch = 0.2 * std::sin(0.1 * k);
         m.turned = std::numbers::pi * k / 300.0;
-        watch.take(m);
+        watch.take(line);
         for (const SensorSuspicion& s : watch.found()) EXPECT_NE(s.sensor, Sensor::Travelled);
     }
 }

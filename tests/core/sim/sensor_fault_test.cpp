@@ -48,13 +48,34 @@ TEST(SensorFault, ReadsKindSensorsAndAmount)
 
 TEST(SensorFault, OfOneSideHalvesTheMean)
 {
-    EXPECT_TRUE(sensorFaultFrom("stuck:left-force-1")->isOfOneSide);
+    EXPECT_EQ(sensorFaultFrom("stuck:left-force-1")->sensors, std::vector{Sensor::LeftForce1});
     EXPECT_FALSE(sensorFaultFrom("stuck:left-pitch"));
     EXPECT_DOUBLE_EQ(with("offset:right-force-2:3").take(line(0.0, 0.1)).force[1], 3.5);
     EXPECT_DOUBLE_EQ(with("zero:left-forces").take(line(0.0, 0.1)).force[5], 3.0);
     const Measurement swapped = with("swapped:left-forces").take(line(0.0, 0.1));
     EXPECT_DOUBLE_EQ(swapped.force[0], 3.5);
     EXPECT_DOUBLE_EQ(swapped.force[5], 3.5);
+}
+
+TEST(SensorFault, OfOneSideLeavesTheOther)
+{
+    SensedLine truth{.measurement = line(0.0, 0.1), .sides = {}};
+    for (std::size_t e = 0; e < kForceElements; ++e) {
+        truth.sides.left[e] = truth.measurement.force[e] + 0.5;
+        truth.sides.right[e] = truth.measurement.force[e] - 0.5;
+    }
+    const SensedLine one = with("offset:right-force-2:3").take(truth);
+    EXPECT_DOUBLE_EQ(*one.sides.right[1], 4.5);
+    EXPECT_EQ(one.sides.left, truth.sides.left);
+    EXPECT_DOUBLE_EQ(one.measurement.force[1], 3.5);
+    const SensedLine both = with("zero:force-6").take(truth);
+    EXPECT_EQ(*both.sides.left[5], 0.0);
+    EXPECT_EQ(both.measurement.force[5], 0.0);
+    const SensedLine swapped = with("swapped:left-forces").take(truth);
+    EXPECT_DOUBLE_EQ(*swapped.sides.left[0], 6.5);
+    EXPECT_EQ(swapped.sides.right, truth.sides.right);
+    const SensedLine pushed = with("scatter:force-3:1").take(truth);
+    EXPECT_DOUBLE_EQ(*pushed.sides.left[2] - *pushed.sides.right[2], 1.0);
 }
 
 TEST(SensorFault, SticksAtTheFirstLine)

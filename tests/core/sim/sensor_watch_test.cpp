@@ -92,11 +92,11 @@ TEST(SensorWatch, IsSilentForAnHourOfHealthyTelemetry)
         style.period = 0.1;
         const auto lines = driveWithTelemetry(absolem(), randomVariedTerrain(rng), style, rng());
         for (const WatchedLine& line : lines) {
-            Measurement m = line.measurement;
-            m.time += from;
-            watch.take(m);
+            SensedLine sensed = line.sensed();
+            sensed.measurement.time += from;
+            watch.take(sensed);
             ASSERT_TRUE(watch.standing().empty())
-                << describe(watch.standing().front()) << " at " << m.time;
+                << describe(watch.standing().front()) << " at " << sensed.measurement.time;
         }
         seconds += lines.back().measurement.time;
         from += lines.back().measurement.time + 2.0;  // another robot, another ground
@@ -115,7 +115,7 @@ TEST(SensorWatch, IsSilentOverTheShippedSession)
             const auto line = listener.take(row.frame, secondsOf(row.time));
             if (!line) continue;
             ++lines;
-            watch.take(*line);
+            watch.take(SensedLine{.measurement = *line, .sides = sideForces(listener.forces())});
             ASSERT_TRUE(watch.standing().empty())
                 << describe(watch.standing().front()) << " at " << line->time;
         }
