@@ -166,7 +166,7 @@ namespace {
     QT_TRANSLATE_NOOP("event", "clock"),
     QT_TRANSLATE_NOOP("event", "operator"),
     // Alarms, by what they are about; "disarmed" is what arming comes to, too.
-    QT_TRANSLATE_NOOP("event", "silence"),
+    QT_TRANSLATE_NOOP("event", "mute"),
     QT_TRANSLATE_NOOP("event", "link"),
     QT_TRANSLATE_NOOP("event", "bus"),
     QT_TRANSLATE_NOOP("event", "foreign"),

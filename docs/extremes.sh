@@ -29,11 +29,11 @@ tests() {
   ctest --test-dir "$build" -L extremes -j "$(nproc)" | sed -n '/tests passed/p'
 }
 draws() {
-  TERRATACT_DRAWS=1000000000 "$build/tests/core.infer.truncated_normal_test" --gtest_filter='*EveryOneOfManyDraws' | results
+  TERRATACT_DRAWS=1000000000 "$build/tests/core.infer.sampling.truncated_normal_test" --gtest_filter='*EveryOneOfManyDraws' | results
 }
 rows() {
   for test in gaussian_process_extremes_test projected_process_test; do
-    TERRATACT_ROWS=5600 "$build/tests/core.learn.$test" --gtest_filter="$many" | results || return 1
+    TERRATACT_ROWS=5600 "$build/tests/core.learn.gp.$test" --gtest_filter="$many" | results || return 1
   done
 }
 per_draw() {
@@ -68,9 +68,9 @@ them all; \`docs/extremes.sh $build\` made this page, with the long forms and wh
 
 | what | tests | long form |
 |---|---|---|
-| truncated normal draws | \`tests/core/infer/sampling/truncated_normal_test.cpp\` | \`TERRATACT_DRAWS=1000000000 build/headless/tests/core.infer.truncated_normal_test --gtest_filter='*EveryOneOfManyDraws'\` |
-| Gaussian processes against long double: exact ones, sparse ones (presets \`fast\` and \`balanced\`), both in single precision, too | \`tests/core/learn/gp/gaussian_process_extremes_test.cpp\`, \`sparse_process_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.gaussian_process_extremes_test --gtest_filter='*Sizes*'\` |
-| surface processes (method \`local\`) against long double | \`tests/core/learn/gp/projected_process_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.projected_process_test --gtest_filter='*ofAModelsSize'\` |
+| truncated normal draws | \`tests/core/infer/sampling/truncated_normal_test.cpp\` | \`TERRATACT_DRAWS=1000000000 build/headless/tests/core.infer.sampling.truncated_normal_test --gtest_filter='*EveryOneOfManyDraws'\` |
+| Gaussian processes against long double: exact ones, sparse ones (presets \`fast\` and \`balanced\`), both in single precision, too | \`tests/core/learn/gp/gaussian_process_extremes_test.cpp\`, \`sparse_process_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.gp.gaussian_process_extremes_test --gtest_filter='*Sizes*'\` |
+| surface processes (method \`local\`) against long double | \`tests/core/learn/gp/projected_process_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.gp.projected_process_test --gtest_filter='*ofAModelsSize'\` |
 | the likelihood and its gradient against long double | \`tests/core/learn/gp/likelihood_test.cpp\` | |
 | estimates by all methods, cancelled at every question, work between two questions | \`tests/core/infer/estimate_extremes_test.cpp\` | \`build/headless/tests/terratact-bench --benchmark_filter=cancelWaits\` (milliseconds on this machine) |
 | robots and ground, also at every end of the ranges of pitch and flippers | \`tests/core/sim/geometry_extremes_test.cpp\` | \`RC_PARAMS="seed=2 max_success=100000"\` before the test |

@@ -50,7 +50,7 @@ nothing of the noise.  In single precision a variance therefore goes through the
 the products are left.  A mean goes through all rows, in double.  What comes of it is compared with
 all rows where a process is first used, and not used where a variance is off by more than 0.2 % at sixteen probes.  How far variances of the
 shipped model are off, from likely to absurd states, is printed by
-\`build/headless/tests/core.learn.bin_models_test --gtest_filter='*SinglePrecision*'\`.  In double nothing is left out.
+\`build/headless/tests/core.learn.model.bin_models_test --gtest_filter='*SinglePrecision*'\`.  In double nothing is left out.
 
 *quadratic form*: as measured with one bin's factor of all rows, which the nearest caches keep in part; *rest*: what nine bins'
 factors cost more by coming from farther away and being smaller, standardising, and keeping draws.

@@ -71,9 +71,9 @@ void addAnswerKeys(KeyTable& keys, const ProbeCard* card)
 void addObstacleKeys(KeyTable& keys, const VerdictStrip& verdict)
 {
     QPushButton *raise = verdict.raiseButton(), *lower = verdict.lowerButton();
-    keys.add({{Qt::Key_PageUp},
-              MainWindow::tr("raise what counts as an obstacle"),
-              ifSeen(raise, [raise] { raise->click(); })});
+    keys.add({{Qt::Key_PageUp}, MainWindow::tr("raise the step limit"), ifSeen(raise, [raise] {
+                  raise->click();
+              })});
     keys.add({{Qt::Key_PageDown}, MainWindow::tr("lower it"), ifSeen(lower, [lower] {
                   lower->click();
               })});
@@ -111,18 +111,19 @@ void addExplorationKeys(KeyTable& keys, MainWindow& window, QAction& draws)
               MainWindow::tr("explore the terrain"),
               ifSeen(panel->requestButton(), [exploration] { exploration->request(); })});
     keys.add({{Qt::Key_O},
-              MainWindow::tr("override what is doubtful about exploring"),
+              MainWindow::tr("explore in spite of a doubt (override)"),
               ifSeen(panel->overrideButton(), [exploration] { exploration->overrideWarnings(); })});
     addAnswerKeys(keys, window.probeCard());
     keys.add({{Qt::Key_B},
-              MainWindow::tr("ask for a probe: of the bin shown up close, else the best"),
+              MainWindow::tr("ask for a probe: of the selected bin, else of the best one"),
               ifSeen(window.viewButton(), [&window] { window.askProbe(); })});
-    keys.add({{Qt::Key_P}, MainWindow::tr("what each command needs, one after the other"), [panel] {
-                  if (panel->isVisible()) panel->lookUpNext();
-              }});
+    keys.add(
+        {{Qt::Key_P}, MainWindow::tr("requirements of each command, one after the other"), [panel] {
+             if (panel->isVisible()) panel->lookUpNext();
+         }});
     addObstacleKeys(keys, *window.verdict());
     keys.add({{Qt::Key_D},
-              MainWindow::tr("show some of the draws as thin lines"),
+              MainWindow::tr("show some draws as thin lines"),
               ifSeen(window.viewButton(), [&draws] { draws.toggle(); })});
     keys.add({{Qt::Key_Escape},
               MainWindow::tr("abort the exploration; its result stays"),
@@ -137,7 +138,7 @@ void addExplorationKeys(KeyTable& keys, MainWindow& window, QAction& draws)
                   panel->requestButton(), [exploration] { exploration->forgetResult(); },
                   Needs::ViewState)});
     keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_Z)},
-              MainWindow::tr("bring back the estimate that was forgotten"),
+              MainWindow::tr("restore the hidden estimate"),
               ifSeen(
                   panel->requestButton(), [exploration] { exploration->restoreResult(); },
                   Needs::ViewState)});

@@ -261,7 +261,7 @@ DiagnosticsPage::DiagnosticsPage(Look look, QWidget* parent)
     copy_ = new QPushButton(tr("Copy as text"), this);
     copy_->setFocusPolicy(Qt::TabFocus);
     copy_->setMinimumHeight(kTarget);
-    setTip(*copy_, tr("All of this page, for a report"));
+    setTip(*copy_, tr("Copies this page, for a report"));
     connect(copy_, &QPushButton::clicked, this,
             [this] { QApplication::clipboard()->setText(text()); });
     auto* head = new QHBoxLayout;

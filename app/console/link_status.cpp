@@ -144,10 +144,10 @@ QString LinkStatus::bannerText(const LinkViewState& viewState, double age) const
     if (link.standing != LinkStanding::Lost && link.standing != LinkStanding::Unsteady) return {};
     const QString title = capitals(link);
     if (link.standing == LinkStanding::Unsteady)
-        return tr("%1 — gaps: %2, the longest %3; values read -- in each of them")
+        return tr("%1 — gaps: %2, the longest %3; values read -- during a gap")
             .arg(title, QString::number(link.gaps), format::age(link.longest));
     if (link.alive)
-        return tr("BACK after %1 — measured values are live, the terrain is as it was felt before")
+        return tr("LINK RESTORED after %1 — values are live; the terrain predates the gap")
             .arg(format::age(link.longest));
     const QString trouble = troubleWords(viewState.bus, acquisition_.trouble());
     const QString why = trouble.isEmpty() ? QString() : QStringLiteral(": ") + trouble;

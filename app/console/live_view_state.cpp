@@ -111,7 +111,7 @@ AlarmViewState LiveViewState::alarms(const RobotMoment& moment, const LinkAccoun
     if (parts_.panel && !parts_.panel->answers(now))
         viewState.panelTrouble = exploration.following()  // a following console stops nothing
                                    ? tr("The operator's panel does not answer")
-                                   : tr("The operator's panel does not answer, which means STOP");
+                                   : tr("The operator's panel does not answer: STOP is asserted");
     if (exploration.state().phase == AtemPhase::Failed)
         viewState.failedExploration = exploration.stateWords();
     return viewState;

@@ -116,11 +116,11 @@ void MainWindow::build(const Options& options)
     recordingDisplay_ = std::make_unique<RecordingDisplay>(*recording_, notRecorded);
     recording_->setVisible(recorder_ != nullptr);
     connect(recording_, &QPushButton::clicked, this, &MainWindow::mark);
-    connect(addTool(tr("Open"), tr("Review a session, a log or scenes in a window of its own; "
-                                   "this one goes on (Ctrl+O)")),
-            &QPushButton::clicked, this, &MainWindow::open);
+    connect(
+        addTool(tr("Open"), tr("Review a session, a log or scenes in a separate window (Ctrl+O)")),
+        &QPushButton::clicked, this, &MainWindow::open);
     if (options.replay) addBelowPages(replayBar_ = new ReplayBar(*options.replay, this));
-    addViewTool(*preferences_, tr("opens the console anew"));
+    addViewTool(*preferences_, tr("restarts the console"));
     addHelpTool(demonstration(), [this](const QString& path) {
         openInAnotherWindow(path, sharedStop_->line(), notOpened());
     });
@@ -132,8 +132,7 @@ void MainWindow::addPages(const Options& options)
     terrainPage_ = new TerrainPage(robot_, this);
     verdict()->setLimit(exploration_->options().stepLimit);
     terrainPage_->addTerrainTool(header()->qualityButton());  // the header has no room
-    addPage(terrainPage_, tr("Terrain"), Qt::Key_F2,
-            tr("The terrain under the robot, exploring it, and the arm"));
+    addPage(terrainPage_, tr("Terrain"), Qt::Key_F2, tr("Terrain, exploration and arm"));
     numbers_ = new NumbersPage(
         [this] {
             const Estimation& estimation = exploration_->estimation();
@@ -154,7 +153,7 @@ void MainWindow::addPages(const Options& options)
     connect(alarmsPage_->table(), &AlarmTable::soundWanted, this,
             [this](bool on) { preferences_->change([on](Preferences& p) { p.sound = on; }); });
     addScrolledPage(alarmsPage_, tr("Alarms"), Qt::Key_F4,
-                    tr("What is wrong, and what was and has not been seen"));
+                    tr("Active alarms, and past alarms not yet acknowledged"));
     signalsPage_ = new SignalsPage(moment_, *acquisition_, link_, *preferences_, this);
     addScrolledPage(signalsPage_, tr("Signals"), Qt::Key_F5,
                     tr("Every signal on the bus, and its newest frames"));
@@ -370,7 +369,7 @@ void MainWindow::askProbe()
     else if (best)
         exploration_->askProbe(best->bin);
     else
-        tell(tr("no probe is asked for: point at a bin first"), EventSeverity::Warning);
+        tell(tr("no bin is selected: point at a bin first"), EventSeverity::Warning);
 }
 
 void MainWindow::defineKeys()
@@ -397,7 +396,7 @@ void MainWindow::defineKeys()
            "1 to 8, Space, Page Up and Down, Up and Down mean something else there."));
     keys.addGroup(tr("View"));
     addViewKeys(keys, *preferences_);
-    keys.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the one before"), {}});
+    keys.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the previous one"), {}});
 }
 
 void MainWindow::leave()
@@ -412,10 +411,9 @@ void MainWindow::closeEvent(QCloseEvent* event)
     const bool isAnswer = since > kToRead && since <= ShortNotice::kFor;
     if (mayAskBeforeClosing() && link_ && exploration_->armed() && !isAnswer) {
         closeRefused_ = now;
-        const QString why =
-            tr("THE ROBOT IS ARMED: close the window again within %1 s, and it is halted and "
-               "disarmed; or disarm it first (M)")
-                .arg(format::number(ShortNotice::kFor, 0));
+        const QString why = tr("THE ROBOT IS ARMED: close the window again within %1 s to halt and "
+                               "disarm it; or disarm it first (M)")
+                                .arg(format::number(ShortNotice::kFor, 0));
         notice_->say(why, now);
         if (since > ShortNotice::kFor) tell(why, EventSeverity::Warning);
         return event->ignore();

@@ -101,8 +101,8 @@ void MainWindow::showPanelLost()
     panelLost_->setText(
         exploration_->following() ? tr("PANEL LOST: connect the operator's panel")
         : exploration_->state().phase == AtemPhase::Stopped
-            ? tr("PANEL LOST, which means STOP: connect the operator's panel, then "
-                 "hold R; or start without --panel")
+            ? tr("PANEL LOST, STOP is asserted: connect the operator's panel, then hold R; or "
+                 "start without --panel")
             : tr("PANEL LOST: connect the operator's panel, or start without --panel"));
 }
 

@@ -61,14 +61,16 @@ void ProbeNotice::show(const AtemState& state, const std::optional<PhaseTime>& t
     if (asks && isVoid)
         text = tr("The question for a probe is void: F2 says why");
     else if (asks)
-        text = (covered ? tr("PROBE at %1? %2 left, then no: close the window that covers it")
-                        : tr("PROBE at %1? %2 left, then no: F2 shows the question"))
-                   .arg(format::binName(proposal->bin), left);
+        text =
+            (covered
+                 ? tr("PROBE at %1? Refused in %2 unless approved: close the window that covers it")
+                 : tr("PROBE at %1? Refused in %2 unless approved: F2 shows the question"))
+                .arg(format::binName(proposal->bin), left);
     else if (expired && !toldExpiry_)
-        text = covered ? tr("The probe was not answered in time, which means no: close the window "
-                            "that covers the result")
-                       : tr("The probe was not answered in time, which means no: F2 shows the "
-                            "result");
+        text = covered ? tr("The probe was not answered in time and counts as refused: close the "
+                            "window that covers the result")
+                       : tr("The probe was not answered in time and counts as refused: F2 shows "
+                            "the result");
     if (banner_.text() != text) banner_.setText(text);
     banner_.setVisible(!text.isEmpty() && !seen);
 }

@@ -21,14 +21,15 @@ void RecordingDisplay::show(const RecordingState& state)
     const bool failed = state.on && !state.trouble.empty();
     strip_.setVisible(failed);
     if (failed) strip_.setText(tr("NOT RECORDED: %1").arg(format::sentence(state.trouble)));
-    setTip(button_, state.recording
-                        ? tr("Recorded: %1\n%2 frames, %3 MB; %4 frames found no room\nA "
-                             "click marks this moment (K)")
-                              .arg(format::line(state.path))
-                              .arg(state.frames)
-                              .arg(format::number(static_cast<double>(state.bytes) / 1e6, 1))
-                              .arg(state.missing)
-                        : tr("Nothing is recorded"));
+    setTip(
+        button_,
+        state.recording
+            ? tr("Recorded: %1\n%2 frames, %3 MB; %4 frames dropped\nA click marks this moment (K)")
+                  .arg(format::line(state.path))
+                  .arg(state.frames)
+                  .arg(format::number(static_cast<double>(state.bytes) / 1e6, 1))
+                  .arg(state.missing)
+            : tr("Nothing is recorded"));
     const QString text = failed    ? tr("✕ NOT\nRECORDED")
                        : !state.on ? tr("○ not\nrecorded")
                                    : tr("● REC\nmark K");

@@ -26,11 +26,11 @@ ReplayBar::ReplayBar(LogReplay& replay, QWidget* parent) : QWidget(parent), repl
         row->addWidget(made);
         return made;
     };
-    back_ = button(tr("◀ %1 s").arg(kStep), tr("Goes back in the log (Ctrl+Left)"));
-    pause_ = button(tr("Pause"), tr("Halts the log, or lets it go on (Ctrl+Space)"));
+    back_ = button(tr("◀ %1 s").arg(kStep), tr("Steps back in the log (Ctrl+Left)"));
+    pause_ = button(tr("Pause"), tr("Pauses or continues the log (Ctrl+Space)"));
     pause_->setCheckable(true);
-    on_ = button(tr("%1 s ▶").arg(kStep), tr("Goes on in the log (Ctrl+Right)"));
-    repeat_ = button(tr("Repeat"), tr("Begins again at the end of the log (Ctrl+R)"));
+    on_ = button(tr("%1 s ▶").arg(kStep), tr("Steps forward in the log (Ctrl+Right)"));
+    repeat_ = button(tr("Repeat"), tr("Repeats the log from its end (Ctrl+R)"));
     repeat_->setCheckable(true);
     at_ = new PlainLabel(this);
     at_->setAccessibleName(tr("How far the log is"));
@@ -56,17 +56,17 @@ void ReplayBar::addKeys(KeyTable& keys)
     const auto add = [&](Qt::Key key, const QString& meaning, QPushButton* button) {
         keys.add({{QKeyCombination(Qt::CTRL, key)}, meaning, [button] { button->click(); }});
     };
-    add(Qt::Key_Space, tr("pause the log, or let it go on"), pause_);
+    add(Qt::Key_Space, tr("pause or continue the log"), pause_);
     add(Qt::Key_Left, tr("back in the log"), back_);
-    add(Qt::Key_Right, tr("on in the log"), on_);
-    add(Qt::Key_R, tr("begin again at the end of the log, or not"), repeat_);
+    add(Qt::Key_Right, tr("forward in the log"), on_);
+    add(Qt::Key_R, tr("repeat the log, on or off"), repeat_);
 }
 
 void ReplayBar::poll()
 {
     const LogReplay::Progress now = replay_.progress();
     pause_->setChecked(now.paused);
-    pause_->setText(now.paused ? tr("Go on") : tr("Pause"));
+    pause_->setText(now.paused ? tr("Continue") : tr("Pause"));
     repeat_->setChecked(now.repeats);
     const QString at =
         tr("%1 of %2 s").arg(format::number(now.at, 1), format::number(now.length, 1));

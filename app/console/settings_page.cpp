@@ -43,17 +43,17 @@ QString chooseTip()
 
 QString shippedTip()
 {
-    return SettingsPage::tr("Back to what came with the program");
+    return SettingsPage::tr("Back to the shipped file");
 }
 
 QString shippedInUseTip()
 {
-    return SettingsPage::tr("What came with the program is in use already");
+    return SettingsPage::tr("The shipped files are in use already");
 }
 
 QString languageTip()
 {
-    return SettingsPage::tr("Opens the console anew");
+    return SettingsPage::tr("Restarts the console");
 }
 
 constexpr int kDefaultsAnswer = 8000,
@@ -61,7 +61,7 @@ constexpr int kDefaultsAnswer = 8000,
 
 QString defaultsTip()
 {
-    return SettingsPage::tr("Everything on this page, and the shipped model and robot");
+    return SettingsPage::tr("Resets this page, the model and the robot to their defaults");
 }
 
 }  // namespace
@@ -215,47 +215,49 @@ void SettingsPage::buildEstimate(QFormLayout* form)
     for (const QualityPreset preset : kQualityPresets) presets << format::sentence(name(preset));
     method_ = choice(
         form, tr("Method"), methods,
-        tr("local and joint are closed formulas; the others draw chains of samples"),
+        tr("local and joint are closed formulas; the others sample with Markov chains"),
         [](const Preferences& p) { return indexOf(offeredMethods(), p.method); },
         [](Preferences& p, std::size_t i) { p.method = offeredMethods().at(i); });
     quality_ = choice(
         form, tr("Quality"), presets,
-        tr("As terratact tradeoff has measured them: time, mean error, and in brackets how far the "
-           "quantiles are from a long run's"),
+        tr("Measured by terratact tradeoff: time, mean error, and in brackets the distance of the "
+           "quantiles from a long run's"),
         [](const Preferences& p) { return indexOf(kQualityPresets, p.preset); },
         [](Preferences& p, std::size_t i) { p.preset = kQualityPresets.at(i); });
     seconds_ = whole(form, tr("An estimate may take at most"), 0, kMaxEstimateSeconds, tr("s"),
-                     tr("Then sampling ends with the draws there are, and the result says so"),
+                     tr("Sampling then ends with fewer draws, and the result says so"),
                      &Preferences::estimateSeconds);
     seconds_->setSpecialValueText(tr("no limit"));
-    obstacle_ = number(form, tr("An obstacle is a step of more than"), kObstacleRange, 2, tr("m"),
-                       tr("The verdict's question (PgUp, PgDown)"), &Preferences::obstacleLimit);
-    threshold_ = number(form, tr("An element is a contact above"), kForceRange, 1, tr("N"),
-                        tr("Weaker forces are noise"), &Preferences::forceThreshold);
+    obstacle_ = number(form, tr("An obstacle is a step above"), kObstacleRange, 2, tr("m"),
+                       tr("Step height that the verdict asks about (PgUp, PgDown)"),
+                       &Preferences::obstacleLimit);
+    threshold_ = number(form, tr("An element counts as contact above"), kForceRange, 1, tr("N"),
+                        tr("Weaker forces count as noise"), &Preferences::forceThreshold);
     probes_ = choice(
         form, tr("The arm is offered"),
         {tr("where the terrain is uncertain"), tr("there, unless the verdict stands"),
          tr("where it tells about the verdict")},
-        tr("Uncertain: by the variance, as in the paper. About the verdict: by the entropy of its "
-           "question, whatever the sd, and only while it is open"),
+        tr("Uncertain: by the variance, as in the paper. About the verdict: by the entropy of the "
+           "step question, and only while it is open"),
         [](const Preferences& p) { return indexOf(kProbePolicies, p.probes); },
         [](Preferences& p, std::size_t i) { p.probes = kProbePolicies.at(i); });
     number(form, tr("The arm is offered above a sd of"), kProbeAboveRange, 2, tr("m"),
            tr("A bin less certain than this asks for a probe"), &Preferences::probeAbove);
     number(
-        form, tr("Rate of hazards in 0.1 m that nothing has felt"), kHazardRateRange, 1, tr("%"),
+        form, tr("Rate of hazards per 0.1 m of ground that is not felt"), kHazardRateRange, 1,
+        tr("%"),
         tr("Drops and walls. At 5 % or more, CLEAR needs every bin felt up to the front flippers' "
            "reach; lower rates accept ground that the flippers span"),
         &Preferences::hazardRate, kPercent);
     number(form, tr("The verdict is withheld above a roll of"), kRollRange, 1, tr("°"),
            tr("Then left and right ground differ"), &Preferences::rollLimit, kDegree);
-    number(form, tr("… or left and right flippers apart by"), kAsymmetryRange, 1, tr("°"),
+    number(form, tr("… or left and right flippers differ by"), kAsymmetryRange, 1, tr("°"),
            tr("Then left and right ground differ"), &Preferences::asymmetryLimit, kDegree);
     number(form, tr("Pitch or roll is steep from"), kTiltRange, 1, tr("°"),
-           tr("An amber alarm; 20° before the robot tips over in any case"),
-           &Preferences::tiltAmber, kDegree);
+           tr("Amber alarm; at the latest 20° before the robot tips over"), &Preferences::tiltAmber,
+           kDegree);
     number(form, tr("Pitch or roll is dangerous from"), kTiltRange, 1, tr("°"),
-           tr("A red alarm that sounds; 10° before the robot tips over in any case"),
+           tr("Red alarm with sound; at the latest 10° before the robot tips over"),
            &Preferences::tiltRed, kDegree);
 }
 
@@ -263,7 +265,7 @@ void SettingsPage::buildLook(QFormLayout* form)
 {
     theme_ = choice(
         form, tr("Theme"), {tr("day"), tr("night, red"), tr("high contrast")},
-        tr("Night, red: keeps the eyes used to the dark"),
+        tr("Night, red: keeps the eyes adapted to the dark"),
         [](const Preferences& p) { return static_cast<int>(p.theme); },
         [](Preferences& p, std::size_t i) { p.theme = static_cast<ThemeName>(i); });
     whole(form, tr("Size of text"), kSmallestFont, kLargestFont, QStringLiteral("%"),
@@ -295,15 +297,15 @@ void SettingsPage::buildRecording(QFormLayout* form)
              tr("Frames, scenes, estimates, what was shown and decided, in one file per session"),
              &Preferences::record);
     whole(form, tr("Delete a session after"), 0, kMaxDays, tr("days"),
-          tr("Once it has stood for ten seconds; never: nothing is deleted"),
+          tr("Applies ten seconds after the change. Never: nothing is deleted"),
           &Preferences::keepDays)
         ->setSpecialValueText(tr("never"));
     whole(form, tr("Delete the oldest beyond"), 0, kMaxGigabytes, tr("GB"),
-          tr("Of all closed sessions together, once it has stood for ten seconds"),
+          tr("For all closed sessions together; applies ten seconds after the change"),
           &Preferences::keepGigabytes)
         ->setSpecialValueText(tr("never"));
     flag(form, tr("Sessions beyond these limits may be deleted"),
-         tr("Until this is ticked, the console only tells what it would delete"),
+         tr("Until this is ticked, the console only lists what it would delete"),
          &Preferences::mayDelete);
 }
 
@@ -322,8 +324,8 @@ QWidget* SettingsPage::buildFiles()
         choose = new QPushButton(tr("Choose a file …"), card);
         choose->setAccessibleName(tr("Choose a file: %1").arg(name));
         setTip(*choose, chooseTip());
-        shipped = new QPushButton(tr("The shipped one"), card);
-        shipped->setAccessibleName(tr("The shipped one: %1").arg(name));
+        shipped = new QPushButton(tr("Shipped"), card);
+        shipped->setAccessibleName(tr("Shipped: %1").arg(name));
         setTip(*shipped, shippedTip());
         grid->addWidget(text, row, 0);
         grid->addWidget(choose, row, 1, Qt::AlignTop);
@@ -401,7 +403,7 @@ void SettingsPage::setReopenBlocked(const QString& why)
 
 void SettingsPage::showDefaults()
 {
-    defaults_->setText(defaultsAsked_.isActive() ? tr("Press again: all settings go back")
+    defaults_->setText(defaultsAsked_.isActive() ? tr("Press again to reset all settings")
                                                  : tr("All back to the defaults"));
 }
 

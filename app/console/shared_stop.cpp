@@ -22,7 +22,7 @@ void SharedStop::listen()
     if (line)
         line_.emplace(std::move(*line));
     else
-        emit happened(tr("STOP in windows that are opened from here stops nothing: %1")
+        emit happened(tr("STOP has no effect in windows opened from here: %1")
                           .arg(translated(line.error().message)),
                       EventSeverity::Warning);
 }

@@ -76,10 +76,10 @@ QString loadWords(const BusLoad& load, const BitRate& bitrate)
     const auto percent = [&](double bits) { return format::number(100.0 * bits / rate, 1); };
     const QString said =
         bitrate.nominal
-            ? SignalsPage::tr("load %1 to %2 % of nominal %3 kbit/s (without stuff bits, with all "
-                              "there can be)")
+            ? SignalsPage::tr(
+                "load %1 to %2 % of nominal %3 kbit/s (without stuff bits, with the most possible)")
             : SignalsPage::tr(
-                "load %1 to %2 % of %3 kbit/s (without stuff bits, with all there can be)");
+                "load %1 to %2 % of %3 kbit/s (without stuff bits, with the most possible)");
     return said.arg(percent(load.fewestBits), percent(load.mostBits),
                     format::number(rate / 1000.0, 0));
 }
@@ -135,10 +135,10 @@ void SignalsPage::addTools(QHBoxLayout& row)
 {
     row.addStretch(1);
     dbc_->addButtons(row);
-    auto* forget = new QPushButton(tr("Forget least and most"), this);
+    auto* forget = new QPushButton(tr("Reset min and max"), this);
     forget->setFocusPolicy(Qt::TabFocus);
     forget->setMinimumHeight(kTarget);
-    setTip(*forget, tr("They begin anew with the next frames"));
+    setTip(*forget, tr("Counts restart with the next frames"));
     row.addWidget(forget);
     connect(forget, &QPushButton::clicked, this, [this] { link_->tap().forgetExtremes(); });
 }

@@ -29,7 +29,7 @@ QString StopDisplay::late(const StopViewState& viewState)
     const QString age = format::age(viewState.seconds);
     switch (viewState.state) {
     case StopViewState::State::NotSent:
-        return tr("STOP NOT SENT for %1, it is tried again: use the robot's own switch — %2")
+        return tr("STOP NOT SENT for %1, trying again: use the robot's own switch — %2")
             .arg(age, viewState.why);
     case StopViewState::State::Sent:
         if (viewState.seconds < kConfirmsWithin) return {};

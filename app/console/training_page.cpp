@@ -102,7 +102,7 @@ void TrainingPage::connectTrainer()
     });
     connect(&trainer_, &ModelTrainer::failed, this, [this](const QString& why) {
         ended(phase_ == Phase::Training
-                  ? tr("%1. Nothing was written: put that right and start again.").arg(why)
+                  ? tr("%1. No file was written: correct this and start again.").arg(why)
                   : tr("%1. Choose another file, or discard the new model.").arg(why),
               true);
     });
@@ -128,7 +128,7 @@ QString TrainingPage::pathOfName() const
 
 QString TrainingPage::whyNotStart() const
 {
-    if (scenes_->text().isEmpty()) return tr("Choose a file of scenes to learn from.");
+    if (scenes_->text().isEmpty()) return tr("Choose a file of scenes for training.");
     if (!name_->hasAcceptableInput()) return tr("Give the new model a name.");
     if (QFileInfo::exists(pathOfName()))
         return tr("%1 exists already: choose another name.").arg(pathOfName());
@@ -177,7 +177,7 @@ void TrainingPage::start()
     const std::string file = scenes_->text().toStdString();
     trained_.clear();
     clearComparison();
-    say(tr("Training on %1; the robot goes on meanwhile").arg(scenes_->text()));
+    say(tr("Training on %1; driving is not affected").arg(scenes_->text()));
     TrainingPlan plan;
     plan.robot = options_.robot;
     plan.data = file;
@@ -268,11 +268,11 @@ void TrainingPage::showButtons()
     };
     const QString busy = whyBusy(), whyNot = whyNotStart(), why = whyNotAdopt();
     const bool runs = phase_ == Phase::Training || phase_ == Phase::Comparing;
-    offer(start_, busy.isEmpty() ? whyNot : busy, tr("Train the model, beside everything else"));
+    offer(start_, busy.isEmpty() ? whyNot : busy, tr("Trains the model in the background"));
     if (phase_ == Phase::Idle && !whyNot.isEmpty() && !scenes_->text().isEmpty()) say(whyNot);
     if (phase_ == Phase::Idle && status_->text().isEmpty()) say(whyNot);
-    offer(cancel_, runs ? QString() : tr("Nothing runs that could be cancelled."),
-          tr("End what runs; nothing is written"));
+    offer(cancel_, runs ? QString() : tr("No training or comparison is running."),
+          tr("Cancels the training or comparison; no file is written"));
     for (QWidget* field : std::initializer_list<QWidget*>{scenes_, name_, seed_})
         field->setEnabled(busy.isEmpty());
     offer(chooseScenes_, busy, chooseScenes_->accessibleName());

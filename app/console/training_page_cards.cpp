@@ -98,7 +98,7 @@ QWidget* TrainingPage::trainCard()
     auto* card = new Card(tr("1  Train a new model"), this);
     card->note()->setText(tr("robot: the one in use"));
     chooseScenes_ =
-        addFile(card->body(), tr("Learn from"), tr("Choose the scenes to learn from"), scenes_);
+        addFile(card->body(), tr("Train on"), tr("Choose the training scenes"), scenes_);
     name_ = new QLineEdit(card);
     name_->setAccessibleName(tr("Name of the new model"));
     name_->setMinimumHeight(kTarget);
@@ -170,11 +170,11 @@ void TrainingPage::keepRoomForStatus()
 
 QWidget* TrainingPage::compareCard()
 {
-    auto* card = new Card(tr("2  Compare it with the one in use, then adopt it"), this);
+    auto* card = new Card(tr("2  Compare it with the model in use, then adopt it"), this);
     card->note()->hide();
     newModel_ = makeSentence(tr("Models"), card);
     card->body()->addWidget(newModel_);
-    chooseTest_ = addFile(card->body(), tr("Test on"), tr("Choose the scenes to test on"), test_);
+    chooseTest_ = addFile(card->body(), tr("Test on"), tr("Choose the test scenes"), test_);
     compare_ = makeButton(tr("Compare"), {}, card);
     card->body()->addWidget(compare_);
     const auto rows = ComparisonWords::rows({});

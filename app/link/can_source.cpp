@@ -77,7 +77,7 @@ std::string CanSource::whyNotTransmitting() const
 {
     switch (options_.mode) {
     case Mode::Transmit: return {};
-    case Mode::Listen: return name() + " is only listened to: start the console with --transmit";
+    case Mode::Listen: return name() + " is receive-only: start the console with --transmit";
     case Mode::Replay: return name() + " takes no commands";
     }
     return {};

@@ -20,8 +20,8 @@ QString matter(BusState state)
     switch (state) {
     case BusState::Up: return BusWords::tr("%1 works");
     case BusState::Stalled:
-        return BusWords::tr("%1 does not take frames: nobody acknowledges them or the bus is full; "
-                            "is the robot on, are the wires and the bit rate right?");
+        return BusWords::tr("%1 does not take frames: no node acknowledges them, or the bus is "
+                            "full. Check the robot's power, the wires and the bit rate");
     case BusState::ErrorWarning:
         return BusWords::tr("%1 has errors: check wires, terminators and bit rate");
     case BusState::ErrorPassive:
@@ -124,7 +124,7 @@ QString whyFollowing(const CanSource* link)
     switch (link->mode()) {
     case CanSource::Mode::Transmit: return {};
     case CanSource::Mode::Listen:
-        return BusWords::tr("%1 is only listened to: start the console with --transmit").arg(name);
+        return BusWords::tr("%1 is receive-only: start the console with --transmit").arg(name);
     case CanSource::Mode::Replay: return BusWords::tr("%1 takes no commands").arg(name);
     }
     return {};

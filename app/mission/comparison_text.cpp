@@ -51,13 +51,14 @@ QString ComparisonWords::sentence(const ModelComparison& c)
     const QString scenes = QString::number(c.scenes);
     const QString errs =
         std::abs(change) < kAlike
-            ? tr("The new model errs as much as the old one near the robot on %1 scenes")
+            ? tr("Near the robot the new model has the same mean error as the old one on %1 scenes")
                   .arg(scenes)
-        : change < 0.0 ? tr("The new model errs %1 % less near the robot on %2 scenes")
-                             .arg(format::percent(-change), scenes)
-                       : tr("The new model errs %1 % more near the robot on %2 scenes")
-                             .arg(format::percent(change), scenes);
-    return tr("%1; its 80 % bands there hold %2 % of the truths, the old one's %3 %.")
+        : change < 0.0
+            ? tr("Near the robot the new model's mean error is %1 % smaller on %2 scenes")
+                  .arg(format::percent(-change), scenes)
+            : tr("Near the robot the new model's mean error is %1 % larger on %2 scenes")
+                  .arg(format::percent(change), scenes);
+    return tr("%1; its 80 % bands there cover %2 % of the true heights, the old model's %3 %.")
         .arg(errs, format::percent(c.after.near.coverage), format::percent(c.before.near.coverage));
 }
 
@@ -65,12 +66,12 @@ QString ComparisonWords::caution(const ModelComparison& c)
 {
     QStringList cautions;
     if (c.newLearntThese)
-        cautions << tr("The new model has learnt from this very file, which flatters it: choose "
-                       "scenes it has not seen.");
+        cautions << tr("The new model was trained on this file, so its error looks too small: "
+                       "choose scenes it has not seen.");
     if (c.oldLearntThese)
-        cautions << tr("The old model has learnt from this very file, which flatters it.");
+        cautions << tr("The old model was trained on this file, so its error looks too small.");
     if (!c.nearDifference)
-        cautions << tr("Too few drives to tell whether the difference is chance.");
+        cautions << tr("Too few drives: the difference may be chance.");
     else if (c.nearDifference->low <= 0.0 && c.nearDifference->high >= 0.0)
         cautions << tr("The difference may be chance: 95 % interval %1 … %2 mm.")
                         .arg(format::signedNumber(1000.0 * c.nearDifference->low, 1),

@@ -121,7 +121,7 @@ void ConsoleAlarms::lookAtLink(const AlarmViewState& viewState)
     const bool ended = viewState.bus && viewState.bus->ended;
     if (waits) began_ = now_;  // no alarm is due yet
     judge("silence", !came && !ended && now_ - *began_ >= kFirstTelemetry,
-          tr("No telemetry has come since the start%1").arg(why), Severity::Critical);
+          tr("No telemetry since the start%1").arg(why), Severity::Critical);
     QString what = format::sentence(describe(link));
     what.replace(0, 1, what.left(1).toUpper());
     judge("link", came && !link.alive && !ended,
@@ -138,7 +138,7 @@ void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmViewState& viewStat
           comesAndGoes(bus.bus) ? Severity::Caution : Severity::Critical,
           comesAndGoes(bus.bus) ? kFlutter : 0.0);
     judge("foreign", bus.link.foreignSender && bus.transmits,
-          tr("Another console sends commands on this bus: find it and switch it off"),
+          tr("Another console sends commands on this bus: find it and turn it off"),
           Severity::Critical);
     judge("dropped", counted_["dropped"].grewLately(bus.frames.dropped, now_),
           tr("This computer was too slow for the bus: %1 frames lost since the start")

@@ -82,7 +82,7 @@ void Exploration::confirmStop(bool latched)
     if (!linkAlive_ || latched == stopConfirmed_ || (releasing_ && !latched)) return;
     stopConfirmed_ = latched;
     if (latched)
-        emit happened(tr("the robot says that it is stopped"), EventSeverity::Note);
+        emit happened(tr("the robot reports stopped"), EventSeverity::Note);
     else
         stopBegan_ = now_;  // the request starts again
 }
@@ -237,7 +237,7 @@ void Exploration::watchDrive()
 {
     if (!latest_ || !linkAlive_ || !driveWatch_.poll(latest_->sample.measurement, now_)) return;
     if (source_.name() != "SIMULATED ROBOT")
-        emit happened(tr("the robot says that it drives, and its tracks do not move"),
+        emit happened(tr("the robot reports driving, but its tracks do not move"),
                       EventSeverity::Bad);
     else if (options_.groundFile.empty())
         emit happened(
@@ -312,7 +312,7 @@ void Exploration::probe()
 void Exploration::present(bool unprobed)
 {
     if (unprobed && state_.approvalExpired)
-        emit happened(tr("no answer in time: no probe"), EventSeverity::Warning);
+        emit happened(tr("no answer in time: refused"), EventSeverity::Warning);
     else if (unprobed)
         emit happened(tr("probe refused"), EventSeverity::Note);
     probes_.withdraw();

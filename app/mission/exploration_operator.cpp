@@ -28,7 +28,7 @@ void Exploration::askProbe(int bin)
             emit happened(tr("no probe is asked for: %1").arg(why), EventSeverity::Warning));
     if (state_.phase == AtemPhase::ProposingProbe) return choose(probes_.current()->id, bin);
     emit decided("choose", format::binName(bin));
-    emit happened(tr("a probe at %1 is wanted: the robot presses anew, then it is asked")
+    emit happened(tr("a probe at %1 is requested: the robot presses again, then asks for approval")
                       .arg(format::binName(bin)),
                   EventSeverity::Note);
     askedBin_ = bin;
@@ -44,9 +44,7 @@ void Exploration::forgetResult()
     probes_.withdraw();
     const bool ends = state_.phase == AtemPhase::Presenting || state_.phase == AtemPhase::Failed;
     if (ends || following()) pending_.aborted = true;
-    if (stood)
-        emit happened(tr("the estimate is off the screen: Ctrl+Z brings it back"),
-                      EventSeverity::Note);
+    if (stood) emit happened(tr("the estimate is hidden: Ctrl+Z restores it"), EventSeverity::Note);
 }
 
 void Exploration::restoreResult()

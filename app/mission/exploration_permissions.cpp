@@ -11,7 +11,7 @@ QString Exploration::whyNoEstimate() const
     if (!linkAlive_ && !ended_) return tr("No estimate yet: no telemetry from the robot");
     if (!model.trouble.isEmpty()) return tr("No estimate: there is no model");
     if (model.name.isEmpty()) return tr("No estimate yet: the model is being loaded");
-    if (following()) return tr("No estimate yet: it comes when the robot presses its flippers");
+    if (following()) return tr("No estimate yet: one is made when the robot presses its flippers");
     if (!armed()) return tr("No estimate yet: press M, then hold M to arm; then explore (A)");
     return tr("No estimate yet: explore the terrain (A)");
 }
@@ -20,7 +20,7 @@ QString Exploration::whyNotOffered() const
 {
     if (!estimation_.estimate() || offered_) return {};
     const ProbeOffer now = probes_.offer();  // limit, policy and telemetry may have changed
-    if (now.bin) return tr("Not offered when the estimate came: explore again to be asked");
+    if (now.bin) return tr("No probe was offered with this estimate: explore again");
     return wordsOf(now.why);
 }
 
@@ -29,13 +29,13 @@ QString Exploration::wordsOf(NoProbe why) const
     switch (why) {
     case NoProbe::None: break;
     case NoProbe::Certain:
-        return tr("Not offered: no bin in reach is less certain than ± %1 m")
+        return tr("No probe offered: every bin in reach is known to ± %1 m")
             .arg(format::number(estimation_.estimate()->settings.probeAbove, 2));
     case NoProbe::Decided:
-        return tr("Not offered, as the settings have it: %1 stands without the arm")
+        return tr("No probe offered, by the settings: %1 stands without the arm")
             .arg(format::sentence(name(estimation_.verdict()->stepVerdict)));
     case NoProbe::NoGain:
-        return tr("Not offered, as the settings have it: no bin in reach tells about the step");
+        return tr("No probe offered, by the settings: no bin in reach informs about the step");
     }
     return {};
 }

@@ -25,7 +25,7 @@ void PanelControl::tick(double now, const ViewState& viewState)
         exploration_.stop();
         emit happened(report_.state.present && !isLost() ? tr("STOP pressed on the panel")
                       : exploration_.following()         ? tr("the panel is lost")
-                                                 : tr("the panel is lost, which means STOP"),
+                                                 : tr("the panel is lost: STOP is asserted"),
                       EventSeverity::Bad);
     }
     wasStopped_ = stopped;

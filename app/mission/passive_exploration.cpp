@@ -82,7 +82,7 @@ void PassiveExploration::fail(AtemFailure failure)
 
 QString PassiveExploration::whyMoved()
 {
-    return tr("The robot has moved: the next press brings the next estimate");
+    return tr("The robot has moved: the next press gives the next estimate");
 }
 
 }  // namespace terratact

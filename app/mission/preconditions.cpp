@@ -67,7 +67,7 @@ Precondition Preconditions::notExploring(bool explores)
 
 Precondition Preconditions::stands(bool asThen)
 {
-    return asThen ? met(tr("scene, settings and model are those of the question"))
+    return asThen ? met(tr("scene, settings and model are unchanged since the question"))
                   : missing(tr("scene, settings or model have changed since the question"));
 }
 
@@ -84,8 +84,8 @@ Precondition Preconditions::wasUnheard()
 Precondition Preconditions::stopConfirmed(bool confirmed, bool heard)
 {
     if (!confirmed) return doubtful(tr("the robot has not confirmed STOP"));
-    return heard ? met(tr("the robot says that it is stopped"))
-                 : doubtful(tr("the robot said that it is stopped, then no telemetry"));
+    return heard ? met(tr("the robot reports stopped"))
+                 : doubtful(tr("the robot reported stopped, then telemetry ended"));
 }
 
 QList<Precondition> Preconditions::toArm(const CanView& view)

@@ -48,9 +48,9 @@ QStringList presetLines(Method method, std::span<const PresetCost> costs)
         return isClosedForm(method)
                  ? PresetWords::tr("%1: %2 ms, exact quantiles by a formula, mean error %3 mm")
                        .arg(cost.name, cost.milliseconds, cost.error)
-                 : PresetWords::tr("%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 "
-                                   "mm; chains converge in %5 % of scenes, without which there is "
-                                   "no verdict")
+                 : PresetWords::tr(
+                       "%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm; chains "
+                       "converge in %5 % of scenes, and only these have a verdict")
                        .arg(cost.name, cost.milliseconds, cost.off, cost.error, cost.converged);
     });
 }

@@ -86,7 +86,7 @@ void DbcFiles::addButtons(QHBoxLayout& row)
         return button;
     };
     add_ = tool(DbcSays::tr("Add DBC file …"),
-                DbcSays::tr("A file that says what frames mean that are not the robot's"));
+                DbcSays::tr("Adds a DBC file that describes frames of other devices"));
     connect(add_, &QPushButton::clicked, this, &DbcFiles::addFile);
     remove_ = tool(DbcSays::tr("Remove DBC file"),
                    DbcSays::tr("Its frames are shown byte by byte again"));
@@ -105,7 +105,7 @@ void DbcFiles::addLines(QVBoxLayout& column)
         column.addWidget(*label);
     }
     files_->setAccessibleName(DbcSays::tr("DBC files"));
-    troubles_->setAccessibleName(DbcSays::tr("What is wrong with the DBC files"));
+    troubles_->setAccessibleName(DbcSays::tr("Faults of the DBC files"));
     setTone(*troubles_, Tone::Doubt);
 }
 
@@ -151,7 +151,7 @@ void DbcFiles::show(const QStringList& files, const QStringList& troubles)
     for (const QString& trouble : troubles.mid(0, kMaxLines))
         shown << QStringLiteral("▲ ") + breakable(trouble);
     if (troubles.size() > kMaxLines)
-        shown << DbcSays::tr("… and %1 more, all of them in the tip here")
+        shown << DbcSays::tr("… and %1 more, all listed in this tooltip")
                      .arg(troubles.size() - kMaxLines);
     troubles_->setText(shown.join(QLatin1Char('\n')));
     troubles_->setVisible(!troubles.isEmpty());

@@ -23,7 +23,7 @@ NumbersPage::NumbersPage(std::function<NumbersViewState()> look, QWidget* parent
     auto* card = new Card(tr("The scene as numbers"), this);
     copy_ = new QPushButton(tr("Copy (Ctrl+C)"), card);
     copy_->setFocusPolicy(Qt::TabFocus);
-    setTip(*copy_, tr("The whole table, columns apart by tabs"));
+    setTip(*copy_, tr("Copies the whole table, columns separated by tabs"));
     card->titleRow()->addWidget(copy_);
     verdict_ = new PlainLabel(card);
     verdict_->setWordWrap(true);
@@ -62,7 +62,8 @@ void NumbersPage::showVerdict(const NumbersViewState& viewState)
     QStringList parts{VerdictStrip::answerOf(*viewState.verdict),
                       VerdictStrip::probabilityOf(*viewState.verdict, viewState.stepLimit),
                       VerdictStrip::whyOf(*viewState.verdict)};
-    if (isOld && viewState.age) parts << tr("last heard %1 ago").arg(format::age(*viewState.age));
+    if (isOld && viewState.age)
+        parts << tr("last telemetry %1 ago").arg(format::age(*viewState.age));
     const QString text = parts.join(QStringLiteral(" · "));
     if (verdict_->text() == text) return;
     verdict_->setText(text);

@@ -28,7 +28,7 @@ QString followedProbe(const AtemState& state)
     if (state.phase == AtemPhase::Probing) return TerrainPage::tr("Following: the arm is probing.");
     if (state.probed)
         return TerrainPage::tr("The arm has measured; its height is part of the estimate.");
-    return TerrainPage::tr("Following: probes are approved where the robot is commanded.");
+    return TerrainPage::tr("Following: probes are approved on the commanding console.");
 }
 
 /// Returns true if a probe's worth is known, nothing is proposed and nothing is running.
@@ -72,20 +72,19 @@ QString probeTells(const ProbeProposal& probe)
 QString whyNoProbe(const TerrainViewState& viewState)
 {
     if (isAtRest(viewState) && !tellsWorth(viewState))
-        return TerrainPage::tr("The verdict is withheld, and so is what a probe tells about it.");
+        return TerrainPage::tr("The verdict is withheld, so a probe's effect on it is not shown.");
     const AtemState& state = viewState.state;
     if (state.followed) return followedProbe(state);
     if (state.phase == AtemPhase::Presenting) {
         if (state.probed)
             return TerrainPage::tr("The arm has measured; its height is part of the estimate.");
         if (state.approvalExpired)
-            return TerrainPage::tr("The proposal was not answered in time, which means no.");
+            return TerrainPage::tr("The proposal was not answered in time and counts as refused.");
         if (!viewState.whyNotOffered.isEmpty()) return viewState.whyNotOffered;
         if (viewState.estimate && !viewState.proposal)
             return TerrainPage::tr("No probe: the estimate stands without the arm.");
     }
-    if (tellsWorth(viewState))
-        return TerrainPage::tr("Nobody asks for the arm. What it would buy:");
+    if (tellsWorth(viewState)) return TerrainPage::tr("No probe is proposed. A probe would give:");
     return TerrainPage::tr(
         "No probe is proposed. After an exploration the arm is offered where the "
         "terrain stays uncertain.");
@@ -143,7 +142,7 @@ Card* TerrainPage::terrainCard()
     auto* card = new Card(tr("Terrain"), this);
     view_ = new QPushButton(tr("view"), card);
     view_->setFocusPolicy(Qt::TabFocus);
-    setTip(*view_, tr("What else is drawn: draws, a second method"));
+    setTip(*view_, tr("Optional marks: draws, a second method"));
     view_->setAccessibleName(tr("View of the terrain"));
     strip_ = new EstimateStrip(card);
     terrain_ = new TerrainProfileView(card);
@@ -366,8 +365,9 @@ void TerrainPage::showEstimate(const TerrainViewState& viewState)
 void TerrainPage::showPreview(const TerrainViewState& viewState)
 {
     const bool moves = flippersMove(viewState);
-    const QString note = moves ? tr("The flippers still move: nothing ahead is felt yet")
-                               : tr("Preview from the way down: the estimate is being computed");
+    const QString note =
+        moves ? tr("The flippers still move: no ground ahead is felt yet")
+              : tr("Preview while the flippers go down: the estimate is being computed");
     if (shownLive_ == viewState.liveRevision && shownReason_ == note) return;
     terrain_->setEstimate(*viewState.live, note);
     strip_->setLive(moves ? tr("LIVE preview") : tr("preview"));

@@ -82,7 +82,7 @@ void ReviewDisplay::showDamage(const ReviewMoment& moment)
 {
     places_.damage.setVisible(moment.damage.has_value());
     if (moment.damage)
-        places_.damage.setText(tr("DAMAGED from %1 to %2, nothing of it is shown: %3")
+        places_.damage.setText(tr("DAMAGED from %1 to %2; this part is not shown: %3")
                                    .arg(timeWords(secondsOf(moment.damage->first)),
                                         timeWords(secondsOf(moment.damage->last)),
                                         translated(moment.damage->why)));

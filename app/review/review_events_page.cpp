@@ -102,7 +102,7 @@ ReviewEventsPage::ReviewEventsPage(const SessionReader& session, QWidget* parent
     auto* card = new Card(tr("Events of the session"), this);
     alarms_ = new PlainLabel(card);
     alarms_->setWordWrap(true);
-    alarms_->setAccessibleName(tr("Alarms that stand"));
+    alarms_->setAccessibleName(tr("Active alarms"));
     kinds_ = new QComboBox(card);
     kinds_->setAccessibleName(tr("Kind of the events"));
     setTip(*kinds_, tr("Which events are listed"));
@@ -115,7 +115,7 @@ ReviewEventsPage::ReviewEventsPage(const SessionReader& session, QWidget* parent
     table_ = new QTableView(card);
     table_->setModel(events_);
     table_->setAccessibleName(tr("Events of the session"));
-    setTip(*table_, tr("Enter or a double click goes there"));
+    setTip(*table_, tr("Enter or a double click goes to that time"));
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -167,7 +167,7 @@ void ReviewEventsPage::setMoment(const ReviewMoment& moment)
 {
     QStringList alarms;
     for (const Alarm& alarm : moment.alarms) alarms << format::line(alarm.text);
-    alarms_->setText(alarms.isEmpty() ? tr("No alarm stood at this time.")
+    alarms_->setText(alarms.isEmpty() ? tr("No alarm was active at this time.")
                                       : tr("Alarms at this time: %1").arg(alarms.join("; ")));
     setTone(*alarms_, alarms.isEmpty() ? Tone::Muted : Tone::Bad);
     if (!isVisible() || table_->hasFocus()) return;

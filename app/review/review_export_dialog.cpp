@@ -169,7 +169,7 @@ QWidget* ReviewExportDialog::form()
         addField(*rows, name, box);
         return box;
     };
-    what_ = combo(tr("What"), tr("What of the session is to be a file"));
+    what_ = combo(tr("What"), tr("Part of the session to export"));
     for (const Choice& choice : choices())
         what_->addItem(QCoreApplication::translate("ReviewExport", choice.name));
     format_ = combo(tr("Format"), tr("Which programs can read it"));
@@ -325,7 +325,7 @@ void ReviewExportDialog::showPayload()
     payload_->setEnabled(!names.isEmpty() && !job_ && holds);
     setTip(*payload_, names.isEmpty() ? tr("The page Signals (F7) adds DBC files")
                       : holds         ? plainTip(names.join(QLatin1Char('\n')))
-                                      : tr("Only signals hold what DBC files describe"));
+                                      : tr("Only the kind Signals holds the values of DBC files"));
 }
 
 QString ReviewExportDialog::whyNotExport() const
@@ -347,11 +347,12 @@ void ReviewExportDialog::showButtons()
         choice->setEnabled(!job_);
     setTip(*browse_, job_ ? whyNot : tr("Choose the file"));
     setTip(*visible_,
-           job_ ? whyNot : tr("From A to B, else what the timeline shows: zoom with Z and X"));
-    setTip(*everything_, job_ ? whyNot : tr("All that the session holds"));
+           job_ ? whyNot
+                : tr("From A to B, else the visible part of the timeline: zoom with Z and X"));
+    setTip(*everything_, job_ ? whyNot : tr("The whole session"));
     cancel_->setEnabled(job_ != nullptr);
-    setTip(*cancel_,
-           job_ ? tr("Ends the export and leaves no file (Esc)") : tr("Nothing is being written"));
+    setTip(*cancel_, job_ ? tr("Cancels the export and leaves no file (Esc)")
+                          : tr("Nothing is being written"));
     progress_->setVisible(job_ != nullptr);
 }
 
@@ -421,11 +422,11 @@ void ReviewExportDialog::wrote(const QString& trouble, qulonglong leftOut, int d
         parts << tr("NOT WRITTEN: %1").arg(trouble);
     else
         parts << tr("Written: %1").arg(to_);
-    if (leftOut > 0) parts << tr("frames left out, which the format cannot hold: %1").arg(leftOut);
+    if (leftOut > 0)
+        parts << tr("frames left out because the format cannot hold them: %1").arg(leftOut);
     if (damaged > 0) parts << tr("damaged and left out, places: %1").arg(damaged);
     if (withoutColumns > 0)
-        parts << tr("messages of DBC files left out, for which there was no room: %1")
-                     .arg(withoutColumns);
+        parts << tr("messages of DBC files left out for lack of room: %1").arg(withoutColumns);
     result_->setText(parts.join(QStringLiteral(" · ")));
     setTone(*result_, !trouble.isEmpty()                                 ? Tone::Bad
                       : leftOut > 0 || damaged > 0 || withoutColumns > 0 ? Tone::Doubt

@@ -90,9 +90,9 @@ void ReviewPlayerBar::changeEvent(QEvent* event)
 
 void ReviewPlayerBar::addMoves(QHBoxLayout& row)
 {
-    button(row, QStringLiteral("|◀"), tr("To the begin"), tr("To the begin (Home)"),
+    button(row, QStringLiteral("|◀"), tr("To the beginning"), tr("To the beginning (Home)"),
            [this] { goTo(player_.begin()); });
-    button(row, QStringLiteral("◀·"), tr("Frame back"), tr("One frame back (,)"),
+    button(row, QStringLiteral("◀·"), tr("Previous frame"), tr("Previous frame (,)"),
            [this] { stepFrame(true); });
     back_ = button(row, QStringLiteral("◀"), tr("Play backwards"), tr("Play backwards (J)"),
                    [this] { play(true); });
@@ -102,7 +102,7 @@ void ReviewPlayerBar::addMoves(QHBoxLayout& row)
         else
             play(false);
     });
-    button(row, QStringLiteral("·▶"), tr("Frame on"), tr("One frame on (.)"),
+    button(row, QStringLiteral("·▶"), tr("Next frame"), tr("Next frame (.)"),
            [this] { stepFrame(false); });
     button(row, QStringLiteral("▶|"), tr("To the end"), tr("To the end (End)"),
            [this] { goTo(player_.end()); });
@@ -228,7 +228,7 @@ void ReviewPlayerBar::showPlayer()
     loop_->setChecked(player_.loopWanted());
     follow_->setChecked(player_.following());
     follow_->setEnabled(!session_.sealed());
-    if (session_.sealed()) setTip(*follow_, tr("The session is closed: nothing more will come"));
+    if (session_.sealed()) setTip(*follow_, tr("The session is closed: it does not grow any more"));
     const bool both = player_.a() && player_.b();
     if (both != difference_->isVisibleTo(this)) difference_->setVisible(both);
 }
@@ -374,11 +374,11 @@ void ReviewPlayerBar::addStepKeys(KeyTable& keys)
         keys.add({.keys = {key}, .meaning = meaning, .pressed = std::move(act), .repeats = true});
     };
     const auto ctrl = [](Qt::Key key) { return QKeyCombination(Qt::CTRL, key); };
-    step(Qt::Key_Comma, tr("one frame back"), [this] { stepFrame(true); });
-    step(Qt::Key_Period, tr("one frame on"), [this] { stepFrame(false); });
+    step(Qt::Key_Comma, tr("previous frame"), [this] { stepFrame(true); });
+    step(Qt::Key_Period, tr("next frame"), [this] { stepFrame(false); });
     step(ctrl(Qt::Key_Left), tr("a second back"), [this] { goTo(player_.position() - kSecond); });
     step(ctrl(Qt::Key_Right), tr("a second on"), [this] { goTo(player_.position() + kSecond); });
-    step(Qt::Key_PageUp, tr("to the scene before, with its estimate"),
+    step(Qt::Key_PageUp, tr("to the previous scene, with its estimate"),
          [this] { stepTo(sceneTimes(), true); });
     step(Qt::Key_PageDown, tr("to the next scene, with its estimate"),
          [this] { stepTo(sceneTimes(), false); });
@@ -387,7 +387,7 @@ void ReviewPlayerBar::addStepKeys(KeyTable& keys)
     for (int lane = 0; lane < kReviewLanes; ++lane) {
         const auto key = static_cast<Qt::Key>(Qt::Key_1 + lane);
         const QString what = nameOf(static_cast<ReviewLane>(lane)).section(QLatin1Char(' '), 1);
-        step(key, tr("to the next of: %1 (with Alt: before)").arg(what),
+        step(key, tr("to the next: %1 (with Alt: previous)").arg(what),
              [this, lane] { stepLane(lane, false); });
     }
     for (int lane = 0; lane < kReviewLanes; ++lane)

@@ -53,7 +53,7 @@ void ReviewSignalsPage::refresh(double /*now*/)
     headline_->setText(
         frames.empty()
             ? tr("No other device had sent a frame in the %1 s before this time").arg(seconds)
-            : tr("The newest values of the %1 s before this time; least and most are of those "
+            : tr("The newest values of the %1 s before this time; minimum and maximum are of those "
                  "seconds")
                   .arg(seconds));
     table_->setRows(signalRows(frames));

@@ -230,8 +230,8 @@ QString nameOf(EventKind kind)
     case EventKind::Phase: return ReviewWords::tr("exploration");
     case EventKind::Arming: return ReviewWords::tr("arming");
     case EventKind::Link: return ReviewWords::tr("link");
-    case EventKind::Forgotten: return ReviewWords::tr("estimate gone");
-    case EventKind::Unheard: return ReviewWords::tr("not heard");
+    case EventKind::Forgotten: return ReviewWords::tr("estimate void");
+    case EventKind::Unheard: return ReviewWords::tr("telemetry gap");
     case EventKind::Override: return ReviewWords::tr("override");
     case EventKind::Alarm: return ReviewWords::tr("alarm");
     case EventKind::Panel: return ReviewWords::tr("panel");
@@ -253,7 +253,7 @@ QString wordsOf(const EventRow& event)
                  ? ReviewWords::tr("contact closed: %1").arg(format::eventWord(event.subject))
                  : ReviewWords::tr("contact open: %1").arg(format::eventWord(event.subject));
     if (event.kind == EventKind::Unheard)
-        return ReviewWords::tr("the robot was not heard for a while since the scene");
+        return ReviewWords::tr("telemetry was missing for a while since the scene");
     if (event.kind == EventKind::Override)
         return event.text.empty() ? ReviewWords::tr("nothing is overridden")
                                   : ReviewWords::tr("overridden: %1").arg(format::text(event.text));

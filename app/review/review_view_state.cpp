@@ -125,7 +125,7 @@ void ReviewViewState::addEstimates(TerrainViewState& viewState, const ReviewMome
         viewState.secondRevision = 2 * revisionOf(moment.second.get());
         viewState.secondName = format::text(name(moment.second->estimate.settings.method));
     }
-    viewState.whyNoEstimate = moment.forgotten.empty() ? tr("No estimate stood at this time")
+    viewState.whyNoEstimate = moment.forgotten.empty() ? tr("No estimate at this time")
                                                        : format::sentence(moment.forgotten);
 }
 

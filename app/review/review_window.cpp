@@ -102,7 +102,7 @@ void ReviewWindow::addPages(QStringList models)
         [this] {
             return NumbersViewState{moment_.estimate ? &moment_.estimate->estimate : nullptr,
                                     revisionOf(moment_.estimate.get()),
-                                    tr("No estimate stood at this time"),
+                                    tr("No estimate at this time"),
                                     viewStates_.limit(moment_),
                                     viewStates_.verdict(moment_),
                                     moment_.measurement
@@ -135,7 +135,7 @@ void ReviewWindow::addTools()
     connect(addTool(tr("Open"), tr("Open another file in a window of its own (Ctrl+O)")),
             &QPushButton::clicked, this, &ReviewWindow::open);
     connect(addTool(tr("Export"),
-                    tr("Write what is shown, or what the session holds, to a file (Ctrl+E)")),
+                    tr("Exports the visible part or the whole session to a file (Ctrl+E)")),
             &QPushButton::clicked, this, &ReviewWindow::exportShown);
     addViewTool(*preferences_, tr("at the next start"));
     addHelpTool(demonstration(),
@@ -261,7 +261,7 @@ void ReviewWindow::showState()
             .arg(wallClock(session_, 0).toString(QStringLiteral("yyyy-MM-dd HH:mm:ss 'UTC'")))};
     parts << (session_.sealed() ? tr("closed and sealed")
               : grows_          ? tr("BEING RECORDED")
-                                : tr("NOT SEALED: its program has not closed it"));
+                                : tr("NOT SEALED: the recording program did not close it"));
     if (damagedPlaces_ > 0) parts << tr("DAMAGED, places: %1").arg(damagedPlaces_);
     if (!surveyedAll_) parts << tr("frames are looked through …");
     if (!trouble_.isEmpty()) parts << trouble_;
@@ -349,7 +349,7 @@ void ReviewWindow::defineKeys()
     addPageKeys();
     numbers_->addKeys(keys);
     // R and S are not used, because they release STOP and drive back in the console.
-    keys.add({{Qt::Key_E}, tr("estimate the recorded scene again, on the page What if"), [this] {
+    keys.add({{Qt::Key_E}, tr("estimate the recorded scene again on the page What if"), [this] {
                   rail()->choose(rail()->pageOf(Qt::Key_F6));
                   whatIf_->estimate();
               }});
@@ -372,12 +372,12 @@ void ReviewWindow::defineKeys()
     keys.add({{Qt::Key_Z}, tr("timeline closer"), zoom(2.0)});
     keys.add({{Qt::Key_X}, tr("timeline wider"), zoom(0.5)});
     keys.add({{Qt::Key_V}, tr("all of the timeline"), [this] { timeline()->showAll(); }});
-    keys.add({{Qt::Key_D}, tr("show some of the draws as thin lines"), [this] {
+    keys.add({{Qt::Key_D}, tr("show some draws as thin lines"), [this] {
                   terrain_->terrain()->setDrawsShown(!terrain_->terrain()->drawsShown());
               }});
     addViewKeys(keys, *preferences_);
     keys.add({{Qt::Key_Escape}, tr("back from a field to the keys"), [this] { setFocus(); }});
-    keys.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the one before"), {}});
+    keys.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the previous one"), {}});
 }
 
 void ReviewWindow::arrange()

@@ -77,7 +77,7 @@ ScenesWindow::ScenesWindow(Options options)
         connect(button, &QPushButton::clicked, this, [this, by] { go(by); });
     };
     tool(tr("next\n."), tr("Next scene (.)"), +1);
-    tool(tr("before\n,"), tr("Scene before (,)"), -1);
+    tool(tr("before\n,"), tr("Previous scene (,)"), -1);
     addHelpTool();
 
     connect(page_->verdict(), &VerdictStrip::limitChosen, this, [this](double metres) {
@@ -162,7 +162,7 @@ void ScenesWindow::showViewState()
     page_->setViewState(viewState);
     const Scene& scene = options_.scenes[scene_];
     state_->setText(tr("SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · "
-                       ". and , go on and back")
+                       "keys . and , step")
                         .arg(scene_ + 1)
                         .arg(options_.scenes.size())
                         .arg(format::fileName(options_.path), format::shownName(scene.run),
@@ -181,7 +181,7 @@ void ScenesWindow::defineKeys()
     };
     keys.addGroup(tr("Scenes"));
     step({Qt::Key_Period, Qt::Key_PageDown}, tr("next scene"), [this] { go(+1); });
-    step({Qt::Key_Comma, Qt::Key_PageUp}, tr("scene before"), [this] { go(-1); });
+    step({Qt::Key_Comma, Qt::Key_PageUp}, tr("previous scene"), [this] { go(-1); });
     step({Qt::Key_Home}, tr("first scene"), [this] { showScene(0); });
     step({Qt::Key_End}, tr("last scene"), [this] { showScene(options_.scenes.size()); });
     addHelpKeys();

@@ -42,7 +42,7 @@ WhatIfPage::WhatIfPage(RobotModel robot, QStringList models, QWidget* parent)
     result_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     result_->setAccessibleName(tr("What differs"));
     table_ = new HeadedTable(kBins, 8, card);
-    table_->setAccessibleName(tr("Recorded estimate and the other, bin by bin"));
+    table_->setAccessibleName(tr("Recorded estimate and what-if, bin by bin"));
     table_->setHorizontalHeaderLabels({tr("bin [m]"), tr("then [m]"), tr("now [m]"), tr("by"),
                                        tr("sd then"), tr("sd now"), tr("q10 by"), tr("q90 by")});
     table_->verticalHeader()->hide();
@@ -112,12 +112,12 @@ QWidget* WhatIfPage::form()
     threshold_->setSingleStep(0.1);
     threshold_->setDecimals(2);
     threshold_->setSuffix(QStringLiteral(" N"));
-    threshold_->setAccessibleName(tr("An element is a contact above"));
-    setTip(*threshold_, tr("Force from which an element touches the ground"));
+    threshold_->setAccessibleName(tr("An element counts as contact above"));
+    setTip(*threshold_, tr("Force above which an element counts as contact"));
     addField(*rows, tr("Contact above"), threshold_);
     seed_ = new QLineEdit(form);
     seed_->setAccessibleName(tr("Seed"));
-    setTip(*seed_, tr("Of the random numbers: a whole number"));
+    setTip(*seed_, tr("Seed of the random numbers: a whole number"));
     seed_->setValidator(
         new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{1,20}")), seed_));
     addField(*rows, tr("Seed"), seed_);
@@ -166,19 +166,18 @@ void WhatIfPage::setRecorded(const std::shared_ptr<const EstimateRow>& estimate,
     if (same || (!estimate && !recorded_ && !what_->text().isEmpty())) return;
     recorded_ = scene ? estimate : nullptr;
     scene_ = scene ? std::optional(*scene) : std::nullopt;
-    const QString whyNot = tr("No estimate stood at this time");
+    const QString whyNot = tr("No estimate at this time");
     for (QPushButton* button : {estimate_, asRecorded_}) button->setEnabled(recorded_ != nullptr);
-    setTip(*estimate_,
-           recorded_ ? tr("Estimates the recorded scene with what is set here") : whyNot);
+    setTip(*estimate_, recorded_ ? tr("Estimates the recorded scene with these settings") : whyNot);
     setTip(*asRecorded_, recorded_ ? tr("Sets everything to what was recorded") : whyNot);
-    what_->setText(recorded_
-                       ? tr("Estimate %1 of scene %2 at %3 s, by %4 with the model %5")
-                             .arg(recorded_->id)
-                             .arg(recorded_->scene)
-                             .arg(format::number(secondsOf(recorded_->time), 3),
-                                  format::text(name(recorded_->estimate.settings.method)),
-                                  recordedModel_.isEmpty() ? format::kNothing : recordedModel_)
-                       : tr("No estimate stood at this time: go to one (key 4 finds the next)."));
+    what_->setText(
+        recorded_ ? tr("Estimate %1 of scene %2 at %3 s, by %4 with the model %5")
+                        .arg(recorded_->id)
+                        .arg(recorded_->scene)
+                        .arg(format::number(secondsOf(recorded_->time), 3),
+                             format::text(name(recorded_->estimate.settings.method)),
+                             recordedModel_.isEmpty() ? format::kNothing : recordedModel_)
+                  : tr("There was no estimate at this time: go to one (key 4 finds the next)."));
     drop();
     if (recorded_) asRecorded();
 }
@@ -192,9 +191,8 @@ void WhatIfPage::drop()
         answer_.reset();
         emit answered();
     }
-    say(recorded_
-            ? tr("Change what you like, then estimate again: the page Terrain (F2) draws both.")
-            : QString(),
+    say(recorded_ ? tr("Change settings, then estimate again: the page Terrain (F2) draws both.")
+                  : QString(),
         Tone::Muted);
     showBins(nullptr);
 }
@@ -296,26 +294,24 @@ void WhatIfPage::showAnswer()
     QString text;
     Tone tone = Tone::Plain;
     if (asRecorded && found.likeness == Match::Identical) {
-        text = tr("The recorded settings and model give the recorded estimate again, bit for bit.");
+        text = tr("The recorded settings and model reproduce the recorded estimate bit for bit.");
         tone = Tone::Good;
     } else if (asRecorded && found.likeness == Match::LastBits) {
-        text = tr("The recorded settings and model give the recorded estimate again, but for the "
-                  "last bits, which another processor or version rounds otherwise: no number "
-                  "moves by more than a millionth.");
+        text = tr("The recorded settings and model reproduce the recorded estimate except for "
+                  "rounding in the last bits: no number moves by more than a millionth.");
         tone = Tone::Good;
     } else if (asRecorded && before.ending == Ending::Time) {
-        text = tr("Time ended the recorded sampling, so that it cannot be repeated bit for bit: "
+        text = tr("A time limit ended the recorded sampling, so it cannot be repeated bit for bit: "
                   "%1 m at most, at bin %2.")
                    .arg(format::number(found.largest(), 3), format::binName(found.largestBin));
         tone = Tone::Doubt;
     } else if (asRecorded) {
-        text =
-            tr("The recorded settings and model do NOT give the recorded estimate: %1 m at most, "
-               "at bin %2.")
-                .arg(format::number(found.largest(), 6), format::binName(found.largestBin));
+        text = tr("The recorded settings and model do NOT reproduce the recorded estimate: %1 m at "
+                  "most, at bin %2.")
+                   .arg(format::number(found.largest(), 6), format::binName(found.largestBin));
         tone = Tone::Bad;
     } else {
-        text = tr("Differs from what was shown by %1 m at most, at bin %2.")
+        text = tr("Differs from the recorded estimate by %1 m at most, at bin %2.")
                    .arg(format::number(found.largest(), 3), format::binName(found.largestBin));
     }
     text += QLatin1Char('\n')

@@ -96,8 +96,8 @@ QLabel* ConsoleWindow::addStrip(QLabel* strip, const QString& look)
 void ConsoleWindow::saySafeMode()
 {
     QLabel* strip = addStrip(new ElidedLabel(this), QStringLiteral("safeStrip"));
-    strip->setText(tr("SAFE MODE: default settings, none are read or saved · to leave it, start "
-                      "without --safe-mode"));
+    strip->setText(tr("SAFE MODE: default settings; none are read or saved · start without "
+                      "--safe-mode to leave it"));
 }
 
 void ConsoleWindow::closeUnasked()
@@ -151,14 +151,14 @@ QPushButton* ConsoleWindow::addTool(const QString& text, const QString& tip)
 
 void ConsoleWindow::addViewTool(PreferenceStore& preferences, const QString& newWindow)
 {
-    QPushButton* view = addTool(tr("View"), tr("Layout, colours and size of the letters"));
+    QPushButton* view = addTool(tr("View"), tr("Layout, colours and font size"));
     view->setMenu(new ViewMenu(preferences, newWindow, view));
 }
 
 void ConsoleWindow::addHelpTool(const QString& demonstration,
                                 std::function<void(const QString& path)> open)
 {
-    QPushButton* help = addTool(tr("Help\nF1"), tr("Every key, and what this program is"));
+    QPushButton* help = addTool(tr("Help\nF1"), tr("All keys, and about this program"));
     help->setAccessibleName(tr("Help"));
     help->setObjectName(QStringLiteral("help"));
     auto* menu = new QMenu(help);
@@ -225,12 +225,13 @@ void ConsoleWindow::addRemoteStop()
     header_->stopButton()->setVisible(remote->exists());
     connect(header_, &StatusHeader::stopPressed, remote, &RemoteStop::press);
     keys_.add({.keys = kStopKeys,
-               .meaning = remote->exists() ? tr("STOP, of the console that opened this window")
-                                           : tr("no STOP: this window has no robot"),
+               .meaning = remote->exists()
+                            ? tr("Sends STOP through the console that opened this window")
+                            : tr("no STOP: this window has no robot"),
                .pressed =
                    [remote, say] {
                        if (remote->exists()) return remote->press();
-                       say(tr("STOP HAS NO EFFECT HERE: this window has no robot. Go to the "
+                       say(tr("STOP HAS NO EFFECT HERE: this window has no robot. Use the "
                               "console's own window"));
                    },
                .everywhere = true});

@@ -51,8 +51,8 @@ void openInAnotherWindow(const QString& path, const std::string& stopLine,
         environment.insert(QLatin1String(kStopLineVariable), QString::fromStdString(stopLine));
     program.setProcessEnvironment(environment);
     if (!program.startDetached())
-        failed(OpenFile::tr("%1 could not be opened: this program could not be started again")
-                   .arg(path));
+        failed(
+            OpenFile::tr("%1 could not be opened: a second window could not be started").arg(path));
 }
 
 void askAndOpenInAnotherWindow(QWidget& parent, const QString& folder, const std::string& stopLine,

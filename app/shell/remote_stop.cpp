@@ -56,14 +56,13 @@ void RemoteStop::poll()
 {
     if (caller_->isTaken()) {
         look_.stop();
-        emit said(
-            tr("STOP: the console that opened this window has taken it; see there whether the "
-               "robot confirms it"),
-            EventSeverity::Note);
+        emit said(tr("STOP: the console that opened this window has received it; look there "
+                     "whether the robot confirms it"),
+                  EventSeverity::Note);
     } else if (++looks_ * kPollAnswer >= kAnswers) {
         look_.stop();
-        emit said(tr("STOP NOT TAKEN: the console that opened this window does not answer; use the "
-                     "robot's own switch"),
+        emit said(tr("STOP NOT RECEIVED: the console that opened this window does not answer; use "
+                     "the robot's own switch"),
                   EventSeverity::Bad);
     }
 }

@@ -93,7 +93,7 @@ TextSheet::TextSheet(const QString& title, QList<int> closedBy, QWidget* parent)
     text_ = new SheetText(area_);
     area_->setWidget(text_);
     copy_ = new QPushButton(tr("Copy as text"), this);
-    setTip(*copy_, tr("All of it, for a report"));
+    setTip(*copy_, tr("Copies everything, for a report"));
     connect(copy_, &QPushButton::clicked, this,
             [this] { QApplication::clipboard()->setText(plainText()); });
     close_ = new QPushButton(tr("Close (Esc)"), this);

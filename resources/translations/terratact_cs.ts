@@ -46,7 +46,7 @@
         <translation>%1 funguje</translation>
     </message>
     <message>
-        <source>%1 does not take frames: nobody acknowledges them or the bus is full; is the robot on, are the wires and the bit rate right?</source>
+        <source>%1 does not take frames: no node acknowledges them, or the bus is full. Check the robot&apos;s power, the wires and the bit rate</source>
         <translation>%1 nebere rámce: nikdo je nepotvrzuje nebo je sběrnice plná; je robot zapnutý, jsou vodiče a přenosová rychlost v pořádku?</translation>
     </message>
     <message>
@@ -70,7 +70,7 @@
         <translation>%1 skončil</translation>
     </message>
     <message>
-        <source>%1 is only listened to: start the console with --transmit</source>
+        <source>%1 is receive-only: start the console with --transmit</source>
         <translation>%1: jen poslech; konzoli spusťte s --transmit</translation>
     </message>
     <message>
@@ -161,31 +161,31 @@
         <translation>v pásmu 80 %, vše [%]</translation>
     </message>
     <message>
-        <source>The new model errs as much as the old one near the robot on %1 scenes</source>
+        <source>Near the robot the new model has the same mean error as the old one on %1 scenes</source>
         <translation>Nový model se blízko robota mýlí stejně jako starý (scén: %1)</translation>
     </message>
     <message>
-        <source>The new model errs %1 % less near the robot on %2 scenes</source>
+        <source>Near the robot the new model&apos;s mean error is %1 % smaller on %2 scenes</source>
         <translation>Nový model se blízko robota mýlí o %1 % méně (scén: %2)</translation>
     </message>
     <message>
-        <source>The new model errs %1 % more near the robot on %2 scenes</source>
+        <source>Near the robot the new model&apos;s mean error is %1 % larger on %2 scenes</source>
         <translation>Nový model se blízko robota mýlí o %1 % více (scén: %2)</translation>
     </message>
     <message>
-        <source>%1; its 80 % bands there hold %2 % of the truths, the old one&apos;s %3 %.</source>
+        <source>%1; its 80 % bands there cover %2 % of the true heights, the old model&apos;s %3 %.</source>
         <translation>%1; v jeho pásmech 80 % tam leží %2 % skutečných výšek, u starého %3 %.</translation>
     </message>
     <message>
-        <source>The new model has learnt from this very file, which flatters it: choose scenes it has not seen.</source>
+        <source>The new model was trained on this file, so its error looks too small: choose scenes it has not seen.</source>
         <translation>Nový model se učil právě z tohoto souboru, což mu lichotí: vyberte scény, které neviděl.</translation>
     </message>
     <message>
-        <source>The old model has learnt from this very file, which flatters it.</source>
+        <source>The old model was trained on this file, so its error looks too small.</source>
         <translation>Starý model se učil právě z tohoto souboru, což mu lichotí.</translation>
     </message>
     <message>
-        <source>Too few drives to tell whether the difference is chance.</source>
+        <source>Too few drives: the difference may be chance.</source>
         <translation>Příliš málo jízd: nelze říci, zda rozdíl není náhoda.</translation>
     </message>
     <message>
@@ -285,7 +285,7 @@
         <translation>zpět, ještě ne stálé</translation>
     </message>
     <message>
-        <source>%1 — gaps: %2, the longest %3; values read -- in each of them</source>
+        <source>%1 — gaps: %2, the longest %3; values read -- during a gap</source>
         <translation>%1 — výpadky: %2, nejdelší %3; v každém z nich je místo hodnot --</translation>
     </message>
     <message>
@@ -309,14 +309,14 @@
         <translation>spoj ≤ %1</translation>
     </message>
     <message>
-        <source>BACK after %1 — measured values are live, the terrain is as it was felt before</source>
+        <source>LINK RESTORED after %1 — values are live; the terrain predates the gap</source>
         <translation>ZPĚT po %1 — měřené hodnoty jsou živé, terén je z doby předtím</translation>
     </message>
 </context>
 <context>
     <name>LiveViewState</name>
     <message>
-        <source>The operator&apos;s panel does not answer, which means STOP</source>
+        <source>The operator&apos;s panel does not answer: STOP is asserted</source>
         <translation>Panel operátora neodpovídá, což znamená STOP</translation>
     </message>
     <message>
@@ -335,7 +335,7 @@
         <translation>naučen %1; terén: %2</translation>
     </message>
     <message>
-        <source>%1 scenes, %2 % of them with a step above %3 m; median relief %4 m</source>
+        <source>%1 scenes, %2 % with a step above %3 m; median relief %4 m</source>
         <translation>%1 scén, %2 % z nich se schodem nad %3 m; střední převýšení %4 m</translation>
     </message>
     <message>
@@ -374,7 +374,7 @@
         <translation>Otevřít</translation>
     </message>
     <message>
-        <source>%1 could not be opened: this program could not be started again</source>
+        <source>%1 could not be opened: a second window could not be started</source>
         <translation>%1 nelze otevřít: program se nepodařilo znovu spustit</translation>
     </message>
     <message>
@@ -464,7 +464,7 @@
         <translation>nic se nezkoumá</translation>
     </message>
     <message>
-        <source>scene, settings and model are those of the question</source>
+        <source>scene, settings and model are unchanged since the question</source>
         <translation>scéna, nastavení a model jsou ty z otázky</translation>
     </message>
     <message>
@@ -472,7 +472,7 @@
         <translation>scéna, nastavení nebo model se od otázky změnily</translation>
     </message>
     <message>
-        <source>the robot says that it is stopped</source>
+        <source>the robot reports stopped</source>
         <translation>robot hlásí, že je zastaven</translation>
     </message>
     <message>
@@ -496,7 +496,7 @@
         <translation>vlevo, vpravo: není známo, bez telemetrie</translation>
     </message>
     <message>
-        <source>the robot said that it is stopped, then no telemetry</source>
+        <source>the robot reported stopped, then telemetry ended</source>
         <translation>robot hlásil, že stojí, pak telemetrie ustala</translation>
     </message>
     <message>
@@ -566,7 +566,7 @@
         <translation>%1: %2 ms, přesné kvantily podle vzorce, střední chyba %3 mm</translation>
     </message>
     <message>
-        <source>%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm; chains converge in %5 % of scenes, without which there is no verdict</source>
+        <source>%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm; chains converge in %5 % of scenes, and only these have a verdict</source>
         <translation>%1: %2 ms, kvantily ± %3 mm od dlouhého běhu, střední chyba %4 mm; řetězce konvergují v %5 % scén, bez toho není verdikt</translation>
     </message>
     <message>
@@ -589,19 +589,19 @@
         <translation>sonda? %1</translation>
     </message>
     <message>
-        <source>PROBE at %1? %2 left, then no: F2 shows the question</source>
+        <source>PROBE at %1? Refused in %2 unless approved: F2 shows the question</source>
         <translation>SONDA na %1? Zbývá %2, pak ne: otázku ukáže F2</translation>
     </message>
     <message>
-        <source>The probe was not answered in time, which means no: F2 shows the result</source>
+        <source>The probe was not answered in time and counts as refused: F2 shows the result</source>
         <translation>Na sondu nikdo včas neodpověděl, což znamená ne: výsledek ukáže F2</translation>
     </message>
     <message>
-        <source>PROBE at %1? %2 left, then no: close the window that covers it</source>
+        <source>PROBE at %1? Refused in %2 unless approved: close the window that covers it</source>
         <translation>SONDA na %1? Zbývá %2, pak ne: zavřete okno, které otázku zakrývá</translation>
     </message>
     <message>
-        <source>The probe was not answered in time, which means no: close the window that covers the result</source>
+        <source>The probe was not answered in time and counts as refused: close the window that covers the result</source>
         <translation>Na sondu nikdo včas neodpověděl, což znamená ne: zavřete okno, které výsledek zakrývá</translation>
     </message>
     <message>
@@ -645,7 +645,7 @@
     </message>
     <message>
         <source>Recorded: %1
-%2 frames, %3 MB; %4 frames found no room
+%2 frames, %3 MB; %4 frames dropped
 A click marks this moment (K)</source>
         <translation>Zaznamenává se: %1
 %2 rámců, %3 MB; pro %4 rámců nebylo místo
@@ -712,7 +712,7 @@ značka K</translation>
         <translation>bez modelu</translation>
     </message>
     <message>
-        <source>DAMAGED from %1 to %2, nothing of it is shown: %3</source>
+        <source>DAMAGED from %1 to %2; this part is not shown: %3</source>
         <translation>POŠKOZENO od %1 do %2, nic z toho se nezobrazuje: %3</translation>
     </message>
 </context>
@@ -858,7 +858,7 @@ značka K</translation>
         <translation>spojení</translation>
     </message>
     <message>
-        <source>estimate gone</source>
+        <source>estimate void</source>
         <translation>odhad zanikl</translation>
     </message>
     <message>
@@ -890,7 +890,7 @@ značka K</translation>
         <translation>kontakt rozepnut: %1</translation>
     </message>
     <message>
-        <source>not heard</source>
+        <source>telemetry gap</source>
         <translation>nebyl slyšet</translation>
     </message>
     <message>
@@ -898,7 +898,7 @@ značka K</translation>
         <translation>přebití</translation>
     </message>
     <message>
-        <source>the robot was not heard for a while since the scene</source>
+        <source>telemetry was missing for a while since the scene</source>
         <translation>robota nebylo po scéně chvíli slyšet</translation>
     </message>
     <message>
@@ -921,7 +921,7 @@ značka K</translation>
         <translation>co kdyby: %1</translation>
     </message>
     <message>
-        <source>No estimate stood at this time</source>
+        <source>No estimate at this time</source>
         <translation>V tomto čase neplatil žádný odhad</translation>
     </message>
 </context>
@@ -968,7 +968,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>STOP ODESLÁN, NEPOTVRZEN už %1: robot se může ještě hýbat; STOP se posílá znovu</translation>
     </message>
     <message>
-        <source>STOP NOT SENT for %1, it is tried again: use the robot&apos;s own switch — %2</source>
+        <source>STOP NOT SENT for %1, trying again: use the robot&apos;s own switch — %2</source>
         <translation>STOP NEODESLÁN %1, zkouší se znovu: použijte vypínač na robotu — %2</translation>
     </message>
 </context>
@@ -3814,7 +3814,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>operátor</translation>
     </message>
     <message>
-        <source>silence</source>
+        <source>mute</source>
         <translation>žádná telemetrie</translation>
     </message>
     <message>
@@ -3964,7 +3964,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>Potvrdit</translation>
     </message>
     <message>
-        <source>The chosen alarm has been seen</source>
+        <source>Acknowledges the selected alarm</source>
         <translation>Vybraný alarm byl viděn</translation>
     </message>
     <message>
@@ -3972,23 +3972,23 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>Potvrdit vše</translation>
     </message>
     <message>
-        <source>All alarms have been seen</source>
+        <source>Acknowledges all alarms</source>
         <translation>Všechny alarmy byly viděny</translation>
     </message>
     <message>
-        <source>Silence 60 s</source>
+        <source>Mute 60 s</source>
         <translation>Ticho 60 s</translation>
     </message>
     <message>
-        <source>No sound for a minute; a new alarm sounds all the same</source>
+        <source>Mutes alarms for 60 s; new alarms still sound</source>
         <translation>Minutu ticho; nový alarm přesto zazní</translation>
     </message>
     <message>
-        <source>Silence 120 s</source>
+        <source>Mute 120 s</source>
         <translation>Ticho 120 s</translation>
     </message>
     <message>
-        <source>No sound for two minutes; a new alarm sounds all the same</source>
+        <source>Mutes alarms for 120 s; new alarms still sound</source>
         <translation>Dvě minuty ticho; nový alarm přesto zazní</translation>
     </message>
     <message>
@@ -4000,19 +4000,19 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>Kritické alarmy pípají do potvrzení: hned a pak každých 10 s</translation>
     </message>
     <message>
-        <source>Silence</source>
+        <source>Mute</source>
         <translation>Ticho</translation>
     </message>
     <message>
-        <source>silent for %1</source>
+        <source>muted for %1</source>
         <translation>ticho %1</translation>
     </message>
     <message>
-        <source>There is no alarm</source>
+        <source>No alarm is active</source>
         <translation>Není žádný alarm</translation>
     </message>
     <message>
-        <source>No alarm is chosen in the list</source>
+        <source>No alarm is selected in the list</source>
         <translation>V seznamu není vybrán žádný alarm</translation>
     </message>
     <message>
@@ -4020,11 +4020,11 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>Vyzkoušet zvuk</translation>
     </message>
     <message>
-        <source>Sounds once, as an alarm does</source>
+        <source>Plays the alarm sound once</source>
         <translation>Zazní jednou, jako poplach</translation>
     </message>
     <message>
-        <source>✘ No sound but the desktop&apos;s bell: %1</source>
+        <source>✘ Only the desktop&apos;s bell can sound: %1</source>
         <translation>✘ Žádný zvuk kromě zvonku plochy: %1</translation>
     </message>
 </context>
@@ -4050,11 +4050,11 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>Držením aktivovat robota</translation>
     </message>
     <message>
-        <source>Within 5 s; then commands from here move the robot</source>
+        <source>Hold within 5 s; then commands from this console move the robot</source>
         <translation>Do 5 s; pak povely odtud pohybují robotem</translation>
     </message>
     <message>
-        <source>Commands from here move the robot. A click halts and disarms it</source>
+        <source>Commands from this console move the robot. A click halts and disarms it</source>
         <translation>Povely odtud pohybují robotem. Kliknutí ho zastaví a deaktivuje</translation>
     </message>
     <message>
@@ -4115,11 +4115,11 @@ Poslední deaktivace: %1</translation>
         <translation>Držením uvolnit STOP</translation>
     </message>
     <message>
-        <source>Lets commands through again; the robot does not move by itself</source>
+        <source>Allows commands again; the robot does not move by itself</source>
         <translation>Povely zase projdou; robot se sám nepohne</translation>
     </message>
     <message>
-        <source>; no answer in time, so no probe</source>
+        <source>; no answer in time counts as refused</source>
         <translation>; bez odpovědi včas, tedy bez sondy</translation>
     </message>
     <message>
@@ -4163,7 +4163,7 @@ Poslední deaktivace: %1</translation>
         <translation>Přesto (O)</translation>
     </message>
     <message>
-        <source>Explore in spite of what is doubtful; it is noted, and stays on the screen</source>
+        <source>Explores in spite of the doubt. The override is recorded and stays on the screen</source>
         <translation>Prozkoumat navzdory pochybnostem; zapíše se to a zůstane na obrazovce</translation>
     </message>
     <message>
@@ -4215,11 +4215,11 @@ Poslední deaktivace: %1</translation>
         <translation>potřeby (P)</translation>
     </message>
     <message>
-        <source>What a command needs</source>
+        <source>Requirements of a command</source>
         <translation>Co povel potřebuje</translation>
     </message>
     <message>
-        <source>What each command needs, and what of it is missing (P)</source>
+        <source>Requirements of each command, and which are missing (P)</source>
         <translation>Co který povel potřebuje a co z toho chybí (P)</translation>
     </message>
     <message>
@@ -4251,18 +4251,18 @@ Poslední deaktivace: %1</translation>
         <translation>Sonda v %1 (B)</translation>
     </message>
     <message>
-        <source>The robot presses anew, then the arm is proposed; nothing moves the arm before you approve it</source>
+        <source>The robot presses again, then the probe is proposed. The arm moves only after your approval</source>
         <translation>Robot znovu přitlačí, pak se navrhne rameno; než je schválíte, rameno se nepohne</translation>
     </message>
     <message>
-        <source>Takes the result off the screen; Ctrl+Z brings it back</source>
+        <source>Hides the result; Ctrl+Z restores it</source>
         <translation>Odstraní výsledek z obrazovky; Ctrl+Z ho vrátí</translation>
     </message>
 </context>
 <context>
     <name>terratact::BinInspector</name>
     <message>
-        <source>The bin up close</source>
+        <source>Selected bin</source>
         <translation>Bod zblízka</translation>
     </message>
 </context>
@@ -4289,11 +4289,11 @@ Poslední deaktivace: %1</translation>
         <translation>Robot je zastaven a pohne se až po uvolnění</translation>
     </message>
     <message>
-        <source>No telemetry has come since the start%1</source>
+        <source>No telemetry since the start%1</source>
         <translation>Od spuštění nepřišla telemetrie%1</translation>
     </message>
     <message>
-        <source>Another console sends commands on this bus: find it and switch it off</source>
+        <source>Another console sends commands on this bus: find it and turn it off</source>
         <translation>Na sběrnici vysílá povely jiná konzole: najděte ji a vypněte</translation>
     </message>
     <message>
@@ -4352,7 +4352,7 @@ Poslední deaktivace: %1</translation>
         <translation>Vzhled</translation>
     </message>
     <message>
-        <source>Layout, colours and size of the letters</source>
+        <source>Layout, colours and font size</source>
         <translation>Rozvržení, barvy a velikost písma</translation>
     </message>
     <message>
@@ -4360,7 +4360,7 @@ Poslední deaktivace: %1</translation>
         <translation>tento přehled</translation>
     </message>
     <message>
-        <source>STOP HAS NO EFFECT HERE: this window has no robot. Go to the console&apos;s own window</source>
+        <source>STOP HAS NO EFFECT HERE: this window has no robot. Use the console&apos;s own window</source>
         <translation>STOP TU NEPŮSOBÍ: toto okno nemá robota. Přejděte do okna konzole</translation>
     </message>
     <message>
@@ -4368,11 +4368,11 @@ Poslední deaktivace: %1</translation>
         <translation>žádný STOP: toto okno nemá robota</translation>
     </message>
     <message>
-        <source>STOP, of the console that opened this window</source>
+        <source>Sends STOP through the console that opened this window</source>
         <translation>STOP konzole, která toto okno otevřela</translation>
     </message>
     <message>
-        <source>SAFE MODE: default settings, none are read or saved · to leave it, start without --safe-mode</source>
+        <source>SAFE MODE: default settings; none are read or saved · start without --safe-mode to leave it</source>
         <translation>NOUZOVÝ REŽIM: výchozí nastavení, nic se nečte ani neukládá · ukončíte ho spuštěním bez --safe-mode</translation>
     </message>
     <message>
@@ -4382,7 +4382,7 @@ F1</source>
 F1</translation>
     </message>
     <message>
-        <source>Every key, and what this program is</source>
+        <source>All keys, and about this program</source>
         <translation>Všechny klávesy a co je tento program</translation>
     </message>
     <message>
@@ -4505,7 +4505,7 @@ F1</translation>
         <translation>Kopírovat jako text</translation>
     </message>
     <message>
-        <source>All of this page, for a report</source>
+        <source>Copies this page, for a report</source>
         <translation>Celá stránka, pro hlášení</translation>
     </message>
     <message>
@@ -4648,7 +4648,7 @@ F1</translation>
         <translation>Držením jet vpřed</translation>
     </message>
     <message>
-        <source>Drives while held; also the arrow keys Up and Down</source>
+        <source>Dead-man key: drives while held; also the arrow keys Up and Down</source>
         <translation>Jede, dokud držíte; také šipky nahoru a dolů</translation>
     </message>
 </context>
@@ -4659,7 +4659,7 @@ F1</translation>
         <translation>Výsledek</translation>
     </message>
     <message>
-        <source>What makes the result doubtful</source>
+        <source>Reasons to doubt the result</source>
         <translation>Co výsledek zpochybňuje</translation>
     </message>
     <message>
@@ -4703,7 +4703,7 @@ F1</translation>
         <translation>konec: všechny vzorky hotovy</translation>
     </message>
     <message>
-        <source>ended: time was out</source>
+        <source>ended: time limit</source>
         <translation>konec: vypršel čas</translation>
     </message>
 </context>
@@ -4816,7 +4816,7 @@ F1</translation>
         <translation>sonda v %1 schválena</translation>
     </message>
     <message>
-        <source>no answer in time: no probe</source>
+        <source>no answer in time: refused</source>
         <translation>bez odpovědi včas: bez sondy</translation>
     </message>
     <message>
@@ -4840,7 +4840,7 @@ F1</translation>
         <translation>Bez odhadu: %1</translation>
     </message>
     <message>
-        <source>No estimate yet: it comes when the robot presses its flippers</source>
+        <source>No estimate yet: one is made when the robot presses its flippers</source>
         <translation>Zatím bez odhadu: přijde, až robot přitlačí flippery</translation>
     </message>
     <message>
@@ -4872,7 +4872,7 @@ F1</translation>
         <translation>Zatím bez odhadu: model se načítá</translation>
     </message>
     <message>
-        <source>the robot says that it is stopped</source>
+        <source>the robot reports stopped</source>
         <translation>robot hlásí, že je zastaven</translation>
     </message>
     <message>
@@ -4884,19 +4884,19 @@ F1</translation>
         <translation>přebití skončilo: %1</translation>
     </message>
     <message>
-        <source>Not offered: no bin in reach is less certain than ± %1 m</source>
+        <source>No probe offered: every bin in reach is known to ± %1 m</source>
         <translation>Nenabízí se: žádný bod v dosahu není méně jistý než ± %1 m</translation>
     </message>
     <message>
-        <source>Not offered, as the settings have it: %1 stands without the arm</source>
+        <source>No probe offered, by the settings: %1 stands without the arm</source>
         <translation>Nenabízí se podle nastavení: %1 platí i bez ramene</translation>
     </message>
     <message>
-        <source>Not offered, as the settings have it: no bin in reach tells about the step</source>
+        <source>No probe offered, by the settings: no bin in reach informs about the step</source>
         <translation>Nenabízí se podle nastavení: žádný bod v dosahu o schodu nic neřekne</translation>
     </message>
     <message>
-        <source>Not offered when the estimate came: explore again to be asked</source>
+        <source>No probe was offered with this estimate: explore again</source>
         <translation>Nenabídnuto, když odhad přišel: k dotazu prozkoumejte znovu</translation>
     </message>
     <message>
@@ -4920,11 +4920,11 @@ F1</translation>
         <translation>o sondu se nežádá: %1</translation>
     </message>
     <message>
-        <source>a probe at %1 is wanted: the robot presses anew, then it is asked</source>
+        <source>a probe at %1 is requested: the robot presses again, then asks for approval</source>
         <translation>žádá se sonda v %1: robot znovu přitlačí, pak přijde dotaz</translation>
     </message>
     <message>
-        <source>the estimate is off the screen: Ctrl+Z brings it back</source>
+        <source>the estimate is hidden: Ctrl+Z restores it</source>
         <translation>odhad je pryč z obrazovky: Ctrl+Z ho vrátí</translation>
     </message>
     <message>
@@ -4944,7 +4944,7 @@ F1</translation>
         <translation>terén souboru %1 zde končí: jeďte zpět, nebo začněte s jiným --terrain</translation>
     </message>
     <message>
-        <source>the robot says that it drives, and its tracks do not move</source>
+        <source>the robot reports driving, but its tracks do not move</source>
         <translation>robot hlásí, že jede, a jeho pásy se nehýbou</translation>
     </message>
 </context>
@@ -5009,7 +5009,7 @@ F1</translation>
         <translation>Terén</translation>
     </message>
     <message>
-        <source>The terrain under the robot, exploring it, and the arm</source>
+        <source>Terrain, exploration and arm</source>
         <translation>Terén pod robotem, jeho průzkum a rameno</translation>
     </message>
     <message>
@@ -5069,7 +5069,7 @@ F1</translation>
         <translation>odmítnout ji</translation>
     </message>
     <message>
-        <source>to the next control, to the one before</source>
+        <source>to the next control, to the previous one</source>
         <translation>na další prvek, na předchozí</translation>
     </message>
     <message>
@@ -5085,7 +5085,7 @@ F1</translation>
         <translation>žádat jiný bod: %1. nabízený</translation>
     </message>
     <message>
-        <source>raise what counts as an obstacle</source>
+        <source>raise the step limit</source>
         <translation>zvýšit mez překážky</translation>
     </message>
     <message>
@@ -5093,7 +5093,7 @@ F1</translation>
         <translation>snížit ji</translation>
     </message>
     <message>
-        <source>show some of the draws as thin lines</source>
+        <source>show some draws as thin lines</source>
         <translation>některé vzorky jako tenké čáry</translation>
     </message>
     <message>
@@ -5101,7 +5101,7 @@ F1</translation>
         <translation>Alarmy</translation>
     </message>
     <message>
-        <source>What is wrong, and what was and has not been seen</source>
+        <source>Active alarms, and past alarms not yet acknowledged</source>
         <translation>Co je špatně a co bylo a nikdo neviděl</translation>
     </message>
     <message>
@@ -5149,7 +5149,7 @@ F1</translation>
         <translation>Robot je aktivní: nejdřív deaktivovat (M)</translation>
     </message>
     <message>
-        <source>override what is doubtful about exploring</source>
+        <source>explore in spite of a doubt (override)</source>
         <translation>přebít, co je na průzkumu sporné</translation>
     </message>
     <message>
@@ -5165,7 +5165,7 @@ F1</translation>
         <translation>Otevřít</translation>
     </message>
     <message>
-        <source>Review a session, a log or scenes in a window of its own; this one goes on (Ctrl+O)</source>
+        <source>Review a session, a log or scenes in a separate window (Ctrl+O)</source>
         <translation>Prohlédnout relaci, záznam nebo scény ve vlastním okně; toto běží dál (Ctrl+O)</translation>
     </message>
     <message>
@@ -5177,7 +5177,7 @@ F1</translation>
         <translation>Síly, náklon a poslední události</translation>
     </message>
     <message>
-        <source>opens the console anew</source>
+        <source>restarts the console</source>
         <translation>otevře konzoli znovu</translation>
     </message>
     <message>
@@ -5189,7 +5189,7 @@ F1</translation>
         <translation>neoznačeno: nic se nezaznamenává</translation>
     </message>
     <message>
-        <source>what each command needs, one after the other</source>
+        <source>requirements of each command, one after the other</source>
         <translation>co potřebují jednotlivé povely, jeden po druhém</translation>
     </message>
     <message>
@@ -5197,7 +5197,7 @@ F1</translation>
         <translation>PANEL ZTRACEN: připojte panel operátora</translation>
     </message>
     <message>
-        <source>PANEL LOST, which means STOP: connect the operator&apos;s panel, then hold R; or start without --panel</source>
+        <source>PANEL LOST, STOP is asserted: connect the operator&apos;s panel, then hold R; or start without --panel</source>
         <translation>PANEL ZTRACEN, což znamená STOP: připojte panel operátora a podržte R; nebo spusťte bez --panel</translation>
     </message>
     <message>
@@ -5209,7 +5209,7 @@ F1</translation>
         <translation>PANEL ZTRACEN: připojte panel operátora, nebo spusťte bez --panel</translation>
     </message>
     <message>
-        <source>THE ROBOT IS ARMED: close the window again within %1 s, and it is halted and disarmed; or disarm it first (M)</source>
+        <source>THE ROBOT IS ARMED: close the window again within %1 s to halt and disarm it; or disarm it first (M)</source>
         <translation>ROBOT JE AKTIVNÍ: zavřít okno znovu do %1 s, pak se zastaví a deaktivuje; nebo nejdřív deaktivovat (M)</translation>
     </message>
     <message>
@@ -5221,7 +5221,7 @@ F1</translation>
         <translation>jezdí se na stránce Terén (F2)</translation>
     </message>
     <message>
-        <source>ask for a probe: of the bin shown up close, else the best</source>
+        <source>ask for a probe: of the selected bin, else of the best one</source>
         <translation>požádat o sondu: úseku zobrazeného zblízka, jinak nejlepšího</translation>
     </message>
     <message>
@@ -5233,7 +5233,7 @@ F1</translation>
         <translation>zapomenout odhad</translation>
     </message>
     <message>
-        <source>bring back the estimate that was forgotten</source>
+        <source>restore the hidden estimate</source>
         <translation>vrátit zapomenutý odhad</translation>
     </message>
     <message>
@@ -5241,7 +5241,7 @@ F1</translation>
         <translation>toto okno bylo zamrzlé %1 ms: žádný povel nemohl odejít</translation>
     </message>
     <message>
-        <source>no probe is asked for: point at a bin first</source>
+        <source>no bin is selected: point at a bin first</source>
         <translation>o sondu se nežádá: nejdřív ukažte na úsek</translation>
     </message>
     <message>
@@ -5267,7 +5267,7 @@ F1</translation>
         <translation>Kopírovat (Ctrl+C)</translation>
     </message>
     <message>
-        <source>The whole table, columns apart by tabs</source>
+        <source>Copies the whole table, columns separated by tabs</source>
         <translation>Celá tabulka, sloupce oddělené tabulátory</translation>
     </message>
     <message>
@@ -5279,7 +5279,7 @@ F1</translation>
         <translation>Verdikt</translation>
     </message>
     <message>
-        <source>last heard %1 ago</source>
+        <source>last telemetry %1 ago</source>
         <translation>naposledy slyšen před %1</translation>
     </message>
     <message>
@@ -5373,7 +5373,7 @@ F1</translation>
         <translation>STOP stisknut na panelu</translation>
     </message>
     <message>
-        <source>the panel is lost, which means STOP</source>
+        <source>the panel is lost: STOP is asserted</source>
         <translation>panel ztracen, což znamená STOP</translation>
     </message>
     <message>
@@ -5448,7 +5448,7 @@ F1</translation>
         <translation>Bez odhadu: %1</translation>
     </message>
     <message>
-        <source>The robot has moved: the next press brings the next estimate</source>
+        <source>The robot has moved: the next press gives the next estimate</source>
         <translation>Robot se pohnul: další přitlačení přinese další odhad</translation>
     </message>
 </context>
@@ -5475,7 +5475,7 @@ F1</translation>
         <translation>stojí</translation>
     </message>
     <message>
-        <source>Hold the mouse button or Space for 1.5 s; letting go early means nothing</source>
+        <source>Hold the mouse button or Space for 1.5 s; releasing early has no effect</source>
         <translation>Držte tlačítko myši nebo mezerník 1.5 s; dřívější puštění neznamená nic</translation>
     </message>
     <message>
@@ -5511,7 +5511,7 @@ F1</translation>
         <translation>Držením schválit sondu bodu %1</translation>
     </message>
     <message>
-        <source>%1 left, then no</source>
+        <source>%1 left, then refused</source>
         <translation>zbývá %1, pak ne</translation>
     </message>
     <message>
@@ -5535,7 +5535,7 @@ F1</translation>
         <translation>Bez sondy: 0 s, odhad zůstane (N)</translation>
     </message>
     <message>
-        <source>Refuses the arm; as good an answer as any other</source>
+        <source>Refuses the probe; the estimate stays as it is</source>
         <translation>Odmítne rameno; odpověď stejně dobrá jako jiná</translation>
     </message>
     <message>
@@ -5559,7 +5559,7 @@ F1</translation>
         <translation>Místo toho bod %1: celkový rozptyl %2 %, schod vpředu na %3 bit</translation>
     </message>
     <message>
-        <source>What the probe is expected to buy</source>
+        <source>Expected gain of the probe</source>
         <translation>Co má sonda přinést</translation>
     </message>
     <message>
@@ -5571,7 +5571,7 @@ F1</translation>
         <translation>zbývá %1</translation>
     </message>
     <message>
-        <source>Whether a probe is needed</source>
+        <source>Need for a probe</source>
         <translation>Zda je sonda potřeba</translation>
     </message>
     <message>
@@ -5599,7 +5599,7 @@ F1</translation>
         <translation>schod: %1 bit, bez zisku</translation>
     </message>
     <message>
-        <source>%1 stands: no gain</source>
+        <source>Already %1; no gain</source>
         <translation>%1 platí: bez zisku</translation>
     </message>
     <message>
@@ -5607,7 +5607,7 @@ F1</translation>
         <translation>schod: %1 → %2 bit, %3/min</translation>
     </message>
     <message>
-        <source>%1 stands: a probe makes it surer.</source>
+        <source>Already %1; a probe makes it more certain.</source>
         <translation>%1 platí: sonda dá větší jistotu.</translation>
     </message>
     <message>
@@ -5615,7 +5615,7 @@ F1</translation>
         <translation>Bez sondy: 0 s, %1 platí (N)</translation>
     </message>
     <message>
-        <source>%1 stands: only the shape would gain.</source>
+        <source>Already %1; a probe only refines the profile.</source>
         <translation>%1 platí: získal by jen tvar.</translation>
     </message>
     <message>
@@ -5777,7 +5777,7 @@ F1</translation>
         <translation>Podržet obraz</translation>
     </message>
     <message>
-        <source>The list stands still; everything is received and counted all the same</source>
+        <source>Display paused; recording and counting continue</source>
         <translation>Seznam stojí; vše se přesto přijímá a počítá</translation>
     </message>
     <message>
@@ -5785,7 +5785,7 @@ F1</translation>
         <translation>Poslední rámce</translation>
     </message>
     <message>
-        <source>Held: go on</source>
+        <source>Paused: continue</source>
         <translation>Stojí: pokračovat</translation>
     </message>
     <message>
@@ -5808,11 +5808,11 @@ F1</translation>
         <translation>STOP NEODESLÁN: %1</translation>
     </message>
     <message>
-        <source>STOP: the console that opened this window has taken it; see there whether the robot confirms it</source>
+        <source>STOP: the console that opened this window has received it; look there whether the robot confirms it</source>
         <translation>STOP: konzole, která toto okno otevřela, jej převzala; tam uvidíte, zda jej robot potvrdí</translation>
     </message>
     <message>
-        <source>STOP NOT TAKEN: the console that opened this window does not answer; use the robot&apos;s own switch</source>
+        <source>STOP NOT RECEIVED: the console that opened this window does not answer; use the robot&apos;s own switch</source>
         <translation>STOP NEPŘEVZAT: konzole, která toto okno otevřela, neodpovídá; použijte vypínač na robotu</translation>
     </message>
 </context>
@@ -5827,7 +5827,7 @@ F1</translation>
         <translation>◀ %1 s</translation>
     </message>
     <message>
-        <source>Goes back in the log (Ctrl+Left)</source>
+        <source>Steps back in the log (Ctrl+Left)</source>
         <translation>Vrátí se v záznamu zpět (Ctrl+vlevo)</translation>
     </message>
     <message>
@@ -5835,7 +5835,7 @@ F1</translation>
         <translation>Pozastavit</translation>
     </message>
     <message>
-        <source>Halts the log, or lets it go on (Ctrl+Space)</source>
+        <source>Pauses or continues the log (Ctrl+Space)</source>
         <translation>Zastaví záznam, nebo ho nechá běžet dál (Ctrl+mezerník)</translation>
     </message>
     <message>
@@ -5843,7 +5843,7 @@ F1</translation>
         <translation>%1 s ▶</translation>
     </message>
     <message>
-        <source>Goes on in the log (Ctrl+Right)</source>
+        <source>Steps forward in the log (Ctrl+Right)</source>
         <translation>Přejde v záznamu dál (Ctrl+vpravo)</translation>
     </message>
     <message>
@@ -5851,7 +5851,7 @@ F1</translation>
         <translation>Opakovat</translation>
     </message>
     <message>
-        <source>Begins again at the end of the log (Ctrl+R)</source>
+        <source>Repeats the log from its end (Ctrl+R)</source>
         <translation>Na konci záznamu začne znovu (Ctrl+R)</translation>
     </message>
     <message>
@@ -5859,7 +5859,7 @@ F1</translation>
         <translation>Jak daleko je záznam</translation>
     </message>
     <message>
-        <source>pause the log, or let it go on</source>
+        <source>pause or continue the log</source>
         <translation>pozastavit záznam, nebo ho nechat běžet dál</translation>
     </message>
     <message>
@@ -5867,15 +5867,15 @@ F1</translation>
         <translation>zpět v záznamu</translation>
     </message>
     <message>
-        <source>on in the log</source>
+        <source>forward in the log</source>
         <translation>dál v záznamu</translation>
     </message>
     <message>
-        <source>begin again at the end of the log, or not</source>
+        <source>repeat the log, on or off</source>
         <translation>na konci záznamu začít znovu, nebo ne</translation>
     </message>
     <message>
-        <source>Go on</source>
+        <source>Continue</source>
         <translation>Pokračovat</translation>
     </message>
     <message>
@@ -5910,7 +5910,7 @@ F1</translation>
         <translation>Události relace</translation>
     </message>
     <message>
-        <source>Alarms that stand</source>
+        <source>Active alarms</source>
         <translation>Trvající poplachy</translation>
     </message>
     <message>
@@ -5926,11 +5926,11 @@ F1</translation>
         <translation>všechny druhy</translation>
     </message>
     <message>
-        <source>Enter or a double click goes there</source>
+        <source>Enter or a double click goes to that time</source>
         <translation>Enter nebo dvojklik přejde na místo</translation>
     </message>
     <message>
-        <source>No alarm stood at this time.</source>
+        <source>No alarm was active at this time.</source>
         <translation>V tomto čase netrval žádný poplach.</translation>
     </message>
     <message>
@@ -5973,7 +5973,7 @@ F1</translation>
         <translation>Co</translation>
     </message>
     <message>
-        <source>What of the session is to be a file</source>
+        <source>Part of the session to export</source>
         <translation>Co z relace má být v souboru</translation>
     </message>
     <message>
@@ -5993,7 +5993,7 @@ F1</translation>
         <translation>Soubor</translation>
     </message>
     <message>
-        <source>From A to B, else what the timeline shows: zoom with Z and X</source>
+        <source>From A to B, else the visible part of the timeline: zoom with Z and X</source>
         <translation>Od A do B, jinak co ukazuje časová osa: přiblížení Z a X</translation>
     </message>
     <message>
@@ -6013,7 +6013,7 @@ F1</translation>
         <translation>Zrušit</translation>
     </message>
     <message>
-        <source>Ends the export and leaves no file (Esc)</source>
+        <source>Cancels the export and leaves no file (Esc)</source>
         <translation>Ukončí export a nezanechá soubor (Esc)</translation>
     </message>
     <message>
@@ -6073,7 +6073,7 @@ F1</translation>
         <translation>Zapsáno: %1</translation>
     </message>
     <message>
-        <source>frames left out, which the format cannot hold: %1</source>
+        <source>frames left out because the format cannot hold them: %1</source>
         <translation>vynechané rámce, které formát neumí: %1</translation>
     </message>
     <message>
@@ -6097,7 +6097,7 @@ F1</translation>
         <translation>Zapíše soubor</translation>
     </message>
     <message>
-        <source>All that the session holds</source>
+        <source>The whole session</source>
         <translation>Vše, co záznam obsahuje</translation>
     </message>
     <message>
@@ -6121,11 +6121,11 @@ F1</translation>
         <translation>Soubory DBC přidává stránka Signály (F7)</translation>
     </message>
     <message>
-        <source>Only signals hold what DBC files describe</source>
+        <source>Only the kind Signals holds the values of DBC files</source>
         <translation>Co popisují soubory DBC, je jen v signálech</translation>
     </message>
     <message>
-        <source>messages of DBC files left out, for which there was no room: %1</source>
+        <source>messages of DBC files left out for lack of room: %1</source>
         <translation>vynechané zprávy ze souborů DBC, na něž nezbylo místo: %1</translation>
     </message>
 </context>
@@ -6155,19 +6155,19 @@ F1</translation>
         <translation>Od A do B</translation>
     </message>
     <message>
-        <source>To the begin</source>
+        <source>To the beginning</source>
         <translation>Na začátek</translation>
     </message>
     <message>
-        <source>To the begin (Home)</source>
+        <source>To the beginning (Home)</source>
         <translation>Na začátek (Home)</translation>
     </message>
     <message>
-        <source>Frame back</source>
+        <source>Previous frame</source>
         <translation>Rámec zpět</translation>
     </message>
     <message>
-        <source>One frame back (,)</source>
+        <source>Previous frame (,)</source>
         <translation>O rámec zpět (,)</translation>
     </message>
     <message>
@@ -6187,11 +6187,11 @@ F1</translation>
         <translation>Přehrát, pozastavit (Space)</translation>
     </message>
     <message>
-        <source>Frame on</source>
+        <source>Next frame</source>
         <translation>Rámec vpřed</translation>
     </message>
     <message>
-        <source>One frame on (.)</source>
+        <source>Next frame (.)</source>
         <translation>O rámec vpřed (.)</translation>
     </message>
     <message>
@@ -6283,7 +6283,7 @@ F1</translation>
         <translation>Pozastavit</translation>
     </message>
     <message>
-        <source>The session is closed: nothing more will come</source>
+        <source>The session is closed: it does not grow any more</source>
         <translation>Relace je uzavřena: nic dalšího nepřijde</translation>
     </message>
     <message>
@@ -6331,11 +6331,11 @@ F1</translation>
         <translation>Přejít</translation>
     </message>
     <message>
-        <source>one frame back</source>
+        <source>previous frame</source>
         <translation>o rámec zpět</translation>
     </message>
     <message>
-        <source>one frame on</source>
+        <source>next frame</source>
         <translation>o rámec vpřed</translation>
     </message>
     <message>
@@ -6355,7 +6355,7 @@ F1</translation>
         <translation>na další událost</translation>
     </message>
     <message>
-        <source>to the next of: %1 (with Alt: before)</source>
+        <source>to the next: %1 (with Alt: previous)</source>
         <translation>na další: %1 (s Alt: předchozí)</translation>
     </message>
     <message>
@@ -6375,7 +6375,7 @@ F1</translation>
         <translation>Poloviční rychlost (H)</translation>
     </message>
     <message>
-        <source>to the scene before, with its estimate</source>
+        <source>to the previous scene, with its estimate</source>
         <translation>na předchozí scénu s jejím odhadem</translation>
     </message>
     <message>
@@ -6398,7 +6398,7 @@ F1</translation>
         <translation>Žádné jiné zařízení neposlalo v %1 s před tímto časem rámec</translation>
     </message>
     <message>
-        <source>The newest values of the %1 s before this time; least and most are of those seconds</source>
+        <source>The newest values of the %1 s before this time; minimum and maximum are of those seconds</source>
         <translation>Nejnovější hodnoty z %1 s před tímto časem; nejmenší a největší jsou z těchto sekund</translation>
     </message>
 </context>
@@ -6421,7 +6421,7 @@ F1</translation>
         <translation>Co obsluha v tomto čase viděla</translation>
     </message>
     <message>
-        <source>No estimate stood at this time</source>
+        <source>No estimate at this time</source>
         <translation>V tomto čase neplatil žádný odhad</translation>
     </message>
     <message>
@@ -6485,7 +6485,7 @@ F1</translation>
         <translation>PRÁVĚ SE ZAZNAMENÁVÁ</translation>
     </message>
     <message>
-        <source>NOT SEALED: its program has not closed it</source>
+        <source>NOT SEALED: the recording program did not close it</source>
         <translation>NEZAPEČETĚNO: program ji neuzavřel</translation>
     </message>
     <message>
@@ -6505,7 +6505,7 @@ F1</translation>
         <translation>Stránky</translation>
     </message>
     <message>
-        <source>estimate the recorded scene again, on the page What if</source>
+        <source>estimate the recorded scene again on the page What if</source>
         <translation>odhadnout zaznamenanou scénu znovu, na stránce Co kdyby</translation>
     </message>
     <message>
@@ -6529,7 +6529,7 @@ F1</translation>
         <translation>celá časová osa</translation>
     </message>
     <message>
-        <source>show some of the draws as thin lines</source>
+        <source>show some draws as thin lines</source>
         <translation>některé vzorky jako tenké čáry</translation>
     </message>
     <message>
@@ -6537,11 +6537,11 @@ F1</translation>
         <translation>z pole zpět ke klávesám</translation>
     </message>
     <message>
-        <source>to the next control, to the one before</source>
+        <source>to the next control, to the previous one</source>
         <translation>na další prvek, na předchozí</translation>
     </message>
     <message>
-        <source>Write what is shown, or what the session holds, to a file (Ctrl+E)</source>
+        <source>Exports the visible part or the whole session to a file (Ctrl+E)</source>
         <translation>Zapsat zobrazené nebo obsah relace do souboru (Ctrl+E)</translation>
     </message>
     <message>
@@ -6608,7 +6608,7 @@ F1</translation>
         <translation>stáří %1</translation>
     </message>
     <message>
-        <source>; beside it that of the captured scene: the robot is drawn as it stood then</source>
+        <source>; beside it the value of the captured scene, at which the robot is drawn</source>
         <translation>; vedle je náklon zachycené scény: robot je nakreslen, jak tehdy stál</translation>
     </message>
     <message>
@@ -6651,7 +6651,7 @@ F1</translation>
         <translation>Scéna ze souboru neřídí žádného robota</translation>
     </message>
     <message>
-        <source>SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · . and , go on and back</source>
+        <source>SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · keys . and , step</source>
         <translation>SCÉNA %1 z %2 v %3 · jízda %4 v %5 s · odhadnuto nyní, nezaznamenáno · . a , další a předchozí</translation>
     </message>
     <message>
@@ -6663,7 +6663,7 @@ F1</translation>
         <translation>další scéna</translation>
     </message>
     <message>
-        <source>scene before</source>
+        <source>previous scene</source>
         <translation>předchozí scéna</translation>
     </message>
     <message>
@@ -6707,7 +6707,7 @@ F1</translation>
 ,</translation>
     </message>
     <message>
-        <source>Scene before (,)</source>
+        <source>Previous scene (,)</source>
         <translation>Předchozí scéna (,)</translation>
     </message>
 </context>
@@ -6756,7 +6756,7 @@ F1</translation>
         <translation>Vše na výchozí</translation>
     </message>
     <message>
-        <source>Everything on this page, and the shipped model and robot</source>
+        <source>Resets this page, the model and the robot to their defaults</source>
         <translation>Vše na této stránce i dodaný model a robot</translation>
     </message>
     <message>
@@ -6764,7 +6764,7 @@ F1</translation>
         <translation>Metoda</translation>
     </message>
     <message>
-        <source>local and joint are closed formulas; the others draw chains of samples</source>
+        <source>local and joint are closed formulas; the others sample with Markov chains</source>
         <translation>local a joint jsou uzavřené vzorce; ostatní losují řetězce vzorků</translation>
     </message>
     <message>
@@ -6772,7 +6772,7 @@ F1</translation>
         <translation>Kvalita</translation>
     </message>
     <message>
-        <source>An obstacle is a step of more than</source>
+        <source>An obstacle is a step above</source>
         <translation>Překážka je schod nad</translation>
     </message>
     <message>
@@ -6780,11 +6780,11 @@ F1</translation>
         <translation>m</translation>
     </message>
     <message>
-        <source>The verdict&apos;s question (PgUp, PgDown)</source>
+        <source>Step height that the verdict asks about (PgUp, PgDown)</source>
         <translation>Otázka verdiktu (PgUp, PgDown)</translation>
     </message>
     <message>
-        <source>An element is a contact above</source>
+        <source>An element counts as contact above</source>
         <translation>Kontakt je prvek nad</translation>
     </message>
     <message>
@@ -6792,7 +6792,7 @@ F1</translation>
         <translation>N</translation>
     </message>
     <message>
-        <source>Weaker forces are noise</source>
+        <source>Weaker forces count as noise</source>
         <translation>Slabší síly jsou šum</translation>
     </message>
     <message>
@@ -6816,7 +6816,7 @@ F1</translation>
         <translation>Pak se terén vlevo a vpravo liší</translation>
     </message>
     <message>
-        <source>… or left and right flippers apart by</source>
+        <source>… or left and right flippers differ by</source>
         <translation>… nebo od rozdílu flipperů</translation>
     </message>
     <message>
@@ -6836,7 +6836,7 @@ F1</translation>
         <translation>vysoký kontrast</translation>
     </message>
     <message>
-        <source>Night, red: keeps the eyes used to the dark</source>
+        <source>Night, red: keeps the eyes adapted to the dark</source>
         <translation>Noc, červená: oči zůstanou přivyklé tmě</translation>
     </message>
     <message>
@@ -6892,11 +6892,11 @@ F1</translation>
         <translation>Vybrat soubor: %1</translation>
     </message>
     <message>
-        <source>The shipped one</source>
+        <source>Shipped</source>
         <translation>Dodaný</translation>
     </message>
     <message>
-        <source>The shipped one: %1</source>
+        <source>Shipped: %1</source>
         <translation>Dodaný: %1</translation>
     </message>
     <message>
@@ -6960,7 +6960,7 @@ F1</translation>
         <translation>GB</translation>
     </message>
     <message>
-        <source>Opens the console anew</source>
+        <source>Restarts the console</source>
         <translation>Otevře konzoli znovu</translation>
     </message>
     <message>
@@ -6972,7 +6972,7 @@ F1</translation>
         <translation>s</translation>
     </message>
     <message>
-        <source>Then sampling ends with the draws there are, and the result says so</source>
+        <source>Sampling then ends with fewer draws, and the result says so</source>
         <translation>Pak vzorkování skončí s tím, co je hotovo, a výsledek to říká</translation>
     </message>
     <message>
@@ -6980,15 +6980,15 @@ F1</translation>
         <translation>bez omezení</translation>
     </message>
     <message>
-        <source>As terratact tradeoff has measured them: time, mean error, and in brackets how far the quantiles are from a long run&apos;s</source>
+        <source>Measured by terratact tradeoff: time, mean error, and in brackets the distance of the quantiles from a long run&apos;s</source>
         <translation>Jak je změřil terratact tradeoff: čas, střední chyba a v závorkách, jak daleko jsou kvantily od dlouhého běhu</translation>
     </message>
     <message>
-        <source>Back to what came with the program</source>
+        <source>Back to the shipped file</source>
         <translation>Zpět k tomu, co přišlo s programem</translation>
     </message>
     <message>
-        <source>What came with the program is in use already</source>
+        <source>The shipped files are in use already</source>
         <translation>To, co přišlo s programem, se už používá</translation>
     </message>
     <message>
@@ -7008,15 +7008,15 @@ F1</translation>
         <translation>kde pomůže výroku</translation>
     </message>
     <message>
-        <source>Uncertain: by the variance, as in the paper. About the verdict: by the entropy of its question, whatever the sd, and only while it is open</source>
+        <source>Uncertain: by the variance, as in the paper. About the verdict: by the entropy of the step question, and only while it is open</source>
         <translation>Nejistý: podle rozptylu, jako v článku. Výrok: podle entropie jeho otázky, ať je sd jakákoli, a jen dokud je otevřená</translation>
     </message>
     <message>
-        <source>Once it has stood for ten seconds; never: nothing is deleted</source>
+        <source>Applies ten seconds after the change. Never: nothing is deleted</source>
         <translation>Jakmile hodnota platí deset sekund; nikdy: nic se nemaže</translation>
     </message>
     <message>
-        <source>Of all closed sessions together, once it has stood for ten seconds</source>
+        <source>For all closed sessions together; applies ten seconds after the change</source>
         <translation>Všech uzavřených relací dohromady, jakmile to platí deset sekund</translation>
     </message>
     <message>
@@ -7024,11 +7024,11 @@ F1</translation>
         <translation>Relace za těmito mezemi se smějí mazat</translation>
     </message>
     <message>
-        <source>Until this is ticked, the console only tells what it would delete</source>
+        <source>Until this is ticked, the console only lists what it would delete</source>
         <translation>Dokud není zaškrtnuto, konzole jen říká, co by smazala</translation>
     </message>
     <message>
-        <source>Rate of hazards in 0.1 m that nothing has felt</source>
+        <source>Rate of hazards per 0.1 m of ground that is not felt</source>
         <translation>Četnost nebezpečí na 0.1 m, které nic neohmatalo</translation>
     </message>
     <message>
@@ -7044,7 +7044,7 @@ F1</translation>
         <translation>Náklon je strmý od</translation>
     </message>
     <message>
-        <source>An amber alarm; 20° before the robot tips over in any case</source>
+        <source>Amber alarm; at the latest 20° before the robot tips over</source>
         <translation>Žlutý poplach; v každém případě 20° před překlopením</translation>
     </message>
     <message>
@@ -7052,18 +7052,18 @@ F1</translation>
         <translation>Náklon je nebezpečný od</translation>
     </message>
     <message>
-        <source>A red alarm that sounds; 10° before the robot tips over in any case</source>
+        <source>Red alarm with sound; at the latest 10° before the robot tips over</source>
         <translation>Červený poplach se zvukem; v každém případě 10° před překlopením</translation>
     </message>
     <message>
-        <source>Press again: all settings go back</source>
+        <source>Press again to reset all settings</source>
         <translation>Stiskněte znovu: vše se vrátí</translation>
     </message>
 </context>
 <context>
     <name>terratact::SharedStop</name>
     <message>
-        <source>STOP in windows that are opened from here stops nothing: %1</source>
+        <source>STOP has no effect in windows opened from here: %1</source>
         <translation>STOP v oknech otevřených odtud nic nezastaví: %1</translation>
     </message>
     <message>
@@ -7106,11 +7106,11 @@ F1</translation>
         <translation>Stáří</translation>
     </message>
     <message>
-        <source>Least</source>
+        <source>Min</source>
         <translation>Nejméně</translation>
     </message>
     <message>
-        <source>Most</source>
+        <source>Max</source>
         <translation>Nejvíce</translation>
     </message>
     <message>
@@ -7185,7 +7185,7 @@ F1</translation>
         <translation>zátěž --- (rychlost neznámá): %1 až %2 kbit/s</translation>
     </message>
     <message>
-        <source>load %1 to %2 % of %3 kbit/s (without stuff bits, with all there can be)</source>
+        <source>load %1 to %2 % of %3 kbit/s (without stuff bits, with the most possible)</source>
         <translation>zátěž %1 až %2 % z %3 kbit/s (bez vkládaných bitů, se všemi možnými)</translation>
     </message>
     <message>
@@ -7197,7 +7197,7 @@ F1</translation>
         <translation>Stav sběrnice</translation>
     </message>
     <message>
-        <source>Forget least and most</source>
+        <source>Reset min and max</source>
         <translation>Zapomenout minima a maxima</translation>
     </message>
     <message>
@@ -7219,7 +7219,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>dráha pásů</translation>
     </message>
     <message>
-        <source>load %1 to %2 % of nominal %3 kbit/s (without stuff bits, with all there can be)</source>
+        <source>load %1 to %2 % of nominal %3 kbit/s (without stuff bits, with the most possible)</source>
         <translation>zátěž %1 až %2 % z nominálních %3 kbit/s (bez vkládaných bitů, se všemi možnými)</translation>
     </message>
     <message>
@@ -7233,7 +7233,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>Soubory DBC</translation>
     </message>
     <message>
-        <source>What is wrong with the DBC files</source>
+        <source>Faults of the DBC files</source>
         <translation>Co není v pořádku se soubory DBC</translation>
     </message>
     <message>
@@ -7241,7 +7241,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>Přidat soubor DBC …</translation>
     </message>
     <message>
-        <source>A file that says what frames mean that are not the robot&apos;s</source>
+        <source>Adds a DBC file that describes frames of other devices</source>
         <translation>Soubor, který říká, co znamenají rámce, jež nejsou od robotu</translation>
     </message>
     <message>
@@ -7253,7 +7253,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>Jeho rámce se zase zobrazí bajt po bajtu</translation>
     </message>
     <message>
-        <source>They begin anew with the next frames</source>
+        <source>Counts restart with the next frames</source>
         <translation>Začnou znovu od příštích rámců</translation>
     </message>
     <message>
@@ -7269,7 +7269,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>Soubory DBC: %1</translation>
     </message>
     <message>
-        <source>… and %1 more, all of them in the tip here</source>
+        <source>… and %1 more, all listed in this tooltip</source>
         <translation>… a dalších %1; všechny jsou zde v nápovědě</translation>
     </message>
     <message>
@@ -7296,7 +7296,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>Spojení</translation>
     </message>
     <message>
-        <source>What the robot does</source>
+        <source>Activity of the robot</source>
         <translation>Co robot dělá</translation>
     </message>
     <message>
@@ -7308,7 +7308,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>Kvalita odhadu</translation>
     </message>
     <message>
-        <source>How much time an estimate may take for its accuracy</source>
+        <source>Accuracy of an estimate against its computing time</source>
         <translation>Kolik času smí odhad stát za svou přesnost</translation>
     </message>
     <message>
@@ -7324,7 +7324,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>STOP DRŽÍ (F12)</translation>
     </message>
     <message>
-        <source>What is wrong, and what was and has not been seen (F4)</source>
+        <source>Active alarms, and past alarms not yet acknowledged (F4)</source>
         <translation>Co je špatně a co bylo a nikdo neviděl (F4)</translation>
     </message>
     <message>
@@ -7364,7 +7364,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>STOP: bez povelů</translation>
     </message>
     <message>
-        <source>STOP was sent, the robot has not confirmed it; it is sent again</source>
+        <source>STOP was sent but not confirmed by the robot; it is sent again</source>
         <translation>STOP byl odeslán, robot ho nepotvrdil; posílá se znovu</translation>
     </message>
     <message>
@@ -7372,7 +7372,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>STOP nebyl odeslán: %1</translation>
     </message>
     <message>
-        <source>The robot says that it is stopped; another press stops it again</source>
+        <source>The robot reports stopped; another press sends STOP again</source>
         <translation>Robot hlásí, že je zastaven; další stisk ho zastaví znovu</translation>
     </message>
     <message>
@@ -7384,7 +7384,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>Sběrnice: %1</translation>
     </message>
     <message>
-        <source>All of it: F5</source>
+        <source>Details: F5</source>
         <translation>Vše: F5</translation>
     </message>
     <message>
@@ -7407,11 +7407,11 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>Rameno změřilo; jeho výška je součástí odhadu.</translation>
     </message>
     <message>
-        <source>Following: probes are approved where the robot is commanded.</source>
+        <source>Following: probes are approved on the commanding console.</source>
         <translation>Sledování: sondy schvaluje ten, kdo robota řídí.</translation>
     </message>
     <message>
-        <source>The proposal was not answered in time, which means no.</source>
+        <source>The proposal was not answered in time and counts as refused.</source>
         <translation>Návrh zůstal bez odpovědi, což znamená ne.</translation>
     </message>
     <message>
@@ -7435,7 +7435,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>pohled</translation>
     </message>
     <message>
-        <source>What else is drawn: draws, a second method</source>
+        <source>Optional marks: draws, a second method</source>
         <translation>Co ještě kreslit: vzorky, druhou metodu</translation>
     </message>
     <message>
@@ -7487,7 +7487,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>stáří %1</translation>
     </message>
     <message>
-        <source>The flippers still move: nothing ahead is felt yet</source>
+        <source>The flippers still move: no ground ahead is felt yet</source>
         <translation>Flippery se ještě hýbou: vpředu zatím nic nahmatáno</translation>
     </message>
     <message>
@@ -7515,7 +7515,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>stáří &lt; %1 s</translation>
     </message>
     <message>
-        <source>Preview from the way down: the estimate is being computed</source>
+        <source>Preview while the flippers go down: the estimate is being computed</source>
         <translation>Náhled z cesty dolů: odhad se počítá</translation>
     </message>
     <message>
@@ -7531,7 +7531,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>síly jsou staré %1</translation>
     </message>
     <message>
-        <source>Nobody asks for the arm. What it would buy:</source>
+        <source>No probe is proposed. A probe would give:</source>
         <translation>O rameno nikdo nežádá. Co by přineslo:</translation>
     </message>
     <message>
@@ -7539,7 +7539,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>sonda v %1: její výška, ± %2 m místo ± %3 m</translation>
     </message>
     <message>
-        <source>The verdict is withheld, and so is what a probe tells about it.</source>
+        <source>The verdict is withheld, so a probe&apos;s effect on it is not shown.</source>
         <translation>Verdikt je zadržen, a tedy i to, co o něm řekne sonda.</translation>
     </message>
 </context>
@@ -7610,7 +7610,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>strop %1 m</translation>
     </message>
     <message>
-        <source>nothing of the robot above it</source>
+        <source>no part of the robot above it</source>
         <translation>nad ním nic z robotu</translation>
     </message>
     <message>
@@ -7630,7 +7630,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>stav před %1</translation>
     </message>
     <message>
-        <source>not live: nothing is heard of the robot</source>
+        <source>not live: no telemetry from the robot</source>
         <translation>neaktuální: o robotu není nic slyšet</translation>
     </message>
     <message>
@@ -7677,7 +7677,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>Kopírovat jako text</translation>
     </message>
     <message>
-        <source>All of it, for a report</source>
+        <source>Copies everything, for a report</source>
         <translation>Vše, do hlášení</translation>
     </message>
     <message>
@@ -7747,11 +7747,11 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>robot: používaný</translation>
     </message>
     <message>
-        <source>Learn from</source>
+        <source>Train on</source>
         <translation>Učit z</translation>
     </message>
     <message>
-        <source>Choose the scenes to learn from</source>
+        <source>Choose the training scenes</source>
         <translation>Vybrat scény k učení</translation>
     </message>
     <message>
@@ -7775,7 +7775,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>Start</translation>
     </message>
     <message>
-        <source>Train the model, beside everything else</source>
+        <source>Trains the model in the background</source>
         <translation>Trénovat model; vše ostatní běží dál</translation>
     </message>
     <message>
@@ -7783,7 +7783,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>Zrušit</translation>
     </message>
     <message>
-        <source>End what runs; nothing is written</source>
+        <source>Cancels the training or comparison; no file is written</source>
         <translation>Ukončí, co běží; nic se nezapíše</translation>
     </message>
     <message>
@@ -7875,7 +7875,7 @@ vpředu</translation>
         <translation>Totéž jinde</translation>
     </message>
     <message>
-        <source>2  Compare it with the one in use, then adopt it</source>
+        <source>2  Compare it with the model in use, then adopt it</source>
         <translation>2  Porovnat s používaným, pak převzít</translation>
     </message>
     <message>
@@ -7887,7 +7887,7 @@ vpředu</translation>
         <translation>Zkusit na</translation>
     </message>
     <message>
-        <source>Choose the scenes to test on</source>
+        <source>Choose the test scenes</source>
         <translation>Vybrat scény ke zkoušce</translation>
     </message>
     <message>
@@ -7951,7 +7951,7 @@ vpředu</translation>
         <translation>Natrénováno, scén %1: %2</translation>
     </message>
     <message>
-        <source>%1. Nothing was written: put that right and start again.</source>
+        <source>%1. No file was written: correct this and start again.</source>
         <translation>%1. Nic se nezapsalo: napravte to a spusťte znovu.</translation>
     </message>
     <message>
@@ -7971,7 +7971,7 @@ vpředu</translation>
         <translation>Scény (*.csv);;Všechny soubory (*)</translation>
     </message>
     <message>
-        <source>Choose a file of scenes to learn from.</source>
+        <source>Choose a file of scenes for training.</source>
         <translation>Vyberte soubor scén k učení.</translation>
     </message>
     <message>
@@ -7999,7 +7999,7 @@ vpředu</translation>
         <translation>Běží průzkum: model zůstane, dokud neskončí (ukončí ho Esc).</translation>
     </message>
     <message>
-        <source>Training on %1; the robot goes on meanwhile</source>
+        <source>Training on %1; driving is not affected</source>
         <translation>Trénuje se na %1; robot zatím pracuje dál</translation>
     </message>
     <message>
@@ -8075,7 +8075,7 @@ vpředu</translation>
         <translation>Vyberte soubor scén k ověření.</translation>
     </message>
     <message>
-        <source>Nothing runs that could be cancelled.</source>
+        <source>No training or comparison is running.</source>
         <translation>Neběží nic, co by šlo zrušit.</translation>
     </message>
     <message>
@@ -8106,7 +8106,7 @@ vpředu</translation>
         <translation>Snížit mez</translation>
     </message>
     <message>
-        <source>A lower step counts as an obstacle, too (PgDown)</source>
+        <source>Lowers the step limit (PgDown)</source>
         <translation>Překážkou je i nižší schod (PgDown)</translation>
     </message>
     <message>
@@ -8114,7 +8114,7 @@ vpředu</translation>
         <translation>Zvýšit mez</translation>
     </message>
     <message>
-        <source>Only a higher step counts as an obstacle (PgUp)</source>
+        <source>Raises the step limit (PgUp)</source>
         <translation>Překážkou je až vyšší schod (PgUp)</translation>
     </message>
     <message>
@@ -8174,11 +8174,11 @@ vpředu</translation>
         <translation>flippery se liší</translation>
     </message>
     <message>
-        <source>No lower limit can be set than %1 m</source>
+        <source>%1 m is the lowest limit</source>
         <translation>Nižší mez než %1 m nelze nastavit</translation>
     </message>
     <message>
-        <source>No higher limit can be set than %1 m</source>
+        <source>%1 m is the highest limit</source>
         <translation>Vyšší mez než %1 m nelze nastavit</translation>
     </message>
     <message>
@@ -8265,7 +8265,7 @@ vpředu</translation>
         <translation>rozvržení: přehled</translation>
     </message>
     <message>
-        <source>layout and letters as at first</source>
+        <source>default layout and text size</source>
         <translation>rozvržení a písmo jako na začátku</translation>
     </message>
     <message>
@@ -8281,15 +8281,15 @@ vpředu</translation>
         <translation>barvy: vysoký kontrast</translation>
     </message>
     <message>
-        <source>larger letters</source>
+        <source>larger text</source>
         <translation>větší písmo</translation>
     </message>
     <message>
-        <source>smaller letters</source>
+        <source>smaller text</source>
         <translation>menší písmo</translation>
     </message>
     <message>
-        <source>letters of normal size</source>
+        <source>normal text size</source>
         <translation>písmo normální velikosti</translation>
     </message>
     <message>
@@ -8308,7 +8308,7 @@ vpředu</translation>
         <translation>V čem se liší</translation>
     </message>
     <message>
-        <source>Recorded estimate and the other, bin by bin</source>
+        <source>Recorded estimate and what-if, bin by bin</source>
         <translation>Zaznamenaný odhad a ten druhý, po dílcích</translation>
     </message>
     <message>
@@ -8364,11 +8364,11 @@ vpředu</translation>
         <translation>jako v záznamu</translation>
     </message>
     <message>
-        <source>An element is a contact above</source>
+        <source>An element counts as contact above</source>
         <translation>Kontakt je prvek nad</translation>
     </message>
     <message>
-        <source>Force from which an element touches the ground</source>
+        <source>Force above which an element counts as contact</source>
         <translation>Síla, od které se prvek dotýká země</translation>
     </message>
     <message>
@@ -8380,7 +8380,7 @@ vpředu</translation>
         <translation>Semínko</translation>
     </message>
     <message>
-        <source>Of the random numbers: a whole number</source>
+        <source>Seed of the random numbers: a whole number</source>
         <translation>Náhodných čísel: celé číslo</translation>
     </message>
     <message>
@@ -8408,7 +8408,7 @@ vpředu</translation>
         <translation>Nastaví vše podle záznamu</translation>
     </message>
     <message>
-        <source>Estimates the recorded scene with what is set here</source>
+        <source>Estimates the recorded scene with these settings</source>
         <translation>Odhadne zaznamenanou scénu s tímto nastavením</translation>
     </message>
     <message>
@@ -8420,7 +8420,7 @@ vpředu</translation>
         <translation>Odhad %1 scény %2 v %3 s, metodou %4 s modelem %5</translation>
     </message>
     <message>
-        <source>No estimate stood at this time: go to one (key 4 finds the next).</source>
+        <source>There was no estimate at this time: go to one (key 4 finds the next).</source>
         <translation>V tomto čase neplatil žádný odhad: přejděte na některý (klávesa 4 najde další).</translation>
     </message>
     <message>
@@ -8436,23 +8436,23 @@ vpředu</translation>
         <translation>Odhaduje se …</translation>
     </message>
     <message>
-        <source>The recorded settings and model give the recorded estimate again, bit for bit.</source>
+        <source>The recorded settings and model reproduce the recorded estimate bit for bit.</source>
         <translation>Zaznamenané nastavení a model dávají znovu zaznamenaný odhad, bit po bitu.</translation>
     </message>
     <message>
-        <source>The recorded settings and model give the recorded estimate again, but for the last bits, which another processor or version rounds otherwise: no number moves by more than a millionth.</source>
+        <source>The recorded settings and model reproduce the recorded estimate except for rounding in the last bits: no number moves by more than a millionth.</source>
         <translation>Zaznamenané nastavení a model dávají znovu zaznamenaný odhad až na poslední bity, které jiný procesor nebo verze zaokrouhluje jinak: žádné číslo se neposune o více než milióntinu.</translation>
     </message>
     <message>
-        <source>Time ended the recorded sampling, so that it cannot be repeated bit for bit: %1 m at most, at bin %2.</source>
+        <source>A time limit ended the recorded sampling, so it cannot be repeated bit for bit: %1 m at most, at bin %2.</source>
         <translation>Zaznamenané vzorkování ukončil čas, nelze je tedy opakovat bit po bitu: nejvýše %1 m, v dílci %2.</translation>
     </message>
     <message>
-        <source>The recorded settings and model do NOT give the recorded estimate: %1 m at most, at bin %2.</source>
+        <source>The recorded settings and model do NOT reproduce the recorded estimate: %1 m at most, at bin %2.</source>
         <translation>Zaznamenané nastavení a model NEDÁVAJÍ zaznamenaný odhad: nejvýše %1 m, v dílci %2.</translation>
     </message>
     <message>
-        <source>Differs from what was shown by %1 m at most, at bin %2.</source>
+        <source>Differs from the recorded estimate by %1 m at most, at bin %2.</source>
         <translation>Liší se od zobrazeného nejvýše o %1 m, v dílci %2.</translation>
     </message>
     <message>
@@ -8464,11 +8464,11 @@ vpředu</translation>
         <translation>Odhadnout znovu (E)</translation>
     </message>
     <message>
-        <source>No estimate stood at this time</source>
+        <source>No estimate at this time</source>
         <translation>V tomto čase neplatil žádný odhad</translation>
     </message>
     <message>
-        <source>Change what you like, then estimate again: the page Terrain (F2) draws both.</source>
+        <source>Change settings, then estimate again: the page Terrain (F2) draws both.</source>
         <translation>Změňte, co chcete, a odhadněte znovu: stránka Terén (F2) nakreslí oba odhady.</translation>
     </message>
     <message>

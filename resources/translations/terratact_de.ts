@@ -46,7 +46,7 @@
         <translation>%1 arbeitet</translation>
     </message>
     <message>
-        <source>%1 does not take frames: nobody acknowledges them or the bus is full; is the robot on, are the wires and the bit rate right?</source>
+        <source>%1 does not take frames: no node acknowledges them, or the bus is full. Check the robot&apos;s power, the wires and the bit rate</source>
         <translation>%1 nimmt keine Rahmen an: niemand bestätigt sie oder der Bus ist voll; ist der Roboter an, stimmen Kabel und Bitrate?</translation>
     </message>
     <message>
@@ -70,7 +70,7 @@
         <translation>%1 ist zu Ende</translation>
     </message>
     <message>
-        <source>%1 is only listened to: start the console with --transmit</source>
+        <source>%1 is receive-only: start the console with --transmit</source>
         <translation>%1 wird nur abgehört: die Konsole mit --transmit starten</translation>
     </message>
     <message>
@@ -161,31 +161,31 @@
         <translation>im 80-%-Band, alle [%]</translation>
     </message>
     <message>
-        <source>The new model errs as much as the old one near the robot on %1 scenes</source>
+        <source>Near the robot the new model has the same mean error as the old one on %1 scenes</source>
         <translation>Das neue Modell irrt nahe am Roboter so stark wie das alte (%1 Szenen)</translation>
     </message>
     <message>
-        <source>The new model errs %1 % less near the robot on %2 scenes</source>
+        <source>Near the robot the new model&apos;s mean error is %1 % smaller on %2 scenes</source>
         <translation>Das neue Modell irrt nahe am Roboter %1 % weniger (%2 Szenen)</translation>
     </message>
     <message>
-        <source>The new model errs %1 % more near the robot on %2 scenes</source>
+        <source>Near the robot the new model&apos;s mean error is %1 % larger on %2 scenes</source>
         <translation>Das neue Modell irrt nahe am Roboter %1 % mehr (%2 Szenen)</translation>
     </message>
     <message>
-        <source>%1; its 80 % bands there hold %2 % of the truths, the old one&apos;s %3 %.</source>
+        <source>%1; its 80 % bands there cover %2 % of the true heights, the old model&apos;s %3 %.</source>
         <translation>%1; seine 80-%-Bänder enthalten dort %2 % der wahren Höhen, die des alten %3 %.</translation>
     </message>
     <message>
-        <source>The new model has learnt from this very file, which flatters it: choose scenes it has not seen.</source>
+        <source>The new model was trained on this file, so its error looks too small: choose scenes it has not seen.</source>
         <translation>Das neue Modell hat aus genau dieser Datei gelernt, das schmeichelt ihm: Szenen wählen, die es nicht kennt.</translation>
     </message>
     <message>
-        <source>The old model has learnt from this very file, which flatters it.</source>
+        <source>The old model was trained on this file, so its error looks too small.</source>
         <translation>Das alte Modell hat aus genau dieser Datei gelernt, das schmeichelt ihm.</translation>
     </message>
     <message>
-        <source>Too few drives to tell whether the difference is chance.</source>
+        <source>Too few drives: the difference may be chance.</source>
         <translation>Zu wenige Fahrten, um zu sagen, ob der Unterschied Zufall ist.</translation>
     </message>
     <message>
@@ -285,7 +285,7 @@
         <translation>wieder da, noch nicht stetig</translation>
     </message>
     <message>
-        <source>%1 — gaps: %2, the longest %3; values read -- in each of them</source>
+        <source>%1 — gaps: %2, the longest %3; values read -- during a gap</source>
         <translation>%1 — Lücken: %2, die längste %3; in jeder stehen Werte auf --</translation>
     </message>
     <message>
@@ -309,14 +309,14 @@
         <translation>Link ≤ %1</translation>
     </message>
     <message>
-        <source>BACK after %1 — measured values are live, the terrain is as it was felt before</source>
+        <source>LINK RESTORED after %1 — values are live; the terrain predates the gap</source>
         <translation>WIEDER DA nach %1 — Messwerte sind aktuell, das Gelände ist das von vorher</translation>
     </message>
 </context>
 <context>
     <name>LiveViewState</name>
     <message>
-        <source>The operator&apos;s panel does not answer, which means STOP</source>
+        <source>The operator&apos;s panel does not answer: STOP is asserted</source>
         <translation>Das Bedienpult antwortet nicht, das heißt STOP</translation>
     </message>
     <message>
@@ -335,7 +335,7 @@
         <translation>gelernt %1; Gelände: %2</translation>
     </message>
     <message>
-        <source>%1 scenes, %2 % of them with a step above %3 m; median relief %4 m</source>
+        <source>%1 scenes, %2 % with a step above %3 m; median relief %4 m</source>
         <translation>%1 Szenen, davon %2 % mit einer Stufe über %3 m; mittlerer Höhenunterschied %4 m</translation>
     </message>
     <message>
@@ -374,7 +374,7 @@
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>%1 could not be opened: this program could not be started again</source>
+        <source>%1 could not be opened: a second window could not be started</source>
         <translation>%1 ließ sich nicht öffnen: das Programm ließ sich nicht noch einmal starten</translation>
     </message>
     <message>
@@ -464,7 +464,7 @@
         <translation>keine Erkundung läuft</translation>
     </message>
     <message>
-        <source>scene, settings and model are those of the question</source>
+        <source>scene, settings and model are unchanged since the question</source>
         <translation>Szene, Einstellungen und Modell sind die der Frage</translation>
     </message>
     <message>
@@ -472,7 +472,7 @@
         <translation>Szene, Einstellungen oder Modell haben sich seit der Frage geändert</translation>
     </message>
     <message>
-        <source>the robot says that it is stopped</source>
+        <source>the robot reports stopped</source>
         <translation>der Roboter meldet, dass er gestoppt ist</translation>
     </message>
     <message>
@@ -496,7 +496,7 @@
         <translation>links, rechts: nicht bekannt, keine Telemetrie</translation>
     </message>
     <message>
-        <source>the robot said that it is stopped, then no telemetry</source>
+        <source>the robot reported stopped, then telemetry ended</source>
         <translation>der Roboter meldete, dass er steht, dann keine Telemetrie</translation>
     </message>
     <message>
@@ -566,7 +566,7 @@
         <translation>%1: %2 ms, exakte Quantile aus einer Formel, mittlerer Fehler %3 mm</translation>
     </message>
     <message>
-        <source>%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm; chains converge in %5 % of scenes, without which there is no verdict</source>
+        <source>%1: %2 ms, quantiles ± %3 mm from a long run, mean error %4 mm; chains converge in %5 % of scenes, and only these have a verdict</source>
         <translation>%1: %2 ms, Quantile ± %3 mm von einem langen Lauf, mittlerer Fehler %4 mm; die Ketten konvergieren in %5 % der Szenen, sonst gibt es kein Urteil</translation>
     </message>
     <message>
@@ -589,19 +589,19 @@
         <translation>Sonde? %1</translation>
     </message>
     <message>
-        <source>PROBE at %1? %2 left, then no: F2 shows the question</source>
+        <source>PROBE at %1? Refused in %2 unless approved: F2 shows the question</source>
         <translation>SONDIERUNG bei %1? Noch %2, dann nein: F2 zeigt die Frage</translation>
     </message>
     <message>
-        <source>The probe was not answered in time, which means no: F2 shows the result</source>
+        <source>The probe was not answered in time and counts as refused: F2 shows the result</source>
         <translation>Die Sondierung wurde nicht rechtzeitig beantwortet, das heißt nein: F2 zeigt das Ergebnis</translation>
     </message>
     <message>
-        <source>PROBE at %1? %2 left, then no: close the window that covers it</source>
+        <source>PROBE at %1? Refused in %2 unless approved: close the window that covers it</source>
         <translation>SONDIERUNG bei %1? Noch %2, dann nein: das Fenster schließen, das die Frage verdeckt</translation>
     </message>
     <message>
-        <source>The probe was not answered in time, which means no: close the window that covers the result</source>
+        <source>The probe was not answered in time and counts as refused: close the window that covers the result</source>
         <translation>Die Sondierung wurde nicht rechtzeitig beantwortet, das heißt nein: das Fenster schließen, das das Ergebnis verdeckt</translation>
     </message>
     <message>
@@ -645,7 +645,7 @@
     </message>
     <message>
         <source>Recorded: %1
-%2 frames, %3 MB; %4 frames found no room
+%2 frames, %3 MB; %4 frames dropped
 A click marks this moment (K)</source>
         <translation>Aufgezeichnet: %1
 %2 Rahmen, %3 MB; für %4 Rahmen war kein Platz
@@ -712,7 +712,7 @@ Marke K</translation>
         <translation>kein Modell</translation>
     </message>
     <message>
-        <source>DAMAGED from %1 to %2, nothing of it is shown: %3</source>
+        <source>DAMAGED from %1 to %2; this part is not shown: %3</source>
         <translation>BESCHÄDIGT von %1 bis %2, nichts davon wird gezeigt: %3</translation>
     </message>
 </context>
@@ -858,7 +858,7 @@ Marke K</translation>
         <translation>Verbindung</translation>
     </message>
     <message>
-        <source>estimate gone</source>
+        <source>estimate void</source>
         <translation>Schätzung verfallen</translation>
     </message>
     <message>
@@ -890,7 +890,7 @@ Marke K</translation>
         <translation>Kontakt offen: %1</translation>
     </message>
     <message>
-        <source>not heard</source>
+        <source>telemetry gap</source>
         <translation>nicht gehört</translation>
     </message>
     <message>
@@ -898,7 +898,7 @@ Marke K</translation>
         <translation>Übergehen</translation>
     </message>
     <message>
-        <source>the robot was not heard for a while since the scene</source>
+        <source>telemetry was missing for a while since the scene</source>
         <translation>der Roboter war seit der Szene eine Weile nicht zu hören</translation>
     </message>
     <message>
@@ -921,7 +921,7 @@ Marke K</translation>
         <translation>was wäre: %1</translation>
     </message>
     <message>
-        <source>No estimate stood at this time</source>
+        <source>No estimate at this time</source>
         <translation>Zu dieser Zeit galt keine Schätzung</translation>
     </message>
 </context>
@@ -968,7 +968,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>STOP GESENDET, NICHT BESTÄTIGT seit %1: der Roboter fährt womöglich noch; STOP wird erneut gesendet</translation>
     </message>
     <message>
-        <source>STOP NOT SENT for %1, it is tried again: use the robot&apos;s own switch — %2</source>
+        <source>STOP NOT SENT for %1, trying again: use the robot&apos;s own switch — %2</source>
         <translation>STOP NICHT GESENDET seit %1, es wird weiter versucht: den Schalter am Roboter benutzen — %2</translation>
     </message>
 </context>
@@ -3814,7 +3814,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>Bediener</translation>
     </message>
     <message>
-        <source>silence</source>
+        <source>mute</source>
         <translation>keine Telemetrie</translation>
     </message>
     <message>
@@ -3964,7 +3964,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>Quittieren</translation>
     </message>
     <message>
-        <source>The chosen alarm has been seen</source>
+        <source>Acknowledges the selected alarm</source>
         <translation>Der gewählte Alarm ist gesehen</translation>
     </message>
     <message>
@@ -3972,23 +3972,23 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>Alle quittieren</translation>
     </message>
     <message>
-        <source>All alarms have been seen</source>
+        <source>Acknowledges all alarms</source>
         <translation>Alle Alarme sind gesehen</translation>
     </message>
     <message>
-        <source>Silence 60 s</source>
+        <source>Mute 60 s</source>
         <translation>Stumm 60 s</translation>
     </message>
     <message>
-        <source>No sound for a minute; a new alarm sounds all the same</source>
+        <source>Mutes alarms for 60 s; new alarms still sound</source>
         <translation>Eine Minute kein Ton; ein neuer Alarm ertönt dennoch</translation>
     </message>
     <message>
-        <source>Silence 120 s</source>
+        <source>Mute 120 s</source>
         <translation>Stumm 120 s</translation>
     </message>
     <message>
-        <source>No sound for two minutes; a new alarm sounds all the same</source>
+        <source>Mutes alarms for 120 s; new alarms still sound</source>
         <translation>Zwei Minuten kein Ton; ein neuer Alarm ertönt dennoch</translation>
     </message>
     <message>
@@ -4000,19 +4000,19 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>Kritische Alarme piepen bis zur Quittierung: sofort, dann alle 10 s</translation>
     </message>
     <message>
-        <source>Silence</source>
+        <source>Mute</source>
         <translation>Stumm</translation>
     </message>
     <message>
-        <source>silent for %1</source>
+        <source>muted for %1</source>
         <translation>stumm für %1</translation>
     </message>
     <message>
-        <source>There is no alarm</source>
+        <source>No alarm is active</source>
         <translation>Es gibt keinen Alarm</translation>
     </message>
     <message>
-        <source>No alarm is chosen in the list</source>
+        <source>No alarm is selected in the list</source>
         <translation>In der Liste ist kein Alarm gewählt</translation>
     </message>
     <message>
@@ -4020,11 +4020,11 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>Ton prüfen</translation>
     </message>
     <message>
-        <source>Sounds once, as an alarm does</source>
+        <source>Plays the alarm sound once</source>
         <translation>Ertönt einmal, wie ein Alarm</translation>
     </message>
     <message>
-        <source>✘ No sound but the desktop&apos;s bell: %1</source>
+        <source>✘ Only the desktop&apos;s bell can sound: %1</source>
         <translation>✘ Kein Ton außer der Glocke der Arbeitsfläche: %1</translation>
     </message>
 </context>
@@ -4050,11 +4050,11 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>Halten, um den Roboter freizugeben</translation>
     </message>
     <message>
-        <source>Within 5 s; then commands from here move the robot</source>
+        <source>Hold within 5 s; then commands from this console move the robot</source>
         <translation>Innerhalb von 5 s; danach bewegen Befehle von hier den Roboter</translation>
     </message>
     <message>
-        <source>Commands from here move the robot. A click halts and disarms it</source>
+        <source>Commands from this console move the robot. A click halts and disarms it</source>
         <translation>Befehle von hier bewegen den Roboter. Ein Klick hält ihn an und sperrt ihn</translation>
     </message>
     <message>
@@ -4115,11 +4115,11 @@ Zuletzt gesperrt: %1</translation>
         <translation>Halten, um STOP zu lösen</translation>
     </message>
     <message>
-        <source>Lets commands through again; the robot does not move by itself</source>
+        <source>Allows commands again; the robot does not move by itself</source>
         <translation>Lässt Befehle wieder durch; der Roboter bewegt sich nicht von selbst</translation>
     </message>
     <message>
-        <source>; no answer in time, so no probe</source>
+        <source>; no answer in time counts as refused</source>
         <translation>; keine Antwort in der Zeit, also keine Sondierung</translation>
     </message>
     <message>
@@ -4163,7 +4163,7 @@ Zuletzt gesperrt: %1</translation>
         <translation>Trotzdem (O)</translation>
     </message>
     <message>
-        <source>Explore in spite of what is doubtful; it is noted, and stays on the screen</source>
+        <source>Explores in spite of the doubt. The override is recorded and stays on the screen</source>
         <translation>Trotz der Zweifel erkunden; es wird vermerkt und bleibt auf dem Schirm</translation>
     </message>
     <message>
@@ -4215,11 +4215,11 @@ Zuletzt gesperrt: %1</translation>
         <translation>Bedarf (P)</translation>
     </message>
     <message>
-        <source>What a command needs</source>
+        <source>Requirements of a command</source>
         <translation>Was ein Befehl braucht</translation>
     </message>
     <message>
-        <source>What each command needs, and what of it is missing (P)</source>
+        <source>Requirements of each command, and which are missing (P)</source>
         <translation>Was jeder Befehl braucht, und was davon fehlt (P)</translation>
     </message>
     <message>
@@ -4251,18 +4251,18 @@ Zuletzt gesperrt: %1</translation>
         <translation>Sonde %1 (B)</translation>
     </message>
     <message>
-        <source>The robot presses anew, then the arm is proposed; nothing moves the arm before you approve it</source>
+        <source>The robot presses again, then the probe is proposed. The arm moves only after your approval</source>
         <translation>Der Roboter drückt erneut, dann wird der Arm vorgeschlagen; nichts bewegt den Arm, bevor Sie ihn genehmigen</translation>
     </message>
     <message>
-        <source>Takes the result off the screen; Ctrl+Z brings it back</source>
+        <source>Hides the result; Ctrl+Z restores it</source>
         <translation>Nimmt das Ergebnis vom Schirm; Strg+Z bringt es zurück</translation>
     </message>
 </context>
 <context>
     <name>terratact::BinInspector</name>
     <message>
-        <source>The bin up close</source>
+        <source>Selected bin</source>
         <translation>Das Feld aus der Nähe</translation>
     </message>
 </context>
@@ -4289,11 +4289,11 @@ Zuletzt gesperrt: %1</translation>
         <translation>Der Roboter ist gestoppt und bewegt sich erst nach dem Lösen</translation>
     </message>
     <message>
-        <source>No telemetry has come since the start%1</source>
+        <source>No telemetry since the start%1</source>
         <translation>Seit dem Start keine Telemetrie%1</translation>
     </message>
     <message>
-        <source>Another console sends commands on this bus: find it and switch it off</source>
+        <source>Another console sends commands on this bus: find it and turn it off</source>
         <translation>Eine andere Konsole sendet Befehle auf diesem Bus: suchen und abschalten</translation>
     </message>
     <message>
@@ -4352,7 +4352,7 @@ Zuletzt gesperrt: %1</translation>
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>Layout, colours and size of the letters</source>
+        <source>Layout, colours and font size</source>
         <translation>Anordnung, Farben und Schriftgröße</translation>
     </message>
     <message>
@@ -4360,7 +4360,7 @@ Zuletzt gesperrt: %1</translation>
         <translation>diese Übersicht</translation>
     </message>
     <message>
-        <source>STOP HAS NO EFFECT HERE: this window has no robot. Go to the console&apos;s own window</source>
+        <source>STOP HAS NO EFFECT HERE: this window has no robot. Use the console&apos;s own window</source>
         <translation>STOP WIRKT HIER NICHT: dieses Fenster hat keinen Roboter. Zum Fenster der Konsole wechseln</translation>
     </message>
     <message>
@@ -4368,11 +4368,11 @@ Zuletzt gesperrt: %1</translation>
         <translation>kein STOP: dieses Fenster hat keinen Roboter</translation>
     </message>
     <message>
-        <source>STOP, of the console that opened this window</source>
+        <source>Sends STOP through the console that opened this window</source>
         <translation>STOP der Konsole, die dieses Fenster geöffnet hat</translation>
     </message>
     <message>
-        <source>SAFE MODE: default settings, none are read or saved · to leave it, start without --safe-mode</source>
+        <source>SAFE MODE: default settings; none are read or saved · start without --safe-mode to leave it</source>
         <translation>SICHERER MODUS: Standardeinstellungen, nichts wird gelesen oder gespeichert · zum Verlassen ohne --safe-mode starten</translation>
     </message>
     <message>
@@ -4382,7 +4382,7 @@ F1</source>
 F1</translation>
     </message>
     <message>
-        <source>Every key, and what this program is</source>
+        <source>All keys, and about this program</source>
         <translation>Alle Tasten, und was dieses Programm ist</translation>
     </message>
     <message>
@@ -4505,7 +4505,7 @@ F1</translation>
         <translation>Als Text kopieren</translation>
     </message>
     <message>
-        <source>All of this page, for a report</source>
+        <source>Copies this page, for a report</source>
         <translation>Die ganze Seite, für einen Bericht</translation>
     </message>
     <message>
@@ -4648,7 +4648,7 @@ F1</translation>
         <translation>Halten, um vorwärtszufahren</translation>
     </message>
     <message>
-        <source>Drives while held; also the arrow keys Up and Down</source>
+        <source>Dead-man key: drives while held; also the arrow keys Up and Down</source>
         <translation>Fährt, solange gehalten; auch mit den Pfeiltasten auf und ab</translation>
     </message>
 </context>
@@ -4659,7 +4659,7 @@ F1</translation>
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>What makes the result doubtful</source>
+        <source>Reasons to doubt the result</source>
         <translation>Was das Ergebnis zweifelhaft macht</translation>
     </message>
     <message>
@@ -4703,7 +4703,7 @@ F1</translation>
         <translation>Ende: alle Ziehungen gemacht</translation>
     </message>
     <message>
-        <source>ended: time was out</source>
+        <source>ended: time limit</source>
         <translation>Ende: Zeit war um</translation>
     </message>
 </context>
@@ -4816,7 +4816,7 @@ F1</translation>
         <translation>Sondierung bei %1 genehmigt</translation>
     </message>
     <message>
-        <source>no answer in time: no probe</source>
+        <source>no answer in time: refused</source>
         <translation>keine Antwort in der Zeit: keine Sondierung</translation>
     </message>
     <message>
@@ -4840,7 +4840,7 @@ F1</translation>
         <translation>Keine Schätzung: %1</translation>
     </message>
     <message>
-        <source>No estimate yet: it comes when the robot presses its flippers</source>
+        <source>No estimate yet: one is made when the robot presses its flippers</source>
         <translation>Noch keine Schätzung: sie kommt, wenn der Roboter die Flipper andrückt</translation>
     </message>
     <message>
@@ -4872,7 +4872,7 @@ F1</translation>
         <translation>Noch keine Schätzung: das Modell wird geladen</translation>
     </message>
     <message>
-        <source>the robot says that it is stopped</source>
+        <source>the robot reports stopped</source>
         <translation>der Roboter meldet, dass er gestoppt ist</translation>
     </message>
     <message>
@@ -4884,19 +4884,19 @@ F1</translation>
         <translation>das Übergehen ist beendet: %1</translation>
     </message>
     <message>
-        <source>Not offered: no bin in reach is less certain than ± %1 m</source>
+        <source>No probe offered: every bin in reach is known to ± %1 m</source>
         <translation>Nicht angeboten: kein Feld in Reichweite ist unsicherer als ± %1 m</translation>
     </message>
     <message>
-        <source>Not offered, as the settings have it: %1 stands without the arm</source>
+        <source>No probe offered, by the settings: %1 stands without the arm</source>
         <translation>Nach den Einstellungen nicht angeboten: %1 steht ohne den Arm</translation>
     </message>
     <message>
-        <source>Not offered, as the settings have it: no bin in reach tells about the step</source>
+        <source>No probe offered, by the settings: no bin in reach informs about the step</source>
         <translation>Nach den Einstellungen nicht angeboten: kein Feld in Reichweite sagt etwas über die Stufe</translation>
     </message>
     <message>
-        <source>Not offered when the estimate came: explore again to be asked</source>
+        <source>No probe was offered with this estimate: explore again</source>
         <translation>Nicht angeboten, als die Schätzung kam: erneut erkunden, um gefragt zu werden</translation>
     </message>
     <message>
@@ -4920,11 +4920,11 @@ F1</translation>
         <translation>es wird nicht nach einer Sondierung gefragt: %1</translation>
     </message>
     <message>
-        <source>a probe at %1 is wanted: the robot presses anew, then it is asked</source>
+        <source>a probe at %1 is requested: the robot presses again, then asks for approval</source>
         <translation>eine Sondierung bei %1 ist gewünscht: der Roboter drückt erneut, dann wird gefragt</translation>
     </message>
     <message>
-        <source>the estimate is off the screen: Ctrl+Z brings it back</source>
+        <source>the estimate is hidden: Ctrl+Z restores it</source>
         <translation>die Schätzung ist vom Schirm: Strg+Z bringt sie zurück</translation>
     </message>
     <message>
@@ -4944,7 +4944,7 @@ F1</translation>
         <translation>der Boden der Datei %1 endet hier: zurückfahren, oder mit anderem --terrain starten</translation>
     </message>
     <message>
-        <source>the robot says that it drives, and its tracks do not move</source>
+        <source>the robot reports driving, but its tracks do not move</source>
         <translation>der Roboter meldet, dass er fährt, und seine Ketten bewegen sich nicht</translation>
     </message>
 </context>
@@ -5009,7 +5009,7 @@ F1</translation>
         <translation>Gelände</translation>
     </message>
     <message>
-        <source>The terrain under the robot, exploring it, and the arm</source>
+        <source>Terrain, exploration and arm</source>
         <translation>Das Gelände unter dem Roboter, die Erkundung und der Arm</translation>
     </message>
     <message>
@@ -5069,7 +5069,7 @@ F1</translation>
         <translation>sie ablehnen</translation>
     </message>
     <message>
-        <source>to the next control, to the one before</source>
+        <source>to the next control, to the previous one</source>
         <translation>zum nächsten Element, zum vorigen</translation>
     </message>
     <message>
@@ -5085,7 +5085,7 @@ F1</translation>
         <translation>ein anderes Feld verlangen: das %1. angebotene</translation>
     </message>
     <message>
-        <source>raise what counts as an obstacle</source>
+        <source>raise the step limit</source>
         <translation>Hindernisgrenze anheben</translation>
     </message>
     <message>
@@ -5093,7 +5093,7 @@ F1</translation>
         <translation>sie senken</translation>
     </message>
     <message>
-        <source>show some of the draws as thin lines</source>
+        <source>show some draws as thin lines</source>
         <translation>einige Ziehungen als dünne Linien</translation>
     </message>
     <message>
@@ -5101,7 +5101,7 @@ F1</translation>
         <translation>Alarme</translation>
     </message>
     <message>
-        <source>What is wrong, and what was and has not been seen</source>
+        <source>Active alarms, and past alarms not yet acknowledged</source>
         <translation>Was nicht stimmt, und was war und nicht gesehen wurde</translation>
     </message>
     <message>
@@ -5149,7 +5149,7 @@ F1</translation>
         <translation>Der Roboter ist freigegeben: erst sperren (M)</translation>
     </message>
     <message>
-        <source>override what is doubtful about exploring</source>
+        <source>explore in spite of a doubt (override)</source>
         <translation>übergehen, was an der Erkundung zweifelhaft ist</translation>
     </message>
     <message>
@@ -5165,7 +5165,7 @@ F1</translation>
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Review a session, a log or scenes in a window of its own; this one goes on (Ctrl+O)</source>
+        <source>Review a session, a log or scenes in a separate window (Ctrl+O)</source>
         <translation>Eine Sitzung, ein Log oder Szenen in einem eigenen Fenster ansehen; dieses läuft weiter (Ctrl+O)</translation>
     </message>
     <message>
@@ -5177,7 +5177,7 @@ F1</translation>
         <translation>Kräfte, Lage und die letzten Ereignisse</translation>
     </message>
     <message>
-        <source>opens the console anew</source>
+        <source>restarts the console</source>
         <translation>öffnet die Konsole neu</translation>
     </message>
     <message>
@@ -5189,7 +5189,7 @@ F1</translation>
         <translation>nicht markiert: nichts wird aufgezeichnet</translation>
     </message>
     <message>
-        <source>what each command needs, one after the other</source>
+        <source>requirements of each command, one after the other</source>
         <translation>was jeder Befehl braucht, einer nach dem anderen</translation>
     </message>
     <message>
@@ -5197,7 +5197,7 @@ F1</translation>
         <translation>PULT VERLOREN: das Bedienpult anschließen</translation>
     </message>
     <message>
-        <source>PANEL LOST, which means STOP: connect the operator&apos;s panel, then hold R; or start without --panel</source>
+        <source>PANEL LOST, STOP is asserted: connect the operator&apos;s panel, then hold R; or start without --panel</source>
         <translation>PULT VERLOREN, das heißt STOP: das Bedienpult anschließen, dann R halten; oder ohne --panel starten</translation>
     </message>
     <message>
@@ -5209,7 +5209,7 @@ F1</translation>
         <translation>PULT VERLOREN: das Bedienpult anschließen oder ohne --panel starten</translation>
     </message>
     <message>
-        <source>THE ROBOT IS ARMED: close the window again within %1 s, and it is halted and disarmed; or disarm it first (M)</source>
+        <source>THE ROBOT IS ARMED: close the window again within %1 s to halt and disarm it; or disarm it first (M)</source>
         <translation>DER ROBOTER IST FREIGEGEBEN: das Fenster binnen %1 s noch einmal schließen, dann wird er angehalten und gesperrt; oder ihn erst sperren (M)</translation>
     </message>
     <message>
@@ -5221,7 +5221,7 @@ F1</translation>
         <translation>gefahren wird auf der Seite Gelände (F2)</translation>
     </message>
     <message>
-        <source>ask for a probe: of the bin shown up close, else the best</source>
+        <source>ask for a probe: of the selected bin, else of the best one</source>
         <translation>nach einer Sondierung fragen: des nah gezeigten Abschnitts, sonst des besten</translation>
     </message>
     <message>
@@ -5233,7 +5233,7 @@ F1</translation>
         <translation>die Schätzung vergessen</translation>
     </message>
     <message>
-        <source>bring back the estimate that was forgotten</source>
+        <source>restore the hidden estimate</source>
         <translation>die vergessene Schätzung zurückholen</translation>
     </message>
     <message>
@@ -5241,7 +5241,7 @@ F1</translation>
         <translation>dieses Fenster stand %1 ms still: kein Befehl konnte hinaus</translation>
     </message>
     <message>
-        <source>no probe is asked for: point at a bin first</source>
+        <source>no bin is selected: point at a bin first</source>
         <translation>es wird nicht nach einer Sondierung gefragt: zuerst auf einen Abschnitt zeigen</translation>
     </message>
     <message>
@@ -5267,7 +5267,7 @@ F1</translation>
         <translation>Kopieren (Ctrl+C)</translation>
     </message>
     <message>
-        <source>The whole table, columns apart by tabs</source>
+        <source>Copies the whole table, columns separated by tabs</source>
         <translation>Die ganze Tabelle, Spalten durch Tabulatoren getrennt</translation>
     </message>
     <message>
@@ -5279,7 +5279,7 @@ F1</translation>
         <translation>Urteil</translation>
     </message>
     <message>
-        <source>last heard %1 ago</source>
+        <source>last telemetry %1 ago</source>
         <translation>zuletzt gehört vor %1</translation>
     </message>
     <message>
@@ -5373,7 +5373,7 @@ F1</translation>
         <translation>STOP am Pult gedrückt</translation>
     </message>
     <message>
-        <source>the panel is lost, which means STOP</source>
+        <source>the panel is lost: STOP is asserted</source>
         <translation>das Pult ist weg, das heißt STOP</translation>
     </message>
     <message>
@@ -5448,7 +5448,7 @@ F1</translation>
         <translation>Keine Schätzung: %1</translation>
     </message>
     <message>
-        <source>The robot has moved: the next press brings the next estimate</source>
+        <source>The robot has moved: the next press gives the next estimate</source>
         <translation>Der Roboter hat sich bewegt: das nächste Andrücken bringt die nächste Schätzung</translation>
     </message>
 </context>
@@ -5475,7 +5475,7 @@ F1</translation>
         <translation>kostet</translation>
     </message>
     <message>
-        <source>Hold the mouse button or Space for 1.5 s; letting go early means nothing</source>
+        <source>Hold the mouse button or Space for 1.5 s; releasing early has no effect</source>
         <translation>Maustaste oder Leertaste 1.5 s halten; früheres Loslassen bewirkt nichts</translation>
     </message>
     <message>
@@ -5511,7 +5511,7 @@ F1</translation>
         <translation>Halten, um die Sondierung von Feld %1 zu genehmigen</translation>
     </message>
     <message>
-        <source>%1 left, then no</source>
+        <source>%1 left, then refused</source>
         <translation>noch %1, dann nein</translation>
     </message>
     <message>
@@ -5535,7 +5535,7 @@ F1</translation>
         <translation>Nicht sondieren: 0 s, Schätzung bleibt (N)</translation>
     </message>
     <message>
-        <source>Refuses the arm; as good an answer as any other</source>
+        <source>Refuses the probe; the estimate stays as it is</source>
         <translation>Lehnt den Arm ab; so gut wie jede andere Antwort</translation>
     </message>
     <message>
@@ -5559,7 +5559,7 @@ F1</translation>
         <translation>Stattdessen Feld %1: Gesamtvarianz %2 %, Stufe voraus auf %3 bit</translation>
     </message>
     <message>
-        <source>What the probe is expected to buy</source>
+        <source>Expected gain of the probe</source>
         <translation>Was die Sonde bringen soll</translation>
     </message>
     <message>
@@ -5571,7 +5571,7 @@ F1</translation>
         <translation>noch %1</translation>
     </message>
     <message>
-        <source>Whether a probe is needed</source>
+        <source>Need for a probe</source>
         <translation>Ob eine Sondierung nötig ist</translation>
     </message>
     <message>
@@ -5599,7 +5599,7 @@ F1</translation>
         <translation>Stufe: %1 bit, kein Gewinn</translation>
     </message>
     <message>
-        <source>%1 stands: no gain</source>
+        <source>Already %1; no gain</source>
         <translation>%1 steht: kein Gewinn</translation>
     </message>
     <message>
@@ -5607,7 +5607,7 @@ F1</translation>
         <translation>Stufe: %1 → %2 bit, %3/min</translation>
     </message>
     <message>
-        <source>%1 stands: a probe makes it surer.</source>
+        <source>Already %1; a probe makes it more certain.</source>
         <translation>%1 steht: eine Sonde macht es sicherer.</translation>
     </message>
     <message>
@@ -5615,7 +5615,7 @@ F1</translation>
         <translation>Nicht sondieren: 0 s, %1 bleibt (N)</translation>
     </message>
     <message>
-        <source>%1 stands: only the shape would gain.</source>
+        <source>Already %1; a probe only refines the profile.</source>
         <translation>%1 steht: nur die Form gewänne.</translation>
     </message>
     <message>
@@ -5777,7 +5777,7 @@ F1</translation>
         <translation>Bild anhalten</translation>
     </message>
     <message>
-        <source>The list stands still; everything is received and counted all the same</source>
+        <source>Display paused; recording and counting continue</source>
         <translation>Die Liste steht; alles wird dennoch empfangen und gezählt</translation>
     </message>
     <message>
@@ -5785,7 +5785,7 @@ F1</translation>
         <translation>Neueste Rahmen</translation>
     </message>
     <message>
-        <source>Held: go on</source>
+        <source>Paused: continue</source>
         <translation>Angehalten: weiter</translation>
     </message>
     <message>
@@ -5808,11 +5808,11 @@ F1</translation>
         <translation>STOP NICHT GESENDET: %1</translation>
     </message>
     <message>
-        <source>STOP: the console that opened this window has taken it; see there whether the robot confirms it</source>
+        <source>STOP: the console that opened this window has received it; look there whether the robot confirms it</source>
         <translation>STOP: die Konsole, die dieses Fenster geöffnet hat, hat es übernommen; dort steht, ob der Roboter es bestätigt</translation>
     </message>
     <message>
-        <source>STOP NOT TAKEN: the console that opened this window does not answer; use the robot&apos;s own switch</source>
+        <source>STOP NOT RECEIVED: the console that opened this window does not answer; use the robot&apos;s own switch</source>
         <translation>STOP NICHT ÜBERNOMMEN: die Konsole, die dieses Fenster geöffnet hat, antwortet nicht; den Schalter am Roboter benutzen</translation>
     </message>
 </context>
@@ -5827,7 +5827,7 @@ F1</translation>
         <translation>◀ %1 s</translation>
     </message>
     <message>
-        <source>Goes back in the log (Ctrl+Left)</source>
+        <source>Steps back in the log (Ctrl+Left)</source>
         <translation>Geht im Protokoll zurück (Strg+Links)</translation>
     </message>
     <message>
@@ -5835,7 +5835,7 @@ F1</translation>
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>Halts the log, or lets it go on (Ctrl+Space)</source>
+        <source>Pauses or continues the log (Ctrl+Space)</source>
         <translation>Hält das Protokoll an, oder lässt es weiterlaufen (Strg+Leertaste)</translation>
     </message>
     <message>
@@ -5843,7 +5843,7 @@ F1</translation>
         <translation>%1 s ▶</translation>
     </message>
     <message>
-        <source>Goes on in the log (Ctrl+Right)</source>
+        <source>Steps forward in the log (Ctrl+Right)</source>
         <translation>Geht im Protokoll weiter (Strg+Rechts)</translation>
     </message>
     <message>
@@ -5851,7 +5851,7 @@ F1</translation>
         <translation>Wiederholen</translation>
     </message>
     <message>
-        <source>Begins again at the end of the log (Ctrl+R)</source>
+        <source>Repeats the log from its end (Ctrl+R)</source>
         <translation>Beginnt am Ende des Protokolls von vorn (Strg+R)</translation>
     </message>
     <message>
@@ -5859,7 +5859,7 @@ F1</translation>
         <translation>Wie weit das Protokoll ist</translation>
     </message>
     <message>
-        <source>pause the log, or let it go on</source>
+        <source>pause or continue the log</source>
         <translation>das Protokoll anhalten, oder weiterlaufen lassen</translation>
     </message>
     <message>
@@ -5867,15 +5867,15 @@ F1</translation>
         <translation>zurück im Protokoll</translation>
     </message>
     <message>
-        <source>on in the log</source>
+        <source>forward in the log</source>
         <translation>weiter im Protokoll</translation>
     </message>
     <message>
-        <source>begin again at the end of the log, or not</source>
+        <source>repeat the log, on or off</source>
         <translation>am Ende des Protokolls von vorn beginnen, oder nicht</translation>
     </message>
     <message>
-        <source>Go on</source>
+        <source>Continue</source>
         <translation>Weiter</translation>
     </message>
     <message>
@@ -5910,7 +5910,7 @@ F1</translation>
         <translation>Ereignisse der Sitzung</translation>
     </message>
     <message>
-        <source>Alarms that stand</source>
+        <source>Active alarms</source>
         <translation>Anstehende Alarme</translation>
     </message>
     <message>
@@ -5926,11 +5926,11 @@ F1</translation>
         <translation>alle Arten</translation>
     </message>
     <message>
-        <source>Enter or a double click goes there</source>
+        <source>Enter or a double click goes to that time</source>
         <translation>Enter oder ein Doppelklick geht dorthin</translation>
     </message>
     <message>
-        <source>No alarm stood at this time.</source>
+        <source>No alarm was active at this time.</source>
         <translation>Zu dieser Zeit stand kein Alarm an.</translation>
     </message>
     <message>
@@ -5973,7 +5973,7 @@ F1</translation>
         <translation>Was</translation>
     </message>
     <message>
-        <source>What of the session is to be a file</source>
+        <source>Part of the session to export</source>
         <translation>Was von der Sitzung eine Datei werden soll</translation>
     </message>
     <message>
@@ -5993,7 +5993,7 @@ F1</translation>
         <translation>Datei</translation>
     </message>
     <message>
-        <source>From A to B, else what the timeline shows: zoom with Z and X</source>
+        <source>From A to B, else the visible part of the timeline: zoom with Z and X</source>
         <translation>Von A bis B, sonst was die Zeitleiste zeigt: Z und X zoomen</translation>
     </message>
     <message>
@@ -6013,7 +6013,7 @@ F1</translation>
         <translation>Abbruch</translation>
     </message>
     <message>
-        <source>Ends the export and leaves no file (Esc)</source>
+        <source>Cancels the export and leaves no file (Esc)</source>
         <translation>Beendet den Export und hinterlässt keine Datei (Esc)</translation>
     </message>
     <message>
@@ -6073,7 +6073,7 @@ F1</translation>
         <translation>Geschrieben: %1</translation>
     </message>
     <message>
-        <source>frames left out, which the format cannot hold: %1</source>
+        <source>frames left out because the format cannot hold them: %1</source>
         <translation>ausgelassene Frames, die das Format nicht fasst: %1</translation>
     </message>
     <message>
@@ -6097,7 +6097,7 @@ F1</translation>
         <translation>Schreibt die Datei</translation>
     </message>
     <message>
-        <source>All that the session holds</source>
+        <source>The whole session</source>
         <translation>Alles, was die Sitzung enthält</translation>
     </message>
     <message>
@@ -6121,11 +6121,11 @@ F1</translation>
         <translation>Die Seite Signale (F7) fügt DBC-Dateien hinzu</translation>
     </message>
     <message>
-        <source>Only signals hold what DBC files describe</source>
+        <source>Only the kind Signals holds the values of DBC files</source>
         <translation>Nur Signale enthalten, was DBC-Dateien beschreiben</translation>
     </message>
     <message>
-        <source>messages of DBC files left out, for which there was no room: %1</source>
+        <source>messages of DBC files left out for lack of room: %1</source>
         <translation>ausgelassene Nachrichten aus DBC-Dateien, für die kein Platz war: %1</translation>
     </message>
 </context>
@@ -6155,19 +6155,19 @@ F1</translation>
         <translation>Von A bis B</translation>
     </message>
     <message>
-        <source>To the begin</source>
+        <source>To the beginning</source>
         <translation>Zum Anfang</translation>
     </message>
     <message>
-        <source>To the begin (Home)</source>
+        <source>To the beginning (Home)</source>
         <translation>Zum Anfang (Home)</translation>
     </message>
     <message>
-        <source>Frame back</source>
+        <source>Previous frame</source>
         <translation>Rahmen zurück</translation>
     </message>
     <message>
-        <source>One frame back (,)</source>
+        <source>Previous frame (,)</source>
         <translation>Einen Rahmen zurück (,)</translation>
     </message>
     <message>
@@ -6187,11 +6187,11 @@ F1</translation>
         <translation>Abspielen, anhalten (Space)</translation>
     </message>
     <message>
-        <source>Frame on</source>
+        <source>Next frame</source>
         <translation>Rahmen vor</translation>
     </message>
     <message>
-        <source>One frame on (.)</source>
+        <source>Next frame (.)</source>
         <translation>Einen Rahmen vor (.)</translation>
     </message>
     <message>
@@ -6283,7 +6283,7 @@ F1</translation>
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>The session is closed: nothing more will come</source>
+        <source>The session is closed: it does not grow any more</source>
         <translation>Die Sitzung ist geschlossen: es kommt nichts mehr</translation>
     </message>
     <message>
@@ -6331,11 +6331,11 @@ F1</translation>
         <translation>Gehen</translation>
     </message>
     <message>
-        <source>one frame back</source>
+        <source>previous frame</source>
         <translation>einen Rahmen zurück</translation>
     </message>
     <message>
-        <source>one frame on</source>
+        <source>next frame</source>
         <translation>einen Rahmen vor</translation>
     </message>
     <message>
@@ -6355,7 +6355,7 @@ F1</translation>
         <translation>zum nächsten Ereignis</translation>
     </message>
     <message>
-        <source>to the next of: %1 (with Alt: before)</source>
+        <source>to the next: %1 (with Alt: previous)</source>
         <translation>zum nächsten: %1 (mit Alt: davor)</translation>
     </message>
     <message>
@@ -6375,7 +6375,7 @@ F1</translation>
         <translation>Halb so schnell (H)</translation>
     </message>
     <message>
-        <source>to the scene before, with its estimate</source>
+        <source>to the previous scene, with its estimate</source>
         <translation>zur Szene davor, mit ihrer Schätzung</translation>
     </message>
     <message>
@@ -6398,7 +6398,7 @@ F1</translation>
         <translation>Kein anderes Gerät hatte in den %1 s vor dieser Zeit ein CAN-Frame gesendet</translation>
     </message>
     <message>
-        <source>The newest values of the %1 s before this time; least and most are of those seconds</source>
+        <source>The newest values of the %1 s before this time; minimum and maximum are of those seconds</source>
         <translation>Die neuesten Werte der %1 s vor dieser Zeit; kleinste und größte stammen aus diesen Sekunden</translation>
     </message>
 </context>
@@ -6421,7 +6421,7 @@ F1</translation>
         <translation>Was der Bediener zu dieser Zeit sah</translation>
     </message>
     <message>
-        <source>No estimate stood at this time</source>
+        <source>No estimate at this time</source>
         <translation>Zu dieser Zeit galt keine Schätzung</translation>
     </message>
     <message>
@@ -6485,7 +6485,7 @@ F1</translation>
         <translation>WIRD AUFGEZEICHNET</translation>
     </message>
     <message>
-        <source>NOT SEALED: its program has not closed it</source>
+        <source>NOT SEALED: the recording program did not close it</source>
         <translation>NICHT VERSIEGELT: ihr Programm hat sie nicht geschlossen</translation>
     </message>
     <message>
@@ -6505,7 +6505,7 @@ F1</translation>
         <translation>Seiten</translation>
     </message>
     <message>
-        <source>estimate the recorded scene again, on the page What if</source>
+        <source>estimate the recorded scene again on the page What if</source>
         <translation>die aufgezeichnete Szene noch einmal schätzen, auf der Seite Was wäre</translation>
     </message>
     <message>
@@ -6529,7 +6529,7 @@ F1</translation>
         <translation>die ganze Zeitleiste</translation>
     </message>
     <message>
-        <source>show some of the draws as thin lines</source>
+        <source>show some draws as thin lines</source>
         <translation>einige Ziehungen als dünne Linien</translation>
     </message>
     <message>
@@ -6537,11 +6537,11 @@ F1</translation>
         <translation>aus einem Feld zurück zu den Tasten</translation>
     </message>
     <message>
-        <source>to the next control, to the one before</source>
+        <source>to the next control, to the previous one</source>
         <translation>zum nächsten Element, zum vorigen</translation>
     </message>
     <message>
-        <source>Write what is shown, or what the session holds, to a file (Ctrl+E)</source>
+        <source>Exports the visible part or the whole session to a file (Ctrl+E)</source>
         <translation>Gezeigtes oder den Inhalt der Sitzung in eine Datei schreiben (Ctrl+E)</translation>
     </message>
     <message>
@@ -6608,7 +6608,7 @@ F1</translation>
         <translation>%1 alt</translation>
     </message>
     <message>
-        <source>; beside it that of the captured scene: the robot is drawn as it stood then</source>
+        <source>; beside it the value of the captured scene, at which the robot is drawn</source>
         <translation>; daneben die der erfassten Szene: gezeichnet ist der Roboter, wie er damals stand</translation>
     </message>
     <message>
@@ -6651,7 +6651,7 @@ F1</translation>
         <translation>Eine Szene einer Datei befiehlt keinem Roboter</translation>
     </message>
     <message>
-        <source>SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · . and , go on and back</source>
+        <source>SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · keys . and , step</source>
         <translation>SZENE %1 von %2 in %3 · Fahrt %4 bei %5 s · jetzt geschätzt, nicht aufgezeichnet · . und , vor und zurück</translation>
     </message>
     <message>
@@ -6663,7 +6663,7 @@ F1</translation>
         <translation>nächste Szene</translation>
     </message>
     <message>
-        <source>scene before</source>
+        <source>previous scene</source>
         <translation>Szene davor</translation>
     </message>
     <message>
@@ -6707,7 +6707,7 @@ F1</translation>
 ,</translation>
     </message>
     <message>
-        <source>Scene before (,)</source>
+        <source>Previous scene (,)</source>
         <translation>Szene davor (,)</translation>
     </message>
 </context>
@@ -6756,7 +6756,7 @@ F1</translation>
         <translation>Alles auf Standard</translation>
     </message>
     <message>
-        <source>Everything on this page, and the shipped model and robot</source>
+        <source>Resets this page, the model and the robot to their defaults</source>
         <translation>Alles auf dieser Seite, dazu das mitgelieferte Modell und der Roboter</translation>
     </message>
     <message>
@@ -6764,7 +6764,7 @@ F1</translation>
         <translation>Methode</translation>
     </message>
     <message>
-        <source>local and joint are closed formulas; the others draw chains of samples</source>
+        <source>local and joint are closed formulas; the others sample with Markov chains</source>
         <translation>local und joint sind geschlossene Formeln; die anderen ziehen Ketten von Stichproben</translation>
     </message>
     <message>
@@ -6772,7 +6772,7 @@ F1</translation>
         <translation>Güte</translation>
     </message>
     <message>
-        <source>An obstacle is a step of more than</source>
+        <source>An obstacle is a step above</source>
         <translation>Hindernis ist eine Stufe über</translation>
     </message>
     <message>
@@ -6780,11 +6780,11 @@ F1</translation>
         <translation>m</translation>
     </message>
     <message>
-        <source>The verdict&apos;s question (PgUp, PgDown)</source>
+        <source>Step height that the verdict asks about (PgUp, PgDown)</source>
         <translation>Die Frage des Urteils (PgUp, PgDown)</translation>
     </message>
     <message>
-        <source>An element is a contact above</source>
+        <source>An element counts as contact above</source>
         <translation>Kontakt ist ein Element über</translation>
     </message>
     <message>
@@ -6792,7 +6792,7 @@ F1</translation>
         <translation>N</translation>
     </message>
     <message>
-        <source>Weaker forces are noise</source>
+        <source>Weaker forces count as noise</source>
         <translation>Schwächere Kräfte sind Rauschen</translation>
     </message>
     <message>
@@ -6816,7 +6816,7 @@ F1</translation>
         <translation>Dann ist der Boden links und rechts verschieden</translation>
     </message>
     <message>
-        <source>… or left and right flippers apart by</source>
+        <source>… or left and right flippers differ by</source>
         <translation>… oder Flipper links/rechts um</translation>
     </message>
     <message>
@@ -6836,7 +6836,7 @@ F1</translation>
         <translation>hoher Kontrast</translation>
     </message>
     <message>
-        <source>Night, red: keeps the eyes used to the dark</source>
+        <source>Night, red: keeps the eyes adapted to the dark</source>
         <translation>Nacht, rot: die Augen bleiben an das Dunkel gewöhnt</translation>
     </message>
     <message>
@@ -6892,11 +6892,11 @@ F1</translation>
         <translation>Datei wählen: %1</translation>
     </message>
     <message>
-        <source>The shipped one</source>
+        <source>Shipped</source>
         <translation>Mitgeliefert</translation>
     </message>
     <message>
-        <source>The shipped one: %1</source>
+        <source>Shipped: %1</source>
         <translation>Mitgeliefert: %1</translation>
     </message>
     <message>
@@ -6960,7 +6960,7 @@ F1</translation>
         <translation>GB</translation>
     </message>
     <message>
-        <source>Opens the console anew</source>
+        <source>Restarts the console</source>
         <translation>Öffnet die Konsole neu</translation>
     </message>
     <message>
@@ -6972,7 +6972,7 @@ F1</translation>
         <translation>s</translation>
     </message>
     <message>
-        <source>Then sampling ends with the draws there are, and the result says so</source>
+        <source>Sampling then ends with fewer draws, and the result says so</source>
         <translation>Dann endet das Ziehen mit dem, was da ist, und das Ergebnis sagt es</translation>
     </message>
     <message>
@@ -6980,15 +6980,15 @@ F1</translation>
         <translation>ohne Grenze</translation>
     </message>
     <message>
-        <source>As terratact tradeoff has measured them: time, mean error, and in brackets how far the quantiles are from a long run&apos;s</source>
+        <source>Measured by terratact tradeoff: time, mean error, and in brackets the distance of the quantiles from a long run&apos;s</source>
         <translation>Wie terratact tradeoff sie gemessen hat: Zeit, mittlerer Fehler und in Klammern, wie weit die Quantile von denen eines langen Laufs liegen</translation>
     </message>
     <message>
-        <source>Back to what came with the program</source>
+        <source>Back to the shipped file</source>
         <translation>Zurück zu dem, was mit dem Programm kam</translation>
     </message>
     <message>
-        <source>What came with the program is in use already</source>
+        <source>The shipped files are in use already</source>
         <translation>Was mit dem Programm kam, ist schon in Gebrauch</translation>
     </message>
     <message>
@@ -7008,15 +7008,15 @@ F1</translation>
         <translation>wo es dem Urteil hilft</translation>
     </message>
     <message>
-        <source>Uncertain: by the variance, as in the paper. About the verdict: by the entropy of its question, whatever the sd, and only while it is open</source>
+        <source>Uncertain: by the variance, as in the paper. About the verdict: by the entropy of the step question, and only while it is open</source>
         <translation>Unsicher: nach der Varianz, wie im Artikel. Urteil: nach der Entropie seiner Frage, gleich wie groß die sd ist, und nur solange sie offen ist</translation>
     </message>
     <message>
-        <source>Once it has stood for ten seconds; never: nothing is deleted</source>
+        <source>Applies ten seconds after the change. Never: nothing is deleted</source>
         <translation>Sobald der Wert zehn Sekunden steht; nie: nichts wird gelöscht</translation>
     </message>
     <message>
-        <source>Of all closed sessions together, once it has stood for ten seconds</source>
+        <source>For all closed sessions together; applies ten seconds after the change</source>
         <translation>Aller geschlossenen Sitzungen zusammen, sobald es zehn Sekunden gilt</translation>
     </message>
     <message>
@@ -7024,11 +7024,11 @@ F1</translation>
         <translation>Sitzungen jenseits dieser Grenzen dürfen gelöscht werden</translation>
     </message>
     <message>
-        <source>Until this is ticked, the console only tells what it would delete</source>
+        <source>Until this is ticked, the console only lists what it would delete</source>
         <translation>Solange das nicht angekreuzt ist, sagt die Konsole nur, was sie löschen würde</translation>
     </message>
     <message>
-        <source>Rate of hazards in 0.1 m that nothing has felt</source>
+        <source>Rate of hazards per 0.1 m of ground that is not felt</source>
         <translation>Häufigkeit von Gefahren auf 0.1 m, die nichts ertastet hat</translation>
     </message>
     <message>
@@ -7044,7 +7044,7 @@ F1</translation>
         <translation>Nick- oder Rollwinkel ist steil ab</translation>
     </message>
     <message>
-        <source>An amber alarm; 20° before the robot tips over in any case</source>
+        <source>Amber alarm; at the latest 20° before the robot tips over</source>
         <translation>Ein gelber Alarm; in jedem Fall 20° vor dem Kippen</translation>
     </message>
     <message>
@@ -7052,18 +7052,18 @@ F1</translation>
         <translation>Nick- oder Rollwinkel ist gefährlich ab</translation>
     </message>
     <message>
-        <source>A red alarm that sounds; 10° before the robot tips over in any case</source>
+        <source>Red alarm with sound; at the latest 10° before the robot tips over</source>
         <translation>Ein roter Alarm mit Ton; in jedem Fall 10° vor dem Kippen</translation>
     </message>
     <message>
-        <source>Press again: all settings go back</source>
+        <source>Press again to reset all settings</source>
         <translation>Nochmals drücken: alles zurück</translation>
     </message>
 </context>
 <context>
     <name>terratact::SharedStop</name>
     <message>
-        <source>STOP in windows that are opened from here stops nothing: %1</source>
+        <source>STOP has no effect in windows opened from here: %1</source>
         <translation>STOP in Fenstern, die von hier geöffnet werden, hält nichts an: %1</translation>
     </message>
     <message>
@@ -7106,11 +7106,11 @@ F1</translation>
         <translation>Alter</translation>
     </message>
     <message>
-        <source>Least</source>
+        <source>Min</source>
         <translation>Kleinster</translation>
     </message>
     <message>
-        <source>Most</source>
+        <source>Max</source>
         <translation>Größter</translation>
     </message>
     <message>
@@ -7185,7 +7185,7 @@ F1</translation>
         <translation>Last --- (Bitrate unbekannt): %1 bis %2 kbit/s</translation>
     </message>
     <message>
-        <source>load %1 to %2 % of %3 kbit/s (without stuff bits, with all there can be)</source>
+        <source>load %1 to %2 % of %3 kbit/s (without stuff bits, with the most possible)</source>
         <translation>Last %1 bis %2 % von %3 kbit/s (ohne Stopfbits, mit allen möglichen)</translation>
     </message>
     <message>
@@ -7197,7 +7197,7 @@ F1</translation>
         <translation>Zustand des Busses</translation>
     </message>
     <message>
-        <source>Forget least and most</source>
+        <source>Reset min and max</source>
         <translation>Kleinste und größte vergessen</translation>
     </message>
     <message>
@@ -7219,7 +7219,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Weg der Ketten</translation>
     </message>
     <message>
-        <source>load %1 to %2 % of nominal %3 kbit/s (without stuff bits, with all there can be)</source>
+        <source>load %1 to %2 % of nominal %3 kbit/s (without stuff bits, with the most possible)</source>
         <translation>Last %1 bis %2 % von nominell %3 kbit/s (ohne Stopfbits, mit allen möglichen)</translation>
     </message>
     <message>
@@ -7233,7 +7233,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>DBC-Dateien</translation>
     </message>
     <message>
-        <source>What is wrong with the DBC files</source>
+        <source>Faults of the DBC files</source>
         <translation>Was mit den DBC-Dateien nicht stimmt</translation>
     </message>
     <message>
@@ -7241,7 +7241,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>DBC-Datei hinzufügen …</translation>
     </message>
     <message>
-        <source>A file that says what frames mean that are not the robot&apos;s</source>
+        <source>Adds a DBC file that describes frames of other devices</source>
         <translation>Eine Datei, die sagt, was Rahmen bedeuten, die nicht vom Roboter sind</translation>
     </message>
     <message>
@@ -7253,7 +7253,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Ihre Rahmen erscheinen wieder Byte für Byte</translation>
     </message>
     <message>
-        <source>They begin anew with the next frames</source>
+        <source>Counts restart with the next frames</source>
         <translation>Sie beginnen neu mit den nächsten Rahmen</translation>
     </message>
     <message>
@@ -7269,7 +7269,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>DBC-Dateien: %1</translation>
     </message>
     <message>
-        <source>… and %1 more, all of them in the tip here</source>
+        <source>… and %1 more, all listed in this tooltip</source>
         <translation>… und %1 weitere; alle stehen hier im Hinweis</translation>
     </message>
     <message>
@@ -7296,7 +7296,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Verbindung</translation>
     </message>
     <message>
-        <source>What the robot does</source>
+        <source>Activity of the robot</source>
         <translation>Was der Roboter tut</translation>
     </message>
     <message>
@@ -7308,7 +7308,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Güte der Schätzung</translation>
     </message>
     <message>
-        <source>How much time an estimate may take for its accuracy</source>
+        <source>Accuracy of an estimate against its computing time</source>
         <translation>Wie viel Zeit eine Schätzung für ihre Genauigkeit brauchen darf</translation>
     </message>
     <message>
@@ -7324,7 +7324,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>STOP AKTIV (F12)</translation>
     </message>
     <message>
-        <source>What is wrong, and what was and has not been seen (F4)</source>
+        <source>Active alarms, and past alarms not yet acknowledged (F4)</source>
         <translation>Was nicht stimmt, und was war und nicht gesehen wurde (F4)</translation>
     </message>
     <message>
@@ -7364,7 +7364,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>STOP: keine Befehle</translation>
     </message>
     <message>
-        <source>STOP was sent, the robot has not confirmed it; it is sent again</source>
+        <source>STOP was sent but not confirmed by the robot; it is sent again</source>
         <translation>STOP wurde gesendet, der Roboter hat es nicht bestätigt; es wird erneut gesendet</translation>
     </message>
     <message>
@@ -7372,7 +7372,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>STOP wurde nicht gesendet: %1</translation>
     </message>
     <message>
-        <source>The robot says that it is stopped; another press stops it again</source>
+        <source>The robot reports stopped; another press sends STOP again</source>
         <translation>Der Roboter meldet, dass er gestoppt ist; ein weiterer Druck stoppt ihn erneut</translation>
     </message>
     <message>
@@ -7384,7 +7384,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Bus: %1</translation>
     </message>
     <message>
-        <source>All of it: F5</source>
+        <source>Details: F5</source>
         <translation>Alles: F5</translation>
     </message>
     <message>
@@ -7407,11 +7407,11 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Der Arm hat gemessen; seine Höhe ist Teil der Schätzung.</translation>
     </message>
     <message>
-        <source>Following: probes are approved where the robot is commanded.</source>
+        <source>Following: probes are approved on the commanding console.</source>
         <translation>Mitverfolgt: Sondierungen genehmigt, wer den Roboter führt.</translation>
     </message>
     <message>
-        <source>The proposal was not answered in time, which means no.</source>
+        <source>The proposal was not answered in time and counts as refused.</source>
         <translation>Der Vorschlag blieb ohne Antwort, das heißt nein.</translation>
     </message>
     <message>
@@ -7435,7 +7435,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Bild</translation>
     </message>
     <message>
-        <source>What else is drawn: draws, a second method</source>
+        <source>Optional marks: draws, a second method</source>
         <translation>Was noch gezeichnet wird: Ziehungen, eine zweite Methode</translation>
     </message>
     <message>
@@ -7487,7 +7487,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>%1 alt</translation>
     </message>
     <message>
-        <source>The flippers still move: nothing ahead is felt yet</source>
+        <source>The flippers still move: no ground ahead is felt yet</source>
         <translation>Die Flipper bewegen sich noch: vorn ist noch nichts ertastet</translation>
     </message>
     <message>
@@ -7515,7 +7515,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>&lt; %1 s alt</translation>
     </message>
     <message>
-        <source>Preview from the way down: the estimate is being computed</source>
+        <source>Preview while the flippers go down: the estimate is being computed</source>
         <translation>Vorschau vom Weg nach unten: die Schätzung wird berechnet</translation>
     </message>
     <message>
@@ -7531,7 +7531,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>die Kräfte sind %1 alt</translation>
     </message>
     <message>
-        <source>Nobody asks for the arm. What it would buy:</source>
+        <source>No probe is proposed. A probe would give:</source>
         <translation>Niemand fragt nach dem Arm. Was er brächte:</translation>
     </message>
     <message>
@@ -7539,7 +7539,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Sondierung bei %1: ihre Höhe, ± %2 m statt ± %3 m</translation>
     </message>
     <message>
-        <source>The verdict is withheld, and so is what a probe tells about it.</source>
+        <source>The verdict is withheld, so a probe&apos;s effect on it is not shown.</source>
         <translation>Das Urteil wird zurückgehalten, und damit auch, was eine Sondierung darüber sagt.</translation>
     </message>
 </context>
@@ -7610,7 +7610,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Obergrenze %1 m</translation>
     </message>
     <message>
-        <source>nothing of the robot above it</source>
+        <source>no part of the robot above it</source>
         <translation>nichts vom Roboter darüber</translation>
     </message>
     <message>
@@ -7630,7 +7630,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Stand vor %1</translation>
     </message>
     <message>
-        <source>not live: nothing is heard of the robot</source>
+        <source>not live: no telemetry from the robot</source>
         <translation>nicht aktuell: vom Roboter ist nichts zu hören</translation>
     </message>
     <message>
@@ -7677,7 +7677,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Als Text kopieren</translation>
     </message>
     <message>
-        <source>All of it, for a report</source>
+        <source>Copies everything, for a report</source>
         <translation>Alles, für einen Bericht</translation>
     </message>
     <message>
@@ -7747,11 +7747,11 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Roboter: der aktuelle</translation>
     </message>
     <message>
-        <source>Learn from</source>
+        <source>Train on</source>
         <translation>Lernen aus</translation>
     </message>
     <message>
-        <source>Choose the scenes to learn from</source>
+        <source>Choose the training scenes</source>
         <translation>Szenen zum Lernen wählen</translation>
     </message>
     <message>
@@ -7775,7 +7775,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Start</translation>
     </message>
     <message>
-        <source>Train the model, beside everything else</source>
+        <source>Trains the model in the background</source>
         <translation>Modell trainieren; alles andere läuft weiter</translation>
     </message>
     <message>
@@ -7783,7 +7783,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Abbruch</translation>
     </message>
     <message>
-        <source>End what runs; nothing is written</source>
+        <source>Cancels the training or comparison; no file is written</source>
         <translation>Beendet, was läuft; nichts wird geschrieben</translation>
     </message>
     <message>
@@ -7875,7 +7875,7 @@ voraus</translation>
         <translation>Dasselbe anderswo</translation>
     </message>
     <message>
-        <source>2  Compare it with the one in use, then adopt it</source>
+        <source>2  Compare it with the model in use, then adopt it</source>
         <translation>2  Mit dem aktuellen vergleichen, dann übernehmen</translation>
     </message>
     <message>
@@ -7887,7 +7887,7 @@ voraus</translation>
         <translation>Prüfen mit</translation>
     </message>
     <message>
-        <source>Choose the scenes to test on</source>
+        <source>Choose the test scenes</source>
         <translation>Szenen zum Prüfen wählen</translation>
     </message>
     <message>
@@ -7951,7 +7951,7 @@ voraus</translation>
         <translation>Mit %1 Szenen trainiert: %2</translation>
     </message>
     <message>
-        <source>%1. Nothing was written: put that right and start again.</source>
+        <source>%1. No file was written: correct this and start again.</source>
         <translation>%1. Nichts wurde geschrieben: beheben und neu starten.</translation>
     </message>
     <message>
@@ -7971,7 +7971,7 @@ voraus</translation>
         <translation>Szenen (*.csv);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Choose a file of scenes to learn from.</source>
+        <source>Choose a file of scenes for training.</source>
         <translation>Eine Datei mit Szenen zum Lernen wählen.</translation>
     </message>
     <message>
@@ -7999,7 +7999,7 @@ voraus</translation>
         <translation>Eine Erkundung läuft: das Modell bleibt, bis sie endet (Esc beendet sie).</translation>
     </message>
     <message>
-        <source>Training on %1; the robot goes on meanwhile</source>
+        <source>Training on %1; driving is not affected</source>
         <translation>Training mit %1; der Roboter arbeitet derweil weiter</translation>
     </message>
     <message>
@@ -8075,7 +8075,7 @@ voraus</translation>
         <translation>Eine Datei mit Szenen zum Prüfen wählen.</translation>
     </message>
     <message>
-        <source>Nothing runs that could be cancelled.</source>
+        <source>No training or comparison is running.</source>
         <translation>Es läuft nichts, was man abbrechen könnte.</translation>
     </message>
     <message>
@@ -8106,7 +8106,7 @@ voraus</translation>
         <translation>Grenze senken</translation>
     </message>
     <message>
-        <source>A lower step counts as an obstacle, too (PgDown)</source>
+        <source>Lowers the step limit (PgDown)</source>
         <translation>Auch eine niedrigere Stufe gilt als Hindernis (PgDown)</translation>
     </message>
     <message>
@@ -8114,7 +8114,7 @@ voraus</translation>
         <translation>Grenze anheben</translation>
     </message>
     <message>
-        <source>Only a higher step counts as an obstacle (PgUp)</source>
+        <source>Raises the step limit (PgUp)</source>
         <translation>Erst eine höhere Stufe gilt als Hindernis (PgUp)</translation>
     </message>
     <message>
@@ -8174,11 +8174,11 @@ voraus</translation>
         <translation>die Flipper weichen ab</translation>
     </message>
     <message>
-        <source>No lower limit can be set than %1 m</source>
+        <source>%1 m is the lowest limit</source>
         <translation>Eine niedrigere Grenze als %1 m geht nicht</translation>
     </message>
     <message>
-        <source>No higher limit can be set than %1 m</source>
+        <source>%1 m is the highest limit</source>
         <translation>Eine höhere Grenze als %1 m geht nicht</translation>
     </message>
     <message>
@@ -8265,7 +8265,7 @@ voraus</translation>
         <translation>Anordnung: Auswerten</translation>
     </message>
     <message>
-        <source>layout and letters as at first</source>
+        <source>default layout and text size</source>
         <translation>Anordnung und Schrift wie am Anfang</translation>
     </message>
     <message>
@@ -8281,15 +8281,15 @@ voraus</translation>
         <translation>Farben: hoher Kontrast</translation>
     </message>
     <message>
-        <source>larger letters</source>
+        <source>larger text</source>
         <translation>größere Schrift</translation>
     </message>
     <message>
-        <source>smaller letters</source>
+        <source>smaller text</source>
         <translation>kleinere Schrift</translation>
     </message>
     <message>
-        <source>letters of normal size</source>
+        <source>normal text size</source>
         <translation>Schrift in normaler Größe</translation>
     </message>
     <message>
@@ -8308,7 +8308,7 @@ voraus</translation>
         <translation>Was abweicht</translation>
     </message>
     <message>
-        <source>Recorded estimate and the other, bin by bin</source>
+        <source>Recorded estimate and what-if, bin by bin</source>
         <translation>Aufgezeichnete und andere Schätzung, Feld für Feld</translation>
     </message>
     <message>
@@ -8364,11 +8364,11 @@ voraus</translation>
         <translation>wie aufgezeichnet</translation>
     </message>
     <message>
-        <source>An element is a contact above</source>
+        <source>An element counts as contact above</source>
         <translation>Kontakt ist ein Element über</translation>
     </message>
     <message>
-        <source>Force from which an element touches the ground</source>
+        <source>Force above which an element counts as contact</source>
         <translation>Kraft, ab der ein Element den Boden berührt</translation>
     </message>
     <message>
@@ -8380,7 +8380,7 @@ voraus</translation>
         <translation>Startwert</translation>
     </message>
     <message>
-        <source>Of the random numbers: a whole number</source>
+        <source>Seed of the random numbers: a whole number</source>
         <translation>Der Zufallszahlen: eine ganze Zahl</translation>
     </message>
     <message>
@@ -8408,7 +8408,7 @@ voraus</translation>
         <translation>Setzt alles auf das Aufgezeichnete</translation>
     </message>
     <message>
-        <source>Estimates the recorded scene with what is set here</source>
+        <source>Estimates the recorded scene with these settings</source>
         <translation>Schätzt die aufgezeichnete Szene mit dem, was hier steht</translation>
     </message>
     <message>
@@ -8420,7 +8420,7 @@ voraus</translation>
         <translation>Schätzung %1 der Szene %2 bei %3 s, mit %4 und dem Modell %5</translation>
     </message>
     <message>
-        <source>No estimate stood at this time: go to one (key 4 finds the next).</source>
+        <source>There was no estimate at this time: go to one (key 4 finds the next).</source>
         <translation>Zu dieser Zeit galt keine Schätzung: gehen Sie zu einer (Taste 4 findet die nächste).</translation>
     </message>
     <message>
@@ -8436,23 +8436,23 @@ voraus</translation>
         <translation>Schätzt …</translation>
     </message>
     <message>
-        <source>The recorded settings and model give the recorded estimate again, bit for bit.</source>
+        <source>The recorded settings and model reproduce the recorded estimate bit for bit.</source>
         <translation>Die aufgezeichneten Einstellungen und das Modell ergeben die aufgezeichnete Schätzung wieder, Bit für Bit.</translation>
     </message>
     <message>
-        <source>The recorded settings and model give the recorded estimate again, but for the last bits, which another processor or version rounds otherwise: no number moves by more than a millionth.</source>
+        <source>The recorded settings and model reproduce the recorded estimate except for rounding in the last bits: no number moves by more than a millionth.</source>
         <translation>Die aufgezeichneten Einstellungen und das Modell ergeben wieder die aufgezeichnete Schätzung, bis auf die letzten Bits, die ein anderer Prozessor oder eine andere Version anders rundet: keine Zahl ändert sich um mehr als ein Millionstel.</translation>
     </message>
     <message>
-        <source>Time ended the recorded sampling, so that it cannot be repeated bit for bit: %1 m at most, at bin %2.</source>
+        <source>A time limit ended the recorded sampling, so it cannot be repeated bit for bit: %1 m at most, at bin %2.</source>
         <translation>Die Zeit beendete das aufgezeichnete Ziehen, es lässt sich also nicht Bit für Bit wiederholen: höchstens %1 m, im Feld %2.</translation>
     </message>
     <message>
-        <source>The recorded settings and model do NOT give the recorded estimate: %1 m at most, at bin %2.</source>
+        <source>The recorded settings and model do NOT reproduce the recorded estimate: %1 m at most, at bin %2.</source>
         <translation>Die aufgezeichneten Einstellungen und das Modell ergeben die aufgezeichnete Schätzung NICHT: höchstens %1 m, im Feld %2.</translation>
     </message>
     <message>
-        <source>Differs from what was shown by %1 m at most, at bin %2.</source>
+        <source>Differs from the recorded estimate by %1 m at most, at bin %2.</source>
         <translation>Weicht vom Gezeigten um höchstens %1 m ab, im Feld %2.</translation>
     </message>
     <message>
@@ -8464,11 +8464,11 @@ voraus</translation>
         <translation>Erneut schätzen (E)</translation>
     </message>
     <message>
-        <source>No estimate stood at this time</source>
+        <source>No estimate at this time</source>
         <translation>Zu dieser Zeit galt keine Schätzung</translation>
     </message>
     <message>
-        <source>Change what you like, then estimate again: the page Terrain (F2) draws both.</source>
+        <source>Change settings, then estimate again: the page Terrain (F2) draws both.</source>
         <translation>Ändern, was gewünscht ist, dann neu schätzen: die Seite Gelände (F2) zeichnet beide.</translation>
     </message>
     <message>

@@ -35,11 +35,11 @@ ArmingControl::ArmingControl(QWidget* parent) : QWidget(parent)
     arm_->setProperty("role", "quiet");
     confirm_ = new HoldToConfirmButton(tr("hold to arm (M)"), &Theme::caution, this);
     confirm_->setAccessibleName(tr("Hold to arm the robot"));
-    setTip(*confirm_, tr("Within 5 s; then commands from here move the robot"));
+    setTip(*confirm_, tr("Hold within 5 s; then commands from this console move the robot"));
     confirm_->setHoldTime(1000);
     disarm_ = new QPushButton(this);
     disarm_->setProperty("role", "armed");
-    setTip(*disarm_, tr("Commands from here move the robot. A click halts and disarms it"));
+    setTip(*disarm_, tr("Commands from this console move the robot. A click halts and disarms it"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     for (QPushButton* button : std::initializer_list<QPushButton*>{arm_, confirm_, disarm_}) {

@@ -82,8 +82,8 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
     needsButton_ = new QPushButton(tr("needs (P)"), this);
     needsButton_->setFocusPolicy(Qt::TabFocus);
     needsButton_->setProperty("role", "flat");
-    needsButton_->setAccessibleName(tr("What a command needs"));
-    setTip(*needsButton_, tr("What each command needs, and what of it is missing (P)"));
+    needsButton_->setAccessibleName(tr("Requirements of a command"));
+    setTip(*needsButton_, tr("Requirements of each command, and which are missing (P)"));
     auto* menu = new QMenu(needsButton_);
     needsButton_->setMenu(menu);
     connect(menu, &QMenu::aboutToShow, this, &AtemPanel::offerCommands);
@@ -104,12 +104,12 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
     ask_->hide();
     release_ = new HoldToConfirmButton(tr("hold to release STOP (R)"), &Theme::caution, this);
     release_->setAccessibleName(tr("Hold to release STOP"));
-    setTip(*release_, tr("Lets commands through again; the robot does not move by itself"));
+    setTip(*release_, tr("Allows commands again; the robot does not move by itself"));
 
     override_ = new QPushButton(tr("Override (O)"), this);
     override_->setFocusPolicy(Qt::TabFocus);
     setTip(*override_,
-           tr("Explore in spite of what is doubtful; it is noted, and stays on the screen"));
+           tr("Explores in spite of the doubt. The override is recorded and stays on the screen"));
     connect(override_, &QPushButton::clicked, this, &AtemPanel::overrideWanted);
     texts_ = new ScrollColumn(kLines, this);
     texts_->setAccessibleName(tr("Exploration (ATEM)"));
@@ -174,7 +174,7 @@ void AtemPanel::showState()
     else if (is(AtemPhase::Idle) && !state_.followed)
         text = idleWords(text);
     if (is(AtemPhase::Presenting) && state_.approvalExpired)
-        text += tr("; no answer in time, so no probe");
+        text += tr("; no answer in time counts as refused");
     else if (is(AtemPhase::Presenting) && state_.probed)
         text += tr(", arm included");
     stateText_->setText(capital(text));
@@ -214,7 +214,7 @@ void AtemPanel::setNeeds(Commanded command, const QList<Precondition>& precondit
 {
     needs_[indexOf(command)] = preconditions;
     if (command == Commanded::ReleaseStop)
-        setTip(*release_, tr("Lets commands through again; the robot does not move by itself")
+        setTip(*release_, tr("Allows commands again; the robot does not move by itself")
                               + QLatin1Char('\n') + linesOf(preconditions));
     if (command == listed()) showList();
     if (command != Commanded::Explore) return;
@@ -429,15 +429,15 @@ void AtemPanel::showButtons()
     if (asks) {
         ask_->setText(tr("Probe at %1 (B)").arg(format::binName(*askBin_)));
         ask_->setEnabled(missing.isEmpty());
-        setTip(*ask_, (missing.isEmpty()
-                           ? tr("The robot presses anew, then the arm is proposed; nothing moves "
-                                "the arm before you approve it")
-                           : tr("Not possible now:") + QLatin1Char('\n') + linesOf(needs))
-                          + QLatin1Char('\n') + askTells_);
+        setTip(*ask_,
+               (missing.isEmpty() ? tr("The robot presses again, then the probe is proposed. The "
+                                       "arm moves only after your approval")
+                                  : tr("Not possible now:") + QLatin1Char('\n') + linesOf(needs))
+                   + QLatin1Char('\n') + askTells_);
     }
     setTip(*abort_, !abort_->isEnabled() ? tr("No exploration is running")
-                    : clears ? tr("Takes the result off the screen; Ctrl+Z brings it back")
-                             : tr("Halts the robot and ends the exploration"));
+                    : clears             ? tr("Hides the result; Ctrl+Z restores it")
+                                         : tr("Halts the robot and ends the exploration"));
 }
 
 }  // namespace terratact

@@ -32,8 +32,8 @@ DrivePad::DrivePad(QWidget* parent) : QWidget(parent)
 
 void DrivePad::setPreconditions(const QList<Precondition>& preconditions)
 {
-    const QString tip = tr("Drives while held; also the arrow keys Up and Down") + QLatin1Char('\n')
-                      + linesOf(preconditions);
+    const QString tip = tr("Dead-man key: drives while held; also the arrow keys Up and Down")
+                      + QLatin1Char('\n') + linesOf(preconditions);
     for (HeldButton* button : {forward_, back_}) {
         button->setEnabled(firstMissing(preconditions).isEmpty());
         setTip(*button, tip.trimmed());

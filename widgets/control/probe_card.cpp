@@ -86,7 +86,7 @@ QWidget* ProbeCard::questionPage()
 {
     auto* question = new QWidget(this);
     facts_ = new ScrollColumn(kMinFacts, question);
-    facts_->setAccessibleName(tr("What the probe is expected to buy"));
+    facts_->setAccessibleName(tr("Expected gain of the probe"));
     auto* rows = new QGridLayout;
     rows->setHorizontalSpacing(14);
     rows->setVerticalSpacing(0);
@@ -102,7 +102,7 @@ QWidget* ProbeCard::questionPage()
     questionKey_ = keys_.last();
     decided_ = new PlainLabel(question);
     decided_->setWordWrap(true);
-    decided_->setAccessibleName(tr("Whether a probe is needed"));
+    decided_->setAccessibleName(tr("Need for a probe"));
     setTone(*decided_, Tone::Good);
     facts_->column()->addWidget(decided_);
     facts_->column()->addLayout(rows, 2);
@@ -145,7 +145,7 @@ QWidget* ProbeCard::answers()
     setPreconditions({});
     refuse_ = new QPushButton(all);
     refuse_->setFocusPolicy(Qt::TabFocus);
-    setTip(*refuse_, tr("Refuses the arm; as good an answer as any other"));
+    setTip(*refuse_, tr("Refuses the probe; the estimate stays as it is"));
     auto* column = new QVBoxLayout(all);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kProbeGap);
@@ -318,8 +318,9 @@ QString ProbeCard::questionText() const
     const QString before = format::number(p.bitsBefore, 2);
     if (!p.tellsOfStep()) {
         if (!narrow_) return tr("%1 bit, no gain").arg(before);
-        return p.answer == StepVerdict::CannotTell ? tr("step: %1 bit, no gain").arg(before)
-                                                   : tr("%1 stands: no gain").arg(wordOf(p.answer));
+        return p.answer == StepVerdict::CannotTell
+                 ? tr("step: %1 bit, no gain").arg(before)
+                 : tr("Already %1; no gain").arg(wordOf(p.answer));
     }
     const QString after = format::number(p.worth->bitsAfter, 2);
     const QString rate = format::number(60.0 * (p.bitsBefore - p.worth->bitsAfter) / p.seconds, 2);
@@ -341,8 +342,9 @@ void ProbeCard::showAnswer()
     if (isVoid())
         decided_->setText(tr("Cannot be approved: %1").arg(whyVoid_));
     else if (decided)
-        decided_->setText((proposal_->tellsOfStep() ? tr("%1 stands: a probe makes it surer.")
-                                                    : tr("%1 stands: only the shape would gain."))
+        decided_->setText((proposal_->tellsOfStep()
+                               ? tr("Already %1; a probe makes it more certain.")
+                               : tr("Already %1; a probe only refines the profile."))
                               .arg(answer));
     refuse_->setText(narrow_   ? tr("Do not probe (N)")
                      : decided ? tr("Do not probe: 0 s, %1 stands (N)").arg(answer)
@@ -389,7 +391,7 @@ void ProbeCard::showRanking()
 
 void ProbeCard::setTimeLeft(double seconds)
 {
-    const QString left = narrow_ ? tr("%1 left") : tr("%1 left, then no");
+    const QString left = narrow_ ? tr("%1 left") : tr("%1 left, then refused");
     note()->setText(isVoid() ? tr("void")
                     : asks() ? left.arg(format::countdown(seconds))
                              : QString());
@@ -401,7 +403,7 @@ void ProbeCard::setPreconditions(const QList<Precondition>& preconditions)
     const QString missing = firstMissing(preconditions);
     const QString how =
         missing.isEmpty()
-            ? tr("Hold the mouse button or Space for 1.5 s; letting go early means nothing")
+            ? tr("Hold the mouse button or Space for 1.5 s; releasing early has no effect")
             : tr("Cannot be approved: %1").arg(missing);
     setTip(*approve_, (how + QLatin1Char('\n') + linesOf(preconditions)).trimmed());
     if (missing == whyVoid_) return;

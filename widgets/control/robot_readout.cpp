@@ -101,8 +101,7 @@ void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& 
         ages_[row] = format::age(ages[row]);
         QString tip = tr("%1 old").arg(ages_[row]);
         if (row == Pitch && captured)
-            tip +=
-                tr("; beside it that of the captured scene: the robot is drawn as it stood then");
+            tip += tr("; beside it the value of the captured scene, at which the robot is drawn");
         setTip(*values_[row], tip);
     }
 }

@@ -72,11 +72,11 @@ QString stopMeaning(const StopViewState& viewState)
     case StopViewState::State::Elsewhere:
         return StatusHeader::tr("Halts the robot of the console that opened this window");
     case StopViewState::State::Sent:
-        return StatusHeader::tr("STOP was sent, the robot has not confirmed it; it is sent again");
+        return StatusHeader::tr("STOP was sent but not confirmed by the robot; it is sent again");
     case StopViewState::State::NotSent:
         return StatusHeader::tr("STOP was not sent: %1").arg(viewState.why);
     case StopViewState::State::Confirmed:
-        return StatusHeader::tr("The robot says that it is stopped; another press stops it again");
+        return StatusHeader::tr("The robot reports stopped; another press sends STOP again");
     case StopViewState::State::NoEffect:
         return StatusHeader::tr("STOP has no effect here: %1").arg(viewState.why);
     }
@@ -128,7 +128,7 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
         return label;
     };
     link_ = chip(tr("Link"));
-    robot_ = chip(tr("What the robot does"));
+    robot_ = chip(tr("Activity of the robot"));
     model_ = chip(tr("Model"));
     overridden_ = chip(tr("Checks overridden"));
     overridden_->setText(tr("! CHECK OVERRIDDEN"));
@@ -141,14 +141,14 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     alarms_ = new QPushButton(this);
     alarms_->setProperty("role", "quiet");
     alarms_->setFocusPolicy(Qt::TabFocus);
-    setTip(*alarms_, tr("What is wrong, and what was and has not been seen (F4)"));
+    setTip(*alarms_, tr("Active alarms, and past alarms not yet acknowledged (F4)"));
     connect(alarms_, &QPushButton::clicked, this, &StatusHeader::alarmsRequested);
     setAlarms(0, 0);
     quality_ = new QPushButton(this);
     quality_->setProperty("role", "quiet");
     quality_->setFocusPolicy(Qt::TabFocus);
     quality_->setAccessibleName(tr("Quality of the estimate"));
-    setTip(*quality_, tr("How much time an estimate may take for its accuracy"));
+    setTip(*quality_, tr("Accuracy of an estimate against its computing time"));
     quality_->setVisible(false);
     arming_ = new ArmingControl(this);
     stop_ = new QPushButton(this);
@@ -203,7 +203,7 @@ void StatusHeader::setBus(const QString& text, Tone tone, const QString& details
         bus_->setAccessibleName(tr("Bus: %1").arg(text));
         fit();
     }
-    const QString tip = details + QLatin1Char('\n') + tr("All of it: F5");
+    const QString tip = details + QLatin1Char('\n') + tr("Details: F5");
     if (bus_->toolTip() != tip) {
         setTip(*bus_, tip);
         bus_->setAccessibleDescription(details);

@@ -97,22 +97,20 @@ AlarmTable::AlarmTable(QWidget* parent) : QWidget(parent)
 
     acknowledge_ = button(tr("Acknowledge"), {}, this);  // offer() sets the tips
     all_ = button(tr("Acknowledge all"), {}, this);
-    one_ = button(tr("Silence 60 s"), tr("No sound for a minute; a new alarm sounds all the same"),
-                  this);
-    two_ = button(tr("Silence 120 s"),
-                  tr("No sound for two minutes; a new alarm sounds all the same"), this);
+    one_ = button(tr("Mute 60 s"), tr("Mutes alarms for 60 s; new alarms still sound"), this);
+    two_ = button(tr("Mute 120 s"), tr("Mutes alarms for 120 s; new alarms still sound"), this);
     sound_ = new QCheckBox(tr("Sound"), this);
     setTip(*sound_,
            tr("Critical alarms beep until they are acknowledged: at once, then every 10 s"));
     sound_->setMinimumHeight(kTarget);
     sound_->setChecked(true);
-    try_ = button(tr("Test the sound"), tr("Sounds once, as an alarm does"), this);
+    try_ = button(tr("Test the sound"), tr("Plays the alarm sound once"), this);
     soundTrouble_ = new PlainLabel(this);
     soundTrouble_->setWordWrap(true);
     soundTrouble_->hide();
     setTone(*soundTrouble_, Tone::Bad);
     silence_ = new PlainLabel(this);
-    silence_->setAccessibleName(tr("Silence"));
+    silence_->setAccessibleName(tr("Mute"));
     setTone(*silence_, Tone::Doubt);
     connect(acknowledge_, &QPushButton::clicked, this, [this] { emit acknowledged(chosen()); });
     connect(table_, &QTableWidget::itemSelectionChanged, this, &AlarmTable::offer);
@@ -201,18 +199,18 @@ void AlarmTable::setAlarms(const std::vector<Alarm>& alarms, double now, double 
 void AlarmTable::offer()
 {
     const bool any = table_->rowCount() > 0, one = !chosen().isEmpty();
-    const QString none = tr("There is no alarm");
+    const QString none = tr("No alarm is active");
     acknowledge_->setEnabled(one);
-    setTip(*acknowledge_, one   ? tr("The chosen alarm has been seen")
-                          : any ? tr("No alarm is chosen in the list")
+    setTip(*acknowledge_, one   ? tr("Acknowledges the selected alarm")
+                          : any ? tr("No alarm is selected in the list")
                                 : none);
     all_->setEnabled(any);
-    setTip(*all_, any ? tr("All alarms have been seen") : none);
+    setTip(*all_, any ? tr("Acknowledges all alarms") : none);
 }
 
 void AlarmTable::say(double silentFor)
 {
-    silence_->setText(silentFor > 0.0 ? tr("silent for %1").arg(format::countdown(silentFor))
+    silence_->setText(silentFor > 0.0 ? tr("muted for %1").arg(format::countdown(silentFor))
                                       : QString());
 }
 
@@ -220,7 +218,7 @@ void AlarmTable::setSoundTrouble(const QString& why)
 {
     if (why.isEmpty() != soundTrouble_->isHidden()) soundTrouble_->setVisible(!why.isEmpty());
     const QString said =
-        why.isEmpty() ? QString() : tr("✘ No sound but the desktop's bell: %1").arg(why);
+        why.isEmpty() ? QString() : tr("✘ Only the desktop's bell can sound: %1").arg(why);
     if (said != soundTrouble_->text()) soundTrouble_->setText(said);
 }
 

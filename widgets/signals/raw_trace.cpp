@@ -141,7 +141,7 @@ RawTrace::RawTrace(Words words, Name name, QWidget* parent)
     pause_ = new QPushButton(tr("Hold the picture"), this);
     pause_->setCheckable(true);
     pause_->setFocusPolicy(Qt::TabFocus);
-    setTip(*pause_, tr("The list stands still; everything is received and counted all the same"));
+    setTip(*pause_, tr("Display paused; recording and counting continue"));
     summary_ = new PlainLabel(this);
     setTone(*summary_, Tone::Muted);
 
@@ -168,7 +168,7 @@ RawTrace::RawTrace(Words words, Name name, QWidget* parent)
     column->addWidget(view_, 1);
     connect(filter_, &QLineEdit::textChanged, this, &RawTrace::applyFilter);
     connect(pause_, &QPushButton::toggled, this, [this](bool held) {
-        pause_->setText(held ? tr("Held: go on") : tr("Hold the picture"));
+        pause_->setText(held ? tr("Paused: continue") : tr("Hold the picture"));
     });
     resizeToFont();
 }

@@ -46,7 +46,7 @@ public:
         const QString names[SignalTable::kColumns]{
             SignalTable::tr("Frame"), SignalTable::tr("Signal"), SignalTable::tr("Value"),
             SignalTable::tr("Unit"),  SignalTable::tr("Rate"),   SignalTable::tr("Age"),
-            SignalTable::tr("Least"), SignalTable::tr("Most"),   SignalTable::tr("Last 12 s")};
+            SignalTable::tr("Min"),   SignalTable::tr("Max"),    SignalTable::tr("Last 12 s")};
         if (role == Qt::DisplayRole) return names[section];
         if (role == Qt::TextAlignmentRole) return alignment(section);
         return {};

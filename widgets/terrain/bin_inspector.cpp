@@ -18,7 +18,7 @@ constexpr int kMargin = 10, kPlotWidth = 96, kMinPlotHeight = 120;
 BinInspector::BinInspector(QWidget* parent) : QFrame(parent)
 {
     setObjectName(QStringLiteral("binInspector"));
-    setAccessibleName(tr("The bin up close"));
+    setAccessibleName(tr("Selected bin"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
     hide();
 }

@@ -40,7 +40,7 @@ QString endingWords(Ending ending)
     switch (ending) {
     case Ending::Converged: return EstimateStrip::tr("ended: converged");
     case Ending::Sweeps: return EstimateStrip::tr("ended: all draws made");
-    case Ending::Time: return EstimateStrip::tr("ended: time was out");
+    case Ending::Time: return EstimateStrip::tr("ended: time limit");
     case Ending::NotSampled: break;
     }
     return {};
@@ -58,7 +58,7 @@ EstimateStrip::EstimateStrip(QWidget* parent) : QWidget(parent)
     setTone(*details_, Tone::Muted);
     warnings_ = new PlainLabel(this);
     warnings_->setWordWrap(true);
-    warnings_->setAccessibleName(tr("What makes the result doubtful"));
+    warnings_->setAccessibleName(tr("Reasons to doubt the result"));
     setTone(*warnings_, Tone::Doubt);
     progress_ = new QProgressBar(this);
     progress_->setRange(0, 1000);

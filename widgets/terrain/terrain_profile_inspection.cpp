@@ -48,7 +48,7 @@ QStringList TerrainProfileView::closeUp(int bin) const
             .arg(format::signedNumber(e.q10[i], 3), format::signedNumber(e.q90[i], 3)),
         e.ceiling[i] < kDrawableLimit
             ? tr("ceiling %1 m").arg(format::signedNumber(e.ceiling[i], 3))
-            : tr("nothing of the robot above it"),
+            : tr("no part of the robot above it"),
         tr("from: %1 (%2)")
             .arg(provenanceWord(provenance(e, bin)), provenanceLetter(provenance(e, bin))),
         tr("touch: %1").arg(touchWord(e.touch[i]))};
@@ -96,7 +96,7 @@ void TerrainProfileView::describe()
     for (int bin = 0; bin < kBins && estimate_; ++bin) lines << binText(bin);
     if (const QString note = note_->text().text(); !note.isEmpty()) lines.prepend(note);
     if (!staleOverlay_->words.isEmpty())
-        lines.prepend(tr("not live: nothing is heard of the robot"));
+        lines.prepend(tr("not live: no telemetry from the robot"));
     if (!ghostNote_->text().text().isEmpty()) lines << ghostNote_->text().text();
     setAccessibleDescription(lines.join(QLatin1Char('\n')));
 }

@@ -312,13 +312,10 @@ void VerdictStrip::setLimit(double metres)
     const bool lowest = limit_ <= kMinLimit + 1e-9, highest = limit_ >= kGreatestLimit - 1e-9;
     lower_->setEnabled(!lowest);
     raise_->setEnabled(!highest);
-    setTip(*lower_,
-           lowest ? tr("No lower limit can be set than %1 m").arg(format::number(kMinLimit, 2))
-                  : tr("A lower step counts as an obstacle, too (PgDown)"));
-    setTip(*raise_,
-           highest
-               ? tr("No higher limit can be set than %1 m").arg(format::number(kGreatestLimit, 2))
-               : tr("Only a higher step counts as an obstacle (PgUp)"));
+    setTip(*lower_, lowest ? tr("%1 m is the lowest limit").arg(format::number(kMinLimit, 2))
+                           : tr("Lowers the step limit (PgDown)"));
+    setTip(*raise_, highest ? tr("%1 m is the highest limit").arg(format::number(kGreatestLimit, 2))
+                            : tr("Raises the step limit (PgUp)"));
 }
 
 void VerdictStrip::choose(double metres)

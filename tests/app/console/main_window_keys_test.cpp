@@ -265,7 +265,8 @@ TEST_F(Console, coveredProposalCanBeRefusedButNotApproved)
     above.show();
     gui::showActive(*window);
     ASSERT_TRUE(eventually([&] { return card.isCovered(); }));
-    EXPECT_TRUE(eventually([&] { return says("then no: close the window that covers it"); }));
+    EXPECT_TRUE(
+        eventually([&] { return says("unless approved: close the window that covers it"); }));
     EXPECT_FALSE(says("F2 shows the question"));
     QTest::keyPress(window.get(), Qt::Key_Space);
     QTest::qWait(500);

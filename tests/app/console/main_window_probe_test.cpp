@@ -160,7 +160,7 @@ TEST_F(Console, everyPageShowsTheApprovalExpiryOfAProposal)
     const int wide = window->rail()->width();
     proposeByKeyboard();
     EXPECT_FALSE(says("PROBE at")) << "the card asks";
-    const QRegularExpression left("PROBE at 0\\.6 m\\? [0-9]:[0-9]{2} left, then no");
+    const QRegularExpression left("PROBE at 0\\.6 m\\? Refused in [0-9]:[0-9]{2}");
     const auto tells = [&] {
         for (const QLabel* label : window->findChildren<QLabel*>())
             if (label->isVisible() && left.match(label->text()).hasMatch()) return true;
@@ -270,7 +270,7 @@ TEST_F(Console, expiredProposalIsShownUntilTerrainPageOpens)
     QTest::keyClick(window.get(), Qt::Key_A);
     QTest::keyClick(window.get(), Qt::Key_F3);
     ASSERT_TRUE(reaches(AtemPhase::Presenting)) << "nobody has answered";
-    EXPECT_TRUE(eventually([&] { return says("not answered in time, which means no"); }));
+    EXPECT_TRUE(eventually([&] { return says("not answered in time and counts as refused"); }));
     QTest::keyClick(window.get(), Qt::Key_F4);
     QTest::qWait(100);
     EXPECT_TRUE(says("not answered in time")) << "on every page";

@@ -213,7 +213,7 @@ TEST_F(ForeignFramesOnThePage, aBadDbcFileIsReportedAndStopsNothing)
     EXPECT_TRUE(troubles[0].contains("line 1: expected the keyword"));
     EXPECT_TRUE(troubles[1].contains("none.dbc: cannot be opened"));
     EXPECT_TRUE(troubles[2].contains("frame 022: the robot's protocol has that identifier"));
-    EXPECT_EQ(troubles[3], QString::fromUtf8("… and 1 more, all of them in the tip here"));
+    EXPECT_EQ(troubles[3], QString::fromUtf8("… and 1 more, all listed in this tooltip"));
     EXPECT_TRUE(eventually([&] { return valueOf("Pitch") != "--"; })) << "the protocol wins";
     window->resize(window->minimumSize());
     QTest::qWait(300);

@@ -278,7 +278,7 @@ TEST_F(PanelConsole, aPanelThatDoesNotReturnStops)
     ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
     board.hang(true);
     EXPECT_TRUE(reaches(AtemPhase::Stopped));
-    EXPECT_TRUE(eventually([&] { return says("PANEL LOST, which means STOP"); }));
+    EXPECT_TRUE(eventually([&] { return says("PANEL LOST, STOP is asserted"); }));
     board.hang(false);
     EXPECT_TRUE(eventually([&] { return !says("PANEL LOST"); }));
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::Stopped);
@@ -295,7 +295,7 @@ TEST_F(PanelConsole, lossOfThePanelStopsAndSaysSoUntilItIsBack)
     board.unplug();
     EXPECT_TRUE(reaches(AtemPhase::Stopped));
     EXPECT_TRUE(eventually([&] { return !window->atemPanel()->requestButton()->isEnabled(); }));
-    EXPECT_TRUE(eventually([&] { return says("PANEL LOST, which means STOP"); }));
+    EXPECT_TRUE(eventually([&] { return says("PANEL LOST, STOP is asserted"); }));
     EXPECT_FALSE(says("STOP was pressed")) << "nobody did";
     QTest::keyPress(window.get(), Qt::Key_R);
     EXPECT_TRUE(eventually([&] {
@@ -325,7 +325,7 @@ TEST_F(PanelConsole, lossOfThePanelOfAConsoleThatOnlyListensMeansNoStop)
     ASSERT_TRUE(reaches(AtemPhase::Stopped));
     board.unplug();
     EXPECT_TRUE(eventually([&] { return says("PANEL LOST: connect the operator's panel"); }));
-    EXPECT_FALSE(says("PANEL LOST, which means STOP"));
+    EXPECT_FALSE(says("PANEL LOST, STOP is asserted"));
     EXPECT_FALSE(window->events()->findItems("the panel is lost", Qt::MatchContains).empty());
     EXPECT_TRUE(window->events()->findItems("means STOP", Qt::MatchContains).empty());
     const auto alarms = window->alarms().list().alarms();

@@ -159,9 +159,8 @@ TEST_F(Screens, training)
         ASSERT_TRUE(eventually(
             [&] { return page.bins()->item(0, 1)->text() != TrainingPage::tr("waiting"); },
             kPatience));
-        picture("training_running",
-                {TrainingPage::tr("training: %1 %"),
-                 TrainingPage::tr("Training on %1; the robot goes on meanwhile")});
+        picture("training_running", {TrainingPage::tr("training: %1 %"),
+                                     TrainingPage::tr("Training on %1; driving is not affected")});
         ASSERT_TRUE(eventually([&] { return !page.cancelButton()->isEnabled(); }, kPatience));
         page.testField()->setText(QString::fromStdString(files.file("test.csv")));
         ASSERT_TRUE(page.compareButton()->isEnabled()) << page.status()->text().toStdString();
@@ -203,7 +202,7 @@ TEST_F(Screens, menus)
                        ConsoleWindow::tr("Recorded demonstration")});
         pictureOfMenu(*view, "menu_view",
                       {ViewMenu::tr("layout: drive"), ViewMenu::tr("colours: night, red"),
-                       ViewMenu::tr("larger letters"), ViewMenu::tr("language: %1")});
+                       ViewMenu::tr("larger text"), ViewMenu::tr("language: %1")});
     });
 }
 
@@ -231,7 +230,7 @@ TEST_F(Screens, review)
         press(Qt::Key_E);
         ASSERT_TRUE(eventually([&] { return whatIf.answer().has_value(); }, 60000));
         picture("what_if_by_another_method",
-                {WhatIfPage::tr("Differs from what was shown by %1 m at most, at bin %2.")});
+                {WhatIfPage::tr("Differs from the recorded estimate by %1 m at most, at bin %2.")});
         for (int i = 0; i < 10; ++i) press(Qt::Key_Plus, Qt::ControlModifier);
         press(Qt::Key_F5);
         picture("review_letters_200_percent_page_robot", {QStringLiteral("N")});
@@ -262,8 +261,8 @@ TEST_F(Screens, review)
                 banner = label;
         ASSERT_TRUE(banner);
         pictureWith(*banner, "review_has_no_stop",
-                    {ConsoleWindow::tr("STOP HAS NO EFFECT HERE: this window has no robot. Go to "
-                                       "the console's own window")});
+                    {ConsoleWindow::tr("STOP HAS NO EFFECT HERE: this window has no robot. Use the "
+                                       "console's own window")});
         qputenv(kStopLineVariable, "nobody");
         openReview();
         qunsetenv(kStopLineVariable);
@@ -280,9 +279,8 @@ TEST_F(Screens, scenes)
         ASSERT_TRUE(eventually([&] { return scenes->estimate().has_value(); }, 60000));
         press(Qt::Key_Period);
         ASSERT_TRUE(eventually([&] { return scenes->estimate().has_value(); }, 60000));
-        const QString state = ScenesWindow::tr(
-            "SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · . and , go on "
-            "and back");
+        const QString state = ScenesWindow::tr("SCENE %1 of %2 in %3 · drive %4 at %5 s · "
+                                               "estimated now, not recorded · keys . and , step");
         picture("scenes", {state, ScenesWindow::tr("SCENES OF A FILE")});
         press(Qt::Key_F1);
         QWidget* sheet = nullptr;

@@ -165,9 +165,8 @@ TEST_F(Screens, start)
 
         open({.safeMode = true});
         ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
-        picture("safe_mode",
-                {ConsoleWindow::tr("SAFE MODE: default settings, none are read or saved · to leave "
-                                   "it, start without --safe-mode")});
+        picture("safe_mode", {ConsoleWindow::tr("SAFE MODE: default settings; none are read or "
+                                                "saved · start without --safe-mode to leave it")});
     });
 }
 
@@ -452,8 +451,8 @@ TEST_F(Screens, tooLate)
         open({.limits = hasty});
         ASSERT_NO_FATAL_FAILURE(explore());
         picture("no_answer_in_time",
-                {TerrainPage::tr("The proposal was not answered in time, which means no."),
-                 AtemPanel::tr("; no answer in time, so no probe")});
+                {TerrainPage::tr("The proposal was not answered in time and counts as refused."),
+                 AtemPanel::tr("; no answer in time counts as refused")});
         robot->stage({.lasts = RobotActivity::Probing});
         for (int attempt = 0; attempt < 5; ++attempt) {  // a busy machine answers late
             ASSERT_NO_FATAL_FAILURE(explore());

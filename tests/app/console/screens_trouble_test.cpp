@@ -54,11 +54,11 @@ TEST_F(Screens, stop)
         QTest::keyRelease(&window(), Qt::Key_R);
         bus.setState(BusState::BusOff, "can0");
         press(Qt::Key_F12);
-        picture("stop_not_sent",
-                {StatusHeader::tr("STOP NOT SENT"),
-                 StopDisplay::tr("STOP NOT SENT for %1, it is tried again: use the robot's own "
-                                 "switch — %2"),
-                 busWords(BusState::BusOff, "can0")});
+        picture(
+            "stop_not_sent",
+            {StatusHeader::tr("STOP NOT SENT"),
+             StopDisplay::tr("STOP NOT SENT for %1, trying again: use the robot's own switch — %2"),
+             busWords(BusState::BusOff, "can0")});
     });
 }
 
@@ -83,11 +83,11 @@ TEST_F(Screens, trouble)
         ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
         ASSERT_TRUE(eventually([&] { return board->lit(0); }));
         board->unplug();
-        picture("panel_lost", {PanelControl::tr("the operator's panel does not answer"),
-                               MainWindow::tr("PANEL LOST, which means STOP: connect the "
-                                              "operator's panel, then hold R; or start without "
-                                              "--panel"),
-                               StatusHeader::tr("STOPPED (F12)")});
+        picture("panel_lost",
+                {PanelControl::tr("the operator's panel does not answer"),
+                 MainWindow::tr("PANEL LOST, STOP is asserted: connect the operator's panel, then "
+                                "hold R; or start without --panel"),
+                 StatusHeader::tr("STOPPED (F12)")});
 
         open({.sessions = "/proc/terratact"});
         picture("not_recorded", {RecordingDisplay::tr("NOT RECORDED: %1"),
@@ -150,7 +150,7 @@ TEST_F(Screens, doubtful_link)
         comesAndGoes.start(500);
         picture("telemetry_unsteady",
                 {format::sentence("telemetry unsteady"),
-                 LinkStatus::tr("%1 — gaps: %2, the longest %3; values read -- in each of them")});
+                 LinkStatus::tr("%1 — gaps: %2, the longest %3; values read -- during a gap")});
         comesAndGoes.stop();
 
         open({});
@@ -170,8 +170,8 @@ TEST_F(Screens, doubtful_link)
         press(Qt::Key_F4);
         bus.put(pack({.kind = FrameKind::ConsoleHeartbeat}));
         picture("another_console",
-                {ConsoleAlarms::tr("Another console sends commands on this bus: find it and "
-                                   "switch it off")});
+                {ConsoleAlarms::tr(
+                    "Another console sends commands on this bus: find it and turn it off")});
         press(Qt::Key_F2);
         bus.setState(BusState::ErrorWarning, "can0");
         picture("bus_warning", {glance(BusState::ErrorWarning)});
@@ -199,16 +199,17 @@ TEST_F(Screens, following)
               .isPressed = true,
               .mode = CanSource::Mode::Listen,
               .staging = {.says = RobotActivity::Halted}});
-        picture("no_commands",
-                {ArmingControl::tr("NO COMMANDS"), StatusHeader::tr("STOP: no commands"),
-                 Exploration::tr("No estimate yet: it comes when the robot presses its flippers")});
+        picture(
+            "no_commands",
+            {ArmingControl::tr("NO COMMANDS"), StatusHeader::tr("STOP: no commands"),
+             Exploration::tr("No estimate yet: one is made when the robot presses its flippers")});
         robot->stage({.says = RobotActivity::Pressing});
         picture("following_live_preview",
                 {follows(AtemPhase::Pressing), TerrainPage::tr("LIVE preview")});
         robot->stage({});
         picture("following_estimate",
                 {follows(AtemPhase::Presenting),
-                 TerrainPage::tr("Following: probes are approved where the robot is commanded.")});
+                 TerrainPage::tr("Following: probes are approved on the commanding console.")});
         press(Qt::Key_F12);
         picture("stop_has_no_effect", {SharedStop::tr("STOP HAS NO EFFECT HERE: %1")});
 

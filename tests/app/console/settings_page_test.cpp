@@ -345,15 +345,16 @@ TEST(SettingsPageAlone, showsWhateverTheFileMayHold)
         const char *key, *box;
         double Preferences::*value;
         double unit = 1.0;
-    } cases[]{{"obstacle-limit", "An obstacle is a step of more than", &Preferences::obstacleLimit},
-              {"force-threshold", "An element is a contact above", &Preferences::forceThreshold},
-              {"probe-above", "The arm is offered above a sd of", &Preferences::probeAbove},
-              {"roll-limit", "The verdict is withheld above a roll of", &Preferences::rollLimit,
-               kDegrees},
-              {"asymmetry-limit", "… or left and right flippers apart by",
-               &Preferences::asymmetryLimit, kDegrees},
-              {"tilt-amber", "Pitch or roll is steep from", &Preferences::tiltAmber, kDegrees},
-              {"tilt-red", "Pitch or roll is dangerous from", &Preferences::tiltRed, kDegrees}};
+    } cases[]{
+        {"obstacle-limit", "An obstacle is a step above", &Preferences::obstacleLimit},
+        {"force-threshold", "An element counts as contact above", &Preferences::forceThreshold},
+        {"probe-above", "The arm is offered above a sd of", &Preferences::probeAbove},
+        {"roll-limit", "The verdict is withheld above a roll of", &Preferences::rollLimit,
+         kDegrees},
+        {"asymmetry-limit", "… or left and right flippers differ by", &Preferences::asymmetryLimit,
+         kDegrees},
+        {"tilt-amber", "Pitch or roll is steep from", &Preferences::tiltAmber, kDegrees},
+        {"tilt-red", "Pitch or roll is dangerous from", &Preferences::tiltRed, kDegrees}};
     TemporaryDirectory directory;
     int files = 0;  // a new file each time, because QSettings caches what it has read
     PreferenceStore store(LoadedPreferences{}, Preferences{});

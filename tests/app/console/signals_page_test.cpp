@@ -125,7 +125,7 @@ TEST(Load, saysWhatItAssumesOrThatItIsNotKnown)
     load.fewestBits = 100'000.0;
     load.mostBits = 120'000.0;
     EXPECT_EQ(loadWords(load, {.bitsPerSecond = 500'000.0}),
-              "load 20.0 to 24.0 % of 500 kbit/s (without stuff bits, with all there can be)");
+              "load 20.0 to 24.0 % of 500 kbit/s (without stuff bits, with the most possible)");
     EXPECT_EQ(loadWords(load, {.bitsPerSecond = 500'000.0, .nominal = true}),
               "load 20.0 to 24.0 % of nominal 500 kbit/s (without stuff bits, with all there can "
               "be)");

@@ -185,7 +185,7 @@ TEST_F(TrainingConsole, trainsComparesAndAdopts)
     tips.poll(*page);
     ASSERT_TRUE(ends());
     EXPECT_TRUE(page->verdict()->isVisible());
-    EXPECT_TRUE(page->verdict()->text().contains("near the robot on "));
+    EXPECT_TRUE(page->verdict()->text().contains("Near the robot "));
     for (int row = 0; row < page->comparison()->rowCount(); ++row)
         for (int column = 1; column < 4; ++column)
             EXPECT_NE(page->comparison()->item(row, column)->text(), "--");
@@ -210,7 +210,7 @@ TEST_F(TrainingConsole, trainsComparesAndAdopts)
     EXPECT_EQ(tips.silent(), std::vector<std::string>());
     for (const char* name :
          {"Start", "Cancel", "Compare", "Use the new model from now on", "Discard the new model",
-          "Choose the scenes to learn from", "Choose the scenes to test on"})
+          "Choose the training scenes", "Choose the test scenes"})
         EXPECT_TRUE(tips.compared().contains(name)) << name;
 
     click(page->adoptButton());

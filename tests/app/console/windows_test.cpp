@@ -354,7 +354,7 @@ TEST_F(Windows, ofAListeningConsoleStopTheOpenersRobot)
         return !window->events()->findItems(words, Qt::MatchContains).empty();
     };
     EXPECT_TRUE(isKept("STOP SENT to the console that opened this window"));
-    EXPECT_TRUE(eventually([&] { return isKept("has taken it"); }));
+    EXPECT_TRUE(eventually([&] { return isKept("has received it"); }));
 }
 
 TEST_F(Windows, fileDialogStartsInTheSessionFolder)

@@ -203,7 +203,7 @@ TEST_F(Listening, sendsNothingAtAll)
     }));
     const Status sent = source.send(StopCommand{});
     ASSERT_FALSE(sent);
-    EXPECT_EQ(sent.error().text, "console is only listened to: start the console with --transmit");
+    EXPECT_EQ(sent.error().text, "console is receive-only: start the console with --transmit");
     source.disarm();
     EXPECT_EQ(source.view().frames.sent, 0U);
     EXPECT_FALSE(whyNotArming(source.view()).empty());

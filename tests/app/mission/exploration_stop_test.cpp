@@ -308,7 +308,7 @@ TEST_F(LinkBench, linkWatchdogExpiresAfter250msAndShowsTheBanner)
     showAt(now);
     EXPECT_TRUE(exploration->linkAlive()) << "one line of telemetry is enough";
     EXPECT_EQ(banner.text(),
-              "BACK after 260 ms — measured values are live, the terrain is as it was felt before");
+              "LINK RESTORED after 260 ms — values are live; the terrain predates the gap");
     for (const double back = now; now - back < 0.99;) {
         EXPECT_TRUE(banner.isVisible()) << "for a second: it may go again";
         line();

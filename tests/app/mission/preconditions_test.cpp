@@ -91,7 +91,7 @@ TEST_F(Bench, everyCommandListsWhatItNeeds)
     propose();
     EXPECT_TRUE(linesOf(exploration->toDrive()).contains("✘ An exploration is running"));
     EXPECT_EQ(linesOf(exploration->toProbe()),
-              "✔ telemetry is live\n✔ scene, settings and model are those of the question");
+              "✔ telemetry is live\n✔ scene, settings and model are unchanged since the question");
     exploration->stop();
     tick();
     EXPECT_TRUE(linesOf(exploration->toDrive()).startsWith("✘ STOP is latched: release it first"));
@@ -99,11 +99,11 @@ TEST_F(Bench, everyCommandListsWhatItNeeds)
     telemetry.activity = RobotActivity::Stopped;
     tick();
     EXPECT_EQ(linesOf(exploration->toReleaseStop()),
-              "✔ telemetry is live\n✔ the robot says that it is stopped");
+              "✔ telemetry is live\n✔ the robot reports stopped");
     tickInSilence(10);
     EXPECT_EQ(linesOf(exploration->toReleaseStop()),
               "✘ no telemetry from the robot\n"
-              "! the robot said that it is stopped, then no telemetry");
+              "! the robot reported stopped, then telemetry ended");
 }
 
 TEST_F(Bench, anOverrideCoversOneReasonAtItsSize)

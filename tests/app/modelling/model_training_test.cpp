@@ -193,7 +193,8 @@ TEST_F(Comparing, aModelWithItselfIsEqual)
     EXPECT_EQ(*comparison->nearDifference, (Interval{0.0, 0.0}));
     EXPECT_FALSE(comparison->newLearntThese);
     EXPECT_EQ(last, 1.0);
-    EXPECT_TRUE(ComparisonWords::sentence(*comparison).contains("as much as the old one"));
+    EXPECT_TRUE(
+        ComparisonWords::sentence(*comparison).contains("the same mean error as the old one"));
     EXPECT_TRUE(ComparisonWords::caution(*comparison).contains("may be chance"));
     EXPECT_TRUE(ComparisonWords::caution(*comparison).contains("20 of the file's"));
 }
@@ -208,7 +209,7 @@ TEST_F(Comparing, aWorseModelIsReportedAsWorse)
     EXPECT_LT(comparison->after.near.coverage, comparison->before.near.coverage);
     ASSERT_TRUE(comparison->nearDifference);
     EXPECT_GT(comparison->nearDifference->low, 0.0);
-    EXPECT_TRUE(ComparisonWords::sentence(*comparison).contains("% more near the robot"));
+    EXPECT_TRUE(ComparisonWords::sentence(*comparison).contains("% larger on"));
     EXPECT_FALSE(ComparisonWords::caution(*comparison).contains("chance"));
 
     plan.threads = 2;
@@ -217,7 +218,7 @@ TEST_F(Comparing, aWorseModelIsReportedAsWorse)
     ASSERT_TRUE(swapped);
     EXPECT_EQ(swapped->after.all, comparison->before.all);
     EXPECT_EQ(swapped->before.all, comparison->after.all);
-    EXPECT_TRUE(ComparisonWords::sentence(*swapped).contains("% less near the robot"));
+    EXPECT_TRUE(ComparisonWords::sentence(*swapped).contains("% smaller on"));
 }
 
 TEST_F(Comparing, isCancelledBetweenScenes)

@@ -97,9 +97,9 @@ TEST_F(ReviewOf, aSessionOpenedByAConsoleStopsItsRobot)
     press(Qt::Key_F12);
     EXPECT_TRUE(line->take());
     EXPECT_TRUE(saysUponTheHeader(*window, "STOP SENT to the console"));
-    EXPECT_TRUE(eventually([&] { return saysUponTheHeader(*window, "has taken it"); }));
+    EXPECT_TRUE(eventually([&] { return saysUponTheHeader(*window, "has received it"); }));
     press(Qt::Key_F12);  // nobody reads the line
-    EXPECT_TRUE(eventually([&] { return saysUponTheHeader(*window, "STOP NOT TAKEN"); }));
+    EXPECT_TRUE(eventually([&] { return saysUponTheHeader(*window, "STOP NOT RECEIVED"); }));
     line.reset();
     press(Qt::Key_F12);
     EXPECT_TRUE(saysUponTheHeader(*window, "STOP HAS NO EFFECT HERE: the console that opened"));
@@ -280,7 +280,7 @@ TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
     window->goTo(1.7);
     page.estimate();
     ASSERT_TRUE(eventually([&] { return page.answer().has_value(); }, 60000));
-    EXPECT_TRUE(page.result()->text().contains("but for the last bits"))
+    EXPECT_TRUE(page.result()->text().contains("except for rounding in the last bits"))
         << page.result()->text().toStdString();
 }
 
@@ -298,7 +298,7 @@ TEST_F(ReviewOf, theShippedSessionIsReproduced)
         ASSERT_TRUE(window->moment().estimate);
         window->whatIf()->estimate();
         ASSERT_TRUE(eventually([&] { return window->whatIf()->answer().has_value(); }, 60000));
-        EXPECT_TRUE(window->whatIf()->result()->text().contains("give the recorded estimate again"))
+        EXPECT_TRUE(window->whatIf()->result()->text().contains("reproduce the recorded estimate"))
             << window->whatIf()->result()->text().toStdString();
     }
 }

@@ -133,7 +133,7 @@ TEST_F(SoundCard, missingIsReportedOnThePage)
     ASSERT_TRUE(gui::eventually([&] { return !alarms.soundTrouble().isEmpty(); }));
     page.refresh(0.0);
     EXPECT_TRUE(std::ranges::any_of(page.findChildren<QLabel*>(), [](const QLabel* label) {
-        return label->isVisible() && label->text().contains("No sound but the desktop's bell");
+        return label->isVisible() && label->text().contains("Only the desktop's bell can sound");
     }));
 }
 

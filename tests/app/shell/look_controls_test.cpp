@@ -113,7 +113,7 @@ TEST_F(Look, aDisabledButtonSaysWhy)
     lookEverywhere();
     EXPECT_EQ(tips.silent(), std::vector<std::string>());
     for (const char* name : {"Lower the limit", "Raise the limit", "Acknowledge", "Acknowledge all",
-                             "The shipped one: Model", "Explore the terrain (A)"})
+                             "Shipped: Model", "Explore the terrain (A)"})
         EXPECT_TRUE(tips.compared().contains(name)) << name;
 }
 

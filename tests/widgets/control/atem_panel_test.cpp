@@ -59,11 +59,11 @@ TEST_F(Atem, saysTheStateAndItsTime)
 
 TEST_F(Atem, followingPanelHasNoCommandButtons)
 {
-    panel.setPreconditions({{Level::Missing, "can0 is only listened to"}});
+    panel.setPreconditions({{Level::Missing, "can0 is receive-only"}});
     panel.setState({.phase = AtemPhase::Probing, .followed = true}, std::nullopt);
     EXPECT_TRUE(shows("Following: flippers pressed, arm is probing"));
     EXPECT_FALSE(panel.requestButton()->isEnabled());
-    EXPECT_TRUE(panel.requestButton()->toolTip().contains("only listened to"));
+    EXPECT_TRUE(panel.requestButton()->toolTip().contains("receive-only"));
     EXPECT_TRUE(panel.abortButton()->isEnabled());
     EXPECT_TRUE(panel.abortButton()->text().contains("Forget"))
         << "it cannot end the robot's probe";
@@ -177,14 +177,14 @@ TEST_F(Atem, listsWhatTheNextCommandNeeds)
     panel.setPreconditions({{Level::Met, "the model is ready"}});
     panel.setNeeds(Commanded::Probe,
                    {{Level::Met, "telemetry is live"}, {Level::Missing, "not armed"}});
-    panel.setNeeds(Commanded::ReleaseStop, {{Level::Met, "the robot says that it is stopped"}});
+    panel.setNeeds(Commanded::ReleaseStop, {{Level::Met, "the robot reports stopped"}});
     panel.setState({.phase = AtemPhase::ProposingProbe}, std::nullopt);
     EXPECT_TRUE(shows("Approving a probe needs:") && shows("not armed"));
     EXPECT_FALSE(shows("telemetry is live")) << "the room is the question's";
     panel.lookUp(Commanded::Probe);
     EXPECT_TRUE(shows("telemetry is live"));
     panel.setState({.phase = AtemPhase::Stopped}, std::nullopt);
-    EXPECT_TRUE(shows("Releasing STOP needs:") && shows("says that it is stopped"));
+    EXPECT_TRUE(shows("Releasing STOP needs:") && shows("reports stopped"));
     panel.setNarrow(true);
     panel.setFixedWidth(300);
     EXPECT_TRUE(gui::eventually([&] { return gui::cutText(panel).empty(); }, 2000));

@@ -155,12 +155,12 @@ TEST_F(Probe, saysWhereTheVerdictIsAlreadyDecided)
         EXPECT_TRUE(card.approveButton()->isVisible()) << "one may still want the shape";
     }
     card.setNarrow(false);
-    EXPECT_TRUE(allText().contains("only the shape would gain"));
+    EXPECT_TRUE(allText().contains("a probe only refines the profile"));
     EXPECT_TRUE(card.refuseButton()->text().contains("BLOCKED stands"));
 
     decided.worth->bitsAfter = -0.2;  // it would still have information
     card.setProposal(decided);
-    EXPECT_TRUE(allText().contains("a probe makes it surer"));
+    EXPECT_TRUE(allText().contains("a probe makes it more certain"));
     EXPECT_TRUE(allText().contains(QStringLiteral("→")));
     for (const std::string& text : gui::cutText(card)) ADD_FAILURE() << text;
 }

@@ -335,7 +335,7 @@ TEST_F(Strip, saysWhichBudgetEndedTheDrawing)
     TerrainEstimate e = stepEstimate();
     e.ending = Ending::Time;
     strip.setEstimate(e, 5.0);
-    EXPECT_TRUE(strip.details().endsWith("5.0 s · ended: time was out"))
+    EXPECT_TRUE(strip.details().endsWith("5.0 s · ended: time limit"))
         << strip.details().toStdString();
     e.ending = Ending::Converged;
     strip.setEstimate(e, 0.1);
