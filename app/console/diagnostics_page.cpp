@@ -22,11 +22,11 @@
 #include <grp.h>
 #include <qwt_global.h>
 
+#include "app/display/format.h"
 #include "app/link/can_check.h"
 #include "app/shell/loop_meter.h"
 #include "core/learn/kernels/covariance_kernels.h"
 #include "core/learn/kernels/likelihood_kernels.h"
-#include "display/format.h"
 #include "drivers/can_interface.h"
 #include "widgets/base/card.h"
 #include "widgets/base/palette.h"

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "app/console/signals_page.h"
+#include "app/display/format.h"
 #include "app/mission/bus_text.h"
 #include "app/mission/preconditions.h"
 #include "app/mission/robot_text.h"
-#include "display/format.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/robot_readout.h"
 #include "widgets/control/status_header.h"

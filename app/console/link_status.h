@@ -4,11 +4,11 @@
 #include <QString>
 #include <optional>
 
+#include "app/display/precondition.h"
 #include "app/link/acquisition.h"
 #include "app/link/can_source.h"
 #include "app/runtime/growing_count.h"
 #include "core/atem/link_watch.h"
-#include "display/precondition.h"
 
 class QLabel;
 

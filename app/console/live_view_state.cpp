@@ -4,8 +4,8 @@
 #include <array>
 #include <limits>
 
+#include "app/display/format.h"
 #include "app/mission/bus_text.h"
-#include "display/format.h"
 
 namespace terratact {
 namespace {

@@ -12,11 +12,11 @@
 #include "app/console/main_window.h"
 #include "app/console/robot_connection.h"
 #include "app/console/session_retention.h"
+#include "app/display/format.h"
 #include "app/recording/session_folder.h"
 #include "app/runtime/resources.h"
 #include "app/runtime/say.h"
 #include "app/shell/console_setup.h"
-#include "display/format.h"
 
 namespace terratact {
 namespace {

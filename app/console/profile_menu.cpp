@@ -2,8 +2,8 @@
 
 #include <QActionGroup>
 
+#include "app/display/format.h"
 #include "app/mission/exploration.h"
-#include "display/format.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
 namespace terratact {

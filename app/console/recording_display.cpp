@@ -4,7 +4,7 @@
 #include <QPushButton>
 #include <QStyle>
 
-#include "display/format.h"
+#include "app/display/format.h"
 #include "widgets/base/tips.h"
 
 namespace terratact {

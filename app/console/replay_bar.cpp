@@ -3,8 +3,8 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 
+#include "app/display/format.h"
 #include "app/shell/key_table.h"
-#include "display/format.h"
 #include "drivers/log_replay.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"

@@ -13,10 +13,10 @@
 #include <algorithm>
 #include <array>
 
+#include "app/display/format.h"
 #include "app/mission/preset_text.h"
 #include "app/shell/file_dialog.h"
 #include "app/shell/font_fit.h"
-#include "display/format.h"
 #include "widgets/base/card.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"

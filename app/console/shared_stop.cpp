@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "display/format.h"
-#include "display/translated.h"
+#include "app/display/format.h"
+#include "app/display/translated.h"
 
 namespace terratact {
 

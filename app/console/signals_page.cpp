@@ -7,11 +7,11 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "app/display/format.h"
 #include "app/link/can_source.h"
 #include "app/link/robot_moment.h"
 #include "app/mission/bus_text.h"
 #include "app/pages/dbc_files.h"
-#include "display/format.h"
 #include "widgets/base/card.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"

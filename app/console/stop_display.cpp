@@ -2,7 +2,7 @@
 
 #include <QLabel>
 
-#include "display/format.h"
+#include "app/display/format.h"
 
 namespace terratact {
 

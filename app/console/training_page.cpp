@@ -16,11 +16,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/display/format.h"
 #include "app/mission/comparison_text.h"
 #include "app/mission/exploration.h"
 #include "app/shell/file_dialog.h"
 #include "core/learn/model/model_card.h"
-#include "display/format.h"
 #include "widgets/base/card.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/palette.h"

@@ -12,8 +12,8 @@
 #include <limits>
 
 #include "app/console/training_page.h"
+#include "app/display/format.h"
 #include "app/mission/comparison_text.h"
-#include "display/format.h"
 #include "widgets/base/card.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/palette.h"

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/display/format.h"
 #include "core/limits.h"
 #include "core/wire/frame_layout.h"
-#include "display/format.h"
 
 namespace terratact {
 namespace {

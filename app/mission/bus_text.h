@@ -3,9 +3,9 @@
 #include <QString>
 #include <vector>
 
+#include "app/display/tone.h"
 #include "app/link/can_source.h"
 #include "app/link/frame_history.h"
-#include "display/tone.h"
 #include "drivers/can_bus.h"
 
 namespace terratact {

@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "app/display/format.h"
 #include "app/mission/bus_text.h"
-#include "display/format.h"
 
 namespace terratact {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/display/format.h"
 #include "core/infer/verdict/estimate_text.h"
-#include "display/format.h"
 
 namespace terratact {
 namespace {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/display/event_severity.h"
 #include "app/link/acquisition.h"
 #include "app/mission/estimator_worker.h"
 #include "app/runtime/revised.h"
@@ -13,7 +14,6 @@
 #include "core/infer/verdict/ghost_track.h"
 #include "core/infer/verdict/verdict.h"
 #include "core/robot/robot_model.h"
-#include "display/event_severity.h"
 
 namespace terratact {
 

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/mission/model_text.h"
 #include "app/runtime/parallel.h"
 #include "app/runtime/time_budget.h"
@@ -16,8 +18,6 @@
 #include "core/learn/model/model_file.h"
 #include "core/sim/posterior_check.h"
 #include "core/store/sha256.h"
-#include "display/format.h"
-#include "display/translated.h"
 
 namespace terratact {
 

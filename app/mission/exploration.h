@@ -5,6 +5,9 @@
 #include <memory>
 #include <optional>
 
+#include "app/display/event_severity.h"
+#include "app/display/precondition.h"
+#include "app/display/stop_view_state.h"
 #include "app/link/can_source.h"
 #include "app/link/robot_moment.h"
 #include "app/mission/estimation.h"
@@ -17,9 +20,6 @@
 #include "core/atem/probe_proposal.h"
 #include "core/limits.h"
 #include "core/robot/robot_model.h"
-#include "display/event_severity.h"
-#include "display/precondition.h"
-#include "display/stop_view_state.h"
 #include "drivers/measurement_source.h"
 
 namespace terratact {

@@ -1,8 +1,8 @@
 // What the operator does.
 #include <utility>
 
+#include "app/display/format.h"
 #include "app/mission/exploration.h"
-#include "display/format.h"
 
 namespace terratact {
 

@@ -1,6 +1,6 @@
 // What may be done now, and why not.
+#include "app/display/format.h"
 #include "app/mission/exploration.h"
-#include "display/format.h"
 
 namespace terratact {
 

@@ -3,9 +3,9 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "app/display/format.h"
+#include "app/display/translated.h"
 #include "core/infer/verdict/obstacle.h"
-#include "display/format.h"
-#include "display/translated.h"
 
 namespace terratact {
 namespace {

@@ -7,6 +7,8 @@
 #include <exception>
 #include <utility>
 
+#include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/modelling/model_cards.h"
 #include "app/runtime/parallel.h"
 #include "app/runtime/steady_now.h"
@@ -15,8 +17,6 @@
 #include "core/learn/model/model_file.h"
 #include "core/store/file_read.h"
 #include "core/store/file_write.h"
-#include "display/format.h"
-#include "display/translated.h"
 
 namespace terratact {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "display/format.h"
+#include "app/display/format.h"
 
 namespace terratact {
 

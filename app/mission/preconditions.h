@@ -7,11 +7,11 @@
 #include <array>
 #include <optional>
 
+#include "app/display/precondition.h"
 #include "app/link/can_source.h"
 #include "app/mission/estimation.h"
 #include "core/infer/estimate/settings.h"
 #include "core/robot/measurement.h"
-#include "display/precondition.h"
 
 namespace terratact {
 

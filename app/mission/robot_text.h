@@ -2,8 +2,8 @@
 
 #include <QString>
 
+#include "app/display/tone.h"
 #include "core/robot/measurement.h"
-#include "display/tone.h"
 
 namespace terratact {
 

@@ -7,11 +7,11 @@
 #include <optional>
 #include <string>
 
+#include "app/display/event_severity.h"
 #include "app/link/panel_reader.h"
 #include "app/mission/console_alarms.h"
 #include "app/mission/exploration.h"
 #include "app/recording/session_recorder.h"
-#include "display/event_severity.h"
 
 namespace terratact {
 

@@ -3,10 +3,10 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "app/display/format.h"
 #include "app/link/can_text.h"
 #include "core/limits.h"
 #include "core/wire/dbc/dbc_text.h"
-#include "display/format.h"
 
 namespace terratact {
 namespace {

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "app/display/signal_row.h"
+#include "app/display/trace_words.h"
 #include "app/link/dbc_book.h"
 #include "app/link/tapped_frame.h"
-#include "display/signal_row.h"
-#include "display/trace_words.h"
 
 namespace terratact {
 

@@ -11,13 +11,13 @@
 #include <cstdio>
 #include <functional>
 
+#include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/link/protocol_dbc.h"
 #include "app/runtime/resources.h"
 #include "app/runtime/say.h"
 #include "app/shell/file_dialog.h"
 #include "app/shell/preference_store.h"
-#include "display/format.h"
-#include "display/translated.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"

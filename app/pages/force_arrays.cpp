@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "display/format.h"
+#include "app/display/format.h"
 
 namespace terratact {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/display/format.h"
 #include "app/shell/key_table.h"
-#include "display/format.h"
 #include "widgets/base/card.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "app/display/format.h"
 #include "core/terrain/body_ceiling.h"
 #include "core/terrain/outline.h"
-#include "display/format.h"
 #include "widgets/base/card.h"
 #include "widgets/base/elided_label.h"
 #include "widgets/base/theme.h"

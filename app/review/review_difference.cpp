@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/display/format.h"
 #include "core/store/csv_text.h"
-#include "display/format.h"
 #include "widgets/signals/session_timeline.h"
 
 namespace terratact {

@@ -3,11 +3,11 @@
 #include <QLabel>
 #include <algorithm>
 
+#include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/mission/robot_text.h"
 #include "app/review/review_timeline.h"
 #include "core/atem/link_watch.h"
-#include "display/format.h"
-#include "display/translated.h"
 #include "widgets/control/robot_readout.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/event_list.h"

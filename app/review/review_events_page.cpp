@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/display/format.h"
 #include "app/review/review_timeline.h"
 #include "core/log/review_moment.h"
-#include "display/format.h"
 #include "widgets/base/card.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/plain_table.h"

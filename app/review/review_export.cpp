@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/review/review_difference.h"
 #include "core/store/csv_text.h"
 #include "core/store/file_write.h"
-#include "display/format.h"
-#include "display/translated.h"
 #include "widgets/base/theme.h"
 #include "widgets/terrain/numbers_table.h"
 #include "widgets/terrain/terrain_profile_view.h"

@@ -18,8 +18,8 @@
 #include <array>
 #include <utility>
 
+#include "app/display/format.h"
 #include "app/shell/file_dialog.h"
-#include "display/format.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"
 #include "widgets/base/tips.h"

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/review/review_player.h"
 #include "core/log/session_reader.h"
-#include "display/format.h"
-#include "display/translated.h"
 #include "widgets/base/tips.h"
 
 namespace terratact {

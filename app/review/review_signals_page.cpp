@@ -5,9 +5,9 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/display/format.h"
 #include "app/mission/signal_rows.h"
 #include "app/pages/dbc_files.h"
-#include "display/format.h"
 #include "widgets/base/card.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/signals/signal_table.h"

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <map>
 
+#include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/mission/bus_text.h"
 #include "app/recording/session_text.h"
 #include "core/log/event_text.h"
 #include "core/log/review_moment.h"
-#include "display/format.h"
-#include "display/translated.h"
 
 namespace terratact {
 namespace {

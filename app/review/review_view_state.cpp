@@ -2,9 +2,9 @@
 
 #include <limits>
 
+#include "app/display/format.h"
 #include "app/mission/estimation.h"
 #include "app/pages/force_arrays.h"
-#include "display/format.h"
 
 namespace terratact {
 namespace {

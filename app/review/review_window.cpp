@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/display/format.h"
 #include "app/pages/numbers_page.h"
 #include "app/pages/terrain_page.h"
 #include "app/review/review_events_page.h"
@@ -23,7 +24,6 @@
 #include "app/review/what_if_page.h"
 #include "app/shell/open_file.h"
 #include "app/shell/view_menu.h"
-#include "display/format.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/base/theme.h"

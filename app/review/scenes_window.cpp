@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "app/display/format.h"
 #include "app/pages/terrain_page.h"
-#include "display/format.h"
 #include "widgets/base/theme.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"

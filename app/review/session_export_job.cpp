@@ -2,10 +2,10 @@
 
 #include <utility>
 
+#include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/figures/session_report.h"
 #include "core/log/session_reader.h"
-#include "display/format.h"
-#include "display/translated.h"
 
 namespace terratact {
 namespace {

@@ -17,12 +17,12 @@
 #include <limits>
 #include <utility>
 
+#include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/recording/what_if.h"
 #include "app/shell/file_dialog.h"
 #include "core/infer/estimate/quality_preset.h"
 #include "core/store/sha256.h"
-#include "display/format.h"
-#include "display/translated.h"
 #include "widgets/base/card.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/plain_table.h"

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <thread>
 
-#include "display/format.h"
-#include "display/translated.h"
+#include "app/display/format.h"
+#include "app/display/translated.h"
 #include "drivers/audio_output.h"
 
 namespace terratact {

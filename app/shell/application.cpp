@@ -9,11 +9,11 @@
 #include <csignal>
 #include <cstdlib>
 
+#include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/shell/console_window.h"
 #include "app/shell/language.h"
 #include "app/shell/text_sheet.h"
-#include "display/format.h"
-#include "display/translated.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/theme.h"
 

@@ -12,9 +12,9 @@
 #include <functional>
 #include <utility>
 
+#include "app/display/format.h"
+#include "app/display/translated.h"
 #include "core/base/named.h"
-#include "display/format.h"
-#include "display/translated.h"
 
 namespace terratact {
 namespace {

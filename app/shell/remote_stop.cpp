@@ -4,8 +4,8 @@
 #include <random>
 #include <utility>
 
-#include "display/format.h"
-#include "display/translated.h"
+#include "app/display/format.h"
+#include "app/display/translated.h"
 
 namespace terratact {
 namespace {

@@ -23,7 +23,7 @@ struct SourceText {
 #define TR_NOOP(context, english) (terratact::SourceText{context, english})
 
 /// Message to the operator: a sentence and its arguments, formatted where it is shown. core formats
-/// it in English (english()); the console translates the source text (display/translated.h).
+/// it in English (english()); the console translates the source text (app/display/translated.h).
 /// An argument is a message too. A number or a name has no context and is not translated.
 struct Message {
     Message() = default;

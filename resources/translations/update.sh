@@ -15,5 +15,5 @@ for language in cs de; do
   file=$to/terratact_$language.ts
   [ "$to" = "$here" ] || cp "$here/terratact_$language.ts" "$file"
   "$lupdate" -silent -no-obsolete -locations none -I . -source-language en -target-language $language \
-    -tr-function-alias QT_TRANSLATE_NOOP+=TR_NOOP core drivers display widgets app -ts "$file" 2>&1 | grep -v 'Qualifying with unknown\|Ignoring definition' || true
+    -tr-function-alias QT_TRANSLATE_NOOP+=TR_NOOP core drivers widgets app -ts "$file" 2>&1 | grep -v 'Qualifying with unknown\|Ignoring definition' || true
 done

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "display/tone.h"
+#include "app/display/tone.h"
 #include "widgets/base/palette.h"
 
 class QApplication;

@@ -3,7 +3,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 
-#include "display/format.h"
+#include "app/display/format.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/tips.h"

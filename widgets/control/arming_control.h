@@ -3,8 +3,8 @@
 #include <QElapsedTimer>
 #include <QWidget>
 
+#include "app/display/precondition.h"
 #include "core/atem/arming.h"
-#include "display/precondition.h"
 
 class QPushButton;
 

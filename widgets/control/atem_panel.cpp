@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/display/format.h"
 #include "core/atem/following.h"
-#include "display/format.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"

@@ -3,9 +3,9 @@
 #include <array>
 #include <optional>
 
+#include "app/display/precondition.h"
 #include "core/atem/atem_machine.h"
 #include "core/atem/phase_time.h"
-#include "display/precondition.h"
 #include "widgets/base/card.h"
 
 class QBoxLayout;

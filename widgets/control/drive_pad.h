@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "display/precondition.h"
+#include "app/display/precondition.h"
 
 namespace terratact {
 

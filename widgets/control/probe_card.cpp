@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "display/format.h"
+#include "app/display/format.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "app/display/precondition.h"
+#include "app/display/tone.h"
 #include "core/atem/probe_proposal.h"
-#include "display/precondition.h"
-#include "display/tone.h"
 #include "widgets/base/card.h"
 
 class QGridLayout;

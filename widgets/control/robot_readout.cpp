@@ -4,7 +4,7 @@
 #include <QLabel>
 #include <cmath>
 
-#include "display/format.h"
+#include "app/display/format.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/theme.h"
 #include "widgets/base/tips.h"

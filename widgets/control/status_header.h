@@ -2,8 +2,8 @@
 
 #include <QFrame>
 
-#include "display/stop_view_state.h"
-#include "display/tone.h"
+#include "app/display/stop_view_state.h"
+#include "app/display/tone.h"
 
 class QBoxLayout;
 class QPushButton;

@@ -3,7 +3,7 @@
 #include <QListWidget>
 #include <QTime>
 
-#include "display/event_severity.h"
+#include "app/display/event_severity.h"
 #include "widgets/base/palette.h"
 
 namespace terratact {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/display/format.h"
 #include "core/robot/force_drift.h"
-#include "display/format.h"
 #include "widgets/signals/force_bars.h"
 #include "widgets/signals/force_chart.h"
 

@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "display/format.h"
+#include "app/display/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/plain_table.h"

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/display/trace_words.h"
 #include "core/wire/frame_trouble.h"
-#include "display/trace_words.h"
 
 class QLabel;
 class QLineEdit;

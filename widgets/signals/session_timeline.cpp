@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-#include "display/format.h"
+#include "app/display/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/tips.h"
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "app/display/format.h"
 #include "core/robot/measurement.h"
-#include "display/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/tips.h"
 

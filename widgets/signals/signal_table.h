@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "display/signal_row.h"
+#include "app/display/signal_row.h"
 #include "widgets/base/plain_table.h"
 
 namespace terratact {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "display/format.h"
+#include "app/display/format.h"
 #include "widgets/base/drawable.h"
 #include "widgets/base/palette.h"
 

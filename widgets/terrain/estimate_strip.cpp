@@ -9,8 +9,8 @@
 #include <cmath>
 #include <utility>
 
+#include "app/display/format.h"
 #include "core/infer/estimate/estimate.h"
-#include "display/format.h"
 #include "widgets/base/elided_label.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"

@@ -5,9 +5,9 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 
+#include "app/display/format.h"
 #include "core/infer/verdict/bimodality.h"
 #include "core/infer/verdict/obstacle.h"
-#include "display/format.h"
 #include "widgets/base/tips.h"
 #include "widgets/terrain/provenance_text.h"
 #include "widgets/terrain/touch_text.h"

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "display/format.h"
+#include "app/display/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/terrain/terrain_items.h"
 #include "widgets/terrain/terrain_profile_view.h"

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "display/format.h"
+#include "app/display/format.h"
 #include "widgets/base/drawable.h"
 #include "widgets/base/palette.h"
 #include "widgets/terrain/provenance_marks.h"

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "display/format.h"
+#include "app/display/format.h"
 #include "widgets/base/palette.h"
 #include "widgets/terrain/touch_text.h"
 

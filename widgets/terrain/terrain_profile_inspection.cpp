@@ -7,8 +7,8 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "app/display/format.h"
 #include "core/infer/verdict/verdict.h"
-#include "display/format.h"
 #include "widgets/base/drawable.h"
 #include "widgets/terrain/bin_inspector.h"
 #include "widgets/terrain/profile_layers.h"
@@ -95,8 +95,7 @@ void TerrainProfileView::describe()
     QStringList lines;
     for (int bin = 0; bin < kBins && estimate_; ++bin) lines << binText(bin);
     if (const QString note = note_->text().text(); !note.isEmpty()) lines.prepend(note);
-    if (!staleOverlay_->words.isEmpty())
-        lines.prepend(tr("not live: no telemetry from the robot"));
+    if (!staleOverlay_->words.isEmpty()) lines.prepend(tr("not live: no telemetry from the robot"));
     if (!ghostNote_->text().text().isEmpty()) lines << ghostNote_->text().text();
     setAccessibleDescription(lines.join(QLatin1Char('\n')));
 }

@@ -11,8 +11,8 @@
 #include <cmath>
 #include <limits>
 
+#include "app/display/format.h"
 #include "core/infer/verdict/verdict.h"
-#include "display/format.h"
 #include "widgets/base/drawable.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_plot.h"

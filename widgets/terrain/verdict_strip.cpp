@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-#include "display/format.h"
+#include "app/display/format.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/spoken.h"
 #include "widgets/base/theme.h"

@@ -17,6 +17,7 @@
 
 #include "app/console/main_window.h"
 #include "app/console/training_page.h"
+#include "app/display/format.h"
 #include "app/review/review_export_dialog.h"
 #include "app/review/review_window.h"
 #include "app/review/scenes_window.h"
@@ -25,7 +26,6 @@
 #include "core/base/text.h"
 #include "core/log/session_reader.h"
 #include "core/store/file_read.h"
-#include "display/format.h"
 #include "drivers/memory_bus.h"
 #include "tests/support/absolem.h"
 #include "tests/support/gui.h"

@@ -16,10 +16,10 @@
 #include <vector>
 
 #include "app/console/settings_page.h"
+#include "app/display/format.h"
 #include "app/pages/numbers_page.h"
 #include "app/shell/text_sheet.h"
 #include "core/learn/model/model_file.h"
-#include "display/format.h"
 #include "tests/support/console_bench.h"
 #include "tests/support/gui.h"
 #include "tests/support/scripted_source.h"

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/display/format.h"
 #include "app/shell/language.h"
-#include "display/format.h"
 #include "tests/support/console_bench.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"

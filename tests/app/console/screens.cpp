@@ -15,12 +15,12 @@
 #include <map>
 #include <thread>
 
+#include "app/display/format.h"
 #include "app/runtime/resources.h"
 #include "app/shell/language.h"
 #include "core/log/session_reader.h"
 #include "core/sim/terrain_shapes.h"
 #include "core/wire/frame_layout.h"
-#include "display/format.h"
 #include "tests/support/arming.h"
 #include "tests/support/gui.h"
 #include "tests/support/sessions.h"

@@ -10,11 +10,11 @@
 #include <stdexcept>
 #include <thread>
 
+#include "app/display/format.h"
 #include "app/mission/preconditions.h"
 #include "app/mission/robot_text.h"
 #include "app/pages/terrain_page.h"
 #include "app/runtime/resources.h"
-#include "display/format.h"
 #include "tests/app/console/screens.h"
 #include "tests/support/gui.h"
 #include "widgets/base/held_button.h"

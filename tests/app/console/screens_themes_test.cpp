@@ -2,7 +2,7 @@
 #include <string_view>
 
 #include "app/console/link_status.h"
-#include "display/format.h"
+#include "app/display/format.h"
 #include "tests/app/console/screens.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/probe_card.h"

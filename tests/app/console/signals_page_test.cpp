@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "app/console/signals_page.h"
+#include "app/display/format.h"
 #include "app/link/dbc_book.h"
 #include "app/mission/signal_rows.h"
 #include "app/shell/language.h"
-#include "display/format.h"
 #include "tests/support/gui.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/signals/raw_trace.h"

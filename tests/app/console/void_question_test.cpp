@@ -1,6 +1,6 @@
 // Tests void proposals: after its basis changed, only a new exploration gives a valid one.
+#include "app/display/precondition.h"
 #include "core/atem/atem_machine.h"
-#include "display/precondition.h"
 #include "tests/support/exploration_bench.h"
 
 namespace terratact {

@@ -19,6 +19,7 @@
 #include <string>
 
 #include "app/console/main_window.h"
+#include "app/display/format.h"
 #include "app/review/review_export_dialog.h"
 #include "app/review/review_window.h"
 #include "app/review/scenes_window.h"
@@ -29,7 +30,6 @@
 #include "app/shell/open_file.h"
 #include "app/shell/text_sheet.h"
 #include "core/atem/panel.h"
-#include "display/format.h"
 #include "drivers/gpio_chip.h"
 #include "drivers/memory_bus.h"
 #include "tests/support/gui.h"

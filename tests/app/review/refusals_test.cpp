@@ -11,6 +11,8 @@
 #include <map>
 #include <utility>
 
+#include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/link/dbc_book.h"
 #include "app/recording/what_if.h"
 #include "app/review/review_notes.h"
@@ -23,8 +25,6 @@
 #include "core/robot/robot_model.h"
 #include "core/wire/dbc/dbc_file.h"
 #include "core/wire/log_reader.h"
-#include "display/format.h"
-#include "display/translated.h"
 #include "drivers/log_replay.h"
 #include "tests/support/random_model.h"
 #include "tests/support/sessions.h"

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/display/format.h"
 #include "app/mission/estimator_worker.h"
 #include "app/pages/terrain_page.h"
 #include "app/review/review_export_dialog.h"
@@ -17,7 +18,6 @@
 #include "app/shell/open_file.h"
 #include "app/shell/remote_stop.h"
 #include "core/store/file_write.h"
-#include "display/format.h"
 #include "tests/support/gui.h"
 #include "tests/support/review_bench.h"
 #include "tests/support/robot_session.h"

@@ -12,6 +12,8 @@
 
 #include "app/console/main_window.h"
 #include "app/console/settings_page.h"
+#include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/mission/bus_text.h"
 #include "app/review/review_timeline.h"
 #include "app/shell/about.h"
@@ -27,8 +29,6 @@
 #include "core/robot/watch/sensor_suspicion.h"
 #include "core/store/csv_reader.h"
 #include "core/store/file_read.h"
-#include "display/format.h"
-#include "display/translated.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"

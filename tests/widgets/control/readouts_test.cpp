@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-#include "display/format.h"
+#include "app/display/format.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "widgets/base/palette.h"

@@ -1,8 +1,8 @@
-#include "display/translated.h"
+#include "app/display/translated.h"
 
 #include <QCoreApplication>
 
-#include "display/format.h"
+#include "app/display/format.h"
 
 namespace terratact {
 namespace {

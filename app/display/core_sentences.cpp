@@ -3,7 +3,7 @@
 #include <QStringList>
 #include <vector>
 
-#include "display/format.h"
+#include "app/display/format.h"
 
 namespace terratact {
 namespace {

@@ -1,4 +1,4 @@
-#include "display/precondition.h"
+#include "app/display/precondition.h"
 
 #include <QStringList>
 #include <algorithm>
