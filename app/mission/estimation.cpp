@@ -77,8 +77,7 @@ void Estimation::poll(const std::optional<Received>& latest, bool heard)
     }
     if (scene_ && latest->unbrokenFrom > capturedAt_ && !std::exchange(wasUnheard_, true))
         emit unheard();
-    if (scene_ && !hasMoved() && latest->count >= capturedAt_ && !latest->suspicions.empty())
-        wasSuspected_ = true;
+    if (scene_ && !hasMoved() && latest->count >= capturedAt_) suspect(latest->suspicions);
     if (latest->count == tracked_) return;
     if (track_ && latest->unbrokenFrom > tracked_) {
         track_->takeSilence();
@@ -134,6 +133,12 @@ void Estimation::preview(const Received& latest)
         {.measurement = latest.sample.measurement, .arm = {}, .settings = settings});
 }
 
+void Estimation::suspect(const std::vector<SensorSuspicion>& suspicions)
+{
+    wasSuspected_ = wasSuspected_ || !suspicions.empty();
+    wasPitchSuspected_ = wasPitchSuspected_ || isSuspected(suspicions, Sensor::Pitch);
+}
+
 void Estimation::begin(const Received& latest, std::uint64_t since)
 {
     const bool isNew = latest.press && latest.press->count > since;
@@ -142,8 +147,8 @@ void Estimation::begin(const Received& latest, std::uint64_t since)
     scene_ = CapturedScene{.measurement = sample.measurement, .truth = sample.truth};
     pose_.emplace(sample.measurement);
     capturedAt_ = isNew ? latest.press->count : latest.count;
-    wasUnheard_ = false;
-    wasSuspected_ = !latest.suspicions.empty();
+    wasUnheard_ = wasSuspected_ = wasPitchSuspected_ = false;
+    suspect(latest.suspicions);
     readings_.clear();
     emit captured(*scene_);
     start();
@@ -196,7 +201,7 @@ void Estimation::forget(const QString& why)
     unadvised_ = false;
     scene_.reset();
     pose_.reset();
-    wasUnheard_ = wasSuspected_ = false;
+    wasUnheard_ = wasSuspected_ = wasPitchSuspected_ = false;
     readings_.clear();
     whyNone_ = why;
 }

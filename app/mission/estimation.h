@@ -82,6 +82,8 @@ public:
     bool wasUnheard() const { return wasUnheard_; }
     /// Returns true if a sensor was suspected while the robot stood at scene().
     bool wasSuspected() const { return wasSuspected_; }
+    /// Returns true if the pitch was suspected. It places the bins, and the arm with them.
+    bool wasPitchSuspected() const { return wasPitchSuspected_; }
     const Settings& wanted() const { return options_.settings; }  ///< settings of the next estimate
     /// Returns the arm readings in scene().
     const std::vector<ArmReading>& readings() const { return readings_; }
@@ -133,6 +135,7 @@ private:
         Precision precision;
         bool operator==(const Processes&) const = default;
     };
+    void suspect(const std::vector<SensorSuspicion>& suspicions);
 
     /// An estimate that the operator has cleared.
     struct Aside {
@@ -173,7 +176,7 @@ private:
     std::optional<PoseWatch> pose_;  ///< watches the pose of scene_
     std::uint64_t capturedAt_ = 0;   ///< count of the sample that became scene_
     bool wasUnheard_ = false;
-    bool wasSuspected_ = false;
+    bool wasSuspected_ = false, wasPitchSuspected_ = false;
     std::vector<ArmReading> readings_;
     std::optional<Aside> aside_;
 

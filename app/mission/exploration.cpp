@@ -42,6 +42,7 @@ void Exploration::takeAdvice()
 {
     ProbeOffer offer = probes_.offer();
     if (const auto asked = std::exchange(askedBin_, std::nullopt)) offer = {.bin = asked};
+    if (estimation_.wasPitchSuspected()) offer.bin.reset();
     pending_.estimateReady = true;
     pending_.probeWanted = offer.bin.has_value();
     offered_ = pending_.probeWanted;

@@ -67,6 +67,8 @@ void Exploration::abort()
 void Exploration::approve(quint64 proposal)
 {
     if (!probes_.isCurrent(proposal)) return;
+    if (estimation_.wasPitchSuspected())
+        return void(emit happened(Preconditions::pitchSuspected().text, EventSeverity::Warning));
     emit decided("approve", format::binName(probes_.current()->bin));
     pending_.approved = true;
     pending_.approvedFor = probes_.proposedOn();

@@ -19,6 +19,7 @@ QString Exploration::whyNoEstimate() const
 QString Exploration::whyNotOffered() const
 {
     if (!estimation_.estimate() || offered_) return {};
+    if (estimation_.wasPitchSuspected()) return Preconditions::pitchSuspected().text;
     const ProbeOffer now = probes_.offer();  // limit, policy and telemetry may have changed
     if (now.bin) return tr("No probe was offered with this estimate: explore again");
     return wordsOf(now.why);
@@ -48,6 +49,8 @@ bool Exploration::inReach(int bin) const
 QString Exploration::whyNotAsking(int bin) const
 {
     if (following()) return following_->why();
+    if (latest_ && isSuspected(latest_->suspicions, Sensor::Pitch))
+        return Preconditions::pitchSuspected().text;
     if (!inReach(bin)) return tr("the arm does not reach bin %1").arg(format::binName(bin));
     if (state_.phase == AtemPhase::ProposingProbe)
         return probes_.stands() ? QString() : Preconditions::stands(false).text;
@@ -86,6 +89,7 @@ QList<Precondition> Exploration::toProbe() const
     if (state_.phase != AtemPhase::ProposingProbe || !probes_.current())
         return list << Preconditions::noProbeProposed();
     if (estimation_.wasUnheard()) return list << Preconditions::wasUnheard();
+    if (estimation_.wasPitchSuspected()) return list << Preconditions::pitchSuspected();
     return list << Preconditions::stands(probes_.stands());
 }
 

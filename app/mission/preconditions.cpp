@@ -81,6 +81,11 @@ Precondition Preconditions::wasUnheard()
     return missing(tr("the link was lost, the robot may have moved: explore again"));
 }
 
+Precondition Preconditions::pitchSuspected()
+{
+    return missing(tr("No probe: the pitch may be wrong, and the arm would touch another place"));
+}
+
 Precondition Preconditions::stopConfirmed(bool confirmed, bool heard)
 {
     if (!confirmed) return doubtful(tr("the robot has not confirmed STOP"));

@@ -33,8 +33,9 @@ public:
     static Precondition notExploring(bool explores);
     /// The proposal still has the data that was shown with it.
     static Precondition stands(bool asThen);
-    static Precondition armIsOut();    ///< the robot reports that it probes
-    static Precondition wasUnheard();  ///< telemetry was missing since the estimate
+    static Precondition armIsOut();        ///< the robot reports that it probes
+    static Precondition wasUnheard();      ///< telemetry was missing since the estimate
+    static Precondition pitchSuspected();  ///< the arm would touch another place than is shown
     static Precondition stopConfirmed(bool confirmed, bool heard);
     static QList<Precondition> toArm(const CanView& view);
 };

@@ -504,6 +504,10 @@
         <translation>spojení bylo ztraceno, robot se mohl pohnout: prozkoumejte znovu</translation>
     </message>
     <message>
+        <source>No probe: the pitch may be wrong, and the arm would touch another place</source>
+        <translation>Bez sondy: podélný sklon nemusí být správný a rameno by se dotklo jiného místa</translation>
+    </message>
+    <message>
         <source>the arm is still out: wait until it is back, or press STOP</source>
         <translation>rameno je ještě venku: počkejte na jeho návrat, nebo stiskněte STOP</translation>
     </message>

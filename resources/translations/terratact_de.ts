@@ -504,6 +504,10 @@
         <translation>die Verbindung war verloren, der Roboter kann sich bewegt haben: neu erkunden</translation>
     </message>
     <message>
+        <source>No probe: the pitch may be wrong, and the arm would touch another place</source>
+        <translation>Keine Sonde: der Nickwinkel ist vielleicht falsch, und der Arm würde eine andere Stelle berühren</translation>
+    </message>
+    <message>
         <source>the arm is still out: wait until it is back, or press STOP</source>
         <translation>der Arm ist noch draußen: warten, bis er zurück ist, oder STOP drücken</translation>
     </message>

@@ -89,6 +89,7 @@ struct Bench : testing::Test {
                           {SteadyTime(std::chrono::duration_cast<SteadyTime::duration>(
                                std::chrono::duration<double>(now))),
                            now});
+        latest->suspicions = suspicions;
     }
     EstimateRequest lastAsked() const
     {
@@ -193,6 +194,7 @@ struct Bench : testing::Test {
     std::unique_ptr<EstimatorWorker> worker;
     std::unique_ptr<Exploration> exploration;
     Measurement telemetry;
+    std::vector<SensorSuspicion> suspicions;  ///< of every line from now on
     std::optional<Received> latest;
     mutable std::mutex mutex;
     EstimateRequest asked;  ///< newest request; guarded by the mutex

@@ -32,7 +32,36 @@ TEST_F(Bench, reasonForNoProbeUsesTheCurrentStepLimit)
     EXPECT_EQ(exploration->whyNotOffered(), "") << "there is no estimate";
 }
 
-TEST_F(Bench, stepLimitChangedDuringAnEstimateSelectsTheProbe)
+TEST_F(Bench, aSuspectedPitchWithholdsTheProbe)
+{
+    suspicions = {{.sensor = Sensor::Pitch, .trouble = SensorTrouble::Stuck}};
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    EXPECT_FALSE(exploration->proposal());
+    EXPECT_TRUE(exploration->whyNotOffered().contains("the pitch may be wrong"));
+    exploration->askProbe(kBin06);
+    EXPECT_EQ(phase(), AtemPhase::Presenting);
+    EXPECT_TRUE(events.last().contains("the pitch may be wrong"));
+}
+
+TEST_F(Bench, aPitchSuspectedLaterForbidsToApprove)
+{
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    suspicions = {{.sensor = Sensor::FrontLeft, .trouble = SensorTrouble::Stuck}};
+    tick();
+    EXPECT_TRUE(exploration->toProbe().last().level == Precondition::Level::Met)
+        << "another sensor does not place the bins";
+    suspicions = {{.sensor = Sensor::Pitch, .trouble = SensorTrouble::Late}};
+    tick();
+    EXPECT_EQ(exploration->toProbe().last().level, Precondition::Level::Missing);
+    exploration->approve(exploration->proposal()->id);
+    tick();
+    EXPECT_EQ(phase(), AtemPhase::ProposingProbe);
+    EXPECT_EQ(sent<ProbeCommand>(), 0);
+}
+
+TEST_F(Bench, aLimitChangedDuringAnEstimateDecidesWhatIsOffered)
 {
     withDraws = true;
     stepInHalf = true;  // half of the draws have a step of about 0.15 m
