@@ -114,6 +114,7 @@ DiagnosticsSection permissions()
              {DiagnosticsPage::tr("groups"), groupWords()}}};
 }
 
+/// Returns the same lines with and without a bus.
 DiagnosticsSection presentDiagnostics(const ConsoleFacts& facts)
 {
     DiagnosticsSection section{DiagnosticsPage::tr("Now"), {}};
@@ -122,13 +123,14 @@ DiagnosticsSection presentDiagnostics(const ConsoleFacts& facts)
                                                   : format::kNothing)
                   << std::pair(DiagnosticsPage::tr("telemetry"),
                                format::number(facts.telemetryRate, 0) + QStringLiteral(" Hz"));
-    if (!facts.bus.isEmpty()) section.lines << std::pair(DiagnosticsPage::tr("bus"), facts.bus);
-    if (facts.waiting)
-        section.lines << std::pair(DiagnosticsPage::tr("CAN frames waiting"),
-                                   DiagnosticsPage::tr("%1 now, %2 at most")
-                                       .arg(facts.waiting->now)
-                                       .arg(facts.waiting->most));
-    section.lines << std::pair(DiagnosticsPage::tr("estimator"),
+    section.lines << std::pair(DiagnosticsPage::tr("bus"),
+                               facts.bus.isEmpty() ? format::kNothing : facts.bus)
+                  << std::pair(DiagnosticsPage::tr("CAN frames waiting"),
+                               facts.waiting ? DiagnosticsPage::tr("%1 now, %2 at most")
+                                                   .arg(facts.waiting->now)
+                                                   .arg(facts.waiting->most)
+                                             : format::kNothing)
+                  << std::pair(DiagnosticsPage::tr("estimator"),
                                facts.estimating ? DiagnosticsPage::tr("one estimate under way")
                                                 : DiagnosticsPage::tr("idle"))
                   << std::pair(DiagnosticsPage::tr("memory"),

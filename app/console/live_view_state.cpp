@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/mission/bus_text.h"
 
 namespace terratact {
@@ -107,7 +108,7 @@ AlarmViewState LiveViewState::alarms(const RobotMoment& moment, const LinkAccoun
         viewState.wrongChecksums =
             bus->tap().load().troubles[static_cast<std::size_t>(FrameTrouble::WrongChecksum)];
     viewState.noModel = exploration.estimation().model().trouble;
-    if (parts_.recorder) viewState.notRecorded = format::sentence(parts_.recorder->state().trouble);
+    if (parts_.recorder) viewState.notRecorded = translated(parts_.recorder->state().trouble);
     if (parts_.panel && !parts_.panel->answers(now))
         viewState.panelTrouble = exploration.following()  // a following console stops nothing
                                    ? tr("The operator's panel does not answer")

@@ -5,6 +5,7 @@
 #include <QStyle>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "widgets/base/tips.h"
 
 namespace terratact {
@@ -20,7 +21,7 @@ void RecordingDisplay::show(const RecordingState& state)
 {
     const bool failed = state.on && !state.trouble.empty();
     strip_.setVisible(failed);
-    if (failed) strip_.setText(tr("NOT RECORDED: %1").arg(format::sentence(state.trouble)));
+    if (failed) strip_.setText(tr("NOT RECORDED: %1").arg(translated(state.trouble)));
     setTip(
         button_,
         state.recording

@@ -80,7 +80,6 @@ namespace {
     QT_TRANSLATE_NOOP("core",
                       "only %1 MB are free, %2 MB are left alone; recording goes on when there is "
                       "room"),
-    QT_TRANSLATE_NOOP("core", "the disk is slow, it has been writing for %1 s; %2 frames wait"),
     QT_TRANSLATE_NOOP("core", "not sent"),
     QT_TRANSLATE_NOOP("core", "not sent, the kernel's queue is full"),
     QT_TRANSLATE_NOOP("core", "not readable"),
@@ -166,7 +165,7 @@ namespace {
     QT_TRANSLATE_NOOP("event", "clock"),
     QT_TRANSLATE_NOOP("event", "operator"),
     // Alarms, by what they are about; "disarmed" is what arming comes to, too.
-    QT_TRANSLATE_NOOP("event", "mute"),
+    QT_TRANSLATE_NOOP("event", "silence"),
     QT_TRANSLATE_NOOP("event", "link"),
     QT_TRANSLATE_NOOP("event", "bus"),
     QT_TRANSLATE_NOOP("event", "foreign"),

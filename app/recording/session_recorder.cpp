@@ -141,9 +141,9 @@ RecordingState SessionRecorder::state() const
     state.on = on_;
     const double busy = busySince_ ? steadyNow() - *busySince_ : 0.0;
     if (busy > options_.patience && state.trouble.empty())
-        state.trouble =
-            fmt::format("{}: the disk is slow, it has been writing for {:.0f} s; {} frames wait",
-                        options_.folder, busy, waiting_.frames.size());
+        state.trouble = Message(
+            TR_NOOP("core", "%1: the disk is slow, it has been writing for %2 s; %3 frames wait"),
+            options_.folder, fmt::format("{:.0f}", busy), waiting_.frames.size());
     return state;
 }
 
@@ -166,7 +166,7 @@ void SessionRecorder::run(const std::stop_token& stop)
             if (writer_ && store()) seal("recording was switched off");
             remember();
             const std::scoped_lock lock(mutex_);
-            state_.trouble.clear();
+            state_.trouble = {};
             continue;
         }
         const bool nothing = batch_.frames.empty() && batch_.rows.empty();
@@ -183,7 +183,7 @@ bool SessionRecorder::store()
     Status written = write();
     if (written) written = writer_->commit();
     if (!written) {
-        close(written.error().text);
+        close(written.error().message);
         return false;
     }
     remember();
@@ -197,7 +197,7 @@ void SessionRecorder::seal(const std::string& why)
         EventRow{.time = now(), .kind = EventKind::Session, .subject = "ended", .text = why});
     if (ended) ended = writer_->commit();
     if (ended) (void)writer_->seal();  // a reader blocks sealing; then the next start seals it
-    close(ended ? std::string() : ended.error().text);
+    close(ended ? Message() : ended.error().message);
 }
 
 /// Moves queued rows behind the rows that could not be written yet, within the queue bounds.
@@ -235,7 +235,7 @@ bool SessionRecorder::open()
     if (writer_) return true;
     if (steadyNow() < nextTry_) return false;
     const Status begun = begin();
-    if (!begun) close(begun.error().text);
+    if (!begun) close(begun.error().message);
     return writer_.has_value();
 }
 
@@ -256,7 +256,7 @@ Status SessionRecorder::begin()
     {
         const std::scoped_lock lock(mutex_);
         state_.path = path;
-        state_.trouble.clear();
+        state_.trouble = {};
         state_.recording = true;
     }
     const bool goesOn = !before_.empty();
@@ -318,7 +318,7 @@ void SessionRecorder::remember()
     batch_ = {};
 }
 
-void SessionRecorder::close(const std::string& why)
+void SessionRecorder::close(const Message& why)
 {
     framesBefore_ += writer_ ? writer_->frames() : 0;
     writer_.reset();
@@ -347,7 +347,8 @@ void SessionRecorder::measure()
         seal("the disk is full");
         const std::scoped_lock lock(mutex_);
         state_.trouble =
-            options_.folder + ": the disk is full; recording goes on when there is room";
+            Message(TR_NOOP("core", "%1: the disk is full; recording goes on when there is room"),
+                    options_.folder);
     } else if (bytes > options_.mostBytes || writer_->batches() + 1 >= options_.mostBatches) {
         seal("the file is large enough");
         nextTry_ = 0.0;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/recording/recording_context.h"
+#include "core/base/message.h"
 #include "core/log/session_schema.h"
 #include "core/log/session_writer.h"
 #include "drivers/can_bus.h"
@@ -24,7 +25,7 @@ struct RecordingState {
     bool on = true;            ///< recording is wanted
     bool recording = false;    ///< a file is open and accepts rows
     std::string path;          ///< path of the file; empty before the first
-    std::string trouble;       ///< reason that nothing is recorded; empty: recording works
+    Message trouble;           ///< reason that nothing is recorded; empty: recording works
     std::int64_t frames = 0;   ///< committed frames in all files
     std::int64_t missing = 0;  ///< dropped frames in all files
     std::int64_t bytes = 0;    ///< size of the file and its journal
@@ -94,7 +95,7 @@ private:
     Status writeContext();
     bool store();
     void remember();
-    void close(const std::string& why);
+    void close(const Message& why);
     void seal(const std::string& why);
     void measure();
 

@@ -1495,8 +1495,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>volných je jen %1 MB, %2 MB zůstává nedotčeno; nahrává se dál, až bude místo</translation>
     </message>
     <message>
-        <source>the disk is slow, it has been writing for %1 s; %2 frames wait</source>
-        <translation>disk je pomalý, zapisuje už %1 s; čeká %2 rámců</translation>
+        <source>%1: the disk is slow, it has been writing for %2 s; %3 frames wait</source>
+        <translation>%1: disk je pomalý, zapisuje už %2 s; čeká %3 rámců</translation>
     </message>
     <message>
         <source>not sent</source>
@@ -3710,6 +3710,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>right force 6</source>
         <translation>pravá síla 6</translation>
     </message>
+    <message>
+        <source>%1: the disk is full; recording goes on when there is room</source>
+        <translation>%1: disk je plný; záznam pokračuje, jakmile bude místo</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -3818,7 +3822,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>operátor</translation>
     </message>
     <message>
-        <source>mute</source>
+        <source>silence</source>
         <translation>žádná telemetrie</translation>
     </message>
     <message>
@@ -7377,7 +7381,7 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     </message>
     <message>
         <source>The robot reports stopped; another press sends STOP again</source>
-        <translation>Robot hlásí, že je zastaven; další stisk ho zastaví znovu</translation>
+        <translation>Robot hlásí, že je zastaven; další stisk znovu pošle STOP</translation>
     </message>
     <message>
         <source>STOP has no effect here: %1</source>

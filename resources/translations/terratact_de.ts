@@ -1495,8 +1495,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>nur %1 MB sind frei, %2 MB bleiben unberührt; aufgezeichnet wird wieder, sobald Platz ist</translation>
     </message>
     <message>
-        <source>the disk is slow, it has been writing for %1 s; %2 frames wait</source>
-        <translation>der Datenträger ist langsam, er schreibt seit %1 s; %2 Frames warten</translation>
+        <source>%1: the disk is slow, it has been writing for %2 s; %3 frames wait</source>
+        <translation>%1: der Datenträger ist langsam, er schreibt seit %2 s; %3 Frames warten</translation>
     </message>
     <message>
         <source>not sent</source>
@@ -3710,6 +3710,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>right force 6</source>
         <translation>rechte Kraft 6</translation>
     </message>
+    <message>
+        <source>%1: the disk is full; recording goes on when there is room</source>
+        <translation>%1: der Datenträger ist voll; die Aufnahme geht weiter, sobald Platz ist</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -3818,7 +3822,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>Bediener</translation>
     </message>
     <message>
-        <source>mute</source>
+        <source>silence</source>
         <translation>keine Telemetrie</translation>
     </message>
     <message>
@@ -7377,7 +7381,7 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     </message>
     <message>
         <source>The robot reports stopped; another press sends STOP again</source>
-        <translation>Der Roboter meldet, dass er gestoppt ist; ein weiterer Druck stoppt ihn erneut</translation>
+        <translation>Der Roboter meldet, dass er gestoppt ist; ein weiterer Druck sendet STOP erneut</translation>
     </message>
     <message>
         <source>STOP has no effect here: %1</source>

@@ -117,7 +117,7 @@ TEST_F(Console, theQualityMenuSaysWhatAPresetCostsAndSetsIt)
     EXPECT_EQ(offered()[0]->text(),
               QStringLiteral(
                   "fast: 4.0 ms, quantiles ± 11.3 mm from a long run, mean error 34 mm; chains "
-                  "converge in 13 % of scenes, without which there is no verdict"));
+                  "converge in 13 % of scenes, and only these have a verdict"));
 }
 
 TEST_F(Console, escapeAbortsAnExploration)

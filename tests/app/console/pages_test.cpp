@@ -403,7 +403,7 @@ TEST_F(Pages, theNumbersSayWhatTheVerdictIsAndHowOldTheyAre)
     EXPECT_EQ(
         line->text(),
         QString::fromUtf8("? CANNOT TELL · P(step > 0.10 m ahead) = 0.99 ± < 0.01 · withheld: "
-                          "no live telemetry, the robot may have moved · last heard 12.3 s "
+                          "no live telemetry, the robot may have moved · last telemetry 12.3 s "
                           "ago"));
     EXPECT_EQ(gui::cutWhenSettled(page), std::vector<std::string>());
     viewState.verdict->withheldFor = {WithholdReason::Unheard};

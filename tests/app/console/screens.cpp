@@ -471,6 +471,21 @@ void Screens::explore()
     FAIL() << describe(phase()) << ": " << describe(exploration.state().failure);
 }
 
+void Screens::exploreWithoutProbe()
+{
+    Exploration& exploration = console->exploration();
+    const auto phase = [&] { return exploration.state().phase; };
+    for (int attempt = 0; attempt < 3 && !exploration.estimation().estimate(); ++attempt) {
+        ASSERT_NO_FATAL_FAILURE(arm());  // again if a busy machine has disarmed
+        ASSERT_TRUE(eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); },
+                               kPatience));
+        press(Qt::Key_A);
+        ASSERT_TRUE(eventually([&] { return exploring(phase()); }, kPatience));
+        ASSERT_TRUE(eventually([&] { return !exploring(phase()); }, kPatience));
+    }
+    ASSERT_TRUE(exploration.estimation().estimate()) << describe(exploration.state().failure);
+}
+
 void Screens::approve()
 {
     ASSERT_TRUE(console->exploration().proposal());

@@ -80,6 +80,7 @@ struct Screens : testing::Test {
     void arm();
     /// Explores until a probe is proposed; tries again if a busy machine made the link degrade.
     void explore();
+    void exploreWithoutProbe();  ///< explores up to an estimate that offers no probe
     /// Approves the proposal without the hold.
     void approve();
     bool reaches(AtemPhase phase);

@@ -90,9 +90,10 @@ TEST_F(Screens, trouble)
                  StatusHeader::tr("STOPPED (F12)")});
 
         open({.sessions = "/proc/terratact"});
-        picture("not_recorded", {RecordingDisplay::tr("NOT RECORDED: %1"),
-                                 format::sentence("the directory cannot be made"),
-                                 RecordingDisplay::tr("✕ NOT\nRECORDED")});
+        picture("not_recorded",
+                {RecordingDisplay::tr("NOT RECORDED: %1"),
+                 QCoreApplication::translate("core", "%1: the directory cannot be made: %2"),
+                 RecordingDisplay::tr("✕ NOT\nRECORDED")});
     });
 }
 
@@ -122,7 +123,7 @@ TEST_F(Screens, lying)
             QTest::keyRelease(&window(), Qt::Key_W);
         }
         ASSERT_TRUE(alarmStands(*console, "sensor-fault")) << "it drove, and pitch did not change";
-        ASSERT_NO_FATAL_FAILURE(explore());
+        ASSERT_NO_FATAL_FAILURE(exploreWithoutProbe());
         picture("stuck_imu", {StatusHeader::tr("alarms: %1"), VerdictStrip::tr("? CANNOT TELL")});
         press(Qt::Key_F4);
         picture("stuck_imu_in_the_list", {ConsoleAlarms::tr("Do not trust this sensor: %1")});

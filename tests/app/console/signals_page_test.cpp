@@ -127,8 +127,8 @@ TEST(Load, saysWhatItAssumesOrThatItIsNotKnown)
     EXPECT_EQ(loadWords(load, {.bitsPerSecond = 500'000.0}),
               "load 20.0 to 24.0 % of 500 kbit/s (without stuff bits, with the most possible)");
     EXPECT_EQ(loadWords(load, {.bitsPerSecond = 500'000.0, .nominal = true}),
-              "load 20.0 to 24.0 % of nominal 500 kbit/s (without stuff bits, with all there can "
-              "be)");
+              "load 20.0 to 24.0 % of nominal 500 kbit/s (without stuff bits, with the most "
+              "possible)");
     EXPECT_EQ(loadWords(load, {}), "load --- (bit rate not known): 100.0 to 120.0 kbit/s");
 }
 

@@ -335,7 +335,7 @@ TEST_F(Soak, keepsUpWithAFullBusWhileItEstimatesAndRecords)
     std::printf("recorded: %lld frames, %lld found no room, %.1f MB\n",
                 static_cast<long long>(recorded.frames), static_cast<long long>(recorded.missing),
                 static_cast<double>(recorded.bytes) / 1e6);
-    EXPECT_EQ(recorded.trouble, "");
+    EXPECT_EQ(recorded.trouble.english(), "");
     EXPECT_EQ(recorded.missing, 0);
     EXPECT_GT(static_cast<double>(recorded.frames), 0.9 * rate * elapsed - kFramesPerSecond);
 

@@ -261,7 +261,7 @@ TEST_F(Comparing, knowsTheFileThatAModelLearntFrom)
     ASSERT_TRUE(comparison) << comparison.error().text;
     EXPECT_TRUE(comparison->newLearntThese);
     EXPECT_FALSE(comparison->oldLearntThese);
-    EXPECT_TRUE(ComparisonWords::caution(*comparison).contains("flatters"));
+    EXPECT_TRUE(ComparisonWords::caution(*comparison).contains("was trained on this file"));
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ TEST_F(Recorder, makesASealedFileOfEverything)
             EventRow{.kind = EventKind::Decision, .subject = "explore", .estimate = id});
         ASSERT_TRUE(eventually([&] { return recorder.state().frames == 1000; }));
         EXPECT_TRUE(recorder.state().recording);
-        EXPECT_EQ(recorder.state().trouble, "");
+        EXPECT_EQ(recorder.state().trouble.english(), "");
         EXPECT_EQ(recoverDeadSessions(sessionsIn(folder)).size(), 0U)
             << "a file that is written is left alone";
     }
@@ -157,13 +157,13 @@ TEST_F(Recorder, reportsWhyRecordingFailsAndResumes)
     std::ofstream(folder) << "a file where the folder should be";
     SessionRecorder recorder(options);
     ASSERT_TRUE(eventually([&] { return !recorder.state().trouble.empty(); }));
-    EXPECT_NE(recorder.state().trouble.find(folder), std::string::npos);
+    EXPECT_NE(recorder.state().trouble.english().find(folder), std::string::npos);
     EXPECT_FALSE(recorder.state().recording);
     recorder.take(busFrames(0, 10));
     recorder.record(EventRow{.kind = EventKind::Decision, .subject = "stop"});
     std::filesystem::remove(folder);
     ASSERT_TRUE(eventually([&] { return recorder.state().frames == 10; })) << "what waited is kept";
-    EXPECT_EQ(recorder.state().trouble, "");
+    EXPECT_EQ(recorder.state().trouble.english(), "");
     auto reader = SessionReader::open(recorder.state().path);
     ASSERT_TRUE(reader);
     EXPECT_TRUE(hasEvent(*reader, EventKind::Decision, "stop"));
@@ -233,7 +233,7 @@ TEST_F(Recorder, aStalledDiskBlocksNoCallerAndIsReported)
             const double before = steadyNow();
             recorder.take(busFrames(static_cast<std::int64_t>(kPerTurn) * turn, kPerTurn));
             recorder.record(EventRow{.kind = EventKind::Decision, .subject = "refuse"});
-            const std::string trouble = recorder.state().trouble;
+            const std::string trouble = recorder.state().trouble.english();
             longest = std::max(longest, steadyNow() - before);
             if (told == 0.0 && trouble.find("the disk is slow") != std::string::npos)
                 told = steadyNow() - began;
@@ -241,7 +241,7 @@ TEST_F(Recorder, aStalledDiskBlocksNoCallerAndIsReported)
         }
         stalled = false;
         const bool over = eventually([&] { return recorder.state().trouble.empty(); });
-        EXPECT_TRUE(over) << recorder.state().trouble;
+        EXPECT_TRUE(over) << recorder.state().trouble.english();
     }
     EXPECT_GT(told, 0.5);
     EXPECT_LT(told, 3.0) << "before the stall was over";
@@ -271,7 +271,7 @@ TEST_F(Recorder, keepsNothingWhileItIsOff)
     const std::string first = recorder.state().path;
     recorder.setOn(false);
     ASSERT_TRUE(eventually([&] { return !recorder.state().recording; }));
-    EXPECT_EQ(recorder.state().trouble, "");
+    EXPECT_EQ(recorder.state().trouble.english(), "");
     EXPECT_TRUE(SessionReader::open(first)->sealed());
     recorder.take(busFrames(0, 10));
     std::this_thread::sleep_for(100ms);  // ten turns of the recorder's thread
@@ -556,8 +556,8 @@ TEST_F(Recorder, withoutAFolderSaysSo)
     SessionRecorder recorder(options);
     recorder.record(EventRow{.kind = EventKind::Marker});
     ASSERT_TRUE(eventually([&] { return !recorder.state().trouble.empty(); }));
-    EXPECT_NE(recorder.state().trouble.find("--sessions"), std::string::npos)
-        << recorder.state().trouble;
+    EXPECT_NE(recorder.state().trouble.english().find("--sessions"), std::string::npos)
+        << recorder.state().trouble.english();
 }
 
 TEST_F(Recorder, refusesABusWhoseNameMovesTheCursor)
@@ -566,8 +566,8 @@ TEST_F(Recorder, refusesABusWhoseNameMovesTheCursor)
     SessionRecorder recorder(options);
     recorder.record(EventRow{.kind = EventKind::Marker});
     ASSERT_TRUE(eventually([&] { return !recorder.state().trouble.empty(); }));
-    EXPECT_NE(recorder.state().trouble.find("'can?[2J0' has control characters"), std::string::npos)
-        << recorder.state().trouble;
+    EXPECT_NE(recorder.state().trouble.english().find("'can?[2J0' has control characters"), std::string::npos)
+        << recorder.state().trouble.english();
     EXPECT_TRUE(filesIn(folder).empty());
 }
 

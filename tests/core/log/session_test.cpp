@@ -275,7 +275,7 @@ std::string told(const std::string& path, std::size_t atATime)
         text += "damage " + std::to_string(damage.first) + damage.why.english();
     const SessionVerification found = reader->verify();
     return text + std::to_string(found.batches) + "/" + std::to_string(found.frames) + found.chain
-         + (found.broken ? found.broken->why : "");
+         + (found.broken ? found.broken->why.english() : std::string());
 }
 
 TEST_F(Session, isTheSameInPartsOfAnySize)

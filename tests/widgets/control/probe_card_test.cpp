@@ -145,10 +145,10 @@ TEST_F(Probe, saysWhereTheVerdictIsAlreadyDecided)
     for (const bool narrow : {false, true}) {
         card.setNarrow(narrow);
         card.setProposal(kProposal);
-        EXPECT_FALSE(allText().contains("stands"));
+        EXPECT_FALSE(allText().contains("Already"));
         EXPECT_EQ(card.refuseButton()->property("role").toString(), "");
         card.setProposal(decided);
-        EXPECT_TRUE(allText().contains("BLOCKED stands")) << allText().toStdString();
+        EXPECT_TRUE(allText().contains("Already BLOCKED")) << allText().toStdString();
         EXPECT_FALSE(allText().contains(QStringLiteral("→"))) << allText().toStdString();
         EXPECT_TRUE(allText().contains("no gain"));
         EXPECT_EQ(card.refuseButton()->property("role").toString(), "primary");
