@@ -566,7 +566,8 @@ TEST_F(Recorder, refusesABusWhoseNameMovesTheCursor)
     SessionRecorder recorder(options);
     recorder.record(EventRow{.kind = EventKind::Marker});
     ASSERT_TRUE(eventually([&] { return !recorder.state().trouble.empty(); }));
-    EXPECT_NE(recorder.state().trouble.english().find("'can?[2J0' has control characters"), std::string::npos)
+    EXPECT_NE(recorder.state().trouble.english().find("'can?[2J0' has control characters"),
+              std::string::npos)
         << recorder.state().trouble.english();
     EXPECT_TRUE(filesIn(folder).empty());
 }
