@@ -72,7 +72,7 @@ QString probeTells(const ProbeProposal& probe)
 QString whyNoProbe(const TerrainViewState& viewState)
 {
     if (isAtRest(viewState) && !tellsWorth(viewState))
-        return TerrainPage::tr("The verdict is withheld, so a probe's effect on it is not shown.");
+        return TerrainPage::tr("The verdict is withheld: do not rely on a probe's gain.");
     const AtemState& state = viewState.state;
     if (state.followed) return followedProbe(state);
     if (state.phase == AtemPhase::Presenting) {

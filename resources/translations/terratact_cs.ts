@@ -7547,8 +7547,8 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>sonda v %1: její výška, ± %2 m místo ± %3 m</translation>
     </message>
     <message>
-        <source>The verdict is withheld, so a probe&apos;s effect on it is not shown.</source>
-        <translation>Verdikt je zadržen, a tedy i to, co o něm řekne sonda.</translation>
+        <source>The verdict is withheld: do not rely on a probe&apos;s gain.</source>
+        <translation>Verdikt je zadržen: na přínos sondy nespoléhejte.</translation>
     </message>
 </context>
 <context>

@@ -7547,8 +7547,8 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Sondierung bei %1: ihre Höhe, ± %2 m statt ± %3 m</translation>
     </message>
     <message>
-        <source>The verdict is withheld, so a probe&apos;s effect on it is not shown.</source>
-        <translation>Das Urteil wird zurückgehalten, und damit auch, was eine Sondierung darüber sagt.</translation>
+        <source>The verdict is withheld: do not rely on a probe&apos;s gain.</source>
+        <translation>Das Urteil wird zurückgehalten: nicht auf den Gewinn einer Sondierung verlassen.</translation>
     </message>
 </context>
 <context>
