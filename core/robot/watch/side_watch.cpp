@@ -14,7 +14,7 @@ constexpr double kNoise = 0.2;   // [A] in which currents agree all the same
 constexpr double kRaised = 0.3;  // [rad] both front flippers, at least
 constexpr int kRaisedLines = 50;
 constexpr double kHardlyFree = 0.1;  // share of the raised lines
-constexpr double kMinLate = 2.5;     // [N]
+constexpr double kMinLate = 4.0;     // [N]
 constexpr double kOtherLate = 0.35;  // of that change, in the other side
 constexpr std::size_t kOrders = 2;   // elements 1 and 2, against 6 and 5
 
