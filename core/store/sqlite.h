@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/message.h"
+
 struct sqlite3;
 struct sqlite3_stmt;
 
