@@ -368,6 +368,8 @@ void MainWindow::askProbe()
         exploration_->askProbe(seen);
     else if (best)
         exploration_->askProbe(best->bin);
+    else if (const QString why = exploration_->whyNotOffered(); !why.isEmpty())
+        tell(why, EventSeverity::Warning);
     else
         tell(tr("no bin is selected: point at a bin first"), EventSeverity::Warning);
 }

@@ -87,7 +87,8 @@ ProbeBasis ProbeProposals::basis() const
 
 std::optional<ProbeProposal> ProbeProposals::best() const
 {
-    return estimation_.estimate() ? bestProbe(basis()) : std::nullopt;
+    if (!estimation_.estimate() || estimation_.wasPitchSuspected()) return std::nullopt;
+    return bestProbe(basis());
 }
 
 void ProbeProposals::propose(int bin)

@@ -35,7 +35,7 @@ public:
     /// Returns what to propose for the present estimate, which must exist.
     ProbeOffer offer() const;
 
-    /// Returns bestProbe() of the present estimate; empty without one.
+    /// Returns bestProbe() of the present estimate; empty without one, or if its pitch was suspected.
     std::optional<ProbeProposal> best() const;
 
     /// Proposes a bin of the present estimate, which must exist; replaces the last proposal.

@@ -38,6 +38,7 @@ TEST_F(Bench, aSuspectedPitchWithholdsTheProbe)
     press();
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
     EXPECT_FALSE(exploration->proposal());
+    EXPECT_FALSE(exploration->bestProbe()) << "no button may offer it either";
     EXPECT_TRUE(exploration->whyNotOffered().contains("the pitch may be wrong"));
     exploration->askProbe(kBin06);
     EXPECT_EQ(phase(), AtemPhase::Presenting);
