@@ -128,25 +128,26 @@ void addSessionWhatIf(CLI::App& session, Job& job)
                                                 "with other settings");
     const auto o = std::make_shared<WhatIfOptions>();
     addInput(*c, "files", o->files, "Sessions (*.tts), or folders of them")->required();
-    auto* one = c->add_option("--estimate", o->estimate, "This one alone, by its number")
+    auto* one = c->add_option("--estimate", o->rerun.estimate, "This one alone, by its number")
                     ->check(CLI::Range(1, 1'000'000'000));
     c->add_flag_callback(
          "--all", [] {}, "All estimates, which is so without it")
         ->excludes(one);
-    addChoice(*c, "--method", o->changes.method, methodFromName,
+    addChoice(*c, "--method", o->rerun.changes.method, methodFromName,
               "pa|pac|pafc|pafac|clearance|joint|local", "Another method");
-    addChoice(*c, "--quality", o->changes.preset, qualityPresetFromName, "fast|balanced|accurate",
+    addChoice(*c, "--quality", o->rerun.changes.preset, qualityPresetFromName,
+              "fast|balanced|accurate",
               "Draws, chains, burn-in, precision and inducing rows of a "
               "preset");
-    c->add_option("--threshold", o->changes.threshold, "Another force of a contact [N]")
+    c->add_option("--threshold", o->rerun.changes.threshold, "Another force of a contact [N]")
         ->check(CLI::Range(0.0, 1000.0));
-    c->add_option("--seed", o->changes.seed, "Another seed of the random numbers");
-    addInput(*c, "--model", o->model,
+    c->add_option("--seed", o->rerun.changes.seed, "Another seed of the random numbers");
+    addInput(*c, "--model", o->rerun.model,
              "Another model (*.ttm), or where the session's is, if it is "
              "not the shipped one");
     addTextOutput(*c, "--out", o->out, "CSV to write, a row for each bin");
     c->callback([o, &job] {
-        useShippedModel(o->shippedModel);
+        useShippedModel(o->rerun.shippedModel);
         job = [o] { return whatIf(*o); };
     });
 }

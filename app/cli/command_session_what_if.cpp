@@ -184,9 +184,9 @@ Watch watchOf(const EstimateRow& row, const Interrupt& interrupt)
 Status whatIf(const WhatIfOptions& options)
 {
     const Interrupt interrupt;
-    SessionReruns reruns(options, {.opened = noteDamage, .watch = [&](const EstimateRow& row) {
-                                       return watchOf(row, interrupt);
-                                   }});
+    SessionReruns reruns(
+        options.rerun, {.opened = noteDamage,
+                        .watch = [&](const EstimateRow& row) { return watchOf(row, interrupt); }});
     try {
         for (const std::string& path : options.files)
             for (const std::string& file : sessionsAt(path))

@@ -61,7 +61,8 @@ struct SessionReportOptions {
 };
 Status reportSession(const SessionReportOptions& options);
 
-struct WhatIfOptions : SessionReruns::Options {
+struct WhatIfOptions {
+    SessionReruns::Options rerun{};
     std::vector<std::string> files;  ///< sessions or folders
     std::string out;                 ///< CSV output; empty: none
 };

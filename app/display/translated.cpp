@@ -9,7 +9,7 @@ namespace {
 
 std::string inLanguage(const Message& message)
 {
-    const std::string source =
+    std::string source =
         message.context.empty()
             ? message.source
             : QCoreApplication::translate(message.context.c_str(), message.source.c_str())

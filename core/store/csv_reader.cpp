@@ -467,7 +467,7 @@ Result<double> CsvReader::number(std::size_t field, std::string_view what)
     return error(Message(refusal, what, shown(text), decimalLine_));
 }
 
-Error CsvReader::error(Message cause) const
+Error CsvReader::error(const Message& cause) const
 {
     return fileError(name_, Message(TR_NOOP("core", "line %1: %2"), line_, cause));
 }

@@ -78,7 +78,7 @@ public:
     Result<double> number(std::size_t field, std::string_view what);
 
     /// Returns "file: line 7: cause".
-    Error error(Message cause) const;
+    Error error(const Message& cause) const;
     Error error(std::string_view cause) const;  ///< in English alone
 
     const std::string& name() const { return name_; }  ///< the file's path

@@ -18,7 +18,7 @@
 namespace terratact {
 namespace {
 
-Error cannotWrite(const std::string& path, Message cause, int code)
+Error cannotWrite(const std::string& path, const Message& cause, int code)
 {
     return {Message(TR_NOOP("core", "%1: cannot be written: %2"), path, cause), code};
 }

@@ -62,7 +62,7 @@ std::string LogReader::format() const
     return std::string(format_->name()) + (bytes_.isPacked() ? ", packed by gzip" : "");
 }
 
-Error LogReader::error(Message cause) const
+Error LogReader::error(const Message& cause) const
 {
     return fileError(name_, Message(TR_NOOP("core", "line %1: %2"), line_, cause));
 }
@@ -72,9 +72,9 @@ std::vector<Message> LogReader::takeRemarks()
     return std::exchange(remarks_, {});
 }
 
-void LogReader::remark(Message what)
+void LogReader::remark(const Message& what)
 {
-    remarks_.push_back(error(std::move(what)).message);
+    remarks_.push_back(error(what).message);
 }
 
 /// Reads the next line into text_.
@@ -154,10 +154,10 @@ Status LogReader::chooseFormat()
     return Done{};
 }
 
-void LogReader::tear(Message what)
+void LogReader::tear(const Message& what)
 {
     isTorn_ = true;
-    remark(std::move(what));
+    remark(what);
 }
 
 /// Adds the last remarks.
@@ -234,7 +234,7 @@ Result<std::optional<LoggedFrame>> LogReader::frameOf(Line line)
     const std::uint64_t passed = format_->passedOver();
     Result<std::optional<LoggedFrame>> taken = format_->take(text_);
     if (passed == 0 && format_->passedOver() > 0) firstPassed_ = line_;
-    if (Message said = format_->takeRemark(); !said.empty()) remark(std::move(said));
+    if (Message said = format_->takeRemark(); !said.empty()) remark(said);
     // Only candump's compact lines do not state their length.
     const bool mayBeCut = text_.find('#') != std::string::npos && format_->name() == "candump";
     if (taken && *taken && line == Line::Unended && mayBeCut)

@@ -59,7 +59,7 @@ public:
     static constexpr std::uint64_t kMaxSteps = 5;
 
     /// Returns "file: line 7: cause".
-    Error error(Message cause) const;
+    Error error(const Message& cause) const;
 
 private:
     enum class Line : std::uint8_t { None, Whole, Unended };
@@ -69,9 +69,9 @@ private:
     Status chooseFormat();
     Result<std::optional<LoggedFrame>> frameOf(Line line);
     void watchClock(const LoggedFrame& logged);
-    void remark(Message what);
+    void remark(const Message& what);
     std::optional<LoggedFrame> end();
-    void tear(Message what);
+    void tear(const Message& what);
 
     std::string name_;
     LogBytes bytes_;

@@ -83,15 +83,16 @@ const ReturnWatch::Step* ReturnWatch::opposite(const Step& step) const
     if (step.load == Load::Some) return nullptr;
     const Step* nearest = nullptr;
     double least = kSame;
-    for (auto there = steps_.rbegin(); there != steps_.rend(); ++there) {
-        if (there->load != step.load
-            || std::abs(turnBetween(there->heading, step.heading)) < std::numbers::pi - kOpposite)
+    for (std::size_t i = steps_.size(); i-- > 0;) {
+        const Step& there = steps_[i];
+        if (there.load != step.load
+            || std::abs(turnBetween(there.heading, step.heading)) < std::numbers::pi - kOpposite)
             continue;
         const Vec2 apart =
-            rotated({there->place.x - step.place.x, there->place.z - step.place.z}, -step.heading);
+            rotated({there.place.x - step.place.x, there.place.z - step.place.z}, -step.heading);
         if (std::abs(apart.x) > least || std::abs(apart.z) > kNear) continue;
         least = std::abs(apart.x);
-        nearest = &*there;
+        nearest = &there;
     }
     return nearest;
 }

@@ -23,7 +23,7 @@ constexpr std::size_t kMaxWarnings = 20;
 
 }  // namespace
 
-void DbcWarnings::add(int line, Message what)
+void DbcWarnings::add(int line, const Message& what)
 {
     add(Message(TR_NOOP("core", "line %1: %2"), line, what));
 }
@@ -40,8 +40,8 @@ void DbcWarnings::add(Message what)
 void DbcWarnings::end()
 {
     if (unsaid_ > 0)
-        file_.warnings.push_back(
-            Message(TR_NOOP("core", "%1: %2 more things are left out"), file_.path, unsaid_));
+        file_.warnings.emplace_back(TR_NOOP("core", "%1: %2 more things are left out"), file_.path,
+                                    unsaid_);
 }
 
 // Reads "BO_ 256 Engine: 8 Gateway".

@@ -21,7 +21,7 @@ public:
     /// file: must outlive this object.
     explicit DbcWarnings(DbcFile& file) : file_(file) {}
 
-    void add(int line, Message what);
+    void add(int line, const Message& what);
     void add(Message what);  ///< `what` names its line
     void end();              ///< adds the number of further warnings
 
