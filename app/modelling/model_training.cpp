@@ -134,12 +134,13 @@ private:
     void trainSurfaces()
     {
         prepareClearance(model_, ceilings_);
+        const std::vector<int> places = placesOf(model_);
         std::vector<TrainedSurface> trained(static_cast<std::size_t>(jobs()));
         runStage(TrainingKind::SurfaceCovered, TrainingKind::SurfaceOpen,
                  [&](int job, TrainingKind kind, int bin) {
                      trained[static_cast<std::size_t>(job)] =
                          trainSurface(model_, ceilings_, bin, kind == TrainingKind::SurfaceCovered,
-                                      surface_, poll_);
+                                      surface_, poll_, places);
                      return Outcome{};
                  });
         const auto count = static_cast<int>(bins_.size());
@@ -214,10 +215,9 @@ Result<ModelData> readTraining(const TrainingPlan& plan, const TrainingWatch& wa
         tell({TR_NOOP("core", "%1 scenes are there twice: their copies were left out"),
               set.exactCopies});
     if (set.nearCopies > 0)
-        tell(
-            {TR_NOOP("core", "%1 scenes repeat another within the sensors' noise and were left out "
-                             "(runs %2)"),
-             set.nearCopies, someOf(set.runsWithCopies)});
+        tell({TR_NOOP("core", "%1 scenes repeat a place within the sensors' noise; training counts "
+                              "each place once (runs %2)"),
+              set.nearCopies, someOf(set.runsWithCopies)});
     if (const auto rows = set.model.scannedHeights.rows();
         rows > kManyRows && (plan.inducing == 0 || plan.inducing > kManyRows))
         tell({TR_NOOP("core",

@@ -3599,10 +3599,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>scén, které jsou tu dvakrát: %1; jejich kopie byly vynechány</translation>
     </message>
     <message>
-        <source>%1 scenes repeat another within the sensors&apos; noise and were left out (runs %2)</source>
-        <translation>scén, které v mezích šumu čidel opakují jinou: %1; byly vynechány (jízdy %2)</translation>
-    </message>
-    <message>
         <source>%1 scenes for each conditional, whose training grows with their cube: --inducing 1200 predicts nearly as well and trains in a fraction of the time</source>
         <translation>%1 scén pro každou podmíněnou předpověď, jejíž trénink roste s jejich třetí mocninou: --inducing 1200 předpovídá skoro stejně dobře a trénuje se ve zlomku času</translation>
     </message>
@@ -3713,6 +3709,18 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>%1: the disk is full; recording goes on when there is room</source>
         <translation>%1: disk je plný; záznam pokračuje, jakmile bude místo</translation>
+    </message>
+    <message>
+        <source>its number of repeated rows is out of range</source>
+        <translation>jeho počet opakovaných řádků je mimo rozsah</translation>
+    </message>
+    <message>
+        <source>its number of repeated rows is not one: %1</source>
+        <translation>jeho počet opakovaných řádků není číslo větší než 0: %1</translation>
+    </message>
+    <message>
+        <source>%1 scenes repeat a place within the sensors&apos; noise; training counts each place once (runs %2)</source>
+        <translation>%1 scén opakuje jiné místo v mezích šumu snímačů; trénování počítá každé místo jednou (jízdy %2)</translation>
     </message>
 </context>
 <context>

@@ -3599,10 +3599,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>%1 Szenen sind doppelt vorhanden: ihre Kopien wurden ausgelassen</translation>
     </message>
     <message>
-        <source>%1 scenes repeat another within the sensors&apos; noise and were left out (runs %2)</source>
-        <translation>%1 Szenen wiederholen eine andere im Rahmen des Sensorrauschens und wurden ausgelassen (Fahrten %2)</translation>
-    </message>
-    <message>
         <source>%1 scenes for each conditional, whose training grows with their cube: --inducing 1200 predicts nearly as well and trains in a fraction of the time</source>
         <translation>%1 Szenen für jede bedingte Vorhersage, deren Training mit ihrer dritten Potenz wächst: --inducing 1200 sagt fast so gut vorher und trainiert in einem Bruchteil der Zeit</translation>
     </message>
@@ -3713,6 +3709,18 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>%1: the disk is full; recording goes on when there is room</source>
         <translation>%1: der Datenträger ist voll; die Aufnahme geht weiter, sobald Platz ist</translation>
+    </message>
+    <message>
+        <source>its number of repeated rows is out of range</source>
+        <translation>seine Zahl wiederholter Zeilen liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>its number of repeated rows is not one: %1</source>
+        <translation>seine Zahl wiederholter Zeilen ist keine Zahl über 0: %1</translation>
+    </message>
+    <message>
+        <source>%1 scenes repeat a place within the sensors&apos; noise; training counts each place once (runs %2)</source>
+        <translation>%1 Szenen wiederholen einen Ort innerhalb des Rauschens der Sensoren; das Training zählt jeden Ort einmal (Fahrten %2)</translation>
     </message>
 </context>
 <context>

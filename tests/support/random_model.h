@@ -111,7 +111,7 @@ inline bool same(const ModelData& a, const ModelData& b)
     return a.scannedHeights == b.scannedHeights && same(a.clearance, b.clearance)
         && a.heights == b.heights && a.features == b.features && same(a.pa, b.pa)
         && same(a.paf, b.paf) && a.command == b.command && a.seed == b.seed
-        && a.dataHash == b.dataHash && a.inducing == b.inducing;
+        && a.dataHash == b.dataHash && a.inducing == b.inducing && a.repeats == b.repeats;
 }
 
 }  // namespace terratact

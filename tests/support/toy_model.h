@@ -3,6 +3,7 @@
 #include <random>
 
 #include "core/learn/model/bin_models.h"
+#include "core/learn/model/clearance_model.h"
 #include "core/learn/model/clearance_training.h"
 #include "core/learn/model/training.h"
 #include "core/sim/drive.h"
@@ -32,13 +33,15 @@ inline void trainToyClearances(ModelData& model)
 {
     const RobotModel robot = absolem();
     const Eigen::MatrixXd ceilings = bodyCeilings(model.features, robot);
+    const std::vector<int> places = placesOf(model);
     prepareClearance(model, ceilings);
     TrainingOptions quick;
     quick.subset = 100;
     quick.subsetEvaluations = 6;
     for (int bin = 0; bin < kBins; ++bin)
         for (const bool covered : {false, true})
-            store(model, trainSurface(model, ceilings, bin, covered, quick), bin, covered);
+            store(model, trainSurface(model, ceilings, bin, covered, quick, {}, places), bin,
+                  covered);
     finishClearance(model, ceilings, robot);
 }
 

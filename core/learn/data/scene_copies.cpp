@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
 
 #include "core/learn/data/columns.h"
 
@@ -48,59 +51,135 @@ bool isRewritten(const Key& a, const Key& b)
     return std::sqrt(sum / kFeatures) <= kRewrittenRms;
 }
 
-/// Kept scenes, sorted by the front flippers' angle, which hardly differs between near copies.
-class Kept {
-public:
-    explicit Kept(SceneCopies& copies) : copies_(copies) {}
+using HeightKey = std::array<double, kBins>;
 
-    void take(const Scene& scene)
+/// Features and heights of a scene, which tell its place.
+struct PlaceKey {
+    Key features{};
+    HeightKey heights{};
+};
+
+PlaceKey placeKeyOf(const Scene& scene)
+{
+    PlaceKey key{keyOf(scene), {}};
+    for (std::size_t i = 0; i < kBins; ++i) key.heights[i] = scene.truth[i].value_or(0.0);
+    return key;
+}
+
+bool isExactCopy(const PlaceKey& a, const PlaceKey& b)
+{
+    for (std::size_t i = 0; i < kBins; ++i)
+        if (std::abs(a.heights[i] - b.heights[i]) > kRewrittenHeight) return false;
+    return isRewritten(a.features, b.features);
+}
+
+bool repeats(const PlaceKey& a, const PlaceKey& b)
+{
+    for (std::size_t d = 0; d < kFeatures; ++d) {
+        const double sd = noiseOf(d, std::max(a.features[d], b.features[d]));
+        if (std::abs(a.features[d] - b.features[d]) > kCopySd * std::numbers::sqrt2 * sd)
+            return false;
+    }
+    double sum = 0.0;
+    for (std::size_t i = 0; i < kBins; ++i) sum += std::pow(a.heights[i] - b.heights[i], 2.0);
+    return std::sqrt(sum / kBins) <= kMaxHeightDifference;
+}
+
+/// Scenes sorted by the front flippers' angle, which hardly differs between copies.
+class ByAngle {
+public:
+    void add(const PlaceKey& key, int number)
     {
-        const double reach = kCopySd * std::sqrt(2.0) * kAngleSd;
-        bool near = false;
-        const auto last = byAngle_.upper_bound(scene.s.front + reach);
-        for (auto known = byAngle_.lower_bound(scene.s.front - reach); known != last; ++known) {
-            const Scene& other = *known->second;
-            if (other.truth == scene.truth && keyOf(other) == keyOf(scene)) {
-                ++copies_.exact;
-                return;
-            }
-            near = near || isNearCopy(other, scene);
-        }
-        if (near) {
-            ++copies_.near;
-            copies_.runs.insert(scene.run);
-            return;
-        }
-        copies_.kept.push_back(&scene);
-        byAngle_.emplace(scene.s.front, &scene);
+        known_.emplace(key.features[kFrontFeature], Entry{key, number});
+    }
+
+    /// Returns the least number of the scenes within `reach` [rad] that satisfy is(known).
+    template <class Is>
+    std::optional<int> first(const PlaceKey& key, double reach, Is is) const
+    {
+        std::optional<int> least;
+        const double angle = key.features[kFrontFeature];
+        const auto last = known_.upper_bound(angle + reach);
+        for (auto known = known_.lower_bound(angle - reach); known != last; ++known)
+            if (const Entry& other = known->second; !least || other.number < *least)
+                if (is(other.key)) least = other.number;
+        return least;
     }
 
 private:
-    SceneCopies& copies_;
-    std::multimap<double, const Scene*> byAngle_;
+    struct Entry {
+        PlaceKey key;
+        int number;
+    };
+    std::multimap<double, Entry> known_;
+};
+
+/// First scene of each place, with its number.
+class Places {
+public:
+    /// Returns the number of the scene's place: its own number if it is the first scene there.
+    int placeOf(const PlaceKey& key, int number)
+    {
+        const auto known =
+            first_.first(key, kCopySd * std::numbers::sqrt2 * kAngleSd,
+                         [&key](const PlaceKey& other) { return repeats(other, key); });
+        if (known) return *known;
+        first_.add(key, number);
+        return number;
+    }
+
+private:
+    ByAngle first_;
 };
 
 }  // namespace
 
 bool isNearCopy(const Scene& a, const Scene& b)
 {
-    const Key first = keyOf(a), second = keyOf(b);
-    for (std::size_t d = 0; d < kFeatures; ++d) {
-        const double sd = noiseOf(d, std::max(first[d], second[d]));
-        if (std::abs(first[d] - second[d]) > kCopySd * std::sqrt(2.0) * sd) return false;
-    }
-    double sum = 0.0;
-    for (std::size_t i = 0; i < kBins; ++i)
-        sum += std::pow(a.truth[i].value_or(0.0) - b.truth[i].value_or(0.0), 2.0);
-    return std::sqrt(sum / kBins) <= kMaxHeightDifference;
+    return repeats(placeKeyOf(a), placeKeyOf(b));
 }
 
 SceneCopies withoutCopies(const std::vector<const Scene*>& scenes)
 {
     SceneCopies copies;
-    Kept kept(copies);
-    for (const Scene* const scene : scenes) kept.take(*scene);
+    ByAngle all;
+    Places places;
+    int number = 0;
+    for (const Scene* const scene : scenes) {
+        const PlaceKey key = placeKeyOf(*scene);
+        if (all.first(key, kRewrittenSd * kAngleSd,
+                      [&key](const PlaceKey& other) { return isExactCopy(other, key); })) {
+            ++copies.exact;
+            continue;
+        }
+        all.add(key, number);
+        if (places.placeOf(key, number) == number) {
+            copies.kept.push_back(scene);
+        } else {
+            copies.repeats.push_back(scene);
+            copies.runs.insert(scene->run);
+        }
+        ++number;
+    }
     return copies;
+}
+
+std::vector<int> placesOf(const Eigen::MatrixXd& features, const Eigen::MatrixXd& heights)
+{
+    if (features.rows() != heights.rows() || features.cols() != Eigen::Index{kFeatures}
+        || heights.cols() != kBins)
+        throw std::invalid_argument("places need eleven features and heights of every row");
+    Places places;
+    std::vector<int> result;
+    for (Eigen::Index u = 0; u < features.rows(); ++u) {
+        PlaceKey key;
+        for (std::size_t d = 0; d < kFeatures; ++d)
+            key.features[d] = features(u, static_cast<Eigen::Index>(d));
+        for (std::size_t i = 0; i < kBins; ++i)
+            key.heights[i] = heights(u, static_cast<Eigen::Index>(i));
+        result.push_back(places.placeOf(key, static_cast<int>(u)));
+    }
+    return result;
 }
 
 std::size_t trainingScenes(const std::vector<Scene>& scenes, const Eigen::MatrixXd& features)

@@ -11,18 +11,24 @@
 
 namespace terratact {
 
-/// Scenes without copies, for training. A copy adds no information, but leave-one-out residuals and
-/// the likelihood would count it as a second observation: σ_n and the bands would shrink to
-/// nothing.
+/// Scenes sorted for training. An exact copy adds no information and is left out. A near copy
+/// measures a place again: it is a training row, but no second place. A likelihood, or a residual
+/// without one row alone, would count it as a second place, and σ_n and the bands would shrink.
 struct SceneCopies {
-    std::vector<const Scene*> kept;  ///< first scene of each kind, in order
-    std::size_t exact = 0;       ///< copies whose features and heights equal those of a kept scene
-    std::size_t near = 0;        ///< copies within the sensors' noise (isNearCopy)
-    std::set<std::string> runs;  ///< drives of the near copies
+    std::vector<const Scene*> kept;     ///< first scene of each place, in order
+    std::vector<const Scene*> repeats;  ///< near copies of a kept scene (isNearCopy), in order
+    /// Left out: equal to an earlier scene, except for digits that a number format dropped.
+    std::size_t exact = 0;
+    std::set<std::string> runs;  ///< drives of the repeats
 };
 
 /// Removes copies. scenes: complete ones.
 SceneCopies withoutCopies(const std::vector<const Scene*>& scenes);
+
+/// Returns the place of each row: the number of the first row that it repeats by the rule of
+/// isNearCopy, or its own number. Rows are compared with first rows of places only. features: U ×
+/// 11, heights: U × 11, as in ModelData. Throws std::invalid_argument if sizes disagree.
+std::vector<int> placesOf(const Eigen::MatrixXd& features, const Eigen::MatrixXd& heights);
 
 /// Returns true if one pose on one ground can explain both scenes. Every feature differs by at most
 /// kCopySd √2 standard deviations of its noise (core/sim/sensor_noise.h). The root mean square of
@@ -37,5 +43,7 @@ inline constexpr double kCopySd = 3.5;
 /// ModelData.
 std::size_t trainingScenes(const std::vector<Scene>& scenes, const Eigen::MatrixXd& features);
 inline constexpr double kRewrittenSd = 0.31, kRewrittenRms = 0.13;
+/// Largest height difference [m] that rounding to three decimals makes.
+inline constexpr double kRewrittenHeight = 0.0006;
 
 }  // namespace terratact

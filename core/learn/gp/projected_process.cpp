@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "core/learn/gp/cholesky.h"
@@ -96,6 +98,25 @@ Eigen::MatrixXd onePlusGram(const Eigen::MatrixXd& V, const Poll& poll)
     return gram;
 }
 
+/// Computes the residuals of rows that share a place. V: H = Vᵀ V; misfit: y − mean(x).
+void leaveOutPlaces(Eigen::VectorXd& leaveOneOut, const Eigen::MatrixXd& V,
+                    const Eigen::VectorXd& misfit, const std::vector<int>& places, const Poll& poll)
+{
+    std::map<int, std::vector<int>> rowsOfPlace;
+    for (std::size_t u = 0; u < places.size(); ++u)
+        rowsOfPlace[places[u]].push_back(static_cast<int>(u));
+    for (const auto& [place, rows] : rowsOfPlace) {
+        if (rows.size() < 2) continue;
+        callPoll(poll);
+        const Eigen::MatrixXd own = V(Eigen::all, rows);
+        Eigen::MatrixXd freedom = -own.transpose() * own;
+        freedom.diagonal().array() += 1.0 + kMinFreedom;
+        const Eigen::VectorXd ownMisfit = misfit(rows);
+        const Eigen::VectorXd residuals = freedom.ldlt().solve(ownMisfit);
+        leaveOneOut(rows) = residuals;
+    }
+}
+
 }  // namespace
 
 double ProjectedProcess::errorBound() const
@@ -105,9 +126,11 @@ double ProjectedProcess::errorBound() const
 
 ProjectedProcess projectProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
                                 const std::vector<int>& inducing, const Hyperparameters& hyper,
-                                const Poll& poll)
+                                const Poll& poll, const std::vector<int>& places)
 {
     check(X, y, inducing, hyper);
+    if (!places.empty() && std::ssize(places) != X.rows())
+        throw std::invalid_argument("projected process: needs one place per row");
     const ScaledRows Z = inLengthScales(X, hyper).some(inducing);
     Eigen::MatrixXd outer = covariance(Z, Z.X, hyper.signalSd, poll);
     outer.diagonal().array() += kProjectionJitter * hyper.signalSd * hyper.signalSd;
@@ -138,6 +161,7 @@ ProjectedProcess projectProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd&
         hat.segment(first, count) = some.colwise().squaredNorm().transpose().array();
     });
     process.leaveOneOut = (y.array() - fit) / (1.0 - hat).max(kMinFreedom);
+    leaveOutPlaces(process.leaveOneOut, V, (y.array() - fit).matrix(), places, poll);
     process.weights = inner.triangularView<Eigen::Lower>().transpose().solve(c);
     outer.triangularView<Eigen::Lower>().transpose().solveInPlace(process.weights);
     return process;

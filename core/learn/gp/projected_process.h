@@ -18,6 +18,8 @@ struct ProjectedProcess {
     Eigen::VectorXd weights;  ///< w, one per inducing row
     /// yᵤ minus the mean predicted for row u without row u, with Z unchanged:
     ///   (yᵤ − mean(xᵤ)) / max(1 − H_uu, kMinFreedom),  H = σ_n⁻² K_nm A⁻¹ K_mn
+    /// If rows share a place, minus the mean without all rows S of the place:
+    ///   ((1 + kMinFreedom − H_SS)⁻¹ (y_S − mean(x_S)))ᵤ
     Eigen::VectorXd leaveOneOut;
     /// The smaller reciprocal condition number of K_mm and of L⁻¹ A L⁻ᵀ, with K_mm = L Lᵀ; 1-norm.
     double rcond = 1.0;
@@ -34,12 +36,13 @@ inline constexpr double kProjectionJitter = 1e-6;
 inline constexpr double kMinFreedom = 1e-9;
 
 /// Learns the process. X: n × d standardised inputs; y: n outputs, centred; inducing: rows of X.
+/// places: one number per row, equal for rows of one place (scene_copies.h); empty: one row each.
 /// Cost: n m² multiplications; memory: 2 n m doubles.
 /// Throws std::invalid_argument if sizes disagree, a number is not finite, σ_n is 0 or a row does
 /// not exist. It also throws if rcond would be below kMinRcond (gaussian_process.h). poll: called
 /// every few milliseconds; what it throws is rethrown.
 ProjectedProcess projectProcess(const Eigen::MatrixXd& X, const Eigen::VectorXd& y,
                                 const std::vector<int>& inducing, const Hyperparameters& hyper,
-                                const Poll& poll = {});
+                                const Poll& poll = {}, const std::vector<int>& places = {});
 
 }  // namespace terratact

@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
+#include "core/learn/data/scene_copies.h"
 #include "core/learn/kernels/hyperparameters.h"
 
 namespace terratact {
@@ -53,6 +57,29 @@ Eigen::MatrixXd nearestCovariance(const Eigen::MatrixXd& symmetric)
     const Eigen::VectorXd scale =
         (symmetric.diagonal().array() / clipped.diagonal().array()).sqrt().matrix();
     return scale.asDiagonal() * clipped * scale.asDiagonal();
+}
+
+/// Returns 1 / number of rows of the same place, for each row.
+std::vector<double> sharesOfPlaces(const std::vector<int>& places)
+{
+    std::map<int, double> rows;
+    for (const int place : places) rows[place] += 1.0;
+    std::vector<double> shares;
+    for (const int place : places) shares.push_back(1.0 / rows[place]);
+    return shares;
+}
+
+/// Returns the first row of each place, in order, at most `wanted`. sorted: rows.
+std::vector<int> onePerPlace(const std::vector<int>& sorted, const std::vector<int>& places,
+                             std::size_t wanted)
+{
+    std::set<int> known;
+    std::vector<int> chosen;
+    for (const int row : sorted) {
+        if (chosen.size() == wanted) break;
+        if (known.insert(places[static_cast<std::size_t>(row)]).second) chosen.push_back(row);
+    }
+    return chosen;
 }
 
 void check(const ModelData& model)
@@ -101,6 +128,14 @@ std::vector<int> rowsOf(const std::vector<unsigned>& coveredBins, int bin, bool 
     return rows;
 }
 
+std::vector<int> placesOf(const ModelData& model)
+{
+    if (model.repeats > 0) return placesOf(model.features, model.heights);
+    std::vector<int> own(static_cast<std::size_t>(model.heights.rows()));
+    std::iota(own.begin(), own.end(), 0);
+    return own;
+}
+
 std::vector<int> inducingRows(const std::vector<int>& rows)
 {
     if (rows.size() <= std::size_t{kInducing}) return rows;
@@ -110,9 +145,14 @@ std::vector<int> inducingRows(const std::vector<int>& rows)
     return chosen;
 }
 
-ClearanceModel::ClearanceModel(const ModelData& model, MissingFeatures without) : without_(without)
+ClearanceModel::ClearanceModel(const ModelData& model, MissingFeatures without,
+                               std::vector<int> places)
+    : without_(without), places_(std::move(places))
 {
     check(model);
+    if (places_.empty()) places_ = placesOf(model);
+    if (std::ssize(places_) != model.features.rows())
+        throw std::invalid_argument("clearances need one place per training row");
     const ClearanceData& data = model.clearance;
     featureMean_ = data.featureMean;
     featureSd_ = data.featureSd;
@@ -130,10 +170,12 @@ ClearanceModel::ClearanceModel(const ModelData& model, MissingFeatures without) 
         open_[i] = prepare(data.open[i], X, rowsOf(coveredBins_, bin, false));
         covered_[i] = prepare(data.covered[i], X, rowsOf(coveredBins_, bin, true));
     }
+    const std::vector<double> share = sharesOfPlaces(places_);
     for (Eigen::Index u = 0; u < residuals_.cols(); ++u) {
         ResidualProducts& products = products_[coveredBins_[static_cast<std::size_t>(u)]];
-        products.sum += residuals_.col(u) * residuals_.col(u).transpose();
-        products.count += 1.0;
+        const double weight = share[static_cast<std::size_t>(u)];
+        products.sum += weight * residuals_.col(u) * residuals_.col(u).transpose();
+        products.count += weight;
     }
 }
 
@@ -202,10 +244,14 @@ std::vector<int> ClearanceModel::nearest(const Eigen::VectorXd& squaredDistance,
         if (differsA != differsB) return differsB;
         return squaredDistance[a] < squaredDistance[b];
     };
-    const auto end = rows.begin() + std::min<std::ptrdiff_t>(kNeighbours, std::ssize(rows));
-    std::partial_sort(rows.begin(), end, rows.end(), before);
-    rows.erase(end, rows.end());
-    return rows;
+    std::ptrdiff_t sorted = kNeighbours;
+    while (true) {
+        const auto end = rows.begin() + std::min<std::ptrdiff_t>(sorted, std::ssize(rows));
+        std::partial_sort(rows.begin(), end, rows.end(), before);
+        const std::vector<int> chosen = onePerPlace({rows.begin(), end}, places_, kNeighbours);
+        if (std::ssize(chosen) == kNeighbours || end == rows.end()) return chosen;
+        sorted *= 2;
+    }
 }
 
 ResidualSample ClearanceModel::localResiduals(const Eigen::VectorXd& features,

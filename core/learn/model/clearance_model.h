@@ -31,11 +31,15 @@ constexpr bool isCovered(unsigned mask, int bin)
 /// Returns the training rows of the bin in that regime, in order.
 std::vector<int> rowsOf(const std::vector<unsigned>& coveredBins, int bin, bool covered);
 
+/// Returns the place of each training row: the number of the first row that it repeats
+/// (scene_copies.h), or its own number. Without repeats in the model, each row has its own.
+std::vector<int> placesOf(const ModelData& model);
+
 /// Returns at most kInducing of the rows, evenly spread.
 inline constexpr int kInducing = 600;
 std::vector<int> inducingRows(const std::vector<int>& rows);
 
-/// Number of training scenes whose residuals form the errors of method `local`.
+/// Number of training places whose residuals form the errors of method `local`.
 inline constexpr int kNeighbours = 30;
 
 /// Unexplained part of training scenes: K weighted vectors of residuals [y].
@@ -48,9 +52,11 @@ struct ResidualSample {
 class ClearanceModel {
 public:
     /// without: features of s that the processes were trained without (reduced_clearances.h); their
-    /// values have no effect. Throws std::invalid_argument if the model's clearance part is missing
-    /// or its sizes disagree.
-    explicit ClearanceModel(const ModelData& model, MissingFeatures without = {});
+    /// values have no effect. places: place of each training row; empty: computed from the model's
+    /// rows (placesOf). Throws std::invalid_argument if the model's clearance part is missing or its
+    /// sizes disagree.
+    explicit ClearanceModel(const ModelData& model, MissingFeatures without = {},
+                            std::vector<int> places = {});
 
     MissingFeatures without() const { return without_; }
 
@@ -58,7 +64,7 @@ public:
     Heights predict(const Eigen::VectorXd& features, unsigned covered) const;
 
     /// Returns the residuals of the kNeighbours nearest training scenes in s with the same bins
-    /// covered:
+    /// covered, at most one from each place:
     ///   D² = Σ_d (x_d − x'_d)² w_d²,  w_d² = mean over the processes of 1 / ℓ_d²
     ///   weight ∝ exp(−½ (D² − D²_min) / (D²_median − D²_min))
     /// If too few scenes have the same bins covered, other scenes follow. A bin whose regime
@@ -67,7 +73,7 @@ public:
     ResidualSample localResiduals(const Eigen::VectorXd& features, unsigned covered) const;
 
     /// Returns the second moments of the residuals, each pair over the scenes in which both bins
-    /// are in this regime: 11 × 11, positive definite.
+    /// are in this regime: 11 × 11, positive definite. Each place has the weight of one scene.
     Eigen::MatrixXd residualCovariance(unsigned covered) const;
 
     /// Returns the novelty: D to the 10th nearest training scene, over the distance that 1 % of the
@@ -110,6 +116,7 @@ private:
     Eigen::MatrixXd scenes_;  ///< d × U: standardised features times the metric
     std::array<Process, kBins> open_, covered_;
     std::vector<unsigned> coveredBins_;
+    std::vector<int> places_;
     Eigen::MatrixXd residuals_;                      ///< 11 × U
     std::map<unsigned, ResidualProducts> products_;  ///< indexed by the covered bins
     double noveltyScale_ = 1.0;

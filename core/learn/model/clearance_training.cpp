@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "core/learn/data/columns.h"
@@ -109,14 +110,36 @@ double rootMeanSquare(const Eigen::VectorXd& values)
     return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
 }
 
+/// Returns the places of some rows; none if places is empty.
+std::vector<int> some(const std::vector<int>& places, const std::vector<int>& rows)
+{
+    std::vector<int> own;
+    if (places.empty()) return own;
+    for (const int u : rows) own.push_back(places[static_cast<std::size_t>(u)]);
+    return own;
+}
+
+/// Returns the positions among `rows` of the first row of each place.
+std::vector<int> firstOfPlaces(const std::vector<int>& places, const std::vector<int>& rows)
+{
+    std::set<int> known;
+    std::vector<int> firsts;
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        if (places.empty() || known.insert(places[static_cast<std::size_t>(rows[k])]).second)
+            firsts.push_back(static_cast<int>(k));
+    return firsts;
+}
+
 /// Returns weights and leave-one-out residuals with these hyper-parameters.
-TrainedSurface fitted(SurfaceRows own, Hyperparameters hyper, const Poll& poll)
+TrainedSurface fitted(SurfaceRows own, Hyperparameters hyper, const Poll& poll,
+                      const std::vector<int>& places)
 {
     TrainedSurface trained;
     trained.process.mean = own.mean;
     trained.process.hyper = std::move(hyper);
-    ProjectedProcess projected = projectProcess(own.X, own.y, inducingPositions(own.rows.size()),
-                                                trained.process.hyper, poll);
+    ProjectedProcess projected =
+        projectProcess(own.X, own.y, inducingPositions(own.rows.size()), trained.process.hyper,
+                       poll, some(places, own.rows));
     trained.process.weights = std::move(projected.weights);
     trained.residuals = std::move(projected.leaveOneOut);
     trained.process.residualSd = rootMeanSquare(trained.residuals);
@@ -214,31 +237,33 @@ void prepareClearance(ModelData& model, const Eigen::MatrixXd& ceilings)
 }
 
 TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
-                            bool covered, const TrainingOptions& options, const Poll& poll)
+                            bool covered, const TrainingOptions& options, const Poll& poll,
+                            const std::vector<int>& places)
 {
     std::vector<int> rows = rowsOf(model.clearance.coveredBins, bin, covered);
-    if (std::ssize(rows) < kMinTrainingRows)
+    const std::vector<int> firsts = firstOfPlaces(places, rows);
+    if (std::ssize(firsts) < kMinTrainingRows)
         return constantSurface(model, ceilings, bin, covered, std::move(rows));
 
     SurfaceRows own = surfaceRows(model, ceilings, bin, std::move(rows), {});
     TrainingOptions search = options;
     search.seed += static_cast<std::uint64_t>(bin);
     search.fullEvaluations = 0;
-    Hyperparameters hyper =
-        maximiseLikelihood(own.X, own.y, searchStart(own.X.cols(), rootMeanSquare(own.y)), search,
-                           {.mostNoise = kMaxNoise}, poll)
-            .hyper;
-    return fitted(std::move(own), std::move(hyper), poll);
+    Hyperparameters hyper = maximiseLikelihood(own.X(firsts, Eigen::all), own.y(firsts),
+                                               searchStart(own.X.cols(), rootMeanSquare(own.y)),
+                                               search, {.mostNoise = kMaxNoise}, poll)
+                                .hyper;
+    return fitted(std::move(own), std::move(hyper), poll, places);
 }
 
 TrainedSurface refitSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
                             bool covered, const Hyperparameters& known, MissingFeatures without,
-                            const Poll& poll)
+                            const Poll& poll, const std::vector<int>& places)
 {
     std::vector<int> rows = rowsOf(model.clearance.coveredBins, bin, covered);
     if (std::ssize(rows) < kMinTrainingRows || known.lengthScale.size() == 0)
         return constantSurface(model, ceilings, bin, covered, std::move(rows));
-    return fitted(surfaceRows(model, ceilings, bin, std::move(rows), without), known, poll);
+    return fitted(surfaceRows(model, ceilings, bin, std::move(rows), without), known, poll, places);
 }
 
 void store(ModelData& model, const TrainedSurface& trained, int bin, bool covered)

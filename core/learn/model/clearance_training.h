@@ -30,16 +30,19 @@ struct TrainedSurface {
 
 /// Trains a process: hyper-parameters from at most options.subset rows (log marginal likelihood),
 /// weights from all rows. With fewer than kMinTrainingRows rows, it only has mean and sd: of the
-/// bin's height (open), or of every covered bin's y (covered).
+/// bin's height (open), or of every covered bin's y (covered). places: place of each training row
+/// (placesOf); empty: one row each. Hyper-parameters come from the first row of each place, and a
+/// residual leaves out every row of its place.
 TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
-                            bool covered, const TrainingOptions& options, const Poll& poll = {});
+                            bool covered, const TrainingOptions& options, const Poll& poll = {},
+                            const std::vector<int>& places = {});
 
 /// Refits a process for scenes without some features: new weights and residuals with known
 /// hyper-parameters. The values of these features in the training rows have no effect. known:
 /// without length scales if the process has no weights.
 TrainedSurface refitSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
                             bool covered, const Hyperparameters& known, MissingFeatures without,
-                            const Poll& poll = {});
+                            const Poll& poll = {}, const std::vector<int>& places = {});
 
 /// Stores a trained bin in the model. Only one thread at a time may call it.
 void store(ModelData& model, const TrainedSurface& trained, int bin, bool covered);

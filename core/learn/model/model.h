@@ -56,6 +56,9 @@ struct ModelData {
     Eigen::MatrixXd scannedHeights;  ///< V × 11 [m]
     BinModelData pa, paf;
     ClearanceData clearance;
+    /// Number of the last rows that measure a place of an earlier row again (scene_copies.h). 0:
+    /// every row counts as a place of its own, as in models from before this number existed.
+    int repeats = 0;
     int inducing = 0;     ///< largest number of rows that the conditionals predict through; 0: all
     std::string command;  ///< command that trained it
     std::uint64_t seed = 0;

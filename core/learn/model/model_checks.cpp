@@ -208,6 +208,8 @@ void requireModel(const ModelData& model, const Portion* portion)
     }
     require(model.inducing >= 0 && model.inducing <= kMaxRows,
             TR_NOOP("core", "its number of inducing rows is out of range"));
+    require(model.repeats >= 0 && model.repeats < model.heights.rows(),
+            TR_NOOP("core", "its number of repeated rows is out of range"));
     require(model.command.size() <= kMaxText && model.dataHash.size() <= kMaxText,
             TR_NOOP("core", "its texts are too long"));
 }

@@ -96,6 +96,10 @@ std::string hashOf(const ModelData& model, const Portion* portion)
     canonical.add(model.seed);
     canonical.add(model.dataHash);
     if (model.inducing > 0) canonical.add(static_cast<std::uint64_t>(model.inducing));
+    if (model.repeats > 0) {
+        canonical.add(std::string_view("repeated rows"));
+        canonical.add(static_cast<std::uint64_t>(model.repeats));
+    }
     return sha256Hex(canonical.bytes());
 }
 

@@ -48,7 +48,7 @@ bool sameInputs(const BinModelData& a, const BinModelData& b)
 
 bool sameRows(const ModelData& a, const ModelData& b)
 {
-    return equal(a.heights, b.heights) && equal(a.features, b.features)
+    return a.repeats == b.repeats && equal(a.heights, b.heights) && equal(a.features, b.features)
         && equal(a.scannedHeights, b.scannedHeights) && sameInputs(a.pa, b.pa)
         && sameInputs(a.paf, b.paf) && equal(a.clearance.featureMean, b.clearance.featureMean)
         && equal(a.clearance.featureSd, b.clearance.featureSd)

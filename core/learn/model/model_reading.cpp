@@ -71,6 +71,15 @@ int inducingFrom(const std::string& text)
     return *rows;
 }
 
+int repeatsFrom(const std::string& text)
+{
+    const auto rows = writtenIntegerFrom<int>(text);
+    require(rows && *rows > 0, [&] {
+        return Message(TR_NOOP("core", "its number of repeated rows is not one: %1"), shown(text));
+    });
+    return *rows;
+}
+
 BinSet binsFrom(const std::string& list)
 {
     const auto bins = binSetFrom(list);
@@ -99,6 +108,8 @@ std::string readMeta(SqliteFile& file, ModelData& model, Portion* portion)
     std::string hash = take("content_sha256");
     if (meta.contains("inducing_rows"))  // only a sparse model has this key
         model.inducing = inducingFrom(take("inducing_rows"));
+    if (meta.contains("repeated_rows"))  // only a model with repeats has this key
+        model.repeats = repeatsFrom(take("repeated_rows"));
     if (portion) {
         portion->bins = binsFrom(take("bins"));
         portion->robotHash = take("robot_sha256");

@@ -36,6 +36,7 @@ void writeMeta(SqliteFile& file, const ModelData& model, const Portion* portion)
     meta["data_sha256"] = model.dataHash;
     meta["seed"] = std::to_string(model.seed);
     if (model.inducing > 0) meta["inducing_rows"] = std::to_string(model.inducing);
+    if (model.repeats > 0) meta["repeated_rows"] = std::to_string(model.repeats);
     if (portion) {
         meta["bins"] = text(portion->bins);
         meta["robot_sha256"] = portion->robotHash;

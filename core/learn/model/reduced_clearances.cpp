@@ -60,6 +60,16 @@ ModelData thinned(const ModelData& model)
     return some;
 }
 
+/// Returns the place of each row that thinned() keeps.
+std::vector<int> chosenPlaces(const ModelData& model)
+{
+    const std::vector<int> all = placesOf(model);
+    std::vector<int> places;
+    for (const int u : chosenRows(model.clearance.coveredBins))
+        places.push_back(all[static_cast<std::size_t>(u)]);
+    return places;
+}
+
 void requireReducible(MissingFeatures missing)
 {
     for (std::size_t d = 0; d < kFrontCurrentFeature; ++d)
@@ -77,7 +87,7 @@ void forget(Eigen::MatrixXd& features, MissingFeatures missing)
 }  // namespace
 
 ReducedClearances::ReducedClearances(const ModelData& model, RobotModel robot)
-    : rows_(thinned(model)), robot_(std::move(robot))
+    : rows_(thinned(model)), places_(chosenPlaces(model)), robot_(std::move(robot))
 {
 }
 
@@ -122,7 +132,7 @@ ReducedClearances::train(MissingFeatures missing, const ForEach& sideBySide, con
         const auto& known = covered ? rows_.clearance.covered : rows_.clearance.open;
         trained[static_cast<std::size_t>(job)] = refitSurface(
             model, ceilings, bin, covered,
-            withoutNeedless(known[static_cast<std::size_t>(bin)].hyper), missing, poll);
+            withoutNeedless(known[static_cast<std::size_t>(bin)].hyper), missing, poll, places_);
     };
     if (sideBySide)
         sideBySide(2 * kBins, trainOne);
@@ -131,7 +141,7 @@ ReducedClearances::train(MissingFeatures missing, const ForEach& sideBySide, con
     for (int job = 0; job < 2 * kBins; ++job)
         store(model, trained[static_cast<std::size_t>(job)], job % kBins, job < kBins);
     finishClearance(model, ceilings, robot_, poll, missing);
-    return std::make_shared<const ClearanceModel>(model, missing);
+    return std::make_shared<const ClearanceModel>(model, missing, places_);
 }
 
 }  // namespace terratact

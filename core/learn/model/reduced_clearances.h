@@ -4,6 +4,7 @@
 #include <list>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 #include "core/base/for_each.h"
 #include "core/base/poll.h"
@@ -49,7 +50,8 @@ private:
     std::shared_ptr<const ClearanceModel> train(MissingFeatures missing, const ForEach& sideBySide,
                                                 const Poll& poll) const;
 
-    ModelData rows_;  ///< the model's rows; residuals and weights do not belong to them
+    ModelData rows_;           ///< chosen rows of the model, without its residuals and weights
+    std::vector<int> places_;  ///< place of each chosen row
     RobotModel robot_;
     mutable std::mutex mutex_;                           // guards the list
     mutable std::list<std::shared_ptr<Entry>> entries_;  // latest first

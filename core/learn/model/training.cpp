@@ -127,9 +127,10 @@ std::vector<int> drawRows(int total, int wanted, std::uint64_t seed)
     return rows;
 }
 
-void setConditionalRows(ModelData& model, const RowOptions& options)
+/// places: number of rows that start a place; they come first.
+void setConditionalRows(ModelData& model, Eigen::Index places, const RowOptions& options)
 {
-    const Eigen::Index rows = std::min<Eigen::Index>(options.conditionalRows, model.heights.rows());
+    const Eigen::Index rows = std::min<Eigen::Index>(options.conditionalRows, places);
     model.scannedHeights = model.heights.topRows(rows);
     std::mt19937_64 rng(options.seed);
     std::normal_distribution<double> noise;
@@ -157,15 +158,18 @@ TrainingSet prepareTraining(const std::vector<Scene>& scenes, const RowOptions& 
     SceneCopies copies = withoutCopies(rows);
     rows = std::move(copies.kept);
     set.exactCopies = static_cast<int>(copies.exact);
-    set.nearCopies = static_cast<int>(copies.near);
+    set.nearCopies = static_cast<int>(copies.repeats.size());
+    const auto places = static_cast<int>(rows.size());
+    rows.insert(rows.end(), copies.repeats.begin(), copies.repeats.end());
     set.runsWithCopies = std::move(copies.runs);
     set.used = static_cast<int>(rows.size());
-    if (set.used < kMinTrainingRows)
+    if (places < kMinTrainingRows)
         throw std::invalid_argument(
             fmt::format("training needs at least {} scenes with all heights, currents and "
                         "forces known, each other than the rest, found {}",
-                        kMinTrainingRows, set.used));
+                        kMinTrainingRows, places));
     ModelData& model = set.model;
+    model.repeats = set.nearCopies;
     model.heights.resize(set.used, kBins);
     model.features.resize(set.used,
                           static_cast<Eigen::Index>(featureNames(FeatureSet::Paf).size()));
@@ -175,7 +179,7 @@ TrainingSet prepareTraining(const std::vector<Scene>& scenes, const RowOptions& 
             model.heights(u, i) = *scene.truth[static_cast<std::size_t>(i)];
         model.features.row(u) = features(FeatureSet::Paf, scene.s).transpose();
     }
-    setConditionalRows(model, options);
+    setConditionalRows(model, places, options);
     setStandardisation(model, model.pa, FeatureSet::Pa);
     setStandardisation(model, model.paf, FeatureSet::Paf);
     return set;

@@ -26,15 +26,16 @@ struct RowOptions {
 };
 
 /// Training rows of a model: heights, features and their standardisation; hyper-parameters are
-/// still unset. Scenes that lack a height or a feature are left out, and then copies
-/// (scene_copies.h); `used` counts the rest. Throws std::invalid_argument if fewer than 30 complete
-/// scenes are left, or if an input never varies.
+/// still unset. Scenes that lack a height or a feature are left out, and then exact copies
+/// (scene_copies.h); `used` counts the rest. The first scenes of all places come first, then the
+/// near copies. The conditionals learn from the former only. Throws std::invalid_argument if fewer
+/// than 30 places are left, or if an input never varies.
 struct TrainingSet {
     ModelData model;
     int used = 0;
     int leftOut = 0;                       ///< incomplete scenes that were left out
     int exactCopies = 0;                   ///< exact copies that were left out
-    int nearCopies = 0;                    ///< near copies that were left out
+    int nearCopies = 0;                    ///< near copies: the last rows of `used`
     std::set<std::string> runsWithCopies;  ///< drives of the near copies
 };
 TrainingSet prepareTraining(const std::vector<Scene>& scenes, const RowOptions& options = {});

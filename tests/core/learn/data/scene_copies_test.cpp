@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/infer/estimator.h"
 #include "core/learn/data/columns.h"
 #include "core/learn/model/training.h"
 #include "core/sim/sensor_noise.h"
@@ -42,13 +43,37 @@ TEST(SceneCopies, trainingUsesADuplicatedFileOnce)
     }
     const TrainingSet first = prepareTraining(once), second = prepareTraining(twice);
     EXPECT_EQ(second.exactCopies, first.used);
-    EXPECT_EQ(second.nearCopies, 2 * first.nearCopies);
+    EXPECT_EQ(second.nearCopies, first.nearCopies);
     EXPECT_EQ(second.model.features, first.model.features);
     EXPECT_EQ(second.model.heights, first.model.heights);
     EXPECT_EQ(second.model.paf.mean, first.model.paf.mean);
 }
 
-TEST(SceneCopies, aPosePressedTwiceIsUsedOnce)
+/// The same scene in a file with fewer digits.
+Scene rounded(Scene scene, double step)
+{
+    FeatureValues values = featureValues(scene.s);
+    for (auto& value : values)
+        if (value) value = std::round(*value / step) * step;
+    scene.s = proprioception(values);
+    for (auto& height : scene.truth) height = std::round(*height / step) * step;
+    return scene;
+}
+
+TEST(SceneCopies, aCopyInAnotherNumberFormatIsLeftOut)
+{
+    const std::vector<Scene> once = scenesOf(20);
+    const TrainingSet first = prepareTraining(once);
+    for (const double step : {1e-12, 1e-6, 1e-3}) {
+        std::vector<Scene> twice = once;
+        for (const Scene& scene : once) twice.push_back(rounded(scene, step));
+        const TrainingSet second = prepareTraining(twice);
+        EXPECT_EQ(second.exactCopies, first.used) << step;
+        EXPECT_EQ(second.model.features, first.model.features) << step;
+    }
+}
+
+TEST(SceneCopies, aPosePressedTwiceCountsAsOnePlace)
 {
     std::mt19937_64 rng(1);
     std::vector<Scene> scenes = scenesOf(20);
@@ -60,7 +85,59 @@ TEST(SceneCopies, aPosePressedTwiceIsUsedOnce)
     const TrainingSet set = prepareTraining(scenes);
     EXPECT_GE(set.nearCopies - once.nearCopies, 95 * copies / 100);
     EXPECT_FALSE(set.runsWithCopies.empty());
-    EXPECT_EQ(set.used + set.nearCopies, static_cast<int>(scenes.size()));
+    EXPECT_EQ(set.used, static_cast<int>(scenes.size()));
+    const int distinct = set.used - set.nearCopies;
+    EXPECT_EQ(set.model.scannedHeights.rows(), distinct);
+    const std::vector<int> places = placesOf(set.model.features, set.model.heights);
+    for (int u = 0; u < set.used; ++u) {
+        const int place = places[static_cast<std::size_t>(u)];
+        EXPECT_EQ(place == u, u < distinct) << u;
+        EXPECT_LT(place, distinct) << u;
+    }
+}
+
+/// Returns the share of true heights within the 80 % bands.
+double coverage(const ModelData& model, const std::vector<Scene>& scenes)
+{
+    const Models models(model, absolem());
+    Settings settings;
+    settings.hazardRate = 0.0;
+    settings.draws = 64;
+    double held = 0.0;
+    for (const Scene& scene : scenes) {
+        const TerrainEstimate e = estimateTerrain(scene.s, {}, absolem(), models, settings);
+        for (std::size_t i = 0; i < kBins; ++i)
+            held += *scene.truth[i] >= e.q10[i] && *scene.truth[i] <= e.q90[i] ? 1.0 : 0.0;
+    }
+    return held / static_cast<double>(kBins * scenes.size());
+}
+
+ModelData trainedOn(const std::vector<Scene>& scenes)
+{
+    ModelData model = prepareTraining(scenes).model;
+    for (BinModelData* data : {&model.pa, &model.paf})
+        for (std::size_t i = 0; i < kBins; ++i)
+            data->bins[i] = {Eigen::VectorXd::Constant(data->mean.size() - 1, 5.0),
+                             data->sd[static_cast<Eigen::Index>(i)], 0.02};
+    trainToyClearances(model);
+    return model;
+}
+
+TEST(SceneCopies, bandsHoldTheTruthAsOftenAfterDoubling)
+{
+    const std::vector<Scene> once = scenesOf(24);
+    const std::vector<Scene> unseen = someScenes(16, 99);
+    const double whole = coverage(trainedOn(once), unseen);
+    std::mt19937_64 rng(2);
+    std::vector<Scene> twice = once, digits = once, fiveTimes = once;
+    for (const Scene& scene : once) {
+        twice.push_back(scene);
+        digits.push_back(rounded(scene, 1e-4));
+        for (int n = 0; n < 4; ++n) fiveTimes.push_back(again(scene, rng));
+    }
+    EXPECT_EQ(coverage(trainedOn(twice), unseen), whole);
+    EXPECT_EQ(coverage(trainedOn(digits), unseen), whole);
+    EXPECT_NEAR(coverage(trainedOn(fiveTimes), unseen), whole, 0.03);
 }
 
 TEST(SceneCopies, differentScenesAreKept)

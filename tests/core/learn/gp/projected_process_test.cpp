@@ -70,6 +70,25 @@ TEST(ProjectedProcess, leavesOneOut)
     }
 }
 
+TEST(ProjectedProcess, leavesOutAllRowsOfAPlace)
+{
+    const Data data;
+    std::vector<int> places = data.all;
+    for (const int u : {17, 18, 19, 59}) places[static_cast<std::size_t>(u)] = 17;
+    const ProjectedProcess p = projectProcess(data.X, data.y, data.all, data.hyper, {}, places);
+    std::vector<int> others;
+    for (const int u : data.all)
+        if (places[static_cast<std::size_t>(u)] != 17) others.push_back(u);
+    const GaussianProcess without(data.X(others, Eigen::all), data.y(others), data.hyper, 0.0);
+    for (const int u : {17, 18, 19, 59}) {
+        const double expected = data.y[u] - without.predict(data.X.row(u).transpose()).mean;
+        EXPECT_NEAR(p.leaveOneOut[u], expected, 2e-3) << u;
+    }
+    const ProjectedProcess alone = projectProcess(data.X, data.y, data.all, data.hyper);
+    EXPECT_EQ(p.leaveOneOut[5], alone.leaveOneOut[5]);
+    EXPECT_EQ(p.weights, alone.weights);
+}
+
 TEST(ProjectedProcess, predictsWellThroughFewRows)
 {
     const Data data;

@@ -83,6 +83,24 @@ TEST_F(ModelFile, storesTheNumberOfInducingRowsIfThereIsOne)
     EXPECT_EQ(contentOf(path).find("inducing_rows"), std::string::npos);
 }
 
+TEST_F(ModelFile, storesTheNumberOfRepeatedRowsIfThereIsOne)
+{
+    ModelData repeated = model;
+    repeated.repeats = 2;
+    ASSERT_TRUE(writeModel(path, repeated));
+    const auto got = readModel(path);
+    ASSERT_TRUE(got) << got.error().text;
+    EXPECT_EQ(got->data.repeats, 2);
+    EXPECT_TRUE(refusesAfter("UPDATE meta SET value = 'two' WHERE key = 'repeated_rows'",
+                             {"repeated rows", "two"}));
+    EXPECT_TRUE(refusesAfter("UPDATE meta SET value = '3' WHERE key = 'repeated_rows'",
+                             {"repeated rows", "out of range"}));
+    EXPECT_TRUE(refusesAfter("UPDATE meta SET value = '1' WHERE key = 'repeated_rows'",
+                             {"content was altered"}));
+    ASSERT_TRUE(writeModel(path, model));
+    EXPECT_EQ(contentOf(path).find("repeated_rows"), std::string::npos);
+}
+
 TEST_F(ModelFile, numbersThatSqliteStoresInOtherFormsSurvive)
 {
     ModelData sent = model;
@@ -281,7 +299,7 @@ TEST_F(ModelFile, isReadFromAnyPathWithReadPermission)
 
 TEST_F(ModelFile, theHashDependsOnEveryPart)
 {
-    const std::array<std::function<void(ModelData&)>, 26> changes{
+    const std::array<std::function<void(ModelData&)>, 27> changes{
         [](ModelData& m) { m.heights(1, 2) += 1e-9; },
         [](ModelData& m) { m.features(2, 10) += 1e-9; },
         [](ModelData& m) { m.pa.mean[13] += 1e-9; },
@@ -307,7 +325,8 @@ TEST_F(ModelFile, theHashDependsOnEveryPart)
         [](ModelData& m) { m.command += " "; },
         [](ModelData& m) { m.seed -= 1; },
         [](ModelData& m) { m.dataHash[63] = 'b'; },
-        [](ModelData& m) { m.inducing = 3; },
+        [](ModelData& m) { m.inducing = 2; },
+        [](ModelData& m) { m.repeats = 2; },
     };
     std::set<std::string> hashes{contentHash(model)};
     for (const auto& change : changes) {
@@ -321,7 +340,7 @@ TEST_F(ModelFile, theHashDependsOnEveryPart)
 
 TEST_F(ModelFile, throwsRatherThanWriteAModelThatItWouldRefuse)
 {
-    const std::array<std::function<void(ModelData&)>, 12> faults{
+    const std::array<std::function<void(ModelData&)>, 13> faults{
         [](ModelData& m) { m.heights(0, 0) = std::numeric_limits<double>::quiet_NaN(); },
         [](ModelData& m) { m.heights.resize(0, kBins), m.features.resize(0, 11); },
         [](ModelData& m) { m.features.resize(2, 11); },
@@ -331,6 +350,7 @@ TEST_F(ModelFile, throwsRatherThanWriteAModelThatItWouldRefuse)
         [](ModelData& m) { m.paf.bins[2].lengthScale.conservativeResize(20); },
         [](ModelData& m) { m.paf.bins[2].lengthScale[4] = 0.0; },
         [](ModelData& m) { m.inducing = -1; },
+        [](ModelData& m) { m.repeats = 3; },
         [](ModelData& m) { m.clearance.covered[0].weights[2] = -1e16; },
         [](ModelData& m) { m.clearance.residuals(2, 10) = -1e10; },
         [](ModelData& m) { m.clearance.featureMean[10] = 1e10; },

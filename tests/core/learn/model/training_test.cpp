@@ -32,7 +32,7 @@ TEST(PrepareTraining, leavesOutScenesWithUnknownValues)
     scenes[5].s.force[0].reset();
     const TrainingSet set = prepareTraining(scenes);
     EXPECT_EQ(set.leftOut, 2);
-    EXPECT_EQ(set.used + set.exactCopies + set.nearCopies, static_cast<int>(scenes.size()) - 2);
+    EXPECT_EQ(set.used + set.exactCopies, static_cast<int>(scenes.size()) - 2);
 }
 
 TEST(PrepareTraining, refusesTooFewScenesAndInputsThatNeverVary)
@@ -53,7 +53,7 @@ TEST(TrainBin, findsAHigherLikelihoodThanItsStart)
     const TrainedBin trained = trainBin(model, FeatureSet::Pa, 5, options);
     const Eigen::MatrixXd X =
         withoutBin(standardised(rawInputs(model, FeatureSet::Pa), model.pa.mean, model.pa.sd), 5);
-    const Eigen::VectorXd y = model.heights.col(5).array() - model.pa.mean[5];
+    const Eigen::VectorXd y = model.scannedHeights.col(5).array() - model.pa.mean[5];
     const Hyperparameters guess{Eigen::VectorXd::Constant(13, 3.6), model.pa.sd[5],
                                 0.2 * model.pa.sd[5]};
     EXPECT_NEAR(trained.logLikelihood, -negativeLogLikelihood(X, y, trained.hyper).negativeLog,
