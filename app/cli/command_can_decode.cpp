@@ -9,6 +9,7 @@
 #include "app/link/dbc_book.h"
 #include "app/runtime/say.h"
 #include "app/runtime/text_output.h"
+#include "core/base/message.h"
 #include "core/base/text.h"
 #include "core/store/csv_text.h"
 #include "core/store/file_read.h"
@@ -40,17 +41,18 @@ public:
 
     void write(const LoggedFrame& logged, const FrameWords& words)
     {
-        const std::string begin = fmt::format(
-            "{},{},{},{},{},{}", logged.time ? fmt::format("{:.6f}", *logged.time) : "",
-            csvField(logged.interface), idText(logged.frame), csvField(words.name),
-            words.counter ? std::to_string(*words.counter) : "", csvField(words.verdict));
-        std::ostream& out = out_.stream();
-        for (const NamedValue& value : words.values)
-            out << begin << ',' << csvField(value.name) << ',' << csvField(value.forFiles()) << ','
-                << csvField(value.unit) << '\n';
-        if (words.values.empty())
-            out << begin << "," << (words.counter ? "," : "data," + bytesText(logged.frame))
-                << ",\n";
+        const auto line = [&](const CsvValue& signal, const CsvValue& value, const CsvValue& unit) {
+            out_.stream() << csvLine({logged.time ? fixed(*logged.time, 6) : "", logged.interface,
+                                      idText(logged.frame), words.name,
+                                      words.counter ? CsvValue(*words.counter) : CsvValue(),
+                                      words.verdict, signal, value, unit});
+        };
+        for (const NamedValue& value : words.values) line(value.name, value.forFiles(), value.unit);
+        if (!words.values.empty()) return;
+        if (words.counter)
+            line("", "", "");
+        else
+            line("data", bytesText(logged.frame), "");
     }
 
     Status commit() { return out_.commit(); }

@@ -28,27 +28,29 @@ void printCsv(const ModelData& model, const BinModelData& data)
         return d < kBins ? fmt::format("h_{:+.1f}_m", binCentre(static_cast<int>(d)))
                          : std::string(inputs[static_cast<std::size_t>(d - kBins)]);
     };
+    const auto line = [&](const CsvValue& bin, std::string_view what, double value) {
+        say("{}", Lines(csvLine({name(data.set), bin, what, value})));
+    };
     for (Eigen::Index d = 0; d < data.mean.size(); ++d) {
-        say("{},,mean {},{}\n", name(data.set), columnName(d), data.mean[d]);
-        say("{},,sd {},{}\n", name(data.set), columnName(d), data.sd[d]);
+        line("", "mean " + columnName(d), data.mean[d]);
+        line("", "sd " + columnName(d), data.sd[d]);
     }
     for (int i = 0; i < kBins; ++i) {
         const Hyperparameters& hyper = data.bins[static_cast<std::size_t>(i)];
-        const auto line = [&](std::string_view what, double value) {
-            say("{},{:+.1f},{},{}\n", name(data.set), binCentre(i), what, value);
-        };
+        const CsvValue bin = signedTenth(binCentre(i));
         Eigen::Index k = 0;
         for (Eigen::Index d = 0; d < data.mean.size(); ++d)
-            if (d != i) line("length_scale " + columnName(d), hyper.lengthScale[k++]);
-        line("signal_sd_m", hyper.signalSd);
-        line("noise_sd_m", hyper.noiseSd);
-        line("log_likelihood", data.logLikelihood[static_cast<std::size_t>(i)]);
+            if (d != i) line(bin, "length_scale " + columnName(d), hyper.lengthScale[k++]);
+        line(bin, "signal_sd_m", hyper.signalSd);
+        line(bin, "noise_sd_m", hyper.noiseSd);
+        line(bin, "log_likelihood", data.logLikelihood[static_cast<std::size_t>(i)]);
     }
     if (data.set == FeatureSet::Pa) return;
     for (Eigen::Index u = 0; u < model.scannedHeights.rows(); ++u)
         for (Eigen::Index d = 0; d < data.mean.size(); ++d)
-            say("row,{},{},{}\n", u + 1, columnName(d),
-                d < kBins ? model.scannedHeights(u, d) : model.features(u, d - kBins));
+            say("{}", Lines(csvLine({"row", u + 1, columnName(d),
+                                     d < kBins ? model.scannedHeights(u, d)
+                                               : model.features(u, d - kBins)})));
 }
 
 void printTable(const BinModelData& data)
@@ -136,8 +138,8 @@ void printConditionals(const Scene& scene, const BinModels& models)
     const Eigen::VectorXd s = features(models.set(), scene.s);
     for (int i = 0; i < kBins; ++i) {
         const Normal p = models.bin(i).predict(models.input(i, h, s));
-        say("{},{},{},{:+.1f},{},{}\n", csvField(scene.run), scene.time, name(models.set()),
-            binCentre(i), p.mean, std::sqrt(p.variance));
+        say("{}", Lines(csvLine({scene.run, scene.time, name(models.set()),
+                                 signedTenth(binCentre(i)), p.mean, std::sqrt(p.variance)})));
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/runtime/say.h"
 #include "core/eval/evaluation.h"
+#include "core/store/csv_text.h"
 #include "core/store/file_write.h"
 
 namespace terratact {
@@ -56,8 +57,7 @@ std::string judgeCase(const MissingCase& lacks, const std::vector<Scene>& scenes
     const ErrorStatistics s = statistics(errors);
     say("{:<20}  {:<9}  {:>7}  {:>8.1f}  {:>6.1f}  {:>6.1f} %  {:>6.1f}\n", lacks.name, label,
         estimated, 1000.0 * s.median, 1000.0 * s.mean, 100.0 * s.coverage, 1000.0 * s.width);
-    return fmt::format("{},{},{},{},{},{},{}\n", lacks.name, label, estimated, s.median, s.mean,
-                       s.coverage, s.width);
+    return csvLine({lacks.name, label, estimated, s.median, s.mean, s.coverage, s.width});
 }
 
 }  // namespace

@@ -1,12 +1,10 @@
 #include "app/modelling/estimate_csv.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <stdexcept>
 
+#include "core/base/message.h"
 #include "core/infer/verdict/bimodality.h"
 #include "core/infer/verdict/estimate_text.h"
 #include "core/infer/verdict/obstacle.h"
@@ -17,72 +15,78 @@ namespace terratact {
 
 namespace {
 
-std::string shown(std::optional<double> value)
-{
-    return value ? fmt::format("{}", *value) : std::string();
-}
+// Columns of the file that estimateCsv() returns.
+constexpr std::size_t kTruth = 11;
+constexpr std::size_t kNote = 12;
+constexpr std::size_t kColumns = 23;
 
 /// Returns a note without commas and quotes, for programs that split lines at commas.
-std::string noteField(std::string text)
+std::string noteText(std::string text)
 {
     for (char& c : text)
         if (c == ',' || c == '"' || c == ';') c = ':';
-    return csvField(text);
+    return text;
 }
 
-/// Quantities computed from the draws, as CSV fields per bin.
+/// Quantities computed from the draws, per bin; empty without draws.
 struct Hidden {
-    std::array<std::string, kBins> step, twoModes;
+    std::array<CsvValue, kBins> step, stepSd, twoModes;
 };
 
-Hidden hiddenIn(const SceneEstimate& result)
+Hidden hiddenIn(const TerrainEstimate& estimate)
 {
     Hidden hidden;
-    for (std::string& step : hidden.step) step = ',';
-    if (!result.estimate || result.estimate->draws.empty()) return hidden;
-    const auto steps = stepProbabilities(*result.estimate, kStepLimit);
-    for (std::size_t i = 0; i < steps.size(); ++i)
-        hidden.step[i] = fmt::format("{},{}", steps[i].p, steps[i].monteCarloSd);
-    const auto modes = twoModes(*result.estimate);
-    for (std::size_t i = 0; i < kBins; ++i) hidden.twoModes[i] = modes[i] ? '1' : '0';
+    if (estimate.draws.empty()) return hidden;
+    const auto steps = stepProbabilities(estimate, kStepLimit);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        hidden.step[i] = steps[i].p;
+        hidden.stepSd[i] = steps[i].monteCarloSd;
+    }
+    const auto modes = twoModes(estimate);
+    for (std::size_t i = 0; i < kBins; ++i) hidden.twoModes[i] = modes[i].has_value();
     return hidden;
 }
 
-/// Returns felt horizon and verdict, which are the same for every bin of a scene.
-std::string answerTo(const Scene& scene, const SceneEstimate& result)
+void addRows(std::string& csv, const Scene& scene, const TerrainEstimate& e,
+             const std::string& note)
 {
-    if (!result.estimate) return ",,";
-    const Verdict verdict = verdictOf(*result.estimate, scene.s, kStepLimit);
-    return fmt::format(",{:.2f},{}", verdict.horizon, name(verdict.stepVerdict));
+    const Hidden hidden = hiddenIn(e);
+    const Verdict verdict = verdictOf(e, scene.s, kStepLimit);
+    for (std::size_t i = 0; i < kBins; ++i)
+        csv += csvLine({scene.run,
+                        scene.time,
+                        signedTenth(binCentre(static_cast<int>(i))),
+                        e.mean[i],
+                        e.sd[i],
+                        e.q10[i],
+                        e.q90[i],
+                        name(e.origin[i]),
+                        std::isfinite(e.ceiling[i]) ? CsvValue(e.ceiling[i]) : CsvValue(),
+                        e.rhat[i],
+                        e.ess[i],
+                        scene.truth[i],
+                        noteText(note),
+                        e.height[i],
+                        hidden.step[i],
+                        hidden.stepSd[i],
+                        hidden.twoModes[i],
+                        e.novelty,
+                        e.draws.size(),
+                        name(e.ending),
+                        name(e.touch[i]),
+                        fixed(verdict.horizon, 2),
+                        name(verdict.stepVerdict)});
 }
 
-void addRows(std::string& csv, const Scene& scene, const SceneEstimate& result)
+/// Adds the rows of a scene that could not be estimated.
+void addRows(std::string& csv, const Scene& scene, const std::string& note)
 {
-    auto out = std::back_inserter(csv);
-    const Hidden hidden = hiddenIn(result);
-    const std::string answer = answerTo(scene, result);
     for (std::size_t i = 0; i < kBins; ++i) {
-        fmt::format_to(out, "{},{},{:+.1f},", csvField(scene.run), scene.time,
-                       binCentre(static_cast<int>(i)));
-        if (result.estimate) {
-            const TerrainEstimate& e = *result.estimate;
-            const auto ceiling =
-                std::isfinite(e.ceiling[i]) ? std::optional(e.ceiling[i]) : std::nullopt;
-            fmt::format_to(out, "{},{},{},{},{},{},{},{},", e.mean[i], e.sd[i], e.q10[i], e.q90[i],
-                           name(e.origin[i]), shown(ceiling), e.rhat[i], e.ess[i]);
-        } else {
-            fmt::format_to(out, ",,,,,,,,");
-        }
-        fmt::format_to(out, "{},{},", shown(scene.truth[i]), noteField(result.note));
-        if (result.estimate)
-            fmt::format_to(out, "{},{},{},{},{},{}", result.estimate->height[i], hidden.step[i],
-                           hidden.twoModes[i], result.estimate->novelty,
-                           result.estimate->draws.size(), name(result.estimate->ending));
-        else
-            fmt::format_to(out, ",,,,,,");
-        fmt::format_to(out, ",{}{}\n",
-                       result.estimate ? name(result.estimate->touch[i]) : std::string_view(),
-                       answer);
+        std::array<CsvValue, kColumns> fields{scene.run, scene.time,
+                                              signedTenth(binCentre(static_cast<int>(i)))};
+        fields[kTruth] = scene.truth[i];
+        fields[kNote] = noteText(note);
+        csv += csvLine(fields);
     }
 }
 
@@ -95,7 +99,11 @@ std::string estimateCsv(const std::vector<Scene>& scenes,
     std::string csv =
         "run,t_s,bin_m,mean_m,sd_m,q10_m,q90_m,source,ceiling_m,rhat,ess,truth_m,note,"
         "height_m,p_step,p_step_sd,two_modes,novelty,draws,ending,touch,horizon_m,verdict\n";
-    for (std::size_t k = 0; k < scenes.size(); ++k) addRows(csv, scenes[k], estimates[k]);
+    for (std::size_t k = 0; k < scenes.size(); ++k)
+        if (const auto& estimate = estimates[k].estimate)
+            addRows(csv, scenes[k], *estimate, estimates[k].note);
+        else
+            addRows(csv, scenes[k], estimates[k].note);
     return csv;
 }
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 
+#include "core/base/message.h"
 #include "core/store/csv_text.h"
 
 namespace terratact {
@@ -69,12 +69,11 @@ std::string withInterval(double value, const std::optional<ScoreIntervals>& inte
     return text;
 }
 
-std::string csvInterval(double value, const std::optional<ScoreIntervals>& intervals,
-                        Interval ScoreIntervals::*which)
+/// Adds a score of the whole sample and the two ends of its interval, which may be unknown.
+void addInterval(std::vector<CsvValue>& fields, double value, const std::optional<Interval>& i)
 {
-    if (!intervals) return fmt::format("{:.6f},,", value);
-    const Interval& i = (*intervals).*which;
-    return fmt::format("{:.6f},{:.6f},{:.6f}", value, i.low, i.high);
+    fields.insert(fields.end(),
+                  {fixed(value, 6), i ? fixed(i->low, 6) : "", i ? fixed(i->high, 6) : ""});
 }
 
 /// Returns the entry with this label; a default entry if there is none.
@@ -97,15 +96,14 @@ std::string histogramCsv(std::string_view header, std::span<const ErrorHistogram
                          std::string_view last)
 {
     std::string csv(header);
-    auto out = std::back_inserter(csv);
     for (const ErrorHistogram& h : histograms)
         for (std::size_t k = 0; k < h.count.size(); ++k) {
             const auto edge = [&](std::size_t at) {
-                return fmt::format("{:.6g}", h.width * static_cast<double>(at));
+                return rounded(h.width * static_cast<double>(at), 6);
             };
-            fmt::format_to(out, "{},{},{},{},{:.6f}\n", h.label, edge(k),
-                           k + 1 < h.count.size() ? edge(k + 1) : std::string(last), h.count[k],
-                           static_cast<double>(h.count[k]) / static_cast<double>(h.n));
+            csv +=
+                csvLine({h.label, edge(k), k + 1 < h.count.size() ? edge(k + 1) : last, h.count[k],
+                         fixed(static_cast<double>(h.count[k]) / static_cast<double>(h.n), 6)});
         }
     return csv;
 }
@@ -175,17 +173,15 @@ std::string errorsCsv(std::span<const BinError> errors, std::span<const Scene> s
     std::string csv =
         "run,t_s,method,bin_m,error_m,abs_error_m,in_band,source,crps_m,pit,in_50,in_95,width_m,"
         "novelty\n";
-    auto out = std::back_inserter(csv);
     for (const BinError& e : errors) {
         if (e.scene >= scenes.size())
             throw std::invalid_argument("errorsCsv: an error of a scene that is not there");
         const Scene& scene = scenes[e.scene];
         const ForecastScores& s = e.scores;
-        fmt::format_to(out, "{},{},{},{:+.1f},{},{},{},{},{:.6f},{:.6f},{},{},{:.6f},{}\n",
-                       csvField(scene.run), scene.time, e.label, binCentre(e.bin), e.error,
-                       std::abs(e.error), s.in80 ? 1 : 0, name(e.origin), s.crps, s.pit,
-                       s.in50 ? 1 : 0, s.in95 ? 1 : 0, s.width,
-                       e.novelty > 0.0 ? fmt::format("{:.4f}", e.novelty) : std::string());
+        csv += csvLine({scene.run, scene.time, e.label, signedTenth(binCentre(e.bin)), e.error,
+                        std::abs(e.error), s.in80, name(e.origin), fixed(s.crps, 6),
+                        fixed(s.pit, 6), s.in50, s.in95, fixed(s.width, 6),
+                        e.novelty > 0.0 ? fixed(e.novelty, 4) : ""});
     }
     return csv;
 }
@@ -199,16 +195,14 @@ std::string fig9Csv(std::span<const MethodSummary> summaries)
 {
     std::string csv =
         "method,bin_m,n,q1_m,median_m,q3_m,mean_m,coverage,sampled,sampled_coverage,crps_m\n";
-    auto out = std::back_inserter(csv);
     for (const MethodSummary& summary : summaries)
         for (int bin = 0; bin < kBins; ++bin) {
             const ErrorStatistics& s = summary.bin[static_cast<std::size_t>(bin)];
             if (s.n == 0) continue;
-            fmt::format_to(out, "{},{:+.1f},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.4f},{},{},{:.6f}\n",
-                           summary.label, binCentre(bin), s.n, s.q1, s.median, s.q3, s.mean,
-                           s.coverage, s.sampled,
-                           s.sampled > 0 ? fmt::format("{:.4f}", s.sampledCoverage) : std::string(),
-                           s.crps);
+            csv += csvLine({summary.label, signedTenth(binCentre(bin)), s.n, fixed(s.q1, 6),
+                            fixed(s.median, 6), fixed(s.q3, 6), fixed(s.mean, 6),
+                            fixed(s.coverage, 4), s.sampled,
+                            s.sampled > 0 ? fixed(s.sampledCoverage, 4) : "", fixed(s.crps, 6)});
         }
     return csv;
 }
@@ -221,15 +215,14 @@ std::string pitCsv(std::span<const ErrorHistogram> histograms)
 std::string coverageCsv(std::span<const MethodSummary> summaries)
 {
     std::string csv = "method,bin_m,n,in_50,in_80,in_95,width_m\n";
-    const auto add = [&](const std::string& label, const std::string& bin,
-                         const ErrorStatistics& s) {
+    const auto add = [&](const std::string& label, const CsvValue& bin, const ErrorStatistics& s) {
         if (s.n > 0)
-            csv += fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},{:.6f}\n", label, bin, s.n,
-                               s.coverage50, s.coverage, s.coverage95, s.width);
+            csv += csvLine({label, bin, s.n, fixed(s.coverage50, 4), fixed(s.coverage, 4),
+                            fixed(s.coverage95, 4), fixed(s.width, 6)});
     };
     for (const MethodSummary& summary : summaries) {
         for (int bin = 0; bin < kBins; ++bin)
-            add(summary.label, fmt::format("{:+.1f}", binCentre(bin)),
+            add(summary.label, signedTenth(binCentre(bin)),
                 summary.bin[static_cast<std::size_t>(bin)]);
         add(summary.label, "all", summary.all);
     }
@@ -247,14 +240,20 @@ std::string scoresCsv(std::span<const MethodSummary> summaries,
     csv += ",coverage_50,coverage_95,width_m,scene_s\n";
     for (const MethodSummary& m : summaries) {
         const Confidence c = entryOf(m.label, confidences);
-        csv += fmt::format("{},{},{},", m.label, m.all.n, c.drives);
-        csv += csvInterval(m.near.median, c.intervals, &ScoreIntervals::nearMedian) + ",";
-        csv += csvInterval(m.all.median, c.intervals, &ScoreIntervals::median) + ",";
-        csv += csvInterval(m.all.mean, c.intervals, &ScoreIntervals::mean) + ",";
-        csv += csvInterval(m.all.crps, c.intervals, &ScoreIntervals::crps) + ",";
-        csv += csvInterval(m.all.coverage, c.intervals, &ScoreIntervals::coverage);
-        csv += fmt::format(",{:.4f},{:.4f},{:.6f},{:.6f}\n", m.all.coverage50, m.all.coverage95,
-                           m.all.width, entryOf(m.label, times).perScene);
+        std::vector<CsvValue> fields{m.label, m.all.n, c.drives};
+        const auto add = [&](double value, Interval ScoreIntervals::*which) {
+            addInterval(fields, value,
+                        c.intervals ? std::optional((*c.intervals).*which) : std::nullopt);
+        };
+        add(m.near.median, &ScoreIntervals::nearMedian);
+        add(m.all.median, &ScoreIntervals::median);
+        add(m.all.mean, &ScoreIntervals::mean);
+        add(m.all.crps, &ScoreIntervals::crps);
+        add(m.all.coverage, &ScoreIntervals::coverage);
+        fields.insert(fields.end(),
+                      {fixed(m.all.coverage50, 4), fixed(m.all.coverage95, 4),
+                       fixed(m.all.width, 6), fixed(entryOf(m.label, times).perScene, 6)});
+        csv += csvLine(fields);
     }
     return csv;
 }
@@ -263,8 +262,8 @@ std::string groupsCsv(std::string_view kind, std::span<const GroupSummary> group
 {
     std::string csv = fmt::format("{},method,scenes,n,median_m,mean_m,crps_m,coverage\n", kind);
     for (const GroupSummary& g : groups)
-        csv += fmt::format("{},{},{},{},{:.6f},{:.6f},{:.6f},{:.4f}\n", csvField(g.group), g.label,
-                           g.scenes, g.all.n, g.all.median, g.all.mean, g.all.crps, g.all.coverage);
+        csv += csvLine({g.group, g.label, g.scenes, g.all.n, fixed(g.all.median, 6),
+                        fixed(g.all.mean, 6), fixed(g.all.crps, 6), fixed(g.all.coverage, 4)});
     return csv;
 }
 
@@ -273,12 +272,13 @@ std::string brierCsv(std::span<const BrierSummary> summaries)
     std::string csv =
         "method,place,n,observed_share,brier,brier_low,brier_high,reliability,resolution,"
         "uncertainty\n";
-    for (const BrierSummary& b : summaries)
-        csv += fmt::format(
-            "{},{},{},{:.6f},{:.6f},{},{:.6f},{:.6f},{:.6f}\n", b.label, name(b.place), b.n,
-            b.observedShare, b.score,
-            b.interval ? fmt::format("{:.6f},{:.6f}", b.interval->low, b.interval->high) : ",",
-            b.reliability, b.resolution, b.uncertainty);
+    for (const BrierSummary& b : summaries) {
+        std::vector<CsvValue> fields{b.label, name(b.place), b.n, fixed(b.observedShare, 6)};
+        addInterval(fields, b.score, b.interval);
+        fields.insert(fields.end(),
+                      {fixed(b.reliability, 6), fixed(b.resolution, 6), fixed(b.uncertainty, 6)});
+        csv += csvLine(fields);
+    }
     return csv;
 }
 
@@ -290,8 +290,8 @@ std::string reliabilityCsv(std::span<const BrierSummary> summaries)
             const ReliabilityClass& c = b.classes[k];
             const auto from = 0.1 * static_cast<double>(k);
             if (c.n > 0)
-                csv += fmt::format("{},{},{:.1f},{:.1f},{},{:.4f},{:.4f}\n", b.label, name(b.place),
-                                   from, from + 0.1, c.n, c.meanForecast, c.observedShare);
+                csv += csvLine({b.label, name(b.place), fixed(from, 1), fixed(from + 0.1, 1), c.n,
+                                fixed(c.meanForecast, 4), fixed(c.observedShare, 4)});
         }
     return csv;
 }
@@ -302,9 +302,9 @@ std::string probesCsv(std::span<const ProbeSummary> summaries)
         "method,rule,scenes,probed,ahead_before_m,ahead_after_m,all_before_m,all_after_m,"
         "probes_needed,settled\n";
     for (const ProbeSummary& p : summaries)
-        csv += fmt::format("{},{},{},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.4f},{}\n", p.label, p.rule,
-                           p.scenes, p.probed, p.before.ahead, p.after.ahead, p.before.all,
-                           p.after.all, p.probesNeeded, p.settled);
+        csv += csvLine({p.label, p.rule, p.scenes, p.probed, fixed(p.before.ahead, 6),
+                        fixed(p.after.ahead, 6), fixed(p.before.all, 6), fixed(p.after.all, 6),
+                        fixed(p.probesNeeded, 4), p.settled});
     return csv;
 }
 

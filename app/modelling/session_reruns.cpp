@@ -200,14 +200,13 @@ std::string SessionReruns::csv() const
         const TerrainEstimate &a = r.row.estimate, &b = r.again;
         const SceneRow* scene = r.session->scene(r.row.scene);
         for (std::size_t i = 0; i < kBins; ++i)
-            text += fmt::format(
-                "{},{},{},{},{},{:+.1f},{},{},{},{},{},{},{},{},{},{:d},{},{}\n",
-                csvField(r.session->path()), r.row.id, r.row.scene, secondsOf(r.row.time),
-                name(b.settings.method), binCentre(static_cast<int>(i)), a.height[i], b.height[i],
-                a.sd[i], b.sd[i], a.q10[i], b.q10[i], a.q90[i], b.q90[i],
-                scene->truth ? numberText(scene->truth->at(i)) : "",
-                r.differences.likeness == Match::Identical, name(r.differences.before.stepVerdict),
-                name(r.differences.after.stepVerdict));
+            text += csvLine(
+                {r.session->path(), r.row.id, r.row.scene, secondsOf(r.row.time),
+                 name(b.settings.method), signedTenth(binCentre(static_cast<int>(i))), a.height[i],
+                 b.height[i], a.sd[i], b.sd[i], a.q10[i], b.q10[i], a.q90[i], b.q90[i],
+                 scene->truth ? numberText(scene->truth->at(i)) : "",
+                 r.differences.likeness == Match::Identical, name(r.differences.before.stepVerdict),
+                 name(r.differences.after.stepVerdict)});
     }
     return text;
 }

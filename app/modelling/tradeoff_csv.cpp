@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/store/csv_reader.h"
+#include "core/store/csv_text.h"
 
 namespace terratact {
 
@@ -70,12 +71,13 @@ std::string tradeoffCsv(std::span<const TradePoint> points)
     for (std::size_t k = 0; k < points.size(); ++k) {
         const TradePoint& p = points[k];
         const Settings& s = p.setting.settings;
-        text += fmt::format(
-            "{},{},{},{},{},{},{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g},{:d},{:d}\n",
-            name(s.method), p.setting.varied, s.draws, s.chains, s.burnIn, name(s.precision),
-            inducingName(s.inducing), p.draws, p.converged, 1e3 * p.seconds, 1e3 * p.reference.mean,
-            1e3 * p.reference.quantile, 1e3 * p.error, 1e3 * p.crps,
-            static_cast<bool>(fronts.reference[k]), static_cast<bool>(fronts.truth[k]));
+        text +=
+            csvLine({name(s.method), p.setting.varied, s.draws, s.chains, s.burnIn,
+                     name(s.precision), inducingName(s.inducing), p.draws, rounded(p.converged, 4),
+                     rounded(1e3 * p.seconds, 4), rounded(1e3 * p.reference.mean, 4),
+                     rounded(1e3 * p.reference.quantile, 4), rounded(1e3 * p.error, 4),
+                     rounded(1e3 * p.crps, 4), static_cast<bool>(fronts.reference[k]),
+                     static_cast<bool>(fronts.truth[k])});
     }
     return text;
 }
@@ -113,10 +115,10 @@ std::string presetsCsv(std::string_view model, std::span<const TradePoint> point
     for (const TradePoint& p : points) {
         if (!p.setting.preset) continue;
         const Settings& s = p.setting.settings;
-        text +=
-            fmt::format("{},{},{},{},{},{},{},{:.3g},{:.3g},{:.3g},{:.3g}\n", model, name(s.method),
-                        name(*p.setting.preset), s.draws, s.chains, s.burnIn, s.inducing,
-                        1e3 * p.seconds, 1e3 * p.reference.quantile, 1e3 * p.error, p.converged);
+        text += csvLine({model, name(s.method), name(*p.setting.preset), s.draws, s.chains,
+                         s.burnIn, s.inducing, rounded(1e3 * p.seconds, 3),
+                         rounded(1e3 * p.reference.quantile, 3), rounded(1e3 * p.error, 3),
+                         rounded(p.converged, 3)});
     }
     return text;
 }

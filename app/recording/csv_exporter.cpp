@@ -7,6 +7,7 @@
 
 #include "app/recording/session_exporter.h"
 #include "app/recording/session_text.h"
+#include "core/base/message.h"
 #include "core/base/text.h"
 #include "core/store/csv_text.h"
 #include "core/wire/can_codec.h"
@@ -41,16 +42,7 @@ public:
         case ExportKind::Frames:
             out_ << "__time,id,extended,remote,error,fd,sent,local,length,data\n";
             break;
-        case ExportKind::Signals:
-            out_ << "__time";
-            for (const FrameLayout& layout : frameLayouts())
-                for (const SignalLayout& signal : layout.payload)
-                    out_ << ',' << csvField(heading(layout, signal));
-            for (const PayloadSignals::Message& message : payload_.messages())
-                for (const DbcSignal& signal : message.described->message.payload)
-                    out_ << ',' << csvField(headingOf(message, signal));
-            out_ << '\n';
-            break;
+        case ExportKind::Signals: out_ << csvLine(signalColumns()); break;
         case ExportKind::Estimates:
             out_ << "__time,estimate,scene,role,method,bin_m,height_m,mean_m,sd_m,q10_m,q90_m,"
                     "source,"
@@ -66,9 +58,8 @@ public:
     {
         if (what_ == ExportKind::Frames) {
             const CanFrame& f = row.frame;
-            out_ << fmt::format("{},{},{:d},{:d},{:d},{:d},{:d},{:d},{:d},{}\n", moment(row.time),
-                                f.id, f.extended, f.remote, f.error, f.fd, row.sent, row.local,
-                                f.length, hexBytes(f));
+            out_ << csvLine({moment(row.time), f.id, f.extended, f.remote, f.error, f.fd, row.sent,
+                             row.local, f.length, hexBytes(f)});
             return Taken::Written;
         }
         if (const auto content = unpack(row.frame); std::holds_alternative<Unpacked>(content))
@@ -86,23 +77,21 @@ public:
         const TerrainEstimate& e = row.estimate;
         const SceneRow* scene = session_.scene(row.scene);
         for (std::size_t i = 0; i < kBins; ++i)
-            out_ << fmt::format(
-                "{},{},{},{},{},{:.1f},{},{},{},{},{},{},{},{},{},{},{}\n", moment(row.time),
-                row.id, row.scene, name(row.role), name(e.settings.method),
-                binCentre(static_cast<int>(i)), e.height[i], e.mean[i], e.sd[i], e.q10[i], e.q90[i],
-                name(e.origin[i]), std::isfinite(e.ceiling[i]) ? numberText(e.ceiling[i]) : "",
-                e.rhat[i], e.ess[i], scene && scene->truth ? numberText(scene->truth->at(i)) : "",
-                name(e.touch[i]));
+            out_ << csvLine({moment(row.time), row.id, row.scene, name(row.role),
+                             name(e.settings.method), fixed(binCentre(static_cast<int>(i)), 1),
+                             e.height[i], e.mean[i], e.sd[i], e.q10[i], e.q90[i], name(e.origin[i]),
+                             std::isfinite(e.ceiling[i]) ? numberText(e.ceiling[i]) : "", e.rhat[i],
+                             e.ess[i], scene && scene->truth ? numberText(scene->truth->at(i)) : "",
+                             name(e.touch[i])});
         return true;
     }
 
     bool take(const EventRow& row) override
     {
         if (what_ != ExportKind::Events) return false;
-        out_ << fmt::format("{},{},{},{},{},{},{},{},{}\n", moment(row.time), row.id,
-                            name(row.kind), csvField(row.subject), csvField(row.text),
-                            row.number ? numberText(*row.number) : "", row.estimate, row.proposal,
-                            csvField(row.shown));
+        out_ << csvLine({moment(row.time), row.id, name(row.kind), row.subject, row.text,
+                         row.number ? numberText(*row.number) : "", row.estimate, row.proposal,
+                         row.shown});
         return true;
     }
 
@@ -119,26 +108,39 @@ private:
         return nanosecondText(wallTimeOf(session_.start(), time));
     }
 
+    std::vector<std::string> signalColumns() const
+    {
+        std::vector<std::string> columns{"__time"};
+        for (const FrameLayout& layout : frameLayouts())
+            for (const SignalLayout& signal : layout.payload)
+                columns.push_back(heading(layout, signal));
+        for (const PayloadSignals::Message& message : payload_.messages())
+            for (const DbcSignal& signal : message.described->message.payload)
+                columns.push_back(headingOf(message, signal));
+        return columns;
+    }
+
     void takeSignals(SessionTime time, const Unpacked& content)
     {
-        out_ << moment(time);
+        std::vector<std::string> fields{moment(time)};
         const FrameLayout& own = layoutOf(content.kind);
         for (const FrameLayout& layout : frameLayouts())
-            for (std::size_t i = 0; i < layout.payload.size(); ++i) {
-                out_ << ',';
-                if (&layout == &own) out_ << numberText(content.values.at(i));
-            }
-        out_ << std::string(payload_.signals(), ',') << '\n';
+            for (std::size_t i = 0; i < layout.payload.size(); ++i)
+                fields.push_back(&layout == &own ? numberText(content.values.at(i)) : "");
+        fields.resize(fields.size() + payload_.signals());
+        out_ << csvLine(fields);
     }
 
     void takePayload(const FrameRow& row, const PayloadSignals::Message& message)
     {
         std::size_t own = 0;
         for (const FrameLayout& layout : frameLayouts()) own += layout.payload.size();
+        std::vector<std::string> fields(1 + own + payload_.signals());
+        fields.front() = moment(row.time);
         const auto numbers = numbersOf(message.described->message, row.frame);
-        out_ << moment(row.time) << std::string(own + message.firstSignal, ',');
-        for (const std::string& number : numbers) out_ << ',' << number;
-        out_ << std::string(payload_.signals() - message.firstSignal - numbers.size(), ',') << '\n';
+        std::ranges::copy(
+            numbers, fields.begin() + static_cast<std::ptrdiff_t>(1 + own + message.firstSignal));
+        out_ << csvLine(fields);
     }
 
     std::ostream& out_;

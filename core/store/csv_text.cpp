@@ -1,7 +1,10 @@
 #include "core/store/csv_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "core/base/text.h"
 
@@ -46,14 +49,39 @@ std::string csvField(std::string_view text)
     return quoted + "\"";
 }
 
-std::string csvLine(std::span<const std::string> fields)
+CsvValue::CsvValue(double value) : text_(fmt::format("{}", value)) {}
+
+CsvValue::CsvValue(std::optional<double> value) : CsvValue(value ? CsvValue(*value) : CsvValue()) {}
+
+CsvValue signedTenth(double value)
+{
+    return fmt::format("{:+.1f}", value);
+}
+
+CsvValue rounded(double value, int digits)
+{
+    return fmt::format("{:.{}g}", value, digits);
+}
+
+std::string csvLine(std::span<const CsvValue> fields)
 {
     std::string line;
-    for (const std::string& field : fields) {
+    for (const CsvValue& field : fields) {
         if (&field != fields.data()) line += ',';
-        line += csvField(field);
+        line += csvField(field.text());
     }
-    return line + '\n';
+    line += '\n';
+    return line;
+}
+
+std::string csvLine(std::initializer_list<CsvValue> fields)
+{
+    return csvLine(std::span(fields.begin(), fields.size()));
+}
+
+std::string csvLine(std::span<const std::string> fields)
+{
+    return csvLine(std::vector<CsvValue>(fields.begin(), fields.end()));
 }
 
 std::string_view csvText(std::string_view field)

@@ -183,9 +183,9 @@ Result<Scene> readScene(CsvReader& csv, const Layout& layout)
 
 std::string header()
 {
-    std::string line;
-    for (int slot = 0; slot < kSlots; ++slot) (line += slot == 0 ? "" : ",") += slotName(slot);
-    return line + "\n";
+    std::vector<CsvValue> fields;
+    for (int slot = 0; slot < kSlots; ++slot) fields.emplace_back(slotName(slot));
+    return csvLine(fields);
 }
 
 /// Returns one field of a scene as text. Throws for what the reader would refuse.
@@ -201,12 +201,13 @@ std::string lineOf(const Scene& scene)
 {
     if (!isRunName(scene.run))
         throw std::invalid_argument("writeScenes: run is not a name: " + shown(scene.run));
-    std::string line = csvField(scene.run) + ',' + field(scene.time, kTime);
+    std::vector<CsvValue> fields{scene.run, field(scene.time, kTime)};
     int slot = kFirstFeature;
     for (const std::optional<double>& value : featureValues(scene.s))
-        (line += ',') += field(value, slot++);
-    for (const std::optional<double>& value : scene.truth) (line += ',') += field(value, slot++);
-    return line + "\n";
+        fields.emplace_back(field(value, slot++));
+    for (const std::optional<double>& value : scene.truth)
+        fields.emplace_back(field(value, slot++));
+    return csvLine(fields);
 }
 
 }  // namespace

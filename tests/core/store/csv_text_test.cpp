@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/store/csv_reader.h"
@@ -19,6 +22,22 @@ TEST(CsvText, aLineQuotesEachFieldAndEnds)
 TEST(CsvText, aLineDefusesFormulasButNotNumbers)
 {
     EXPECT_EQ(csvLine(std::array<std::string, 3>{"=1+1", "-0.5", "+2"}), "'=1+1,-0.5,+2\n");
+}
+
+TEST(CsvText, aLineWritesNumbersAsShortAsPossible)
+{
+    EXPECT_EQ(csvLine({0.1, -0.0001, 3, std::size_t{7}, true, std::uint8_t{200}}),
+              "0.1,-0.0001,3,7,1,200\n");
+    EXPECT_EQ(csvLine({std::optional<double>(), std::optional(2.5), CsvValue()}), ",2.5,\n");
+    EXPECT_EQ(csvLine({-std::numeric_limits<double>::infinity(), std::string("-inf")}),
+              "-inf,-inf\n");
+}
+
+TEST(CsvText, aNumberKeepsItsDigits)
+{
+    EXPECT_EQ(
+        csvLine({signedTenth(0.0), signedTenth(-0.3), rounded(1234.5678, 6), rounded(0.5, 3)}),
+        "+0.0,-0.3,1234.57,0.5\n");
 }
 
 TEST(CsvText, aLineReadsBackAsItsFields)
