@@ -1,211 +1,31 @@
-#include <fmt/core.h>
-
 #include <filesystem>
-#include <functional>
-#include <map>
-#include <optional>
-#include <utility>
 
 #include "app/cli/commands.h"
 #include "app/cli/missing_sensor_table.h"
 #include "app/figures/findings_report.h"
-#include "app/modelling/findings.h"
 #include "app/modelling/findings_file.h"
 #include "app/modelling/model_cards.h"
-#include "app/modelling/probe_trials.h"
-#include "app/modelling/scene_estimates.h"
-#include "app/runtime/parallel.h"
+#include "app/modelling/scene_evaluation.h"
 #include "app/runtime/say.h"
-#include "app/runtime/stopwatch.h"
-#include "core/eval/baselines.h"
-#include "core/eval/evaluation.h"
-#include "core/eval/groups.h"
-#include "core/eval/step_forecasts.h"
-#include "core/learn/data/scene_copies.h"
-#include "core/learn/data/scene_file.h"
-#include "core/store/file_read.h"
 #include "core/store/file_write.h"
-#include "core/store/sha256.h"
 
 namespace terratact {
 
 namespace {
 
-/// The scenes of one part (shard).
-struct Workload {
-    std::vector<Scene> scenes;
-    std::size_t first = 0;  ///< number of the part's first scene among all
-    const EstimatorBundle& bundle;
-    const EvaluateOptions& options;
-};
-
-/// Returns the errors of one estimate; -0 becomes 0, because files do not keep it.
-std::vector<BinError> keptErrors(std::size_t number, const Scene& scene, const std::string& label,
-                                 const TerrainEstimate& estimate)
+void printNotices(const EvaluationInput& input)
 {
-    std::vector<BinError> errors = binErrors(number, scene, label, estimate);
-    for (BinError& e : errors) {
-        e.error += 0.0;
-        e.scores.crps += 0.0;
-        e.scores.width += 0.0;
-    }
-    return errors;
-}
-
-template <class Entry>
-void append(std::vector<Entry>& into, const std::vector<Entry>& more)
-{
-    into.insert(into.end(), more.begin(), more.end());
-}
-
-/// Adds the errors and forecasts of a method or baseline and prints its result.
-void judgeEstimates(const std::string& label, const Workload& work,
-                    const std::vector<SceneEstimate>& estimates, double seconds, Findings& findings)
-{
-    MethodRun run{.label = label, .scenes = work.scenes.size(), .seconds = seconds};
-    for (std::size_t k = 0; k < work.scenes.size(); ++k) {
-        const auto& estimate = estimates[k].estimate;
-        if (!estimate) {
-            ++run.failed;
-            continue;
-        }
-        run.converged += estimate->converged ? 1 : 0;
-        run.endedBySweeps += estimate->ending == Ending::Sweeps ? 1 : 0;
-        run.endedByTime += estimate->ending == Ending::Time ? 1 : 0;
-        const std::size_t number = work.first + k;
-        append(findings.errors, keptErrors(number, work.scenes[k], label, *estimate));
-        append(findings.steps,
-               stepForecasts(number, work.scenes[k], label, *estimate, work.options.stepLimit));
-    }
-    printRun(run);
-    findings.runs.push_back(std::move(run));
-}
-
-void judgeMethod(Method method, const Workload& work, Findings& findings)
-{
-    Settings settings = work.options.settings;
-    settings.method = method;
-    const std::string label = labelOf(settings);
-    Settings ofFirst = settings;
-    ofFirst.seed += work.first;
-    const Stopwatch watch;
-    const auto estimates = estimateScenes(work.scenes, work.bundle, ofFirst, work.options.seconds);
-    judgeEstimates(label, work, estimates, watch.seconds(), findings);
-    if (work.options.probes && !usesArm(method))
-        append(findings.probes,
-               tryProbeRules(label, work.scenes, estimates, work.first, work.bundle, settings,
-                             work.options.stepLimit, work.options.seconds));
-}
-
-SceneEstimate estimateBaseline(const Baseline& baseline, const RobotModel& robot,
-                               const Scene& scene, std::uint64_t seed)
-{
-    if (const std::string_view missing = missingFeature(baseline.needs(), scene.s);
-        !missing.empty())
-        return {std::nullopt, fmt::format("{} is unknown", missing)};
-    return {baselineEstimate(baseline, robot, scene.s, seed), {}};
-}
-
-void judgeBaselines(const Workload& work, Findings& findings)
-{
-    const EstimatorBundle& bundle = work.bundle;
-    const auto sideBySide = [](int count, const std::function<void(int)>& each) {
-        parallelFor(count, each);
-    };
-    for (const auto& baseline : fitBaselines(bundle.robot, bundle.model.data, sideBySide)) {
-        std::vector<SceneEstimate> estimates(work.scenes.size());
-        const Stopwatch watch;
-        parallelFor(static_cast<int>(work.scenes.size()), [&](int n) {
-            const auto k = static_cast<std::size_t>(n);
-            estimates[k] = estimateBaseline(*baseline, bundle.robot, work.scenes[k],
-                                            work.options.settings.seed + work.first + k);
-        });
-        judgeEstimates(std::string(baseline->name()), work, estimates, watch.seconds(), findings);
-    }
-}
-
-Result<SceneFile> scenesWithTruth(const std::string& path)
-{
-    auto file = readScenesWithTruth(path);
-    if (!file) return file.error();
-    for (const Message& notice : file->notices) say(stderr, "terratact: {}\n", notice.english());
-    return file;
-}
-
-/// Returns how many scenes the model was trained on; prints a notice if there are any.
-std::size_t tellTrainingScenes(const std::vector<Scene>& scenes, const EstimatorBundle& bundle)
-{
-    const std::size_t trained = trainingScenes(scenes, bundle.model.data.features);
-    if (trained > 0)
+    for (const Message& notice : input.file.notices)
+        say(stderr, "terratact: {}\n", notice.english());
+    if (input.trained > 0)
         say(stderr,
             "terratact: {} of {} scenes are training scenes of this model: errors look "
             "smaller than they are\n",
-            trained, scenes.size());
-    return trained;
+            input.trained, input.file.scenes.size());
 }
 
-/// Reads the index file of the classes, if one is given.
-Result<std::optional<Classes>> classesOf(const EvaluateOptions& options)
+Status writePart(const EvaluateOptions& options, const Findings& findings)
 {
-    if (options.classes.empty()) return std::optional<Classes>();
-    auto read = readClasses(options.classes, options.classColumn);
-    if (!read) return read.error();
-    return std::optional(*std::move(read));
-}
-
-std::vector<EvaluatedScene> evaluatedScenes(const Workload& work,
-                                            const std::optional<Classes>& classes)
-{
-    std::vector<EvaluatedScene> scenes;
-    for (const Scene& scene : work.scenes) {
-        EvaluatedScene known{scene.run, scene.time + 0.0,
-                             binsUnderFrontFlipper(work.bundle.robot, scene.s), ""};
-        if (classes) {
-            const auto found = classes->find(scene.run);
-            known.kind = found == classes->end() ? std::string(kNoClass) : found->second;
-        }
-        scenes.push_back(std::move(known));
-    }
-    return scenes;
-}
-
-Result<std::string> hashOfFile(const std::string& path)
-{
-    return path.empty() ? std::string("(none)") : sha256OfFile(path);
-}
-
-/// Returns the values that must agree between parts of one evaluation.
-Result<std::map<std::string, std::string>>
-originOf(const EvaluateOptions& options, const std::string& modelHash, const std::string& dataHash)
-{
-    std::map<std::string, std::string> origin{{"version", TERRATACT_VERSION},
-                                              {"command", options.command},
-                                              {"model's content", modelHash},
-                                              {"scenes' SHA-256", dataHash}};
-    for (const auto& [what, path] : {std::pair("robot's SHA-256", &options.robot),
-                                     std::pair("classes' SHA-256", &options.classes)}) {
-        auto hash = hashOfFile(*path);
-        if (!hash) return hash.error();
-        origin[what] = *std::move(hash);
-    }
-    return origin;
-}
-
-Status judgeAll(const Workload& work, Findings& findings)
-{
-    for (const Method method : work.options.methods) judgeMethod(method, work, findings);
-    if (!work.options.shard && findings.errors.empty())
-        return fileError(work.options.data, "no scene has what the methods need");
-    judgeBaselines(work, findings);
-    return Done{};
-}
-
-Status writeShard(const EvaluateOptions& options, const std::string& modelHash,
-                  const std::string& dataHash, Findings& findings)
-{
-    auto origin = originOf(options, modelHash, dataHash);
-    if (!origin) return origin.error();
-    findings.origin = *std::move(origin);
     const std::string path =
         (std::filesystem::path(options.out) / shardFile(findings.shard)).string();
     if (Status s = writeFindings(path, findings); !s) return s;
@@ -214,77 +34,21 @@ Status writeShard(const EvaluateOptions& options, const std::string& modelHash,
     return Done{};
 }
 
-/// Returns the scenes of the requested part.
-Result<std::vector<Scene>> scenesOf(const Shard& shard, std::vector<Scene> all,
-                                    const std::string& path)
-{
-    if (static_cast<std::size_t>(shard.count) > all.size())
-        return fileError(path, fmt::format("has {} scenes, expected at least {} for as many parts",
-                                           all.size(), shard.count));
-    const auto at = [&all](std::size_t k) { return all.begin() + static_cast<std::ptrdiff_t>(k); };
-    return std::vector<Scene>(at(shard.begin(all.size())), at(shard.end(all.size())));
-}
-
-/// Writes the errors of the methods, without baselines, into the model's card.
-Status keepInCard(const EvaluateOptions& options, const std::string& modelHash,
-                  const std::string& dataHash, const Findings& findings, std::size_t trained)
-{
-    std::vector<CardScores> scores;
-    for (std::size_t k = 0; k < options.methods.size(); ++k) {
-        const MethodRun& run = findings.runs[k];
-        if (run.failed == run.scenes) continue;
-        const ErrorStatistics all = statistics(errorsOf(run.label, findings.errors));
-        scores.push_back({.method = run.label,
-                          .date = {},
-                          .data = {},
-                          .dataHash = {},
-                          .scenes = run.scenes - run.failed,
-                          .trainingScenes = trained,
-                          .meanError = all.mean,
-                          .coverage = all.coverage});
-    }
-    return keepScores(options.model, modelHash, options.data, dataHash, std::move(scores));
-}
-
 }  // namespace
-
-std::string shardFile(const Shard& shard)
-{
-    return fmt::format("part_{}_of_{}.tte", shard.number, shard.count);
-}
 
 Status evaluate(const EvaluateOptions& options)
 {
-    const auto bundle = openEstimatorBundle(options.robot, options.model);
-    if (!bundle) return bundle.error();
-    const auto classes = classesOf(options);
-    if (!classes) return classes.error();
-    auto all = scenesWithTruth(options.data);
-    if (!all) return all.error();
-    const std::size_t trained = tellTrainingScenes(all->scenes, **bundle);
+    const auto input = readEvaluationInput(options);
+    if (!input) return input.error();
+    printNotices(*input);
     if (Status s = makeDirectory(options.out); !s) return s;
-    if (options.missing) return printMissingSensors(all->scenes, **bundle, options);
-
-    Findings findings{.origin = {},
-                      .options = {options.methods, options.settings.seed, options.stepLimit,
-                                  options.settings.probeAbove, classes->has_value()},
-                      .shard = options.shard.value_or(Shard{}),
-                      .total = all->scenes.size(),
-                      .scenes = {},
-                      .runs = {},
-                      .errors = {},
-                      .steps = {},
-                      .probes = {}};
-    auto scenes = scenesOf(findings.shard, std::move(all->scenes), options.data);
-    if (!scenes) return scenes.error();
-    const Workload work{*std::move(scenes), findings.shard.begin(findings.total), **bundle,
-                        options};
-    findings.scenes = evaluatedScenes(work, *classes);
-    if (Status s = judgeAll(work, findings); !s) return s;
-    if (options.shard)
-        return writeShard(options, (*bundle)->model.contentHash, all->hash, findings);
-    if (Status s = reportFindings(findings, options.out); !s || !options.card) return s;
-    return keepInCard(options, (*bundle)->model.contentHash, all->hash, findings, trained);
+    if (options.missing) return printMissingSensors(input->file.scenes, *input->bundle, options);
+    const auto findings = evaluateScenes(*input, options, printRun);
+    if (!findings) return findings.error();
+    if (options.shard) return writePart(options, *findings);
+    if (Status s = reportFindings(*findings, options.out); !s || !options.card) return s;
+    return keepScores(options.model, input->bundle->model.contentHash, options.data,
+                      input->file.hash, cardScores(*findings, input->trained));
 }
 
 }  // namespace terratact

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/modelling/findings.h"
+#include "app/modelling/scene_evaluation.h"
 #include "core/base/result.h"
 #include "core/infer/estimate/settings.h"
 #include "core/learn/data/bin_set.h"
@@ -51,23 +51,8 @@ struct ReconstructOptions {
 };
 Status reconstructScenes(const ReconstructOptions& options);
 
-struct EvaluateOptions {
-    std::string robot, model, data, out;
-    std::vector<Method> methods;
-    Settings settings;
-    double seconds = 0.0;               ///< time limit of each sampling; 0: no limit
-    double stepLimit = 0.10;            ///< [m] obstacle height (hasStep())
-    std::string classes;                ///< index file; empty: no table by class
-    std::string classColumn = "class";  ///< column in the index file
-    bool probes = false;                ///< also simulates probes with three rules
-    bool missing = false;               ///< evaluates missing sensors instead
-    std::optional<Shard> shard;         ///< writes only the findings of this part
-    bool card = false;                  ///< also writes the scores into the model's card
-    std::string command;                ///< command line without --shard and --out
-};
+/// Evaluates and prints; writes tables and figures, or one part, into options.out.
 Status evaluate(const EvaluateOptions& options);
-/// Returns the file name for the findings of one part.
-std::string shardFile(const Shard& shard);
 
 struct MergeOptions {
     std::vector<std::string> parts;

@@ -2,8 +2,7 @@
 
 #include <vector>
 
-#include "app/cli/commands.h"
-#include "app/modelling/scene_estimates.h"
+#include "app/modelling/scene_evaluation.h"
 #include "core/base/result.h"
 #include "core/learn/data/scene.h"
 

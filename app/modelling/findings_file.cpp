@@ -1,6 +1,8 @@
 #include "app/modelling/findings_file.h"
 
 #include <algorithm>
+#include <fmt/format.h>
+
 #include <array>
 #include <fstream>
 #include <limits>
@@ -448,6 +450,11 @@ Status writeFindings(const std::string& path, const Findings& findings)
         return fileError(path, "cannot be written: " + std::string(error.what()));
     }
     return file->commit();
+}
+
+std::string shardFile(const Shard& shard)
+{
+    return fmt::format("part_{}_of_{}.tte", shard.number, shard.count);
 }
 
 bool isFindingsFile(const std::string& path)

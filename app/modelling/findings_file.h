@@ -12,6 +12,9 @@ namespace terratact {
 /// bit-identical values, except that -0 becomes 0.
 Status writeFindings(const std::string& path, const Findings& findings);
 
+/// Returns the file name for the findings of one part.
+std::string shardFile(const Shard& shard);
+
 /// Returns true if a file has the application_id of *.tte; false also if it cannot be read.
 bool isFindingsFile(const std::string& path);
 
