@@ -264,7 +264,7 @@ TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
     press(Qt::Key_E);
     WhatIfPage& page = *window->whatIf();
     EXPECT_EQ(page.seed()->text(), "18446744073709551557");
-    ASSERT_TRUE(eventually([&] { return page.answer().has_value(); }, 60000));
+    ASSERT_TRUE(eventually([&] { return page.answer().hasValue(); }, 60000));
     EXPECT_TRUE(page.result()->text().contains("bit for bit"))
         << page.result()->text().toStdString();
     EXPECT_EQ(*page.answer(), row.estimate);
@@ -279,7 +279,7 @@ TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
 
     window->goTo(1.7);
     page.estimate();
-    ASSERT_TRUE(eventually([&] { return page.answer().has_value(); }, 60000));
+    ASSERT_TRUE(eventually([&] { return page.answer().hasValue(); }, 60000));
     EXPECT_TRUE(page.result()->text().contains("except for rounding in the last bits"))
         << page.result()->text().toStdString();
 }
@@ -297,7 +297,7 @@ TEST_F(ReviewOf, theShippedSessionIsReproduced)
         }
         ASSERT_TRUE(window->moment().estimate);
         window->whatIf()->estimate();
-        ASSERT_TRUE(eventually([&] { return window->whatIf()->answer().has_value(); }, 60000));
+        ASSERT_TRUE(eventually([&] { return window->whatIf()->answer().hasValue(); }, 60000));
         EXPECT_TRUE(window->whatIf()->result()->text().contains("reproduce the recorded estimate"))
             << window->whatIf()->result()->text().toStdString();
     }
