@@ -50,7 +50,6 @@ Result<std::optional<Sample>> CanSource::next(std::chrono::milliseconds patience
         tap_.tick(steadyNow());
         if (!count) return count.error();
         const auto received = std::span<const BusFrame>(frames_).first(*count);
-        tap_.take(received);
         if (options_.heard && !received.empty()) options_.heard(received);
         pending_.insert(pending_.end(), frames_.begin(),
                         frames_.begin() + static_cast<std::ptrdiff_t>(*count));
@@ -90,6 +89,7 @@ std::optional<Sample> CanSource::takePending()
         const BusFrame received = pending_.front();
         pending_.pop_front();
         const auto measurement = link_.receive(received.frame, received.echo, received.time);
+        tap_.take(received, link_.telemetry().judged());
         if (!measurement) continue;
         return Sample{.measurement = *measurement,
                       .truth = options_.truth ? std::optional(options_.truth()) : std::nullopt,

@@ -76,7 +76,7 @@ public:
 
     CanView view() const;
     BusState busState() const { return bus_->state(); }
-    /// Returns the history of all received frames, for the pages that show the bus.
+    /// Returns the history of all decoded frames, for the pages that show the bus.
     FrameHistory& tap() { return tap_; }
     BitRate bitrate() const { return {options_.bitrate, options_.nominal}; }
     Mode mode() const { return options_.mode; }

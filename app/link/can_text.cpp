@@ -8,12 +8,12 @@
 #include <stdexcept>
 #include <variant>
 
-#include "app/link/frame_validator.h"
 #include "core/wire/absolem.h"
 #include "core/wire/absolem_text.h"
 #include "core/wire/can_codec.h"
 #include "core/wire/can_error.h"
 #include "core/wire/dbc/dbc_text.h"
+#include "core/wire/frame_validator.h"
 
 namespace terratact {
 namespace {

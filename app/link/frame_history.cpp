@@ -40,17 +40,10 @@ FrameHistory::FrameHistory()
     trace_.reserve(kTrace);
 }
 
-void FrameHistory::take(std::span<const BusFrame> frames)
+void FrameHistory::take(const BusFrame& received, const JudgedFrame& judged)
 {
-    if (frames.empty()) return;
     const std::scoped_lock lock(mutex_);
-    for (const BusFrame& frame : frames) take(frame);
-}
-
-void FrameHistory::take(const BusFrame& received)
-{
     const CanFrame& frame = received.frame;
-    const JudgedFrame judged = judge_.judge(frame, received.time);
     const FrameBits bits = bitsOf(frame);
     fewestBits_ += static_cast<std::uint64_t>(bits.fewest);
     mostBits_ += static_cast<std::uint64_t>(bits.most);

@@ -5,13 +5,12 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "app/link/foreign_frames.h"
-#include "app/link/frame_validator.h"
 #include "app/link/tapped_frame.h"
 #include "core/limits.h"
+#include "core/wire/frame_validator.h"
 #include "drivers/can_bus.h"
 
 namespace terratact {
@@ -38,7 +37,8 @@ public:
 
     FrameHistory();
 
-    void take(std::span<const BusFrame> frames);
+    /// Adds a frame and the verdict on it.
+    void take(const BusFrame& received, const JudgedFrame& judged);
     /// Advances histories and rates; call a few times per kTick. now: [s] on the bus's clock.
     void tick(double now);
     /// Uses these DBC descriptions for frames outside the protocol from now on; null: none.
@@ -62,11 +62,8 @@ private:
         double time = 0.0;
         std::uint64_t frames = 0, fewestBits = 0, mostBits = 0;
     };
-    void take(const BusFrame& frame);
     void keep(Kept& kept, const JudgedFrame& judged, const BusFrame& received);
     void step(double now);
-
-    FrameValidator judge_;
 
     mutable std::mutex mutex_;  // guards the members below
     std::vector<Kept> known_;   // indexed by FrameKind

@@ -53,7 +53,10 @@ ConsoleLink::ConsoleLink(RobotModel robot, const Options& options)
 
 std::optional<Measurement> ConsoleLink::receive(const CanFrame& frame, bool echo, double now)
 {
-    if (echo) return std::nullopt;
+    if (echo) {
+        listener_.judge(frame, now);
+        return std::nullopt;
+    }
     const std::uint64_t consoles = listener_.counters().fromConsole;
     std::optional<Measurement> measurement = listener_.take(frame, now);
     if (listener_.counters().fromConsole != consoles) foreignSeen_ = now;

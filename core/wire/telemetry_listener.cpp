@@ -3,49 +3,43 @@
 #include <cmath>
 #include <stdexcept>
 #include <utility>
-#include <variant>
 
 namespace terratact {
 namespace {
 
-constexpr auto kFirst = static_cast<std::size_t>(FrameKind::Odometry);
-
-std::size_t indexOf(FrameKind kind)
+FrameKind ofRobot(FrameKind kind)
 {
     if (layoutOf(kind).fromConsole)
         throw std::invalid_argument("TelemetryListener: a console sends that frame");
-    return static_cast<std::size_t>(kind) - kFirst;
+    return kind;
 }
 
 }  // namespace
 
-TelemetryListener::TelemetryListener(RobotModel robot) : robot_(std::move(robot))
+TelemetryListener::TelemetryListener(RobotModel robot) : robot_(std::move(robot)) {}
+
+const JudgedFrame& TelemetryListener::judge(const CanFrame& frame, double now)
 {
-    for (const FrameLayout& layout : frameLayouts().subspan(kFirst))
-        receivers_.emplace_back(layout.dataId);
+    if (!std::isfinite(now))
+        throw std::invalid_argument("TelemetryListener: the time must be finite");
+    judged_ = validator_.judge(frame, now);
+    return judged_;
 }
 
 std::optional<Measurement> TelemetryListener::take(const CanFrame& frame, double now)
 {
-    if (!std::isfinite(now))
-        throw std::invalid_argument("TelemetryListener: the time must be finite");
-    const std::variant<Unpacked, FrameFault> got = unpack(frame);
-    if (const auto* fault = std::get_if<FrameFault>(&got)) {
-        refuse(frame, *fault, now);
+    judge(frame, now);
+    if (judged_.fault) {
+        ++counters_.faults[static_cast<std::size_t>(*judged_.fault)];
         return std::nullopt;
     }
-    const auto& content = std::get<Unpacked>(got);
+    const Unpacked& content = judged_.content;
     if (layoutOf(content.kind).fromConsole) {
         ++counters_.fromConsole;
         return std::nullopt;
     }
-    const std::optional<RobotStatus> status = statusOf(content);
-    if (content.kind == FrameKind::RobotStatus && !status) {
-        refuse(frame, FrameFault::OutOfRange, now);
-        return std::nullopt;
-    }
-    if (!isInOrder(frame, content.kind, now)) return std::nullopt;
-    if (status) status_ = status;
+    if (!isInOrder(judged_.check)) return std::nullopt;
+    if (const auto status = statusOf(content)) status_ = status;
     if (const auto token = tokenOf(content)) {
         token_ = token;
         challenge_ = challengeOf(content).value_or(0);
@@ -54,26 +48,14 @@ std::optional<Measurement> TelemetryListener::take(const CanFrame& frame, double
     return line ? measured(*line, now) : std::nullopt;
 }
 
-// Counts a refused frame. Damaged bytes are an error of their link. A frame with wrong content and
-// a right checksum counts as missing.
-void TelemetryListener::refuse(const CanFrame& frame, FrameFault fault, double now)
+bool TelemetryListener::isInOrder(FrameCheck check)
 {
-    ++counters_.faults[static_cast<std::size_t>(fault)];
-    if (fault != FrameFault::WrongCrc && fault != FrameFault::WrongLength) return;
-    const std::optional<FrameKind> kind = kindOfId(frame.id);
-    if (kind && !layoutOf(*kind).fromConsole)
-        receivers_[indexOf(*kind)].receive({}, now);  // no bytes: never intact
-}
-
-bool TelemetryListener::isInOrder(const CanFrame& frame, FrameKind kind, double now)
-{
-    const FrameCheck check = receivers_[indexOf(kind)].receive(bytesOf(frame), now);
     switch (check) {
     case FrameCheck::SomeLost: ++counters_.gaps; [[fallthrough]];
     case FrameCheck::Ok: ++counters_.used; return true;
     case FrameCheck::Repeated: ++counters_.repeated; return false;
     case FrameCheck::WrongSequence: ++counters_.wrongSequence; return false;
-    case FrameCheck::WrongCrc: break;  // unpack() has judged it before
+    case FrameCheck::WrongCrc: break;  // such a frame has a fault
     }
     return false;
 }
@@ -93,12 +75,12 @@ std::optional<Measurement> TelemetryListener::measured(const SensorLine& line, d
 
 LinkState TelemetryListener::link(FrameKind kind, double now) const
 {
-    return receivers_[indexOf(kind)].state(now);
+    return validator_.link(ofRobot(kind), now);
 }
 
 std::optional<double> TelemetryListener::age(FrameKind kind, double now) const
 {
-    return receivers_[indexOf(kind)].age(now);
+    return validator_.age(ofRobot(kind), now);
 }
 
 TelemetryCounters TelemetryListener::counters() const

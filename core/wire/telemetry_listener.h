@@ -3,13 +3,12 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
 #include "core/wire/can_codec.h"
 #include "core/wire/can_frame.h"
-#include "core/wire/e2e.h"
+#include "core/wire/frame_validator.h"
 #include "core/wire/telemetry.h"
 
 namespace terratact {
@@ -47,6 +46,11 @@ public:
     /// valid status. Throws std::invalid_argument unless `now` is finite.
     std::optional<Measurement> take(const CanFrame& frame, double now);
 
+    /// Judges a frame without using it: one that this console sent itself. Throws as take() does.
+    const JudgedFrame& judge(const CanFrame& frame, double now);
+    /// Returns the verdict on the last frame.
+    const JudgedFrame& judged() const { return judged_; }
+
     /// Returns the last valid RobotStatus, however old; link() and age() tell whether to rely on
     /// it.
     const std::optional<RobotStatus>& status() const { return status_; }
@@ -67,12 +71,12 @@ public:
     TelemetryCounters counters() const;
 
 private:
-    void refuse(const CanFrame& frame, FrameFault fault, double now);
-    bool isInOrder(const CanFrame& frame, FrameKind kind, double now);
+    bool isInOrder(FrameCheck check);
     std::optional<Measurement> measured(const SensorLine& line, double now);
 
     RobotModel robot_;
-    std::vector<E2eReceiver> receivers_;  ///< Odometry to ArmResult
+    FrameValidator validator_;
+    JudgedFrame judged_;  ///< the last frame
     SensorLineReader reader_;
     std::optional<RobotStatus> status_;
     std::optional<std::uint16_t> token_;

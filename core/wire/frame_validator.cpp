@@ -1,8 +1,9 @@
-#include "app/link/frame_validator.h"
+#include "core/wire/frame_validator.h"
 
 #include <variant>
 
 #include "core/limits.h"
+#include "core/wire/telemetry.h"
 
 namespace terratact {
 namespace {
@@ -26,6 +27,17 @@ FrameTrouble troubleOf(FrameCheck check)
     return FrameTrouble::Other;
 }
 
+/// Unpacks a frame. Returns a fault if it has no content.
+std::variant<Unpacked, FrameFault> contentOf(const CanFrame& frame)
+{
+    if (frame.error) return FrameFault::NotClassicData;
+    auto got = unpack(frame);
+    const auto* content = std::get_if<Unpacked>(&got);
+    if (content && content->kind == FrameKind::RobotStatus && !statusOf(*content))
+        return FrameFault::OutOfRange;
+    return got;
+}
+
 }  // namespace
 
 FrameValidator::FrameValidator()
@@ -36,19 +48,18 @@ FrameValidator::FrameValidator()
 JudgedFrame FrameValidator::judge(const CanFrame& frame, double now)
 {
     JudgedFrame judged;
-    if (frame.error) {
-        judged.trouble = FrameTrouble::Other;
-        judged.fault = FrameFault::NotClassicData;
-        return judged;
-    }
-    const auto got = unpack(frame);
+    const auto got = contentOf(frame);
     if (const auto* fault = std::get_if<FrameFault>(&got)) {
         judged.fault = *fault;
+        if (frame.error) {
+            judged.trouble = FrameTrouble::Other;
+            return judged;
+        }
         judged.trouble = troubleOf(*fault);
         if (judged.trouble == FrameTrouble::Unknown) return judged;
         judged.kind = kindOfId(frame.id);
-        if (*fault == FrameFault::WrongCrc)
-            receivers_[static_cast<std::size_t>(*judged.kind)].receive({}, now);
+        if (*fault == FrameFault::WrongCrc || *fault == FrameFault::WrongLength)
+            receivers_[static_cast<std::size_t>(*judged.kind)].receive({}, now);  // never intact
         return judged;
     }
     judged.content = std::get<Unpacked>(got);

@@ -23,14 +23,26 @@ struct JudgedFrame {
     bool isSound() const { return trouble == FrameTrouble::None || trouble == FrameTrouble::Gap; }
 };
 
-/// Checks the frames of one bus in the order received.
+/// Checks the frames of one bus in the order received, and supervises the link of each kind. It is
+/// the only judge of received telemetry: TelemetryListener and the pages use its verdicts.
 class FrameValidator {
 public:
     FrameValidator();
-    /// now: time on any one clock [s].
+
+    /// Judges a frame. Damaged bytes are an error of their link. Wrong content with a right
+    /// checksum has a fault, and its frame counts as missing. now: time on any one clock [s].
     JudgedFrame judge(const CanFrame& frame, double now);
 
+    LinkState link(FrameKind kind, double now) const { return receiver(kind).state(now); }
+    /// Returns the time since the last usable frame of a kind [s], see E2eReceiver::age.
+    std::optional<double> age(FrameKind kind, double now) const { return receiver(kind).age(now); }
+
 private:
+    const E2eReceiver& receiver(FrameKind kind) const
+    {
+        return receivers_[static_cast<std::size_t>(kind)];
+    }
+
     std::vector<E2eReceiver> receivers_;  // indexed by FrameKind
 };
 
