@@ -24,6 +24,14 @@ void printNotices(const EvaluationInput& input)
             input.trained, input.file.scenes.size());
 }
 
+void printRunAndContradictions(const MethodRun& run)
+{
+    printRun(run);
+    if (run.contradicting)
+        say(stderr, "terratact: {}: {} of {} estimates contradict their readings\n", run.label,
+            *run.contradicting, run.scenes - run.failed);
+}
+
 Status writePart(const EvaluateOptions& options, const Findings& findings)
 {
     const std::string path =
@@ -43,7 +51,7 @@ Status evaluate(const EvaluateOptions& options)
     printNotices(*input);
     if (Status s = makeDirectory(options.out); !s) return s;
     if (options.missing) return printMissingSensors(input->file.scenes, *input->bundle, options);
-    const auto findings = evaluateScenes(*input, options, printRun);
+    const auto findings = evaluateScenes(*input, options, printRunAndContradictions);
     if (!findings) return findings.error();
     if (options.shard) return writePart(options, *findings);
     if (Status s = reportFindings(*findings, options.out); !s || !options.card) return s;

@@ -23,6 +23,14 @@ namespace terratact {
 
 namespace {
 
+/// Returns the number of estimates that contradict their readings (core/sim/posterior_check.h).
+std::ptrdiff_t contradicting(const SessionReader& session)
+{
+    const auto& estimates = session.estimates();
+    return std::count_if(estimates.begin(), estimates.end(),
+                         [](const EstimateRow& row) { return row.estimate.contradicts; });
+}
+
 std::size_t count(const SessionReader& session, EventKind kind)
 {
     const auto& events = session.events();
@@ -76,6 +84,8 @@ void print(SessionReader& session)
                              session.scenes().size(), session.estimates().size(),
                              session.proposals().size(), count(session, EventKind::Decision),
                              count(session, EventKind::Marker), session.events().size()));
+    line("contradict", fmt::format("{} of {} estimates contradict their readings",
+                                   contradicting(session), session.estimates().size()));
     line("gaps", fmt::format("{}, {:.0f} frames missing", count(session, EventKind::Gap),
                              framesMissing(session)));
     printDamage(session, found);

@@ -133,6 +133,10 @@ DiagnosticsSection presentDiagnostics(const ConsoleFacts& facts)
                   << std::pair(DiagnosticsPage::tr("estimator"),
                                facts.estimating ? DiagnosticsPage::tr("one estimate under way")
                                                 : DiagnosticsPage::tr("idle"))
+                  << std::pair(DiagnosticsPage::tr("estimates"),
+                               DiagnosticsPage::tr("%1 of %2 contradicted the readings")
+                                   .arg(facts.estimates.contradicting)
+                                   .arg(facts.estimates.estimates))
                   << std::pair(DiagnosticsPage::tr("memory"),
                                format::number(residentMemory() / 1e6, 0) + QStringLiteral(" MB"));
     return section;

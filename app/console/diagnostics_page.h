@@ -49,6 +49,7 @@ struct ConsoleFacts {
     std::optional<CanSource::Waiting> waiting{};  ///< queue of a bus
     std::optional<PanelFacts> panel{};            ///< empty: no panel
     bool estimating = false;
+    Estimation::Counts estimates{};
     QString source{}, robot{}, robotDetails{};
     ModelInUse model{};
 };

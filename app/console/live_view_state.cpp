@@ -168,6 +168,7 @@ ConsoleFacts LiveViewState::facts(const RobotMoment& moment, const QString& sour
     const double now = moment.now;
     ConsoleFacts facts{.telemetryRate = parts_.acquisition.rate(),
                        .estimating = parts_.worker.progress().has_value(),
+                       .estimates = parts_.exploration.estimation().counts(),
                        .source = source,
                        .robot = format::shownName(robot_),
                        .robotDetails = robotDetails,

@@ -296,6 +296,8 @@ void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds
     live_.reset();
     estimate_ = estimate;
     seconds_ = seconds;
+    ++counts_.estimates;
+    counts_.contradicting += estimate.contradicts ? 1 : 0;
     advice_ = {};
     estimateJob_ = job;
     track_.emplace(robot_, estimate, scene_->measurement);

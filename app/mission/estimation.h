@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -112,6 +113,12 @@ public:
     std::optional<Ghost> ghost() const;
     /// Reason of the last estimate; empty: there is a ghost, or was no estimate.
     QString whyNoGhost() const;
+    /// Number of finished estimates of scenes, and of those that contradict their readings
+    /// (core/sim/posterior_check.h), since the console started.
+    struct Counts {
+        std::uint64_t estimates = 0, contradicting = 0;
+    };
+    const Counts& counts() const { return counts_; }
     /// Returns every probe with the band shown before it, since the console started.
     const CalibrationLedger& ledger() const { return ledger_; }
     const ModelInUse& model() const { return model_; }
@@ -194,6 +201,7 @@ private:
     std::vector<Processes> made_;
     std::uint64_t previewed_ = 0;  ///< count of the sample in the newest preview
 
+    Counts counts_;
     CalibrationLedger ledger_;
     std::optional<GhostTrack> track_;  ///< track of the last estimate
     std::uint64_t tracked_ = 0;        ///< count of the last sample it used

@@ -50,6 +50,8 @@ struct MethodRun {
     std::string label;
     std::size_t scenes = 0, converged = 0, endedBySweeps = 0, endedByTime = 0, failed = 0;
     double seconds = 0.0;  ///< total over all scenes
+    /// Estimates that contradict their readings (core/sim/posterior_check.h); empty: not checked.
+    std::optional<std::size_t> contradicting{};
 };
 
 /// Results of one probe rule in all scenes, with the estimates of one method.

@@ -9,6 +9,7 @@
 
 #include "app/runtime/parallel.h"
 #include "core/infer/verdict/verdict.h"
+#include "core/sim/posterior_check.h"
 #include "core/terrain/step.h"
 
 namespace terratact {
@@ -54,6 +55,7 @@ VerdictCounts judge(const HazardScene& driven, const TerrainEstimate& estimate, 
     const bool pressed = flat && isPressedTo(driven.contacts, reach);
     VerdictCounts c;
     c.scenes = 1;
+    c.contradicting = estimate.contradicts ? 1 : 0;
     c.withStep = stepAhead ? 1 : 0;
     c.clear = clear ? 1 : 0;
     c.blocked = verdict.stepVerdict == StepVerdict::Blocked ? 1 : 0;
@@ -96,11 +98,12 @@ std::vector<VerdictCounts> judgeDrive(const EstimatorBundle& bundle, const Hazar
         for (std::size_t r = 0; r < rates.size(); ++r) {
             Settings settings = trial.settings;
             settings.hazardRate = rates[r];
-            const SceneEstimate result = estimateScene(driven.scene, bundle, settings);
+            SceneEstimate result = estimateScene(driven.scene, bundle, settings);
             if (!result.estimate) {
                 ++counts[r].failed;
                 continue;
             }
+            writePosteriorCheck(*result.estimate, driven.scene.s, bundle.robot);
             counts[r] += judge(driven, *result.estimate, trial.stepLimit);
         }
     return counts;
@@ -144,16 +147,16 @@ std::string tableLine(const std::string& what, const VerdictCounts& c)
 {
     return fmt::format(
         "{:<20} {:>6} {:>6} {:>7} {:>6} {:>6} {:>7.2f} {:>6} {:>6.0f} {:>6} {:>6.0f} "
-        "{:>6.1f} {:>6.1f}\n",
+        "{:>6.1f} {:>6.1f} {:>6}\n",
         what, c.scenes, c.withStep, c.blocked, c.clear, c.falseClear,
         share(c.falseClear, c.withStep, 1000.0), c.flat, share(c.flatClear, c.flat, 100.0),
         c.pressed, share(c.pressedClear, c.pressed, 100.0), share(c.feltCovered, c.feltBins, 100.0),
-        share(c.unfeltCovered, c.unfeltBins, 100.0));
+        share(c.unfeltCovered, c.unfeltBins, 100.0), c.contradicting);
 }
 
 constexpr std::string_view kHead =
     "                     scenes   step BLOCKED  CLEAR  false  per 1k   flat  "
-    "flat%  press press% felt80  unf80\n";
+    "flat%  press press% felt80  unf80 contra\n";
 
 constexpr std::string_view kLegend = R"(
 random press: 12 to 24 N m, rear flippers -15 to 40 degrees; press of the console: 18 N m, rear flippers 11 degrees
@@ -162,6 +165,7 @@ flat: the true ground from the rear bin to the front flippers' reach is flat, fl
 press: of the flat scenes, those in which the simulated robot truly presses on all the ground ahead up to that reach
 (no stretch above 0.05 m without a contact force), press%: CLEAR of these scenes
 felt80, unf80: cover of the 80 % bands of felt bins, and of bins ahead that are not felt [%]
+contra: estimates that contradict their readings: their verdict is withheld
 )";
 
 /// Which lines a total sums up.
@@ -216,6 +220,7 @@ VerdictCounts& VerdictCounts::operator+=(const VerdictCounts& o)
 {
     scenes += o.scenes;
     failed += o.failed;
+    contradicting += o.contradicting;
     withStep += o.withStep;
     clear += o.clear;
     blocked += o.blocked;

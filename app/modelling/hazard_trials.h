@@ -22,6 +22,8 @@ struct HazardTrial {
 /// Verdict counts over a set of scenes.
 struct VerdictCounts {
     std::size_t scenes = 0, failed = 0;
+    /// Estimates that contradict their readings (core/sim/posterior_check.h): verdict withheld.
+    std::size_t contradicting = 0;
     std::size_t withStep = 0;  ///< scenes with a true step ahead (bins kFirstAhead … 10)
     std::size_t clear = 0, blocked = 0;
     std::size_t falseClear = 0;                 ///< CLEAR with a true step before the felt horizon
@@ -45,7 +47,7 @@ struct HazardLine {
 };
 
 /// Drives the simulated robot over ground outside the training data (core/sim/hazard_terrain.h). Every 0.1 m it
-/// estimates a scene and judges its verdict. The grounds are kHazardGrounds. Rows are ordered by press style, ground,
+/// estimates a scene, checks the estimate against the readings and judges its verdict. The grounds are kHazardGrounds. Rows are ordered by press style, ground,
 /// hazard and rate; the console's press is tried with the last rate alone.
 std::vector<HazardLine> tryHazards(const EstimatorBundle& bundle, const HazardTrial& trial);
 

@@ -49,11 +49,11 @@ void append(std::vector<Entry>& into, const std::vector<Entry>& more)
     into.insert(into.end(), more.begin(), more.end());
 }
 
-/// Adds the errors and forecasts of a method or baseline and reports its run.
-void judgeEstimates(const std::string& label, const Workload& work,
-                    const std::vector<SceneEstimate>& estimates, double seconds, Findings& findings)
+/// Adds the errors and forecasts of a method or baseline and reports its run. run: label and time.
+void judgeEstimates(MethodRun run, const Workload& work,
+                    const std::vector<SceneEstimate>& estimates, Findings& findings)
 {
-    MethodRun run{.label = label, .scenes = work.scenes.size(), .seconds = seconds};
+    run.scenes = work.scenes.size();
     for (std::size_t k = 0; k < work.scenes.size(); ++k) {
         const auto& estimate = estimates[k].estimate;
         if (!estimate) {
@@ -64,9 +64,9 @@ void judgeEstimates(const std::string& label, const Workload& work,
         run.endedBySweeps += estimate->ending == Ending::Sweeps ? 1 : 0;
         run.endedByTime += estimate->ending == Ending::Time ? 1 : 0;
         const std::size_t number = work.first + k;
-        append(findings.errors, keptErrors(number, work.scenes[k], label, *estimate));
+        append(findings.errors, keptErrors(number, work.scenes[k], run.label, *estimate));
         append(findings.steps,
-               stepForecasts(number, work.scenes[k], label, *estimate, work.options.stepLimit));
+               stepForecasts(number, work.scenes[k], run.label, *estimate, work.options.stepLimit));
     }
     work.ended(run);
     findings.runs.push_back(std::move(run));
@@ -76,16 +76,18 @@ void judgeMethod(Method method, const Workload& work, Findings& findings)
 {
     Settings settings = work.options.settings;
     settings.method = method;
-    const std::string label = labelOf(settings);
     Settings ofFirst = settings;
     ofFirst.seed += work.first;
+    MethodRun run{.label = labelOf(settings)};
     const Stopwatch watch;
-    const auto estimates = estimateScenes(work.scenes, work.bundle, ofFirst, work.options.seconds);
-    judgeEstimates(label, work, estimates, watch.seconds(), findings);
+    auto estimates = estimateScenes(work.scenes, work.bundle, ofFirst, work.options.seconds);
+    run.seconds = watch.seconds();
     if (work.options.probes && !usesArm(method))
         append(findings.probes,
-               tryProbeRules(label, work.scenes, estimates, work.first, work.bundle, settings,
+               tryProbeRules(run.label, work.scenes, estimates, work.first, work.bundle, settings,
                              work.options.stepLimit, work.options.seconds));
+    run.contradicting = checkEstimates(work.scenes, work.bundle.robot, estimates);
+    judgeEstimates(std::move(run), work, estimates, findings);
 }
 
 SceneEstimate estimateBaseline(const Baseline& baseline, const RobotModel& robot,
@@ -111,7 +113,8 @@ void judgeBaselines(const Workload& work, Findings& findings)
             estimates[k] = estimateBaseline(*baseline, bundle.robot, work.scenes[k],
                                             work.options.settings.seed + work.first + k);
         });
-        judgeEstimates(std::string(baseline->name()), work, estimates, watch.seconds(), findings);
+        judgeEstimates({.label = std::string(baseline->name()), .seconds = watch.seconds()}, work,
+                       estimates, findings);
     }
 }
 

@@ -4640,6 +4640,14 @@ F1</translation>
         <source>bus</source>
         <translation>sběrnice</translation>
     </message>
+    <message>
+        <source>estimates</source>
+        <translation>odhady</translation>
+    </message>
+    <message>
+        <source>%1 of %2 contradicted the readings</source>
+        <translation>%1 z %2 odporovalo údajům</translation>
+    </message>
 </context>
 <context>
     <name>terratact::DrivePad</name>

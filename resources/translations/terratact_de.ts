@@ -4640,6 +4640,14 @@ F1</translation>
         <source>bus</source>
         <translation>Bus</translation>
     </message>
+    <message>
+        <source>estimates</source>
+        <translation>Schätzungen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 contradicted the readings</source>
+        <translation>%1 von %2 widersprachen den Messwerten</translation>
+    </message>
 </context>
 <context>
     <name>terratact::DrivePad</name>

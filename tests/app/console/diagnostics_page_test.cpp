@@ -40,6 +40,15 @@ TEST(LoopMeter, countsWhatABeatIsLate)
     EXPECT_THROW(LoopMeter(0.0), std::invalid_argument);
 }
 
+TEST(ConsoleDiagnostics, countEstimatesThatContradictTheReadings)
+{
+    ConsoleFacts facts;
+    facts.estimates = {.estimates = 41, .contradicting = 3};
+    const QString text = plainText(consoleDiagnostics(facts, LoopMeter(0.01)));
+    EXPECT_TRUE(text.contains("  estimates: 3 of 41 contradicted the readings\n"))
+        << text.toStdString();
+}
+
 TEST(ConsoleDiagnostics, nameTheFixForAKernelWithoutCan)
 {
     const auto lastLine = [](int error) { return canSocketWords(error).section('\n', -1); };

@@ -43,6 +43,8 @@ TEST_F(Bench, theWholeLoop)
     EXPECT_EQ(exploration->estimation().estimate()->origin[kBin06], Origin::Arm);
     EXPECT_EQ(exploration->estimation().estimate()->settings.method, Method::Local);
     EXPECT_EQ(estimates, pressed + 1);
+    EXPECT_EQ(exploration->estimation().counts().estimates, 2U) << "previews do not count";
+    EXPECT_EQ(exploration->estimation().counts().contradicting, 0U);
     ASSERT_EQ(exploration->estimation().ledger().entries().size(), 1U);
     EXPECT_TRUE(exploration->estimation().ledger().entries()[0].in80);
     EXPECT_TRUE(events.join('\n').contains("inside the band"));

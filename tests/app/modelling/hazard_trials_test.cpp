@@ -9,6 +9,7 @@ HazardLine lineOf(const char* ground, const char* hazard, PressStyle style, std:
 {
     HazardLine line{ground, hazard, style, 0.05, {}};
     line.counts.scenes = 200;
+    line.counts.contradicting = 3;
     line.counts.withStep = 100;
     line.counts.falseClear = 1;
     line.counts.flat = 80;
@@ -34,16 +35,16 @@ TEST(HazardTrials, totalsKeepPressStylesAndGroundsApart)
     const std::string table = hazardTable(lines, 0.05);
     EXPECT_EQ(rowOf(table, "random press, totals", "level, none"),
               "level, none             200    100       0      0      1   10.00     80     25     "
-              "40     50    0.0    0.0");
+              "40     50    0.0    0.0      3");
     EXPECT_EQ(rowOf(table, "random press, totals", "level"),
               "level                   400    200       0      0      2   10.00    160     19     "
-              "80     38    0.0    0.0");
+              "80     38    0.0    0.0      6");
     EXPECT_EQ(rowOf(table, "random press, totals", "all"),
               "all                     600    300       0      0      3   10.00    240     12    "
-              "120     25    0.0    0.0");
+              "120     25    0.0    0.0      9");
     EXPECT_EQ(rowOf(table, "press of the console, totals", "all"),
               "all                     200    100       0      0      1   10.00     80     50     "
-              "40    100    0.0    0.0");
+              "40    100    0.0    0.0      3");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -14,6 +15,7 @@
 #include <random>
 #include <thread>
 
+#include "core/infer/verdict/verdict.h"
 #include "core/log/session_hash.h"
 #include "core/log/session_reader.h"
 #include "core/log/session_writer.h"
@@ -117,6 +119,26 @@ TEST_F(Session, keepsWhatASceneLacks)
     EXPECT_EQ(reader->estimate(3)->estimate.missing, scene.measurement.missing);
     EXPECT_TRUE(reader->estimate(2)->estimate.missing.none());
     EXPECT_FALSE(reader->verify().broken);
+}
+
+TEST_F(Session, withholdsAVerdictForTheRecordedReason)
+{
+    EstimateRow estimate = someEstimate(3, 600'000'001);
+    estimate.estimate.contradicts = true;
+    auto writer = someSession(path, 100);
+    ASSERT_TRUE(writer) << writer.error().text;
+    ASSERT_TRUE(writer->add(someScene(3, 600'000'000)));
+    ASSERT_TRUE(writer->add(estimate));
+    ASSERT_TRUE(writer->seal());
+    auto reader = SessionReader::open(path);
+    ASSERT_TRUE(reader) << reader.error().text;
+    const EstimateRow& read = reader->estimates().back();
+    EXPECT_TRUE(read.estimate.contradicts);
+    const Proprioception s = proprioception(reader->scenes().back().measurement);
+    const Verdict verdict = verdictOf(read.estimate, s, 0.1);
+    EXPECT_EQ(verdict.stepVerdict, StepVerdict::CannotTell);
+    EXPECT_EQ(std::ranges::count(verdict.withheldFor, WithholdReason::Contradiction), 1);
+    EXPECT_FALSE(reader->estimates().front().estimate.contradicts);
 }
 
 TEST_F(Session, isReadFromAReadOnlyFolderOnceSealed)
