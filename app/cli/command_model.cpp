@@ -197,7 +197,7 @@ Status showModel(const std::string& path, bool csv)
         "paf\ndata     {}\n",
         path, stored->contentHash, model.command, model.seed, model.heights.rows(),
         model.scannedHeights.rows(), model.dataHash);
-    if (model.repeats > 0) say("repeats  {} of these rows measure a place again\n", model.repeats);
+    if (model.repeats > 0) say("repeats  {} of the scenes measure a place again\n", model.repeats);
     if (model.inducing > 0)
         say("sparse   pa and paf predict through at most {} scenes\n", model.inducing);
     printCard(factsOf(path, *stored));

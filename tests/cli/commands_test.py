@@ -306,6 +306,7 @@ class Commands(unittest.TestCase):
                                "joint", "--out", self.path / "learnt"], capture_output=True, text=True, timeout=500)
         known = re.search(r"(6) of 6 scenes are training scenes of this model", done.stderr)
         self.assertTrue(known, done.stderr)
+        self.assertRegex(done.stderr, r"joint: [0-6] of 6 estimates contradict their readings\n")
         self.assertIn(f"training_scenes = {known[1]}", (self.path / "learnt.card.toml").read_text())
         self.assertIn(f"; {known[1]} of them are training scenes", run("model", "show", model))
 

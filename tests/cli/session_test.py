@@ -422,7 +422,9 @@ class Tampering(Session):
         link = re.search(r"last link ([0-9a-f]{64})", text)[1]
         run("session", "verify", self.drive, "--link", link)
         self.assertIn("sessions do not hold", complaint("session", "verify", self.drive, "--link", "0" * 64))
-        self.assertIn(link, run("session", "info", self.drive))
+        info = run("session", "info", self.drive)
+        self.assertIn(link, info)
+        self.assertRegex(info, r"contradict \d+ of [1-9]\d* estimates contradict their readings\n")
 
     def test_changes_are_found_in_their_batch(self):
         for sql in ("UPDATE can_frame SET data = x'0011223344556677' WHERE seq = 700",
