@@ -8,6 +8,7 @@
 #include "app/display/format.h"
 #include "app/mission/session_event_logger.h"
 #include "app/shell/page.h"
+#include "widgets/base/covered.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/probe_card.h"
 #include "widgets/control/status_header.h"
@@ -75,7 +76,7 @@ void MainWindow::redraw()
     probeNotice_->show(exploration_->state(), exploration_->time(), exploration_->proposal(),
                        probeCard()->isVoid(),
                        !terrainPage_->isVisible() ? Terrain::Elsewhere
-                       : probeCard()->isCovered() ? Terrain::Covered
+                       : isCovered(*probeCard()) ? Terrain::Covered
                                                   : Terrain::Seen);
     const StopViewState stop = exploration_->stopViewState();
     const bool elsewhere = stop.state == StopViewState::State::NoEffect && sharedStop_->hasOther();
@@ -151,7 +152,7 @@ void MainWindow::tickPanel(double now)
     const bool silent = alarms_->list().silentFor(now) > 0.0;
     panel_->tick(now, {.mayExplore = atemPanel()->requestButton()->isEnabled(),
                        .shown = probeCard()->shown(),
-                       .covered = terrainPage_->isVisible() && probeCard()->isCovered(),
+                       .covered = terrainPage_->isVisible() && isCovered(*probeCard()),
                        .mayAsk = alarms_->soundOn() && !silent && !probeCard()->isVoid()});
 }
 

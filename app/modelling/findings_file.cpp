@@ -6,8 +6,8 @@
 #include <array>
 #include <fstream>
 #include <limits>
-#include <span>
 
+#include "app/modelling/findings_tables.h"
 #include "core/base/text.h"
 #include "core/store/canonical_bytes.h"
 #include "core/store/file_read.h"
@@ -18,65 +18,11 @@
 namespace terratact {
 namespace {
 
-constexpr std::int64_t kApplicationId = 0x54544531;  // "TTE1"
-constexpr std::int64_t kUserVersion = 2;
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 30U;
 constexpr std::int64_t kMaxCount = 10'000'000;
 constexpr double kMaxNumber = 1e9;
 constexpr std::size_t kMaxText = 10'000;  // [B] bound of the texts about the evaluation
 constexpr std::size_t kMaxLabel = 200;    // [B] each row of a run repeats the label
-
-/// Returns the tables sorted by name.
-std::span<const SqliteTable> tables()
-{
-    static const std::array kTables{
-        SqliteTable{"bin_error",
-                    "CREATE TABLE bin_error(position INTEGER PRIMARY KEY, scene INTEGER NOT NULL, "
-                    "run INTEGER NOT NULL, bin INTEGER NOT NULL, error_m REAL NOT NULL, crps_m "
-                    "REAL NOT NULL, "
-                    "pit REAL NOT NULL, in_50 INTEGER NOT NULL, in_80 INTEGER NOT NULL, "
-                    "in_95 INTEGER NOT NULL, width_m REAL NOT NULL, origin INTEGER NOT NULL, "
-                    "novelty REAL NOT NULL) STRICT"},
-        SqliteTable{"content",
-                    "CREATE TABLE content(position INTEGER PRIMARY KEY, sha256 TEXT NOT NULL) "
-                    "STRICT"},
-        SqliteTable{"meta", "CREATE TABLE meta(position INTEGER PRIMARY KEY, key TEXT NOT NULL, "
-                            "value TEXT NOT NULL) STRICT"},
-        SqliteTable{"method",
-                    "CREATE TABLE method(position INTEGER PRIMARY KEY, name TEXT NOT NULL) STRICT"},
-        SqliteTable{"method_run",
-                    "CREATE TABLE method_run(position INTEGER PRIMARY KEY, label TEXT NOT NULL, "
-                    "scenes INTEGER NOT NULL, converged INTEGER NOT NULL, "
-                    "ended_by_sweeps INTEGER NOT NULL, ended_by_time INTEGER NOT NULL, "
-                    "failed INTEGER NOT NULL, "
-                    "seconds REAL NOT NULL) STRICT"},
-        SqliteTable{
-            "part",
-            "CREATE TABLE part(position INTEGER PRIMARY KEY, number INTEGER NOT NULL, count "
-            "INTEGER NOT NULL, total INTEGER NOT NULL, "
-            "seed TEXT NOT NULL, step_limit_m REAL NOT NULL, sd_limit_m REAL NOT NULL, "
-            "classes INTEGER NOT NULL) STRICT"},
-        SqliteTable{"probe_run",
-                    "CREATE TABLE probe_run(position INTEGER PRIMARY KEY, label TEXT NOT NULL, "
-                    "rule TEXT NOT NULL) STRICT"},
-        SqliteTable{
-            "probe_trial",
-            "CREATE TABLE probe_trial(position INTEGER PRIMARY KEY, run INTEGER NOT NULL, "
-            "ahead_before_m REAL NOT NULL, all_before_m REAL NOT NULL, ahead_after_m REAL NOT "
-            "NULL, "
-            "all_after_m REAL NOT NULL, probes INTEGER NOT NULL, settled INTEGER NOT NULL) STRICT"},
-        SqliteTable{
-            "scene",
-            "CREATE TABLE scene(position INTEGER PRIMARY KEY, run TEXT NOT NULL, "
-            "t_s REAL NOT NULL, under_flipper INTEGER NOT NULL, class TEXT NOT NULL) STRICT"},
-        SqliteTable{
-            "step_forecast",
-            "CREATE TABLE step_forecast(position INTEGER PRIMARY KEY, scene INTEGER NOT NULL, "
-            "run INTEGER NOT NULL, place INTEGER NOT NULL, probability REAL NOT NULL, "
-            "observed INTEGER NOT NULL) STRICT"},
-    };
-    return kTables;
-}
 
 /// Reason to refuse a file, without the file's name. Thrown and caught in this file only.
 struct Refused {
@@ -212,9 +158,9 @@ void writeProbes(Writer& writer, const Findings& f)
 void fill(const std::string& path, const Findings& findings)
 {
     SqliteFile file = SqliteFile::fill(path);
-    file.run("PRAGMA application_id = " + std::to_string(kApplicationId));
-    file.run("PRAGMA user_version = " + std::to_string(kUserVersion));
-    for (const SqliteTable& table : tables()) file.run(table.sql);
+    file.run("PRAGMA application_id = " + std::to_string(kFindingsApplicationId));
+    file.run("PRAGMA user_version = " + std::to_string(kFindingsVersion));
+    for (const SqliteTable& table : findingsTables()) file.run(table.sql);
     file.run("BEGIN");
     Writer writer(file);
     writeShared(writer, findings);
@@ -288,17 +234,18 @@ private:
 
 void checkIdentity(SqliteFile& file)
 {
-    require(file.integer("PRAGMA application_id") == kApplicationId,
+    require(file.integer("PRAGMA application_id") == kFindingsApplicationId,
             "is an SQLite file of another application, not a part of an evaluation");
     const std::int64_t version = file.integer("PRAGMA user_version");
-    require(version == kUserVersion, "is a part of format version " + std::to_string(version)
-                                         + ", and this program reads version "
-                                         + std::to_string(kUserVersion));
+    require(version == kFindingsVersion, "is a part of format version " + std::to_string(version)
+                                             + ", and this program reads version "
+                                             + std::to_string(kFindingsVersion));
 }
 
 void checkSchema(SqliteFile& file)
 {
-    require(hasOnlyTables(file, tables()), "its tables are not those of a part of an evaluation");
+    require(hasOnlyTables(file, findingsTables()),
+            "its tables are not those of a part of an evaluation");
 }
 
 std::uint64_t seedFrom(const std::string& text)

@@ -8,6 +8,7 @@
 
 #include "core/base/text.h"
 #include "core/store/content_kind.h"
+#include "core/store/csv_field.h"
 #include "core/store/file_read.h"
 
 namespace terratact {
@@ -15,25 +16,8 @@ namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{64} * 1024 * 1024;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr std::string_view kBlanks = " \t";
 constexpr std::string_view kLineEnds = "\r\n";
 constexpr char kEndOfDos = '\x1A';  // DOS ended a text file with this character
-
-std::string_view withoutBlanks(std::string_view text)
-{
-    const std::size_t begin = text.find_first_not_of(kBlanks);
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
-
-std::string lowerCase(std::string_view text)
-{
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return lower;
-}
 
 /// Returns why a kind of file cannot be read as CSV, and what to do; empty if nothing prevents it.
 Message refusalOf(ContentKind kind)
@@ -61,63 +45,6 @@ Message refusalOf(ContentKind kind)
     return TR_NOOP("core", "is an SQLite file, not text");
 }
 
-/// Number of each separator in a line, outside of quotes. A tab beside another separator is a
-/// blank.
-struct SeparatorCounts {
-    std::size_t commas = 0, semicolons = 0, tabs = 0;
-};
-
-SeparatorCounts countSeparators(std::string_view line)
-{
-    SeparatorCounts counts;
-    bool quoted = false;
-    const auto isSeparator = [&](std::size_t i) {
-        return i < line.size() && (line[i] == ',' || line[i] == ';');
-    };
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        if (line[i] == '"') quoted = !quoted;
-        if (quoted) continue;
-        counts.commas += line[i] == ',' ? 1 : 0;
-        counts.semicolons += line[i] == ';' ? 1 : 0;
-        const bool isBlank = isSeparator(i + 1) || (i > 0 && isSeparator(i - 1));
-        counts.tabs += line[i] == '\t' && !isBlank ? 1 : 0;
-    }
-    return counts;
-}
-
-/// Returns the number that the text spells. A decimal comma is allowed only if `commaIsDecimal`.
-std::optional<double> numberIn(std::string_view text, bool commaIsDecimal)
-{
-    constexpr std::string_view kMinus = "\xE2\x88\x92";  // U+2212
-    if (const std::optional<double> value = numberFrom(text)) return value;
-    std::string plain(text);
-    if (plain.starts_with(kMinus)) plain.replace(0, kMinus.size(), "-");
-    if (plain.starts_with('+') && plain.size() > 1 && plain[1] != '-') plain.erase(0, 1);
-    const bool oneComma = std::count(plain.begin(), plain.end(), ',') == 1;
-    if (commaIsDecimal && oneComma && plain.find('.') == std::string::npos)
-        plain[plain.find(',')] = '.';
-    return numberFrom(plain);
-}
-
-bool isMissingWord(std::string_view text)
-{
-    constexpr std::array<std::string_view, 16> kWords{
-        "",     "nan",    "-nan",    "+nan",    "na",       "n/a",  "#n/a", "#na",
-        "<na>", "1.#ind", "-1.#ind", "1.#qnan", "-1.#qnan", "null", "none", "nil"};
-    return text.size() <= 8 && std::ranges::find(kWords, lowerCase(text)) != kWords.end();
-}
-
-/// Returns true if all fields of a line without quotes spell numbers.
-bool allNumbers(std::string_view line, char separator)
-{
-    for (;;) {
-        const std::size_t end = line.find(separator);
-        if (!numberIn(withoutBlanks(line.substr(0, end)), separator != ',')) return false;
-        if (end == std::string_view::npos) return true;
-        line.remove_prefix(end + 1);
-    }
-}
-
 std::string_view lineOf(std::string_view text)
 {
     return text.substr(0, text.find_first_of(kLineEnds));
@@ -133,16 +60,7 @@ bool namesColumns(std::string_view remark, std::string_view below)
     };
     const std::string_view first = below.substr(0, below.find_first_of(",;\t"));
     return remark.starts_with('#') && separators(remark) > 0
-        && separators(remark) == separators(below) && numberIn(withoutBlanks(first), true);
-}
-
-/// Returns a unit without the brackets around it.
-std::string_view withoutBrackets(std::string_view text)
-{
-    const bool bracketed = text.size() > 2
-                        && ((text.front() == '[' && text.back() == ']')
-                            || (text.front() == '(' && text.back() == ')'));
-    return bracketed ? withoutBlanks(text.substr(1, text.size() - 2)) : text;
+        && separators(remark) == separators(below) && csvNumber(withoutBlanks(first), true);
 }
 
 }  // namespace
@@ -238,7 +156,7 @@ Status CsvReader::chooseSeparator()
         if (line.find('|') != std::string_view::npos)
             return refuse(TR_NOOP("core", "the fields are separated by |"));
         if (line.find('"') == std::string_view::npos
-            && withoutBlanks(line).find_first_of(kBlanks) != std::string_view::npos)
+            && withoutBlanks(line).find_first_of(kCsvBlanks) != std::string_view::npos)
             return refuse(TR_NOOP("core", "the fields are separated by blanks"));
         return Done{};
     }
@@ -310,7 +228,7 @@ Result<bool> CsvReader::takeField()
         return error(Message(TR_NOOP("core", "has more than %1 fields"), kMaxFields));
     const auto skipBlanks = [this] {
         while (!rest_.empty() && rest_.front() != separator_
-               && kBlanks.find(rest_.front()) != std::string_view::npos)
+               && kCsvBlanks.find(rest_.front()) != std::string_view::npos)
             rest_.remove_prefix(1);
     };
     skipBlanks();
@@ -429,14 +347,14 @@ bool CsvReader::isMissing(std::size_t field) const
 
 bool CsvReader::isNumber(std::size_t field) const
 {
-    return numberIn(fields_.at(field), separator_ != ',').has_value();
+    return csvNumber(fields_.at(field), separator_ != ',').has_value();
 }
 
 Result<double> CsvReader::number(std::size_t field, std::string_view what)
 {
     const std::string_view text = withoutBlanks(fields_.at(field));
     if (text.empty()) return error(Message(TR_NOOP("core", "%1 is empty"), what));
-    const std::optional<double> value = numberIn(text, separator_ != ',');
+    const std::optional<double> value = csvNumber(text, separator_ != ',');
     if ((!value || std::isnan(*value)) && isMissingWord(text))
         return error(Message(TR_NOOP("core", "%1 is not measured: %2"), what, shown(text)));
     if (!value) {

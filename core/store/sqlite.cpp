@@ -16,38 +16,10 @@
 #include "core/base/system_message.h"
 #include "core/base/text.h"
 #include "core/store/content_kind.h"
+#include "core/store/sqlite_error.h"
 
 namespace terratact {
 namespace {
-
-/// What SQLite says of the last failure, for translation where it is a usual one.
-Message sqliteMessage(sqlite3* file)
-{
-    static constexpr std::array kUsual{
-        TR_NOOP("core", "database disk image is malformed"),
-        TR_NOOP("core", "file is not a database"),
-        TR_NOOP("core", "database is locked"),
-        TR_NOOP("core", "database or disk is full"),
-        TR_NOOP("core", "disk I/O error"),
-        TR_NOOP("core", "unable to open database file"),
-        TR_NOOP("core", "attempt to write a readonly database"),
-        TR_NOOP("core", "string or blob too big"),
-        TR_NOOP("core", "SQL logic error"),
-        TR_NOOP("core", "out of memory"),
-    };
-    constexpr std::string_view kSchema = "malformed database schema (";
-    const std::string said = sqlite3_errmsg(file);
-    for (const SourceText& usual : kUsual)
-        if (said == usual.english) return usual;
-    if (said.starts_with(kSchema))
-        return {TR_NOOP("core", "malformed database schema %1"), said.substr(kSchema.size() - 1)};
-    return Message::verbatim(said);
-}
-
-void check(int code, sqlite3* file)
-{
-    if (code != SQLITE_OK) throw SqliteError(sqliteMessage(file));
-}
 
 /// Returns a path as an SQLite URI, with all but plain characters percent-encoded.
 std::string uriOf(const std::string& path, std::string_view options)
@@ -129,127 +101,6 @@ int stopNow(void* callsLeft)
 
 }  // namespace
 
-void SqliteStatement::Finalise::operator()(sqlite3_stmt* statement) const
-{
-    sqlite3_finalize(statement);
-}
-
-void SqliteStatement::bind(int parameter, double value)
-{
-    check(sqlite3_bind_double(statement_.get(), parameter + 1, value),
-          sqlite3_db_handle(statement_.get()));
-}
-
-void SqliteStatement::bind(int parameter, std::int64_t value)
-{
-    check(sqlite3_bind_int64(statement_.get(), parameter + 1, value),
-          sqlite3_db_handle(statement_.get()));
-}
-
-void SqliteStatement::bind(int parameter, std::string_view value)
-{
-    check(sqlite3_bind_text64(statement_.get(), parameter + 1, value.data(), value.size(),
-                              SQLITE_TRANSIENT, SQLITE_UTF8),
-          sqlite3_db_handle(statement_.get()));
-}
-
-void SqliteStatement::bind(int parameter, std::nullptr_t)
-{
-    check(sqlite3_bind_null(statement_.get(), parameter + 1), sqlite3_db_handle(statement_.get()));
-}
-
-void SqliteStatement::bindBlob(int parameter, std::string_view bytes)
-{
-    // A null pointer would bind NULL.
-    check(sqlite3_bind_blob64(statement_.get(), parameter + 1, bytes.empty() ? "" : bytes.data(),
-                              bytes.size(), SQLITE_TRANSIENT),
-          sqlite3_db_handle(statement_.get()));
-}
-
-/// Smallest size of a cell of a page (sqlite.org/fileformat2.html §1.6).
-constexpr std::int64_t kMinCell = 6;
-
-void SqliteStatement::take(std::int64_t bytes) const
-{
-    if (!bytesLeft_) return;
-    *bytesLeft_ -= bytes;
-    if (*bytesLeft_ < 0)
-        throw SqliteError(
-            TR_NOOP("core", "its rows hold more bytes than the file has: they share pages"));
-}
-
-bool SqliteStatement::step()
-{
-    const int code = sqlite3_step(statement_.get());
-    if (code == SQLITE_ROW) take(kMinCell);
-    if (code == SQLITE_ROW) return true;
-    if (code != SQLITE_DONE) throw SqliteError(sqliteMessage(sqlite3_db_handle(statement_.get())));
-    return false;
-}
-
-void SqliteStatement::run()
-{
-    while (step()) {
-    }
-    check(sqlite3_reset(statement_.get()), sqlite3_db_handle(statement_.get()));
-}
-
-void SqliteStatement::expect(int column, int type) const
-{
-    if (this->type(column) == type) return;
-    const char* const name = sqlite3_column_name(statement_.get(), column);
-    throw SqliteError(
-        Message(TR_NOOP("core", "a value of the wrong type in %1"), name ? name : "a column"));
-}
-
-double SqliteStatement::real(int column) const
-{
-    expect(column, SQLITE_FLOAT);
-    return sqlite3_column_double(statement_.get(), column);
-}
-
-std::int64_t SqliteStatement::integer(int column) const
-{
-    expect(column, SQLITE_INTEGER);
-    return sqlite3_column_int64(statement_.get(), column);
-}
-
-std::string SqliteStatement::bytes(int column) const
-{
-    const auto* const begin =
-        static_cast<const char*>(sqlite3_column_blob(statement_.get(), column));
-    const int size = sqlite3_column_bytes(statement_.get(), column);
-    take(size);
-    return begin ? std::string(begin, static_cast<std::size_t>(size)) : std::string();
-}
-
-std::string SqliteStatement::text(int column) const
-{
-    expect(column, SQLITE_TEXT);
-    return bytes(column);
-}
-
-std::string SqliteStatement::blob(int column) const
-{
-    expect(column, SQLITE_BLOB);
-    return bytes(column);
-}
-
-int SqliteStatement::type(int column) const
-{
-    return sqlite3_column_type(statement_.get(), column);
-}
-
-bool SqliteStatement::isNull(int column) const
-{
-    return type(column) == SQLITE_NULL;
-}
-
-int SqliteStatement::columns() const
-{
-    return sqlite3_column_count(statement_.get());
-}
-
 void SqliteFile::Close::operator()(sqlite3* file) const
 {
     sqlite3_close_v2(file);
@@ -262,7 +113,7 @@ SqliteFile::SqliteFile(const std::string& name, int flags)
         name.c_str(), &file, flags | SQLITE_OPEN_PRIVATECACHE | SQLITE_OPEN_NOMUTEX, nullptr);
     file_.reset(file);
     if (!file) throw SqliteError(TR_NOOP("core", "out of memory"));
-    check(code, file);
+    checkSqlite(code, file);
 }
 
 SqliteFile SqliteFile::openUntrusted(const std::string& path, std::uintmax_t most)
@@ -354,8 +205,8 @@ SqliteFile SqliteFile::openLog(const std::string& path, int longest)
     // memory for a single reader. That needs a lock and the right to write, so the file is opened
     // without locks.
     SqliteFile alone = open("mode=ro&vfs=unix-none");
-    check(sqlite3_db_config(alone.file_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr),
-          alone.file_.get());
+    checkSqlite(sqlite3_db_config(alone.file_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr),
+                alone.file_.get());
     alone.run("PRAGMA locking_mode = EXCLUSIVE");
     static_cast<void>(alone.integer("PRAGMA schema_version"));
     return alone;
@@ -413,8 +264,8 @@ void SqliteFile::journal()
         throw SqliteError(TR_NOOP("core", "its file system keeps no write-ahead journal"));
     run("PRAGMA synchronous = FULL");
     // A file in WAL mode without a journal is then one whose journal was removed.
-    check(sqlite3_db_config(file_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr),
-          file_.get());
+    checkSqlite(sqlite3_db_config(file_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr),
+                file_.get());
     run("PRAGMA journal_size_limit = 67108864");
     // a failing checkpoint would look like a failing commit; see checkpoint()
     run("PRAGMA wal_autocheckpoint = 0");
@@ -438,10 +289,10 @@ void SqliteFile::grantSteps()
 void SqliteFile::harden()
 {
     sqlite3* const file = file_.get();
-    check(sqlite3_db_config(file, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr), file);
-    check(sqlite3_db_config(file, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr), file);
-    check(sqlite3_db_config(file, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr), file);
-    check(sqlite3_db_config(file, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr), file);
+    checkSqlite(sqlite3_db_config(file, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr), file);
+    checkSqlite(sqlite3_db_config(file, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr), file);
+    checkSqlite(sqlite3_db_config(file, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr), file);
+    checkSqlite(sqlite3_db_config(file, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr), file);
     sqlite3_limit(file, SQLITE_LIMIT_LENGTH, 1'000'000);
     sqlite3_limit(file, SQLITE_LIMIT_SQL_LENGTH, 100'000);
     sqlite3_limit(file, SQLITE_LIMIT_COLUMN, 100);
@@ -487,9 +338,9 @@ SqliteFile SqliteFile::fill(const std::string& path)
 SqliteStatement SqliteFile::prepare(std::string_view sql)
 {
     sqlite3_stmt* statement = nullptr;
-    check(sqlite3_prepare_v2(file_.get(), sql.data(), static_cast<int>(sql.size()), &statement,
-                             nullptr),
-          file_.get());
+    checkSqlite(sqlite3_prepare_v2(file_.get(), sql.data(), static_cast<int>(sql.size()),
+                                   &statement, nullptr),
+                file_.get());
     return SqliteStatement(statement, bytesLeft_.get());
 }
 
@@ -502,7 +353,7 @@ std::int64_t SqliteFile::integer(std::string_view sql)
 
 void SqliteFile::close()
 {
-    check(sqlite3_close(file_.get()), file_.get());
+    checkSqlite(sqlite3_close(file_.get()), file_.get());
     static_cast<void>(file_.release());
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/text.h"
+#include "core/store/csv_field.h"
 #include "core/wire/log_format.h"
 #include "core/wire/log_text.h"
 
@@ -18,15 +19,6 @@ namespace terratact {
 namespace {
 
 constexpr std::size_t kMaxColumns = 80;  // 64 of them for bytes
-
-std::string_view withoutBlanks(std::string_view field)
-{
-    while (!field.empty() && kLogBlanks.find(field.front()) != std::string_view::npos)
-        field.remove_prefix(1);
-    while (!field.empty() && kLogBlanks.find(field.back()) != std::string_view::npos)
-        field.remove_suffix(1);
-    return field;
-}
 
 std::optional<bool> truthOf(std::string_view field)
 {
@@ -238,9 +230,9 @@ std::vector<std::string_view> logCsvFields(std::string_view line, char separator
     std::vector<std::string_view> fields;
     while (fields.size() < kMaxColumns) {
         const std::size_t end = line.find(separator);
-        std::string_view field = withoutBlanks(line.substr(0, end));
+        std::string_view field = withoutBlanks(line.substr(0, end), kLogBlanks);
         const bool isQuoted = field.size() > 1 && field.starts_with('"') && field.ends_with('"');
-        if (isQuoted) field = withoutBlanks(field.substr(1, field.size() - 2));
+        if (isQuoted) field = withoutBlanks(field.substr(1, field.size() - 2), kLogBlanks);
         fields.push_back(field);
         if (end == std::string_view::npos) break;
         line.remove_prefix(end + 1);

@@ -1,6 +1,5 @@
 #include "widgets/control/probe_card.h"
 
-#include <QApplication>
 #include <QGridLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -8,10 +7,10 @@
 #include <QStackedLayout>
 #include <QStyle>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <cmath>
 
 #include "app/display/format.h"
+#include "widgets/base/covered.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
@@ -220,22 +219,8 @@ const ProbeProposal* ProbeCard::told() const
 std::optional<quint64> ProbeCard::shown() const
 {
     if (!proposal_ || painted_ != proposal_->id) return std::nullopt;
-    if (!isVisible() || window()->isMinimized() || isCovered()) return std::nullopt;
+    if (!isVisible() || window()->isMinimized() || isCovered(*this)) return std::nullopt;
     return proposal_->id;
-}
-
-bool ProbeCard::isCovered() const
-{
-    const QRect here(mapToGlobal(QPoint()), size());
-    return std::ranges::any_of(QApplication::topLevelWidgets(), [&](const QWidget* other) {
-        const Qt::WindowType type = other->windowType();
-        const bool isDialog = type == Qt::Window || type == Qt::Dialog || type == Qt::Tool;
-        const bool isAbove =
-            type == Qt::Popup  // a menu may have no parent
-            || (isDialog && other->parentWidget() && other->parentWidget()->window() == window());
-        return isAbove && other->isVisible() && !other->isMinimized()
-            && other->frameGeometry().intersects(here);
-    });
 }
 
 void ProbeCard::paintEvent(QPaintEvent* event)

@@ -51,8 +51,6 @@ public:
     bool tells() const;  ///< true if the card shows a probe's worth without proposing it
     /// Returns the id of the proposal the operator sees: the card is visible and was painted with it.
     std::optional<quint64> shown() const;
-    /// Returns true if another window of this window, or an open menu, covers the card at least partly.
-    bool isCovered() const;
     HoldToConfirmButton* approveButton() const { return approve_; }
     QPushButton* refuseButton() const { return refuse_; }
     QPushButton* otherButton(std::size_t i) const { return others_.at(i); }

@@ -25,6 +25,7 @@
 #include "tests/support/scripted_source.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/toy_model.h"
+#include "widgets/base/covered.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/control/atem_panel.h"
@@ -264,7 +265,7 @@ TEST_F(Console, coveredProposalCanBeRefusedButNotApproved)
     above.setGeometry(QRect(card.mapToGlobal(QPoint()), card.size() / 2));
     above.show();
     gui::showActive(*window);
-    ASSERT_TRUE(eventually([&] { return card.isCovered(); }));
+    ASSERT_TRUE(eventually([&] { return isCovered(card); }));
     EXPECT_TRUE(
         eventually([&] { return says("unless approved: close the window that covers it"); }));
     EXPECT_FALSE(says("F2 shows the question"));

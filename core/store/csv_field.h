@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace terratact {
+
+/// Blanks around a field of a CSV file.
+inline constexpr std::string_view kCsvBlanks = " \t";
+
+/// Returns the text without the blanks at its begin and end.
+std::string_view withoutBlanks(std::string_view text, std::string_view blanks = kCsvBlanks);
+/// Returns a unit without blanks and without the brackets around it.
+std::string_view withoutBrackets(std::string_view text);
+/// Returns the text with the letters A to Z in lower case.
+std::string lowerCase(std::string_view text);
+
+/// Returns the number that the text spells. A decimal comma is allowed only if `commaIsDecimal`.
+std::optional<double> csvNumber(std::string_view text, bool commaIsDecimal);
+/// Returns true for an empty field and for words such as NaN, NA and null.
+bool isMissingWord(std::string_view text);
+
+/// Number of each separator in a line, outside of quotes. A tab beside another separator is a
+/// blank.
+struct SeparatorCounts {
+    std::size_t commas = 0, semicolons = 0, tabs = 0;
+};
+
+SeparatorCounts countSeparators(std::string_view line);
+
+/// Returns true if all fields of a line without quotes spell numbers.
+bool allNumbers(std::string_view line, char separator);
+
+}  // namespace terratact

@@ -1,0 +1,39 @@
+#include "core/store/sqlite_error.h"
+
+#include <sqlite3.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace terratact {
+
+Message sqliteMessage(sqlite3* file)
+{
+    static constexpr std::array kUsual{
+        TR_NOOP("core", "database disk image is malformed"),
+        TR_NOOP("core", "file is not a database"),
+        TR_NOOP("core", "database is locked"),
+        TR_NOOP("core", "database or disk is full"),
+        TR_NOOP("core", "disk I/O error"),
+        TR_NOOP("core", "unable to open database file"),
+        TR_NOOP("core", "attempt to write a readonly database"),
+        TR_NOOP("core", "string or blob too big"),
+        TR_NOOP("core", "SQL logic error"),
+        TR_NOOP("core", "out of memory"),
+    };
+    constexpr std::string_view kSchema = "malformed database schema (";
+    const std::string said = sqlite3_errmsg(file);
+    for (const SourceText& usual : kUsual)
+        if (said == usual.english) return usual;
+    if (said.starts_with(kSchema))
+        return {TR_NOOP("core", "malformed database schema %1"), said.substr(kSchema.size() - 1)};
+    return Message::verbatim(said);
+}
+
+void checkSqlite(int code, sqlite3* file)
+{
+    if (code != SQLITE_OK) throw SqliteError(sqliteMessage(file));
+}
+
+}  // namespace terratact
