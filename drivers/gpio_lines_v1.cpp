@@ -54,7 +54,7 @@ public:
     Lines(ChipPointer chip, GpioFound found) : chip_(std::move(chip)), found_(std::move(found)) {}
 
     /// Requests the lines. Returns 0, or errno.
-    int take(const GpioRequest& request)
+    int requestLines(const GpioRequest& request)
     {
         const char* const consumer = request.consumer.c_str();
         for (std::size_t i = 0; i < request.inputs.size(); ++i) {
@@ -145,7 +145,8 @@ Result<std::unique_ptr<GpioLines>> openGpioLines(const GpioRequest& request)
     auto found = placeGpioLines(request, *chip, infos);
     if (!found) return found.error();
     auto lines = std::make_unique<Lines>(std::move(opened), *found);
-    if (const int code = lines->take(request); code != 0) return gpioRefused(code, *found, infos);
+    if (const int code = lines->requestLines(request); code != 0)
+        return gpioRefused(code, *found, infos);
     return std::unique_ptr<GpioLines>(std::move(lines));
 }
 

@@ -81,7 +81,7 @@ bool add(gpiod_line_config* config, unsigned offset, const GpioOutput& output)
 }
 
 /// Requests all lines at once. Returns null with errno if the kernel refuses.
-LinesPointer take(gpiod_chip* chip, const GpioRequest& request, const GpioFound& found)
+LinesPointer requestLines(gpiod_chip* chip, const GpioRequest& request, const GpioFound& found)
 {
     const ConfigPointer config(gpiod_line_config_new());
     const RequestPointer how(gpiod_request_config_new());
@@ -180,7 +180,7 @@ Result<std::unique_ptr<GpioLines>> openGpioLines(const GpioRequest& request)
     const std::vector<GpioLineInfo> infos = infosOf(opened.get(), chip->lines);
     const auto found = placeGpioLines(request, *chip, infos);
     if (!found) return found.error();
-    LinesPointer taken = take(opened.get(), request, *found);
+    LinesPointer taken = requestLines(opened.get(), request, *found);
     if (!taken) return gpioRefused(errno, *found, infos);
     BufferPointer buffer(gpiod_edge_event_buffer_new(kMaxEdges));
     if (!buffer) return gpioRefused(errno, *found, infos);

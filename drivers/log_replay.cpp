@@ -117,7 +117,7 @@ Result<LogScan> scan(const LogSource& source, double speed)
         if (silence / speed > LogReplay::kMaxWait && of.silences.size() < kMaxSilences)
             of.silences.push_back(silenceText(*log, silence));
     }
-    found.remarks = log->takeRemarks();
+    found.remarks = log->consumeRemarks();
     return found;
 }
 
@@ -180,8 +180,8 @@ Result<std::unique_ptr<LogReplay>> LogReplay::open(const std::string& path, cons
     replay->again_ = [from = *source] { return from.read(); };
     if (const Status done = replay->fetch(); !done) return done.error();
     replay->firstTime_ = replay->logTime_;
-    replay->told_.at = 0.0;
-    replay->told_.length = found->interfaces[*interface].last - replay->firstTime_;
+    replay->progress_.at = 0.0;
+    replay->progress_.length = found->interfaces[*interface].last - replay->firstTime_;
     return replay;
 }
 
@@ -211,7 +211,7 @@ Status LogReplay::fetch()
     const double wait = (logTime_ - before) / options_.speed;
     if (due_) *due_ += wait > kMaxWait ? kShortWait : wait;
     const std::lock_guard lock(mutex_);
-    told_.at = next_ ? logTime_ - firstTime_ : told_.length;
+    progress_.at = next_ ? logTime_ - firstTime_ : progress_.length;
     counters_.dropped = log_.dropped();
     ended_ = !next_;
     return Done{};
@@ -225,8 +225,8 @@ Status LogReplay::obey(double now)
     {
         const std::lock_guard lock(mutex_);
         to = std::exchange(wanted_, std::nullopt);
-        paused = told_.paused;
-        if (!to && ended_ && told_.repeats && told_.length > 0.0) to = 0.0;
+        paused = progress_.paused;
+        if (!to && ended_ && progress_.repeats && progress_.length > 0.0) to = 0.0;
     }
     if (to) {
         if (Status done = goTo(*to, now); !done) return done;
@@ -255,13 +255,13 @@ Status LogReplay::goTo(double seconds, double now)
 void LogReplay::setPaused(bool paused)
 {
     const std::lock_guard lock(mutex_);
-    told_.paused = paused;
+    progress_.paused = paused;
 }
 
 void LogReplay::setRepeats(bool repeats)
 {
     const std::lock_guard lock(mutex_);
-    told_.repeats = repeats;
+    progress_.repeats = repeats;
 }
 
 void LogReplay::seek(double seconds)
@@ -273,10 +273,10 @@ void LogReplay::seek(double seconds)
 LogReplay::Progress LogReplay::progress() const
 {
     const std::lock_guard lock(mutex_);
-    return told_;
+    return progress_;
 }
 
-Result<std::size_t> LogReplay::takeDue(std::span<BusFrame> frames)
+Result<std::size_t> LogReplay::consumeDue(std::span<BusFrame> frames)
 {
     const double now = clock_.now();
     if (!due_) due_ = now;
@@ -304,7 +304,7 @@ Result<std::size_t> LogReplay::receive(std::span<BusFrame> frames,
     if (frames.empty()) throw std::invalid_argument("LogReplay: there is no room for one frame");
     const double until = clock_.now() + std::chrono::duration<double>(patience).count();
     for (;;) {
-        Result<std::size_t> count = takeDue(frames);
+        Result<std::size_t> count = consumeDue(frames);
         if (!count || *count > 0) return count;
         const double now = clock_.now();
         if (now >= until) return std::size_t{0};

@@ -87,7 +87,7 @@ private:
     Status fetch();
     Status obey(double now);
     Status goTo(double seconds, double now);
-    Result<std::size_t> takeDue(std::span<BusFrame> frames);
+    Result<std::size_t> consumeDue(std::span<BusFrame> frames);
 
     std::string name_;
     LogReader log_;
@@ -102,7 +102,7 @@ private:
     std::optional<double> pausedAt_;  ///< time of the pause [s on the clock]
     std::optional<double> due_;  ///< time of next_ on the clock; empty before the first receive()
     mutable std::mutex mutex_;   ///< guards the members below
-    Progress told_;
+    Progress progress_;
     std::optional<double> wanted_;  ///< time to seek [s]
     BusCounters counters_;
     bool ended_ = false;

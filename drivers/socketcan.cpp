@@ -97,7 +97,7 @@ Result<std::size_t> SocketCan::receive(std::span<BusFrame> frames,
         }
         const auto reading = socket_->read(frames, nap);
         if (reading) {
-            if (const std::size_t count = take(frames, *reading); count > 0) return count;
+            if (const std::size_t count = unpack(frames, *reading); count > 0) return count;
         } else {
             failed(reading.error().code);
             system_.sleep(std::min(left, kPauseAfterError));
@@ -244,7 +244,7 @@ void SocketCan::failed(int code)
     }
 }
 
-std::size_t SocketCan::take(std::span<BusFrame> frames, const CanSocket::Reading& reading)
+std::size_t SocketCan::unpack(std::span<BusFrame> frames, const CanSocket::Reading& reading)
 {
     const double now = system_.steadyTime(), wall = system_.wallTime();
     const std::scoped_lock lock(mutex_);
@@ -255,7 +255,7 @@ std::size_t SocketCan::take(std::span<BusFrame> frames, const CanSocket::Reading
         frame.time = std::clamp(now - age, std::min(emptiedAt_, now), now);
         if (frame.wallTime <= 0.0) frame.wallTime = wall;
         if (frame.echo) confirm(frame.frame);
-        if (frame.frame.error) takeError(frame);
+        if (frame.frame.error) addError(frame);
     }
     counters_.received += reading.frames;
     counters_.malformed += reading.malformed;
@@ -265,7 +265,7 @@ std::size_t SocketCan::take(std::span<BusFrame> frames, const CanSocket::Reading
 
 /// Only the controller's driver is trusted: an error frame from a process of this computer is
 /// forged.
-void SocketCan::takeError(const BusFrame& frame)
+void SocketCan::addError(const BusFrame& frame)
 {
     ++counters_.errorFrames;
     if (frame.local) {

@@ -79,8 +79,8 @@ private:
     double untilLook() const;
     void became(BusState link);
     void failed(int code);
-    std::size_t take(std::span<BusFrame> frames, const CanSocket::Reading& reading);
-    void takeError(const BusFrame& frame);
+    std::size_t unpack(std::span<BusFrame> frames, const CanSocket::Reading& reading);
+    void addError(const BusFrame& frame);
     void confirm(const CanFrame& frame);
     std::uint64_t drops() const;
     bool overdue(double now) const;

@@ -77,7 +77,7 @@ Result<StopLine> StopLine::listen(const std::string& name)
     return StopLine(std::move(*socket));
 }
 
-bool StopLine::take()
+bool StopLine::consume()
 {
     bool pressed = false, isStop = false;
     Address from;

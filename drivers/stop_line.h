@@ -19,7 +19,7 @@ public:
 
     /// Returns true if STOP was pressed at the other end since the last call, and answers it. Does
     /// not wait.
-    bool take();
+    bool consume();
 
 private:
     explicit StopLine(PosixFd socket) : socket_(std::move(socket)) {}

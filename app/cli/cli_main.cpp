@@ -11,7 +11,7 @@
 
 #include "app/cli/cli_options.h"
 #include "app/cli/cli_subcommands.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "core/base/memory_limit.h"
 
 namespace terratact {
@@ -38,14 +38,14 @@ int realMain(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         std::ostringstream out, complaint;  // may quote a file name
         const int code = app.exit(error, out, complaint);
-        say("{}", Lines(out.str()));
-        say(stderr, "{}", Lines(complaint.str()));
+        printText("{}", Lines(out.str()));
+        printText(stderr, "{}", Lines(complaint.str()));
         return code == 0 ? kDone : kWrongArguments;
     }
     Status done = checkCommandFiles(app.files());
     if (done) done = job();
     if (done) return kDone;
-    say(stderr, "terratact: {}\n", done.error().text);
+    printText(stderr, "terratact: {}\n", done.error().text);
     return kFailed;
 }
 
@@ -56,8 +56,8 @@ int afterPrinting(int code)
     std::cout.flush();
     const bool whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
     if (whole) return code;
-    say(stderr, "terratact: the standard output cannot be written{}{}\n", errno != 0 ? ": " : "",
-        errno != 0 ? std::generic_category().message(errno) : "");
+    printText(stderr, "terratact: the standard output cannot be written{}{}\n",
+              errno != 0 ? ": " : "", errno != 0 ? std::generic_category().message(errno) : "");
     return code == kDone ? kFailed : code;
 }
 
@@ -70,7 +70,7 @@ int main(int argc, char** argv)
     try {
         return terratact::afterPrinting(terratact::realMain(argc, argv));
     } catch (const std::exception& error) {
-        terratact::say(stderr, "terratact: {}\n", terratact::describeFailure(error));
+        terratact::printText(stderr, "terratact: {}\n", terratact::describeFailure(error));
         return terratact::kFailed;
     }
 }

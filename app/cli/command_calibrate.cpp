@@ -2,7 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "app/cli/commands.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "core/base/text.h"
 #include "core/robot/force_calibration.h"
 #include "core/robot/robot_model.h"
@@ -46,7 +46,7 @@ Result<std::vector<ForceReading>> readRecording(const std::string& path)
     if (const auto header = csv->next(); !header) return header.error();
     if (fmt::format("{}", fmt::join(csv->fields(), ",")) != kHeader)
         return csv->error(fmt::format("is not the header {}", kHeader));
-    csv->takeHeader({"", "", "N", "V"});
+    csv->useAsHeader({"", "", "N", "V"});
     std::vector<ForceReading> readings;
     for (;;) {
         const Result<bool> more = csv->next();
@@ -60,14 +60,15 @@ Result<std::vector<ForceReading>> readRecording(const std::string& path)
 
 void print(const ForceCalibration& c)
 {
-    say("\nfor the robot file:\n[force_calibration]\nsupply_v = {}\nreference_ohm = {}\n", c.supply,
-        c.reference);
-    say("curve_n_ohm = [");
+    printText("\nfor the robot file:\n[force_calibration]\nsupply_v = {}\nreference_ohm = {}\n",
+              c.supply, c.reference);
+    printText("curve_n_ohm = [");
     for (std::size_t i = 0; i < c.curve.size(); ++i)
-        say("{}[{:.4f}, {:.1f}]", i == 0 ? "" : ", ", c.curve[i].force, c.curve[i].resistance);
-    say("]\nbias_left_n = [{:.4f}]\nbias_right_n = [{:.4f}]\n", fmt::join(c.biasLeft, ", "),
-        fmt::join(c.biasRight, ", "));
-    say("open_below_v = {}\nshort_above_v = {}\n", c.openBelow, c.shortAbove);
+        printText("{}[{:.4f}, {:.1f}]", i == 0 ? "" : ", ", c.curve[i].force,
+                  c.curve[i].resistance);
+    printText("]\nbias_left_n = [{:.4f}]\nbias_right_n = [{:.4f}]\n", fmt::join(c.biasLeft, ", "),
+              fmt::join(c.biasRight, ", "));
+    printText("open_below_v = {}\nshort_above_v = {}\n", c.openBelow, c.shortAbove);
 }
 
 }  // namespace
@@ -80,9 +81,9 @@ Status calibrateForces(const CalibrateOptions& options)
     if (!readings) return readings.error();
     const auto fitted = calibrate(*readings, robot->forceCalibration, robot->forceArrays);
     if (!fitted) return Error{options.data + ": " + fitted.error().text, 0};
-    say("{} readings\n", readings->size());
-    say("force read less force applied: median {:.3f} N, worst {:.3f} N\n", fitted->medianError,
-        fitted->worstError);
+    printText("{} readings\n", readings->size());
+    printText("force read less force applied: median {:.3f} N, worst {:.3f} N\n",
+              fitted->medianError, fitted->worstError);
     print(fitted->calibration);
     return Done{};
 }

@@ -6,7 +6,7 @@
 
 #include "app/cli/can_commands.h"
 #include "app/link/can_check.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "core/store/file_read.h"
 #include "core/wire/log_reader.h"
 #include "drivers/can_interface.h"
@@ -25,9 +25,9 @@ const char* wordOf(CanFinding::Level level)
     return "problem";
 }
 
-void tell(CanFinding::Level level, const std::string& what)
+void showFinding(CanFinding::Level level, const std::string& what)
 {
-    say("{:<8} {}\n", wordOf(level), what);
+    printText("{:<8} {}\n", wordOf(level), what);
 }
 
 /// Prints the content of a log, and the faults during its recording.
@@ -39,8 +39,8 @@ Status checkLog(const std::string& path)
     std::uint64_t untimed = 0, others = 0;
     for (;;) {
         const auto logged = log->next();
-        for (const Message& remark : log->takeRemarks())
-            tell(CanFinding::Level::Warning, remark.english());
+        for (const Message& remark : log->consumeRemarks())
+            showFinding(CanFinding::Level::Warning, remark.english());
         if (!logged) return logged.error();
         if (!*logged) break;
         if (!(*logged)->time) ++untimed;
@@ -51,18 +51,18 @@ Status checkLog(const std::string& path)
             ++others;
     }
     if (frames.empty()) return fileError(path, "holds no frame");
-    tell(CanFinding::Level::Fine, "it is a log of the format " + log->format());
+    showFinding(CanFinding::Level::Fine, "it is a log of the format " + log->format());
     for (const auto& [name, count] : frames)
-        tell(CanFinding::Level::Fine, fmt::format("{} frames of {}", count, name));
+        showFinding(CanFinding::Level::Fine, fmt::format("{} frames of {}", count, name));
     if (others > 0)
-        tell(CanFinding::Level::Fine, fmt::format("{} frames of other interfaces", others));
-    tell(CanFinding::Level::Fine, fmt::format("it lasts {:.3f} s", log->elapsed()));
+        showFinding(CanFinding::Level::Fine, fmt::format("{} frames of other interfaces", others));
+    showFinding(CanFinding::Level::Fine, fmt::format("it lasts {:.3f} s", log->elapsed()));
     if (untimed > 0)
-        tell(CanFinding::Level::Warning,
-             fmt::format("{} frames have no time: record with candump -L", untimed));
+        showFinding(CanFinding::Level::Warning,
+                    fmt::format("{} frames have no time: record with candump -L", untimed));
     if (log->dropped() > 0)
-        tell(CanFinding::Level::Warning,
-             fmt::format("{} frames were lost when the log was recorded", log->dropped()));
+        showFinding(CanFinding::Level::Warning,
+                    fmt::format("{} frames were lost when the log was recorded", log->dropped()));
     return Done{};
 }
 
@@ -79,8 +79,8 @@ Status checkCan(const std::string& interface)
         facts.isCan && !facts.isVirtual ? controllerFrom(linkDetails(interface)) : CanController{};
     const std::vector<CanFinding> findings = findingsOf(facts, canSocketError(), controller);
     for (const CanFinding& finding : findings) {
-        say("{:<8} {}\n", wordOf(finding.level), finding.what);
-        if (!finding.cure.empty()) say("{:<8} → {}\n", "", finding.cure);
+        printText("{:<8} {}\n", wordOf(finding.level), finding.what);
+        if (!finding.cure.empty()) printText("{:<8} → {}\n", "", finding.cure);
     }
     const auto problems = std::count_if(findings.begin(), findings.end(), [](const CanFinding& f) {
         return f.level == CanFinding::Level::Problem;

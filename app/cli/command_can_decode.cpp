@@ -7,7 +7,7 @@
 #include "app/cli/can_commands.h"
 #include "app/link/bus_statistics.h"
 #include "app/link/dbc_book.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "app/runtime/text_output.h"
 #include "core/base/message.h"
 #include "core/base/text.h"
@@ -85,17 +85,17 @@ private:
     {
         for (;;) {
             const auto logged = log_.next();
-            tellRemarks();
+            showRemarks();
             if (!logged) return logged.error();
             if (!*logged) return ending();
-            if (Status done = take(**logged); !done) return done;
+            if (Status done = add(**logged); !done) return done;
         }
     }
 
-    void tellRemarks()
+    void showRemarks()
     {
-        for (const Message& remark : log_.takeRemarks())
-            say(stderr, "terratact: {}\n", remark.english());
+        for (const Message& remark : log_.consumeRemarks())
+            printText(stderr, "terratact: {}\n", remark.english());
     }
 
     Status ending() const
@@ -105,7 +105,7 @@ private:
         return fileError(options_.log, "holds no frame" + whose);
     }
 
-    Status take(const LoggedFrame& logged)
+    Status add(const LoggedFrame& logged)
     {
         if (!options_.interface.empty() && logged.interface != options_.interface) return Done{};
         if (buses_.size() >= kMaxBuses && !buses_.contains(logged.interface))
@@ -119,7 +119,7 @@ private:
         if (logged.time && !bus.first) bus.first = now;
         if (logged.time) bus.last = now;
         const FrameWords words = bus.reader->read(logged.frame, now);
-        bus.statistics.take(logged.frame, words, now);
+        bus.statistics.add(logged.frame, words, now);
         if (csv_) csv_->write(logged, words);
         if (!options_.summaryOnly) print(logged, words);
         return Done{};
@@ -130,27 +130,29 @@ private:
         const std::string time = logged.time ? fmt::format("{:.6f}", log_.elapsed()) : "-";
         const std::string counter = words.counter ? fmt::format("#{:03d}", *words.counter) : "-";
         const std::string content = contentText(logged.frame, words);
-        say(messages_, "{:>12} {:<6} {:<9} {:<26} {:<4}  {}{}{}\n", time, logged.interface,
-            idText(logged.frame), words.name.empty() ? "unknown" : words.name, counter,
-            words.verdict, content.empty() ? "" : "; ", content);
+        printText(messages_, "{:>12} {:<6} {:<9} {:<26} {:<4}  {}{}{}\n", time, logged.interface,
+                  idText(logged.frame), words.name.empty() ? "unknown" : words.name, counter,
+                  words.verdict, content.empty() ? "" : "; ", content);
     }
 
     void summarize() const
     {
         if (begin_ && !options_.summaryOnly)
-            say(messages_, "\ntimes are since {:.6f} s of the log's clock\n", *begin_);
+            printText(messages_, "\ntimes are since {:.6f} s of the log's clock\n", *begin_);
         for (const auto& [name, bus] : buses_) {
-            say(messages_, "\n{} in {}\n", name,
-                options_.log == "-" ? "standard input" : options_.log);
-            say(messages_, "{}",
+            printText(messages_, "\n{} in {}\n", name,
+                      options_.log == "-" ? "standard input" : options_.log);
+            printText(
+                messages_, "{}",
                 Lines(summaryText(bus.statistics, bus.first ? std::optional(*bus.last - *bus.first)
                                                             : std::nullopt)));
         }
         if (log_.stepsBack() > 0)
-            say(messages_, "the log's clock goes back {} times: the times above go on evenly\n",
-                log_.stepsBack());
+            printText(messages_,
+                      "the log's clock goes back {} times: the times above go on evenly\n",
+                      log_.stepsBack());
         if (log_.dropped() > 0)
-            say(messages_, "{} frames were lost when the log was recorded\n", log_.dropped());
+            printText(messages_, "{} frames were lost when the log was recorded\n", log_.dropped());
     }
 
     const CanDecodeOptions& options_;
@@ -168,7 +170,8 @@ Status decodeCanLog(const CanDecodeOptions& options)
 {
     const auto book = readDbcBook(options.protocol, options.dbc);
     if (!book) return book.error();
-    for (const Message& remark : remarksOf(*book)) say(stderr, "terratact: {}\n", remark.english());
+    for (const Message& remark : remarksOf(*book))
+        printText(stderr, "terratact: {}\n", remark.english());
     Result<LogReader> log = LogReader::open(options.log);
     if (!log) return log.error();
     std::optional<CsvOutput> csv;

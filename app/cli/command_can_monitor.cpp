@@ -11,7 +11,7 @@
 #include "app/link/can_monitor.h"
 #include "app/link/dbc_book.h"
 #include "app/link/open_bus.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 
 namespace terratact {
 namespace {
@@ -34,19 +34,19 @@ public:
 
     void show(const std::string& headline, const std::vector<std::string>& table) const
     {
-        if (isTerminal_) say("\x1b[H");  // moves the cursor to the upper left corner
+        if (isTerminal_) printText("\x1b[H");  // moves the cursor to the upper left corner
         line(headline);
         for (const std::string& text : table) line(text);
         if (isTerminal_)
-            say("\x1b[J");  // clears the rest of the previous table
+            printText("\x1b[J");  // clears the rest of the previous table
         else
-            say("\n");
+            printText("\n");
         std::fflush(stdout);
     }
 
     void clear() const
     {
-        if (isTerminal_) say("\x1b[2J");
+        if (isTerminal_) printText("\x1b[2J");
     }
 
 private:
@@ -54,9 +54,9 @@ private:
     {
         if (isTerminal_) text.resize(std::min(text.size(), width()));
         if (isTerminal_)
-            say("{}\x1b[K\n", text);
+            printText("{}\x1b[K\n", text);
         else
-            say("{}\n", text);
+            printText("{}\n", text);
     }
 
     static std::size_t width()
@@ -70,7 +70,7 @@ private:
 };
 
 /// Reads the bus until `until`; a replay ends earlier at its end.
-Status takeUntil(CanBus& bus, bool isReplay, CanMonitor& monitor, MonitorClock::time_point until)
+Status receiveUntil(CanBus& bus, bool isReplay, CanMonitor& monitor, MonitorClock::time_point until)
 {
     std::array<BusFrame, 64> frames;
     for (;;) {
@@ -78,7 +78,7 @@ Status takeUntil(CanBus& bus, bool isReplay, CanMonitor& monitor, MonitorClock::
         if (left <= 0ms || (isReplay && bus.state() == BusState::Ended)) return Done{};
         const Result<std::size_t> count = bus.receive(frames, left);
         if (!count) return count.error();
-        for (std::size_t i = 0; i < *count; ++i) monitor.take(frames[i]);
+        for (std::size_t i = 0; i < *count; ++i) monitor.add(frames[i]);
     }
 }
 
@@ -138,7 +138,7 @@ Status monitorCan(const CanMonitorOptions& options)
     if (isReplay)
         for (const Message& remark : opened->replay->remarks()) remarks.push_back(remark.english());
     if (!screen.isRedrawn())
-        for (const std::string& remark : remarks) say(stderr, "terratact: {}\n", remark);
+        for (const std::string& remark : remarks) printText(stderr, "terratact: {}\n", remark);
     screen.clear();
     const MonitorClock::time_point begin = MonitorClock::now();
     monitor.mark(seconds(begin));
@@ -148,7 +148,7 @@ Status monitorCan(const CanMonitorOptions& options)
                                                + std::chrono::duration_cast<MonitorClock::duration>(
                                                    std::chrono::duration<double>(*options.seconds))
                                          : MonitorClock::time_point::max();
-        if (Status done = takeUntil(bus, isReplay, monitor, std::min(next, end)); !done)
+        if (Status done = receiveUntil(bus, isReplay, monitor, std::min(next, end)); !done)
             return done;
         const double now = seconds(MonitorClock::now());
         monitor.mark(now);

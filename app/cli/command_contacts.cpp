@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/cli/commands.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "core/eval/contact_sd.h"
 #include "core/learn/data/scene_file.h"
 
@@ -13,15 +13,16 @@ namespace {
 
 void printRow(const std::string& where, const ResidualStatistics& s)
 {
-    say("{:>8} {:>6}", where, s.n);
-    if (s.n > 1) say(" {:>+9.1f} {:>7.1f} {:>9.1f}", 1e3 * s.mean, 1e3 * s.sd, 1e3 * s.robustSd);
-    say("\n");
+    printText("{:>8} {:>6}", where, s.n);
+    if (s.n > 1)
+        printText(" {:>+9.1f} {:>7.1f} {:>9.1f}", 1e3 * s.mean, 1e3 * s.sd, 1e3 * s.robustSd);
+    printText("\n");
 }
 
 void printTable(ContactRule rule, const ContactSummary& summary)
 {
-    say("\ncontact rule: {}\n{:>8} {:>6} {:>9} {:>7} {:>9}\n", name(rule), "bin [m]", "n",
-        "mean [mm]", "sd [mm]", "robust sd");
+    printText("\ncontact rule: {}\n{:>8} {:>6} {:>9} {:>7} {:>9}\n", name(rule), "bin [m]", "n",
+              "mean [mm]", "sd [mm]", "robust sd");
     for (int i = 0; i < kBins; ++i) {
         const ResidualStatistics& s = summary.bin[static_cast<std::size_t>(i)];
         if (s.n > 0) printRow(fmt::format("{:+.1f}", binCentre(i)), s);
@@ -37,14 +38,16 @@ Status showContacts(const ContactsOptions& options)
     if (!robot) return robot.error();
     const auto file = readScenes(options.data);
     if (!file) return file.error();
-    for (const Message& notice : file->notices) say(stderr, "terratact: {}\n", notice.english());
+    for (const Message& notice : file->notices)
+        printText(stderr, "terratact: {}\n", notice.english());
     const auto summaryBy = [&](ContactRule rule) {
         return summariseContacts(contactResiduals(*robot, file->scenes, options.threshold, rule));
     };
     const ContactSummary any = summaryBy(ContactRule::Any);
     if (any.all.n == 0)
         return Error{options.data + ": no contact in a bin whose height is known", 0};
-    say("true height of a bin less the height of its contact; {} scenes, contacts above {} N\n",
+    printText(
+        "true height of a bin less the height of its contact; {} scenes, contacts above {} N\n",
         file->scenes.size(), options.threshold);
     printTable(ContactRule::Isolated, summaryBy(ContactRule::Isolated));
     printTable(ContactRule::Any, any);

@@ -10,7 +10,7 @@
 #include "app/modelling/estimate_csv.h"
 #include "app/modelling/scene_estimates.h"
 #include "app/runtime/parallel.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "app/runtime/time_budget.h"
 #include "core/atem/arm_choice.h"
 #include "core/infer/verdict/estimate_text.h"
@@ -81,9 +81,9 @@ Status present(const TerrainEstimate& estimate, const Scene& scene, const RobotM
 {
     Heights truth{};
     for (std::size_t i = 0; i < kBins; ++i) truth[i] = *scene.truth[i];
-    say("\n{}\n{}", title, Lines(profileTable(estimate, truth)));
-    for (const std::string& sentence : hiddenByBands(estimate)) say("  {}\n", sentence);
-    for (const std::string& warning : estimate.warnings) say("! {}\n", warning);
+    printText("\n{}\n{}", title, Lines(profileTable(estimate, truth)));
+    for (const std::string& sentence : hiddenByBands(estimate)) printText("  {}\n", sentence);
+    for (const std::string& warning : estimate.warnings) printText("! {}\n", warning);
     const std::string csv = estimateCsv({scene}, {{estimate, ""}});
     if (Status s = writeFileAtomically(stem.string() + ".csv", csv); !s) return s;
     FigureInput figure;
@@ -121,16 +121,16 @@ Status demo(const DemoOptions& options)
     start.startX = 1.2;
     start.seed = options.settings.seed;
     SimulatedRobot robot((*bundle)->robot, demoTerrain(), start);
-    say("SIMULATED ROBOT, method {}, seed {}\n", name(options.settings.method),
-        options.settings.seed);
+    printText("SIMULATED ROBOT, method {}, seed {}\n", name(options.settings.method),
+              options.settings.seed);
     if (Status s = driveToStep(robot); !s) return s;
-    say("{:6.1f} s  driven blind up to a step nobody has seen; ATEM: halted, pressing the "
-        "flippers\n",
-        robot.measure().time);
+    printText("{:6.1f} s  driven blind up to a step nobody has seen; ATEM: halted, pressing the "
+              "flippers\n",
+              robot.measure().time);
     if (Status s = pressFlippers(robot); !s) return s;
     const Measurement measurement = robot.measure();
     const Scene scene = sceneOf(measurement, robot.truth());
-    say("{:6.1f} s  flippers pressed, scene captured\n", measurement.time);
+    printText("{:6.1f} s  flippers pressed, scene captured\n", measurement.time);
 
     const auto estimateWith = [&](std::span<const ArmReading> arm) {
         Watch watch = endingAfter(options.seconds);
@@ -145,22 +145,23 @@ Status demo(const DemoOptions& options)
         !s)
         return s;
     if (!bin) {
-        say("\nno bin is uncertain enough to probe\n\nwritten: {}\n",
-            (out / "first.{csv,png}").string());
+        printText("\nno bin is uncertain enough to probe\n\nwritten: {}\n",
+                  (out / "first.{csv,png}").string());
         return Done{};
     }
-    say("\n{:6.1f} s  probe proposed at {:+.1f} m (sd {:.0f} mm), approved\n", robot.measure().time,
-        binCentre(*bin), 1000.0 * first.sd[static_cast<std::size_t>(*bin)]);
+    printText("\n{:6.1f} s  probe proposed at {:+.1f} m (sd {:.0f} mm), approved\n",
+              robot.measure().time, binCentre(*bin),
+              1000.0 * first.sd[static_cast<std::size_t>(*bin)]);
     if (Status s = probe(robot, *bin); !s) return s;
     const ArmReading reading = *robot.measure().arm;
-    say("{:6.1f} s  arm measured {:+.3f} m\n", robot.measure().time, reading.height);
+    printText("{:6.1f} s  arm measured {:+.3f} m\n", robot.measure().time, reading.height);
     const TerrainEstimate second = estimateWith({&reading, 1});
     if (Status s = present(second, scene, (*bundle)->robot, std::nullopt,
                            "Second estimate, with the probe", out / "second");
         !s)
         return s;
-    say("\nwritten: {} and {}\n", (out / "first.{csv,png}").string(),
-        (out / "second.{csv,png}").string());
+    printText("\nwritten: {} and {}\n", (out / "first.{csv,png}").string(),
+              (out / "second.{csv,png}").string());
     return Done{};
 }
 

@@ -6,7 +6,7 @@
 #include "app/modelling/findings_file.h"
 #include "app/modelling/model_cards.h"
 #include "app/modelling/scene_evaluation.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "core/store/file_write.h"
 
 namespace terratact {
@@ -16,20 +16,20 @@ namespace {
 void printNotices(const EvaluationInput& input)
 {
     for (const Message& notice : input.file.notices)
-        say(stderr, "terratact: {}\n", notice.english());
+        printText(stderr, "terratact: {}\n", notice.english());
     if (input.trained > 0)
-        say(stderr,
-            "terratact: {} of {} scenes are training scenes of this model: errors look "
-            "smaller than they are\n",
-            input.trained, input.file.scenes.size());
+        printText(stderr,
+                  "terratact: {} of {} scenes are training scenes of this model: errors look "
+                  "smaller than they are\n",
+                  input.trained, input.file.scenes.size());
 }
 
 void printRunAndContradictions(const MethodRun& run)
 {
     printRun(run);
     if (run.contradicting)
-        say(stderr, "terratact: {}: {} of {} estimates contradict their readings\n", run.label,
-            *run.contradicting, run.scenes - run.failed);
+        printText(stderr, "terratact: {}: {} of {} estimates contradict their readings\n",
+                  run.label, *run.contradicting, run.scenes - run.failed);
 }
 
 Status writePart(const EvaluateOptions& options, const Findings& findings)
@@ -37,8 +37,8 @@ Status writePart(const EvaluateOptions& options, const Findings& findings)
     const std::string path =
         (std::filesystem::path(options.out) / shardFile(findings.shard)).string();
     if (Status s = writeFindings(path, findings); !s) return s;
-    say("\n{} of {} scenes; written to {}, for `terratact merge`\n", findings.scenes.size(),
-        findings.total, path);
+    printText("\n{} of {} scenes; written to {}, for `terratact merge`\n", findings.scenes.size(),
+              findings.total, path);
     return Done{};
 }
 

@@ -9,8 +9,8 @@
 #include "app/cli/commands.h"
 #include "app/modelling/scene_estimates.h"
 #include "app/runtime/parallel.h"
+#include "app/runtime/print_text.h"
 #include "app/runtime/progress.h"
-#include "app/runtime/say.h"
 #include "core/eval/evaluation.h"
 #include "core/infer/verdict/verdict.h"
 #include "core/learn/data/profile_file.h"
@@ -156,11 +156,12 @@ void printFault(const TriedFault& fault, const FaultRow& row)
         row.trusted.empty()
             ? fmt::format("{:>8}{:>7}", "-", "-")
             : fmt::format("{:>8.1f}{:>7.1f}", 1000.0 * trusted.mean, 100.0 * trusted.coverage);
-    say("{:<38}{:>8.1f}{:>7.1f}{:>9.1f}{:>8.1f}{:>8.1f}{:>8.1f}{:>9}{:>8}{}\n", fault.words,
-        1000.0 * all.mean, 100.0 * all.coverage, percent(row.suspects, row.scenes),
-        percent(row.contradicting, row.scenes), percent(row.doubted, row.scenes),
-        percent(row.seconds.size(), row.drives), medianWords(row.seconds, row.drives, "{:.1f}"),
-        medianWords(row.until, row.drives, "{:.0f}"), left);
+    printText("{:<38}{:>8.1f}{:>7.1f}{:>9.1f}{:>8.1f}{:>8.1f}{:>8.1f}{:>9}{:>8}{}\n", fault.words,
+              1000.0 * all.mean, 100.0 * all.coverage, percent(row.suspects, row.scenes),
+              percent(row.contradicting, row.scenes), percent(row.doubted, row.scenes),
+              percent(row.seconds.size(), row.drives),
+              medianWords(row.seconds, row.drives, "{:.1f}"),
+              medianWords(row.until, row.drives, "{:.0f}"), left);
     std::fflush(stdout);
 }
 
@@ -179,13 +180,13 @@ bool isFlagged(const FaultRow& row)
 
 void printHead(const FaultsOptions& options, std::size_t drives, std::size_t leftOut)
 {
-    say("{} drives over {}{}, a scene every {:.2f} m", drives, options.terrain,
-        options.comesBack ? " and back" : "", options.spacing);
+    printText("{} drives over {}{}, a scene every {:.2f} m", drives, options.terrain,
+              options.comesBack ? " and back" : "", options.spacing);
     if (options.comesBack)
-        say("; {} that came back less than {:.0f} m are left out", leftOut, kLeastBack);
-    say("\n");
-    say("{:<38}{:>8}{:>7}{:>9}{:>8}{:>8}{:>8}{:>9}{:>8}{:>8}{:>7}\n", "", "mean mm", "in 80",
-        "suspect", "contra", "doubt", "drives", "after s", "scenes", "left mm", "in 80");
+        printText("; {} that came back less than {:.0f} m are left out", leftOut, kLeastBack);
+    printText("\n");
+    printText("{:<38}{:>8}{:>7}{:>9}{:>8}{:>8}{:>8}{:>9}{:>8}{:>8}{:>7}\n", "", "mean mm", "in 80",
+              "suspect", "contra", "doubt", "drives", "after s", "scenes", "left mm", "in 80");
 }
 
 /// Returns the share of drives [%] in which SensorWatch detects the fault.
@@ -204,23 +205,23 @@ double noticedIn(const std::string& fault, const RobotModel& robot, const Watche
 void printMatrix(const RobotModel& robot, const WatchedDrives& drives)
 {
     std::vector<std::string_view> reasons;
-    say("{:<20}", "drives [%]");
-    for (const std::string_view kind : matrixKinds()) say("{:>14}", kind);
+    printText("{:<20}", "drives [%]");
+    for (const std::string_view kind : matrixKinds()) printText("{:>14}", kind);
     const std::size_t columns = matrixKinds().size();
     std::size_t column = 0;
     for (const MatrixCell& cell : faultMatrix()) {
-        if (column++ % columns == 0) say("\n{:<20}", cell.sensor);
+        if (column++ % columns == 0) printText("\n{:<20}", cell.sensor);
         std::string mark;
         if (!cell.reason.empty()) {
             const auto known = std::find(reasons.begin(), reasons.end(), cell.reason);
             mark = fmt::format(" {}", static_cast<char>('a' + (known - reasons.begin())));
             if (known == reasons.end()) reasons.push_back(cell.reason);
         }
-        say("{:>12.0f}{:<2}", noticedIn(cell.fault, robot, drives), mark);
+        printText("{:>12.0f}{:<2}", noticedIn(cell.fault, robot, drives), mark);
     }
-    say("\n\nWhy one is not noticed in every drive:\n");
+    printText("\n\nWhy one is not noticed in every drive:\n");
     for (std::size_t k = 0; k < reasons.size(); ++k)
-        say("  {}: {}\n", static_cast<char>('a' + k), reasons[k]);
+        printText("  {}: {}\n", static_cast<char>('a' + k), reasons[k]);
 }
 
 }  // namespace
@@ -256,8 +257,8 @@ Status judgeFaults(const FaultsOptions& options)
             missed += fmt::format("  {}{}: {}\n", fault.words, isHarmful ? "" : " (harmless)",
                                   fault.limit.empty() ? "not in every drive" : fault.limit);
     }
-    say("\n{} of {} faults that harm are noticed; not noticed:\n{}", flagged, harmful,
-        Lines(missed));
+    printText("\n{} of {} faults that harm are noticed; not noticed:\n{}", flagged, harmful,
+              Lines(missed));
     return Done{};
 }
 

@@ -1,6 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/modelling/hazard_trials.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 
 namespace terratact {
 
@@ -16,7 +16,7 @@ Status judgeHazards(const HazardsOptions& options)
     if (!options.rates.empty()) trial.rates = options.rates;
     const auto lines = tryHazards(**bundle, trial);
     const std::string table = hazardTable(lines, trial.rates.back());
-    say("{}", Lines(table));
+    printText("{}", Lines(table));
     return Done{};
 }
 

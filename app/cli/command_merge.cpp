@@ -8,7 +8,7 @@
 #include "app/modelling/findings.h"
 #include "app/modelling/findings_file.h"
 #include "app/modelling/model_cards.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "core/learn/model/model_file.h"
 #include "core/learn/model/model_part.h"
 #include "core/robot/robot_model.h"
@@ -46,7 +46,8 @@ Status mergeTraining(const MergeOptions& options)
     if (!model) return model.error();
     if (Status written = writeModel(options.out, *model); !written) return written;
     if (Status card = writeNewCard(options.out, *model, {}); !card) return card;
-    say("{} parts; content {}; written to {}\n", parts->size(), contentHash(*model), options.out);
+    printText("{} parts; content {}; written to {}\n", parts->size(), contentHash(*model),
+              options.out);
     return Done{};
 }
 

@@ -7,7 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/modelling/model_cards.h"
 #include "app/modelling/model_conditions.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "core/infer/verdict/obstacle.h"
 #include "core/learn/data/scene_file.h"
 #include "core/learn/gp/projected_process.h"
@@ -29,7 +29,7 @@ void printCsv(const ModelData& model, const BinModelData& data)
                          : std::string(inputs[static_cast<std::size_t>(d - kBins)]);
     };
     const auto line = [&](const CsvValue& bin, std::string_view what, double value) {
-        say("{}", Lines(csvLine({name(data.set), bin, what, value})));
+        printText("{}", Lines(csvLine({name(data.set), bin, what, value})));
     };
     for (Eigen::Index d = 0; d < data.mean.size(); ++d) {
         line("", "mean " + columnName(d), data.mean[d]);
@@ -48,34 +48,34 @@ void printCsv(const ModelData& model, const BinModelData& data)
     if (data.set == FeatureSet::Pa) return;
     for (Eigen::Index u = 0; u < model.scannedHeights.rows(); ++u)
         for (Eigen::Index d = 0; d < data.mean.size(); ++d)
-            say("{}", Lines(csvLine({"row", u + 1, columnName(d),
-                                     d < kBins ? model.scannedHeights(u, d)
-                                               : model.features(u, d - kBins)})));
+            printText("{}", Lines(csvLine({"row", u + 1, columnName(d),
+                                           d < kBins ? model.scannedHeights(u, d)
+                                                     : model.features(u, d - kBins)})));
 }
 
 void printTable(const BinModelData& data)
 {
-    say("\n{} models: input in standard deviations; length scale per input and bin\n{:>18}",
-        name(data.set), "");
-    for (int i = 0; i < kBins; ++i) say(" {:>+8.1f}", binCentre(i));
-    say("\n");
+    printText("\n{} models: input in standard deviations; length scale per input and bin\n{:>18}",
+              name(data.set), "");
+    for (int i = 0; i < kBins; ++i) printText(" {:>+8.1f}", binCentre(i));
+    printText("\n");
     const auto inputs = featureNames(data.set);
     for (Eigen::Index d = 0; d < data.mean.size(); ++d) {
-        say("{:>18}", d < kBins ? fmt::format("h_{:+.1f}_m", binCentre(static_cast<int>(d)))
-                                : std::string(inputs[static_cast<std::size_t>(d - kBins)]));
+        printText("{:>18}", d < kBins ? fmt::format("h_{:+.1f}_m", binCentre(static_cast<int>(d)))
+                                      : std::string(inputs[static_cast<std::size_t>(d - kBins)]));
         for (int i = 0; i < kBins; ++i) {
             const Eigen::Index k = d < i ? d : d - 1;
             if (d == i)
-                say(" {:>8}", "-");
+                printText(" {:>8}", "-");
             else
-                say(" {:>8.3g}", data.bins[static_cast<std::size_t>(i)].lengthScale[k]);
+                printText(" {:>8.3g}", data.bins[static_cast<std::size_t>(i)].lengthScale[k]);
         }
-        say("\n");
+        printText("\n");
     }
     const auto row = [&](std::string_view what, auto value) {
-        say("{:>18}", what);
-        for (std::size_t i = 0; i < kBins; ++i) say(" {:>8.4g}", value(i));
-        say("\n");
+        printText("{:>18}", what);
+        for (std::size_t i = 0; i < kBins; ++i) printText(" {:>8.4g}", value(i));
+        printText("\n");
     };
     row("signal sd [m]", [&](std::size_t i) { return data.bins[i].signalSd; });
     row("noise sd [m]", [&](std::size_t i) { return data.bins[i].noiseSd; });
@@ -86,17 +86,17 @@ void printTable(const BinModelData& data)
 void printSurfaces(const ClearanceData& data, bool covered)
 {
     const auto& processes = covered ? data.covered : data.open;
-    say("\n{}; input in standard deviations; length scale per input and bin\n{:>18}",
-        covered ? "clearance under the robot, asinh((ceiling - height) / 10 mm)"
-                : "height where nothing of the robot is above [m]",
-        "");
-    for (int i = 0; i < kBins; ++i) say(" {:>+8.1f}", binCentre(i));
-    say("\n");
+    printText("\n{}; input in standard deviations; length scale per input and bin\n{:>18}",
+              covered ? "clearance under the robot, asinh((ceiling - height) / 10 mm)"
+                      : "height where nothing of the robot is above [m]",
+              "");
+    for (int i = 0; i < kBins; ++i) printText(" {:>+8.1f}", binCentre(i));
+    printText("\n");
     const auto row = [&](std::string_view what, auto value) {
-        say("{:>18}", what);
+        printText("{:>18}", what);
         for (const SurfaceProcess& p : processes)
-            say(" {:>8}", p.weights.size() == 0 ? "-" : fmt::format("{:.4g}", value(p)));
-        say("\n");
+            printText(" {:>8}", p.weights.size() == 0 ? "-" : fmt::format("{:.4g}", value(p)));
+        printText("\n");
     };
     const auto inputs = featureNames(FeatureSet::Paf);
     for (std::size_t d = 0; d < inputs.size(); ++d)
@@ -112,22 +112,22 @@ void printSurfaces(const ClearanceData& data, bool covered)
 void printCard(const ModelFacts& facts)
 {
     const auto known = [](const std::string& text) { return text.empty() ? "unknown" : text; };
-    say("trained  {}\nground   {}; {:.0f} % of the scenes with a step above {:.2f} m, "
-        "median relief "
-        "{:.2f} m\n",
-        known(facts.card.trained), known(facts.card.terrain), 100.0 * facts.ground.stepShare,
-        kStepLimit, facts.ground.relief);
+    printText("trained  {}\nground   {}; {:.0f} % of the scenes with a step above {:.2f} m, "
+              "median relief "
+              "{:.2f} m\n",
+              known(facts.card.trained), known(facts.card.terrain), 100.0 * facts.ground.stepShare,
+              kStepLimit, facts.ground.relief);
     if (facts.card.scores.empty())
-        say("errors   unknown; `terratact evaluate --card` finds them\n");
+        printText("errors   unknown; `terratact evaluate --card` finds them\n");
     for (const CardScores& s : facts.card.scores)
-        say("errors   {}: mean {:.1f} mm, the 80 % band holds {:.0f} %; {} scenes of {} "
-            "({}), {}{}\n",
-            s.method, 1000.0 * s.meanError, 100.0 * s.coverage, s.scenes, s.data,
-            s.dataHash.substr(0, 16), s.date,
-            s.trainingScenes > 0
-                ? fmt::format("; {} of them are training scenes", s.trainingScenes)
-                : std::string(facts.learntFrom(s) ? "; the scenes it was trained on" : ""));
-    if (!facts.trouble.empty()) say(stderr, "terratact: {}\n", facts.trouble.english());
+        printText("errors   {}: mean {:.1f} mm, the 80 % band holds {:.0f} %; {} scenes of {} "
+                  "({}), {}{}\n",
+                  s.method, 1000.0 * s.meanError, 100.0 * s.coverage, s.scenes, s.data,
+                  s.dataHash.substr(0, 16), s.date,
+                  s.trainingScenes > 0
+                      ? fmt::format("; {} of them are training scenes", s.trainingScenes)
+                      : std::string(facts.learntFrom(s) ? "; the scenes it was trained on" : ""));
+    if (!facts.trouble.empty()) printText(stderr, "terratact: {}\n", facts.trouble.english());
 }
 
 /// Prints p(hᵢ | h_{J∖i}, s) of every bin, with the other heights taken from the scene.
@@ -138,8 +138,8 @@ void printConditionals(const Scene& scene, const BinModels& models)
     const Eigen::VectorXd s = features(models.set(), scene.s);
     for (int i = 0; i < kBins; ++i) {
         const Normal p = models.bin(i).predict(models.input(i, h, s));
-        say("{}", Lines(csvLine({scene.run, scene.time, name(models.set()),
-                                 signedTenth(binCentre(i)), p.mean, std::sqrt(p.variance)})));
+        printText("{}", Lines(csvLine({scene.run, scene.time, name(models.set()),
+                                       signedTenth(binCentre(i)), p.mean, std::sqrt(p.variance)})));
     }
 }
 
@@ -153,7 +153,7 @@ Status predictConditionals(const std::string& modelPath, const std::string& data
     if (!file) return file.error();
     const BinModels pa(stored->data, FeatureSet::Pa);
     const BinModels paf(stored->data, FeatureSet::Paf);
-    say("run,t_s,set,bin_m,mean_m,sd_m\n");
+    printText("run,t_s,set,bin_m,mean_m,sd_m\n");
     int leftOut = 0;
     for (const Scene& scene : file->scenes) {
         if (!isComplete(scene)) {
@@ -163,7 +163,8 @@ Status predictConditionals(const std::string& modelPath, const std::string& data
         printConditionals(scene, pa);
         printConditionals(scene, paf);
     }
-    if (leftOut > 0) say(stderr, "terratact: {} scenes with unknown values left out\n", leftOut);
+    if (leftOut > 0)
+        printText(stderr, "terratact: {} scenes with unknown values left out\n", leftOut);
     return Done{};
 }
 
@@ -188,30 +189,32 @@ Status showModel(const std::string& path, bool csv)
     if (!stored) return stored.error();
     const ModelData& model = stored->data;
     if (csv) {
-        say("set,bin_m,name,value\n");
+        printText("set,bin_m,name,value\n");
         printCsv(model, model.pa);
         printCsv(model, model.paf);
         return Done{};
     }
-    say("{}\ncontent  {}\nmade by  {}\nseed     {}\nscenes   {}, {} of them for pa and "
-        "paf\ndata     {}\n",
-        path, stored->contentHash, model.command, model.seed, model.heights.rows(),
-        model.scannedHeights.rows(), model.dataHash);
-    if (model.repeats > 0) say("repeats  {} of the scenes measure a place again\n", model.repeats);
+    printText("{}\ncontent  {}\nmade by  {}\nseed     {}\nscenes   {}, {} of them for pa and "
+              "paf\ndata     {}\n",
+              path, stored->contentHash, model.command, model.seed, model.heights.rows(),
+              model.scannedHeights.rows(), model.dataHash);
+    if (model.repeats > 0)
+        printText("repeats  {} of the scenes measure a place again\n", model.repeats);
     if (model.inducing > 0)
-        say("sparse   pa and paf predict through at most {} scenes\n", model.inducing);
+        printText("sparse   pa and paf predict through at most {} scenes\n", model.inducing);
     printCard(factsOf(path, *stored));
     for (const BinModelData* data : {&model.pa, &model.paf}) {
         printTable(*data);
-        say("{}", Lines(conditionsText(model, data->set)));
+        printText("{}", Lines(conditionsText(model, data->set)));
     }
     printSurfaces(model.clearance, true);
     printSurfaces(model.clearance, false);
-    say("\nthe two above with a jitter of {:.0e} of the signal's variance at the inducing scenes\n",
+    printText(
+        "\nthe two above with a jitter of {:.0e} of the signal's variance at the inducing scenes\n",
         kProjectionJitter);
-    say("\ncontact: bias {:.1f} mm, sd {:.1f} mm; novelty scale {:.3f}\n",
-        1000.0 * model.clearance.contactBias, 1000.0 * model.clearance.contactSd,
-        model.clearance.noveltyScale);
+    printText("\ncontact: bias {:.1f} mm, sd {:.1f} mm; novelty scale {:.3f}\n",
+              1000.0 * model.clearance.contactBias, 1000.0 * model.clearance.contactSd,
+              model.clearance.noveltyScale);
     return Done{};
 }
 

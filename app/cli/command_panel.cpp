@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "app/cli/commands.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "drivers/gpio_lines.h"
 #include "drivers/operator_panel.h"
 
@@ -56,12 +56,12 @@ std::string stateText(PanelContact contact, const PanelState& state)
 
 void printFound(const GpioFound& found, const PanelState& state)
 {
-    say("chip    {} [{}], {} lines, {}\n", found.chip, found.label, found.lines, found.path);
+    printText("chip    {} [{}], {} lines, {}\n", found.chip, found.label, found.lines, found.path);
     for (const PanelContact c : kAllPanelContacts)
-        say("input   {:<13} {:<20} {}\n", name(c),
-            placeText(found.inputs.at(static_cast<std::size_t>(c))), stateText(c, state));
+        printText("input   {:<13} {:<20} {}\n", name(c),
+                  placeText(found.inputs.at(static_cast<std::size_t>(c))), stateText(c, state));
     for (std::size_t i = 0; i < kPanelOutputs; ++i)
-        say("output  {:<13} {}\n", kPanelOutputNames[i], placeText(found.outputs.at(i)));
+        printText("output  {:<13} {}\n", kPanelOutputNames[i], placeText(found.outputs.at(i)));
 }
 
 /// Lights each lamp for a second, after the panel's self-test.
@@ -72,7 +72,7 @@ Status lightLamps(OperatorPanel& panel)
     for (std::size_t i = 0; i < kPanelOutputs && !interrupted; ++i) {
         lamps = {.link = i == 0, .armed = i == 1, .probing = i == 2, .buzzer = i == 3};
         (void)panel.poll(lamps, OperatorPanel::kPeriod);  // this poll lights the lamp
-        say("lit     {}\n", kPanelOutputNames[i]);
+        printText("lit     {}\n", kPanelOutputNames[i]);
         std::fflush(stdout);
         const PanelReport report = pollFor(panel, lamps, 1.0);
         if (!(report.lamps == lamps)) return Error{report.trouble, 0};
@@ -107,7 +107,7 @@ private:
     }
     void print(const PanelReport& now, const std::string& text) const
     {
-        say("{:8.3f} s  {}\n", now.state.time - begin_, text);
+        printText("{:8.3f} s  {}\n", now.state.time - begin_, text);
         std::fflush(stdout);
     }
 
@@ -121,7 +121,7 @@ Status checkPanel(const PanelCheckOptions& options)
 {
     auto config = readPanelFile(options.file);
     if (!config) return config.error();
-    say("panel   {}\n", config->name);
+    printText("panel   {}\n", config->name);
     OperatorPanel panel(*std::move(config), openGpioLines);
     endOnInterrupt();
     const PanelReport report = pollFor(panel, {}, 0.1);
@@ -132,7 +132,7 @@ Status checkPanel(const PanelCheckOptions& options)
     if (options.lamps)
         if (const Status lit = lightLamps(panel); !lit) return lit.error();
     if (options.watch) {
-        say("watching; Ctrl-C ends it\n");
+        printText("watching; Ctrl-C ends it\n");
         std::fflush(stdout);
         (void)pollFor(panel, {}, options.seconds, ChangePrinter(report));
         return Done{};

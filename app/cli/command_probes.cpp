@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
 #include "app/cli/commands.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "core/eval/probe_sd.h"
 #include "core/learn/data/probe_file.h"
 #include "core/store/file_read.h"
@@ -31,17 +31,17 @@ Status showProbes(const std::string& path)
     const auto readings = readProbeReadings(path);
     if (!readings) return readings.error();
     const ProbeAccuracy accuracy = probeAccuracy(*readings);
-    say("{} readings of {} places\n", accuracy.readings, accuracy.places);
+    printText("{} readings of {} places\n", accuracy.readings, accuracy.places);
     if (const SdEstimate& s = accuracy.repeated; s.freedom > 0)
-        say("repeating a place    sd {:.1f} mm [{:.1f}, {:.1f}]\n", 1e3 * s.sd, 1e3 * s.low,
-            1e3 * s.high);
+        printText("repeating a place    sd {:.1f} mm [{:.1f}, {:.1f}]\n", 1e3 * s.sd, 1e3 * s.low,
+                  1e3 * s.high);
     if (const ResidualStatistics& s = accuracy.fromTruth; s.n > 1)
-        say("truth less reading   mean {:+.1f} mm, sd {:.1f} mm, robust sd {:.1f} mm; "
-            "{} readings\n",
-            1e3 * s.mean, 1e3 * s.sd, 1e3 * s.robustSd, s.n);
+        printText("truth less reading   mean {:+.1f} mm, sd {:.1f} mm, robust sd {:.1f} mm; "
+                  "{} readings\n",
+                  1e3 * s.mean, 1e3 * s.sd, 1e3 * s.robustSd, s.n);
     const double sd = readingSd(accuracy);
     if (!(sd >= kMinSd)) return fileError(path, whyNoSd(accuracy));
-    say("\nfor the robot file:\n[arm]\nreading_sd_m = {:.4f}\n", sd);
+    printText("\nfor the robot file:\n[arm]\nreading_sd_m = {:.4f}\n", sd);
     return Done{};
 }
 

@@ -8,7 +8,7 @@
 #include "app/cli/commands.h"
 #include "app/link/robot_service.h"
 #include "app/link/robot_setup.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "app/runtime/steady_now.h"
 #include "drivers/socketcan.h"
 
@@ -47,12 +47,12 @@ Status runRobot(const RobotOptions& options)
     std::signal(SIGINT, interrupt);
     std::signal(SIGTERM, interrupt);
     const double end = options.seconds > 0.0 ? steadyNow() + options.seconds : HUGE_VAL;
-    say("simulated robot on {}; Ctrl+C ends it\n", options.can);
+    printText("simulated robot on {}; Ctrl+C ends it\n", options.can);
     const double began = steadyNow();
     return serveRobot(
         **bus, robot, [&] { return !interrupted && steadyNow() < end; },
         [&](const std::string& what) {
-            say("{:8.2f} s  {}\n", steadyNow() - began, what);
+            printText("{:8.2f} s  {}\n", steadyNow() - began, what);
             std::fflush(stdout);
         });
 }

@@ -9,7 +9,7 @@
 #include "app/recording/scene_origins.h"
 #include "app/recording/session_text.h"
 #include "app/recording/what_if.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "app/runtime/text_output.h"
 #include "core/base/text.h"
 #include "core/infer/estimate/measured_bins.h"
@@ -48,7 +48,7 @@ double framesMissing(const SessionReader& session)
 
 void line(std::string_view what, const std::string& text)
 {
-    say("  {:<10} {}\n", what, text);
+    printText("  {:<10} {}\n", what, text);
 }
 
 void printDamage(const SessionReader& session, const SessionVerification& found)
@@ -64,7 +64,7 @@ void print(SessionReader& session)
     const SessionVerification found = session.verify();
     const SessionStart& start = session.start();
     const double duration = secondsOf(session.end() - session.begin());
-    say("{}\n", session.path());
+    printText("{}\n", session.path());
     line("begins", fmt::format("{}, {}", utcText(wallTimeOf(start, session.begin())),
                                localText(wallTimeOf(start, session.begin()))));
     line("lasts", fmt::format("{:.3f} s", duration));
@@ -102,9 +102,9 @@ bool verify(SessionReader& session, const std::string& link)
     const SessionVerification found = session.verify();
     const bool linked = link.empty() || link == found.chain;
     const bool holds = !found.broken && found.damage.empty() && linked;
-    say("{}: {}; {} batches, {} frames, {} events{}; last link {}\n", session.path(),
-        holds ? "holds" : "DOES NOT HOLD", found.batches, found.frames, found.events,
-        session.sealed() ? "" : ", not closed", found.chain);
+    printText("{}: {}; {} batches, {} frames, {} events{}; last link {}\n", session.path(),
+              holds ? "holds" : "DOES NOT HOLD", found.batches, found.frames, found.events,
+              session.sealed() ? "" : ", not closed", found.chain);
     const auto& batches = session.batches();
     if (found.broken) {
         const auto at = std::find_if(batches.begin(), batches.end(), [&](const SessionBatch& b) {
@@ -145,7 +145,7 @@ Status addScenes(const std::string& path, bool measured, SceneOrigins& origins,
     if (!session) return session.error();
     const auto robot = robotOf(*session);
     if (measured && !robot) return robot.error();
-    const std::set<std::int64_t> repeated = origins.take(*session);
+    const std::set<std::int64_t> repeated = origins.add(*session);
     for (const SceneRow& row : session->scenes()) {
         if (repeated.contains(row.id)) continue;
         Scene scene{.run = driveName(path),
@@ -159,7 +159,8 @@ Status addScenes(const std::string& path, bool measured, SceneOrigins& origins,
         scenes.push_back(std::move(scene));
     }
     for (const SessionDamage& damage : session->damage())
-        say(stderr, "terratact: {}: left out: {}\n", path, damageText(session->start(), damage));
+        printText(stderr, "terratact: {}: left out: {}\n", path,
+                  damageText(session->start(), damage));
     return Done{};
 }
 
@@ -183,7 +184,7 @@ Status verifySessions(const VerifyOptions& options)
     for (const std::string& file : options.files) {
         auto session = SessionReader::open(file);
         if (!session) {
-            say("{}\n", session.error().text);
+            printText("{}\n", session.error().text);
             ++bad;
         } else if (!verify(*session, options.link)) {
             ++bad;
@@ -206,8 +207,8 @@ Status exportScenes(const SessionScenesOptions& options)
         heights += static_cast<std::size_t>(
             std::count_if(scene.truth.begin(), scene.truth.end(),
                           [](const auto& height) { return height.has_value(); }));
-    say(messagesBeside(options.out), "{} scenes with {} known heights written to {}\n",
-        scenes.size(), heights, options.out);
+    printText(messagesBeside(options.out), "{} scenes with {} known heights written to {}\n",
+              scenes.size(), heights, options.out);
     return Done{};
 }
 
@@ -225,23 +226,24 @@ Status exportSession(const SessionExportOptions& options)
                                       "do");
     const auto book = readDbcBook(CanProtocol::Terratact, options.dbc);
     if (!book) return book.error();
-    for (const Message& remark : remarksOf(*book)) say(stderr, "terratact: {}\n", remark.english());
+    for (const Message& remark : remarksOf(*book))
+        printText(stderr, "terratact: {}\n", remark.english());
     ExportSelection selection = options.selection;
     selection.book = *book;
     const auto counts = writeExport(*session, options.out, *format, selection);
     if (!counts) return counts.error();
     if (counts->withoutColumns > 0)
-        say(stderr,
-            "terratact: {}: {} messages of --dbc are left out: their signals and "
-            "those before are more than {}\n",
-            options.out, counts->withoutColumns, PayloadSignals::kMaxSignals);
-    say(messagesBeside(options.out), "{} written\n", options.out);
+        printText(stderr,
+                  "terratact: {}: {} messages of --dbc are left out: their signals and "
+                  "those before are more than {}\n",
+                  options.out, counts->withoutColumns, PayloadSignals::kMaxSignals);
+    printText(messagesBeside(options.out), "{} written\n", options.out);
     if (counts->leftOut > 0)
-        say(stderr, "terratact: {}: {} frames left out, which the format cannot hold\n",
-            options.out, counts->leftOut);
+        printText(stderr, "terratact: {}: {} frames left out, which the format cannot hold\n",
+                  options.out, counts->leftOut);
     for (const SessionDamage& damage : session->damage())
-        say(stderr, "terratact: {}: left out: {}\n", options.file,
-            damageText(session->start(), damage));
+        printText(stderr, "terratact: {}: left out: {}\n", options.file,
+                  damageText(session->start(), damage));
     return Done{};
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/cli/session_commands.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "core/log/session_writer.h"
 #include "core/store/file_read.h"
 #include "core/store/sha256.h"
@@ -32,8 +32,8 @@ public:
     {
         for (;;) {
             const auto logged = log.next();
-            for (const Message& remark : log.takeRemarks())
-                say(stderr, "terratact: {}\n", remark.english());
+            for (const Message& remark : log.consumeRemarks())
+                printText(stderr, "terratact: {}\n", remark.english());
             if (!logged) return logged.error();
             if (!*logged) break;
             const bool isWanted =
@@ -41,13 +41,13 @@ public:
             // A step of the clock counts on every interface.
             if (log.stepBack()) stepped(log);
             if (!isWanted) continue;
-            if (Status taken = take(log, **logged); !taken) return taken;
+            if (Status taken = add(log, **logged); !taken) return taken;
         }
         if (!writer_) return fileError(options_.log, "holds no frame" + ofInterface());
-        if (Status told = tellEnd(log); !told) return told;
+        if (Status status = logEnd(log); !status) return status;
         if (Status sealed = writer_->seal(); !sealed) return sealed;
-        say("{} frames of {} written to {}; last link {}\n", writer_->frames(), interface_,
-            options_.out, writer_->chain());
+        printText("{} frames of {} written to {}; last link {}\n", writer_->frames(), interface_,
+                  options_.out, writer_->chain());
         return Done{};
     }
 
@@ -65,7 +65,7 @@ private:
         return options_.interface.empty() ? "" : " of " + options_.interface;
     }
 
-    Status take(const LogReader& log, const LoggedFrame& logged)
+    Status add(const LogReader& log, const LoggedFrame& logged)
     {
         if (!logged.time || *logged.time < 0.0 || *logged.time > 9e9)
             return log.error(Message::verbatim("has no time that a session could have"));
@@ -76,7 +76,7 @@ private:
                 fmt::format("is of {}, the log began with {}: --interface says which is wanted",
                             logged.interface, interface_)));
         last_ = sessionTimeOf(log.elapsed() - begin_);
-        if (Status told = tellSteps(); !told) return told;
+        if (Status told = logSteps(); !told) return told;
         const FrameRow row{
             .time = last_, .frame = logged.frame, .sent = logged.direction == LogDirection::Sent};
         if (Status added = writer_->add(row); !added) return added;
@@ -88,7 +88,7 @@ private:
     {
         constexpr std::size_t kMax = 200;  // bound on steps that are listed one by one
         if (!writer_) return;
-        if (told_ + steps_.size() >= kMax) {
+        if (loggedSteps_ + steps_.size() >= kMax) {
             ++untold_;
             return;
         }
@@ -107,19 +107,20 @@ private:
                 .text = std::move(text)};
     }
 
-    Status tellSteps()
+    Status logSteps()
     {
         for (std::string& step : std::exchange(steps_, {})) {
-            ++told_;
-            if (Status told = writer_->add(event(EventKind::Gap, "clock", std::move(step))); !told)
-                return told;
+            ++loggedSteps_;
+            if (Status status = writer_->add(event(EventKind::Gap, "clock", std::move(step)));
+                !status)
+                return status;
         }
         return Done{};
     }
 
-    Status tellEnd(const LogReader& log)
+    Status logEnd(const LogReader& log)
     {
-        if (Status told = tellSteps(); !told) return told;
+        if (Status status = logSteps(); !status) return status;
         std::vector<EventRow> rows;
         if (untold_ > 0)
             rows.push_back(
@@ -134,7 +135,7 @@ private:
             rows.push_back(event(EventKind::Gap, "log", "the end of the log is torn"));
         rows.push_back(event(EventKind::Session, "ended"));
         for (const EventRow& row : rows)
-            if (Status told = writer_->add(row); !told) return told;
+            if (Status status = writer_->add(row); !status) return status;
         return Done{};
     }
 
@@ -162,7 +163,7 @@ private:
     SessionTime last_ = 0;
     std::uint64_t count_ = 0, untold_ = 0;
     std::int64_t events_ = 0;
-    std::size_t told_ = 0;
+    std::size_t loggedSteps_ = 0;
     std::vector<std::string> steps_;  ///< clock steps since the last frame
 };
 

@@ -8,7 +8,7 @@
 #include "app/cli/session_commands.h"
 #include "app/recording/session_merger.h"
 #include "app/recording/session_text.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "core/log/session_writer.h"
 #include "core/store/file_read.h"
 
@@ -35,7 +35,7 @@ std::pair<std::int64_t, std::int64_t> frameSpan(SessionReader& session)
 }
 
 /// Prints which file follows, and whether it is undamaged.
-Status tell(SessionMerger& merger, SessionReader& session)
+Status showMerge(SessionMerger& merger, SessionReader& session)
 {
     const SessionVerification found = session.verify();
     const std::string damaged =
@@ -104,7 +104,7 @@ Status mergeSessions(const SessionMergeOptions& options)
     SessionMerger merger(*writer, wallTime, SessionMerger::Dangling::Refused);
     Status status = Done{};
     for (Part& part : parts) {
-        if (status) status = tell(merger, part.reader);
+        if (status) status = showMerge(merger, part.reader);
         if (status) status = merger.add(part.reader);
     }
     if (status) status = writer->seal();
@@ -114,8 +114,8 @@ Status mergeSessions(const SessionMergeOptions& options)
             std::filesystem::remove(options.out + suffix, ignored);
         return status;
     }
-    say("{} sessions, {} frames merged into {}; last link {}\n", parts.size(), writer->frames(),
-        options.out, writer->chain());
+    printText("{} sessions, {} frames merged into {}; last link {}\n", parts.size(),
+              writer->frames(), options.out, writer->chain());
     return Done{};
 }
 

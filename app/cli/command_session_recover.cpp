@@ -5,7 +5,7 @@
 #include "app/cli/session_commands.h"
 #include "app/recording/session_rescue.h"
 #include "app/recording/session_text.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "core/log/session_reader.h"
 
 namespace terratact {
@@ -13,21 +13,23 @@ namespace {
 
 void printLoss(const SavedSession& saved)
 {
-    if (!saved.isProven) say("  but        the frames alone{}\n", kUnproven);
+    if (!saved.isProven) printText("  but        the frames alone{}\n", kUnproven);
     if (!saved.startIsWhole)
-        say("  lost       what the session said of its start: times count from 1970, the robot and "
+        printText(
+            "  lost       what the session said of its start: times count from 1970, the robot and "
             "the source are not known\n");
     for (const LostSpan& span : saved.spans) {
         const std::string what =
             span.batches == 1 ? "1 batch" : fmt::format("{} batches", span.batches);
         if (span.first == span.last)
-            say("  lost       {} at {}\n", what, momentText(span.first));
+            printText("  lost       {} at {}\n", what, momentText(span.first));
         else
-            say("  lost       {} between {} and {}\n", what, momentText(span.first),
-                momentText(span.last));
+            printText("  lost       {} between {} and {}\n", what, momentText(span.first),
+                      momentText(span.last));
     }
-    for (const std::string& line : saved.rest) say("  lost       {}\n", line);
-    if (saved.leftOut > 0) say("  left out   {} rows that refer to a lost one\n", saved.leftOut);
+    for (const std::string& line : saved.rest) printText("  lost       {}\n", line);
+    if (saved.leftOut > 0)
+        printText("  left out   {} rows that refer to a lost one\n", saved.leftOut);
 }
 
 /// Reads the new session again and prints its content.
@@ -36,15 +38,15 @@ Status printSaved(const std::string& path, const std::string& why, const SavedSe
     auto session = SessionReader::open(saved.out);
     if (!session) return session.error();
     const SessionVerification found = session->verify();
-    say("{}: {}\n", path, why);
-    say("  saved      {}: up to {}, {} frames, {} scenes, {} estimates, {} events\n", saved.out,
-        momentText(session->end()), found.frames, session->scenes().size(),
-        session->estimates().size(), found.events);
+    printText("{}: {}\n", path, why);
+    printText("  saved      {}: up to {}, {} frames, {} scenes, {} estimates, {} events\n",
+              saved.out, momentText(session->end()), found.frames, session->scenes().size(),
+              session->estimates().size(), found.events);
     printLoss(saved);
     if (saved.isCut)
-        say("  lost       what was recorded after {}: the file ends there\n",
-            momentText(session->end()));
-    say("  last link  {}\n", found.chain);
+        printText("  lost       what was recorded after {}: the file ends there\n",
+                  momentText(session->end()));
+    printText("  last link  {}\n", found.chain);
     return Done{};
 }
 
@@ -53,7 +55,7 @@ Status recoverOne(const std::string& path, const std::string& out)
     const auto rescue = rescueSession(path, out);
     if (!rescue) return rescue.error();
     if (!rescue->why.empty()) return printSaved(path, rescue->why, rescue->saved);
-    say("{}: {}\n", path, rescue->recovered ? "recovered and closed" : "was closed already");
+    printText("{}: {}\n", path, rescue->recovered ? "recovered and closed" : "was closed already");
     return Done{};
 }
 

@@ -2,7 +2,7 @@
 
 #include "app/cli/session_commands.h"
 #include "app/figures/session_report.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 
 namespace terratact {
 
@@ -13,7 +13,7 @@ Status reportSession(const SessionReportOptions& options)
     const auto report = reportOf(*session, options.scene);
     if (!report) return report.error();
     if (Status written = writeReport(options.out, *report); !written) return written;
-    say("{} written to {}\n", report->title, options.out);
+    printText("{} written to {}\n", report->title, options.out);
     return Done{};
 }
 

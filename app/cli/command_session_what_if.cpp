@@ -9,8 +9,8 @@
 #include "app/recording/session_text.h"
 #include "app/runtime/interrupt.h"
 #include "app/runtime/parallel.h"
+#include "app/runtime/print_text.h"
 #include "app/runtime/progress.h"
-#include "app/runtime/say.h"
 #include "app/runtime/text_output.h"
 #include "core/base/text.h"
 
@@ -47,40 +47,41 @@ private:
     void print(const Rerun& r) const
     {
         const Differences& d = r.differences;
-        say(messages_, "{}: estimate {} of scene {} at {}, {}: ", r.session->path(), r.row.id,
-            r.row.scene, momentText(r.row.time), name(r.row.estimate.settings.method));
+        printText(messages_, "{}: estimate {} of scene {} at {}, {}: ", r.session->path(), r.row.id,
+                  r.row.scene, momentText(r.row.time), name(r.row.estimate.settings.method));
         const bool identical = d.likeness == Match::Identical;
         if (r.asRecorded && identical) {
-            say(messages_, "reproduced bit for bit\n");
+            printText(messages_, "reproduced bit for bit\n");
             return;
         }
         if (r.asRecorded && d.likeness == Match::LastBits) {
-            say(messages_,
-                "reproduced but for the last bits of another processor or version, "
-                "heights within {:.1g} m\n",
-                d.largest());
+            printText(messages_,
+                      "reproduced but for the last bits of another processor or version, "
+                      "heights within {:.1g} m\n",
+                      d.largest());
             return;
         }
         if (r.asRecorded && r.endedByTime())
-            say(messages_, "its sampling was ended by time, which nothing repeats\n");
+            printText(messages_, "its sampling was ended by time, which nothing repeats\n");
         else if (r.asRecorded)
-            say(messages_, "NOT reproduced, heights differ by up to {:.1g} m\n", d.largest());
+            printText(messages_, "NOT reproduced, heights differ by up to {:.1g} m\n", d.largest());
         else
-            say(messages_, "now {}{}\n", name(r.again.settings.method),
-                identical ? ", the same bit for bit" : "");
+            printText(messages_, "now {}{}\n", name(r.again.settings.method),
+                      identical ? ", the same bit for bit" : "");
         if (identical) return;
-        say(messages_, "   bin   height [m]           sd [mm]      80 % band [m]\n"
-                       "   [m]   then     now  moved  then  now   then              now\n");
+        printText(messages_, "   bin   height [m]           sd [mm]      80 % band [m]\n"
+                             "   [m]   then     now  moved  then  now   then              now\n");
         for (std::size_t i = 0; i < kBins; ++i) {
             const TerrainEstimate &a = r.row.estimate, &b = r.again;
-            say(messages_,
-                "  {:+.1f} {:+.3f}  {:+.3f}  {:+5.0f} {:5.0f} {:4.0f}   {:+.3f} … {:+.3f}   "
-                "{:+.3f} … {:+.3f}\n",
-                binCentre(static_cast<int>(i)), a.height[i], b.height[i], 1000.0 * d.bin[i].height,
-                1000.0 * a.sd[i], 1000.0 * b.sd[i], a.q10[i], a.q90[i], b.q10[i], b.q90[i]);
+            printText(messages_,
+                      "  {:+.1f} {:+.3f}  {:+.3f}  {:+5.0f} {:5.0f} {:4.0f}   {:+.3f} … {:+.3f}   "
+                      "{:+.3f} … {:+.3f}\n",
+                      binCentre(static_cast<int>(i)), a.height[i], b.height[i],
+                      1000.0 * d.bin[i].height, 1000.0 * a.sd[i], 1000.0 * b.sd[i], a.q10[i],
+                      a.q90[i], b.q10[i], b.q90[i]);
         }
-        say(messages_, "  moved most at {:+.1f} m, by {:.0f} mm; {} then, {} now\n",
-            binCentre(d.largestBin), 1000.0 * d.largest(), words(d.before), words(d.after));
+        printText(messages_, "  moved most at {:+.1f} m, by {:.0f} mm; {} then, {} now\n",
+                  binCentre(d.largestBin), 1000.0 * d.largest(), words(d.before), words(d.after));
     }
 
     void summarise() const
@@ -95,18 +96,18 @@ private:
             moved.push_back(r.differences.largest());
         }
         std::sort(moved.begin(), moved.end());
-        say(messages_,
-            "\n{} estimates of {} sessions: {} the same bit for bit, {} but for the "
-            "last bits, {} with another verdict; largest move of a bin {:.0f} mm in the "
-            "median estimate, {:.0f} mm in the worst\n",
-            all.size(), reruns_.sessionsWithReruns(), same, lastBits, other,
-            1000.0 * moved[moved.size() / 2], 1000.0 * moved.back());
+        printText(messages_,
+                  "\n{} estimates of {} sessions: {} the same bit for bit, {} but for the "
+                  "last bits, {} with another verdict; largest move of a bin {:.0f} mm in the "
+                  "median estimate, {:.0f} mm in the worst\n",
+                  all.size(), reruns_.sessionsWithReruns(), same, lastBits, other,
+                  1000.0 * moved[moved.size() / 2], 1000.0 * moved.back());
     }
 
     void printRow(std::string_view label, const ErrorStatistics& s) const
     {
-        say(messages_, "  {:<5} {:6} {:13.1f} {:10.1f} {:14.0f}\n", label, s.n, 1000.0 * s.median,
-            1000.0 * s.crps, 100.0 * s.coverage);
+        printText(messages_, "  {:<5} {:6} {:13.1f} {:10.1f} {:14.0f}\n", label, s.n,
+                  1000.0 * s.median, 1000.0 * s.crps, 100.0 * s.coverage);
     }
 
     /// Prints scores against the truth, if a simulated source recorded it.
@@ -114,9 +115,9 @@ private:
     {
         const RerunErrors errors = reruns_.errors();
         if (errors.then.empty()) return;
-        say(messages_,
-            "\nagainst the truth, which the source knew\n         bins  |error| [mm]  CRPS "
-            "[mm]  in 80 % band\n");
+        printText(messages_,
+                  "\nagainst the truth, which the source knew\n         bins  |error| [mm]  CRPS "
+                  "[mm]  in 80 % band\n");
         printRow("then", statistics(errors.then));
         printRow("now", statistics(errors.now));
     }
@@ -138,9 +139,9 @@ private:
                                               + printable(session->path()));
         }
         if (sessions == 0) return;
-        say(messages_, "\n{}\n         times  in 50 %  in 80 %  in 95 %  rms z  bands\n{}", title,
-            Lines(sessions > 1 ? lines : std::string()));
-        say(messages_, "{}", Lines(ledgerLines(all, sessions > 1 ? ", all" : "")));
+        printText(messages_, "\n{}\n         times  in 50 %  in 80 %  in 95 %  rms z  bands\n{}",
+                  title, Lines(sessions > 1 ? lines : std::string()));
+        printText(messages_, "{}", Lines(ledgerLines(all, sessions > 1 ? ", all" : "")));
     }
 
     static std::string ledgerLines(const RerunLedgers& ledgers, const std::string& where)
@@ -163,8 +164,8 @@ private:
 void noteDamage(const SessionReader& session)
 {
     for (const SessionDamage& damage : session.damage())
-        say(stderr, "terratact: {}: left out: {}\n", session.path(),
-            damageText(session.start(), damage));
+        printText(stderr, "terratact: {}: left out: {}\n", session.path(),
+                  damageText(session.start(), damage));
 }
 
 /// Returns the progress and the cancellation of one estimate.

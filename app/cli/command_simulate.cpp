@@ -8,7 +8,7 @@
 #include <random>
 
 #include "app/cli/commands.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "app/runtime/text_output.h"
 #include "core/learn/data/profile_file.h"
 #include "core/learn/data/scene_file.h"
@@ -37,7 +37,7 @@ faultyReading(const SensorFault& fault, const RobotModel& robot, std::uint64_t s
     };
     const auto state = std::make_shared<State>(State{FaultyScenes(fault, robot, seed), 0.0});
     return [state](const Proprioception& s) {
-        const Proprioception read = state->scenes.take(s, state->time);
+        const Proprioception read = state->scenes.apply(s, state->time);
         state->time += kSecondsPerScene;
         return read;
     };
@@ -173,11 +173,11 @@ Status simulate(const SimulateOptions& options)
     if (Status written = writeText(options.out, scenesText(recording->scenes)); !written)
         return written;
     std::FILE* const messages = messagesBeside(options.out);
-    say(messages, "{} scenes over {} written to {}", recording->scenes.size(), options.terrain,
-        options.out);
+    printText(messages, "{} scenes over {} written to {}", recording->scenes.size(),
+              options.terrain, options.out);
     if (recording->skipped > 0)
-        say(messages, " ({} stops left out: no rest pose)", recording->skipped);
-    say(messages, "\n");
+        printText(messages, " ({} stops left out: no rest pose)", recording->skipped);
+    printText(messages, "\n");
     return Done{};
 }
 

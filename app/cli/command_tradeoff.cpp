@@ -9,8 +9,8 @@
 #include "app/modelling/scene_estimates.h"
 #include "app/modelling/tradeoff_csv.h"
 #include "app/runtime/parallel.h"
+#include "app/runtime/print_text.h"
 #include "app/runtime/progress.h"
-#include "app/runtime/say.h"
 #include "app/runtime/stopwatch.h"
 #include "core/base/text.h"
 #include "core/eval/evaluation.h"
@@ -211,10 +211,10 @@ Status tradeoff(const TradeoffOptions& options)
         return s;
     for (const char* file : {"tradeoff.png", "tradeoff.svg"})
         if (Status s = writeTradeoffFigure((out / file).string(), points); !s) return s;
-    say("{} scenes; the long runs, over all scenes and sampled bins:\n{}\n{}\nwritten to "
-        "{}: tradeoff as CSV, "
-        "PNG and SVG; presets.csv\n",
-        scenes->size(), Lines(references), Lines(tradeoffTable(points)), options.out);
+    printText("{} scenes; the long runs, over all scenes and sampled bins:\n{}\n{}\nwritten to "
+              "{}: tradeoff as CSV, "
+              "PNG and SVG; presets.csv\n",
+              scenes->size(), Lines(references), Lines(tradeoffTable(points)), options.out);
     return Done{};
 }
 

@@ -8,8 +8,8 @@
 #include "app/modelling/model_cards.h"
 #include "app/modelling/model_conditions.h"
 #include "app/modelling/model_training.h"
+#include "app/runtime/print_text.h"
 #include "app/runtime/progress.h"
-#include "app/runtime/say.h"
 #include "core/learn/model/model_file.h"
 #include "core/learn/model/model_part.h"
 #include "core/robot/robot_model.h"
@@ -24,12 +24,12 @@ constexpr std::size_t kMaxTrainedRobot = std::size_t{1} << 20U;
 
 void printBins(const ModelData& model, const BinSet& bins)
 {
-    say("{:>6}  {:>22}  {:>22}\n", "bin_m", "noise sd [mm] pa, paf", "log p(y|X) pa, paf");
+    printText("{:>6}  {:>22}  {:>22}\n", "bin_m", "noise sd [mm] pa, paf", "log p(y|X) pa, paf");
     for (const int bin : binsOf(bins)) {
         const auto i = static_cast<std::size_t>(bin);
-        say("{:>+6.1f}  {:>10.2f} {:>10.2f}  {:>11.1f} {:>10.1f}\n", binCentre(bin),
-            1000.0 * model.pa.bins[i].noiseSd, 1000.0 * model.paf.bins[i].noiseSd,
-            model.pa.logLikelihood[i], model.paf.logLikelihood[i]);
+        printText("{:>+6.1f}  {:>10.2f} {:>10.2f}  {:>11.1f} {:>10.1f}\n", binCentre(bin),
+                  1000.0 * model.pa.bins[i].noiseSd, 1000.0 * model.paf.bins[i].noiseSd,
+                  model.pa.logLikelihood[i], model.paf.logLikelihood[i]);
     }
 }
 
@@ -56,19 +56,20 @@ private:
 Result<ModelData> trainVisibly(const TrainOptions& options, const RobotModel& robot)
 {
     StageProgress stages;
-    return trainModel(
-        {.robot = robot,
-         .data = options.data,
-         .scannerSd = options.scannerSd,
-         .conditionalRows = options.conditionalRows,
-         .inducing = options.inducing,
-         .commandLine = options.commandLine,
-         .seed = options.seed,
-         .bins = options.bins},
-        {.cancelled = {},
-         .progress = [&](const TrainingStep& step) { stages.show(step); },
-         .notice =
-             [](const Message& notice) { say(stderr, "terratact: {}\n", notice.english()); }});
+    return trainModel({.robot = robot,
+                       .data = options.data,
+                       .scannerSd = options.scannerSd,
+                       .conditionalRows = options.conditionalRows,
+                       .inducing = options.inducing,
+                       .commandLine = options.commandLine,
+                       .seed = options.seed,
+                       .bins = options.bins},
+                      {.cancelled = {},
+                       .progress = [&](const TrainingStep& step) { stages.show(step); },
+                       .notice =
+                           [](const Message& notice) {
+                               printText(stderr, "terratact: {}\n", notice.english());
+                           }});
 }
 
 Status writePart(const TrainOptions& options, ModelData model, std::string robotHash)
@@ -78,8 +79,8 @@ Status writePart(const TrainOptions& options, ModelData model, std::string robot
         {*options.bins, std::move(robotHash), options.commandBeforeOut, options.commandAfterOut}};
     if (Status written = writeModelPart(options.out, part); !written) return written;
     printBins(part.model, *options.bins);
-    say("bins {} of {}; written to {}, for `terratact merge`\n", text(*options.bins),
-        text(kAllBins), options.out);
+    printText("bins {} of {}; written to {}, for `terratact merge`\n", text(*options.bins),
+              text(kAllBins), options.out);
     return Done{};
 }
 
@@ -87,11 +88,11 @@ void printModel(const ModelData& model, const std::string& path)
 {
     printBins(model, kAllBins);
     for (const FeatureSet set : {FeatureSet::Pa, FeatureSet::Paf})
-        say("{}", Lines(conditionsText(model, set)));
-    say("a contact counts as a measurement with bias {:.1f} mm, sd {:.1f} mm\n",
-        1000.0 * model.clearance.contactBias, 1000.0 * model.clearance.contactSd);
-    say("{} scenes; 22 Gaussian processes on {} of them, surfaces on all; written to {}\n",
-        model.heights.rows(), model.scannedHeights.rows(), path);
+        printText("{}", Lines(conditionsText(model, set)));
+    printText("a contact counts as a measurement with bias {:.1f} mm, sd {:.1f} mm\n",
+              1000.0 * model.clearance.contactBias, 1000.0 * model.clearance.contactSd);
+    printText("{} scenes; 22 Gaussian processes on {} of them, surfaces on all; written to {}\n",
+              model.heights.rows(), model.scannedHeights.rows(), path);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "core/eval/evaluation.h"
 #include "core/store/csv_text.h"
 #include "core/store/file_write.h"
@@ -55,8 +55,8 @@ std::string judgeCase(const MissingCase& lacks, const std::vector<Scene>& scenes
         errors.insert(errors.end(), more.begin(), more.end());
     }
     const ErrorStatistics s = statistics(errors);
-    say("{:<20}  {:<9}  {:>7}  {:>8.1f}  {:>6.1f}  {:>6.1f} %  {:>6.1f}\n", lacks.name, label,
-        estimated, 1000.0 * s.median, 1000.0 * s.mean, 100.0 * s.coverage, 1000.0 * s.width);
+    printText("{:<20}  {:<9}  {:>7}  {:>8.1f}  {:>6.1f}  {:>6.1f} %  {:>6.1f}\n", lacks.name, label,
+              estimated, 1000.0 * s.median, 1000.0 * s.mean, 100.0 * s.coverage, 1000.0 * s.width);
     return csvLine({lacks.name, label, estimated, s.median, s.mean, s.coverage, s.width});
 }
 
@@ -65,9 +65,9 @@ std::string judgeCase(const MissingCase& lacks, const std::vector<Scene>& scenes
 Status printMissingSensors(const std::vector<Scene>& scenes, const EstimatorBundle& bundle,
                            const EvaluateOptions& options)
 {
-    say("|error| and width of the 80 % band [mm]\n{:<20}  {:<9}  {:>7}  {:>8}  {:>6}  {:>8}  "
-        "{:>6}\n",
-        "not measured", "method", "scenes", "median", "mean", "covers", "width");
+    printText("|error| and width of the 80 % band [mm]\n{:<20}  {:<9}  {:>7}  {:>8}  {:>6}  {:>8}  "
+              "{:>6}\n",
+              "not measured", "method", "scenes", "median", "mean", "covers", "width");
     std::string csv = "not_measured,method,scenes,median_m,mean_m,coverage_80,width_80_m\n";
     for (const Method method : options.methods)
         for (const MissingCase& lacks : missingCases()) {

@@ -31,7 +31,7 @@ void addDriveKey(KeyTable& keys, QList<QKeyCombination> of, const QString& meani
     const auto press = [button, &window] {
         if (button->isEnabled() && button->isVisible()) return button->hold();
         const QString why = window.exploration().whyNotDriving();
-        window.sayWhyNot(
+        window.showWhyNot(
             MainWindow::tr("not driven: %1")
                 .arg(why.isEmpty() ? MainWindow::tr("it is done on the page Terrain (F2)") : why));
     };

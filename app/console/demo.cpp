@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/console/main_window.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 
 namespace terratact {
 namespace {
@@ -52,7 +52,8 @@ void ScreenshotDemo::tick()
     case Stage::Driving:
         if (!seesStep() && steadyNow() - *drove_ < kDrivesAtMost) return;
         if (!seesStep())
-            say(stderr,
+            printText(
+                stderr,
                 "terratact-console: no step after {:.0f} s of driving: explored where it stands\n",
                 kDrivesAtMost);
         exploration.halt();
@@ -118,7 +119,7 @@ void ScreenshotDemo::giveUp(const QString& why)
 void ScreenshotDemo::fail(const QString& why)
 {
     timer_.stop();
-    say(stderr, "terratact-console: {}\n", why.toStdString());
+    printText(stderr, "terratact-console: {}\n", why.toStdString());
     QApplication::exit(1);
 }
 

@@ -50,7 +50,7 @@ void LinkStatus::show(const LinkViewState& viewState)
     showLink(viewState, age);
     if (view) showBus(*view, viewState.now);
     showBanner(viewState, age);
-    tellChange(viewState.link);
+    logChange(viewState.link);
     showRobot(viewState.newest, age);
 }
 
@@ -153,7 +153,7 @@ QString LinkStatus::bannerText(const LinkViewState& viewState, double age) const
     const QString why = trouble.isEmpty() ? QString() : QStringLiteral(": ") + trouble;
     return link.alone
              ? tr("%1 for %2 — %3; no measured value is live%4")
-                   .arg(title, format::age(age), viewState.heard, why)
+                   .arg(title, format::age(age), viewState.otherFrames, why)
              : tr("%1 for %2 — nothing on this screen is live%3").arg(title, format::age(age), why);
 }
 
@@ -166,15 +166,15 @@ void LinkStatus::showBanner(const LinkViewState& viewState, double age)
 
 /// Adds events for the loss and return of the link. A flapping link adds one of each. The end of frames that came
 /// without telemetry adds one, too.
-void LinkStatus::tellChange(const LinkAccount& link)
+void LinkStatus::logChange(const LinkAccount& link)
 {
     const auto isDown = [](const LinkAccount& one) {
         return one.standing == LinkStanding::Lost || one.standing == LinkStanding::Unsteady;
     };
-    const bool worsens = told_.alone && !link.alone;
-    if (link.standing == told_.standing && !(isDown(link) && worsens)) return;
-    if (isDown(link) && isDown(told_) && !worsens) return;
-    told_ = link;
+    const bool worsens = logged_.alone && !link.alone;
+    if (link.standing == logged_.standing && !(isDown(link) && worsens)) return;
+    if (isDown(link) && isDown(logged_) && !worsens) return;
+    logged_ = link;
     const QString text = sentence(link);
     if (link.standing == LinkStanding::Up && link.gaps > 1)
         events_.add(tr("%1; gaps before: %2, the longest %3")

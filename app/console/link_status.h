@@ -23,7 +23,7 @@ struct LinkViewState {
     const CanView* bus = nullptr;      ///< null: the source is no bus
     const Received* newest = nullptr;  ///< null: none received yet
     LinkAccount link{};
-    QString heard{};  ///< frames still received without telemetry; empty: none
+    QString otherFrames{};  ///< frames still received without telemetry; empty: none
 };
 
 /// Shows link and robot activity in the header, and changes in the event list. A banner appears if nothing on the
@@ -48,7 +48,7 @@ private:
     void showBus(const CanView& view, double now);
     void showBanner(const LinkViewState& viewState, double age);
     QString bannerText(const LinkViewState& viewState, double age) const;
-    void tellChange(const LinkAccount& link);
+    void logChange(const LinkAccount& link);
     void showRobot(const Received* newest, double age);
     QString details(const CanView& view) const;
 
@@ -57,7 +57,7 @@ private:
     EventList& events_;
     const Acquisition& acquisition_;
     CanSource* link_;
-    LinkAccount told_;  ///< state last listed as an event
+    LinkAccount logged_;  ///< state last listed as an event
     ArmingPhase armingWas_ = ArmingPhase::Disarmed;
     GrowingCount dropped_, errors_;
     bool droppedLately_ = false, erredLately_ = false;

@@ -72,11 +72,11 @@ LinkViewState LiveViewState::link(const RobotMoment& moment)
     std::optional<double> age;
     if (newest) age = now - secondsOf(newest->arrived);
     if (parts_.link && age && !alive)
-        viewState.heard = stillComes(parts_.link->tap().frames(now), *age);
+        viewState.otherFrames = stillComes(parts_.link->tap().frames(now), *age);
     viewState.link = link_.poll({.now = now,
                                  .age = age,
                                  .alive = alive,
-                                 .othersCome = !viewState.heard.isEmpty(),
+                                 .othersCome = !viewState.otherFrames.isEmpty(),
                                  .ended = parts_.exploration.ended()});
     return viewState;
 }

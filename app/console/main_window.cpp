@@ -82,7 +82,7 @@ MainWindow::MainWindow(Options options)
     profileMenu_ = new ProfileMenu(*terrain(), *exploration_, viewButton());
     viewButton()->setMenu(profileMenu_);
     defineKeys();
-    for (const QString& trouble : preferences_->troubles()) tell(trouble, EventSeverity::Warning);
+    for (const QString& trouble : preferences_->troubles()) log(trouble, EventSeverity::Warning);
     look_.setInterval(kLook);
     connect(&look_, &QTimer::timeout, this, [this] {
         meter_.beat(steadyNow());
@@ -159,7 +159,7 @@ void MainWindow::addPages(const Options& options)
                     tr("Every signal on the bus, and its newest frames"));
     addTraining(options);
     settings_ = new SettingsPage(*preferences_, this);
-    connect(settings_, &SettingsPage::robotChosen, this, &MainWindow::takeRobot);
+    connect(settings_, &SettingsPage::robotChosen, this, &MainWindow::applyRobot);
     addPage(settings_, tr("Settings"), Qt::Key_F7, tr("Method, limits, look, model and robot"));
     const QString source = format::sourceName(source_->name());
     diagnosticsPage_ = new DiagnosticsPage(
@@ -217,13 +217,13 @@ void MainWindow::connectAll()
     connect(events(), &EventList::added, this, &MainWindow::notice);
     connect(preferences_.get(), &PreferenceStore::changed, this, &MainWindow::applyPreferences);
     connect(preferences_.get(), &PreferenceStore::notSaved, this,
-            [this](const QString& why) { tell(why, EventSeverity::Warning); });
+            [this](const QString& why) { log(why, EventSeverity::Warning); });
     connectExploration();
     connectStop();
     connect(alarms_.get(), &ConsoleAlarms::raised, this,
             [this](const QString& text, Severity severity) {
-                tell(text,
-                     severity == Severity::Critical ? EventSeverity::Bad : EventSeverity::Warning);
+                log(text,
+                    severity == Severity::Critical ? EventSeverity::Bad : EventSeverity::Warning);
             });
     if (panel_) connect(alarms_.get(), &ConsoleAlarms::sounded, panel_.get(), &PanelControl::buzz);
     connectWorker();
@@ -269,9 +269,9 @@ void MainWindow::connectExploration()
     });
     connect(drivePad(), &DrivePad::driveRequested, exploration, &Exploration::drive);
     connect(drivePad(), &DrivePad::haltRequested, exploration, &Exploration::halt);
-    connect(exploration, &Exploration::happened, this, &MainWindow::tell);
-    connect(exploration, &Exploration::stateChanged, this, &MainWindow::tellState);
-    if (panel_) connect(panel_.get(), &PanelControl::happened, this, &MainWindow::tell);
+    connect(exploration, &Exploration::happened, this, &MainWindow::log);
+    connect(exploration, &Exploration::stateChanged, this, &MainWindow::logState);
+    if (panel_) connect(panel_.get(), &PanelControl::happened, this, &MainWindow::log);
 }
 
 /// Reports trouble on every page, in a banner if the event list is hidden.
@@ -280,7 +280,7 @@ void MainWindow::notice(const QString& text, EventSeverity severity, EventPlace 
     const bool isShown = (place == EventPlace::ExplorationPanel && atemPanel()->isVisible())
                       || (place == EventPlace::LinkBanner && linkStatus_->isBannerShown());
     if (severity != EventSeverity::Bad || events()->isVisible() || isShown) return;
-    notice_->say(text, steadyNow());
+    notice_->show(text, steadyNow());
 }
 
 void MainWindow::connectWorker()
@@ -303,12 +303,12 @@ void MainWindow::connectWorker()
 
 void MainWindow::connectStop()
 {
-    connect(sharedStop_.get(), &SharedStop::happened, this, &MainWindow::tell);
-    connect(sharedStop_.get(), &SharedStop::taken, this, [this](const QString& text) {
-        events()->tell(text, EventSeverity::Note, QTime::currentTime());
+    connect(sharedStop_.get(), &SharedStop::happened, this, &MainWindow::log);
+    connect(sharedStop_.get(), &SharedStop::received, this, [this](const QString& text) {
+        events()->log(text, EventSeverity::Note, QTime::currentTime());
     });
     connect(sharedStop_.get(), &SharedStop::said, this,
-            [this](const QString& text) { notice_->say(text, steadyNow()); });
+            [this](const QString& text) { notice_->show(text, steadyNow()); });
     sharedStop_->listen();
 }
 
@@ -320,15 +320,15 @@ void MainWindow::restartMeter()
 void MainWindow::mark()
 {
     if (!eventLogger_ || !recorder_->state().recording)
-        return tell(tr("not marked: nothing is recorded"), EventSeverity::Warning);
+        return log(tr("not marked: nothing is recorded"), EventSeverity::Warning);
     eventLogger_->mark({});
-    tell(tr("marked in the recording"), EventSeverity::Note);
+    log(tr("marked in the recording"), EventSeverity::Note);
 }
 
 void MainWindow::releaseStop()
 {
     const QString why = panel_ ? panel_->whyNotReleased() : QString();
-    if (!why.isEmpty()) return tell(why, EventSeverity::Bad);
+    if (!why.isEmpty()) return log(why, EventSeverity::Bad);
     exploration_->releaseStop();
 }
 
@@ -341,23 +341,23 @@ void MainWindow::open()
 
 std::function<void(const QString&)> MainWindow::notOpened()
 {
-    return [this](const QString& why) { tell(why, EventSeverity::Bad); };
+    return [this](const QString& why) { log(why, EventSeverity::Bad); };
 }
 
-void MainWindow::tellState(const QString& text, EventSeverity severity)
+void MainWindow::logState(const QString& text, EventSeverity severity)
 {
     events()->add(text, severity, QTime::currentTime(), EventPlace::ExplorationPanel);
 }
 
-void MainWindow::tell(const QString& text, EventSeverity severity)
+void MainWindow::log(const QString& text, EventSeverity severity)
 {
     events()->add(text, severity, QTime::currentTime());
 }
 
-void MainWindow::sayWhyNot(const QString& text)
+void MainWindow::showWhyNot(const QString& text)
 {
-    tell(text, EventSeverity::Warning);
-    notice_->say(text, steadyNow());
+    log(text, EventSeverity::Warning);
+    notice_->show(text, steadyNow());
 }
 
 void MainWindow::askProbe()
@@ -369,9 +369,9 @@ void MainWindow::askProbe()
     else if (best)
         exploration_->askProbe(best->bin);
     else if (const QString why = exploration_->whyNotOffered(); !why.isEmpty())
-        tell(why, EventSeverity::Warning);
+        log(why, EventSeverity::Warning);
     else
-        tell(tr("no bin is selected: point at a bin first"), EventSeverity::Warning);
+        log(tr("no bin is selected: point at a bin first"), EventSeverity::Warning);
 }
 
 void MainWindow::defineKeys()
@@ -416,8 +416,8 @@ void MainWindow::closeEvent(QCloseEvent* event)
         const QString why = tr("THE ROBOT IS ARMED: close the window again within %1 s to halt and "
                                "disarm it; or disarm it first (M)")
                                 .arg(format::number(ShortNotice::kFor, 0));
-        notice_->say(why, now);
-        if (since > ShortNotice::kFor) tell(why, EventSeverity::Warning);
+        notice_->show(why, now);
+        if (since > ShortNotice::kFor) log(why, EventSeverity::Warning);
         return event->ignore();
     }
     leave();

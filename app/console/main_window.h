@@ -97,7 +97,7 @@ public:
     const LoopMeter& meter() const { return meter_; }
     void restartMeter();
     /// Reports why a key or button had no effect: as an event and in a temporary banner.
-    void sayWhyNot(const QString& text);
+    void showWhyNot(const QString& text);
     /// Requests a probe of the bin shown in detail, else of the best bin.
     void askProbe();
     AlarmsPage* alarmsPage() const { return alarmsPage_; }
@@ -124,14 +124,14 @@ private:
     void connectAll();
     void connectHeader();
     void connectExploration();
-    void tell(const QString& text, EventSeverity severity);  ///< adds an event
+    void log(const QString& text, EventSeverity severity);  ///< adds an event
     /// Adds an event that the exploration panel shows, too.
-    void tellState(const QString& text, EventSeverity severity);
+    void logState(const QString& text, EventSeverity severity);
     void connectWorker();
     /// Polls telemetry, panel and estimator: on new telemetry and estimates, and every 10 ms. It draws at up to 25 Hz.
     void poll();
     void lookSoon();  ///< from any thread
-    void tellOfStall(double seconds);
+    void logStall(double seconds);
     void redraw();
     void showTerrain();
     void tickPanel(double now);
@@ -150,7 +150,7 @@ private:
     void showCards();  ///< shows model and robot on the settings page
     void leave();
     void reopen();
-    void takeRobot(const QString& path);
+    void applyRobot(const QString& path);
     QString whyNotReopening() const;  ///< empty: the window may be rebuilt
     void offerQualities();  ///< offers the presets, with costs if measured with this model
 

@@ -52,18 +52,17 @@ void MainWindow::applyPreferences(const Preferences& before)
 }
 
 /// Takes the robot file of a dialog that may have been open since before arming.
-void MainWindow::takeRobot(const QString& path)
+void MainWindow::applyRobot(const QString& path)
 {
     if (const QString why = whyNotReopening(); !why.isEmpty())
-        return tell(tr("the robot stays: %1").arg(why), EventSeverity::Bad);
+        return log(tr("the robot stays: %1").arg(why), EventSeverity::Bad);
     preferences_->change([path](Preferences& p) { p.robot = path; });
 }
 
 void MainWindow::reopen()
 {
     if (const QString why = whyNotReopening(); !why.isEmpty()) {
-        tell(tr("robot and language change at the next start: %1").arg(why),
-             EventSeverity::Warning);
+        log(tr("robot and language change at the next start: %1").arg(why), EventSeverity::Warning);
         return;
     }
     leave();

@@ -17,9 +17,9 @@ namespace terratact {
 
 namespace {
 
-constexpr double kRedraw = 0.04;   // [s] 25 Hz
-constexpr double kUnheard = 0.06;  // [s] redraw period without new telemetry, for growing ages
-constexpr double kNumbers = 0.2;   // [s] update period of numbers, slow enough to read
+constexpr double kRedraw = 0.04;       // [s] 25 Hz
+constexpr double kStaleRedraw = 0.06;  // [s] redraw period without new telemetry, for growing ages
+constexpr double kNumbers = 0.2;       // [s] update period of numbers, slow enough to read
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void MainWindow::poll()
 {
     lookComes_ = false;
     const double now = steadyNow();
-    if (const auto frozen = stalls_.poll(now)) tellOfStall(*frozen);
+    if (const auto frozen = stalls_.poll(now)) logStall(*frozen);
     sharedStop_->poll();
     tickPanel(now);
     if (link_ && (!panel_ || panel_->answers(now))) link_->operatorAlive();
@@ -49,17 +49,17 @@ void MainWindow::poll()
     const bool news = (phase != before && !computes)
                    || (exploration_->estimation().estimate().has_value() && !showsEstimate());
     const bool isLive = exploring(phase) || (moment_.latest && moment_.latest->count != drawn_);
-    if (news || now - redrawn_ >= (isLive ? kRedraw : kUnheard) - 1e-3) redraw();
+    if (news || now - redrawn_ >= (isLive ? kRedraw : kStaleRedraw) - 1e-3) redraw();
 }
 
 /// Reports a stall of a console that can send commands. The stall blocked motion commands, or the robot's watchdog
 /// halted it.
-void MainWindow::tellOfStall(double seconds)
+void MainWindow::logStall(double seconds)
 {
     if (link_ && exploration_->armed())
-        tell(tr("this window froze for %1 ms: no command could leave")
-                 .arg(format::number(seconds * 1e3, 0)),
-             EventSeverity::Warning);
+        log(tr("this window froze for %1 ms: no command could leave")
+                .arg(format::number(seconds * 1e3, 0)),
+            EventSeverity::Warning);
 }
 
 void MainWindow::redraw()
@@ -76,7 +76,7 @@ void MainWindow::redraw()
     probeNotice_->show(exploration_->state(), exploration_->time(), exploration_->proposal(),
                        probeCard()->isVoid(),
                        !terrainPage_->isVisible() ? Terrain::Elsewhere
-                       : isCovered(*probeCard()) ? Terrain::Covered
+                       : isCovered(*probeCard())  ? Terrain::Covered
                                                   : Terrain::Seen);
     const StopViewState stop = exploration_->stopViewState();
     const bool elsewhere = stop.state == StopViewState::State::NoEffect && sharedStop_->hasOther();
@@ -112,7 +112,7 @@ void MainWindow::showTerrain()
     const double now = moment_.now;
     TerrainViewState viewState = viewStates_->terrain(moment_);
     viewState.numbersDue = now - numbersShown_ >= kNumbers;
-    viewState.numbersFor = kNumbers + kUnheard;
+    viewState.numbersFor = kNumbers + kStaleRedraw;
     if (viewState.numbersDue) numbersShown_ = now;
     terrainPage_->setViewState(viewState);
 }

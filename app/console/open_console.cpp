@@ -14,8 +14,8 @@
 #include "app/console/session_retention.h"
 #include "app/display/format.h"
 #include "app/recording/session_folder.h"
+#include "app/runtime/print_text.h"
 #include "app/runtime/resources.h"
-#include "app/runtime/say.h"
 #include "app/shell/console_setup.h"
 
 namespace terratact {
@@ -73,7 +73,7 @@ std::shared_ptr<SessionRecorder> recorderFor(const ConsoleOptions& options, cons
 PresetTable shippedPresets()
 {
     auto presets = readPresets(resourcePath("models/default.presets.csv"));
-    if (!presets) say(stderr, "terratact-console: {}\n", presets.error().text);
+    if (!presets) printText(stderr, "terratact-console: {}\n", presets.error().text);
     return presets ? *presets : PresetTable{};
 }
 
@@ -136,12 +136,12 @@ void keepHouse(Lasting& lasting, std::vector<std::string> earlier, const std::st
     QObject::connect(&preferences, &PreferenceStore::changed, house, [house, &preferences] {
         house->setLimits(retentionOf(preferences.current()));
     });
-    const auto tell = [house, events = window.events()] {
-        for (const QString& sentence : house->takeNews())
+    const auto showNews = [house, events = window.events()] {
+        for (const QString& sentence : house->consumeNews())
             events->add(sentence, EventSeverity::Warning, QTime::currentTime());
     };
-    QObject::connect(house, &SessionRetention::news, &window, tell);
-    tell();
+    QObject::connect(house, &SessionRetention::news, &window, showNews);
+    showNews();
     QTimer::singleShot(0, house, &SessionRetention::start);
 }
 

@@ -49,14 +49,14 @@ void ProbeNotice::show(const AtemState& state, const std::optional<PhaseTime>& t
     const bool seen = terrain == Terrain::Seen, covered = terrain == Terrain::Covered;
     const bool asks = proposal && state.phase == AtemPhase::ProposingProbe;
     const bool expired = state.phase == AtemPhase::Presenting && state.approvalExpired;
-    toldExpiry_ = expired && (toldExpiry_ || seen);
+    sawExpiry_ = expired && (sawExpiry_ || seen);
     const QString left = format::countdown(time ? time->seconds : 0.0);
     const bool looksAway = terrain == Terrain::Elsewhere;
-    rail_.tell(rail_.pageOf(Qt::Key_F2),
-               asks        ? (isVoid ? tr("arm: void") : tr("arm? %1").arg(left))
-               : looksAway ? progressWords(state.phase, time)
-                           : QString(),
-               asks && !isVoid);
+    rail_.setNote(rail_.pageOf(Qt::Key_F2),
+                  asks        ? (isVoid ? tr("arm: void") : tr("arm? %1").arg(left))
+                  : looksAway ? progressWords(state.phase, time)
+                              : QString(),
+                  asks && !isVoid);
     QString text;
     if (asks && isVoid)
         text = tr("The question for a probe is void: F2 says why");
@@ -66,7 +66,7 @@ void ProbeNotice::show(const AtemState& state, const std::optional<PhaseTime>& t
                  ? tr("PROBE at %1? Refused in %2 unless approved: close the window that covers it")
                  : tr("PROBE at %1? Refused in %2 unless approved: F2 shows the question"))
                 .arg(format::binName(proposal->bin), left);
-    else if (expired && !toldExpiry_)
+    else if (expired && !sawExpiry_)
         text = covered ? tr("The probe was not answered in time and counts as refused: close the "
                             "window that covers the result")
                        : tr("The probe was not answered in time and counts as refused: F2 shows "

@@ -33,7 +33,7 @@ public:
 private:
     NavigationRail& rail_;
     QLabel& banner_;
-    bool toldExpiry_ = false;  ///< the operator has seen the page since the proposal expired
+    bool sawExpiry_ = false;  ///< the operator has seen the page since the proposal expired
 };
 
 }  // namespace terratact

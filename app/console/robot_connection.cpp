@@ -5,7 +5,7 @@
 
 #include "app/link/can_check.h"
 #include "app/link/robot_setup.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "app/runtime/steady_now.h"
 #include "core/atem/panel_file.h"
 #include "drivers/can_interface.h"
@@ -16,7 +16,7 @@
 namespace terratact {
 namespace {
 
-using Heard = std::function<void(std::span<const BusFrame>)>;
+using OnFrames = std::function<void(std::span<const BusFrame>)>;
 
 constexpr double kNominalBitrate = 500e3;  // [bit/s] bit rate of the real robot's bus
 constexpr double kDemoSpeed = 4.0;         // simulated seconds per second while a picture is made
@@ -44,7 +44,8 @@ Result<std::unique_ptr<BuiltInRobot>> builtInRobot(const RobotModel& model,
                                           *onBus);
 }
 
-std::unique_ptr<CanSource> sourceOn(BuiltInRobot& builtIn, const RobotModel& robot, Heard heard)
+std::unique_ptr<CanSource> sourceOn(BuiltInRobot& builtIn, const RobotModel& robot,
+                                    OnFrames onFrames)
 {
     return std::make_unique<CanSource>(
         builtIn.bus.join("console"), robot,
@@ -54,7 +55,7 @@ std::unique_ptr<CanSource> sourceOn(BuiltInRobot& builtIn, const RobotModel& rob
                            .truth = [&builtIn] { return builtIn.robot.truth(); },
                            .bitrate = kNominalBitrate,
                            .nominal = true,
-                           .heard = std::move(heard)});
+                           .received = std::move(onFrames)});
 }
 
 Result<std::unique_ptr<CanBus>> namedBus(const ConsoleOptions& options)
@@ -64,32 +65,32 @@ Result<std::unique_ptr<CanBus>> namedBus(const ConsoleOptions& options)
                                    {.interface = options.interface, .speed = options.speed});
         if (!log) return log.error();
         for (const Message& remark : (*log)->remarks())
-            say(stderr, "terratact-console: {}\n", remark.english());
+            printText(stderr, "terratact-console: {}\n", remark.english());
         return std::unique_ptr<CanBus>(std::move(*log));
     }
     auto bus = SocketCan::open({.interface = options.can, .transmit = options.transmit});
     if (!bus) return bus.error();
     if (const std::string warning = (*bus)->warning(); !warning.empty())
-        say(stderr, "terratact-console: {}\n", warning);
+        printText(stderr, "terratact-console: {}\n", warning);
     return std::unique_ptr<CanBus>(std::move(*bus));
 }
 
 std::unique_ptr<CanSource> sourceOn(std::unique_ptr<CanBus> bus, const RobotModel& robot,
-                                    const ConsoleOptions& options, Heard heard)
+                                    const ConsoleOptions& options, OnFrames onFrames)
 {
     using Mode = CanSource::Mode;
     const Mode mode = !options.replay.empty() ? Mode::Replay
                     : options.transmit        ? Mode::Transmit
                                               : Mode::Listen;
     std::optional<double> bitrate;
-    if (const auto told = controllerFrom(linkDetails(options.can)).bitrate)
-        bitrate = static_cast<double>(*told);
+    if (const auto known = controllerFrom(linkDetails(options.can)).bitrate)
+        bitrate = static_cast<double>(*known);
     return std::make_unique<CanSource>(std::move(bus), robot,
                                        CanSource::Options{.mode = mode,
                                                           .link = {.seed = drawn()},
                                                           .waits = mode == Mode::Replay,
                                                           .bitrate = bitrate,
-                                                          .heard = std::move(heard)});
+                                                          .received = std::move(onFrames)});
 }
 
 }  // namespace
@@ -103,19 +104,20 @@ BuiltInRobot::BuiltInRobot(const RobotModel& model, const SimulatedRobot& simula
 Result<RobotConnection> connectRobot(const RobotModel& robot, const ConsoleOptions& options,
                                      const std::shared_ptr<SessionRecorder>& recorder)
 {
-    Heard heard;
-    if (recorder) heard = [recorder](std::span<const BusFrame> frames) { recorder->take(frames); };
+    OnFrames onFrames;
+    if (recorder)
+        onFrames = [recorder](std::span<const BusFrame> frames) { recorder->add(frames); };
     RobotConnection connection;
     if (!options.can.empty() || !options.replay.empty()) {
         auto bus = namedBus(options);
         if (!bus) return bus.error();
         connection.replay = dynamic_cast<LogReplay*>(bus->get());
-        connection.source = sourceOn(std::move(*bus), robot, options, std::move(heard));
+        connection.source = sourceOn(std::move(*bus), robot, options, std::move(onFrames));
     } else {
         auto builtIn = builtInRobot(robot, options);
         if (!builtIn) return builtIn.error();
         connection.builtIn = std::move(*builtIn);
-        connection.source = sourceOn(*connection.builtIn, robot, std::move(heard));
+        connection.source = sourceOn(*connection.builtIn, robot, std::move(onFrames));
     }
     return connection;
 }

@@ -70,15 +70,15 @@ bool SessionRetention::inForce(const RetentionLimits& limits)
     return limits_ == limits;
 }
 
-QStringList SessionRetention::takeNews()
+QStringList SessionRetention::consumeNews()
 {
-    std::vector<std::string> told;
+    std::vector<std::string> reports;
     {
         const std::scoped_lock lock(mutex_);
-        told = std::exchange(news_, {});
+        reports = std::exchange(news_, {});
     }
     QStringList sentences;
-    for (const std::string& sentence : told) sentences << format::sentence(sentence);
+    for (const std::string& sentence : reports) sentences << format::sentence(sentence);
     return sentences;
 }
 
@@ -86,7 +86,7 @@ void SessionRetention::run(const std::stop_token& stop)
 {
     for (const std::string& path : earlier_) {
         if (stop.stop_requested()) return;
-        tell(recoverDeadSessions({path}));
+        addNews(recoverDeadSessions({path}));
     }
     for (;;) {
         RetentionLimits limits;
@@ -97,12 +97,12 @@ void SessionRetention::run(const std::stop_token& stop)
             due_ = false;
             limits = limits_;
         }
-        tell(applyRetention(sessionsIn(folder_), limits, wallNow(),
-                            [&] { return !stop.stop_requested() && inForce(limits); }));
+        addNews(applyRetention(sessionsIn(folder_), limits, wallNow(),
+                               [&] { return !stop.stop_requested() && inForce(limits); }));
     }
 }
 
-void SessionRetention::tell(const std::vector<std::string>& sentences)
+void SessionRetention::addNews(const std::vector<std::string>& sentences)
 {
     if (sentences.empty()) return;
     {

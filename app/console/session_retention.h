@@ -31,16 +31,16 @@ public:
     static constexpr int kGrace = 10'000;  ///< [ms]
 
     /// Returns the news since the last call, one sentence each.
-    QStringList takeNews();
+    QStringList consumeNews();
 
 signals:
-    void news();  ///< takeNews() has news
+    void news();  ///< consumeNews() has news
 
 private:
     void run(const std::stop_token& stop);
     void apply(const RetentionLimits& limits);
     bool inForce(const RetentionLimits& limits);
-    void tell(const std::vector<std::string>& sentences);
+    void addNews(const std::vector<std::string>& sentences);
 
     std::vector<std::string> earlier_;
     std::string folder_;

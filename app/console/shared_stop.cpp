@@ -29,9 +29,9 @@ void SharedStop::listen()
 
 void SharedStop::poll()
 {
-    if (!line_ || !line_->take()) return;
+    if (!line_ || !line_->consume()) return;
     const QString where = tr("STOP was pressed in a window that was opened from here");
-    emit taken(where);
+    emit received(where);
     exploration_.stopFrom(where);
 }
 

@@ -30,7 +30,7 @@ public:
 signals:
     void happened(const QString& text, terratact::EventSeverity severity);
     /// STOP was pressed elsewhere; Exploration::decided() records it, too.
-    void taken(const QString& text);
+    void received(const QString& text);
     void said(const QString& text);  ///< important text for a banner
 
 private:

@@ -88,11 +88,12 @@ TrainingPage::~TrainingPage() = default;
 
 void TrainingPage::connectTrainer()
 {
-    connect(&trainer_, &ModelTrainer::noticed, this, [this](const QString& text) { say(text); });
+    connect(&trainer_, &ModelTrainer::noticed, this,
+            [this](const QString& text) { showStatus(text); });
     connect(&trainer_, &ModelTrainer::trained, this, [this](const QString& path, int scenes) {
         trained_ = path;
         showProgress();
-        say(tr("Trained on %1 scenes: %2").arg(scenes).arg(path));
+        showStatus(tr("Trained on %1 scenes: %2").arg(scenes).arg(path));
         name_->setText(freeName(options_.directory));
         enter(Phase::Trained);
     });
@@ -177,7 +178,7 @@ void TrainingPage::start()
     const std::string file = scenes_->text().toStdString();
     trained_.clear();
     clearComparison();
-    say(tr("Training on %1; driving is not affected").arg(scenes_->text()));
+    showStatus(tr("Training on %1; driving is not affected").arg(scenes_->text()));
     TrainingPlan plan;
     plan.robot = options_.robot;
     plan.data = file;
@@ -213,7 +214,7 @@ void TrainingPage::adoptionDone()
     if (phase_ != Phase::Adopting) return;
     options_.model = std::exchange(trained_, QString());
     clearComparison();
-    say(tr("%1 is in use now").arg(format::fileName(options_.model)));
+    showStatus(tr("%1 is in use now").arg(format::fileName(options_.model)));
     enter(Phase::Idle);
     emit adoptionFinished(options_.model);
 }
@@ -221,16 +222,16 @@ void TrainingPage::adoptionDone()
 void TrainingPage::adoptionFailed(const QString& why)
 {
     if (phase_ != Phase::Adopting) return;
-    say(tr("Not adopted, the model in use stays: %1").arg(why), true);
+    showStatus(tr("Not adopted, the model in use stays: %1").arg(why), true);
     enter(Phase::Compared);
 }
 
 void TrainingPage::discard()
 {
     if (!QFile::remove(trained_) && QFile::exists(trained_))
-        return say(tr("%1 could not be deleted: delete it by hand").arg(trained_), true);
+        return showStatus(tr("%1 could not be deleted: delete it by hand").arg(trained_), true);
     QFile::remove(QString::fromStdString(cardPath(trained_.toStdString())));
-    say(tr("%1 discarded").arg(format::fileName(trained_)));
+    showStatus(tr("%1 discarded").arg(format::fileName(trained_)));
     trained_.clear();
     clearComparison();
     name_->setText(freeName(options_.directory));
@@ -239,11 +240,11 @@ void TrainingPage::discard()
 
 void TrainingPage::ended(const QString& what, bool bad)
 {
-    say(what, bad);
+    showStatus(what, bad);
     enter(trained_.isEmpty() ? Phase::Idle : Phase::Trained);
 }
 
-void TrainingPage::say(const QString& text, bool bad)
+void TrainingPage::showStatus(const QString& text, bool bad)
 {
     status_->setText(text);
     setTone(*status_, bad ? Tone::Bad : Tone::Plain);
@@ -269,8 +270,9 @@ void TrainingPage::showButtons()
     const QString busy = whyBusy(), whyNot = whyNotStart(), why = whyNotAdopt();
     const bool runs = phase_ == Phase::Training || phase_ == Phase::Comparing;
     offer(start_, busy.isEmpty() ? whyNot : busy, tr("Trains the model in the background"));
-    if (phase_ == Phase::Idle && !whyNot.isEmpty() && !scenes_->text().isEmpty()) say(whyNot);
-    if (phase_ == Phase::Idle && status_->text().isEmpty()) say(whyNot);
+    if (phase_ == Phase::Idle && !whyNot.isEmpty() && !scenes_->text().isEmpty())
+        showStatus(whyNot);
+    if (phase_ == Phase::Idle && status_->text().isEmpty()) showStatus(whyNot);
     offer(cancel_, runs ? QString() : tr("No training or comparison is running."),
           tr("Cancels the training or comparison; no file is written"));
     for (QWidget* field : std::initializer_list<QWidget*>{scenes_, name_, seed_})
@@ -358,7 +360,7 @@ void TrainingPage::showComparison(const ModelComparison& comparison)
     caution_->setText(ComparisonWords::caution(comparison));
     verdict_->setVisible(true);
     caution_->setVisible(!caution_->text().isEmpty());
-    say(tr("Compared on %1 scenes").arg(comparison.scenes));
+    showStatus(tr("Compared on %1 scenes").arg(comparison.scenes));
 }
 
 void TrainingPage::clearComparison()

@@ -83,7 +83,7 @@ private:
     void adopt();
     void discard();
     void enter(Phase phase);
-    void say(const QString& text, bool bad = false);
+    void showStatus(const QString& text, bool bad = false);
     void ended(const QString& what, bool bad);
     void showButtons();
     void showProgress();

@@ -9,7 +9,7 @@
 
 #include "app/figures/evaluation_figure.h"
 #include "app/modelling/evaluation_report.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "core/eval/claims.h"
 #include "core/eval/confidence.h"
 #include "core/eval/groups.h"
@@ -120,13 +120,15 @@ Status writeFigures(const std::filesystem::path& out, const Results& results)
 
 void printTables(const Results& results, const ReportOptions& options)
 {
-    say("\n{}", Lines(evaluationTable(results.summaries)));
-    say("\n{}", Lines(scoresTable(results.summaries, results.confidences, results.times)));
-    say("\n{}", Lines(coverageTable(results.summaries)));
-    if (!results.steps.empty()) say("\n{}", Lines(stepsTable(results.steps, options.stepLimit)));
-    if (!results.novelty.empty()) say("\n{}", Lines(groupsTable("novelty", results.novelty)));
-    if (!results.classes.empty()) say("\n{}", Lines(groupsTable("class", results.classes)));
-    if (!results.probes.empty()) say("\n{}", Lines(probesTable(results.probes, limitsOf(options))));
+    printText("\n{}", Lines(evaluationTable(results.summaries)));
+    printText("\n{}", Lines(scoresTable(results.summaries, results.confidences, results.times)));
+    printText("\n{}", Lines(coverageTable(results.summaries)));
+    if (!results.steps.empty())
+        printText("\n{}", Lines(stepsTable(results.steps, options.stepLimit)));
+    if (!results.novelty.empty()) printText("\n{}", Lines(groupsTable("novelty", results.novelty)));
+    if (!results.classes.empty()) printText("\n{}", Lines(groupsTable("class", results.classes)));
+    if (!results.probes.empty())
+        printText("\n{}", Lines(probesTable(results.probes, limitsOf(options))));
 }
 
 void printClaims(const std::vector<BinError>& errors, const std::vector<Scene>& scenes,
@@ -140,7 +142,7 @@ void printClaims(const std::vector<BinError>& errors, const std::vector<Scene>& 
     for (const Claim& claim : kClaims)
         if (compared(claim.base) && compared(claim.better))
             results.push_back(judge(claim, errors, scenes, options.seed));
-    if (!results.empty()) say("\n{}", Lines(claimsText(results)));
+    if (!results.empty()) printText("\n{}", Lines(claimsText(results)));
 }
 
 }  // namespace
@@ -155,10 +157,10 @@ std::vector<std::string> reportFiles()
 
 void printRun(const MethodRun& run)
 {
-    say("{:<10} {} scenes, {} converged, {} ended by sweeps, {} by time, {} without an "
-        "estimate, {:.3g} ms per scene\n",
-        run.label, run.scenes, run.converged, run.endedBySweeps, run.endedByTime, run.failed,
-        1000.0 * run.seconds / static_cast<double>(run.scenes));
+    printText("{:<10} {} scenes, {} converged, {} ended by sweeps, {} by time, {} without an "
+              "estimate, {:.3g} ms per scene\n",
+              run.label, run.scenes, run.converged, run.endedBySweeps, run.endedByTime, run.failed,
+              1000.0 * run.seconds / static_cast<double>(run.scenes));
 }
 
 Status reportFindings(const Findings& findings, const std::string& directory)
@@ -171,7 +173,7 @@ Status reportFindings(const Findings& findings, const std::string& directory)
     if (Status s = writeFigures(directory, results); !s) return s;
     printTables(results, findings.options);
     printClaims(findings.errors, scenes, findings.options);
-    say("\nwritten to {}: tables as CSV; fig8, fig9 and pit as PNG and SVG\n", directory);
+    printText("\nwritten to {}: tables as CSV; fig8, fig9 and pit as PNG and SVG\n", directory);
     return Done{};
 }
 

@@ -42,19 +42,19 @@ Received received(const std::optional<Received>& before, Sample sample, const Ar
     return now;
 }
 
-Acquisition::Acquisition(MeasurementSource& source, std::function<void()> heard,
+Acquisition::Acquisition(MeasurementSource& source, std::function<void()> received,
                          const std::optional<RobotModel>& robot)
-    : source_(source), heard_(std::move(heard)),
+    : source_(source), received_(std::move(received)),
       sensors_(robot ? std::optional<SensorWatch>(*robot) : std::nullopt),
       thread_([this](const std::stop_token& stop) { read(stop); })
 {
 }
 
-void Acquisition::take(const Sample& sample)
+void Acquisition::receive(const Sample& sample)
 {
     const SteadyTime now = std::chrono::steady_clock::now();
     if (sensors_)
-        sensors_->take(
+        sensors_->add(
             SensedLine{.measurement = sample.measurement, .sides = sideForces(sample.forces)});
     {
         const std::scoped_lock lock(mutex_);
@@ -64,7 +64,7 @@ void Acquisition::take(const Sample& sample)
         while (now - arrivals_.front() > 1s) arrivals_.pop_front();
         trouble_.clear();
     }
-    if (heard_) heard_();
+    if (received_) received_();
 }
 
 void Acquisition::read(const std::stop_token& stop)
@@ -75,7 +75,7 @@ void Acquisition::read(const std::stop_token& stop)
             auto next = source_.next(50ms);
             if (next && !*next) continue;
             if (next) {
-                take(**next);
+                receive(**next);
                 continue;
             }
             trouble = next.error().text;

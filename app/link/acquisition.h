@@ -52,7 +52,7 @@ class Acquisition {
 public:
     /// heard: called by that thread after each new latest(); empty: no callback. robot: its sensors are checked at
     /// every sample (SensorWatch); empty: no check.
-    explicit Acquisition(MeasurementSource& source, std::function<void()> heard = {},
+    explicit Acquisition(MeasurementSource& source, std::function<void()> received = {},
                          const std::optional<RobotModel>& robot = {});
 
     std::optional<Received> latest() const;
@@ -62,10 +62,10 @@ public:
 
 private:
     void read(const std::stop_token& stop);
-    void take(const Sample& sample);
+    void receive(const Sample& sample);
 
     MeasurementSource& source_;
-    std::function<void()> heard_;
+    std::function<void()> received_;
     std::optional<SensorWatch> sensors_;  // used by the thread only
     mutable std::mutex mutex_;            // guards the members below
     std::optional<Received> latest_;

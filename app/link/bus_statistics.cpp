@@ -59,7 +59,7 @@ bool FrameKey::operator<(const FrameKey& other) const
          < std::tie(other.error, other.extended, other.remote, other.fd, other.id, other.name);
 }
 
-void BusStatistics::take(const CanFrame& frame, const FrameWords& words, double now)
+void BusStatistics::add(const CanFrame& frame, const FrameWords& words, double now)
 {
     ++frames_;
     const FrameBits bits = bitsOf(frame);

@@ -49,7 +49,7 @@ public:
     /// Bound of counts(); further kinds are counted together.
     static constexpr std::size_t kMaxKeys = 4096;
 
-    void take(const CanFrame& frame, const FrameWords& words, double now);
+    void add(const CanFrame& frame, const FrameWords& words, double now);
 
     const std::map<FrameKey, FrameCount>& counts() const { return counts_; }
     std::uint64_t frames() const { return frames_; }

@@ -26,9 +26,9 @@ CanMonitor::CanMonitor(CanProtocol protocol, double bitrate, std::shared_ptr<con
     if (!(bitrate > 0.0)) throw std::invalid_argument("CanMonitor: the bitrate must be over 0");
 }
 
-void CanMonitor::take(const BusFrame& frame)
+void CanMonitor::add(const BusFrame& frame)
 {
-    statistics_.take(frame.frame, reader_->read(frame.frame, frame.time), frame.time);
+    statistics_.add(frame.frame, reader_->read(frame.frame, frame.time), frame.time);
 }
 
 void CanMonitor::mark(double now)

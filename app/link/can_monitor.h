@@ -23,7 +23,7 @@ public:
     /// the protocol.
     CanMonitor(CanProtocol protocol, double bitrate, std::shared_ptr<const DbcBook> book = nullptr);
 
-    void take(const BusFrame& frame);
+    void add(const BusFrame& frame);
 
     /// Stores the present counts; rates and load use the last one or two seconds of them. Call a few times a second.
     void mark(double now);

@@ -42,7 +42,7 @@ Result<std::optional<Sample>> CanSource::next(std::chrono::milliseconds patience
     }
     const auto end = std::chrono::steady_clock::now() + patience;
     while (true) {
-        if (auto sample = takePending()) return sample;
+        if (auto sample = consumePending()) return sample;
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
             end - std::chrono::steady_clock::now());
         const auto count = bus_->receive(frames_, std::clamp(left, 0ms, kTurn));
@@ -50,7 +50,7 @@ Result<std::optional<Sample>> CanSource::next(std::chrono::milliseconds patience
         tap_.tick(steadyNow());
         if (!count) return count.error();
         const auto received = std::span<const BusFrame>(frames_).first(*count);
-        if (options_.heard && !received.empty()) options_.heard(received);
+        if (options_.received && !received.empty()) options_.received(received);
         pending_.insert(pending_.end(), frames_.begin(),
                         frames_.begin() + static_cast<std::ptrdiff_t>(*count));
         waiting_ = pending_.size();
@@ -82,14 +82,14 @@ std::string CanSource::whyNotTransmitting() const
     return {};
 }
 
-std::optional<Sample> CanSource::takePending()
+std::optional<Sample> CanSource::consumePending()
 {
     const std::scoped_lock lock(mutex_);
     while (!pending_.empty()) {
         const BusFrame received = pending_.front();
         pending_.pop_front();
         const auto measurement = link_.receive(received.frame, received.echo, received.time);
-        tap_.take(received, link_.telemetry().judged());
+        tap_.add(received, link_.telemetry().judged());
         if (!measurement) continue;
         return Sample{.measurement = *measurement,
                       .truth = options_.truth ? std::optional(options_.truth()) : std::nullopt,

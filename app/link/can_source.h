@@ -54,7 +54,7 @@ public:
         std::optional<double> bitrate{};  ///< [bit/s] for the load; empty: unknown
         bool nominal = false;             ///< the bit rate is assumed, see BitRate
         /// Called with every received frame in the thread of next(), before the link decodes it; empty: no callback.
-        std::function<void(std::span<const BusFrame>)> heard{};
+        std::function<void(std::span<const BusFrame>)> received{};
     };
     CanSource(std::unique_ptr<CanBus> bus, const RobotModel& robot, const Options& options);
 
@@ -91,7 +91,7 @@ private:
     std::string whyNotTransmitting() const;
     bool ended() const;
     std::string trouble() const;
-    std::optional<Sample> takePending();
+    std::optional<Sample> consumePending();
     void work();
     void remember(const Command& command, bool left);
 

@@ -106,14 +106,15 @@ public:
     FrameWords read(const CanFrame& frame, double now) override
     {
         if (frame.error) return errorWords(frame);
-        const AbsolemListener::Heard heard = listener_.take(frame, now);
+        const AbsolemListener::Received received = listener_.receive(frame, now);
         FrameWords words;
-        words.verdict = heard.verdict == AbsolemVerdict::NotClassicData ? kindText(frame)
-                                                                        : describe(heard.verdict);
-        words.trouble = troubleOf(heard.verdict);
-        if (!heard.frame) return words;
-        words.name = nameOf(*heard.frame);
-        words.values = valuesOf(*heard.frame, heard.verdict);
+        words.verdict = received.verdict == AbsolemVerdict::NotClassicData
+                          ? kindText(frame)
+                          : describe(received.verdict);
+        words.trouble = troubleOf(received.verdict);
+        if (!received.frame) return words;
+        words.name = nameOf(*received.frame);
+        words.values = valuesOf(*received.frame, received.verdict);
         return words;
     }
 

@@ -21,7 +21,7 @@ float pointOf(double value)
 
 }  // namespace
 
-void UsualInterval::take(double seconds)
+void UsualInterval::add(double seconds)
 {
     // The first interval may have been an outage; only the second one reveals that.
     if (counted_ == 1 && last_[0] > kSilence * seconds) {
@@ -52,7 +52,7 @@ std::shared_ptr<const DbcBook> ForeignFrames::describe(std::shared_ptr<const Dbc
     return std::exchange(book_, std::move(book));
 }
 
-FrameTrouble ForeignFrames::take(const CanFrame& frame, FrameTrouble trouble, double time)
+FrameTrouble ForeignFrames::add(const CanFrame& frame, FrameTrouble trouble, double time)
 {
     Kept* kept = keptOf(frame);
     if (!kept) {
@@ -64,7 +64,7 @@ FrameTrouble ForeignFrames::take(const CanFrame& frame, FrameTrouble trouble, do
     ++kept->frame.troubles[static_cast<std::size_t>(trouble)];
     kept->frame.newest = frame;
     kept->usedAt = time;
-    if (kept->frame.described) takeValues(*kept, frame, time);
+    if (kept->frame.described) addValues(*kept, frame, time);
     return trouble;
 }
 
@@ -93,7 +93,7 @@ ForeignFrames::Kept* ForeignFrames::begin(const Key& key,
     return &kept;
 }
 
-void ForeignFrames::takeValues(Kept& kept, const CanFrame& frame, double time)
+void ForeignFrames::addValues(Kept& kept, const CanFrame& frame, double time)
 {
     const DbcMessage& message = kept.frame.described->message;
     values_.resize(kept.payload.size());
@@ -102,8 +102,8 @@ void ForeignFrames::takeValues(Kept& kept, const CanFrame& frame, double time)
         if (!values_[i]) continue;
         KeptSignal& of = kept.payload[i];
         of.signal.bits = *values_[i];
-        of.signal.take(physicalOf(message.payload[i], *values_[i]));
-        if (of.usedAt) of.interval.take(time - *of.usedAt);
+        of.signal.add(physicalOf(message.payload[i], *values_[i]));
+        if (of.usedAt) of.interval.add(time - *of.usedAt);
         of.usedAt = time;
         ++of.times;
     }

@@ -16,7 +16,7 @@ namespace terratact {
 /// outage does not lengthen it. A long interval counts only if another one occurred recently.
 class UsualInterval {
 public:
-    void take(double seconds);
+    void add(double seconds);
     double seconds() const;  ///< longest of the recent intervals, at most kMax; 0: none yet
 
     static constexpr double kMax = 60.0;
@@ -43,7 +43,7 @@ public:
     std::shared_ptr<const DbcBook> describe(std::shared_ptr<const DbcBook> book);
 
     /// trouble: verdict of the protocol. Returns None if a DBC file describes the frame.
-    FrameTrouble take(const CanFrame& frame, FrameTrouble trouble, double time);
+    FrameTrouble add(const CanFrame& frame, FrameTrouble trouble, double time);
     /// Advances histories and rates. tick: counted from 0. point: next index of the histories.
     void step(double now, std::size_t tick, std::size_t point);
 
@@ -72,7 +72,7 @@ private:
     using Kinds = std::map<Key, Kept>;
     Kept* keptOf(const CanFrame& frame);
     Kept* begin(const Key& key, std::shared_ptr<const DescribedFrame> described);
-    void takeValues(Kept& kept, const CanFrame& frame, double time);
+    void addValues(Kept& kept, const CanFrame& frame, double time);
     static TappedFrame tapped(const Kept& kept, double now, std::size_t ticks, std::size_t point);
     static double freshOf(const Kept& kept, const KeptSignal& signal);
 

@@ -40,7 +40,7 @@ FrameHistory::FrameHistory()
     trace_.reserve(kTrace);
 }
 
-void FrameHistory::take(const BusFrame& received, const JudgedFrame& judged)
+void FrameHistory::add(const BusFrame& received, const JudgedFrame& judged)
 {
     const std::scoped_lock lock(mutex_);
     const CanFrame& frame = received.frame;
@@ -48,7 +48,7 @@ void FrameHistory::take(const BusFrame& received, const JudgedFrame& judged)
     fewestBits_ += static_cast<std::uint64_t>(bits.fewest);
     mostBits_ += static_cast<std::uint64_t>(bits.most);
     const FrameTrouble trouble =
-        judged.kind ? judged.trouble : foreign_.take(frame, judged.trouble, received.time);
+        judged.kind ? judged.trouble : foreign_.add(frame, judged.trouble, received.time);
     ++troubles_[static_cast<std::size_t>(trouble)];
 
     const TracedFrame traced{++frames_, received.time, frame, received.echo, trouble};
@@ -72,7 +72,7 @@ void FrameHistory::keep(Kept& kept, const JudgedFrame& judged, const BusFrame& r
     const auto layout = layoutOf(*judged.kind).payload;
     for (std::size_t i = 0; i < layout.size(); ++i) {
         if (!frame.isMeasured && layout[i].name != "Measured") continue;
-        frame.payload[i].take(judged.content.values[i]);
+        frame.payload[i].add(judged.content.values[i]);
     }
 }
 

@@ -27,7 +27,7 @@ struct BusLoad {
 };
 
 /// Keeps the data of received frames that the pages show. These are newest value, extremes and history per signal,
-/// rates, and the newest raw frames. All memory is bounded. take() and tick() belong to the receiving thread; any
+/// rates, and the newest raw frames. All memory is bounded. add() and tick() belong to the receiving thread; any
 /// thread may call the others.
 class FrameHistory {
 public:
@@ -38,7 +38,7 @@ public:
     FrameHistory();
 
     /// Adds a frame and the verdict on it.
-    void take(const BusFrame& received, const JudgedFrame& judged);
+    void add(const BusFrame& received, const JudgedFrame& judged);
     /// Advances histories and rates; call a few times per kTick. now: [s] on the bus's clock.
     void tick(double now);
     /// Uses these DBC descriptions for frames outside the protocol from now on; null: none.

@@ -32,7 +32,7 @@ void PanelReader::read(const std::stop_token& stop)
         const PanelReport report = poll(lamps);
         if (report.state.stop && !stopped) stopRobot(report);
         stopped = report.state.stop;
-        take(report);
+        add(report);
     }
 }
 
@@ -59,7 +59,7 @@ void PanelReader::stopRobot(const PanelReport& report)
     latencies_.push_back(latency);
 }
 
-void PanelReader::take(const PanelReport& report)
+void PanelReader::add(const PanelReport& report)
 {
     const std::scoped_lock lock(mutex_);
     latest_ = report;
@@ -74,7 +74,7 @@ PanelReport PanelReader::latest() const
     return latest_;
 }
 
-PerContact<int> PanelReader::takePresses()
+PerContact<int> PanelReader::consumePresses()
 {
     const std::scoped_lock lock(mutex_);
     return std::exchange(presses_, {});

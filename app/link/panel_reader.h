@@ -21,7 +21,7 @@ public:
     PanelReport latest() const;
 
     /// Returns how often each button was pressed since the last call.
-    PerContact<int> takePresses();
+    PerContact<int> consumePresses();
 
     /// Returns how often each button was pressed since the start.
     PerContact<std::uint64_t> allPresses() const;
@@ -39,7 +39,7 @@ public:
 private:
     void read(const std::stop_token& stop);
     PanelReport poll(const LampState& lamps);
-    void take(const PanelReport& report);
+    void add(const PanelReport& report);
     void stopRobot(const PanelReport& report);
 
     std::unique_ptr<OperatorPanel> panel_;

@@ -38,7 +38,7 @@ void sendAll(CanBus& bus, const std::vector<CanFrame>& frames)
 }  // namespace
 
 Status serveRobot(CanBus& bus, RobotOnBus& robot, const std::function<bool()>& goOn,
-                  const std::function<void(const std::string&)>& say,
+                  const std::function<void(const std::string&)>& print,
                   const std::function<void()>& measured, const std::function<double()>& clock)
 {
     std::array<BusFrame, 64> frames;
@@ -52,7 +52,7 @@ Status serveRobot(CanBus& bus, RobotOnBus& robot, const std::function<bool()>& g
         if (!line.empty()) measured();
         sendAll(bus, line);
         const Shown shown{robot.armed(), robot.robot().activity(), bus.state()};
-        if (before != shown) say(words(shown, robot, bus));
+        if (before != shown) print(words(shown, robot, bus));
         before = shown;
     }
     return Done{};

@@ -14,7 +14,7 @@ namespace terratact {
 /// before each telemetry line is sent. clock: the robot's monotonic clock [s].
 Status serveRobot(
     CanBus& bus, RobotOnBus& robot, const std::function<bool()>& goOn,
-    const std::function<void(const std::string&)>& say,
+    const std::function<void(const std::string&)>& print,
     const std::function<void()>& measured = [] {},
     const std::function<double()>& clock = steadyNow);
 

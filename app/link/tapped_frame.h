@@ -41,7 +41,7 @@ struct TappedSignal {
     std::uint64_t bits = 0;  ///< raw bits of `last`, for a signal of a DBC file
 
     /// Adds a value; one that is not finite leaves the extremes unchanged.
-    void take(double value)
+    void add(double value)
     {
         last = value;
         if (!std::isfinite(value)) return;

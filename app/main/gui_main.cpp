@@ -8,7 +8,7 @@
 #include "app/console/open_console.h"
 #include "app/review/open_recorded.h"
 #include "app/runtime/big_blocks.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 #include "app/shell/console_setup.h"
 #include "app/shell/open_file.h"
 #include "core/base/memory_limit.h"
@@ -22,7 +22,7 @@ constexpr std::size_t kWindowMemory = 700'000'000;
 
 int failed(const std::string& why)
 {
-    say(stderr, "terratact-console: {}\n", why);
+    printText(stderr, "terratact-console: {}\n", why);
     return kFailed;
 }
 
@@ -42,7 +42,7 @@ int refused(Application& application, const ConsoleOptions& options, const Error
     const int code = failed(why.text);
     if (options.errorsInWindow && !options.isPicture()
         && application.start(inForce(preferencesFor(options).preferences, options), false))
-        tellRefusal(options.replay, why.message);
+        printRefusal(options.replay, why.message);
     return code;
 }
 
@@ -56,8 +56,8 @@ int run(int& argc, char** argv)
     } catch (const CLI::ParseError& error) {
         std::ostringstream out, complaint;  // may quote a file name
         const int code = app.exit(error, out, complaint);
-        say("{}", Lines(out.str()));
-        say(stderr, "{}", Lines(complaint.str()));
+        printText("{}", Lines(out.str()));
+        printText(stderr, "{}", Lines(complaint.str()));
         return code == 0 ? kDone : kWrongArguments;
     }
     if (memoryIsLimited())

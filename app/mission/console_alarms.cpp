@@ -101,7 +101,7 @@ void ConsoleAlarms::poll(double now, const AlarmViewState& viewState)
     lookAtHalt(viewState);
     judge("stop", viewState.isStopped, tr("The robot is stopped and moves only after a release"),
           Severity::Caution);
-    if (list_.takeSound(now) && soundOn_) trySound();
+    if (list_.consumeSound(now) && soundOn_) trySound();
 }
 
 void ConsoleAlarms::trySound()
@@ -222,8 +222,8 @@ void ConsoleAlarms::judge(const std::string& id, bool stands, const QString& tex
         if (!cause.stands) cause.stands = now_;
         if (now_ - *cause.stands < after) return;
         list_.raise(id, text.toStdString(), severity, now_);
-        if (cause.told == severity || cause.told == Severity::Critical) return;
-        cause.told = severity;
+        if (cause.raised == severity || cause.raised == Severity::Critical) return;
+        cause.raised = severity;
         if (kOnlyHere.contains(id)) emit raised(text, severity);
         return;
     }

@@ -68,7 +68,7 @@ signals:
 private:
     struct Cause {
         std::optional<double> stands{}, gone{};  ///< [s] start of the cause, of its absence
-        std::optional<Severity> told{};          ///< highest severity raised so far
+        std::optional<Severity> raised{};        ///< highest severity raised so far
     };
     /// after: time [s] a cause must persist before it becomes an alarm.
     void judge(const std::string& id, bool stands, const QString& text, Severity severity,

@@ -19,10 +19,10 @@ Estimation::Estimation(EstimatorWorker& worker, const RobotModel& robot, const O
     listenToModels();
     connect(&worker_, &EstimatorWorker::estimated, this, &Estimation::accept);
     connect(&worker_, &EstimatorWorker::failed, this, &Estimation::refuse);
-    connect(&worker_, &EstimatorWorker::advised, this, &Estimation::takeAdvice);
+    connect(&worker_, &EstimatorWorker::advised, this, &Estimation::addAdvice);
 }
 
-void Estimation::takeAdvice(int job, const ProbeAdvice& advice)
+void Estimation::addAdvice(int job, const ProbeAdvice& advice)
 {
     // Advice for an older estimate may arrive late, because it waited behind the new request in the worker.
     if (!estimate_ || job != estimateJob_ || advice.stepLimit != options_.stepLimit) return;
@@ -65,26 +65,27 @@ void Estimation::listenToModels()
     });
 }
 
-void Estimation::poll(const std::optional<Received>& latest, bool heard)
+void Estimation::poll(const std::optional<Received>& latest, bool telemetryFresh)
 {
-    heard_ = heard;
+    telemetryFresh_ = telemetryFresh;
     if (!latest) return;
     const Measurement& newest = latest->sample.measurement;
     if (pose_) pose_->poll(newest, latest->count);
     if (aside_) {
         aside_->pose.poll(newest, latest->count);
-        aside_->wasUnheard = aside_->wasUnheard || latest->unbrokenFrom > aside_->capturedAt;
+        aside_->hadTelemetryGap =
+            aside_->hadTelemetryGap || latest->unbrokenFrom > aside_->capturedAt;
     }
-    if (scene_ && latest->unbrokenFrom > capturedAt_ && !std::exchange(wasUnheard_, true))
-        emit unheard();
+    if (scene_ && latest->unbrokenFrom > capturedAt_ && !std::exchange(hadTelemetryGap_, true))
+        emit telemetryGap();
     if (scene_ && !hasMoved() && latest->count >= capturedAt_) suspect(latest->suspicions);
     if (latest->count == tracked_) return;
     if (track_ && latest->unbrokenFrom > tracked_) {
-        track_->takeSilence();
-        if (!scene_) emit unheard();
+        track_->addSilence();
+        if (!scene_) emit telemetryGap();
     }
     tracked_ = latest->count;
-    if (track_) track_->take(newest);
+    if (track_) track_->add(newest);
 }
 
 Estimation::Processes Estimation::processesOf(Method method) const
@@ -147,14 +148,14 @@ void Estimation::begin(const Received& latest, std::uint64_t since)
     scene_ = CapturedScene{.measurement = sample.measurement, .truth = sample.truth};
     pose_.emplace(sample.measurement);
     capturedAt_ = isNew ? latest.press->count : latest.count;
-    wasUnheard_ = wasSuspected_ = wasPitchSuspected_ = false;
+    hadTelemetryGap_ = wasSuspected_ = wasPitchSuspected_ = false;
     suspect(latest.suspicions);
     readings_.clear();
     emit captured(*scene_);
     start();
 }
 
-void Estimation::take(const ArmReading& reading)
+void Estimation::addArmReading(const ArmReading& reading)
 {
     const auto i = static_cast<std::size_t>(reading.bin);
     const bool inside = estimate_->q10[i] <= reading.height && reading.height <= estimate_->q90[i];
@@ -201,7 +202,7 @@ void Estimation::forget(const QString& why)
     unadvised_ = false;
     scene_.reset();
     pose_.reset();
-    wasUnheard_ = wasSuspected_ = wasPitchSuspected_ = false;
+    hadTelemetryGap_ = wasSuspected_ = wasPitchSuspected_ = false;
     readings_.clear();
     whyNone_ = why;
 }
@@ -209,7 +210,7 @@ void Estimation::forget(const QString& why)
 void Estimation::setAside(const QString& why)
 {
     if (estimate_ && scene_ && pose_)
-        aside_ = Aside{*scene_,   *pose_,     capturedAt_,     wasUnheard_,
+        aside_ = Aside{*scene_,   *pose_,     capturedAt_,     hadTelemetryGap_,
                        readings_, *estimate_, second_.value(), track_};
     forgetGhost();
     forget(why);
@@ -222,7 +223,7 @@ bool Estimation::restore()
     scene_ = aside.scene;
     pose_ = aside.pose;
     capturedAt_ = aside.capturedAt;
-    wasUnheard_ = aside.wasUnheard;
+    hadTelemetryGap_ = aside.hadTelemetryGap;
     readings_ = std::move(aside.readings);
     estimate_ = std::move(aside.estimate);
     second_ = std::move(aside.second);
@@ -301,9 +302,9 @@ void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds
     advice_ = {};
     estimateJob_ = job;
     track_.emplace(robot_, estimate, scene_->measurement);
-    if (wasUnheard_) track_->takeSilence();
+    if (hadTelemetryGap_) track_->addSilence();
     emit stands(false);
-    tellOf(estimate);
+    announce(estimate);
     unadvised_ = true;
     // Advice follows, unless the step limit has changed; then another probe may be the best one.
     if (askedLimit_ != options_.stepLimit) adviseAnew();
@@ -327,7 +328,7 @@ void Estimation::refuse(int job, const QString& why)
     emit happened(tr("estimate failed: %1").arg(why), EventSeverity::Bad);
 }
 
-void Estimation::tellOf(const TerrainEstimate& estimate)
+void Estimation::announce(const TerrainEstimate& estimate)
 {
     emit happened(tr("estimate in %1").arg(format::age(seconds_)), EventSeverity::Note);
     for (const std::string& warning : estimate.warnings)
@@ -340,25 +341,27 @@ std::optional<Verdict> Estimation::verdict() const
 {
     if (!estimate_ || !scene_) return std::nullopt;
     return verdictOf(*estimate_, scene_->measurement,
-                     {.heard = heard_, .unbroken = !wasUnheard_, .sensorsSound = !wasSuspected_},
+                     {.telemetryFresh = telemetryFresh_,
+                      .unbroken = !hadTelemetryGap_,
+                      .sensorsSound = !wasSuspected_},
                      options_.stepLimit);
 }
 
 std::optional<Ghost> Estimation::ghost() const
 {
-    if (!wantsGhost() || !heard_) return std::nullopt;
+    if (!wantsGhost() || !telemetryFresh_) return std::nullopt;
     return track_->ghost();
 }
 
 QString Estimation::whyNoGhost() const
 {
-    return wantsGhost() ? noGhostWords(track_->why(), heard_) : QString();
+    return wantsGhost() ? noGhostWords(track_->why(), telemetryFresh_) : QString();
 }
 
-QString noGhostWords(std::optional<NoGhost> why, bool heard)
+QString noGhostWords(std::optional<NoGhost> why, bool telemetryFresh)
 {
     if (why) return Estimation::tr("No ghost: %1").arg(format::sentence(describe(*why)));
-    return heard ? QString() : Estimation::tr("No ghost while telemetry is missing");
+    return telemetryFresh ? QString() : Estimation::tr("No ghost while telemetry is missing");
 }
 
 }  // namespace terratact

@@ -48,7 +48,7 @@ public:
 
     // Requests.
     /// Passes the newest telemetry and whether it is fresh. Call at every tick, before all other calls.
-    void poll(const std::optional<Received>& latest, bool heard);
+    void poll(const std::optional<Received>& latest, bool telemetryFresh);
     /// Prepares the model's Gaussian processes for an exploration while the worker is idle.
     void prepare();
     /// Makes a preview with the local method as often as the worker keeps up with telemetry. It stays until a preview
@@ -59,7 +59,7 @@ public:
     /// the same one. If that did not come after sample `since`, the newest sample is used.
     void begin(const Received& latest, std::uint64_t since);
     /// Scores the estimate against the arm's reading in its scene, and estimates again with it.
-    void take(const ArmReading& reading);
+    void addArmReading(const ArmReading& reading);
     void setSecondMethod(std::optional<Method> method);  ///< empty: none
     void cancel();                                       ///< cancels all running jobs
     void adviseAnew();  ///< requests advice for the present step limit if it has changed
@@ -80,7 +80,7 @@ public:
     bool hasLeft() const { return pose_ && pose_->hasLeft(); }
     /// Returns true if telemetry was missing so long since scene() that the robot may have moved. Only a new scene
     /// resets it.
-    bool wasUnheard() const { return wasUnheard_; }
+    bool hadTelemetryGap() const { return hadTelemetryGap_; }
     /// Returns true if a sensor was suspected while the robot stood at scene().
     bool wasSuspected() const { return wasSuspected_; }
     /// Returns true if the pitch was suspected. It places the bins, and the arm with them.
@@ -128,10 +128,10 @@ signals:
     void modelChanged();  ///< an existing estimate still belongs to the previous model
     void captured(const terratact::CapturedScene& scene);
     void stands(bool second);  ///< a new estimate is ready; second: of the second method
-    void offered();  ///< the first advice for estimate() with the present step limit is ready
-    void failed();   ///< the estimate of scene() failed
-    void advised();  ///< new advice for another step limit is ready
-    void unheard();  ///< wasUnheard() became true, or the ghost ended for that reason
+    void offered();       ///< the first advice for estimate() with the present step limit is ready
+    void failed();        ///< the estimate of scene() failed
+    void advised();       ///< new advice for another step limit is ready
+    void telemetryGap();  ///< hadTelemetryGap() became true, or the ghost ended for that reason
     void forgotten(const QString& why);  ///< the estimate was dropped
 
 private:
@@ -149,7 +149,7 @@ private:
         CapturedScene scene;
         PoseWatch pose;
         std::uint64_t capturedAt;
-        bool wasUnheard;
+        bool hadTelemetryGap;
         std::vector<ArmReading> readings;
         TerrainEstimate estimate;
         std::optional<TerrainEstimate> second;
@@ -157,7 +157,7 @@ private:
     };
 
     void listenToModels();
-    void takeAdvice(int job, const ProbeAdvice& advice);
+    void addAdvice(int job, const ProbeAdvice& advice);
     void offer();
     void accept(int job, const TerrainEstimate& estimate, double seconds);
     void refuse(int job, const QString& why);
@@ -170,19 +170,19 @@ private:
     void startSecond();
     void resume();  ///< repeats the request that the worker dropped to load a model
     EstimateRequest requestFor(Method method) const;
-    void tellOf(const TerrainEstimate& estimate);
+    void announce(const TerrainEstimate& estimate);
     bool wantsGhost() const { return track_ && !estimate_ && !live_; }
 
     EstimatorWorker& worker_;
     const RobotModel& robot_;
     const Options& options_;
     ModelInUse model_;
-    bool heard_ = false;
+    bool telemetryFresh_ = false;
 
     std::optional<CapturedScene> scene_;
     std::optional<PoseWatch> pose_;  ///< watches the pose of scene_
     std::uint64_t capturedAt_ = 0;   ///< count of the sample that became scene_
-    bool wasUnheard_ = false;
+    bool hadTelemetryGap_ = false;
     bool wasSuspected_ = false, wasPitchSuspected_ = false;
     std::vector<ArmReading> readings_;
     std::optional<Aside> aside_;
@@ -208,6 +208,6 @@ private:
 };
 
 /// Returns why no ghost is shown: there is none, or no telemetry. Empty: a ghost is shown.
-QString noGhostWords(std::optional<NoGhost> why, bool heard);
+QString noGhostWords(std::optional<NoGhost> why, bool telemetryFresh);
 
 }  // namespace terratact

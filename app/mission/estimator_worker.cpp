@@ -55,8 +55,8 @@ EstimatorWorker::EstimatorWorker(ModelLoader load) : load_(std::move(load))
 {
     thread_.setObjectName(QStringLiteral("estimator"));
     moveToThread(&thread_);
-    connect(&thread_, &QThread::started, this, [this] { take(load_); });
-    connect(this, &EstimatorWorker::loadRequested, this, &EstimatorWorker::take,
+    connect(&thread_, &QThread::started, this, [this] { loadModel(load_); });
+    connect(this, &EstimatorWorker::loadRequested, this, &EstimatorWorker::loadModel,
             Qt::QueuedConnection);
     connect(this, &EstimatorWorker::requested, this, &EstimatorWorker::run, Qt::QueuedConnection);
     connect(this, &EstimatorWorker::adviceRequested, this, &EstimatorWorker::answer,
@@ -130,7 +130,7 @@ void EstimatorWorker::load(const ModelLoader& load)
     emit loadRequested(load);
 }
 
-void EstimatorWorker::take(const ModelLoader& load)
+void EstimatorWorker::loadModel(const ModelLoader& load)
 {
     QString why;
     try {

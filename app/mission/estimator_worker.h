@@ -88,7 +88,7 @@ signals:
     void advised(int job, const terratact::ProbeAdvice& advice);
 
 private:
-    void take(const ModelLoader& load);
+    void loadModel(const ModelLoader& load);
     void run(int job, const EstimateRequest& request);
     std::optional<TerrainEstimate> estimateFor(int job, const EstimateRequest& request);
     void answer(int number, int job, const TerrainEstimate& estimate, const RobotModel& prober,

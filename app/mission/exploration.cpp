@@ -29,7 +29,7 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
     }
     state_.followed = following();
     connect(&estimation_, &Estimation::happened, this, &Exploration::happened);
-    connect(&estimation_, &Estimation::offered, this, &Exploration::takeAdvice);
+    connect(&estimation_, &Estimation::offered, this, &Exploration::addAdvice);
     connect(&estimation_, &Estimation::advised, this, &Exploration::askAnew);
     connect(&estimation_, &Estimation::failed, this, [this] { pending_.estimateFailed = true; });
     connect(&estimation_, &Estimation::modelChanged, this, [this] {
@@ -38,7 +38,7 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
     });
 }
 
-void Exploration::takeAdvice()
+void Exploration::addAdvice()
 {
     ProbeOffer offer = probes_.offer();
     if (const auto asked = std::exchange(askedBin_, std::nullopt)) offer = {.bin = asked};
@@ -182,12 +182,12 @@ void Exploration::tick(const RobotMoment& moment)
     now_ = moment.now;
     latest_ = moment.latest;
     bus_ = moment.bus;
-    const auto heardWithin = [this](double seconds) {
+    const auto isFreshWithin = [this](double seconds) {
         return latest_ && now_ - secondsOf(latest_->arrived) <= seconds;
     };
-    linkAlive_ = heardWithin(options_.linkLostAfter);
+    linkAlive_ = isFreshWithin(options_.linkLostAfter);
     ended_ = following() && bus_ && bus_->ended;
-    estimation_.poll(latest_, heardWithin(options_.staleAfter));
+    estimation_.poll(latest_, isFreshWithin(options_.staleAfter));
     if (following())
         follow();
     else
@@ -287,7 +287,9 @@ void Exploration::enter(const AtemState& before)
                       EventSeverity::Note);
         break;
     case AtemPhase::Probing: probe(); break;
-    case AtemPhase::EstimatingAgain: estimation_.take(*latest_->sample.measurement.arm); break;
+    case AtemPhase::EstimatingAgain:
+        estimation_.addArmReading(*latest_->sample.measurement.arm);
+        break;
     case AtemPhase::Presenting: present(before.phase == AtemPhase::ProposingProbe); break;
     case AtemPhase::Idle: end(exploring(before.phase)); break;
     case AtemPhase::Stopped:

@@ -127,7 +127,7 @@ signals:
     void decided(const char* what, const QString& text);  ///< a decision of the operator
 
 private:
-    void takeAdvice();
+    void addAdvice();
     void explore();
     bool inReach(int bin) const;
     QString wordsOf(NoProbe why) const;

@@ -88,7 +88,7 @@ QList<Precondition> Exploration::toProbe() const
     if (link_) list << Preconditions::arming(whyNotArmed());
     if (state_.phase != AtemPhase::ProposingProbe || !probes_.current())
         return list << Preconditions::noProbeProposed();
-    if (estimation_.wasUnheard()) return list << Preconditions::wasUnheard();
+    if (estimation_.hadTelemetryGap()) return list << Preconditions::hadTelemetryGap();
     if (estimation_.wasPitchSuspected()) return list << Preconditions::pitchSuspected();
     return list << Preconditions::stands(probes_.stands());
 }

@@ -157,13 +157,13 @@ void ModelTrainer::begin(std::function<void()> work)
         Qt::QueuedConnection);
 }
 
-void ModelTrainer::end(std::function<void()> tell)
+void ModelTrainer::end(std::function<void()> report)
 {
     QMetaObject::invokeMethod(
         this,
-        [this, tell = std::move(tell)] {
+        [this, report = std::move(report)] {
             busy_ = false;
-            tell();
+            report();
         },
         Qt::QueuedConnection);
 }

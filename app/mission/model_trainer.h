@@ -74,7 +74,7 @@ private:
     void begin(std::function<void()> work);
     void doTrain(const TrainingPlan& plan, const QString& path);
     void doCompare(const ComparisonPlan& plan);
-    void end(std::function<void()> tell);
+    void end(std::function<void()> report);
 
     TrainingLoad load_;
     QThread thread_;

@@ -39,7 +39,7 @@ void PanelControl::tick(double now, const ViewState& viewState)
 
 void PanelControl::press(const ViewState& viewState)
 {
-    const PerContact<int> presses = reader_.takePresses();
+    const PerContact<int> presses = reader_.consumePresses();
     if (presses[PanelContact::Atem] > 0 && viewState.mayExplore && answers(now_))
         exploration_.request();
     const auto& proposal = exploration_.proposal();

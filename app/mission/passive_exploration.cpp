@@ -55,7 +55,9 @@ void PassiveExploration::enter(const AtemState& state, const Received& latest)
     case AtemPhase::Probing:
         emit happened(tr("following: the arm is probing"), EventSeverity::Note);
         break;
-    case AtemPhase::EstimatingAgain: estimation_.take(*latest.sample.measurement.arm); break;
+    case AtemPhase::EstimatingAgain:
+        estimation_.addArmReading(*latest.sample.measurement.arm);
+        break;
     case AtemPhase::Stopped:
         emit happened(tr("following: the robot is stopped"), EventSeverity::Bad);
         estimation_.cancel();

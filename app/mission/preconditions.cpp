@@ -31,17 +31,18 @@ Precondition Preconditions::telemetry(bool alive, bool logEnded)
     return missing(logEnded ? tr("the log has ended") : tr("no telemetry from the robot"));
 }
 
-Precondition Preconditions::stop(bool latched, bool releasing, bool heard)
+Precondition Preconditions::stop(bool latched, bool releasing, bool telemetryFresh)
 {
-    if (!latched) return released(latched, heard);
+    if (!latched) return released(latched, telemetryFresh);
     return missing(releasing ? tr("STOP: release sent, not yet confirmed by the robot")
                              : tr("STOP is latched"));
 }
 
-Precondition Preconditions::released(bool latched, bool heard)
+Precondition Preconditions::released(bool latched, bool telemetryFresh)
 {
     if (latched) return missing(tr("STOP is latched: release it first"));
-    return heard ? met(tr("STOP is not latched")) : doubtful(tr("STOP: not known, no telemetry"));
+    return telemetryFresh ? met(tr("STOP is not latched"))
+                          : doubtful(tr("STOP: not known, no telemetry"));
 }
 
 Precondition Preconditions::groundNotKnown()
@@ -76,7 +77,7 @@ Precondition Preconditions::armIsOut()
     return missing(tr("the arm is still out: wait until it is back, or press STOP"));
 }
 
-Precondition Preconditions::wasUnheard()
+Precondition Preconditions::hadTelemetryGap()
 {
     return missing(tr("the link was lost, the robot may have moved: explore again"));
 }
@@ -86,11 +87,11 @@ Precondition Preconditions::pitchSuspected()
     return missing(tr("No probe: the pitch may be wrong, and the arm would touch another place"));
 }
 
-Precondition Preconditions::stopConfirmed(bool confirmed, bool heard)
+Precondition Preconditions::stopConfirmed(bool confirmed, bool telemetryFresh)
 {
     if (!confirmed) return doubtful(tr("the robot has not confirmed STOP"));
-    return heard ? met(tr("the robot reports stopped"))
-                 : doubtful(tr("the robot reported stopped, then telemetry ended"));
+    return telemetryFresh ? met(tr("the robot reports stopped"))
+                          : doubtful(tr("the robot reported stopped, then telemetry ended"));
 }
 
 QList<Precondition> Preconditions::toArm(const CanView& view)

@@ -22,21 +22,21 @@ public:
     static Precondition telemetry(bool alive, bool logEnded);
     /// heard: telemetry is fresh. Without it, no condition that only the robot knows counts as met.
     static Precondition stop(bool latched, bool releasing,  ///< releasing: not yet confirmed
-                             bool heard);
+                             bool telemetryFresh);
     static Precondition groundNotKnown();  ///< ground and the robot's pose on it are unknown
     static Precondition arming(const QString& whyNot);  ///< empty: the robot is armed
     static Precondition model(const ModelInUse& model);
     /// STOP as a precondition of commands that it blocks.
-    static Precondition released(bool latched, bool heard);
+    static Precondition released(bool latched, bool telemetryFresh);
     static Precondition nothingToRelease();
     static Precondition noProbeProposed();
     static Precondition notExploring(bool explores);
     /// The proposal still has the data that was shown with it.
     static Precondition stands(bool asThen);
-    static Precondition armIsOut();        ///< the robot reports that it probes
-    static Precondition wasUnheard();      ///< telemetry was missing since the estimate
-    static Precondition pitchSuspected();  ///< the arm would touch another place than is shown
-    static Precondition stopConfirmed(bool confirmed, bool heard);
+    static Precondition armIsOut();         ///< the robot reports that it probes
+    static Precondition hadTelemetryGap();  ///< telemetry was missing since the estimate
+    static Precondition pitchSuspected();   ///< the arm would touch another place than is shown
+    static Precondition stopConfirmed(bool confirmed, bool telemetryFresh);
     static QList<Precondition> toArm(const CanView& view);
 };
 

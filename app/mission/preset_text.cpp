@@ -24,9 +24,9 @@ CostWords inWords(const PresetCost& cost)
             format::number(100.0 * cost.converged, 0)};
 }
 
-template <class Say>
+template <class Show>
 QStringList ofEach(Method method, std::span<const PresetCost> costs, const QString& unmeasured,
-                   const Say& say)
+                   const Show& show)
 {
     QStringList lines;
     for (const QualityPreset preset : kQualityPresets) {
@@ -34,7 +34,7 @@ QStringList ofEach(Method method, std::span<const PresetCost> costs, const QStri
             return c.method == method && c.preset == preset;
         });
         lines << (cost == costs.end() ? unmeasured.arg(format::sentence(name(preset)))
-                                      : say(inWords(*cost)));
+                                      : show(inWords(*cost)));
     }
     return lines;
 }

@@ -108,7 +108,7 @@ std::string ProbeProposals::grounds() const
 {
     const auto& scene = estimation_.scene();
     const auto& estimate = estimation_.estimate();
-    if (!scene || !estimate || !current_ || estimation_.wasUnheard()) return {};
+    if (!scene || !estimate || !current_ || estimation_.hadTelemetryGap()) return {};
     const ModelInUse& model = estimation_.model();
     return fingerprint({.scene = scene->measurement,
                         .readings = estimation_.readings(),

@@ -49,7 +49,7 @@ SessionEventLogger::SessionEventLogger(std::shared_ptr<SessionRecorder> recorder
     : QObject(parent), recorder_(std::move(recorder)), exploration_(exploration)
 {
     connectTo(exploration);
-    connect(&worker, &EstimatorWorker::modelLoaded, this, &SessionEventLogger::takeModel);
+    connect(&worker, &EstimatorWorker::modelLoaded, this, &SessionEventLogger::logModel);
 }
 
 void SessionEventLogger::connectTo(Exploration& exploration)
@@ -59,17 +59,18 @@ void SessionEventLogger::connectTo(Exploration& exploration)
         scene_ = recorder_->record(
             SceneRow{.id = 0, .time = 0, .measurement = scene.measurement, .truth = scene.truth});
     });
-    connect(estimation, &Estimation::stands, this, &SessionEventLogger::takeEstimate);
-    connect(&exploration, &Exploration::proposed, this, &SessionEventLogger::takeProposal);
+    connect(estimation, &Estimation::stands, this, &SessionEventLogger::logEstimate);
+    connect(&exploration, &Exploration::proposed, this, &SessionEventLogger::logProposal);
     connect(&exploration, &Exploration::decided, this, &SessionEventLogger::decision);
-    connect(estimation, &Estimation::unheard, this, [this] { tell(EventKind::Unheard, {}, {}); });
+    connect(estimation, &Estimation::telemetryGap, this,
+            [this] { log(EventKind::TelemetryGap, {}, {}); });
     connect(estimation, &Estimation::forgotten, this, [this](const QString& why) {
-        tell(EventKind::Forgotten, {}, why.toStdString());
+        log(EventKind::Forgotten, {}, why.toStdString());
         estimate_ = proposal_ = 0;
     });
 }
 
-void SessionEventLogger::takeModel(const QString& name, const QString& details, const QString& hash)
+void SessionEventLogger::logModel(const QString& name, const QString& details, const QString& hash)
 {
     model_ = recorder_->record(ModelRow{.id = 0,
                                         .time = 0,
@@ -78,7 +79,7 @@ void SessionEventLogger::takeModel(const QString& name, const QString& details, 
                                         .details = details.toStdString()});
 }
 
-void SessionEventLogger::takeEstimate(bool second)
+void SessionEventLogger::logEstimate(bool second)
 {
     if (scene_ == 0 || model_ == 0) return;
     const Estimation& estimation = exploration_.estimation();
@@ -96,7 +97,7 @@ void SessionEventLogger::takeEstimate(bool second)
     if (!second) estimate_ = id;
 }
 
-void SessionEventLogger::takeProposal()
+void SessionEventLogger::logProposal()
 {
     const auto& p = exploration_.proposal();
     if (!p || estimate_ == 0) return;
@@ -121,8 +122,8 @@ void SessionEventLogger::takeProposal()
     proposal_ = recorder_->record(std::move(row));
 }
 
-void SessionEventLogger::tell(EventKind kind, const std::string& subject, const std::string& text,
-                              std::optional<double> number)
+void SessionEventLogger::log(EventKind kind, const std::string& subject, const std::string& text,
+                             std::optional<double> number)
 {
     const bool isDecision = kind == EventKind::Decision || kind == EventKind::Marker;
     recorder_->record(EventRow{.id = 0,
@@ -138,17 +139,17 @@ void SessionEventLogger::tell(EventKind kind, const std::string& subject, const 
 
 void SessionEventLogger::decision(const char* what, const QString& text)
 {
-    tell(EventKind::Decision, what, text.toStdString());
+    log(EventKind::Decision, what, text.toStdString());
 }
 
 void SessionEventLogger::word(const QString& text, EventSeverity severity)
 {
-    tell(EventKind::Word, inWords(severity), text.toStdString());
+    log(EventKind::Word, inWords(severity), text.toStdString());
 }
 
 void SessionEventLogger::mark(const QString& note)
 {
-    tell(EventKind::Marker, "operator", note.toStdString());
+    log(EventKind::Marker, "operator", note.toStdString());
 }
 
 std::string SessionEventLogger::shown() const
@@ -171,16 +172,16 @@ void SessionEventLogger::poll(const LinkAccount& link, const std::optional<CanVi
 {
     lookAtLink(link, bus);
     if (bus && std::exchange(arming_, bus->link.arming.phase) != bus->link.arming.phase)
-        tell(EventKind::Arming, std::string(name(*arming_)),
-             *arming_ == ArmingPhase::Disarmed ? std::string(name(bus->link.arming.cause))
-                                               : std::string());
+        log(EventKind::Arming, std::string(name(*arming_)),
+            *arming_ == ArmingPhase::Disarmed ? std::string(name(bus->link.arming.cause))
+                                              : std::string());
     const AtemState& state = exploration_.state();
     if (std::exchange(phase_, state.phase) != state.phase)
-        tell(EventKind::Phase, std::string(name(state.phase)),
-             state.phase == AtemPhase::Failed ? std::string(name(state.failure)) : std::string());
+        log(EventKind::Phase, std::string(name(state.phase)),
+            state.phase == AtemPhase::Failed ? std::string(name(state.failure)) : std::string());
     const std::string overridden = exploration_.overridden().toStdString();
     if (std::exchange(overridden_, overridden) != overridden)
-        tell(EventKind::Override, {}, overridden);
+        log(EventKind::Override, {}, overridden);
     lookAtAlarms(alarms);
     if (panel) lookAtPanel(*panel);
 }
@@ -192,14 +193,14 @@ void SessionEventLogger::lookAtLink(const LinkAccount& link, const std::optional
     const bool isUp = link.standing == LinkStanding::Up;
     const std::string subject{isUp ? kLinkUp : link.alone ? kTelemetryLost : kLinkLost};
     // A flapping link is recorded as one loss, unless it becomes worse.
-    if (subject == linkTold_ || (linkTold_ == kLinkLost && !isUp)) return;
-    linkTold_ = subject;
-    if (!isUp) return tell(EventKind::Link, subject, bus ? describe(bus->bus, "bus") : "");
-    tell(EventKind::Link, subject,
-         link.gaps > 1
-             ? fmt::format("gaps before: {}, the longest {:.2f} s", link.gaps, link.longest)
-             : std::string(),
-         link.gaps > 0 ? std::optional(link.longest) : std::nullopt);
+    if (subject == loggedLink_ || (loggedLink_ == kLinkLost && !isUp)) return;
+    loggedLink_ = subject;
+    if (!isUp) return log(EventKind::Link, subject, bus ? describe(bus->bus, "bus") : "");
+    log(EventKind::Link, subject,
+        link.gaps > 1
+            ? fmt::format("gaps before: {}, the longest {:.2f} s", link.gaps, link.longest)
+            : std::string(),
+        link.gaps > 0 ? std::optional(link.longest) : std::nullopt);
 }
 
 void SessionEventLogger::lookAtAlarms(const AlarmList& alarms)
@@ -209,10 +210,10 @@ void SessionEventLogger::lookAtAlarms(const AlarmList& alarms)
         now[alarm.id] = alarm.state;
         const auto before = alarms_.find(alarm.id);
         if (before == alarms_.end() || before->second != alarm.state)
-            tell(EventKind::Alarm, alarm.id, alarm.text, numberOf(alarm.state));
+            log(EventKind::Alarm, alarm.id, alarm.text, numberOf(alarm.state));
     }
     for (const auto& [id, state] : alarms_)
-        if (!now.contains(id)) tell(EventKind::Alarm, id, {}, 0.0);
+        if (!now.contains(id)) log(EventKind::Alarm, id, {}, 0.0);
     alarms_ = std::move(now);
 }
 
@@ -223,7 +224,7 @@ void SessionEventLogger::lookAtPanel(const PanelState& panel)
         closed[contact] = panel.contacts[contact].closed;
     for (const PanelContact contact : kAllPanelContacts)
         if (!contacts_ || (*contacts_)[contact] != closed[contact])
-            tell(EventKind::Panel, std::string(name(contact)), {}, closed[contact] ? 1.0 : 0.0);
+            log(EventKind::Panel, std::string(name(contact)), {}, closed[contact] ? 1.0 : 0.0);
     contacts_ = closed;
 }
 

@@ -39,11 +39,11 @@ public:
 
 private:
     void connectTo(Exploration& exploration);
-    void takeModel(const QString& name, const QString& details, const QString& hash);
-    void takeEstimate(bool second);
-    void takeProposal();
-    void tell(EventKind kind, const std::string& subject, const std::string& text = {},
-              std::optional<double> number = std::nullopt);
+    void logModel(const QString& name, const QString& details, const QString& hash);
+    void logEstimate(bool second);
+    void logProposal();
+    void log(EventKind kind, const std::string& subject, const std::string& text = {},
+             std::optional<double> number = std::nullopt);
     std::string shown() const;
     void lookAtLink(const LinkAccount& link, const std::optional<CanView>& bus);
     void lookAtAlarms(const AlarmList& alarms);
@@ -54,7 +54,7 @@ private:
     std::int64_t model_ = 0, scene_ = 0, estimate_ = 0, proposal_ = 0;  ///< ids; 0: none
     std::optional<AtemPhase> phase_;
     LinkAccount link_;
-    std::string linkTold_;  ///< subject of the last event; empty: none
+    std::string loggedLink_;  ///< subject of the last event; empty: none
     std::optional<ArmingPhase> arming_;
     std::string overridden_;
     std::map<std::string, AlarmState> alarms_;

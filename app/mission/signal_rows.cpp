@@ -11,7 +11,7 @@
 namespace terratact {
 namespace {
 
-struct SignalSays {
+struct SignalRowText {
     Q_DECLARE_TR_FUNCTIONS(terratact::SignalsPage)
 };
 
@@ -159,7 +159,7 @@ QString meaningOf(const TappedFrame& frame, std::span<const DbcMessage> protocol
         return format::text(protocol[static_cast<std::size_t>(*frame.kind)].comment);
     if (!frame.described) return {};
     const DbcMessage& message = frame.described->message;
-    return SignalSays::tr("%1, as %2 describes it; sent by %3\n%4")
+    return SignalRowText::tr("%1, as %2 describes it; sent by %3\n%4")
         .arg(format::text(message.name), format::text(frame.described->file),
              format::text(message.sender), format::text(message.comment))
         .trimmed();
@@ -190,10 +190,10 @@ std::vector<SignalRow> signalRows(const std::vector<TappedFrame>& frames,
 
 QString frameName(const CanFrame& frame, const DbcBook* book)
 {
-    if (frame.error) return SignalSays::tr("error frame");
+    if (frame.error) return SignalRowText::tr("error frame");
     if (const auto kind = kindOf(frame)) return format::text(layoutOf(*kind).name);
     const auto described = book ? book->find(frame) : nullptr;
-    return described ? format::text(described->message.name) : SignalSays::tr("unknown");
+    return described ? format::text(described->message.name) : SignalRowText::tr("unknown");
 }
 
 TraceWords traceWords(const CanFrame& frame, const std::shared_ptr<const DbcBook>& book)

@@ -91,7 +91,7 @@ Result<std::vector<const Findings*>> inOrder(std::span<const NamedFindings> part
 
 /// Appends the entries of one label that begin at `next`, and advances `next` behind them.
 template <class Entry>
-void takeOfLabel(const std::string& label, const std::vector<Entry>& from, std::size_t& next,
+void moveOfLabel(const std::string& label, const std::vector<Entry>& from, std::size_t& next,
                  std::vector<Entry>& into)
 {
     for (; next < from.size() && from[next].label == label; ++next) into.push_back(from[next]);
@@ -118,8 +118,8 @@ void addErrors(const std::vector<const Findings*>& parts, Findings& into)
     std::vector<std::size_t> nextError(parts.size(), 0), nextStep(parts.size(), 0);
     for (const MethodRun& run : into.runs)
         for (std::size_t p = 0; p < parts.size(); ++p) {
-            takeOfLabel(run.label, parts[p]->errors, nextError[p], into.errors);
-            takeOfLabel(run.label, parts[p]->steps, nextStep[p], into.steps);
+            moveOfLabel(run.label, parts[p]->errors, nextError[p], into.errors);
+            moveOfLabel(run.label, parts[p]->steps, nextStep[p], into.steps);
         }
 }
 

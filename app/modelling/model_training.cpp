@@ -87,7 +87,7 @@ private:
         return 0.0;
     }
 
-    void tell(TrainingKind kind, int bin, const Outcome& outcome)
+    void report(TrainingKind kind, int bin, const Outcome& outcome)
     {
         const std::scoped_lock lock(mutex_);
         if (outcome.event != TrainingEvent::Begun) done_ += costOf(kind);
@@ -111,9 +111,9 @@ private:
                 callPoll(poll_);
                 const TrainingKind kind = job < count ? first : second;
                 const int bin = bins_[static_cast<std::size_t>(job % count)];
-                tell(kind, bin, {.event = TrainingEvent::Begun});
+                report(kind, bin, {.event = TrainingEvent::Begun});
                 const Outcome outcome = work(job, kind, bin);
-                tell(kind, bin, outcome);
+                report(kind, bin, outcome);
             },
             plan_.threads);
     }
@@ -195,12 +195,12 @@ std::string someOf(const std::set<std::string>& runs)
 
 Result<ModelData> readTraining(const TrainingPlan& plan, const TrainingWatch& watch)
 {
-    const auto tell = [&](const Message& notice) {
+    const auto report = [&](const Message& notice) {
         if (watch.notice) watch.notice(notice);
     };
     const auto file = readScenes(plan.data);
     if (!file) return file.error();
-    for (const Message& notice : file->notices) tell(notice);
+    for (const Message& notice : file->notices) report(notice);
     TrainingSet set;
     try {
         set = prepareTraining(file->scenes, {.conditionalRows = plan.conditionalRows,
@@ -210,21 +210,22 @@ Result<ModelData> readTraining(const TrainingPlan& plan, const TrainingWatch& wa
         return fileError(plan.data, error.what());
     }
     if (set.leftOut > 0)
-        tell({TR_NOOP("core", "%1 scenes with unknown values left out"), set.leftOut});
+        report({TR_NOOP("core", "%1 scenes with unknown values left out"), set.leftOut});
     if (set.exactCopies > 0)
-        tell({TR_NOOP("core", "%1 scenes are there twice: their copies were left out"),
-              set.exactCopies});
+        report({TR_NOOP("core", "%1 scenes are there twice: their copies were left out"),
+                set.exactCopies});
     if (set.nearCopies > 0)
-        tell({TR_NOOP("core", "%1 scenes repeat a place within the sensors' noise; training counts "
-                              "each place once (runs %2)"),
-              set.nearCopies, someOf(set.runsWithCopies)});
+        report(
+            {TR_NOOP("core", "%1 scenes repeat a place within the sensors' noise; training counts "
+                             "each place once (runs %2)"),
+             set.nearCopies, someOf(set.runsWithCopies)});
     if (const auto rows = set.model.scannedHeights.rows();
         rows > kManyRows && (plan.inducing == 0 || plan.inducing > kManyRows))
-        tell({TR_NOOP("core",
-                      "%1 scenes for each conditional, whose training grows with their cube: "
-                      "--inducing 1200 predicts nearly as well and trains in a fraction of "
-                      "the time"),
-              rows});
+        report({TR_NOOP("core",
+                        "%1 scenes for each conditional, whose training grows with their cube: "
+                        "--inducing 1200 predicts nearly as well and trains in a fraction of "
+                        "the time"),
+                rows});
     set.model.seed = plan.seed;
     set.model.inducing = plan.inducing;
     set.model.command = plan.commandLine;

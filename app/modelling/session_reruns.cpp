@@ -48,7 +48,7 @@ Status SessionReruns::add(const std::string& file)
     sessions_.push_back(std::make_unique<SessionReader>(std::move(*session)));
     SessionReader& reader = *sessions_.back();
     if (hooks_.opened) hooks_.opened(reader);
-    const std::set<std::int64_t> repeated = origins_.take(reader);
+    const std::set<std::int64_t> repeated = origins_.add(reader);
     bool any = false;
     for (const EstimateRow& row : reader.estimates()) {
         if (options_.estimate != 0 && row.id != options_.estimate) continue;

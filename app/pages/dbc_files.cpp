@@ -14,8 +14,8 @@
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/link/protocol_dbc.h"
+#include "app/runtime/print_text.h"
 #include "app/runtime/resources.h"
-#include "app/runtime/say.h"
 #include "app/shell/file_dialog.h"
 #include "app/shell/preference_store.h"
 #include "widgets/base/palette.h"
@@ -26,7 +26,7 @@
 namespace terratact {
 namespace {
 
-struct DbcSays {
+struct DbcFilesText {
     Q_DECLARE_TR_FUNCTIONS(terratact::SignalsPage)
 };
 
@@ -85,11 +85,11 @@ void DbcFiles::addButtons(QHBoxLayout& row)
         row.addWidget(button);
         return button;
     };
-    add_ = tool(DbcSays::tr("Add DBC file …"),
-                DbcSays::tr("Adds a DBC file that describes frames of other devices"));
+    add_ = tool(DbcFilesText::tr("Add DBC file …"),
+                DbcFilesText::tr("Adds a DBC file that describes frames of other devices"));
     connect(add_, &QPushButton::clicked, this, &DbcFiles::addFile);
-    remove_ = tool(DbcSays::tr("Remove DBC file"),
-                   DbcSays::tr("Its frames are shown byte by byte again"));
+    remove_ = tool(DbcFilesText::tr("Remove DBC file"),
+                   DbcFilesText::tr("Its frames are shown byte by byte again"));
     remove_->setMenu(new QMenu(remove_));
 }
 
@@ -104,8 +104,8 @@ void DbcFiles::addLines(QVBoxLayout& column)
         (*label)->hide();
         column.addWidget(*label);
     }
-    files_->setAccessibleName(DbcSays::tr("DBC files"));
-    troubles_->setAccessibleName(DbcSays::tr("Faults of the DBC files"));
+    files_->setAccessibleName(DbcFilesText::tr("DBC files"));
+    troubles_->setAccessibleName(DbcFilesText::tr("Faults of the DBC files"));
     setTone(*troubles_, Tone::Doubt);
 }
 
@@ -131,11 +131,11 @@ void DbcFiles::use(const DbcReading& reading)
     QStringList files, sentences;
     for (const auto& [path, frames] : reading.files) {
         const QString name = format::fileName(path);
-        files << (frames ? DbcSays::tr("%1 (frames: %2)").arg(name, QString::number(*frames))
-                         : DbcSays::tr("%1 (not used)").arg(name));
+        files << (frames ? DbcFilesText::tr("%1 (frames: %2)").arg(name, QString::number(*frames))
+                         : DbcFilesText::tr("%1 (not used)").arg(name));
     }
     for (const Message& trouble : reading.troubles) {
-        say(stderr, "terratact-console: {}\n", trouble.english());
+        printText(stderr, "terratact-console: {}\n", trouble.english());
         sentences << translated(trouble);
     }
     show(files, sentences);
@@ -145,13 +145,13 @@ void DbcFiles::use(const DbcReading& reading)
 void DbcFiles::show(const QStringList& files, const QStringList& troubles)
 {
     constexpr qsizetype kMaxLines = 3;
-    files_->setText(DbcSays::tr("DBC files: %1").arg(files.join(QStringLiteral(", "))));
+    files_->setText(DbcFilesText::tr("DBC files: %1").arg(files.join(QStringLiteral(", "))));
     files_->setVisible(!files.isEmpty());
     QStringList shown;
     for (const QString& trouble : troubles.mid(0, kMaxLines))
         shown << QStringLiteral("▲ ") + breakable(trouble);
     if (troubles.size() > kMaxLines)
-        shown << DbcSays::tr("… and %1 more, all listed in this tooltip")
+        shown << DbcFilesText::tr("… and %1 more, all listed in this tooltip")
                      .arg(troubles.size() - kMaxLines);
     troubles_->setText(shown.join(QLatin1Char('\n')));
     troubles_->setVisible(!troubles.isEmpty());
@@ -172,8 +172,8 @@ void DbcFiles::show(const QStringList& files, const QStringList& troubles)
 
 void DbcFiles::addFile()
 {
-    const FileWish wish{.title = DbcSays::tr("Add DBC file"),
-                        .filter = DbcSays::tr("DBC files (*.dbc *.DBC);;All files (*)")};
+    const FileWish wish{.title = DbcFilesText::tr("Add DBC file"),
+                        .filter = DbcFilesText::tr("DBC files (*.dbc *.DBC);;All files (*)")};
     askForFile(page_, wish, [this](const QString& path) {
         preferences_.change([path](Preferences& p) {
             if (!p.dbc.contains(path)) p.dbc << path;

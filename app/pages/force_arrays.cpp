@@ -59,7 +59,7 @@ std::vector<ForceArray> ForceArrays::of(const Measurement& measurement, const El
     drifts_.resize(arrays.size());
     const bool unloaded = isUnloaded(measurement, threshold);
     for (std::size_t a = 0; a < arrays.size(); ++a) {
-        if (unloaded) drifts_[a].take(measurement.time, beyondBias[a]);
+        if (unloaded) drifts_[a].add(measurement.time, beyondBias[a]);
         for (int e = 0; e < kForceElements; ++e)
             arrays[a].elements[static_cast<std::size_t>(e)].drift = drifts_[a].drift(e);
     }

@@ -152,7 +152,7 @@ void TerrainLayout::fit()
 void TerrainLayout::fitTightness()
 {
     if (!window_ || measures_) return;
-    const QSize room = page_.size() + QSize(0, window_->bannersTake());  // size without a banner
+    const QSize room = page_.size() + QSize(0, window_->bannersHeight());  // size without a banner
     const bool tight = room != room.expandedTo(roomyNeeds_);
     if (tight == tight_ && (rows_->indexOf(lowerPanel_) < 0) == tight) return;
     setTight(tight);

@@ -51,7 +51,7 @@ bool isAtRest(const TerrainViewState& viewState)
 }
 
 /// Returns true if the worth of a probe may be shown: at rest, and the verdict is not withheld.
-bool tellsWorth(const TerrainViewState& viewState)
+bool showsWorth(const TerrainViewState& viewState)
 {
     return isAtRest(viewState) && (!viewState.verdict || viewState.verdict->withheldFor.empty());
 }
@@ -64,14 +64,14 @@ QString probeTells(const ProbeProposal& probe)
         return TerrainPage::tr("probe at %1: its height, ± %2 m instead of ± %3 m")
             .arg(bin, format::number(probe.armSd, 2), format::number(probe.sd, 2));
     const QString bits = format::number(probe.bitsBefore, 2);
-    return probe.tellsOfStep() ? TerrainPage::tr("probe at %1: %2 → %3 bit")
-                                     .arg(bin, bits, format::number(probe.worth->bitsAfter, 2))
-                               : TerrainPage::tr("probe at %1: no gain").arg(bin);
+    return probe.informsOnStep() ? TerrainPage::tr("probe at %1: %2 → %3 bit")
+                                       .arg(bin, bits, format::number(probe.worth->bitsAfter, 2))
+                                 : TerrainPage::tr("probe at %1: no gain").arg(bin);
 }
 
 QString whyNoProbe(const TerrainViewState& viewState)
 {
-    if (isAtRest(viewState) && !tellsWorth(viewState))
+    if (isAtRest(viewState) && !showsWorth(viewState))
         return TerrainPage::tr("The verdict is withheld: do not rely on a probe's gain.");
     const AtemState& state = viewState.state;
     if (state.followed) return followedProbe(state);
@@ -84,7 +84,7 @@ QString whyNoProbe(const TerrainViewState& viewState)
         if (viewState.estimate && !viewState.proposal)
             return TerrainPage::tr("No probe: the estimate stands without the arm.");
     }
-    if (tellsWorth(viewState)) return TerrainPage::tr("No probe is proposed. A probe would give:");
+    if (showsWorth(viewState)) return TerrainPage::tr("No probe is proposed. A probe would give:");
     return TerrainPage::tr(
         "No probe is proposed. After an exploration the arm is offered where the "
         "terrain stays uncertain.");
@@ -399,7 +399,7 @@ void TerrainPage::showVerdict(const TerrainViewState& viewState)
                                         : tr("The estimate is being computed"));
     QString probe;
     const ProbeProposal* const proposal = viewState.proposal    ? viewState.proposal
-                                        : tellsWorth(viewState) ? &*viewState.bestProbe
+                                        : showsWorth(viewState) ? &*viewState.bestProbe
                                                                 : nullptr;
     if (proposal && proposal->worth && proposal->stepLimit == verdict_->limit())
         probe = probeTells(*proposal);

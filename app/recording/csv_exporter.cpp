@@ -54,7 +54,7 @@ public:
         }
     }
 
-    Taken take(const FrameRow& row) override
+    Taken write(const FrameRow& row) override
     {
         if (what_ == ExportKind::Frames) {
             const CanFrame& f = row.frame;
@@ -63,15 +63,15 @@ public:
             return Taken::Written;
         }
         if (const auto content = unpack(row.frame); std::holds_alternative<Unpacked>(content))
-            takeSignals(row.time, std::get<Unpacked>(content));
+            writeSignals(row.time, std::get<Unpacked>(content));
         else if (const auto message = payload_.find(row.frame))
-            takePayload(row, payload_.messages()[*message]);
+            writePayload(row, payload_.messages()[*message]);
         else
             return Taken::PassedOver;
         return Taken::Written;
     }
 
-    bool take(const EstimateRow& row) override
+    bool write(const EstimateRow& row) override
     {
         if (what_ != ExportKind::Estimates) return false;
         const TerrainEstimate& e = row.estimate;
@@ -86,7 +86,7 @@ public:
         return true;
     }
 
-    bool take(const EventRow& row) override
+    bool write(const EventRow& row) override
     {
         if (what_ != ExportKind::Events) return false;
         out_ << csvLine({moment(row.time), row.id, name(row.kind), row.subject, row.text,
@@ -120,7 +120,7 @@ private:
         return columns;
     }
 
-    void takeSignals(SessionTime time, const Unpacked& content)
+    void writeSignals(SessionTime time, const Unpacked& content)
     {
         std::vector<std::string> fields{moment(time)};
         const FrameLayout& own = layoutOf(content.kind);
@@ -131,7 +131,7 @@ private:
         out_ << csvLine(fields);
     }
 
-    void takePayload(const FrameRow& row, const PayloadSignals::Message& message)
+    void writePayload(const FrameRow& row, const PayloadSignals::Message& message)
     {
         std::size_t own = 0;
         for (const FrameLayout& layout : frameLayouts()) own += layout.payload.size();

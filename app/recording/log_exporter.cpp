@@ -28,7 +28,7 @@ class CandumpExporter final : public Exporter {
 public:
     CandumpExporter(std::ostream& out, const SessionStart& start) : out_(out), start_(start) {}
 
-    Taken take(const FrameRow& row) override
+    Taken write(const FrameRow& row) override
     {
         if (row.frame.isCut) return Taken::Inexpressible;
         const double time = static_cast<double>(wallTimeOf(start_, row.time)) * 1e-9;
@@ -52,7 +52,7 @@ public:
         if (!base_) writeHeader(wallTimeOf(start_, 0));
     }
 
-    Taken take(const FrameRow& row) override
+    Taken write(const FrameRow& row) override
     {
         const CanFrame& frame = row.frame;
         const std::int64_t wall = wallTimeOf(start_, row.time);

@@ -92,7 +92,7 @@ public:
                                                 {"start", utcText(wallTimeOf(start, 0))}});
     }
 
-    Taken take(const FrameRow& row) override
+    Taken write(const FrameRow& row) override
     {
         const auto described = payload_.find(row.frame);
         Taken taken = Taken::PassedOver;
@@ -106,17 +106,17 @@ public:
             taken = Taken::Written;
         }
         if (measurement_ == 0 || !listener_ || row.sent) return taken;
-        const auto measured = listener_->take(row.frame, secondsOf(row.time));
+        const auto measured = listener_->receive(row.frame, secondsOf(row.time));
         if (!measured) return taken;
         write(measurement_, row.time, measurementJson(*measured));
         return Taken::Written;
     }
-    bool take(const EstimateRow& row) override
+    bool write(const EstimateRow& row) override
     {
         if (estimate_ != 0) write(estimate_, row.time, estimateJson(row));
         return estimate_ != 0;
     }
-    bool take(const EventRow& row) override
+    bool write(const EventRow& row) override
     {
         if (event_ == 0) return false;
         const std::string number = row.number ? fmt::format(",\"number\":{}", *row.number) : "";

@@ -17,20 +17,20 @@ bool isAnswer(const EventRow& event)
 
 }  // namespace
 
-void RecordingContext::take(const SessionRow& row)
+void RecordingContext::add(const SessionRow& row)
 {
-    if (const auto* event = std::get_if<EventRow>(&row)) return takeEvent(*event);
+    if (const auto* event = std::get_if<EventRow>(&row)) return addEvent(*event);
     if (std::holds_alternative<SceneRow>(row)) {
         const auto newest = std::find_if(ofScene_.rbegin(), ofScene_.rend(), isModel);
         std::vector<SessionRow> model;
         if (newest != ofScene_.rend()) model.push_back(*newest);
         ofScene_ = std::move(model);
-        standing_.erase({EventKind::Unheard, {}});
+        standing_.erase({EventKind::TelemetryGap, {}});
     }
     ofScene_.push_back(row);
 }
 
-void RecordingContext::takeEvent(EventRow event)
+void RecordingContext::addEvent(EventRow event)
 {
     if (isAnswer(event)) {
         ofScene_.emplace_back(std::move(event));
@@ -42,7 +42,7 @@ void RecordingContext::takeEvent(EventRow event)
     case EventKind::Arming:
     case EventKind::Link:
     case EventKind::Forgotten:
-    case EventKind::Unheard: standing_[{event.kind, {}}] = std::move(event); break;
+    case EventKind::TelemetryGap: standing_[{event.kind, {}}] = std::move(event); break;
     case EventKind::Override:
         standing_.erase({event.kind, {}});
         if (!event.text.empty()) standing_[{event.kind, {}}] = std::move(event);

@@ -19,7 +19,7 @@ using SessionRow = std::variant<ModelRow, SceneRow, EstimateRow, ProposalRow, Ev
 class RecordingContext {
 public:
     /// Adds a row of the recording, in order.
-    void take(const SessionRow& row);
+    void add(const SessionRow& row);
 
     /// Returns the rows that the next file needs. These are the model in use, and the newest scene with its estimates,
     /// proposals and answers. For arming, link, exploration and a forgotten estimate it returns the newest event. For
@@ -28,7 +28,7 @@ public:
     std::vector<SessionRow> rows() const;
 
 private:
-    void takeEvent(EventRow event);
+    void addEvent(EventRow event);
 
     std::vector<SessionRow> ofScene_;  ///< the scene's rows, after the model's row
     std::map<std::pair<EventKind, std::string>, EventRow> standing_;

@@ -1,11 +1,11 @@
 #include "app/recording/scene_origins.h"
 
 #include "app/recording/session_text.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 
 namespace terratact {
 
-std::set<std::int64_t> SceneOrigins::take(const SessionReader& session)
+std::set<std::int64_t> SceneOrigins::add(const SessionReader& session)
 {
     std::map<Key, std::string> added;
     std::set<std::int64_t> repeated;
@@ -23,7 +23,8 @@ std::set<std::int64_t> SceneOrigins::take(const SessionReader& session)
     }
     fileOf_.merge(added);
     if (!repeated.empty())
-        say(stderr, "terratact: {}: {} of its {} scenes are in {} too{}: they are taken once\n",
+        printText(
+            stderr, "terratact: {}: {} of its {} scenes are in {} too{}: they are taken once\n",
             session.path(), repeated.size(), session.scenes().size(), first,
             repeated.size() == session.scenes().size() ? ", which is the same recording" : "");
     return repeated;

@@ -17,7 +17,7 @@ class SceneOrigins {
 public:
     /// Adds a session's scenes. Returns the ids of scenes that an earlier session had, and prints their number on
     /// stderr.
-    std::set<std::int64_t> take(const SessionReader& session);
+    std::set<std::int64_t> add(const SessionReader& session);
 
 private:
     using Key = std::pair<std::int64_t, FeatureValues>;

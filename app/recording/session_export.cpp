@@ -26,7 +26,7 @@ std::vector<Other> othersOf(const SessionReader& session, const ExportSelection&
     const auto add = [&](const auto& rows) {
         for (const auto& row : rows)
             if (selection.covers(row.time))
-                others.emplace_back(row.time, [&row](Exporter& e) { return e.take(row); });
+                others.emplace_back(row.time, [&row](Exporter& e) { return e.write(row); });
     };
     add(session.estimates());
     add(session.events());
@@ -70,7 +70,7 @@ std::optional<ExportCounts> run(SessionReader& session, Exporter& exporter,
             if (!selection.covers(frame.time)) continue;
             for (; other != others.end() && other->first <= frame.time; ++other)
                 counts.others += other->second(exporter) ? 1 : 0;
-            const Taken taken = exporter.take(frame);
+            const Taken taken = exporter.write(frame);
             counts.frames += taken == Taken::Written ? 1 : 0;
             counts.leftOut += taken == Taken::Inexpressible ? 1 : 0;
         }

@@ -23,10 +23,10 @@ public:
     virtual ~Exporter() = default;
     virtual bool wantsFrames() const { return true; }
     virtual void begin() {}
-    virtual Taken take(const FrameRow&) { return Taken::PassedOver; }
+    virtual Taken write(const FrameRow&) { return Taken::PassedOver; }
     /// Returns false if this kind of row was not selected.
-    virtual bool take(const EstimateRow&) { return false; }
-    virtual bool take(const EventRow&) { return false; }
+    virtual bool write(const EstimateRow&) { return false; }
+    virtual bool write(const EventRow&) { return false; }
     virtual void end() {}
 };
 

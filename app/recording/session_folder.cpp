@@ -63,17 +63,17 @@ std::vector<std::string> sessionsIn(const std::string& folder)
 
 std::vector<std::string> recoverDeadSessions(const std::vector<std::string>& paths)
 {
-    std::vector<std::string> told;
+    std::vector<std::string> reports;
     for (const std::string& path : paths) {
         const auto recovery =
             recoverSession(path, true);  // true: a journal missing in this folder never comes back
         if (!recovery)
-            told.push_back("session not recovered: " + recovery.error().text);
+            reports.push_back("session not recovered: " + recovery.error().text);
         else if (*recovery == SessionRecovery::Recovered)
-            told.push_back("session recovered, whose program had ended without closing it: "
-                           + path);
+            reports.push_back("session recovered, whose program had ended without closing it: "
+                              + path);
     }
-    return told;
+    return reports;
 }
 
 namespace {
@@ -163,16 +163,16 @@ std::vector<std::string> applyRetention(const std::vector<std::string>& paths,
                             "none is deleted until the page of the settings says that they may be",
                             surplus.size(), 1e-6 * bytes)};
     }
-    std::vector<std::string> told;
+    std::vector<std::string> reports;
     for (const ClosedSession& session : surplus) {
         if (!goesOn()) break;
         std::error_code none;
         if (std::filesystem::remove(session.path, none))
-            told.push_back(std::string("session deleted, since ")
-                           + (session.tooOld ? "it is older" : "all together are larger")
-                           + " than you have set: " + session.path);
+            reports.push_back(std::string("session deleted, since ")
+                              + (session.tooOld ? "it is older" : "all together are larger")
+                              + " than you have set: " + session.path);
     }
-    return told;
+    return reports;
 }
 
 }  // namespace terratact

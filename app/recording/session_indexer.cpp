@@ -37,7 +37,7 @@ void SessionIndexer::publish(const SessionSurvey& survey, const SessionReader& r
     found_.contacts = survey.contacts();
     found_.silences = survey.silences();
     found_.damage = reader.damage();
-    found_.share = all > 0.0 ? static_cast<double>(survey.taken()) / all : 1.0;
+    found_.share = all > 0.0 ? static_cast<double>(survey.batchesRead()) / all : 1.0;
     ++version_;
 }
 
@@ -55,7 +55,7 @@ void SessionIndexer::run(const std::stop_token& stop)
     std::condition_variable_any wake;
     while (!stop.stop_requested()) {
         std::size_t taken = 0;
-        while (!stop.stop_requested() && survey.takeNext(*reader))
+        while (!stop.stop_requested() && survey.addNext(*reader))
             if (++taken % kPublishEvery == 0) publish(survey, *reader);
         if (taken > 0 || found().share < 1.0) publish(survey, *reader);
         if (reader->sealed()) return;

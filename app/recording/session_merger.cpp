@@ -18,7 +18,7 @@ Status SessionMerger::add(SessionReader& session)
 {
     // Rotated files share their start; each repeats the state at its beginning.
     session_ = &session;
-    toldBefore_.merge(told_);
+    eventsBefore_.merge(events_);
     shift_ = session.start().wallTime - wallTime_;
     ids_ = {};
     for (std::size_t i = 0; i < session.batches().size(); ++i) {
@@ -43,7 +43,7 @@ Status SessionMerger::addUntil(SessionTime time, const Rows& rows, std::size_t& 
 {
     for (; read < rows.size() && rows[read].time <= time; ++read) {
         dangles_ = false;
-        Status added = take(rows[read]);
+        Status added = add(rows[read]);
         if (added) continue;
         if (!dangles_ || dangling_ == Dangling::Refused) return added;
         ++leftOut_;
@@ -81,21 +81,21 @@ Status SessionMerger::keep(RowType row, std::int64_t old, std::map<std::int64_t,
     return writer_.add(row);
 }
 
-Status SessionMerger::take(ModelRow row)
+Status SessionMerger::add(ModelRow row)
 {
     if (ids_.model.contains(row.id)) return Done{};
     row.time += shift_;
     return keep(row, row.id, ids_.model, models_);
 }
 
-Status SessionMerger::take(SceneRow row)
+Status SessionMerger::add(SceneRow row)
 {
     if (ids_.scene.contains(row.id)) return Done{};
     row.time += shift_;
     return keep(row, row.id, ids_.scene, scenes_);
 }
 
-Status SessionMerger::take(EstimateRow row)
+Status SessionMerger::add(EstimateRow row)
 {
     if (ids_.estimate.contains(row.id)) return Done{};
     if (Status there = require(row); !there) return there;
@@ -124,7 +124,7 @@ Status SessionMerger::take(EstimateRow row)
     return writer_.add(row);
 }
 
-Status SessionMerger::take(ProposalRow row)
+Status SessionMerger::add(ProposalRow row)
 {
     if (ids_.proposal.contains(row.id)) return Done{};
     if (Status there = requireEstimate(row.estimate); !there) return there;
@@ -133,11 +133,11 @@ Status SessionMerger::take(ProposalRow row)
     return keep(row, row.id, ids_.proposal, proposals_);
 }
 
-Status SessionMerger::take(EventRow row)
+Status SessionMerger::add(EventRow row)
 {
     const Told told{row.time + shift_, row.kind, row.subject, row.text};
-    if (toldBefore_.contains(told)) return Done{};
-    told_.insert(told);
+    if (eventsBefore_.contains(told)) return Done{};
+    events_.insert(told);
     for (const bool estimates : {true, false}) {
         if (Status there = refer(row, estimates); !there) {
             if (!dangles_ || dangling_ == Dangling::Refused) return there;
@@ -160,7 +160,7 @@ Status SessionMerger::refer(EventRow& row, bool toEstimate)
     }
     const ProposalRow* proposal = session_->proposal(row.proposal);
     if (!proposal) return missing("an event", "proposal");
-    if (Status there = take(*proposal); !there) return there;
+    if (Status there = add(*proposal); !there) return there;
     row.proposal = ids_.proposal.at(row.proposal);
     return Done{};
 }
@@ -172,14 +172,14 @@ Status SessionMerger::require(const EstimateRow& row)
     const ModelRow* model = session_->model(row.model);
     if (!scene) return missing("an estimate", "scene");
     if (!model) return missing("an estimate", "model");
-    if (Status there = take(*model); !there) return there;
-    return take(*scene);
+    if (Status there = add(*model); !there) return there;
+    return add(*scene);
 }
 
 Status SessionMerger::requireEstimate(std::int64_t id)
 {
     const EstimateRow* estimate = session_->estimate(id);
-    return estimate ? take(*estimate) : missing("a row", "estimate");
+    return estimate ? add(*estimate) : missing("a row", "estimate");
 }
 
 Status SessionMerger::missing(const char* what, const char* whose)

@@ -50,11 +50,11 @@ private:
     template <class RowType>
     Status keep(RowType row, std::int64_t old, std::map<std::int64_t, std::int64_t>& ids,
                 std::vector<RowType>& kept);
-    Status take(ModelRow row);
-    Status take(SceneRow row);
-    Status take(EstimateRow row);
-    Status take(ProposalRow row);
-    Status take(EventRow row);
+    Status add(ModelRow row);
+    Status add(SceneRow row);
+    Status add(EstimateRow row);
+    Status add(ProposalRow row);
+    Status add(EventRow row);
     Status refer(EventRow& row, bool toEstimate);
     Status require(const EstimateRow& row);
     Status requireEstimate(std::int64_t id);
@@ -68,7 +68,7 @@ private:
     SessionReader* session_ = nullptr;
     SessionTime shift_ = 0;
     Ids ids_;
-    std::set<Told> told_, toldBefore_;  ///< events of this session, and of earlier sessions
+    std::set<Told> events_, eventsBefore_;  ///< events of this session, and of earlier sessions
     std::vector<ModelRow> models_;
     std::vector<SceneRow> scenes_;
     std::vector<EstimateRow> estimates_;  ///< without draws

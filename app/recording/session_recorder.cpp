@@ -61,7 +61,7 @@ SessionTime SessionRecorder::now() const
     return sessionTimeOf(steadyNow() - began_);
 }
 
-void SessionRecorder::take(std::span<const BusFrame> frames)
+void SessionRecorder::add(std::span<const BusFrame> frames)
 {
     const std::scoped_lock lock(mutex_);
     if (!on_) return;
@@ -261,12 +261,12 @@ Status SessionRecorder::begin()
     }
     const bool goesOn = !before_.empty();
     if (Status written = writeContext(); !written) return written;
-    Status told = writer_->add(EventRow{.time = now(),
-                                        .kind = EventKind::Session,
-                                        .subject = goesOn ? "continued" : "begun",
-                                        .text = goesOn ? "after " + before_ : std::string()});
+    Status logged = writer_->add(EventRow{.time = now(),
+                                          .kind = EventKind::Session,
+                                          .subject = goesOn ? "continued" : "begun",
+                                          .text = goesOn ? "after " + before_ : std::string()});
     before_ = path;
-    return told;
+    return logged;
 }
 
 /// Writes the state at the start of a file that continues another.
@@ -314,7 +314,7 @@ Status SessionRecorder::write()
 
 void SessionRecorder::remember()
 {
-    for (const SessionRow& row : batch_.rows) context_.take(row);
+    for (const SessionRow& row : batch_.rows) context_.add(row);
     batch_ = {};
 }
 

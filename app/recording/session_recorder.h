@@ -59,7 +59,7 @@ public:
     ~SessionRecorder();  ///< commits and seals the file
 
     /// Adds frames of the bus; their times are those of the steady clock.
-    void take(std::span<const BusFrame> frames);
+    void add(std::span<const BusFrame> frames);
 
     // Each adds a row and returns its new id. An unset time becomes now. An operator's decision is committed at once.
     std::int64_t record(ModelRow row);

@@ -180,7 +180,7 @@ QWidget* ReviewExportDialog::form()
     addField(*rows, tr("Other devices"), payload_);
     addField(*rows, tr("File"), file());
     connect(what_, &QComboBox::currentIndexChanged, this, &ReviewExportDialog::offerFormats);
-    connect(format_, &QComboBox::currentIndexChanged, this, &ReviewExportDialog::takeFormat);
+    connect(format_, &QComboBox::currentIndexChanged, this, &ReviewExportDialog::applyFormat);
     return form;
 }
 
@@ -261,7 +261,7 @@ void ReviewExportDialog::offerFormats()
         for (const QString& ending : chosen(*what_).formats)
             format_->addItem(formatName(ending), ending);
     }
-    takeFormat();
+    applyFormat();
     showViewState();
 }
 
@@ -274,7 +274,7 @@ void ReviewExportDialog::nameFile()
     if (path_->text() != named_) path_->setText(named_);
 }
 
-void ReviewExportDialog::takeFormat()
+void ReviewExportDialog::applyFormat()
 {
     if (path_->text() == named_) return nameFile();
     const QFileInfo named(path_->text());

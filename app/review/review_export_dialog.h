@@ -68,7 +68,7 @@ private:
     void showPayload();
     void showButtons();
     QString whyNotExport() const;  ///< reason that writing is not possible; empty: it is
-    void takeFormat();
+    void applyFormat();
     void nameFile();
     void browse();
     QString path() const;  ///< path with the format's ending

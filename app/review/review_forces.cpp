@@ -24,7 +24,7 @@ const std::vector<TimedForces>& ReviewForces::feltIn(std::size_t batch, double t
     ForceArrays arrays(robot_);
     for (std::size_t i = batch - std::min<std::size_t>(batch, 1); i <= batch; ++i)
         for (const FrameRow& row : reader_.frames(i)) {
-            const auto measured = listener.take(row.frame, secondsOf(row.time));
+            const auto measured = listener.receive(row.frame, secondsOf(row.time));
             if (measured && i == batch)
                 made.felt.push_back(
                     {secondsOf(row.time), arrays.of(*measured, listener.forces(), threshold)});

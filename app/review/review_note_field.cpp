@@ -24,10 +24,10 @@ ReviewNoteField::ReviewNoteField(const SessionReader& session, const ReviewPlaye
         notes_ = std::move(*notes);
     else
         trouble_ = translated(notes.error().message);
-    connect(this, &QLineEdit::returnPressed, this, &ReviewNoteField::take);
+    connect(this, &QLineEdit::returnPressed, this, &ReviewNoteField::submit);
 }
 
-void ReviewNoteField::take()
+void ReviewNoteField::submit()
 {
     const QString entered = text().trimmed();
     if (entered.isEmpty()) return;
@@ -41,7 +41,7 @@ void ReviewNoteField::take()
         notes_ = std::move(notes);
         clear();
     }
-    emit taken();
+    emit submitted();
 }
 
 }  // namespace terratact

@@ -25,10 +25,10 @@ public:
 signals:
     /// Emitted after Enter. The note is saved and in notes(), or trouble() has the reason and the text stays in the
     /// field.
-    void taken();
+    void submitted();
 
 private:
-    void take();
+    void submit();
 
     const SessionReader& session_;
     const ReviewPlayer& player_;

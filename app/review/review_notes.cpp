@@ -35,7 +35,7 @@ Result<std::vector<ReviewNote>> readNotes(const std::string& session)
     if (const auto& names = csv->fields();
         names.size() != 2 || names[0] != "t_s" || names[1] != "note")
         return csv->error(TR_NOOP("core", "is no file of notes: expected the columns t_s,note"));
-    csv->takeHeader({});
+    csv->useAsHeader({});
     for (;;) {
         const Result<bool> more = csv->next();
         if (!more) return more.error();

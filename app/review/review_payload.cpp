@@ -57,19 +57,19 @@ const std::vector<FrameRow>& ReviewPayload::foreignIn(std::size_t batch)
 std::vector<TappedFrame> ReviewPayload::at(SessionTime time)
 {
     const SessionTime from = time - sessionTimeOf(kWindow);
-    ForeignFrames heard;
-    (void)heard.describe(book_);
-    Ticks ticks(heard, secondsOf(from));
+    ForeignFrames received;
+    (void)received.describe(book_);
+    Ticks ticks(received, secondsOf(from));
     for (std::size_t i = reader_.batchAt(from);
          i < reader_.batches().size() && reader_.batches()[i].first <= time; ++i)
         for (const FrameRow& row : foreignIn(i)) {
             if (row.time < from || row.time > time) continue;
             ticks.until(secondsOf(row.time));
-            (void)heard.take(row.frame, FrameTrouble::Unknown, secondsOf(row.time));
+            (void)received.add(row.frame, FrameTrouble::Unknown, secondsOf(row.time));
         }
     ticks.until(secondsOf(time));
     std::vector<TappedFrame> frames;
-    heard.addTo(frames, secondsOf(time), ticks.count(), ticks.point());
+    received.addTo(frames, secondsOf(time), ticks.count(), ticks.point());
     return frames;
 }
 

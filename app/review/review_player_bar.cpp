@@ -145,7 +145,7 @@ void ReviewPlayerBar::addPosition(QHBoxLayout& row)
 {
     position_ = new QLineEdit(this);
     position_->setAccessibleName(tr("Time in the session"));
-    connect(position_, &QLineEdit::returnPressed, this, &ReviewPlayerBar::takePosition);
+    connect(position_, &QLineEdit::returnPressed, this, &ReviewPlayerBar::goToEntered);
     row.addWidget(position_);
     of_ = new PlainLabel(this);
     setTone(*of_, Tone::Muted);
@@ -183,7 +183,7 @@ void ReviewPlayerBar::setTimeline(const Timeline& timeline)
     timeline_->setTimeline(lanes_);
 }
 
-void ReviewPlayerBar::takeGrowth()
+void ReviewPlayerBar::addGrowth()
 {
     player_.setRange(secondsOf(session_.begin()), secondsOf(session_.end()));
     if (player_.following()) player_.seek(player_.end());
@@ -328,7 +328,7 @@ void ReviewPlayerBar::setCursor(bool isA)
     showPlayer();
 }
 
-void ReviewPlayerBar::takePosition()
+void ReviewPlayerBar::goToEntered()
 {
     double seconds = 0.0;
     bool good = true;

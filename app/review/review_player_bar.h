@@ -31,7 +31,7 @@ public:
     void goTo(double seconds);  ///< [s] of the session
     void pause();
     void advance(double elapsed);  ///< advances playback by `elapsed` [s]
-    void takeGrowth();  ///< call after the session has grown; follows its end if following
+    void addGrowth();  ///< call after the session has grown; follows its end if following
     void setTimeline(const Timeline& timeline);
     void addTool(QWidget* tool);  ///< adds a tool at the right end
     void addKeys(KeyTable& keys);
@@ -72,7 +72,7 @@ private:
     QList<double> eventTimes() const;
     void speedUp(double factor);
     void setCursor(bool isA);
-    void takePosition();
+    void goToEntered();
 
     const SessionReader& session_;
     ReviewMoments& moments_;

@@ -90,7 +90,7 @@ public:
             for (; estimate != session.estimates().end() && estimate->time <= event.time;
                  ++estimate)
                 begin(*estimate);
-            take(event);
+            add(event);
         }
         for (; estimate != session.estimates().end(); ++estimate) begin(*estimate);
         for (OpenSpans* open : {&link_, &estimates_, &probes_, &alarms_})
@@ -111,7 +111,7 @@ private:
             << TimelineMark{secondsOf(event.time), weight, sentenceOf(event)};
     }
 
-    void take(const EventRow& event)
+    void add(const EventRow& event)
     {
         const double at = secondsOf(event.time);
         switch (event.kind) {
@@ -122,7 +122,7 @@ private:
                          sentenceOf(event)});
             break;
         case EventKind::Forgotten: estimates_.end("estimate", at); break;
-        case EventKind::Phase: takePhase(event, at); break;
+        case EventKind::Phase: addPhase(event, at); break;
         case EventKind::Alarm:
             // A continued file starts with the alarms that were active; one that was already open adds no mark.
             if (const double state = event.number.value_or(0.0);
@@ -132,7 +132,9 @@ private:
                 alarms_.end(event.subject, at);
             break;
         case EventKind::Decision: mark(ReviewLane::Operator, event, TimelineWeight::Accent); break;
-        case EventKind::Unheard: mark(ReviewLane::Estimates, event, TimelineWeight::Doubt); break;
+        case EventKind::TelemetryGap:
+            mark(ReviewLane::Estimates, event, TimelineWeight::Doubt);
+            break;
         case EventKind::Override:
         case EventKind::Panel:
         case EventKind::Arming: mark(ReviewLane::Operator, event, TimelineWeight::Plain); break;
@@ -143,7 +145,7 @@ private:
         }
     }
 
-    void takePhase(const EventRow& event, double at)
+    void addPhase(const EventRow& event, double at)
     {
         const auto phase = phaseOf(event);
         probes_.end("probe", at);
@@ -231,7 +233,7 @@ QString nameOf(EventKind kind)
     case EventKind::Arming: return ReviewWords::tr("arming");
     case EventKind::Link: return ReviewWords::tr("link");
     case EventKind::Forgotten: return ReviewWords::tr("estimate void");
-    case EventKind::Unheard: return ReviewWords::tr("telemetry gap");
+    case EventKind::TelemetryGap: return ReviewWords::tr("telemetry gap");
     case EventKind::Override: return ReviewWords::tr("override");
     case EventKind::Alarm: return ReviewWords::tr("alarm");
     case EventKind::Panel: return ReviewWords::tr("panel");
@@ -252,7 +254,7 @@ QString wordsOf(const EventRow& event)
         return event.number.value_or(0.0) > 0.0
                  ? ReviewWords::tr("contact closed: %1").arg(format::eventWord(event.subject))
                  : ReviewWords::tr("contact open: %1").arg(format::eventWord(event.subject));
-    if (event.kind == EventKind::Unheard)
+    if (event.kind == EventKind::TelemetryGap)
         return ReviewWords::tr("telemetry was missing for a while since the scene");
     if (event.kind == EventKind::Override)
         return event.text.empty() ? ReviewWords::tr("nothing is overridden")

@@ -34,7 +34,7 @@ ProbeProposal proposalOf(const ProposalRow& row)
     return p;
 }
 
-bool isHeard(const ReviewMoment& moment)
+bool isTelemetryFresh(const ReviewMoment& moment)
 {
     return moment.linkAlive && moment.measurement
         && secondsOf(moment.time - moment.measured) <= kStaleAfter;
@@ -56,7 +56,7 @@ std::optional<Verdict> ReviewViewState::verdict(const ReviewMoment& moment) cons
 {
     if (!moment.estimate || !moment.scene) return std::nullopt;
     return verdictOf(moment.estimate->estimate, moment.scene->measurement,
-                     {.heard = isHeard(moment),
+                     {.telemetryFresh = isTelemetryFresh(moment),
                       .unbroken = moment.unbroken,
                       .sensorsSound = moment.sensorsSound},
                      limit(moment));
@@ -133,7 +133,7 @@ void ReviewViewState::addGhost(TerrainViewState& viewState, const ReviewMoment& 
 {
     const auto [ghost, why] = ghost_.at(moment);
     if (!ghost && !why) return;
-    viewState.whyNoGhost = noGhostWords(why, isHeard(moment));
+    viewState.whyNoGhost = noGhostWords(why, isTelemetryFresh(moment));
     if (viewState.whyNoGhost.isEmpty()) viewState.ghost = ghost;
 }
 

@@ -165,7 +165,7 @@ void ReviewWindow::connectAll()
             [this] { rail()->choose(rail()->pageOf(Qt::Key_F4)); });
     connect(events_, &ReviewEventsPage::seekWanted, player_, &ReviewPlayerBar::goTo);
     connect(whatIf_, &WhatIfPage::answered, this, &ReviewWindow::showMoment);
-    connect(note_, &ReviewNoteField::taken, this, &ReviewWindow::noteTaken);
+    connect(note_, &ReviewNoteField::submitted, this, &ReviewWindow::noteTaken);
     connect(player_, &ReviewPlayerBar::moved, this, &ReviewWindow::showMoment);
     connect(player_, &ReviewPlayerBar::fieldLeft, this, [this] { setFocus(); });
     // The time while playback was paused does not count.
@@ -199,7 +199,7 @@ void ReviewWindow::followSession()
             sinceGrowth_ = 0.0;
             grows_ = true;
             events_->reload();
-            player_->takeGrowth();  // redraws the moment, because rows may have moved
+            player_->addGrowth();  // redraws the moment, because rows may have moved
         }
     }
     if (sinceGrowth_ > kStillGrows) grows_ = false;

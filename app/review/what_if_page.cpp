@@ -191,9 +191,10 @@ void WhatIfPage::drop()
         answer_.reset();
         emit answered();
     }
-    say(recorded_ ? tr("Change settings, then estimate again: the page Terrain (F2) draws both.")
-                  : QString(),
-        Tone::Muted);
+    showStatus(recorded_
+                   ? tr("Change settings, then estimate again: the page Terrain (F2) draws both.")
+                   : QString(),
+               Tone::Muted);
     showBins(nullptr);
 }
 
@@ -211,7 +212,7 @@ void WhatIfPage::asRecorded()
     row.name = recordedModel_.toStdString();
     row.hash = recordedHash_.toStdString();
     const auto found = modelFileOf(row, paths);
-    if (!found) return say(translated(found.error().message), Tone::Doubt);
+    if (!found) return showStatus(translated(found.error().message), Tone::Doubt);
     model_->setCurrentIndex(model_->findData(QString::fromStdString(*found)));
 }
 
@@ -240,16 +241,16 @@ void WhatIfPage::useModel(const QString& path)
     if (worker_) return worker_->load(loader);
     worker_ = std::make_unique<EstimatorWorker>(loader);
     connect(worker_.get(), &EstimatorWorker::estimated, this,
-            [this](int job, const TerrainEstimate& estimate) { take(job, estimate); });
+            [this](int job, const TerrainEstimate& estimate) { addEstimate(job, estimate); });
     const auto failed = [this](const QString& why) {
         job_ = 0;
         modelPath_.clear();
-        say(tr("No estimate: %1").arg(why), Tone::Bad);
+        showStatus(tr("No estimate: %1").arg(why), Tone::Bad);
     };
     connect(worker_.get(), &EstimatorWorker::failed, this, [this](int job, const QString& why) {
         if (job != job_) return;
         job_ = 0;
-        say(tr("No estimate: %1").arg(why), Tone::Bad);
+        showStatus(tr("No estimate: %1").arg(why), Tone::Bad);
     });
     connect(worker_.get(), &EstimatorWorker::modelFailed, this, failed);
     connect(worker_.get(), &EstimatorWorker::modelKept, this, failed);
@@ -260,18 +261,18 @@ void WhatIfPage::estimate()
 {
     if (!recorded_ || !scene_) return;
     const QString path = model_->currentData().toString();
-    if (path.isEmpty()) return say(tr("No model is chosen"), Tone::Bad);
+    if (path.isEmpty()) return showStatus(tr("No model is chosen"), Tone::Bad);
     if (const Status modest = requireModest(settings()); !modest)
-        return say(tr("No estimate: %1").arg(translated(modest.error().message)), Tone::Bad);
+        return showStatus(tr("No estimate: %1").arg(translated(modest.error().message)), Tone::Bad);
     useModel(path);
     asked_ = settings();
     EstimateRequest request{scene_->measurement, recorded_->readings, *asked_};
     request.stepLimit = recorded_->stepLimit;
     job_ = worker_->request(request);
-    say(tr("Estimating …"), Tone::Muted);
+    showStatus(tr("Estimating …"), Tone::Muted);
 }
 
-void WhatIfPage::take(int job, const TerrainEstimate& estimate)
+void WhatIfPage::addEstimate(int job, const TerrainEstimate& estimate)
 {
     if (job != job_ || !recorded_) return;
     job_ = 0;
@@ -321,7 +322,7 @@ void WhatIfPage::showAnswer()
                      format::number(100.0 * found.before.step.p, 1),
                      format::sentence(name(found.after.stepVerdict)),
                      format::number(100.0 * found.after.step.p, 1));
-    say(text, tone);
+    showStatus(text, tone);
     showBins(&found);
 }
 
@@ -350,7 +351,7 @@ void WhatIfPage::showBins(const Differences* found)
     }
 }
 
-void WhatIfPage::say(const QString& text, Tone tone)
+void WhatIfPage::showStatus(const QString& text, Tone tone)
 {
     result_->setText(text);
     setTone(*result_, tone);

@@ -65,11 +65,11 @@ private:
     Settings settings() const;
     bool isRecordedModel() const;
     void useModel(const QString& path);
-    void take(int job, const TerrainEstimate& estimate);
+    void addEstimate(int job, const TerrainEstimate& estimate);
     void showAnswer();
     void showBins(const Differences* found);  ///< null: shows only the recorded bins
     void drop();
-    void say(const QString& text, Tone tone);
+    void showStatus(const QString& text, Tone tone);
 
     RobotModel robot_;
     QStringList models_;

@@ -10,7 +10,7 @@ class Interrupt {
 public:
     Interrupt()
     {
-        for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, take);
+        for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, onSignal);
     }
     ~Interrupt()
     {
@@ -22,7 +22,7 @@ public:
     bool came() const { return came_ != 0; }
 
 private:
-    static void take(int signal)
+    static void onSignal(int signal)
     {
         came_ = 1;
         std::signal(signal, SIG_DFL);

@@ -1,5 +1,5 @@
 #include "app/runtime/progress.h"
-#include "app/runtime/say.h"
+#include "app/runtime/print_text.h"
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -18,7 +18,7 @@ Progress::Progress(std::string what, int total)
 
 Progress::~Progress()
 {
-    if (printed_) say(stderr, "\r\033[K");
+    if (printed_) printText(stderr, "\r\033[K");
 }
 
 void Progress::tick()
@@ -42,8 +42,8 @@ void Progress::show(int done)
     shown_ = now;
     printed_ = true;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
-    say(stderr, "\r\033[K{} {} of {}, about {:.0f} s left", what_, done, total_,
-        elapsed * (total_ - done) / done);
+    printText(stderr, "\r\033[K{} {} of {}, about {:.0f} s left", what_, done, total_,
+              elapsed * (total_ - done) / done);
     std::fflush(stderr);
 }
 

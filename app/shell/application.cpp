@@ -71,7 +71,7 @@ Status Application::start(const Preferences& preferences, bool pictures)
     return Done{};
 }
 
-void tellRefusal(const std::string& file, const Message& why)
+void printRefusal(const std::string& file, const Message& why)
 {
     constexpr int kWide = 620;  // [px] at 100 %
     const QString title =
@@ -90,7 +90,7 @@ void tellRefusal(const std::string& file, const Message& why)
 
 void showWindow(ConsoleWindow& window, const ConsoleOptions& options, const QByteArray& left)
 {
-    if (options.safeMode) window.saySafeMode();
+    if (options.safeMode) window.showSafeMode();
     setSize(window, options, left);
     closeOnSignals(window);
     window.show();

@@ -29,7 +29,7 @@ private:
 
 /// Shows a window with the reason that no other opens, until it is closed. file: the file to open, or empty. Call after
 /// Application::start().
-void tellRefusal(const std::string& file, const Message& why);
+void printRefusal(const std::string& file, const Message& why);
 
 /// Shows a window in the size of the command line, else as last saved (QWidget::saveGeometry()), else in a default
 /// size. SIGTERM and similar signals close it without asking: the robot is halted and the recording closed.

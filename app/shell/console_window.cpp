@@ -93,7 +93,7 @@ QLabel* ConsoleWindow::addStrip(QLabel* strip, const QString& look)
     return strip;
 }
 
-void ConsoleWindow::saySafeMode()
+void ConsoleWindow::showSafeMode()
 {
     QLabel* strip = addStrip(new ElidedLabel(this), QStringLiteral("safeStrip"));
     strip->setText(tr("SAFE MODE: default settings; none are read or saved · start without "
@@ -208,7 +208,7 @@ void ConsoleWindow::addRemoteStop()
     end->setSingleShot(true);
     end->setInterval(kFor);
     connect(end, &QTimer::timeout, banner, &QWidget::hide);
-    const auto say = [this, banner, end](const QString& text) {
+    const auto showOn = [this, banner, end](const QString& text) {
         banner->setText(text);
         QRect place = header_->geometry();  // on top of the header, so that nothing moves
         if (const QPushButton& stop = *header_->stopButton(); stop.isVisible())
@@ -220,7 +220,7 @@ void ConsoleWindow::addRemoteStop()
         end->start();
     };
     auto* remote = new RemoteStop(this);
-    connect(remote, &RemoteStop::said, banner, say);
+    connect(remote, &RemoteStop::said, banner, showOn);
     header_->setStop({.state = StopViewState::State::Elsewhere});
     header_->stopButton()->setVisible(remote->exists());
     connect(header_, &StatusHeader::stopPressed, remote, &RemoteStop::press);
@@ -229,10 +229,10 @@ void ConsoleWindow::addRemoteStop()
                             ? tr("Sends STOP through the console that opened this window")
                             : tr("no STOP: this window has no robot"),
                .pressed =
-                   [remote, say] {
+                   [remote, showOn] {
                        if (remote->exists()) return remote->press();
-                       say(tr("STOP HAS NO EFFECT HERE: this window has no robot. Use the "
-                              "console's own window"));
+                       showOn(tr("STOP HAS NO EFFECT HERE: this window has no robot. Use the "
+                                 "console's own window"));
                    },
                .everywhere = true});
 }

@@ -41,13 +41,13 @@ public:
     void setRoom(QSize room);
     /// Returns true while the font is being fitted, which takes some turns of the event loop.
     bool isMeasured() const { return !fits_; }
-    int bannerLine() const;   ///< [px] height of a banner, shown or not
-    int bannersTake() const;  ///< [px] height that shown banners take from the pages
+    int bannerLine() const;     ///< [px] height of a banner, shown or not
+    int bannersHeight() const;  ///< [px] height that shown banners take from the pages
     /// Places another window on this one: below the header with STOP and a banner's line, clamped to the room there.
     void putBelowHeader(QWidget& other) const;
     QSize roomBelowHeader() const;  ///< [px] for such a window, without its desktop frame
     /// Adds a strip that states safe mode and how to leave it. Call before the window is shown.
-    void saySafeMode();
+    void showSafeMode();
     /// Closes without asking, as for a signal and for QEvent::Quit.
     void closeUnasked();
     /// [px] minimum size of any window, if its screen is large enough.

@@ -94,7 +94,7 @@ int ConsoleWindow::bannerLine() const
     return banners_->count() > 0 ? banners_->itemAt(0)->widget()->sizeHint().height() : 0;
 }
 
-int ConsoleWindow::bannersTake() const
+int ConsoleWindow::bannersHeight() const
 {
     int strips = 0;
     for (int i = 0; i < strips_->count(); ++i)

@@ -11,7 +11,7 @@ ShortNotice::ShortNotice(QLabel& banner) : banner_(banner)
     banner_.hide();
 }
 
-void ShortNotice::say(const QString& text, double now)
+void ShortNotice::show(const QString& text, double now)
 {
     banner_.setText(text);
     until_ = now + kFor;

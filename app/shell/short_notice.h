@@ -14,7 +14,7 @@ public:
     explicit ShortNotice(QLabel& banner);  ///< the banner must outlive the notice
 
     /// Shows a text instead of any earlier one. now: any monotonic clock [s].
-    void say(const QString& text, double now);
+    void show(const QString& text, double now);
     /// Call several times a second. hasRoom: no banner with priority is shown.
     void poll(double now, bool hasRoom);
 

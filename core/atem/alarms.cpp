@@ -51,11 +51,11 @@ void AlarmList::sort()
 
 void AlarmList::announce(const std::string& id, double now)
 {
-    std::erase_if(heard_, [now](const Heard& heard) { return now - heard.at >= kSoundPeriod; });
-    const bool known = std::any_of(heard_.begin(), heard_.end(),
-                                   [&](const Heard& heard) { return heard.id == id; });
-    if (known || heard_.size() >= kMax) return;
-    heard_.push_back({id, now});
+    std::erase_if(sounds_, [now](const Sound& sound) { return now - sound.at >= kSoundPeriod; });
+    const bool known = std::any_of(sounds_.begin(), sounds_.end(),
+                                   [&](const Sound& sound) { return sound.id == id; });
+    if (known || sounds_.size() >= kMax) return;
+    sounds_.push_back({id, now});
     isNew_ = true;
     silentUntil_ = now;
 }
@@ -125,7 +125,7 @@ double AlarmList::silentFor(double now) const
     return std::max(0.0, silentUntil_ - now);
 }
 
-bool AlarmList::takeSound(double now)
+bool AlarmList::consumeSound(double now)
 {
     requireTime(now);
     const bool stands = std::any_of(alarms_.begin(), alarms_.end(), [](const Alarm& a) {

@@ -73,14 +73,14 @@ public:
     /// Returns true if the alarm must sound now, and counts it as sounded. A new critical alarm
     /// sounds at once, an unacknowledged one every kSoundPeriod. A returned or acknowledged alarm
     /// never sounds. An alarm whose cause comes and goes is new once in kSoundPeriod.
-    bool takeSound(double now);
+    bool consumeSound(double now);
 
     /// Returns the alarms: the most urgent first, then the critical ones, then the newest.
     const std::vector<Alarm>& alarms() const { return alarms_; }
     std::size_t count(AlarmState state) const;
 
 private:
-    struct Heard {
+    struct Sound {
         std::string id;
         double at;  ///< time at which it was last new [s]
     };
@@ -89,8 +89,8 @@ private:
     void sort();
 
     std::vector<Alarm> alarms_;
-    std::vector<Heard> heard_;  ///< alarms of the last kSoundPeriod, also those that are gone
-    bool isNew_ = false;        ///< a critical alarm has not sounded yet
+    std::vector<Sound> sounds_;  ///< alarms of the last kSoundPeriod, also those that are gone
+    bool isNew_ = false;         ///< a critical alarm has not sounded yet
     double silentUntil_ = 0.0;
     std::optional<double> sounded_;
 };

@@ -58,7 +58,7 @@ std::optional<Measurement> ConsoleLink::receive(const CanFrame& frame, bool echo
         return std::nullopt;
     }
     const std::uint64_t consoles = listener_.counters().fromConsole;
-    std::optional<Measurement> measurement = listener_.take(frame, now);
+    std::optional<Measurement> measurement = listener_.receive(frame, now);
     if (listener_.counters().fromConsole != consoles) foreignSeen_ = now;
     if (const auto token = listener_.token()) {
         freshness_.echoed(*token);

@@ -34,7 +34,7 @@ struct ProbeProposal {
 
     /// Returns true if the probe informs the step verdict. Otherwise it only refines the terrain's shape, if its worth
     /// is known.
-    bool tellsOfStep() const { return worth && bitsBefore - worth->bitsAfter >= kMinBits; }
+    bool informsOnStep() const { return worth && bitsBefore - worth->bitsAfter >= kMinBits; }
     bool operator==(const ProbeProposal&) const = default;
 };
 

@@ -57,7 +57,7 @@ Result<Classes> readClasses(CsvReader csv, const std::string& column)
     const auto wanted = indexOf(csv.fields(), column);
     if (!row || !wanted)
         return csv.error("has no column " + std::string(row ? column : std::string("row")));
-    csv.takeHeader({});
+    csv.useAsHeader({});
     Classes classes;
     for (;;) {
         const Result<bool> more = csv.next();

@@ -41,8 +41,8 @@ Eigen::VectorXd featuresFor(const ClearanceModel& model, const Proprioception& s
 constexpr double kSurprised = 2.0;
 
 /// Conditions the distribution of one bin's surface coordinate.
-void take(GaussianMixture& distribution, std::size_t bin, const MeasuredHeight& measured,
-          double ceiling)
+void applyMeasurement(GaussianMixture& distribution, std::size_t bin,
+                      const MeasuredHeight& measured, double ceiling)
 {
     // A height below the deepest sinking of the robot counts as the deepest sinking.
     const double height = std::min(measured.height, ceiling + kDeepestSinking);
@@ -53,15 +53,15 @@ void take(GaussianMixture& distribution, std::size_t bin, const MeasuredHeight& 
     distribution.condition(i, y, error);
 }
 
-void takeAll(GaussianMixture& distribution, MeasuredBins& measured, const ClearanceModel& model,
-             TerrainEstimate& estimate)
+void applyMeasurements(GaussianMixture& distribution, MeasuredBins& measured,
+                       const ClearanceModel& model, TerrainEstimate& estimate)
 {
     for (std::size_t i = 0; i < kBins; ++i) {
         if (!measured.bin[i]) continue;
         MeasuredHeight& height = *measured.bin[i];
         if (height.origin == Origin::Contact)
             height = {height.height + model.contactBias(), model.contactSd(), Origin::Contact};
-        take(distribution, i, height, estimate.ceiling[i]);
+        applyMeasurement(distribution, i, height, estimate.ceiling[i]);
         estimate.origin[i] = height.origin;
     }
     estimate.warnings = std::move(measured.warnings);
@@ -160,7 +160,7 @@ TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const A
         surfaceDistribution(model, x, coveredBins(estimate.ceiling), settings.method);
 
     MeasuredBins measured = measureBins(robot, s, arm, estimate.ceiling, settings);
-    takeAll(distribution, measured, model, estimate);
+    applyMeasurements(distribution, measured, model, estimate);
     if (estimate.novelty > 1.0)
         estimate.warnings.push_back(fmt::format(
             "unlike the training scenes: {:.1f} times the distance that 1 % of them exceed",

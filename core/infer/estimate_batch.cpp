@@ -43,7 +43,7 @@ void EstimateBatch::collect()
             continue;
         }
         ready_.push_back({scene->number, estimateFrom(std::move(scene->sampling),
-                                                      scene->run.takeDraws(), scene->watch)});
+                                                      scene->run.consumeDraws(), scene->watch)});
         scene = scenes_.erase(scene);
     }
 }

@@ -21,7 +21,7 @@ ClearanceConditionals conditionalsOf(const ModelData& model, const RobotModel& r
 }
 
 /// Writes the missing features and their sentences.
-void tellMissing(TerrainEstimate& estimate, Method asked, MissingFeatures missing)
+void warnMissing(TerrainEstimate& estimate, Method asked, MissingFeatures missing)
 {
     estimate.missing = missing;
     std::vector<std::string> sentences = missingSentences(asked, missing);
@@ -73,7 +73,7 @@ SceneSampling sceneSampling(const Proprioception& s, std::span<const ArmReading>
     const bool paf = usesForces(settings.method) && missing.none();
     SceneSampling sampling =
         paperSampling(s, arm, robot, paf ? models.paf : models.pa, settings, watch);
-    tellMissing(sampling.estimate, settings.method, missing);
+    warnMissing(sampling.estimate, settings.method, missing);
     return sampling;
 }
 
@@ -90,7 +90,7 @@ TerrainEstimate closedFormEstimate(const Proprioception& s, std::span<const ArmR
     TerrainEstimate estimate =
         reconstructClosedForm(s, arm, robot, reduced ? *reduced : models.clearance, own, poll);
     estimate.settings = settings;
-    tellMissing(estimate, settings.method, missing);
+    warnMissing(estimate, settings.method, missing);
     return estimate;
 }
 

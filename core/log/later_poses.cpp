@@ -68,15 +68,15 @@ private:
             std::erase_if(tracks_, [](const Track& track) { return !track.ghost.ghost(); });
             if (tracks_.empty() || session_.batches()[batch].first > until) return;
             for (const FrameRow& row : session_.frames(batch))
-                if (row.time > at_ && row.time <= until) take(row);
+                if (row.time > at_ && row.time <= until) add(row);
         }
     }
 
-    void take(const FrameRow& row)
+    void add(const FrameRow& row)
     {
-        const auto measurement = listener_.take(row.frame, secondsOf(row.time));
+        const auto measurement = listener_.receive(row.frame, secondsOf(row.time));
         if (!measurement) return;
-        for (Track& track : tracks_) track.ghost.take(*measurement);
+        for (Track& track : tracks_) track.ghost.add(*measurement);
     }
 
     SessionReader& session_;

@@ -46,20 +46,20 @@ public:
 
     bool read(Message& message, int depth = 0)
     {
-        if (!take('[')) return readString(message.source);
-        if (depth >= kDeepest || !readString(message.context) || !take(',')
+        if (!consume('[')) return readString(message.source);
+        if (depth >= kDeepest || !readString(message.context) || !consume(',')
             || !readString(message.source))
             return false;
-        while (take(',')) {
+        while (consume(',')) {
             if (message.arguments.size() == kMaxArguments) return false;
             if (!read(message.arguments.emplace_back(), depth + 1)) return false;
         }
-        return take(']');
+        return consume(']');
     }
     bool atEnd() const { return rest_.empty(); }
 
 private:
-    bool take(char wanted)
+    bool consume(char wanted)
     {
         if (rest_.empty() || rest_.front() != wanted) return false;
         rest_.remove_prefix(1);
@@ -67,10 +67,10 @@ private:
     }
     bool readString(std::string& text)
     {
-        if (!take('"')) return false;
+        if (!consume('"')) return false;
         while (!rest_.empty() && rest_.front() != '"')
             if (!readCharacter(text)) return false;
-        return take('"');
+        return consume('"');
     }
     bool readCharacter(std::string& text)
     {
@@ -80,9 +80,9 @@ private:
             text += c;
             return true;
         }
-        if (take('"')) return text += '"', true;
-        if (take('\\')) return text += '\\', true;
-        if (!take('u') || rest_.size() < 4) return false;
+        if (consume('"')) return text += '"', true;
+        if (consume('\\')) return text += '\\', true;
+        if (!consume('u') || rest_.size() < 4) return false;
         const auto code = integerFrom<unsigned>(rest_.substr(0, 4), 16);
         if (!code || *code >= 0x20) return false;
         rest_.remove_prefix(4);

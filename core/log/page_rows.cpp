@@ -129,21 +129,21 @@ std::string_view PageRows::page(std::uint32_t number)
     return readAt(file_, std::uint64_t{number - 1} * pageSize_, pageSize_, overflow_);
 }
 
-void PageRows::forEach(const std::function<void(const StoredRow&)>& take)
+void PageRows::forEach(const std::function<void(const StoredRow&)>& visit)
 {
     std::string bytes;
     for (std::uint64_t number = 1; number * pageSize_ <= fileBytes_; ++number) {
         readAt(file_, (number - 1) * pageSize_, pageSize_, bytes);
-        takePage(static_cast<std::uint32_t>(number), bytes, take);
+        visitPage(static_cast<std::uint32_t>(number), bytes, visit);
     }
     for (const auto& [number, at] : inJournal_) {
         readAt(journal_, at, pageSize_, bytes);
-        takePage(number, bytes, take);
+        visitPage(number, bytes, visit);
     }
 }
 
-void PageRows::takePage(std::uint32_t number, std::string_view bytes,
-                        const std::function<void(const StoredRow&)>& take)
+void PageRows::visitPage(std::uint32_t number, std::string_view bytes,
+                         const std::function<void(const StoredRow&)>& visit)
 {
     const std::size_t begin = number == 1 ? kFileHeader : 0;
     const auto kind = static_cast<Kind>(bytes[begin]);
@@ -154,7 +154,7 @@ void PageRows::takePage(std::uint32_t number, std::string_view bytes,
         const std::size_t at = bigEndianAt(bytes, begin + 8 + 2 * i, 2);
         std::optional<std::int64_t> id;
         if (payloadOf(bytes, at, kind == Kind::TableLeaf, id, room) && decode())
-            take({.id = id, .values = values_, .page = number});
+            visit({.id = id, .values = values_, .page = number});
     }
 }
 

@@ -39,7 +39,7 @@ public:
     PageRows(const std::string& path, std::uint32_t pageSize);
 
     /// Visits every row of every leaf in page order; rows of the journal come last.
-    void forEach(const std::function<void(const StoredRow&)>& take);
+    void forEach(const std::function<void(const StoredRow&)>& visit);
 
     /// Returns the leaves of the table with this root, as far as its inner pages exist.
     std::set<std::uint32_t> leavesOf(std::uint32_t root);
@@ -53,8 +53,8 @@ private:
     void readHeader(std::uint32_t otherwise);
     void readJournal();
     std::string_view page(std::uint32_t number);
-    void takePage(std::uint32_t number, std::string_view bytes,
-                  const std::function<void(const StoredRow&)>& take);
+    void visitPage(std::uint32_t number, std::string_view bytes,
+                   const std::function<void(const StoredRow&)>& visit);
     bool payloadOf(std::string_view bytes, std::size_t at, bool isTable,
                    std::optional<std::int64_t>& id, std::size_t& room);
     bool addOverflow(std::uint32_t next, std::size_t size);

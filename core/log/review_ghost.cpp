@@ -82,9 +82,9 @@ void ReviewGhost::begin(const EstimateRow& row, SessionTime left)
         Followed{row.id, GhostTrack(robot_, row.estimate, scene.measurement),
                  TelemetryListener(robot_), std::max(row.time, left - sessionTimeOf(kBefore))});
     for (const EventRow& event : reader_.events())
-        if (event.kind == EventKind::Unheard && event.time >= scene.time
+        if (event.kind == EventKind::TelemetryGap && event.time >= scene.time
             && event.time <= start.until)
-            start.track.takeSilence();
+            start.track.addSilence();
 }
 
 void ReviewGhost::goTo(SessionTime until)
@@ -103,15 +103,15 @@ void ReviewGhost::follow(SessionTime until)
     Followed& now = followed_.back();
     const SessionTime from = std::exchange(now.until, until);
     for (const EventRow& event : reader_.events())
-        if (event.kind == EventKind::Unheard && event.time > from && event.time <= until)
-            now.track.takeSilence();
+        if (event.kind == EventKind::TelemetryGap && event.time > from && event.time <= until)
+            now.track.addSilence();
     for (std::size_t i = reader_.batchAt(from + 1);
          i < reader_.batches().size() && reader_.batches()[i].first <= until; ++i) {
         if (!now.track.ghost()) return;
         for (const FrameRow& row : reader_.frames(i)) {
             if (row.time <= from || row.time > until) continue;
-            if (const auto heard = now.listener.take(row.frame, secondsOf(row.time)))
-                now.track.take(*heard);
+            if (const auto received = now.listener.receive(row.frame, secondsOf(row.time)))
+                now.track.add(*received);
         }
     }
 }

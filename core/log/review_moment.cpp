@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kRecentBatches = 24;
 constexpr std::size_t kRecentEstimates = 4;
 
-bool isHeard(const ReviewMoment& moment)
+bool isTelemetryFresh(const ReviewMoment& moment)
 {
     return moment.measurement && secondsOf(moment.time - moment.measured) <= kLinkLostAfter;
 }
@@ -44,7 +44,7 @@ std::optional<AlarmState> alarmState(double number)
     return std::nullopt;
 }
 
-void takeAlarm(std::map<std::string, Alarm>& alarms, const EventRow& event)
+void addAlarm(std::map<std::string, Alarm>& alarms, const EventRow& event)
 {
     const auto state = alarmState(event.number.value_or(0.0));
     if (!state) {
@@ -103,8 +103,8 @@ ReviewMoment ReviewMoments::at(SessionTime time)
 {
     ReviewMoment moment{.time = time};
     hear(moment);
-    takeRows(moment);
-    takeEvents(moment);
+    addRows(moment);
+    addEvents(moment);
     for (const SessionDamage& damage : reader_.damage())
         if (damage.first <= time && time <= damage.last) moment.damage = damage;
     return moment;
@@ -120,7 +120,7 @@ void ReviewMoments::hear(ReviewMoment& moment)
          i < reader_.batches().size() && reader_.batches()[i].first <= moment.time; ++i)
         for (const FrameRow& row : frames(i)) {
             if (row.time < from || row.time > moment.time) continue;
-            const auto measurement = listener.take(row.frame, secondsOf(row.time));
+            const auto measurement = listener.receive(row.frame, secondsOf(row.time));
             if (!measurement) continue;
             moment.measurement = measurement;
             moment.forces = listener.forces();
@@ -128,11 +128,11 @@ void ReviewMoments::hear(ReviewMoment& moment)
             if (row.time > moment.time - sessionTimeOf(1.0)) ++lines;
         }
     moment.linesPerSecond = lines;
-    moment.linkAlive = isHeard(moment);
+    moment.linkAlive = isTelemetryFresh(moment);
     moment.linkSince = moment.measured;
 }
 
-void ReviewMoments::takeRows(ReviewMoment& moment)
+void ReviewMoments::addRows(ReviewMoment& moment)
 {
     const SessionTime since = standsSince(reader_.events(), moment.time);
     moment.model = lastUpTo(reader_.models(), 0, moment.time);
@@ -150,13 +150,13 @@ void ReviewMoments::takeRows(ReviewMoment& moment)
         if (first && row.estimate == first->id && row.time <= moment.time) moment.proposal = &row;
 }
 
-void ReviewMoments::takeEvents(ReviewMoment& moment)
+void ReviewMoments::addEvents(ReviewMoment& moment)
 {
     std::map<std::string, Alarm> alarms;
     std::optional<SessionTime> lost;
     const EventRow* nextUp = nullptr;
     bool suspected = false;  // a sensor was suspected
-    // For sessions without EventKind::Unheard.
+    // For sessions without EventKind::TelemetryGap.
     const auto endsSilence = [&](const EventRow& up) {
         return lost && moment.scene && *lost > moment.scene->time
             && silenceBefore(up, *lost) > kMaxSilence;
@@ -185,12 +185,12 @@ void ReviewMoments::takeEvents(ReviewMoment& moment)
             if (moment.linkAlive && endsSilence(event)) moment.unbroken = false;
             lost = moment.linkAlive ? std::nullopt : std::optional(lost.value_or(event.time));
             break;
-        case EventKind::Unheard:
+        case EventKind::TelemetryGap:
             if (moment.scene && event.time >= moment.scene->time) moment.unbroken = false;
             break;
         case EventKind::Override: moment.overridden = event.text; break;
         case EventKind::Alarm:
-            takeAlarm(alarms, event);
+            addAlarm(alarms, event);
             if (event.subject != kSensorAlarm) break;
             if (suspected && moment.scene && event.time >= moment.scene->time)
                 moment.sensorsSound = false;
@@ -209,7 +209,8 @@ void ReviewMoments::takeEvents(ReviewMoment& moment)
         case EventKind::Session: break;
         }
     }
-    if (!moment.linkAlive && nextUp && nextUp->number && isHeard(moment)) {  // not yet recorded
+    if (!moment.linkAlive && nextUp && nextUp->number
+        && isTelemetryFresh(moment)) {  // not yet recorded
         moment.linkAlive = true;
         if (endsSilence(*nextUp)) moment.unbroken = false;
     }

@@ -69,8 +69,8 @@ private:
     const std::vector<FrameRow>& frames(std::size_t batch);
     std::shared_ptr<const EstimateRow> whole(const EstimateRow* row);
     void hear(ReviewMoment& moment);
-    void takeRows(ReviewMoment& moment);
-    void takeEvents(ReviewMoment& moment);
+    void addRows(ReviewMoment& moment);
+    void addEvents(ReviewMoment& moment);
 
     SessionReader& reader_;
     RobotModel robot_;

@@ -46,11 +46,11 @@ void RowBytes::addRow(const SqliteStatement& row, int columns)
     }
 }
 
-std::string RowsHash::take()
+std::string RowsHash::finish()
 {
     Sha256 all;
-    for (Sha256& table : tables_) all.add(table.take());
-    return all.take();
+    for (Sha256& table : tables_) all.add(table.finish());
+    return all.finish();
 }
 
 std::string chained(std::string_view before, const SessionBatch& batch, const BatchHashes& hashes)
@@ -64,7 +64,7 @@ std::string chained(std::string_view before, const SessionBatch& batch, const Ba
     bytes.addBlob(hashes.rows);
     Sha256 hash;
     hash.add(bytes.bytes());
-    return hash.take();
+    return hash.finish();
 }
 
 }  // namespace terratact

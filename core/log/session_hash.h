@@ -57,7 +57,7 @@ struct BatchHashes {
 class RowsHash {
 public:
     void add(std::size_t table, std::string_view rowBytes) { tables_.at(table).add(rowBytes); }
-    std::string take();
+    std::string finish();
 
 private:
     std::array<Sha256, kSessionRowTables.size()> tables_;

@@ -86,7 +86,7 @@ SessionReader::Impl::Part SessionReader::Impl::nextPart()
 void SessionReader::Impl::judge(const Part& part)
 {
     const auto hashes = rowHashes(part);
-    const std::string none = RowsHash().take();
+    const std::string none = RowsHash().finish();
     std::int64_t id = batches.empty() ? 1 : batches.back().id + 1;
     std::int64_t frame =
         batches.empty() ? 1 : batches.back().frameFirst + batches.back().frameCount;
@@ -115,7 +115,7 @@ void SessionReader::Impl::judge(const Part& part)
 /// Calls take(select, batch) for the rows of a table after lastRow up to the end of the part.
 /// Returns the last row's id.
 template <class Take>
-std::int64_t SessionReader::Impl::forRows(std::size_t table, const Part& part, Take take)
+std::int64_t SessionReader::Impl::forRows(std::size_t table, const Part& part, Take visit)
 {
     std::int64_t last = lastRow.at(table);
     SqliteStatement select = file.prepare(
@@ -129,7 +129,7 @@ std::int64_t SessionReader::Impl::forRows(std::size_t table, const Part& part, T
         require(id > last,
                 TR_NOOP("core", "the rows of a table are not in the order of their numbers"));
         last = id;
-        take(select, batch);
+        visit(select, batch);
     }
     return last;
 }
@@ -139,7 +139,7 @@ std::int64_t SessionReader::Impl::forRows(std::size_t table, const Part& part, T
 std::map<std::int64_t, std::string> SessionReader::Impl::rowHashes(const Part& part)
 {
     std::map<std::int64_t, std::string> hashes;  // the tables' hashes, concatenated
-    const std::string none = Sha256().take();
+    const std::string none = Sha256().finish();
     const auto fill = [&](std::string& tables, std::size_t count) {
         while (tables.size() < count * Sha256::kBytes) tables += none;
     };
@@ -158,7 +158,7 @@ std::map<std::int64_t, std::string> SessionReader::Impl::rowHashes(const Part& p
             std::string& tables = hashes[*current];
             fill(tables, table);
             // a second hash from the same table makes it too long, and therefore invalid
-            tables += hash.take();
+            tables += hash.finish();
         };
         RowBytes bytes;
         forRows(table, part, [&](const SqliteStatement& select, std::int64_t batch) {
@@ -184,7 +184,7 @@ std::map<std::int64_t, std::string> SessionReader::Impl::rowHashes(const Part& p
         fill(tables, kSessionRowTables.size());
         Sha256 all;
         all.add(tables);
-        tables = all.take();
+        tables = all.finish();
     }
     return hashes;
 }
@@ -200,7 +200,7 @@ void SessionReader::Impl::readRows(const Part& part)
                         TR_NOOP("core", "a table has more rows than a session can have"));
                 if (batch < part.from || !isSound(batch)) return;
                 try {
-                    rows.take(table, select);
+                    rows.add(table, select);
                 } catch (const RefusedRow& refused) {
                     addDamage(*byId(batches, batch), {TR_NOOP("core", "a row of its table %1: %2"),
                                                       name, refused.message()});
@@ -269,7 +269,7 @@ std::vector<FrameRow> SessionReader::Impl::frames(std::size_t index)
         if (found.size() % 1024 == 0) file.grantSteps();
     }
     const Hash& expected = frameHashes[index];
-    require(hash.take() == std::string_view(expected.data(), expected.size()),
+    require(hash.finish() == std::string_view(expected.data(), expected.size()),
             TR_NOOP("core", "frames were changed, lost or added"));
     return found;
 }
@@ -290,7 +290,7 @@ std::vector<Heights> SessionReader::Impl::draws(std::int64_t estimate)
             TR_NOOP("core", "its rows hold more bytes than the file has: they share pages"));
     Sha256 hash;
     hash.add(bytes);
-    if (hash.take() != select.blob(1))
+    if (hash.finish() != select.blob(1))
         throw SqliteError(TR_NOOP("core", "the draws of an estimate were changed"));
     return drawsFrom(bytes);
 }

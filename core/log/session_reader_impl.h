@@ -46,7 +46,7 @@ struct SessionReader::Impl {
     std::map<std::int64_t, std::string> rowHashes(const Part& part);
     void readRows(const Part& part);
     template <class Take>
-    std::int64_t forRows(std::size_t table, const Part& part, Take take);
+    std::int64_t forRows(std::size_t table, const Part& part, Take visit);
     void addDamage(const SessionBatch& batch, const Message& why);
     bool isSound(std::int64_t batch) const
     {

@@ -275,7 +275,7 @@ FrameRow frameFrom(const SqliteStatement& select)
     return frame;
 }
 
-void SessionRows::take(std::size_t table, const SqliteStatement& select)
+void SessionRows::add(std::size_t table, const SqliteStatement& select)
 {
     CheckedRow row(select);
     const std::int64_t id = row.id();

@@ -40,7 +40,7 @@ class SessionRows {
 public:
     /// Adds the current row of `SELECT *` from kSessionRowTables[table]. The rows that it refers to
     /// must have been added before.
-    void take(std::size_t table, const SqliteStatement& select);
+    void add(std::size_t table, const SqliteStatement& select);
 
     std::vector<ModelRow> models;
     std::vector<SceneRow> scenes;

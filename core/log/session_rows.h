@@ -129,7 +129,7 @@ enum class EventKind : std::uint8_t {
     Link,
     Forgotten,  ///< the estimate is not valid any more; text: why
     /// a silence longer than kMaxSilence since the scene, or since the last estimate was left
-    Unheard,
+    TelemetryGap,
     Override,  ///< text: what the operator has overridden from now on; empty: nothing
     Alarm,     ///< subject: its id; text; number: 0 gone, 1 returned, 2 acknowledged, 3 raised
     Panel,     ///< contact of the operator's panel; subject: which; number: 1 closed, 0 open

@@ -122,7 +122,7 @@ public:
     SalvagedPages run()
     {
         file_.run("BEGIN");
-        pages_.forEach([this](const StoredRow& row) { take(row); });
+        pages_.forEach([this](const StoredRow& row) { add(row); });
         SalvagedPages found;
         found.start = start(found.startIsWhole);
         writeSessionStart(file_, found.start);
@@ -138,9 +138,9 @@ public:
     }
 
 private:
-    void take(const StoredRow& row)
+    void add(const StoredRow& row)
     {
-        if (!row.id) return takeMeta(row);
+        if (!row.id) return addMeta(row);
         std::vector<TableShape*> fitting;
         for (TableShape& table : tables_)
             if (fits(row, table)) fitting.push_back(&table);
@@ -152,7 +152,7 @@ private:
         insert(row, owner == fitting.end() ? *fitting.front() : **owner);
     }
 
-    void takeMeta(const StoredRow& row)
+    void addMeta(const StoredRow& row)
     {
         using Type = StoredValue::Type;
         if (row.values.size() != 2 || row.values[0].type != Type::Text
@@ -194,7 +194,7 @@ private:
     void adoptFrames()
     {
         constexpr std::int64_t kFrames = 200;  // frames of a batch
-        const std::string none = RowsHash().take();
+        const std::string none = RowsHash().finish();
         SqliteStatement insert = file_.prepare("INSERT INTO batch VALUES(?, ?, ?, ?, ?, ?, ?, ?)");
         SqliteStatement select =
             file_.prepare("SELECT * FROM can_frame WHERE seq > 0 ORDER BY seq");
@@ -207,7 +207,7 @@ private:
             for (const std::int64_t value :
                  {++batch.id, batch.first, batch.last, batch.frameFirst, batch.frameCount})
                 insert.bind(column++, value);
-            insert.bindBlob(column++, hash.take());
+            insert.bindBlob(column++, hash.finish());
             insert.bindBlob(column++, none);
             insert.bindBlob(column, none);  // openFragments() needs no chain
             insert.run();

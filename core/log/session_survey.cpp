@@ -12,23 +12,23 @@ SessionSurvey::SessionSurvey(const RobotModel& robot, double threshold)
 {
 }
 
-bool SessionSurvey::takeNext(SessionReader& reader)
+bool SessionSurvey::addNext(SessionReader& reader)
 {
     if (next_ >= reader.batches().size()) return false;
     for (const FrameRow& row : reader.frames(next_))
-        if (const auto measurement = listener_.take(row.frame, secondsOf(row.time)))
-            take(*measurement, row.time);
+        if (const auto measurement = listener_.receive(row.frame, secondsOf(row.time)))
+            add(*measurement, row.time);
     ++next_;
     return true;
 }
 
-void SessionSurvey::take(const Measurement& measurement, SessionTime time)
+void SessionSurvey::add(const Measurement& measurement, SessionTime time)
 {
-    if (heard_ && secondsOf(time - *heard_) > kLinkLostAfter) {
-        silences_.push_back({*heard_, time});
+    if (newestTelemetry_ && secondsOf(time - *newestTelemetry_) > kLinkLostAfter) {
+        silences_.push_back({*newestTelemetry_, time});
         touches_ = false;
     }
-    heard_ = time;
+    newestTelemetry_ = time;
     const bool touches = std::any_of(measurement.force.begin(), measurement.force.end(),
                                      [this](double force) { return force > threshold_; });
     if (touches && !touches_) contacts_.push_back({time, time});

@@ -24,19 +24,19 @@ public:
     SessionSurvey(const RobotModel& robot, double threshold);
 
     /// Adds the next batch. Returns false if there is none now.
-    bool takeNext(SessionReader& reader);
+    bool addNext(SessionReader& reader);
 
-    std::size_t taken() const { return next_; }  ///< number of batches read
+    std::size_t batchesRead() const { return next_; }  ///< number of batches read
     const std::vector<SessionSpan>& contacts() const { return contacts_; }
     const std::vector<SessionSpan>& silences() const { return silences_; }  ///< longer than 0.25 s
 
 private:
-    void take(const Measurement& measurement, SessionTime time);
+    void add(const Measurement& measurement, SessionTime time);
 
     TelemetryListener listener_;
     double threshold_;
     std::size_t next_ = 0;
-    std::optional<SessionTime> heard_;
+    std::optional<SessionTime> newestTelemetry_;
     bool touches_ = false;
     std::vector<SessionSpan> contacts_, silences_;
 };

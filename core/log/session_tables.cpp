@@ -42,7 +42,7 @@ std::string hashOf(const SessionStart& start)
     }
     Sha256 hash;
     hash.add(bytes.bytes());
-    return hash.take();
+    return hash.finish();
 }
 
 std::int64_t wallTimeFrom(const std::string& text)

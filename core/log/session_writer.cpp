@@ -173,7 +173,7 @@ void SessionWriter::Impl::addEstimate(const EstimateRow& r)
     const std::int64_t settingsOf = settingsId(e.settings);
     row(estimateTable, r.id, batch.id, r.time, r.scene, settingsOf, r.model, name(r.role),
         r.seconds, r.stepLimit, e.novelty, name(e.ending), int{e.converged}, joined(e.warnings),
-        Blob{drawsHash.take()}, e.feltTo, int{e.contradicts}, std::string());
+        Blob{drawsHash.finish()}, e.feltTo, int{e.contradicts}, std::string());
     drawsInsert.bind(0, r.id);
     drawsInsert.bindBlob(1, draws);
     drawsInsert.run();
@@ -215,7 +215,7 @@ void SessionWriter::Impl::commit()
     if (!open) return;
     if (batch.id > kMaxBatches)
         throw SqliteError(TR_NOOP("core", "it has as many batches as a session can have"));
-    const BatchHashes hashes{.frames = frameHash.take(), .rows = rows.take()};
+    const BatchHashes hashes{.frames = frameHash.finish(), .rows = rows.finish()};
     std::string next = chained(chain, batch, hashes);
     int column = 0;
     for (const std::int64_t value :

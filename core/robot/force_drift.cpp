@@ -21,7 +21,7 @@ bool isUnloaded(const Measurement& m, double limit)
         && std::all_of(m.force.begin(), m.force.end(), [=](double f) { return f < limit; });
 }
 
-void ForceDrift::take(double time, const Forces& forces)
+void ForceDrift::add(double time, const Forces& forces)
 {
     if (!std::isfinite(time)) throw std::invalid_argument("ForceDrift: the time must be finite");
     if (taken_ && time < *taken_) *this = {};

@@ -27,7 +27,7 @@ public:
     /// Adds a reading without load. `time` [s] may come from any clock; a clock that jumps back
     /// starts a new window. An element without a finite value is skipped. Throws
     /// std::invalid_argument unless the time is finite.
-    void take(double time, const Forces& forces);
+    void add(double time, const Forces& forces);
 
     /// Returns the drift [N] of element 0 … 5; empty until there are kMin readings. Throws
     /// std::out_of_range.

@@ -116,9 +116,9 @@ WatchedFault watchFault(std::span<const WatchedLine> drive, const RobotModel& ro
     WatchedFault watched;
     SensorWatch watch(robot);
     for (const WatchedLine& line : drive) {
-        const SensedLine sensed = faulty ? faulty->take(line.sensed()) : line.sensed();
+        const SensedLine sensed = faulty ? faulty->apply(line.sensed()) : line.sensed();
         const Measurement& m = sensed.measurement;
-        watch.take(sensed);
+        watch.add(sensed);
         if (line.truth)
             watched.scenes.push_back({.scene = {.run = std::to_string(number + 1),
                                                 .time = m.time,

@@ -160,7 +160,7 @@ SensedLine RobotOnBus::measured()
         m.pitch = stuck_->pitch;
         m.roll = stuck_->roll;
     }
-    if (faultySensors_ && *last_ - *began_ >= options_.faultAt) return faultySensors_->take(line);
+    if (faultySensors_ && *last_ - *began_ >= options_.faultAt) return faultySensors_->apply(line);
     return line;
 }
 

@@ -295,7 +295,7 @@ void FaultySensors::swap(SensedLine& line, const SensedLine& truth) const
         }
 }
 
-SensedLine FaultySensors::take(const SensedLine& truth)
+SensedLine FaultySensors::apply(const SensedLine& truth)
 {
     if (!first_) first_ = truth;
     keepScene(truth);
@@ -328,7 +328,7 @@ FaultyScenes::FaultyScenes(SensorFault fault, const RobotModel& robot, std::uint
 {
 }
 
-Proprioception FaultyScenes::take(const Proprioception& scene, double time)
+Proprioception FaultyScenes::apply(const Proprioception& scene, double time)
 {
     Proprioception s = scene;
     if (fault_.kind == FaultKind::Late) {
@@ -341,9 +341,9 @@ Proprioception FaultyScenes::take(const Proprioception& scene, double time)
     if (fault_.kind == FaultKind::StuckAtScene) {
         Measurement between = line;  // the way there, so that the next press counts as one
         between.activity = RobotActivity::Driving;
-        sensors_.take(between);
+        sensors_.apply(between);
     }
-    const Measurement wrong = sensors_.take(line);
+    const Measurement wrong = sensors_.apply(line);
     const Proprioception read = proprioception(wrong);
     s.pitch = read.pitch;
     s.front = read.front;

@@ -62,10 +62,10 @@ public:
     /// Returns the next line with the fault. Lines must come in order of time. A fault of a force is
     /// one of both sides if they are known, and the mean follows them. If only the mean is known, it
     /// has half of a fault of one side.
-    SensedLine take(const SensedLine& truth);
-    Measurement take(const Measurement& truth)
+    SensedLine apply(const SensedLine& truth);
+    Measurement apply(const Measurement& truth)
     {
-        return take(SensedLine{.measurement = truth, .sides = {}}).measurement;
+        return apply(SensedLine{.measurement = truth, .sides = {}}).measurement;
     }
 
 private:
@@ -91,7 +91,7 @@ private:
 class FaultyScenes {
 public:
     FaultyScenes(SensorFault fault, const RobotModel& robot, std::uint64_t seed);
-    Proprioception take(const Proprioception& scene, double time);
+    Proprioception apply(const Proprioception& scene, double time);
 
 private:
     SensorFault fault_;

@@ -102,15 +102,15 @@ Status CsvReader::begin()
             TR_NOOP(
                 "core",
                 "holds bytes of value 0, which no text in UTF-8 does: save it as CSV in UTF-8"));
-    const Result<bool> isSaid = takeSeparatorLine();
-    if (!isSaid) return isSaid.error();
-    takeRemarks();
+    const Result<bool> isNamed = readSeparatorLine();
+    if (!isNamed) return isNamed.error();
+    skipRemarks();
     if (rest_.empty()) return fileError(name_, TR_NOOP("core", "is empty"));
-    return *isSaid ? Status(Done{}) : chooseSeparator();
+    return *isNamed ? Status(Done{}) : chooseSeparator();
 }
 
 // Reads the line "sep=;" that spreadsheets write above the header.
-Result<bool> CsvReader::takeSeparatorLine()
+Result<bool> CsvReader::readSeparatorLine()
 {
     const std::string_view whole = lineOf(rest_);
     const bool quoted = whole.size() > 1 && whole.starts_with('"') && whole.ends_with('"');
@@ -118,14 +118,14 @@ Result<bool> CsvReader::takeSeparatorLine()
     if (line.size() != 5 || lowerCase(line.substr(0, 4)) != "sep=") return false;
     separator_ = line[4];
     rest_.remove_prefix(whole.size());
-    takeLineEnd();
+    skipLineEnd();
     if (separator_ == ',' || separator_ == ';' || separator_ == '\t') return true;
     return fileError(
         name_, TR_NOOP("core", "line 1: names a separator that is no comma, semicolon or tab"));
 }
 
 // Skips comments and blank lines.
-void CsvReader::takeRemarks()
+void CsvReader::skipRemarks()
 {
     while (!rest_.empty()) {
         const std::string_view line = lineOf(rest_);
@@ -137,7 +137,7 @@ void CsvReader::takeRemarks()
             return;
         }
         rest_.remove_prefix(line.size());
-        takeLineEnd();
+        skipLineEnd();
     }
 }
 
@@ -174,14 +174,14 @@ Status CsvReader::chooseSeparator()
     return Done{};
 }
 
-void CsvReader::takeLineEnd()
+void CsvReader::skipLineEnd()
 {
     if (rest_.empty()) return;
     rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : 1);
     ++nextLine_;
 }
 
-std::string_view CsvReader::takePlain()
+std::string_view CsvReader::readPlain()
 {
     std::size_t end = 0;
     while (end < rest_.size() && rest_[end] != separator_
@@ -193,7 +193,7 @@ std::string_view CsvReader::takePlain()
 }
 
 // Reads a quoted field. The opening quote is the first character.
-Result<std::string_view> CsvReader::takeQuoted()
+Result<std::string_view> CsvReader::readQuoted()
 {
     rest_.remove_prefix(1);
     const std::string_view begin = rest_;
@@ -222,7 +222,7 @@ Result<std::string_view> CsvReader::takeQuoted()
 }
 
 // Reads a field. Returns false after the last field of its record.
-Result<bool> CsvReader::takeField()
+Result<bool> CsvReader::readField()
 {
     if (fields_.size() == kMaxFields)
         return error(Message(TR_NOOP("core", "has more than %1 fields"), kMaxFields));
@@ -233,12 +233,12 @@ Result<bool> CsvReader::takeField()
     };
     skipBlanks();
     if (rest_.starts_with('"')) {
-        const Result<std::string_view> field = takeQuoted();
+        const Result<std::string_view> field = readQuoted();
         if (!field) return field.error();
         fields_.push_back(*field);
         skipBlanks();
     } else {
-        fields_.push_back(takePlain());
+        fields_.push_back(readPlain());
     }
     if (fields_.back().size() > kMaxFieldLength)
         return error(
@@ -259,11 +259,11 @@ Result<bool> CsvReader::readRecord()
     if (rest_.empty()) return false;
     line_ = nextLine_;
     for (;;) {
-        const Result<bool> more = takeField();
+        const Result<bool> more = readField();
         if (!more) return more.error();
         if (*more) continue;
         lacksLineEnd_ = rest_.empty();
-        takeLineEnd();
+        skipLineEnd();
         return true;
     }
 }
@@ -295,7 +295,7 @@ Result<bool> CsvReader::next()
     }
 }
 
-void CsvReader::takeHeader(std::vector<std::string> units)
+void CsvReader::useAsHeader(std::vector<std::string> units)
 {
     while (fields_.size() > 1 && fields_.back().empty()) fields_.pop_back();
     columns_ = fields_.size();

@@ -54,7 +54,7 @@ public:
     /// as many fields, or more if the additional ones are empty. Records of empty fields only are
     /// skipped. `units`: unit of each column, empty for text. A line below the header that gives
     /// these units instead of numbers is skipped.
-    void takeHeader(std::vector<std::string> units);
+    void useAsHeader(std::vector<std::string> units);
 
     /// Returns the fields of the current record, valid until next().
     const std::vector<std::string_view>& fields() const { return fields_; }
@@ -87,14 +87,14 @@ private:
     CsvReader(std::string name, std::string text);
 
     Status begin();
-    Result<bool> takeSeparatorLine();
-    void takeRemarks();
+    Result<bool> readSeparatorLine();
+    void skipRemarks();
     Status chooseSeparator();
     Result<bool> readRecord();
-    Result<bool> takeField();
-    Result<std::string_view> takeQuoted();
-    std::string_view takePlain();
-    void takeLineEnd();
+    Result<bool> readField();
+    Result<std::string_view> readQuoted();
+    std::string_view readPlain();
+    void skipLineEnd();
     bool isBlank() const;
     bool isRemark() const;
     Result<bool> isUnits() const;

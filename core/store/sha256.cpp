@@ -44,7 +44,7 @@ void Sha256::add(std::string_view bytes)
                               bytes.size());
 }
 
-std::string Sha256::take()
+std::string Sha256::finish()
 {
     std::string hash(kBytes, '\0');
     crypto_hash_sha256_final(&state_->value, reinterpret_cast<unsigned char*>(hash.data()));

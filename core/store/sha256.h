@@ -25,8 +25,8 @@ public:
     ~Sha256();
 
     void add(std::string_view bytes);
-    /// Returns the 32 bytes of the hash of everything since the last take(), and starts a new hash.
-    std::string take();
+    /// Returns the 32 bytes of the hash of everything since the last finish(), and starts a new hash.
+    std::string finish();
 
 private:
     struct State;

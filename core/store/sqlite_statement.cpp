@@ -51,7 +51,7 @@ void SqliteStatement::bindBlob(int parameter, std::string_view bytes)
                 sqlite3_db_handle(statement_.get()));
 }
 
-void SqliteStatement::take(std::int64_t bytes) const
+void SqliteStatement::charge(std::int64_t bytes) const
 {
     if (!bytesLeft_) return;
     *bytesLeft_ -= bytes;
@@ -63,7 +63,7 @@ void SqliteStatement::take(std::int64_t bytes) const
 bool SqliteStatement::step()
 {
     const int code = sqlite3_step(statement_.get());
-    if (code == SQLITE_ROW) take(kMinCell);
+    if (code == SQLITE_ROW) charge(kMinCell);
     if (code == SQLITE_ROW) return true;
     if (code != SQLITE_DONE) throw SqliteError(sqliteMessage(sqlite3_db_handle(statement_.get())));
     return false;
@@ -101,7 +101,7 @@ std::string SqliteStatement::bytes(int column) const
     const auto* const begin =
         static_cast<const char*>(sqlite3_column_blob(statement_.get(), column));
     const int size = sqlite3_column_bytes(statement_.get(), column);
-    take(size);
+    charge(size);
     return begin ? std::string(begin, static_cast<std::size_t>(size)) : std::string();
 }
 

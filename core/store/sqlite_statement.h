@@ -44,7 +44,7 @@ private:
     {
     }
     void expect(int column, int type) const;
-    void take(std::int64_t bytes) const;
+    void charge(std::int64_t bytes) const;
     std::string bytes(int column) const;
 
     std::unique_ptr<sqlite3_stmt, Finalise> statement_;

@@ -226,20 +226,20 @@ SensorLine sensorLineOf(const AbsolemState& state, double now, double limit)
     return line;
 }
 
-AbsolemListener::Heard AbsolemListener::take(const CanFrame& frame, double now)
+AbsolemListener::Received AbsolemListener::receive(const CanFrame& frame, double now)
 {
     if (!std::isfinite(now))
         throw std::invalid_argument("AbsolemListener: the time must be finite");
     const std::variant<AbsolemFrame, AbsolemVerdict> got = absolemFrame(frame);
-    Heard heard;
+    Received received;
     if (const auto* fault = std::get_if<AbsolemVerdict>(&got)) {
-        heard.verdict = *fault;
+        received.verdict = *fault;
     } else {
-        heard.frame = std::get<AbsolemFrame>(got);
-        heard.verdict = follow(*heard.frame, now);
+        received.frame = std::get<AbsolemFrame>(got);
+        received.verdict = follow(*received.frame, now);
     }
-    ++counters_[static_cast<std::size_t>(heard.verdict)];
-    return heard;
+    ++counters_[static_cast<std::size_t>(received.verdict)];
+    return received;
 }
 
 AbsolemVerdict AbsolemListener::follow(const AbsolemFrame& frame, double now)
@@ -254,12 +254,12 @@ AbsolemVerdict AbsolemListener::follow(const AbsolemFrame& frame, double now)
     case Kind::Set:
         nodes_[indexOf(frame.node)].asked = Request{frame.command, frame.index, now};
         return AbsolemVerdict::Passed;
-    case Kind::Reply: return takeReply(frame, now);
+    case Kind::Reply: return receiveReply(frame, now);
     }
     return AbsolemVerdict::Passed;
 }
 
-AbsolemVerdict AbsolemListener::takeReply(const AbsolemFrame& reply, double now)
+AbsolemVerdict AbsolemListener::receiveReply(const AbsolemFrame& reply, double now)
 {
     Node& node = nodes_[indexOf(reply.node)];
     const std::optional<Request> asked = node.asked;

@@ -123,14 +123,14 @@ SensorLine sensorLineOf(const AbsolemState& state, double now, double limit);
 /// reveals it.
 class AbsolemListener {
 public:
-    struct Heard {
+    struct Received {
         AbsolemVerdict verdict = AbsolemVerdict::Passed;
         std::optional<AbsolemFrame> frame{};  ///< empty if the bytes could not be decoded
     };
     using Counters = std::array<std::uint64_t, kAbsolemVerdicts>;  ///< indexed by AbsolemVerdict
 
     /// Throws std::invalid_argument unless `now` is finite.
-    Heard take(const CanFrame& frame, double now);
+    Received receive(const CanFrame& frame, double now);
 
     const AbsolemState& state() const { return state_; }
     const Counters& counters() const { return counters_; }
@@ -147,7 +147,7 @@ private:
     };
 
     AbsolemVerdict follow(const AbsolemFrame& frame, double now);
-    AbsolemVerdict takeReply(const AbsolemFrame& reply, double now);
+    AbsolemVerdict receiveReply(const AbsolemFrame& reply, double now);
     AbsolemVerdict keep(const AbsolemFrame& reply, double now);
 
     AbsolemState state_;

@@ -49,7 +49,7 @@ std::optional<double> secondsOfDateLine(std::string_view text)
     LogWords words(text);
     for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
         if (word.find(':') != std::string_view::npos) {
-            hasClock = takeClock(word, date);
+            hasClock = consumeClock(word, date);
         } else if (isDigits(word)) {
             const auto number = integerFrom<int>(word);
             if (!number) return std::nullopt;
@@ -72,7 +72,7 @@ class AscFormat final : public LogFormat {
 public:
     std::string_view name() const override { return "Vector .asc"; }
 
-    Result<std::optional<LoggedFrame>> take(std::string_view line) override
+    Result<std::optional<LoggedFrame>> parse(std::string_view line) override
     {
         LogWords words(line);
         const std::string_view first = words.next();
@@ -217,12 +217,12 @@ private:
         if (const Status done = setFrameLength(frame, length.value_or(kFdBytes + 1), word); !done)
             return done.error();
         Taken taken = withBytes(std::move(logged), words);
-        if (taken && *taken) takeFlags((*taken)->frame, *integerFrom<unsigned>(code, 16), words);
+        if (taken && *taken) readFlags((*taken)->frame, *integerFrom<unsigned>(code, 16), words);
         return taken;
     }
 
     /// Reads the flags behind the bytes: they may mark a classic or a remote frame.
-    static void takeFlags(CanFrame& frame, unsigned code, LogWords& words)
+    static void readFlags(CanFrame& frame, unsigned code, LogWords& words)
     {
         constexpr unsigned kRemote = 0x10, kFd = 0x1000;
         (void)words.next();  // the frame's duration

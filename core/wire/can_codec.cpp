@@ -158,14 +158,14 @@ std::optional<SensorLine::Odometry> odometryOf(const Values& v)
     return v[2] != 0.0 ? std::optional(SensorLine::Odometry{v[0], v[1]}) : std::nullopt;
 }
 
-void takeVoltages(SensorLine& line, std::size_t set, const Values& v)
+void readVoltages(SensorLine& line, std::size_t set, const Values& v)
 {
     line.voltages[set] =
         v[3] != 0.0 ? std::optional(SensorLine::Three{v[0], v[1], v[2]}) : std::nullopt;
 }
 
 // Writes the values of a sensor frame into the line.
-void takeSensors(SensorLine& line, FrameKind kind, const Values& v)
+void readSensors(SensorLine& line, FrameKind kind, const Values& v)
 {
     switch (kind) {
     case FrameKind::Attitude:
@@ -176,10 +176,10 @@ void takeSensors(SensorLine& line, FrameKind kind, const Values& v)
     case FrameKind::RearAngles: line.rearAngles = pairOf(v); return;
     case FrameKind::FrontCurrents: line.frontCurrents = pairOf(v); return;
     case FrameKind::RearCurrents: line.rearCurrents = pairOf(v); return;
-    case FrameKind::LeftForces1To3: takeVoltages(line, 0, v); return;
-    case FrameKind::LeftForces4To6: takeVoltages(line, 1, v); return;
-    case FrameKind::RightForces1To3: takeVoltages(line, 2, v); return;
-    case FrameKind::RightForces4To6: takeVoltages(line, 3, v); return;
+    case FrameKind::LeftForces1To3: readVoltages(line, 0, v); return;
+    case FrameKind::LeftForces4To6: readVoltages(line, 1, v); return;
+    case FrameKind::RightForces1To3: readVoltages(line, 2, v); return;
+    case FrameKind::RightForces4To6: readVoltages(line, 3, v); return;
     case FrameKind::ArmResult:
         line.arm = v[3] != 0.0 ? std::optional(ArmReading{static_cast<int>(v[0]), v[1], v[2]})
                                : std::nullopt;
@@ -354,7 +354,7 @@ std::array<CanFrame, kSensorFrames> framesOf(const SensorLine& line, std::uint8_
             packed(FrameKind::ArmResult, counter, arm)};
 }
 
-std::optional<SensorLine> SensorLineReader::take(const Unpacked& content)
+std::optional<SensorLine> SensorLineReader::add(const Unpacked& content)
 {
     if (content.kind == FrameKind::Odometry)
         odometry_ = CountedOdometry{content.counter, odometryOf(content.values)};
@@ -364,7 +364,7 @@ std::optional<SensorLine> SensorLineReader::take(const Unpacked& content)
         have_ = 0;
     }
     counter_ = content.counter;
-    takeSensors(line_, content.kind, content.values);
+    readSensors(line_, content.kind, content.values);
     have_ |= 1U << (static_cast<unsigned>(content.kind) - static_cast<unsigned>(kFirstSensor));
     if (have_ != (1U << kNeededFrames) - 1U) return std::nullopt;
     have_ = 0;

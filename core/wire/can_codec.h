@@ -133,7 +133,7 @@ public:
     /// unfinished line. A repeated frame replaces the first one; other kinds of frames are ignored.
     /// A line needs every frame except Odometry, which some robots do not send: it belongs to the
     /// line if it comes before the last frame.
-    std::optional<SensorLine> take(const Unpacked& content);
+    std::optional<SensorLine> add(const Unpacked& content);
 
     std::uint64_t unfinished() const { return unfinished_; }  ///< number of dropped lines
 

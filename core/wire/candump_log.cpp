@@ -80,7 +80,7 @@ Result<CanFrame> frameWithId(std::string_view digits)
 }
 
 // Reads what follows "044#R".
-Status takeRemote(CanFrame& frame, std::string_view length)
+Status readRemote(CanFrame& frame, std::string_view length)
 {
     if (frame.error) return Error{TR_NOOP("core", "an error frame cannot be a remote frame")};
     frame.remote = true;
@@ -91,7 +91,7 @@ Status takeRemote(CanFrame& frame, std::string_view length)
     return Done{};
 }
 
-Status takeBytes(CanFrame& frame, std::string_view digits)
+Status readBytes(CanFrame& frame, std::string_view digits)
 {
     if (digits.size() % 2 != 0)
         return expectedInLog(TR_NOOP("core", "an even number of hexadecimal digits"), digits);
@@ -109,7 +109,7 @@ Result<CanFrame> compactFrame(std::string_view word)
     if (!frame) return frame;
     std::string_view content = word.substr(hash + 1);
     if (content.starts_with('R') || content.starts_with('r')) {
-        if (const Status done = takeRemote(*frame, content.substr(1)); !done) return done.error();
+        if (const Status done = readRemote(*frame, content.substr(1)); !done) return done.error();
         return frame;
     }
     if (content.starts_with('#')) {
@@ -120,12 +120,12 @@ Result<CanFrame> compactFrame(std::string_view word)
         content.remove_prefix(2);
         if (frame->error) return Error{TR_NOOP("core", "an error frame cannot be a CAN FD frame")};
     }
-    if (const Status done = takeBytes(*frame, content); !done) return done.error();
+    if (const Status done = readBytes(*frame, content); !done) return done.error();
     return frame;
 }
 
 // Reads "[5]", or "[05]" of a CAN FD frame.
-Status takeLength(CanFrame& frame, std::string_view word)
+Status readLength(CanFrame& frame, std::string_view word)
 {
     const bool isBracketed = word.starts_with('[') && word.ends_with(']') && word.size() > 2;
     const std::string_view digits = isBracketed ? word.substr(1, word.size() - 2) : "";
@@ -137,7 +137,7 @@ Status takeLength(CanFrame& frame, std::string_view word)
     return setFrameLength(frame, *integerFrom<unsigned>(digits, 10), word);
 }
 
-Status takeLongBytes(CanFrame& frame, LogWords& words)
+Status readLongBytes(CanFrame& frame, LogWords& words)
 {
     for (std::size_t i = 0; i < frame.length; ++i)
         if (Status done = setFrameByte(frame, i, words.next()); !done) return done;
@@ -156,7 +156,7 @@ Result<CanFrame> longFrame(std::string_view id, LogWords& words)
 {
     Result<CanFrame> frame = frameWithId(id);
     if (!frame) return frame;
-    if (const Status done = takeLength(*frame, words.next()); !done) return done.error();
+    if (const Status done = readLength(*frame, words.next()); !done) return done.error();
     const std::string_view rest = words.rest();
     if (rest.starts_with("remote")) {
         if (words.next() != "remote" || words.next() != "request" || !words.rest().empty())
@@ -166,7 +166,7 @@ Result<CanFrame> longFrame(std::string_view id, LogWords& words)
         frame->remote = true;
         return frame;
     }
-    if (const Status done = takeLongBytes(*frame, words); !done) return done.error();
+    if (const Status done = readLongBytes(*frame, words); !done) return done.error();
     return frame;
 }
 
@@ -267,7 +267,7 @@ class CandumpFormat final : public LogFormat {
 public:
     std::string_view name() const override { return "candump"; }
 
-    Result<std::optional<LoggedFrame>> take(std::string_view line) override
+    Result<std::optional<LoggedFrame>> parse(std::string_view line) override
     {
         const std::string_view begin = LogWords(line).rest();
         if (begin.empty() || begin.front() == '#' || isOfError(line) || countsDrops(line))

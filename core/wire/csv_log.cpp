@@ -76,14 +76,14 @@ public:
         return "CSV of session export";
     }
 
-    Result<std::optional<LoggedFrame>> take(std::string_view line) override
+    Result<std::optional<LoggedFrame>> parse(std::string_view line) override
     {
         if (std::exchange(isFirst_, false) || LogWords(line).rest().empty())
             return std::optional<LoggedFrame>{};
         const Fields fields = logCsvFields(line, separator_);
         LoggedFrame logged;
-        for (const auto step : {&CsvFormat::takeTime, &CsvFormat::takeKind, &CsvFormat::takeId,
-                                &CsvFormat::takeBus, &CsvFormat::takeBytes})
+        for (const auto step : {&CsvFormat::readTime, &CsvFormat::readKind, &CsvFormat::readId,
+                                &CsvFormat::readBus, &CsvFormat::readBytes})
             if (const Status done = (this->*step)(fields, logged); !done) return done.error();
         return std::optional(std::move(logged));
     }
@@ -104,7 +104,7 @@ private:
         return at < fields.size() && found != columns_.end() ? fields[at] : std::string_view();
     }
 
-    Status takeTime(const Fields& fields, LoggedFrame& logged) const
+    Status readTime(const Fields& fields, LoggedFrame& logged) const
     {
         constexpr double kMicroseconds = 1e6;
         const std::string_view text =
@@ -117,7 +117,7 @@ private:
         return Done{};
     }
 
-    Status takeKind(const Fields& fields, LoggedFrame& logged) const
+    Status readKind(const Fields& fields, LoggedFrame& logged) const
     {
         CanFrame& frame = logged.frame;
         using Flag = std::pair<std::string_view, bool*>;
@@ -141,7 +141,7 @@ private:
         return Done{};
     }
 
-    Status takeId(const Fields& fields, LoggedFrame& logged) const
+    Status readId(const Fields& fields, LoggedFrame& logged) const
     {
         CanFrame& frame = logged.frame;
         std::string_view digits =
@@ -153,7 +153,7 @@ private:
         return done;
     }
 
-    Status takeBus(const Fields& fields, LoggedFrame& logged) const
+    Status readBus(const Fields& fields, LoggedFrame& logged) const
     {
         const std::string_view text = field(fields, "bus");
         const auto bus = isDigits(text) ? integerFrom<std::uint8_t>(text) : std::nullopt;
@@ -163,7 +163,7 @@ private:
         return Done{};
     }
 
-    Status takeBytes(const Fields& fields, LoggedFrame& logged) const
+    Status readBytes(const Fields& fields, LoggedFrame& logged) const
     {
         CanFrame& frame = logged.frame;
         constexpr std::array kLengths{"len", "dlc", "length"};
@@ -174,8 +174,8 @@ private:
         if (Status done = setFrameLength(frame, length.value_or(kFdBytes + 1), text); !done)
             return done;
         if (frame.remote) return Done{};
-        if (dialect_ == Dialect::Gvret) return takeColumns(fields, frame);
-        if (dialect_ == Dialect::Own) return takeDigits(field(fields, "data"), frame);
+        if (dialect_ == Dialect::Gvret) return readColumns(fields, frame);
+        if (dialect_ == Dialect::Own) return readDigits(field(fields, "data"), frame);
         const auto bytes = bytesOfBase64(field(fields, "data"));
         if (!bytes || bytes->size() != frame.length)
             return expectedInLog(TR_NOOP("core", "as many bytes in base 64 as dlc says"),
@@ -184,7 +184,7 @@ private:
         return Done{};
     }
 
-    Status takeColumns(const Fields& fields, CanFrame& frame) const
+    Status readColumns(const Fields& fields, CanFrame& frame) const
     {
         const auto len = std::find(columns_.begin(), columns_.end(), "len");
         const auto first = static_cast<std::size_t>(len - columns_.begin()) + 1;
@@ -197,7 +197,7 @@ private:
         return Done{};
     }
 
-    static Status takeDigits(std::string_view digits, CanFrame& frame)
+    static Status readDigits(std::string_view digits, CanFrame& frame)
     {
         if (digits.size() < std::size_t{2} * frame.length)
             frame.isCut = frame.length > kClassicBytes;

@@ -108,7 +108,7 @@ Result<std::string_view> LogBytes::peek(std::size_t least)
     return std::string_view(block_).substr(at_);
 }
 
-void LogBytes::take(std::size_t bytes)
+void LogBytes::consume(std::size_t bytes)
 {
     at_ += std::min(bytes, block_.size() - at_);
 }
@@ -131,7 +131,7 @@ Status LogBytes::begin()
     if (const auto first = peek(4); !first) return first.error();
     if (packed_ && block_.starts_with("\x1F\x8B"))
         return Error{TR_NOOP("core", "is packed by gzip twice: unpack it once (gzip -d)")};
-    if (block_.starts_with("\xEF\xBB\xBF")) take(3);
+    if (block_.starts_with("\xEF\xBB\xBF")) consume(3);
     isLowFirst_ = block_.starts_with("\xFF\xFE");
     isWide_ = isLowFirst_ || block_.starts_with("\xFE\xFF");
     const std::size_t mark = isWide_ ? 2 : 0;

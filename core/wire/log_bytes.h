@@ -30,7 +30,7 @@ public:
     /// Returns the bytes that are available and not taken yet, at least `least` bytes unless the
     /// log ends. Errors are sentences without the file's name.
     Result<std::string_view> peek(std::size_t least);
-    void take(std::size_t bytes);
+    void consume(std::size_t bytes);
 
     bool isPacked() const;
     bool isTorn() const;  ///< the packed bytes ended too early

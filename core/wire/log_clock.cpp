@@ -5,7 +5,7 @@
 
 namespace terratact {
 
-std::optional<double> LogClock::take(double time, const std::string& interface)
+std::optional<double> LogClock::add(double time, const std::string& interface)
 {
     ++frames_;
     if (!first_) {

@@ -19,7 +19,7 @@ public:
 
     /// Adds the next frame's time [s]. Returns the jump, if there is one: how far it lies before
     /// the last time, negative for a jump forward.
-    std::optional<double> take(double time, const std::string& interface);
+    std::optional<double> add(double time, const std::string& interface);
 
     /// Returns the time since the first frame [s], which never decreases. It continues after a jump
     /// from where it was.

@@ -110,7 +110,7 @@ struct Magic {
 
 }  // namespace
 
-Message LogFormat::takeRemark()
+Message LogFormat::consumeRemark()
 {
     return std::exchange(remark_, {});
 }

@@ -22,13 +22,13 @@ public:
 
     /// Reads a line, given without its line end. Returns empty for a line without a frame (a
     /// heading, a comment, an event). Errors say what was expected where.
-    virtual Result<std::optional<LoggedFrame>> take(std::string_view line) = 0;
+    virtual Result<std::optional<LoggedFrame>> parse(std::string_view line) = 0;
 
     std::uint64_t dropped() const { return dropped_; }    ///< frames that the log reports as lost
     std::uint64_t passedOver() const { return passed_; }  ///< lines of events that are no frames
 
     /// Returns a remark about the last line; empty: none.
-    Message takeRemark();
+    Message consumeRemark();
 
 protected:
     /// Counts a line that is neither a frame nor a heading.

@@ -67,7 +67,7 @@ Error LogReader::error(const Message& cause) const
     return fileError(name_, Message(TR_NOOP("core", "line %1: %2"), line_, cause));
 }
 
-std::vector<Message> LogReader::takeRemarks()
+std::vector<Message> LogReader::consumeRemarks()
 {
     return std::exchange(remarks_, {});
 }
@@ -90,7 +90,7 @@ Result<LogReader::Line> LogReader::readLine()
         if (end <= kMaxLineLength) {  // npos is larger
             ++line_;
             text_ = got->substr(0, end);
-            bytes_.take(end + 1);
+            bytes_.consume(end + 1);
             return Line::Whole;
         }
         if (endsLinesWithCr(*got) && (got->size() > kMaxLineLength || got->size() == looked)) {
@@ -103,7 +103,7 @@ Result<LogReader::Line> LogReader::readLine()
             if (looked == 0) return Line::None;
             ++line_;
             text_ = *got;
-            bytes_.take(looked);
+            bytes_.consume(looked);
             return Line::Unended;
         }
         looked = got->size();
@@ -131,7 +131,7 @@ Result<LogReader::Line> LogReader::endOfLongLine()
     const Error tooLong = error(Message(refusal, kMaxLineLength));
     const Result<std::string_view> begin = bytes_.peek(1);
     text_ = begin ? begin->substr(0, kMaxLineLength) : std::string_view();
-    bytes_.take(text_.size());
+    bytes_.consume(text_.size());
     const std::size_t zeros = std::min(text_.find('\0'), text_.size());
     if (zeros == text_.size() || !isZeros(std::string_view(text_).substr(zeros))) return tooLong;
     for (;;) {
@@ -139,7 +139,7 @@ Result<LogReader::Line> LogReader::endOfLongLine()
         if (!rest) return fileError(name_, rest.error().message, rest.error().code);
         if (rest->empty()) break;
         if (!isZeros(*rest)) return tooLong;
-        bytes_.take(rest->size());
+        bytes_.consume(rest->size());
     }
     text_.resize(zeros + 1);
     return Line::Unended;
@@ -215,7 +215,7 @@ void LogReader::watchClock(const LoggedFrame& logged)
 {
     step_.reset();
     if (!logged.time) return;
-    step_ = clock_.take(*logged.time, logged.interface);
+    step_ = clock_.add(*logged.time, logged.interface);
     if (!step_ || ++steps_ > kMaxSteps) return;
     const bool isCandump = format_->name() == "candump";
     if (*step_ < 0.0)
@@ -232,9 +232,9 @@ void LogReader::watchClock(const LoggedFrame& logged)
 Result<std::optional<LoggedFrame>> LogReader::frameOf(Line line)
 {
     const std::uint64_t passed = format_->passedOver();
-    Result<std::optional<LoggedFrame>> taken = format_->take(text_);
+    Result<std::optional<LoggedFrame>> taken = format_->parse(text_);
     if (passed == 0 && format_->passedOver() > 0) firstPassed_ = line_;
-    if (Message said = format_->takeRemark(); !said.empty()) remark(said);
+    if (Message said = format_->consumeRemark(); !said.empty()) remark(said);
     // Only candump's compact lines do not state their length.
     const bool mayBeCut = text_.find('#') != std::string::npos && format_->name() == "candump";
     if (taken && *taken && line == Line::Unended && mayBeCut)

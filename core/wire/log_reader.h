@@ -55,7 +55,7 @@ public:
     /// Returns the remarks since the last call, each a sentence that names file and line: clock
     /// steps (the first kMaxSteps), a truncated end, lines without a frame. They are complete after
     /// the last frame.
-    std::vector<Message> takeRemarks();
+    std::vector<Message> consumeRemarks();
     static constexpr std::uint64_t kMaxSteps = 5;
 
     /// Returns "file: line 7: cause".

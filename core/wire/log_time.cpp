@@ -43,7 +43,7 @@ std::optional<double> secondsOfLocal(const LogDate& date)
     return static_cast<double>(seconds) + (date.second - whole);
 }
 
-bool takeClock(std::string_view clock, LogDate& date)
+bool consumeClock(std::string_view clock, LogDate& date)
 {
     const std::size_t first = clock.find(':');
     const std::size_t second = first == std::string_view::npos ? first : clock.find(':', first + 1);
@@ -61,7 +61,7 @@ bool takeClock(std::string_view clock, LogDate& date)
 std::optional<double> secondsOfDate(std::string_view date, std::string_view clock)
 {
     LogDate when;
-    if (date.size() != 10 || date[4] != '-' || date[7] != '-' || !takeClock(clock, when))
+    if (date.size() != 10 || date[4] != '-' || date[7] != '-' || !consumeClock(clock, when))
         return std::nullopt;
     const auto year = smallNumber(date.substr(0, 4)), month = smallNumber(date.substr(5, 2)),
                day = smallNumber(date.substr(8, 2));

@@ -22,6 +22,6 @@ std::optional<double> secondsOfLocal(const LogDate& date);
 std::optional<double> secondsOfDate(std::string_view date, std::string_view clock);
 
 /// Reads "12:34:56.789" into a date.
-bool takeClock(std::string_view clock, LogDate& date);
+bool consumeClock(std::string_view clock, LogDate& date);
 
 }  // namespace terratact

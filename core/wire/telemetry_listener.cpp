@@ -26,7 +26,7 @@ const JudgedFrame& TelemetryListener::judge(const CanFrame& frame, double now)
     return judged_;
 }
 
-std::optional<Measurement> TelemetryListener::take(const CanFrame& frame, double now)
+std::optional<Measurement> TelemetryListener::receive(const CanFrame& frame, double now)
 {
     judge(frame, now);
     if (judged_.fault) {
@@ -44,7 +44,7 @@ std::optional<Measurement> TelemetryListener::take(const CanFrame& frame, double
         token_ = token;
         challenge_ = challengeOf(content).value_or(0);
     }
-    const std::optional<SensorLine> line = reader_.take(content);
+    const std::optional<SensorLine> line = reader_.add(content);
     return line ? measured(*line, now) : std::nullopt;
 }
 

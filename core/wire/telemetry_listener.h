@@ -44,7 +44,7 @@ public:
 
     /// Adds a frame. Returns the measurement that it completes, with the time `now` and the last
     /// valid status. Throws std::invalid_argument unless `now` is finite.
-    std::optional<Measurement> take(const CanFrame& frame, double now);
+    std::optional<Measurement> receive(const CanFrame& frame, double now);
 
     /// Judges a frame without using it: one that this console sent itself. Throws as take() does.
     const JudgedFrame& judge(const CanFrame& frame, double now);

@@ -51,7 +51,7 @@ std::optional<double> secondsOfStart(std::string_view text)
     if (!day || !month || !year || !date.empty() || !words.rest().empty()) return std::nullopt;
     LogDate moment;
     if (std::count(clock.begin(), clock.end(), '.') > 1) clock = clock.substr(0, clock.rfind('.'));
-    if (!takeClock(clock, moment)) return std::nullopt;
+    if (!consumeClock(clock, moment)) return std::nullopt;
     const std::chrono::year_month_day calendar{std::chrono::year(*year),
                                                std::chrono::month(static_cast<unsigned>(*month)),
                                                std::chrono::day(static_cast<unsigned>(*day))};
@@ -70,7 +70,7 @@ class TrcFormat final : public LogFormat {
 public:
     std::string_view name() const override { return "PEAK .trc"; }
 
-    Result<std::optional<LoggedFrame>> take(std::string_view line) override
+    Result<std::optional<LoggedFrame>> parse(std::string_view line) override
     {
         LogWords words(line);
         const std::string_view begin = words.rest();

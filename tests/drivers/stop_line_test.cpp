@@ -22,16 +22,16 @@ TEST(StopLine, isReceivedAndAnswered)
     ASSERT_TRUE(line) << line.error().text;
     auto caller = StopCaller::open(), another = StopCaller::open();
     ASSERT_TRUE(caller && another);
-    EXPECT_FALSE(line->take()) << "nobody has pressed";
+    EXPECT_FALSE(line->consume()) << "nobody has pressed";
     ASSERT_TRUE(caller->press(someName()));
     EXPECT_FALSE(caller->isTaken()) << "nobody has looked";
-    EXPECT_TRUE(line->take());
-    EXPECT_FALSE(line->take()) << "once";
+    EXPECT_TRUE(line->consume());
+    EXPECT_FALSE(line->consume()) << "once";
     EXPECT_FALSE(another->isTaken());
     EXPECT_TRUE(caller->isTaken());
     EXPECT_FALSE(caller->isTaken());
     ASSERT_TRUE(caller->press(someName()));
-    ASSERT_TRUE(line->take());
+    ASSERT_TRUE(line->consume());
     ASSERT_TRUE(caller->press(someName()));
     EXPECT_FALSE(caller->isTaken()) << "that answer was to the press before";
 }

@@ -22,18 +22,18 @@ namespace {
 
 constexpr std::size_t kRecord = 12;
 
-struct Heard {
+struct ReceivedFrame {
     CanFrame frame;
     double after = 0.0;  // [s] since the previous frame
 };
 
-Heard heardIn(const std::uint8_t* record)
+ReceivedFrame frameIn(const std::uint8_t* record)
 {
     const unsigned kind = record[0];
     const auto flag = [kind](unsigned bit) { return (kind >> bit & 1U) != 0; };
     const unsigned number = record[1] + 256U * record[2];
-    Heard heard;
-    CanFrame& frame = heard.frame;
+    ReceivedFrame received;
+    CanFrame& frame = received.frame;
     frame = {.id = number & 0x7FFU,
              .extended = flag(0),
              .remote = flag(1),
@@ -41,14 +41,14 @@ Heard heardIn(const std::uint8_t* record)
              .fd = flag(3),
              .length = static_cast<std::uint8_t>(record[3] % 16U % 9U)};
     for (std::size_t i = 0; i < kClassicBytes; ++i) frame.data[i] = record[4 + i];
-    heard.after = static_cast<double>(record[3] / 16U) * 0.02;
+    received.after = static_cast<double>(record[3] / 16U) * 0.02;
     if (frame.extended || frame.error) frame.id = number << 13U | number;
     if (flag(5)) frame.id = 0x180U + 0x80U * (number % 4U) + record[2] % 8U;
     if (flag(4)) frame.id = frameLayouts()[number % kFrameKinds].id;
     const std::optional<FrameKind> ours = kindOfId(frame.id);
     if (flag(6) && ours)
         protect(std::span(frame.data).first(8), frame.data[2], layoutOf(*ours).dataId);
-    return heard;
+    return received;
 }
 
 bool isFinite(const std::optional<Pair>& pair)
@@ -95,21 +95,22 @@ struct Receivers {
     std::uint64_t frames = 0;
     double now = 0.0;
 
-    void take(const Heard& heard)
+    void add(const ReceivedFrame& received)
     {
-        now += heard.after;
+        now += received.after;
         ++frames;
-        const CanFrame& frame = heard.frame;
+        const CanFrame& frame = received.frame;
         promiseCodec(frame);
         if (frame.error) {
             promise(!describeError(frame).empty(), "an error has a name");
             controllerState(frame);
         }
-        if (const auto measurement = telemetry.take(frame, now)) promiseMeasurement(*measurement);
+        if (const auto measurement = telemetry.receive(frame, now))
+            promiseMeasurement(*measurement);
         if (const auto command = commands.receive(frame, now).command) promiseCommand(*command);
         commands.tick(now);
         promise(commands.epoch() != 0, "no epoch is 0");
-        const AbsolemListener::Heard said = robot.take(frame, now);
+        const AbsolemListener::Received said = robot.receive(frame, now);
         promise(!describe(said.verdict).empty(), "a verdict has a name");
         if (said.frame) promise(said.frame->name().size() < 12, "a name is short");
     }
@@ -136,7 +137,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     static const Receivers fresh;
     Receivers receivers = fresh;
-    for (; size >= kRecord; data += kRecord, size -= kRecord) receivers.take(heardIn(data));
+    for (; size >= kRecord; data += kRecord, size -= kRecord) receivers.add(frameIn(data));
     receivers.promiseBooks();
     return 0;
 }

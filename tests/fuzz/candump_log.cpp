@@ -43,7 +43,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     double elapsed = 0.0;
     for (;;) {
         const Result<std::optional<LoggedFrame>> next = log.next();
-        for (const Message& remark : log.takeRemarks()) promiseRefusal({remark}, "f");
+        for (const Message& remark : log.consumeRemarks()) promiseRefusal({remark}, "f");
         if (!next) return promiseRefusal(next.error(), "f"), 0;
         if (!*next) return 0;
         promiseFrame(**next);

@@ -130,7 +130,7 @@ void rehash()
             bytes.addRow(frame, frame.columns());
             frames.add(bytes.bytes());
         }
-        const BatchHashes hashes{.frames = frames.take(), .rows = rows[batch.id].take()};
+        const BatchHashes hashes{.frames = frames.finish(), .rows = rows[batch.id].finish()};
         chain = chained(chain, batch, hashes);
         update.bindBlob(0, hashes.frames);
         update.bindBlob(1, hashes.rows);

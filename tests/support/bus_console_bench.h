@@ -119,7 +119,7 @@ struct BusConsole : testing::Test, RobotOnBench {
         CanSource::Options source{.mode = mode,
                                   .link = {.gate = {.operatorAge = operatorAge}},
                                   .waits = mode == CanSource::Mode::Replay};
-        if (recording) source.heard = [to = recording](auto frames) { to->take(frames); };
+        if (recording) source.received = [to = recording](auto frames) { to->add(frames); };
         MainWindow::Options options = linked(std::move(end), std::move(source));
         options.model = std::move(loader);
         options.recorder = recording;

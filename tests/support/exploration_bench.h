@@ -126,7 +126,7 @@ struct Bench : testing::Test {
     template <class C>
     int sent()
     {
-        for (const Command& command : source.takeCommands()) all.push_back(command);
+        for (const Command& command : source.consumeCommands()) all.push_back(command);
         return static_cast<int>(std::count_if(
             all.begin(), all.end(), [](const Command& c) { return std::holds_alternative<C>(c); }));
     }

@@ -39,8 +39,8 @@ inline Result<SessionWriter> robotSession(const std::string& path, double second
     RobotOnBus robot(absolem(), SimulatedRobot(absolem(), flatTerrain(5.0), simulation), {});
 
     std::int64_t event = 0, filler = 0;
-    const auto tell = [&](double at, EventKind kind, std::string_view subject,
-                          std::string_view text = {}, std::optional<double> number = {}) {
+    const auto log = [&](double at, EventKind kind, std::string_view subject,
+                         std::string_view text = {}, std::optional<double> number = {}) {
         EventRow row{.id = ++event, .time = sessionTimeOf(at), .kind = kind};
         row.subject = subject;
         row.text = text;
@@ -54,14 +54,14 @@ inline Result<SessionWriter> robotSession(const std::string& path, double second
         if (tick == 0) {
             (void)writer->add(
                 ModelRow{.id = 1, .name = "default.ttm", .hash = std::string(64, 'c')});
-            tell(0.0, EventKind::Session, "begun");
-            tell(0.0, EventKind::Phase, name(AtemPhase::Idle));
-            tell(0.0, EventKind::Arming, name(ArmingPhase::Disarmed));
+            log(0.0, EventKind::Session, "begun");
+            log(0.0, EventKind::Phase, name(AtemPhase::Idle));
+            log(0.0, EventKind::Arming, name(ArmingPhase::Disarmed));
         }
-        if (passes(At::kLinkUp)) tell(now, EventKind::Link, "up");
-        if (passes(At::kAlarm)) tell(now, EventKind::Alarm, "frames", "frames are lost", 3.0);
-        if (passes(At::kAlarmGone)) tell(now, EventKind::Alarm, "frames", "", 0.0);
-        if (passes(At::kPressing)) tell(now, EventKind::Phase, name(AtemPhase::Pressing));
+        if (passes(At::kLinkUp)) log(now, EventKind::Link, "up");
+        if (passes(At::kAlarm)) log(now, EventKind::Alarm, "frames", "frames are lost", 3.0);
+        if (passes(At::kAlarmGone)) log(now, EventKind::Alarm, "frames", "", 0.0);
+        if (passes(At::kPressing)) log(now, EventKind::Phase, name(AtemPhase::Pressing));
         if (passes(At::kScene)) {
             SceneRow scene = someScene(1, sessionTimeOf(now));
             scene.measurement.travelled = 0.0;  // same as the telemetry
@@ -71,17 +71,17 @@ inline Result<SessionWriter> robotSession(const std::string& path, double second
             (void)writer->add(someEstimate(1, sessionTimeOf(now)));
             (void)writer->add(someProposal(sessionTimeOf(now)));
         }
-        if (passes(At::kProposing)) tell(now, EventKind::Phase, name(AtemPhase::ProposingProbe));
-        if (passes(At::kMarker)) tell(now, EventKind::Marker, "operator", "look here");
-        if (passes(At::kApproved)) tell(now, EventKind::Decision, "approve", "probe at 0.6 m");
-        if (passes(At::kProbing)) tell(now, EventKind::Phase, name(AtemPhase::Probing));
+        if (passes(At::kProposing)) log(now, EventKind::Phase, name(AtemPhase::ProposingProbe));
+        if (passes(At::kMarker)) log(now, EventKind::Marker, "operator", "look here");
+        if (passes(At::kApproved)) log(now, EventKind::Decision, "approve", "probe at 0.6 m");
+        if (passes(At::kProbing)) log(now, EventKind::Phase, name(AtemPhase::Probing));
         if (passes(At::kAgain)) {
             EstimateRow again = someEstimate(2, sessionTimeOf(now));
             again.scene = 1;
             (void)writer->add(again);
         }
-        if (passes(At::kPresenting)) tell(now, EventKind::Phase, name(AtemPhase::Presenting));
-        if (passes(At::kForgotten)) tell(now, EventKind::Forgotten, "", "The robot has moved");
+        if (passes(At::kPresenting)) log(now, EventKind::Phase, name(AtemPhase::Presenting));
+        if (passes(At::kForgotten)) log(now, EventKind::Forgotten, "", "The robot has moved");
         if (!silent || !silent(now)) {
             for (const CanFrame& frame : robot.tick(now))
                 (void)writer->add(FrameRow{.time = sessionTimeOf(now), .frame = frame});

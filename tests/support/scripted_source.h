@@ -41,7 +41,7 @@ public:
         sample_.measurement = measurement;
     }
     /// Makes the source report pressing as soon as it gets a press command.
-    void pressWhenTold()
+    void pressOnCommand()
     {
         const std::scoped_lock lock(mutex_);
         presses_ = true;
@@ -61,7 +61,7 @@ public:
         const std::scoped_lock lock(mutex_);
         trouble_ = trouble;
     }
-    std::vector<Command> takeCommands()
+    std::vector<Command> consumeCommands()
     {
         const std::scoped_lock lock(mutex_);
         return std::exchange(commands_, {});

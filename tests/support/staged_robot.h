@@ -20,11 +20,11 @@ namespace terratact {
 
 /// Telemetry values that replace the robot's true ones.
 struct Staging {
-    std::optional<RobotActivity> says{};   ///< reported activity
-    std::optional<RobotActivity> lasts{};  ///< repeated forever once the robot does it
-    std::optional<Refusal> refuses{};      ///< reported as refusal of each command
-    std::optional<bool> explores{};        ///< reported exploration state
-    bool isDisarmed = false;               ///< reports disarmed
+    std::optional<RobotActivity> activity{};  ///< reported activity
+    std::optional<RobotActivity> lasts{};     ///< repeated forever once the robot does it
+    std::optional<Refusal> refuses{};         ///< reported as refusal of each command
+    std::optional<bool> explores{};           ///< reported exploration state
+    bool isDisarmed = false;                  ///< reports disarmed
     bool isUnfeeling = false;  ///< force elements: left 2 open, left 3 saturated, right 4 short
     double pitch = 0.0, roll = 0.0;        ///< [rad] added
     double twist = 0.0;                    ///< [rad] added between left and right front flipper
@@ -101,14 +101,14 @@ private:
     {
         const double machine = steadyNow();
         const double passed = machine - std::exchange(machine_, machine);
-        const bool waits = heard_ && machine - heardAt_ < kWaits;
-        time_ = waits ? std::clamp(*heard_ + kBeat, time_, time_ + passed) : time_ + passed;
+        const bool waits = newestFrame_ && machine - newestFrameAt_ < kWaits;
+        time_ = waits ? std::clamp(*newestFrame_ + kBeat, time_, time_ + passed) : time_ + passed;
         return time_;
     }
     void hear()
     {
-        heard_ = now();
-        heardAt_ = machine_;
+        newestFrame_ = now();
+        newestFrameAt_ = machine_;
     }
     std::optional<CanFrame> staged(const CanFrame& frame)
     {
@@ -140,7 +140,7 @@ private:
     {
         lasting_ = lasting_ || (staging_.lasts && status.activity == *staging_.lasts);
         if (lasting_) status.activity = *staging_.lasts;
-        status.activity = staging_.says.value_or(status.activity);
+        status.activity = staging_.activity.value_or(status.activity);
         status.refusal = staging_.refuses.value_or(status.refusal);
         status.armed = status.armed && !staging_.isDisarmed;
         status.exploring = staging_.explores.value_or(status.exploring);
@@ -150,8 +150,8 @@ private:
     RobotOnBus robot_;  // used by the thread only, with the members below
     double time_ = 0.0;
     double machine_ = steadyNow();
-    std::optional<double> heard_;  ///< [s] robot time of the newest frame
-    double heardAt_ = 0.0;         ///< [s] real time of the newest frame
+    std::optional<double> newestFrame_;  ///< [s] robot time of the newest frame
+    double newestFrameAt_ = 0.0;         ///< [s] real time of the newest frame
 
     mutable std::mutex mutex_;  // guards the members below
     Staging staging_;

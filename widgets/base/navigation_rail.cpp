@@ -128,7 +128,7 @@ void NavigationRail::setOffered(int page, bool offered)
     button(page)->setVisible(offered);
 }
 
-void NavigationRail::tell(int page, const QString& what, bool asks)
+void NavigationRail::setNote(int page, const QString& what, bool asks)
 {
     if (telling_.at(page) != what) {
         telling_[page] = what;

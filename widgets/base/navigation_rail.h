@@ -30,7 +30,7 @@ public:
     void setOffered(int page, bool offered);
     /// Shows a short status instead of the page's key; empty: the key again. asks: the status needs an answer and is
     /// highlighted.
-    void tell(int page, const QString& what, bool asks);
+    void setNote(int page, const QString& what, bool asks);
 
     QSize minimumSizeHint() const override;  ///< fits all pages
 

@@ -288,11 +288,11 @@ void AtemPanel::setResultStands(bool stands)
     if (std::exchange(resultStands_, stands) != stands) showButtons();
 }
 
-void AtemPanel::setProbeToAsk(std::optional<int> bin, const QString& tells)
+void AtemPanel::setProbeToAsk(std::optional<int> bin, const QString& gain)
 {
-    if (bin == askBin_ && tells == askTells_) return;
+    if (bin == askBin_ && gain == askGain_) return;
     askBin_ = bin;
-    askTells_ = tells;
+    askGain_ = gain;
     showButtons();
 }
 
@@ -433,7 +433,7 @@ void AtemPanel::showButtons()
                (missing.isEmpty() ? tr("The robot presses again, then the probe is proposed. The "
                                        "arm moves only after your approval")
                                   : tr("Not possible now:") + QLatin1Char('\n') + linesOf(needs))
-                   + QLatin1Char('\n') + askTells_);
+                   + QLatin1Char('\n') + askGain_);
     }
     setTip(*abort_, !abort_->isEnabled() ? tr("No exploration is running")
                     : clears             ? tr("Hides the result; Ctrl+Z restores it")

@@ -46,7 +46,7 @@ public:
 
     /// Sets the bin for which the operator may now request a probe, and its expected gain in words; empty: none. Its
     /// button replaces the one that clears the estimate.
-    void setProbeToAsk(std::optional<int> bin, const QString& tells);
+    void setProbeToAsk(std::optional<int> bin, const QString& gain);
 
     /// Makes the panel display-only: no button is visible.
     void forbidCommands();
@@ -104,7 +104,7 @@ private:
     QPushButton* abort_ = nullptr;  ///< aborts an exploration, or clears its result
     QPushButton* ask_ = nullptr;
     std::optional<int> askBin_;
-    QString askTells_;
+    QString askGain_;
     QPushButton* override_ = nullptr;
     HoldToConfirmButton* release_ = nullptr;
 };

@@ -176,7 +176,7 @@ void ProbeCard::setNarrow(bool narrow)
     narrow_ = narrow;
     where_->setVisible(!narrow);  // other lines repeat it
     for (QLabel* key : std::as_const(keys_)) key->setVisible(!narrow);
-    told() ? showFacts() : showAnswer();
+    displayed() ? showFacts() : showAnswer();
 }
 
 int ProbeCard::leastHeight() const
@@ -206,12 +206,12 @@ bool ProbeCard::asks() const
     return proposal_.has_value();
 }
 
-bool ProbeCard::tells() const
+bool ProbeCard::showsWorth() const
 {
     return worth_.has_value();
 }
 
-const ProbeProposal* ProbeCard::told() const
+const ProbeProposal* ProbeCard::displayed() const
 {
     return proposal_ ? &*proposal_ : worth_ ? &*worth_ : nullptr;
 }
@@ -261,7 +261,7 @@ void ProbeCard::setWorth(const ProbeProposal& probe, const QString& why)
 
 void ProbeCard::showFacts()
 {
-    where_->setText(tr("bin %1").arg(format::binName(told()->bin)));
+    where_->setText(tr("bin %1").arg(format::binName(displayed()->bin)));
     answers_->setVisible(asks());
     showAnswer();
     showWorth();
@@ -274,7 +274,7 @@ void ProbeCard::showFacts()
 
 void ProbeCard::showWorth()
 {
-    const ProbeProposal& p = *told();
+    const ProbeProposal& p = *displayed();
     const QString height = format::signedNumber(p.height, 2), sd = format::number(p.sd, 2);
     const QString q10 = format::signedNumber(p.q10, 2), q90 = format::signedNumber(p.q90, 2);
     const QString seconds = format::number(p.seconds, 0);
@@ -284,7 +284,7 @@ void ProbeCard::showWorth()
     const QString worth = p.worth ? tr("total variance %1 %").arg(percent(p.worth->varianceShare))
                                   : tr("this bin to ± %1 m").arg(format::number(p.armSd, 2));
     // Cost and variance share a line if the card shows more facts.
-    const bool joined = narrow_ || tells() || isVoid() || p.answer != StepVerdict::CannotTell;
+    const bool joined = narrow_ || showsWorth() || isVoid() || p.answer != StepVerdict::CannotTell;
     for (QLabel* label : {cost_, costKey_}) label->setVisible(!joined);
     lines_->setRowStretch(costLine_, joined ? 0 : 1);
     variance_->setText(joined ? tr("%1 for %2 s").arg(worth, seconds) : worth);
@@ -297,11 +297,11 @@ void ProbeCard::showWorth()
 
 QString ProbeCard::questionText() const
 {
-    const ProbeProposal& p = *told();
+    const ProbeProposal& p = *displayed();
     if (!p.worth)
         return narrow_ ? tr("step: not known for this method") : tr("not known for this method");
     const QString before = format::number(p.bitsBefore, 2);
-    if (!p.tellsOfStep()) {
+    if (!p.informsOnStep()) {
         if (!narrow_) return tr("%1 bit, no gain").arg(before);
         return p.answer == StepVerdict::CannotTell
                  ? tr("step: %1 bit, no gain").arg(before)
@@ -316,7 +316,7 @@ QString ProbeCard::questionText() const
 void ProbeCard::showAnswer()
 {
     setTone(*decided_, isVoid() ? Tone::Bad : asks() ? Tone::Good : Tone::Muted);
-    if (tells()) {
+    if (showsWorth()) {
         decided_->setText(whyNotAsked_);
         decided_->setVisible(!whyNotAsked_.isEmpty());
         return;
@@ -327,7 +327,7 @@ void ProbeCard::showAnswer()
     if (isVoid())
         decided_->setText(tr("Cannot be approved: %1").arg(whyVoid_));
     else if (decided)
-        decided_->setText((proposal_->tellsOfStep()
+        decided_->setText((proposal_->informsOnStep()
                                ? tr("Already %1; a probe makes it more certain.")
                                : tr("Already %1; a probe only refines the profile."))
                               .arg(answer));
@@ -343,7 +343,8 @@ void ProbeCard::showAnswer()
 
 void ProbeCard::showOthers()
 {
-    const std::vector<ProbeWorth> offered = told() ? told()->others : std::vector<ProbeWorth>();
+    const std::vector<ProbeWorth> offered =
+        displayed() ? displayed()->others : std::vector<ProbeWorth>();
     for (std::size_t i = 0; i < kOthers; ++i) {
         others_[i]->setVisible(i < offered.size());
         others_[i]->setEnabled(!isVoid());
@@ -364,14 +365,14 @@ void ProbeCard::showOthers()
 void ProbeCard::showRanking()
 {
     QStringList bins;  // one bin per line, because wrapped lines cannot be compared
-    for (const ProbeWorth& other : told()->others) {
+    for (const ProbeWorth& other : displayed()->others) {
         if (bins.size() == static_cast<qsizetype>(kOthers)) break;
         bins << tr("or at %1: %2 %, %3 bit")
                     .arg(format::binName(other.bin), percent(other.varianceShare),
                          format::number(other.bitsAfter, 2));
     }
     ranking_->setText(bins.join(QLatin1Char('\n')));
-    ranking_->setVisible(tells() && !bins.isEmpty());
+    ranking_->setVisible(showsWorth() && !bins.isEmpty());
 }
 
 void ProbeCard::setTimeLeft(double seconds)

@@ -48,7 +48,7 @@ public:
     bool asks() const;  ///< true if a proposal is on the card
     /// Returns true if the proposal cannot be approved.
     bool isVoid() const { return asks() && !whyVoid_.isEmpty(); }
-    bool tells() const;  ///< true if the card shows a probe's worth without proposing it
+    bool showsWorth() const;  ///< true if the card shows a probe's worth without proposing it
     /// Returns the id of the proposal the operator sees: the card is visible and was painted with it.
     std::optional<quint64> shown() const;
     HoldToConfirmButton* approveButton() const { return approve_; }
@@ -69,7 +69,7 @@ private:
     QWidget* questionPage();
     QWidget* answers();
     QWidget* probingPage();
-    const ProbeProposal* told() const;  ///< probe that the facts describe; null: none
+    const ProbeProposal* displayed() const;  ///< probe that the facts describe; null: none
     void showFacts();
     void showWorth();
     QString questionText() const;

@@ -193,7 +193,7 @@ void AlarmTable::setAlarms(const std::vector<Alarm>& alarms, double now, double 
     nothing_->setVisible(rows == 0);
     table_->setVisible(rows > 0);
     offer();
-    say(silentFor);
+    describe(silentFor);
 }
 
 void AlarmTable::offer()
@@ -208,7 +208,7 @@ void AlarmTable::offer()
     setTip(*all_, any ? tr("Acknowledges all alarms") : none);
 }
 
-void AlarmTable::say(double silentFor)
+void AlarmTable::describe(double silentFor)
 {
     silence_->setText(silentFor > 0.0 ? tr("muted for %1").arg(format::countdown(silentFor))
                                       : QString());

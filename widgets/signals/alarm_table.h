@@ -44,7 +44,7 @@ protected:
 private:
     void resizeToFont();
     void put(int row, const Alarm& alarm, double now);
-    void say(double silentFor);
+    void describe(double silentFor);
     QString chosen() const;  ///< id of the selected row; may be empty
     void offer();            ///< enables the actions that are possible now
 

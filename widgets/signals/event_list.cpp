@@ -32,11 +32,11 @@ EventList::EventList(QWidget* parent) : QListWidget(parent)
 
 void EventList::add(const QString& text, EventSeverity severity, QTime at, EventPlace place)
 {
-    tell(text, severity, at);
+    log(text, severity, at);
     emit added(text, severity, place);
 }
 
-void EventList::tell(const QString& text, EventSeverity severity, QTime at)
+void EventList::log(const QString& text, EventSeverity severity, QTime at)
 {
     constexpr int kMax = 500;
     static const QString kMarks[]{QString(), QStringLiteral("! "), QStringLiteral("✘ ")};

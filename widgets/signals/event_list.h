@@ -18,7 +18,7 @@ public:
     void add(const QString& text, EventSeverity severity, QTime at,
              EventPlace place = EventPlace::ListOnly);
     /// Adds an event without emitting added(), because the session records it elsewhere.
-    void tell(const QString& text, EventSeverity severity, QTime at);
+    void log(const QString& text, EventSeverity severity, QTime at);
 
 signals:
     void added(const QString& text, terratact::EventSeverity severity, terratact::EventPlace place);

@@ -111,7 +111,7 @@ void ForceBars::setForces(std::vector<ForceArray> arrays, double time)
         for (ForceElement& element : array.elements)
             for (auto* value : {&element.newtons, &element.volts, &element.drift})
                 keepWithin(*value, 1000.0);
-    takePeaks(arrays_, time);
+    addPeaks(arrays_, time);
     show();
 }
 
@@ -119,11 +119,11 @@ void ForceBars::setForces(std::vector<ForceArray> arrays, double time,
                           const std::vector<TimedForces>& before)
 {
     peaks_.assign(std::clamp<std::size_t>(arrays.size(), 1, kArrays), {});
-    for (const TimedForces& felt : before) takePeaks(felt.arrays, felt.time);
+    for (const TimedForces& felt : before) addPeaks(felt.arrays, felt.time);
     setForces(std::move(arrays), time);
 }
 
-void ForceBars::takePeaks(const std::vector<ForceArray>& arrays, double time)
+void ForceBars::addPeaks(const std::vector<ForceArray>& arrays, double time)
 {
     if (!std::isfinite(time)) return;
     for (std::size_t a = 0; a < std::min(arrays.size(), peaks_.size()); ++a)
@@ -132,12 +132,12 @@ void ForceBars::takePeaks(const std::vector<ForceArray>& arrays, double time)
             Peaks& peaks = peaks_[a][e];
             peaks.newtons.forget(time);
             peaks.volts.forget(time);
-            const auto take = [time](PeakHold& peak, std::optional<double> value) {
+            const auto add = [time](PeakHold& peak, std::optional<double> value) {
                 keepWithin(value, 1000.0);
-                if (value) peak.take(time, *value);
+                if (value) peak.add(time, *value);
             };
-            take(peaks.newtons, element.newtons);
-            take(peaks.volts, element.volts);
+            add(peaks.newtons, element.newtons);
+            add(peaks.volts, element.volts);
         }
 }
 

@@ -92,7 +92,7 @@ private:
         PeakHold newtons, volts;
     };
 
-    void takePeaks(const std::vector<ForceArray>& arrays, double time);
+    void addPeaks(const std::vector<ForceArray>& arrays, double time);
     void restyle();  ///< applies the current theme and font
     void show();
     void showBars();

@@ -4,7 +4,7 @@
 
 namespace terratact {
 
-void PeakHold::take(double time, double value)
+void PeakHold::add(double time, double value)
 {
     if (!falling_.empty() && time < falling_.back().first) falling_.clear();
     while (!falling_.empty() && falling_.back().second <= value) falling_.pop_back();

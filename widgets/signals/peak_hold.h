@@ -12,7 +12,7 @@ public:
     static constexpr double kHold = 3.0;  ///< [s]
 
     /// `time` [s] must not be NaN. A time before the last one restarts the maximum.
-    void take(double time, double value);
+    void add(double time, double value);
     void forget(double time);  ///< drops values older than kHold
     std::optional<double> peak() const;
 

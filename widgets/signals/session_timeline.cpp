@@ -123,7 +123,7 @@ void SessionTimeline::setTimeline(const Timeline& timeline)
     measureNames();
     if (all) showAll();
     if (!sameLanes) updateGeometry();
-    tell();
+    describe();
     update();
 }
 
@@ -147,7 +147,7 @@ void SessionTimeline::setPlayhead(double seconds)
     }
     if (!isSeen) return;
     drawnPlayhead_ = seconds;
-    tell();
+    describe();
     update();
 }
 
@@ -399,7 +399,7 @@ bool SessionTimeline::event(QEvent* event)
     return QWidget::event(event);
 }
 
-void SessionTimeline::tell()
+void SessionTimeline::describe()
 {
     setAccessibleDescription(tr("%1 of %2")
                                  .arg(timeWords(playhead_ - timeline_.begin),

@@ -92,7 +92,7 @@ private:
     void paintCursor(QPainter& painter, double seconds, const QString& name) const;
     void paintPlayhead(QPainter& painter) const;
     void measureNames();
-    void tell();  ///< describes the timeline to a screen reader
+    void describe();  ///< describes the timeline to a screen reader
 
     Timeline timeline_;
     bool dense_ = false;

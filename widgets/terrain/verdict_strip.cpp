@@ -43,7 +43,7 @@ QString briefly(WithholdReason reason)
 {
     switch (reason) {
     case WithholdReason::Stale: return VerdictStrip::tr("no live telemetry");
-    case WithholdReason::Unheard: return VerdictStrip::tr("the link was lost");
+    case WithholdReason::TelemetryGap: return VerdictStrip::tr("the link was lost");
     case WithholdReason::NotConverged: return VerdictStrip::tr("not converged");
     case WithholdReason::UnlikeTraining: return VerdictStrip::tr("unlike all training");
     case WithholdReason::Roll: return VerdictStrip::tr("the robot rolls");

@@ -247,7 +247,7 @@ bool GibbsRun::ended() const
     return chains_->ended;
 }
 
-GibbsDraws GibbsRun::takeDraws()
+GibbsDraws GibbsRun::consumeDraws()
 {
     return std::move(chains_->result);
 }
@@ -294,7 +294,7 @@ GibbsDraws sampleStates(const Conditionals& conditionals, const GibbsProblem& pr
 {
     GibbsRun run(conditionals, problem, watch);
     while (!run.ended()) run.advance();
-    return run.takeDraws();
+    return run.consumeDraws();
 }
 
 GibbsDraws sampleHeights(const BinModels& models, const GibbsProblem& problem, const Watch& watch)

@@ -84,7 +84,7 @@ public:
     int chains() const;
     bool ended() const;
     /// Returns what sampleStates returns, once ended() is true.
-    GibbsDraws takeDraws();
+    GibbsDraws consumeDraws();
 
     /// Sweeps until the next decision is due. Groups of chains run in the threads of
     /// watch.sideBySide.

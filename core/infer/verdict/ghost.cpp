@@ -90,7 +90,7 @@ std::string describe(NoGhost why)
         return TR_NOOP("core", "the robot has tilted too much since the last estimate").english;
     case NoGhost::Turned:
         return TR_NOOP("core", "the robot has turned since the last estimate").english;
-    case NoGhost::Unheard:
+    case NoGhost::TelemetryGap:
         return TR_NOOP("core",
                        "telemetry was missing for a while, in which the robot may have moved")
             .english;

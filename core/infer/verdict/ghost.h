@@ -50,7 +50,7 @@ enum class NoGhost : std::uint8_t {
     TooUncertain,  ///< no bin has an sd below GhostLimits::sd
     Tilted,        ///< pitch or roll changed too much for one profile of the ground
     Turned,        ///< the robot's heading changed too much
-    Unheard,       ///< telemetry was silent for too long
+    TelemetryGap,  ///< telemetry was silent for too long
     NothingLeft,   ///< no bin of the ghost lies within the robot's bins
 };
 

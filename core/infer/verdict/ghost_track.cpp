@@ -35,7 +35,7 @@ DeadReckoning::DeadReckoning(const RobotModel& robot, double travelled, double p
     requireFinite(travelled, pitch);
 }
 
-void DeadReckoning::take(double travelled, double pitch)
+void DeadReckoning::add(double travelled, double pitch)
 {
     requireFinite(travelled, pitch);
     const double ds = travelled - travelled_;
@@ -72,21 +72,21 @@ GhostTrack::GhostTrack(const RobotModel& robot, const TerrainEstimate& estimate,
     ghost_ = ghostOf(estimate_, reckoning_->motion());
 }
 
-void GhostTrack::take(const Measurement& measurement)
+void GhostTrack::add(const Measurement& measurement)
 {
     if (why_) return;
     if (!measurement.travelled) return end(NoGhost::NoOdometry);
-    const double silence = std::abs(measurement.time - heard_.value_or(measurement.time));
-    heard_ = measurement.time;
-    if (silence > limits_.silence) return end(NoGhost::Unheard);
-    reckoning_->take(*measurement.travelled, measurement.pitch);
+    const double silence = std::abs(measurement.time - newestTelemetry_.value_or(measurement.time));
+    newestTelemetry_ = measurement.time;
+    if (silence > limits_.silence) return end(NoGhost::TelemetryGap);
+    reckoning_->add(*measurement.travelled, measurement.pitch);
     ghost_ = ghostOf(estimate_, reckoning_->motion());
     if (const auto why = judge(measurement)) end(*why);
 }
 
-void GhostTrack::takeSilence()
+void GhostTrack::addSilence()
 {
-    if (!why_) end(NoGhost::Unheard);
+    if (!why_) end(NoGhost::TelemetryGap);
 }
 
 std::optional<NoGhost> GhostTrack::judge(const Measurement& m) const

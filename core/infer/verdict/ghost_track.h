@@ -22,7 +22,7 @@ public:
     /// number that is not finite.
     DeadReckoning(const RobotModel& robot, double travelled, double pitch);
 
-    void take(double travelled, double pitch);
+    void add(double travelled, double pitch);
     ImuMotion motion() const;
     double pitchChange() const { return pitch_ - startPitch_; }  ///< [rad]
 
@@ -54,9 +54,9 @@ public:
                const GhostLimits& limits = {});
 
     /// The next line of telemetry.  Does nothing after the end.
-    void take(const Measurement& measurement);
+    void add(const Measurement& measurement);
     /// Ends the ghost because telemetry was silent for too long by the caller's clock.
-    void takeSilence();
+    void addSilence();
 
     const std::optional<Ghost>& ghost() const { return ghost_; }
     /// Returns why ghost() is empty; empty while there is a ghost.
@@ -69,7 +69,7 @@ private:
     TerrainEstimate estimate_;
     GhostLimits limits_;
     Measurement scene_;
-    std::optional<double> heard_;  ///< time of the newest telemetry [s]
+    std::optional<double> newestTelemetry_;  ///< time of the newest telemetry [s]
     std::optional<DeadReckoning> reckoning_;
     std::optional<Ghost> ghost_;
     std::optional<NoGhost> why_;

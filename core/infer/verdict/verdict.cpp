@@ -20,8 +20,8 @@ std::vector<WithholdReason> withholdReasons(const TerrainEstimate& estimate,
 {
     const Settings& settings = estimate.settings;
     std::vector<WithholdReason> reasons;
-    if (!since.heard) reasons.push_back(WithholdReason::Stale);
-    if (!since.unbroken) reasons.push_back(WithholdReason::Unheard);
+    if (!since.telemetryFresh) reasons.push_back(WithholdReason::Stale);
+    if (!since.unbroken) reasons.push_back(WithholdReason::TelemetryGap);
     if (!estimate.converged) reasons.push_back(WithholdReason::NotConverged);
     if (estimate.novelty > 1.0) reasons.push_back(WithholdReason::UnlikeTraining);
     if (std::abs(scene.roll) > settings.rollLimit) reasons.push_back(WithholdReason::Roll);
@@ -119,7 +119,7 @@ std::string describe(WithholdReason reason)
     switch (reason) {
     case WithholdReason::Stale:
         return TR_NOOP("core", "no live telemetry, the robot may have moved").english;
-    case WithholdReason::Unheard:
+    case WithholdReason::TelemetryGap:
         return TR_NOOP("core", "the link was lost, the robot may have moved").english;
     case WithholdReason::NotConverged:
         return TR_NOOP("core", "the chains have not converged").english;

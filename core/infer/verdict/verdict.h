@@ -20,7 +20,7 @@ std::string_view name(StepVerdict stepVerdict);
 /// Reason to withhold the answer that the draws would give.
 enum class WithholdReason : std::uint8_t {
     Stale,           ///< telemetry is stale: the robot may have moved
-    Unheard,         ///< telemetry was interrupted since the scene
+    TelemetryGap,    ///< telemetry was interrupted since the scene
     NotConverged,    ///< more sweeps might change the answer
     UnlikeTraining,  ///< the scene is unlike every training scene
     Roll,            ///< roll: left and right ground differ, but the estimate has one profile
@@ -104,8 +104,8 @@ inline constexpr double kSteepFlipper = 0.35;
 
 /// State of the link and the sensors since the scene. The defaults hold for a scene from a file.
 struct LinkSinceScene {
-    bool heard = true;     ///< telemetry is live
-    bool unbroken = true;  ///< no silence of more than kMaxSilence since the scene
+    bool telemetryFresh = true;  ///< telemetry is live
+    bool unbroken = true;        ///< no silence of more than kMaxSilence since the scene
     /// No sensor was suspected at the scene, or later while the robot stood there.
     bool sensorsSound = true;
 };

@@ -49,7 +49,7 @@ Result<std::vector<ProbeReading>> readProbeReadings(CsvReader csv)
     const auto& names = csv.fields();
     if (names.size() != 3 || names[0] != "place" || names[1] != "height_m" || names[2] != "truth_m")
         return csv.error("is not the header place,height_m,truth_m");
-    csv.takeHeader({"", "m", "m"});
+    csv.useAsHeader({"", "m", "m"});
     std::vector<ProbeReading> readings;
     for (;;) {
         const Result<bool> more = csv.next();

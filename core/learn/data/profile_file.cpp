@@ -69,7 +69,7 @@ Status checkHeight(const CsvReader& csv, double height, double first)
 /// then reads as 0 and 5.
 class DecimalCommas {
 public:
-    void take(const CsvReader& csv)
+    void add(const CsvReader& csv)
     {
         for (const std::string_view field : csv.fields()) {
             const std::string_view digits = field.starts_with('-') ? field.substr(1) : field;
@@ -95,12 +95,12 @@ public:
     /// headed: the header names the columns x and z.
     explicit PointReader(bool headed) : headed_(headed) {}
 
-    Status take(const CsvReader& csv, const std::vector<double>& line)
+    Status add(const CsvReader& csv, const std::vector<double>& line)
     {
         if (line.size() != 2)
             return csv.error("has " + std::to_string(line.size())
                              + " fields where the lines before have x,z");
-        commas_.take(csv);
+        commas_.add(csv);
         const Vec2 point{line[0], line[1]};
         if (std::abs(point.x) > kMaxX)
             return csv.error("x is " + numberText(point.x) + ", beyond ±1000 m (is it in mm?)");
@@ -145,13 +145,13 @@ class HeightReader {
 public:
     HeightReader(double step, bool blocks) : step_(step), blocks_(blocks) {}
 
-    Status take(const CsvReader& csv, const std::vector<double>& line)
+    Status add(const CsvReader& csv, const std::vector<double>& line)
     {
         if (line.size() < 3)
             return csv.error("has " + std::to_string(line.size())
                              + " fields, and a profile needs three heights, all in one line");
         DecimalCommas commas;
-        commas.take(csv);
+        commas.add(csv);
         if (commas.certain() || (commas.possible() && alternates(line)))
             return csv.error("has whole numbers alone: are these heights with decimal commas? save "
                              "them with a point");
@@ -194,7 +194,7 @@ Result<ProfileFile> readLines(CsvReader& csv, Reader reader)
                              + " numbers allowed in a file");
         const Result<std::vector<double>> line = numbers(csv);
         if (!line) return line.error();
-        if (const Status status = reader.take(csv, *line); !status) return status.error();
+        if (const Status status = reader.add(csv, *line); !status) return status.error();
         const Result<bool> more = csv.next();
         if (!more) return more.error();
         if (!*more) return reader.finish(csv);
@@ -218,7 +218,7 @@ Result<ProfileFile> readProfiles(CsvReader csv, double step, bool blocks)
 
     std::size_t headed = 0;  // fields of the header
     if (isHeader(csv)) {
-        csv.takeHeader(std::vector<std::string>(csv.fields().size(), "m"));
+        csv.useAsHeader(std::vector<std::string>(csv.fields().size(), "m"));
         headed = csv.fields().size();
         if (namesMoreThanPoints(csv))
             return csv.error("is a header of " + std::to_string(headed)

@@ -122,7 +122,7 @@ Result<Layout> layoutOf(CsvReader& csv)
                     ? Message(TR_NOOP("core", "the column %1 is missing"), slotName(slot))
                     : Message(TR_NOOP("core", "the column %1 is missing; not known: %2"),
                               slotName(slot), unknown));
-    csv.takeHeader(std::move(units));
+    csv.useAsHeader(std::move(units));
     return layout;
 }
 

@@ -31,7 +31,7 @@ public:
 
     /// Chooses the prepared row with the largest variance if it is good enough, else the best of
     /// all rows.
-    void take(double goodEnough, const Poll& poll)
+    void select(double goodEnough, const Poll& poll)
     {
         callPoll(poll);
         auto place = bestAhead();
@@ -143,7 +143,7 @@ InducingRows chooseInducingRows(const ScaledRows& X, double signal2, const RowsW
         const double largest = choice.largestVariance();
         if (!(largest > wanted.leastVariance)) break;
         if (count == most / 2 && largest > wanted.mostHalfway) break;
-        choice.take(wanted.share * largest, poll);
+        choice.select(wanted.share * largest, poll);
     }
     return std::move(choice).chosen();
 }

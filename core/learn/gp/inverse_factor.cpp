@@ -102,7 +102,7 @@ InverseFactor::InverseFactor(GivenInverse given)
 {
 }
 
-Eigen::MatrixXd InverseFactor::takeFactor(const Poll& poll) const
+Eigen::MatrixXd InverseFactor::computeFactor(const Poll& poll) const
 {
     if (!R_) return again_(poll);
     Eigen::MatrixXd R = std::move(*R_);
@@ -113,7 +113,7 @@ Eigen::MatrixXd InverseFactor::takeFactor(const Poll& poll) const
 Eigen::MatrixXd InverseFactor::inverse(const Poll& poll) const
 {
     if (given_) return given_->transposed;
-    Eigen::MatrixXd R = takeFactor(poll);
+    Eigen::MatrixXd R = computeFactor(poll);
     invertUpper(R, poll);
     return R;
 }
@@ -174,7 +174,7 @@ const InverseFactor::Single& InverseFactor::single(const Poll& poll) const
     if (given_) {
         single_ = full(judgedGiven(poll), poll);
     } else {
-        Eigen::MatrixXd R = takeFactor(poll);
+        Eigen::MatrixXd R = computeFactor(poll);
         single_ = reduced(R, poll);
         if (!single_) single_ = full(judged(std::move(R), poll), poll);
     }

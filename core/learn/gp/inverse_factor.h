@@ -86,7 +86,7 @@ private:
     };
     std::optional<Single> reduced(const Eigen::MatrixXd& R, const Poll& poll) const;
     Single full(const Judged& from, const Poll& poll) const;
-    Eigen::MatrixXd takeFactor(const Poll& poll) const;
+    Eigen::MatrixXd computeFactor(const Poll& poll) const;
     Judged judgedGiven(const Poll& poll) const;
     static Judged judged(Eigen::MatrixXd R, const Poll& poll);
     Eigen::MatrixXd inverse(const Poll& poll) const;

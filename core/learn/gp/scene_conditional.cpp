@@ -94,18 +94,18 @@ SceneConditional::SceneConditional(const GaussianProcess& gp, const Eigen::Vecto
         const InverseFactor::Single& single = gp.inverse_->single(poll);
         panelsSingle_ = single.panels.data();
         kept_ = single.kept;
-        takeRows(x, single.order);
+        addRows(x, single.order);
     } else {
         panels_ = gp.inverse_->panels(poll);
         kept_ = static_cast<int>(gp.rows());
         std::vector<int> all(static_cast<std::size_t>(kept_));
         std::iota(all.begin(), all.end(), 0);
-        takeRows(x, all);
+        addRows(x, all);
     }
 }
 
 /// Copies the process's rows, in that order.
-void SceneConditional::takeRows(const Eigen::VectorXd& x, const std::vector<int>& order)
+void SceneConditional::addRows(const Eigen::VectorXd& x, const std::vector<int>& order)
 {
     const Eigen::VectorXd& scale = gp_.hyper_.lengthScale;
     Eigen::VectorXd distance2 = Eigen::VectorXd::Zero(gp_.rows());

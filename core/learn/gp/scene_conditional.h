@@ -34,7 +34,7 @@ public:
 private:
     friend void predictTogether(std::span<const ScenePrediction> asked, PredictionRoom& room,
                                 const Poll& poll);
-    void takeRows(const Eigen::VectorXd& x, const std::vector<int>& order);
+    void addRows(const Eigen::VectorXd& x, const std::vector<int>& order);
     bool sharesFactorWith(const SceneConditional& other) const;
     void copyInputs(const Eigen::MatrixXd& inputs, Eigen::Index first, int count, double* z) const;
     template <class T>

@@ -18,7 +18,7 @@ std::mutex turns;
 bool hasBuffer = false;
 
 // Ensures the buffer. OpenBLAS keeps it once it has it.
-void takeBuffer()
+void allocateBuffer()
 {
     if (hasBuffer) return;
     if (const std::string missing = memoryMissing("OpenBLAS", kBuffer + kBeside); !missing.empty())
@@ -36,7 +36,7 @@ BlasTurn::BlasTurn()
     static const bool limited = memoryIsLimited();
     if (!limited) return;
     lock_ = std::unique_lock(turns);
-    takeBuffer();
+    allocateBuffer();
 }
 
 }  // namespace terratact

@@ -88,17 +88,17 @@ Status requireEveryBin(std::span<const NamedModelPart> parts, const std::string&
     return Done{};
 }
 
-void take(BinModelData& into, const BinModelData& from, std::size_t i)
+void copyEntry(BinModelData& into, const BinModelData& from, std::size_t i)
 {
     into.bins[i] = from.bins[i];
     into.logLikelihood[i] = from.logLikelihood[i];
 }
 
-void takeBin(ModelData& into, const ModelData& from, int bin)
+void copyBin(ModelData& into, const ModelData& from, int bin)
 {
     const auto i = static_cast<std::size_t>(bin);
-    take(into.pa, from.pa, i);
-    take(into.paf, from.paf, i);
+    copyEntry(into.pa, from.pa, i);
+    copyEntry(into.paf, from.paf, i);
     ClearanceData& clearance = into.clearance;
     clearance.open[i] = from.clearance.open[i];
     clearance.covered[i] = from.clearance.covered[i];
@@ -152,7 +152,7 @@ Result<ModelData> mergeModelParts(std::span<const NamedModelPart> parts, const R
                                          + portion.robotHash + ", expected " + robotHash);
     ModelData model = first.part.model;
     for (const NamedModelPart& part : parts)
-        for (const int bin : binsOf(part.part.portion.bins)) takeBin(model, part.part.model, bin);
+        for (const int bin : binsOf(part.part.portion.bins)) copyBin(model, part.part.model, bin);
     model.command = portion.commandBeforeOut + out + portion.commandAfterOut;
     finishClearance(model, bodyCeilings(model.features, robot), robot);
     return model;

@@ -94,7 +94,7 @@ std::string readMeta(SqliteFile& file, ModelData& model, Portion* portion)
     std::map<std::string, std::string> meta;
     SqliteStatement row = file.prepare("SELECT key, value FROM meta");
     while (row.step()) meta[row.text(0)] = row.text(1);
-    const auto take = [&meta](const std::string& key) {
+    const auto consume = [&meta](const std::string& key) {
         const auto found = meta.find(key);
         require(found != meta.end(),
                 [&] { return Message(TR_NOOP("core", "its table meta lacks %1"), key); });
@@ -102,19 +102,19 @@ std::string readMeta(SqliteFile& file, ModelData& model, Portion* portion)
         meta.erase(found);
         return value;
     };
-    model.command = take("command");
-    model.dataHash = take("data_sha256");
-    model.seed = seedFrom(take("seed"));
-    std::string hash = take("content_sha256");
+    model.command = consume("command");
+    model.dataHash = consume("data_sha256");
+    model.seed = seedFrom(consume("seed"));
+    std::string hash = consume("content_sha256");
     if (meta.contains("inducing_rows"))  // only a sparse model has this key
-        model.inducing = inducingFrom(take("inducing_rows"));
+        model.inducing = inducingFrom(consume("inducing_rows"));
     if (meta.contains("repeated_rows"))  // only a model with repeats has this key
-        model.repeats = repeatsFrom(take("repeated_rows"));
+        model.repeats = repeatsFrom(consume("repeated_rows"));
     if (portion) {
-        portion->bins = binsFrom(take("bins"));
-        portion->robotHash = take("robot_sha256");
-        portion->commandBeforeOut = take("command_before_out");
-        portion->commandAfterOut = take("command_after_out");
+        portion->bins = binsFrom(consume("bins"));
+        portion->robotHash = consume("robot_sha256");
+        portion->commandBeforeOut = consume("command_before_out");
+        portion->commandAfterOut = consume("command_after_out");
     }
     require(meta == explanations(),
             TR_NOOP("core", "its table meta describes another kind of model"));

@@ -29,7 +29,7 @@ double centreOfMass(const RobotModel& r)
          / r.totalMass();
 }
 
-void RearLoad::take(const Measurement& line)
+void RearLoad::add(const Measurement& line)
 {
     const bool isMissing = line.missing[kRearCurrentFeature];
     const double now = isMissing ? 0.0 : (line.rearLeftCurrent + line.rearRightCurrent) / 2.0;
@@ -59,7 +59,7 @@ Pose DrivenGround::poseWith(double pitch, double front) const
             .rear = pose_.rear};
 }
 
-void DrivenGround::take(const Measurement& line, bool isRearLoaded)
+void DrivenGround::add(const Measurement& line, bool isRearLoaded)
 {
     moved_ = false;
     if (!line.travelled) return;

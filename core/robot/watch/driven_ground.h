@@ -13,7 +13,7 @@ namespace terratact {
 class RearLoad {
 public:
     static constexpr double kLoaded = 0.4;  ///< [A] per motor
-    void take(const Measurement& line);
+    void add(const Measurement& line);
     double current() const { return current_; }  ///< [A]
     bool isLoaded() const { return current_ > kLoaded; }
 
@@ -45,7 +45,7 @@ public:
     explicit DrivenGround(const RobotModel& robot);
 
     /// Adds the next line. Ignores a line without odometry.
-    void take(const Measurement& line, bool isRearLoaded);
+    void add(const Measurement& line, bool isRearLoaded);
 
     /// Returns the pose of the last line, left and right averaged.
     const Pose& pose() const { return pose_; }

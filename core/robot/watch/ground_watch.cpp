@@ -76,16 +76,16 @@ void GroundWatch::suspect(Sensor first, Sensor last, SensorTrouble trouble, doub
                           .way = 0.0});
 }
 
-void GroundWatch::take(const Measurement& line)
+void GroundWatch::add(const Measurement& line)
 {
     found_.clear();
     if (!line.travelled) return;
     const double turned = line.turned.value_or(0.0);
     if (std::abs(turnBetween(turned_.value_or(turned), turned)) > kTurn) reset();
     turned_ = turned_.value_or(turned);
-    rear_.take(line);
-    ground_.take(line, rear_.isLoaded());
-    flipped_.take(withRearFlipped(line), rear_.isLoaded());
+    rear_.add(line);
+    ground_.add(line, rear_.isLoaded());
+    flipped_.add(withRearFlipped(line), rear_.isLoaded());
     for (Contact& contact : contacts_)
         contact.pitchChange =
             std::max(contact.pitchChange, std::abs(ground_.smoothPitch() - contact.pitch));

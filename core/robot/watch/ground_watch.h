@@ -34,7 +34,7 @@ public:
     static constexpr double kHold = 600.0;  ///< [s] duration of a suspicion, unless it is cleared
 
     explicit GroundWatch(const RobotModel& robot);
-    void take(const Measurement& line);
+    void add(const Measurement& line);
     /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
     /// Returns true if no evidence supports the suspicion any more.

@@ -62,7 +62,7 @@ void PitchSignWatch::judge(const Recent& down, const Recent& up, double now)
                       .way = 0.0});
 }
 
-void PitchSignWatch::take(const Measurement& line)
+void PitchSignWatch::add(const Measurement& line)
 {
     found_.clear();
     const bool wasPressed = before_ && isPressed(*before_);

@@ -24,7 +24,7 @@ public:
     static constexpr double kHold = 600.0;
 
     explicit PitchSignWatch(const RobotModel& robot) : pitchSd_(robot.pitchSd) {}
-    void take(const Measurement& line);
+    void add(const Measurement& line);
     /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
     bool isCleared() const { return sum_ < kLimit / 2.0; }

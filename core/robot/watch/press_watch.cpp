@@ -83,7 +83,7 @@ bool PressWatch::judges(SensorTrouble trouble)
         || trouble == SensorTrouble::SidesDiffer;
 }
 
-void PressWatch::take(const Measurement& line)
+void PressWatch::add(const Measurement& line)
 {
     found_.clear();
     cleared_.clear();

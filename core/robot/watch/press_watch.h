@@ -30,7 +30,7 @@ public:
     static constexpr double kHold = 600.0;
 
     explicit PressWatch(const RobotModel& robot);
-    void take(const Measurement& line);
+    void add(const Measurement& line);
     /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
     /// Returns the sensors that the last press has shown to be sound.

@@ -28,10 +28,10 @@ void ReturnWatch::reset()
     *this = ReturnWatch(robot);
 }
 
-void ReturnWatch::take(const Measurement& line)
+void ReturnWatch::add(const Measurement& line)
 {
     found_.clear();
-    rear_.take(line);
+    rear_.add(line);
     if (!line.travelled || !line.turned) return;
     const double ds = travelled_ ? *line.travelled - *travelled_ : 0.0;
     travelled_ = line.travelled;

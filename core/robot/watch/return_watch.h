@@ -41,7 +41,7 @@ public:
     static constexpr double kHold = 600.0;  ///< [s] duration of a suspicion, unless it is cleared
 
     explicit ReturnWatch(const RobotModel& robot) : robot_(robot) {}
-    void take(const Measurement& line);
+    void add(const Measurement& line);
     /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
     /// Returns the latest shift [rad]; empty: too few places were passed in both directions.

@@ -33,7 +33,7 @@ void SensorWatch::reset()
     last_.reset();
 }
 
-void SensorWatch::take(const SensedLine& sensed)
+void SensorWatch::add(const SensedLine& sensed)
 {
     const Measurement& line = sensed.measurement;
     if (!std::isfinite(line.time))
@@ -41,14 +41,14 @@ void SensorWatch::take(const SensedLine& sensed)
     if (last_ && line.time < *last_) standing_.clear();
     if (last_ && (line.time < *last_ || line.time - *last_ > kMaxSilence)) reset();
     last_ = line.time;
-    stuck_.take(sensed);
-    spikes_.take(sensed);
-    presses_.take(line);
-    pitchSign_.take(line);
-    unloaded_.take(sensed);
-    sides_.take(sensed);
-    ground_.take(line);
-    return_.take(line);
+    stuck_.add(sensed);
+    spikes_.add(sensed);
+    presses_.add(line);
+    pitchSign_.add(line);
+    unloaded_.add(sensed);
+    sides_.add(sensed);
+    ground_.add(line);
+    return_.add(line);
     for (const auto* found :
          {&stuck_.found(), &spikes_.found(), &presses_.found(), &pitchSign_.found(),
           &unloaded_.found(), &sides_.found(), &ground_.found(), &return_.found()})

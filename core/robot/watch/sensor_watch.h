@@ -31,9 +31,9 @@ public:
 
     /// Adds the next line. Judges each side of a force element that is known, else the mean. Throws
     /// std::invalid_argument unless the time is finite.
-    void take(const SensedLine& line);
+    void add(const SensedLine& line);
     /// Adds a line of which only the means of the force elements are known.
-    void take(const Measurement& line) { take(SensedLine{.measurement = line, .sides = {}}); }
+    void add(const Measurement& line) { add(SensedLine{.measurement = line, .sides = {}}); }
 
     /// Returns the suspicions at the time of the last line, at most one per sensor and fault, in
     /// that order.

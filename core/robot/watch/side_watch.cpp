@@ -79,7 +79,7 @@ void SideWatch::suspect(Sensor sensor, SensorTrouble trouble, double now, double
          .way = 0.0});
 }
 
-void SideWatch::take(const SensedLine& line)
+void SideWatch::add(const SensedLine& line)
 {
     found_.clear();
     const RobotActivity activity = line.measurement.activity;

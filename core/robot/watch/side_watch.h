@@ -39,7 +39,7 @@ public:
     static constexpr int kMinRaised = 10;
     static constexpr double kHold = 600.0;  ///< [s] duration of a suspicion, unless it is cleared
 
-    void take(const SensedLine& line);
+    void add(const SensedLine& line);
     /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
     /// Returns true if later presses speak against the suspicion.

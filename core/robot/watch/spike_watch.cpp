@@ -105,7 +105,7 @@ void SpikeWatch::lookAtRange(const Measurement& line, const SensorReadings& read
         suspect(Sensor::Travelled, SensorTrouble::OutOfRange, line.time, *line.travelled);
 }
 
-void SpikeWatch::take(const SensedLine& sensed)
+void SpikeWatch::add(const SensedLine& sensed)
 {
     found_.clear();
     const Line line{sensed.measurement, judgedReadings(sensed)};

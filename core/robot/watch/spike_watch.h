@@ -26,7 +26,7 @@ public:
     static constexpr double kHold = 30.0;    ///< [s] duration of a suspicion after the last spike
 
     explicit SpikeWatch(const RobotModel& robot);
-    void take(const SensedLine& line);
+    void add(const SensedLine& line);
     /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
     void reset();

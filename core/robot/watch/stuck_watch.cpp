@@ -108,7 +108,7 @@ void StuckWatch::follow(Run& run, const Measurement& line, const SensorReadings&
     widen(run.low, run.high, readings);
 }
 
-void StuckWatch::take(const SensedLine& sensed)
+void StuckWatch::add(const SensedLine& sensed)
 {
     found_.clear();
     const Measurement& line = sensed.measurement;

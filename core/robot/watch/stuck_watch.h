@@ -25,7 +25,7 @@ public:
     /// [s] duration of a suspicion once the reading changes again
     static constexpr double kHold = 10.0;
 
-    void take(const SensedLine& line);
+    void add(const SensedLine& line);
     /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
 

@@ -39,7 +39,7 @@ void UnloadedWatch::add(Element& element, double force, double way)
     if (10 * element.free > std::max(element.lines, kMinLines / 2)) element = {};
 }
 
-void UnloadedWatch::take(const SensedLine& sensed)
+void UnloadedWatch::add(const SensedLine& sensed)
 {
     found_.clear();
     const Measurement& line = sensed.measurement;

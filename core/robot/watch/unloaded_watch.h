@@ -23,7 +23,7 @@ public:
     static constexpr double kLongWay = 1.5;  ///< [m]
     static constexpr double kHold = 60.0;  ///< [s] duration of a suspicion after the last such line
 
-    void take(const SensedLine& line);
+    void add(const SensedLine& line);
     /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
     void reset();

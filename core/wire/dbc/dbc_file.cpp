@@ -41,7 +41,7 @@ public:
         messages_.endMessage();
         if (file_.messages.empty()) return describesNothing();
         messages_.finish();
-        takeDefaults();
+        readDefaults();
         warnings_.end();
         return std::move(file_);
     }
@@ -124,7 +124,7 @@ private:
     void valueType(int line)
     {
         const auto place = messages_.signalNext();
-        (void)scan_.take(':');
+        (void)scan_.consume(':');
         const std::uint64_t type =
             scan_.whole(TR_NOOP("core", "0 (integer), 1 (float) or 2 (double)"), 2);
         if (!place || type == 0) return;
@@ -154,7 +154,7 @@ private:
             range.last =
                 scan_.whole(TR_NOOP("core", "the last value of a multiplexor"), ~std::uint64_t{0});
             ranges.push_back(range);
-        } while (scan_.take(',') && scan_.failure().empty());
+        } while (scan_.consume(',') && scan_.failure().empty());
         if (place && scan_.failure().empty())
             messages_.select(*place, multiplexor, std::move(ranges), line);
     }
@@ -219,7 +219,7 @@ private:
             return;
         formats_.clear();
         do formats_.emplace_back(scan_.text(TR_NOOP("core", "a frame format")));
-        while (scan_.take(',') && scan_.failure().empty());
+        while (scan_.consume(',') && scan_.failure().empty());
     }
 
     void attributeDefault()
@@ -232,7 +232,7 @@ private:
             cycleTime_ = scan_.number(TR_NOOP("core", "the attribute's default"));
     }
 
-    void takeDefaults()
+    void readDefaults()
     {
         if (defaultFormat_.empty() && formats_.empty() && isJ1939_) defaultFormat_ = kJ1939;
         for (std::size_t i = 0; i < file_.messages.size(); ++i) {

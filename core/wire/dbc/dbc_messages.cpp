@@ -31,7 +31,7 @@ void DbcWarnings::add(int line, const Message& what)
 void DbcWarnings::add(Message what)
 {
     if (file_.warnings.size() >= kMaxWarnings) {
-        ++unsaid_;
+        ++omitted_;
         return;
     }
     file_.warnings.push_back(fileError(file_.path, std::move(what)).message);
@@ -39,9 +39,9 @@ void DbcWarnings::add(Message what)
 
 void DbcWarnings::end()
 {
-    if (unsaid_ > 0)
+    if (omitted_ > 0)
         file_.warnings.emplace_back(TR_NOOP("core", "%1: %2 more things are left out"), file_.path,
-                                    unsaid_);
+                                    omitted_);
 }
 
 // Reads "BO_ 256 Engine: 8 Gateway".
@@ -106,7 +106,7 @@ void DbcMessages::signal(int line)
     s.length = static_cast<int>(scan_.whole(TR_NOOP("core", "the signal's length in bits"), 65535));
     scan_.expect('@', TR_NOOP("core", "%1 behind the signal's length"));
     s.isBigEndian = scan_.whole(TR_NOOP("core", "the byte order, 1 (little-endian) or 0"), 1) == 0;
-    if (scan_.take('-'))
+    if (scan_.consume('-'))
         s.type = DbcSignal::Type::Signed;
     else
         scan_.expect('+', TR_NOOP("core", "%1 or '-' behind the byte order"));

@@ -27,7 +27,7 @@ public:
 
 private:
     DbcFile& file_;
-    std::size_t unsaid_ = 0;
+    std::size_t omitted_ = 0;
 };
 
 /// Reads messages and their signals (BO_, SG_) into a file, and finds them again for later

@@ -76,7 +76,7 @@ bool DbcScanner::isNext(char c)
     return at_ < text_.size() && text_[at_] == c;
 }
 
-bool DbcScanner::take(char c)
+bool DbcScanner::consume(char c)
 {
     if (!isNext(c)) return false;
     advance();
@@ -85,7 +85,7 @@ bool DbcScanner::take(char c)
 
 void DbcScanner::expect(char c, SourceText place)
 {
-    if (!take(c)) fail(Message(place, std::string{'\'', c, '\''}));
+    if (!consume(c)) fail(Message(place, std::string{'\'', c, '\''}));
 }
 
 bool DbcScanner::isNameNext()
@@ -206,7 +206,7 @@ bool DbcScanner::isMessageLineNext() const
 
 void DbcScanner::skipSection()
 {
-    for (int began = line_; !atEnd() && !take(';');) {
+    for (int began = line_; !atEnd() && !consume(';');) {
         if (line_ > began && isSectionNext()) return;
         began = line_;
         if (isNext('"'))

@@ -38,7 +38,7 @@ public:
     bool isNext(char c);
     bool isNameNext();
     bool isLineEndNext();  ///< true if the line holds nothing more
-    bool take(char c);     ///< false if another character is next
+    bool consume(char c);  ///< false if another character is next
 
     // Required tokens; `what` and `place` describe the failure if one is missing.
     void expect(char c, SourceText place);  ///< place: with %1 for the character

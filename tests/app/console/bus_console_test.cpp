@@ -350,7 +350,7 @@ class Posts final : public QObject {
 public:
     Posts() { qApp->installEventFilter(this); }
     /// Delivers the pending calls and returns their number.
-    int take()
+    int consume()
     {
         count_ = 0;
         QCoreApplication::sendPostedEvents();
@@ -375,7 +375,7 @@ TEST_F(BusConsole, aFloodOfFramesIsNoFloodOfSignals)
     ASSERT_TRUE(eventually([&] { return !modelInUse(*window).isEmpty(); }));
     Posts posts;
     // The window's thread does nothing else while all frames are read.
-    (void)posts.take();
+    (void)posts.consume();
     const std::uint64_t before = window->link()->view().frames.received;
     for (std::uint64_t i = 0; i < kFlood; ++i)
         bus.put({.id = 0x100 + static_cast<std::uint32_t>(i % 200), .length = 8, .data = {}});
@@ -384,7 +384,7 @@ TEST_F(BusConsole, aFloodOfFramesIsNoFloodOfSignals)
         std::this_thread::sleep_for(1ms);
     }
     ASSERT_GE(window->link()->view().frames.received, before + kFlood);
-    EXPECT_LT(posts.take(), 20) << "for " << kFlood << " frames";
+    EXPECT_LT(posts.consume(), 20) << "for " << kFlood << " frames";
 }
 
 TEST_F(BusConsole, aFloodOfTelemetryIsNoFloodOfSignalsNorOfPictures)
@@ -415,12 +415,12 @@ TEST_F(BusConsole, aFloodOfTelemetryIsNoFloodOfSignalsNorOfPictures)
     gui::showActive(*window);
     ASSERT_TRUE(eventually([&] { return !modelInUse(*window).isEmpty() && left == 0; }));
     Posts posts;
-    (void)posts.take();
+    (void)posts.consume();
     left = kFlood;
     for (const double end = steadyNow() + 60.0; left > 0 && steadyNow() < end;)
         std::this_thread::sleep_for(1ms);
     ASSERT_EQ(left, 0);
-    EXPECT_LT(posts.take(), 20) << "for " << kFlood << " lines";
+    EXPECT_LT(posts.consume(), 20) << "for " << kFlood << " lines";
 
     const double began = steadyNow();
     const auto pictures = window->meter().frames().count();

@@ -116,7 +116,8 @@ TEST_F(BusConsole, reviewShowsOverridesAndTelemetryGaps)
     tilted.stage({.roll = 0.2});
     const auto isWithheld = [&] {
         const auto verdict = exploration.estimation().verdict();
-        return verdict && std::ranges::count(verdict->withheldFor, WithholdReason::Unheard) == 1;
+        return verdict
+            && std::ranges::count(verdict->withheldFor, WithholdReason::TelemetryGap) == 1;
     };
     ASSERT_TRUE(eventually(isWithheld));
     window.reset();
@@ -127,7 +128,7 @@ TEST_F(BusConsole, reviewShowsOverridesAndTelemetryGaps)
     const auto kinds = [&](EventKind kind) {
         return std::ranges::count(session->events(), kind, &EventRow::kind);
     };
-    EXPECT_EQ(kinds(EventKind::Unheard), 1);
+    EXPECT_EQ(kinds(EventKind::TelemetryGap), 1);
     ReviewMoments moments(*session, model);
     const ReviewMoment last = moments.at(session->end());
     ASSERT_TRUE(last.scene);
@@ -408,7 +409,7 @@ TEST_F(BusConsole, listenerAndReplayShowTheSameEstimates)
     EXPECT_EQ(replayed.all(), made.all());
     ASSERT_EQ(ledger.size(), 1U);
     EXPECT_EQ(listener->exploration().estimation().ledger().entries(), ledger);
-    EXPECT_TRUE(eventually([&] { return window->probeCard()->tells(); }))
+    EXPECT_TRUE(eventually([&] { return window->probeCard()->showsWorth(); }))
         << "what a probe would buy is known here, too";
     EXPECT_FALSE(window->probeCard()->asks());
     ASSERT_TRUE(eventually([&] { return isDrawn(*window); }));

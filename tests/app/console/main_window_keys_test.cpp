@@ -98,9 +98,9 @@ TEST_F(Console, stopActsWhateverElseIsHeldDown)
          {Qt::ControlModifier | Qt::NoModifier, Qt::AltModifier | Qt::NoModifier,
           Qt::MetaModifier | Qt::NoModifier, Qt::ControlModifier | Qt::ShiftModifier})
         for (const Qt::Key key : gui::kStopKeys) {
-            source->takeCommands();
+            source->consumeCommands();
             QTest::keyClick(window.get(), key, modifiers);
-            const auto commands = source->takeCommands();
+            const auto commands = source->consumeCommands();
             ASSERT_FALSE(commands.empty()) << key << " with " << modifiers.toInt();
             EXPECT_TRUE(std::holds_alternative<StopCommand>(commands.front()));
         }

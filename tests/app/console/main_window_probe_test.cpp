@@ -139,7 +139,7 @@ TEST_F(Console, theVerdictFollowsTheLimitAndTheProbeThatIsChosen)
 
     ASSERT_TRUE(eventually([&] { return window->probeCard()->shown() == chosen->id; }));
     QTest::keyClick(window.get(), Qt::Key_N);
-    ASSERT_TRUE(eventually([&] { return window->probeCard()->tells(); }))
+    ASSERT_TRUE(eventually([&] { return window->probeCard()->showsWorth(); }))
         << "what it would have bought";
     EXPECT_FALSE(window->probeCard()->asks());
     EXPECT_TRUE(window->verdict()->reason().contains("probe at"));
@@ -253,7 +253,7 @@ TEST_F(Console, railKeepsItsWidthForEveryPhaseAndLanguage)
              {"halting", "pressing", "estimating", "probe", "result", "failed"}) {
             const bool timed = std::string_view(word) == "probe";
             const QString time = timed ? QStringLiteral(" 0:44") : QString();
-            window->rail()->tell(0, ProbeNotice::tr(word) + time, false);
+            window->rail()->setNote(0, ProbeNotice::tr(word) + time, false);
             QTest::qWait(20);
             EXPECT_EQ(window->rail()->width(), wide) << language << ": " << word;
         }

@@ -111,7 +111,7 @@ TEST_F(Console, theEstimateIsPaintedSoonAfterTheSceneIsComplete)
 
     auto source = std::make_unique<ScriptedSource>();
     ScriptedSource* script = source.get();
-    script->pressWhenTold();
+    script->pressOnCommand();
     open(std::move(source), modelFileLoader(resourcePath("models/default.ttm"), robot));
     FirstPaint paint(window->terrain()->canvas(), [&] { return window->showsEstimate(); });
     std::vector<double> seconds;

@@ -57,7 +57,7 @@ struct Modeless : testing::Test, RobotOnBench {
             SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});
         MainWindow::Options options =
             linked({.mode = CanSource::Mode::Transmit,
-                    .heard = [to = recorder](auto frames) { to->take(frames); }});
+                    .received = [to = recorder](auto frames) { to->add(frames); }});
         options.model = [] {
             const auto estimate = [](const EstimateRequest&, const Watch&) {
                 return stepEstimate();

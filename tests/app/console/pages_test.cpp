@@ -406,7 +406,7 @@ TEST_F(Pages, theNumbersSayWhatTheVerdictIsAndHowOldTheyAre)
                           "no live telemetry, the robot may have moved · last telemetry 12.3 s "
                           "ago"));
     EXPECT_EQ(gui::cutWhenSettled(page), std::vector<std::string>());
-    viewState.verdict->withheldFor = {WithholdReason::Unheard};
+    viewState.verdict->withheldFor = {WithholdReason::TelemetryGap};
     viewState.age = 0.04;
     page.refresh(0.0);
     EXPECT_TRUE(line->text().endsWith("withheld: the link was lost, the robot may have moved"));

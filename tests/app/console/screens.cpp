@@ -374,7 +374,7 @@ void Screens::open(const Setting& setting)
             .link = {.gate = {.statusAge = 3.0, .answerAge = 3.0, .operatorAge = 3.0}},
             .truth = [this] { return robot->truth(); },
             .bitrate = 500e3,
-            .heard = [recorder](std::span<const BusFrame> frames) { recorder->take(frames); }});
+            .received = [recorder](std::span<const BusFrame> frames) { recorder->add(frames); }});
     MainWindow::Options options;
     options.robot = model;
     options.link = source.get();
@@ -398,7 +398,7 @@ void Screens::open(const Setting& setting)
             PanelConfig{}, [this](const GpioRequest&) { return board->open(); });
     }
     console = std::make_unique<MainWindow>(std::move(options));
-    if (setting.safeMode) console->saySafeMode();
+    if (setting.safeMode) console->showSafeMode();
     show(*console);
     (void)eventually([&] { return console->probeCard()->isVisible(); },
                      5000);  // waits for its size

@@ -182,7 +182,7 @@ TEST_F(Screens, exploring)
         for (int attempt = 0; attempt < 3 && !isSeenToPress();
              ++attempt) {  // repeats on a busy machine
             ASSERT_NO_FATAL_FAILURE(arm());
-            robot->stage({.says = RobotActivity::Driving});
+            robot->stage({.activity = RobotActivity::Driving});
             ASSERT_TRUE(
                 eventually([&] { return console->atemPanel()->requestButton()->isEnabled(); }));
             press(Qt::Key_A);
@@ -333,7 +333,7 @@ TEST_F(Screens, verdict)
         picture("withheld_stale", withheld(WithholdReason::Stale));
         QTest::qWait(static_cast<int>(1000.0 * kMaxSilence) + 200);
         robot->stage({});
-        picture("withheld_unheard", withheld(WithholdReason::Unheard));
+        picture("withheld_unheard", withheld(WithholdReason::TelemetryGap));
 
         alterEstimates(unsettled);
         ASSERT_NO_FATAL_FAILURE(explore());
@@ -485,7 +485,7 @@ TEST_F(Screens, tooLate)
             return limits;
         };
         ASSERT_NO_FATAL_FAILURE(
-            failsWith(impatient(&AtemLimits::halt), {.says = RobotActivity::Driving}));
+            failsWith(impatient(&AtemLimits::halt), {.activity = RobotActivity::Driving}));
         picture("halt_took_too_long", {told(describe(AtemFailure::HaltTimeout))});
         ASSERT_NO_FATAL_FAILURE(
             failsWith(impatient(&AtemLimits::press), {.lasts = RobotActivity::Pressing}));

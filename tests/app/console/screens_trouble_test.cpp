@@ -38,7 +38,7 @@ bool alarmStands(MainWindow& console, std::string_view id)
 TEST_F(Screens, stop)
 {
     inEveryLanguage([&] {
-        open({.staging = {.says = RobotActivity::Halted}});
+        open({.staging = {.activity = RobotActivity::Halted}});
         ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
         press(Qt::Key_F12);
         picture("stop_not_confirmed",
@@ -199,12 +199,12 @@ TEST_F(Screens, following)
         open({.before = 0.5,
               .isPressed = true,
               .mode = CanSource::Mode::Listen,
-              .staging = {.says = RobotActivity::Halted}});
+              .staging = {.activity = RobotActivity::Halted}});
         picture(
             "no_commands",
             {ArmingControl::tr("NO COMMANDS"), StatusHeader::tr("STOP: no commands"),
              Exploration::tr("No estimate yet: one is made when the robot presses its flippers")});
-        robot->stage({.says = RobotActivity::Pressing});
+        robot->stage({.activity = RobotActivity::Pressing});
         picture("following_live_preview",
                 {follows(AtemPhase::Pressing), TerrainPage::tr("LIVE preview")});
         robot->stage({});

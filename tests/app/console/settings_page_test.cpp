@@ -394,7 +394,7 @@ TEST(SessionRetention, closesWhatADeadProgramLeftAndTellsIt)
     ASSERT_FALSE(SessionReader::open(path)->sealed());
     SessionRetention house(sessionsIn(folder), folder, {});
     QStringList told;
-    QObject::connect(&house, &SessionRetention::news, &house, [&] { told << house.takeNews(); });
+    QObject::connect(&house, &SessionRetention::news, &house, [&] { told << house.consumeNews(); });
     QTest::qWait(100);
     EXPECT_FALSE(SessionReader::open(path)->sealed()) << "nothing before the window is there";
     house.start();
@@ -415,7 +415,7 @@ TEST(SessionRetention, appliesANewLimitAfterTheGracePeriod)
     house.setGrace(300);
     house.start();
     QStringList told;
-    QObject::connect(&house, &SessionRetention::news, &house, [&] { told << house.takeNews(); });
+    QObject::connect(&house, &SessionRetention::news, &house, [&] { told << house.consumeNews(); });
     house.setLimits(small);
     house.setLimits(any);  // a mistake that is undone in time
     QTest::qWait(900);

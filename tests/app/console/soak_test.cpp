@@ -227,7 +227,7 @@ struct Soak : testing::Test, RobotOnBench {
         MainWindow::Options options =
             linked({.mode = CanSource::Mode::Transmit,
                     .bitrate = 1e6,
-                    .heard = [to = recorder](auto frames) { to->take(frames); }});
+                    .received = [to = recorder](auto frames) { to->add(frames); }});
         options.source = std::make_unique<TimedSource>(std::move(options.source), lines);
         options.model = std::move(loader);
         options.recorder = recorder;

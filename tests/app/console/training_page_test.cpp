@@ -323,9 +323,9 @@ TEST_F(TrainingConsole, stopWorksByKeyAndByMouseBesideTheFileDialog)
     EXPECT_TRUE(QCoreApplication::testAttribute(Qt::AA_DontUseNativeDialogs));
     auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
     ASSERT_TRUE(name);
-    source->takeCommands();
+    source->consumeCommands();
     QTest::keyClick(name, Qt::Key_F12);
-    const auto commands = source->takeCommands();
+    const auto commands = source->consumeCommands();
     ASSERT_FALSE(commands.empty());
     EXPECT_TRUE(std::holds_alternative<StopCommand>(commands.front()));
     int stops = 0;

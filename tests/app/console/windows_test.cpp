@@ -60,7 +60,7 @@ struct OpeningConsole {
         if (listens) line.emplace(std::move(*listens));
     }
     ~OpeningConsole() { qunsetenv(kStopLineVariable); }
-    bool wasStopped() { return line && line->take(); }
+    bool wasStopped() { return line && line->consume(); }
 
     std::optional<StopLine> line;
 };

@@ -32,13 +32,13 @@ TEST(CountingABus, keepsApartWhatSharesAnIdentifier)
 {
     BusStatistics statistics;
     const FrameWords words{.name = "Stop", .verdict = "ok"};
-    statistics.take(frame(8), words, 1.0);
-    statistics.take(frame(8), words, 1.5);
-    statistics.take(frame(8), words, 1.7);
-    statistics.take(frame(8, true), {}, 1.8);
+    statistics.add(frame(8), words, 1.0);
+    statistics.add(frame(8), words, 1.5);
+    statistics.add(frame(8), words, 1.7);
+    statistics.add(frame(8, true), {}, 1.8);
     CanFrame remote = frame(0);
     remote.remote = true;
-    statistics.take(remote, {}, 1.8);
+    statistics.add(remote, {}, 1.8);
     EXPECT_EQ(statistics.counts().size(), 3U);
     const FrameCount& count = statistics.counts().at(keyOf(frame(8), words));
     EXPECT_EQ(count.frames, 3U);
@@ -54,8 +54,8 @@ TEST(CountingABus, isBoundedByTheKindsItTells)
 {
     BusStatistics statistics;
     for (std::uint32_t id = 0; id < 5000; ++id)
-        statistics.take({.id = id, .extended = true}, {.trouble = FrameTrouble::Unknown}, 0.0);
-    statistics.take({.id = 0, .extended = true}, {.trouble = FrameTrouble::Unknown}, 0.0);
+        statistics.add({.id = id, .extended = true}, {.trouble = FrameTrouble::Unknown}, 0.0);
+    statistics.add({.id = 0, .extended = true}, {.trouble = FrameTrouble::Unknown}, 0.0);
     EXPECT_EQ(statistics.counts().size(), BusStatistics::kMaxKeys);
     EXPECT_EQ(statistics.beyond(), 5000 - BusStatistics::kMaxKeys);
     EXPECT_EQ(statistics.frames(), 5001U);
@@ -67,14 +67,14 @@ TEST(CountingABus, isBoundedByTheKindsItTells)
 TEST(CountingABus, addsUpWhatWasWrong)
 {
     BusStatistics statistics;
-    const auto take = [&](FrameTrouble trouble, double now) {
-        statistics.take(frame(8), {.name = "Stop", .trouble = trouble}, now);
+    const auto add = [&](FrameTrouble trouble, double now) {
+        statistics.add(frame(8), {.name = "Stop", .trouble = trouble}, now);
     };
-    take(FrameTrouble::None, 0.0);
-    take(FrameTrouble::Gap, 0.5);
-    take(FrameTrouble::WrongChecksum, 1.0);
-    take(FrameTrouble::WrongSequence, 1.5);
-    take(FrameTrouble::Other, 2.0);
+    add(FrameTrouble::None, 0.0);
+    add(FrameTrouble::Gap, 0.5);
+    add(FrameTrouble::WrongChecksum, 1.0);
+    add(FrameTrouble::WrongSequence, 1.5);
+    add(FrameTrouble::Other, 2.0);
     const std::string text = summaryText(statistics, 2.0);
     EXPECT_NE(
         text.find("5 frames in 2.000 s: 1 with a wrong checksum, 1 out of sequence, 1 gaps, 1 "

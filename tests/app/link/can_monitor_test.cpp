@@ -26,16 +26,16 @@ struct Monitoring : testing::Test {
     CanMonitor monitor{CanProtocol::Terratact, 500'000.0};
     std::uint8_t counter = 0;
 
-    void takeHeartbeat(double time)
+    void addHeartbeat(double time)
     {
-        monitor.take({.frame = robotHeartbeat(0x1234, ++counter), .time = time});
+        monitor.add({.frame = robotHeartbeat(0x1234, ++counter), .time = time});
     }
 };
 
 TEST_F(Monitoring, showsValueRateAndAge)
 {
     monitor.mark(0.0);
-    for (int i = 1; i <= 20; ++i) takeHeartbeat(0.05 * i);
+    for (int i = 1; i <= 20; ++i) addHeartbeat(0.05 * i);
     monitor.mark(1.0);
     const std::string row = rowOf(monitor, 1.25, "RobotHeartbeat");
     EXPECT_TRUE(says(row, "021 "));
@@ -45,7 +45,7 @@ TEST_F(Monitoring, showsValueRateAndAge)
 TEST_F(Monitoring, forgetsRatesOfLongAgo)
 {
     monitor.mark(0.0);
-    for (int i = 1; i <= 20; ++i) takeHeartbeat(0.05 * i);
+    for (int i = 1; i <= 20; ++i) addHeartbeat(0.05 * i);
     for (double now = 1.0; now < 4.1; now += 0.2) monitor.mark(now);
     const std::string row = rowOf(monitor, 4.0, "RobotHeartbeat");
     EXPECT_TRUE(says(row, "   0.0    3.00  Token 4660")) << "a value stays, its age tells";
@@ -54,7 +54,7 @@ TEST_F(Monitoring, forgetsRatesOfLongAgo)
 TEST_F(Monitoring, givesTheLoadWithoutStuffBitsAndWithTheMost)
 {
     monitor.mark(0.0);
-    for (int i = 0; i < 1000; ++i) takeHeartbeat(0.001 * i);
+    for (int i = 0; i < 1000; ++i) addHeartbeat(0.001 * i);
     EXPECT_TRUE(says(monitor.headline("can0 works", {}), "can0 works; load - of 500 kbit/s"));
     monitor.mark(1.0);
     const std::string text =
@@ -65,12 +65,12 @@ TEST_F(Monitoring, givesTheLoadWithoutStuffBitsAndWithTheMost)
 
 TEST_F(Monitoring, saysWhatIsWrongWithTheNewestFrame)
 {
-    takeHeartbeat(0.0);
+    addHeartbeat(0.0);
     CanFrame damaged = robotHeartbeat(0x1234, 2);
     damaged.data[5] ^= 0x10U;
-    monitor.take({.frame = damaged, .time = 0.1});
+    monitor.add({.frame = damaged, .time = 0.1});
     EXPECT_TRUE(says(rowOf(monitor, 0.2, "RobotHeartbeat"), "(wrong checksum)"));
-    monitor.take({.frame = {.id = 0x7AB, .length = 1, .data = {0x5A}}, .time = 0.1});
+    monitor.add({.frame = {.id = 0x7AB, .length = 1, .data = {0x5A}}, .time = 0.1});
     EXPECT_TRUE(says(rowOf(monitor, 0.2, "7AB"), "unknown"));
     EXPECT_TRUE(says(rowOf(monitor, 0.2, "7AB"), "[1] 5A (unknown identifier)"));
 }
@@ -78,14 +78,14 @@ TEST_F(Monitoring, saysWhatIsWrongWithTheNewestFrame)
 TEST_F(Monitoring, givesEachValueOfAnAbsolemItsRow)
 {
     CanMonitor absolem(CanProtocol::Absolem, 500'000.0);
-    const auto take = [&](std::uint32_t id, std::array<std::uint8_t, kFdBytes> data,
-                          std::uint8_t length) {
-        absolem.take({.frame = {.id = id, .length = length, .data = data}, .time = 0.0});
+    const auto add = [&](std::uint32_t id, std::array<std::uint8_t, kFdBytes> data,
+                         std::uint8_t length) {
+        absolem.add({.frame = {.id = id, .length = length, .data = data}, .time = 0.0});
     };
-    take(0x307, {'p', 'x', 0, 0x40}, 4);
-    take(0x287, {'P', 'X', 0, 0, 0xDC, 0x05, 0, 0}, 8);
-    take(0x307, {'i', 'q', 0, 0x40}, 4);
-    take(0x287, {'I', 'Q', 0, 0x80, 0, 0, 0x80, 0x3F}, 8);
+    add(0x307, {'p', 'x', 0, 0x40}, 4);
+    add(0x287, {'P', 'X', 0, 0, 0xDC, 0x05, 0, 0}, 8);
+    add(0x307, {'i', 'q', 0, 0x40}, 4);
+    add(0x287, {'I', 'Q', 0, 0x80, 0, 0, 0x80, 0x3F}, 8);
     EXPECT_TRUE(
         says(rowOf(absolem, 0.0, "front left flipper PX "), "PX 1500 counts, angle 1.5708 rad"));
     EXPECT_TRUE(

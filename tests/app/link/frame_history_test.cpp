@@ -32,12 +32,12 @@ struct Tapping : testing::Test {
                 {.kind = FrameKind::Attitude, .counter = ++counter, .values = {pitch, -0.1, 1.0}}),
             .time = time};
     }
-    void take(const BusFrame& frame) { tap.take(frame, validator.judge(frame.frame, frame.time)); }
+    void add(const BusFrame& frame) { tap.add(frame, validator.judge(frame.frame, frame.time)); }
     /// Runs at 20 Hz from `from` to `to` [s], with ticks in between.
     void run(double from, double to, double pitch)
     {
         for (double t = from; t < to - 1e-9; t += 0.05) {
-            take(attitude(pitch, t));
+            add(attitude(pitch, t));
             tap.tick(t);
         }
     }
@@ -104,14 +104,14 @@ TEST_F(Tapping, historyHasGapsWhereNothingCame)
 
 TEST_F(Tapping, takesNoValueFromAFrameThatMayNotBeUsed)
 {
-    take(attitude(0.1, 0.0));
+    add(attitude(0.1, 0.0));
     BusFrame damaged = attitude(0.9, 0.05);
     damaged.frame.data[4] ^= 0x10U;
-    take(damaged);
+    add(damaged);
     --counter;
     BusFrame old = attitude(0.8, 0.1);
     old.frame = pack({.kind = FrameKind::Attitude, .counter = 200, .values = {0.8, 0.0, 1.0}});
-    take(old);
+    add(old);
     const TappedFrame frame = of(FrameKind::Attitude, 0.2);
     EXPECT_NEAR(frame.payload[0].last.value(), 0.1, 1e-4);
     EXPECT_NEAR(frame.payload[0].most.value(), 0.1, 1e-4);
@@ -124,8 +124,8 @@ TEST_F(Tapping, takesNoValueFromAFrameThatMayNotBeUsed)
 
 TEST_F(Tapping, unmeasuredSignalsHaveNoExtremes)
 {
-    take({.frame = pack({.kind = FrameKind::Attitude, .counter = 1, .values = {0.0, 0.0, 0.0}}),
-          .time = 0.0});
+    add({.frame = pack({.kind = FrameKind::Attitude, .counter = 1, .values = {0.0, 0.0, 0.0}}),
+         .time = 0.0});
     const TappedFrame frame = of(FrameKind::Attitude, 0.0);
     EXPECT_FALSE(frame.isMeasured);
     EXPECT_FALSE(frame.payload[0].last);
@@ -137,7 +137,7 @@ TEST_F(Tapping, traceIsTheNewestFramesInTheirOrder)
 {
     const auto total = static_cast<std::uint32_t>(FrameHistory::kTrace + 123);
     for (std::uint32_t i = 0; i < total; ++i)
-        take({.frame = {.id = i % 2048, .length = 0}, .time = 0.001 * i});
+        add({.frame = {.id = i % 2048, .length = 0}, .time = 0.001 * i});
     const auto trace = tap.trace();
     ASSERT_EQ(trace.size(), FrameHistory::kTrace);
     for (std::size_t i = 0; i < trace.size(); ++i) {
@@ -149,11 +149,11 @@ TEST_F(Tapping, traceIsTheNewestFramesInTheirOrder)
 TEST_F(Tapping, memoryIsBoundedForAnyFrames)
 {
     for (std::uint32_t id = 0; id < 100'000; ++id)
-        take({.frame = {.id = id, .extended = true, .length = 8}, .time = 0.0});
+        add({.frame = {.id = id, .extended = true, .length = 8}, .time = 0.0});
     EXPECT_EQ(tap.frames(0.0).size(), ForeignFrames::kMaxUnknown);
     EXPECT_EQ(tap.load().frames, 100'000U);
     EXPECT_EQ(tap.load().beyond, 100'000U - ForeignFrames::kMaxUnknown);
-    take({.frame = {.id = 4, .error = true, .length = 8}, .time = 0.0});
+    add({.frame = {.id = 4, .error = true, .length = 8}, .time = 0.0});
     EXPECT_EQ(tap.trace().back().trouble, FrameTrouble::Other);
 }
 
@@ -207,8 +207,8 @@ TEST_F(Described, haveValuesExtremesRatesAgesAndHistories)
 {
     for (int i = 0; i < 300; ++i) {
         const double time = 0.01 * i;
-        take(gas(static_cast<std::uint8_t>(i % 2), i < 100 ? 20.5 : -1.25,
-                 static_cast<std::uint8_t>(i), time));
+        add(gas(static_cast<std::uint8_t>(i % 2), i < 100 ? 20.5 : -1.25,
+                static_cast<std::uint8_t>(i), time));
         tap.tick(time);
     }
     const TappedFrame frame = described(291, 3.0);
@@ -235,7 +235,7 @@ TEST_F(Described, haveValuesExtremesRatesAgesAndHistories)
 TEST_F(Described, aSignalThatIsNoLongerSelectedGrowsOld)
 {
     for (int i = 0; i < 400; ++i) {
-        take(gas(i < 100 ? static_cast<std::uint8_t>(i % 2) : 0, 20.0, 7, 0.01 * i));
+        add(gas(i < 100 ? static_cast<std::uint8_t>(i % 2) : 0, 20.0, 7, 0.01 * i));
         tap.tick(0.01 * i);
     }
     const TappedFrame frame = described(291, 4.0);
@@ -249,7 +249,7 @@ TEST_F(Described, aSignalThatIsNoLongerSelectedGrowsOld)
 
 TEST_F(Described, areFreshForThreeOfTheirPeriods)
 {
-    take({.frame = {.id = 292, .length = 1, .data = {9}}, .time = 0.0});
+    add({.frame = {.id = 292, .length = 1, .data = {9}}, .time = 0.0});
     for (int i = 0; i < 29; ++i) tap.tick(0.1 * i);
     EXPECT_NEAR(described(292, 2.8).times[0].fresh, 3.0, 1e-9) << "the file's, of one frame alone";
     EXPECT_FLOAT_EQ(described(292, 2.8).payload[0].history.back(), 9.0F) << "no gaps between";
@@ -261,7 +261,7 @@ TEST_F(Described, areNotFreshAgainOnceTheyHaveEnded)
 {
     constexpr double kPeriod = 0.1;
     for (int i = 0; i < 20; ++i) {
-        take(gas(0, 20.0, 7, kPeriod * i));
+        add(gas(0, 20.0, 7, kPeriod * i));
         tap.tick(kPeriod * i);
     }
     const double ended = 19 * kPeriod;
@@ -275,8 +275,8 @@ TEST_F(Described, areNotFreshAgainOnceTheyHaveEnded)
 TEST_F(Described, areFreshUntilTheirNextTurn)
 {
     for (int i = 0; i < 40; ++i) {
-        take({.frame = {.id = 293, .length = 2, .data = {static_cast<std::uint8_t>(i % 10), 7}},
-              .time = 0.1 * i});
+        add({.frame = {.id = 293, .length = 2, .data = {static_cast<std::uint8_t>(i % 10), 7}},
+             .time = 0.1 * i});
         tap.tick(0.1 * i);
         if (i < 20) continue;  // each group has had two turns
         const TappedFrame frame = described(293, 0.1 * i);
@@ -290,7 +290,7 @@ TEST_F(Described, anOutageIsNoPeriod)
 {
     double time = 0.0;
     const auto run = [&](int frames, double interval) {
-        for (int i = 0; i < frames; ++i) take(gas(0, 20.0, 7, time += interval));
+        for (int i = 0; i < frames; ++i) add(gas(0, 20.0, 7, time += interval));
     };
     const auto fresh = [&] { return described(291, time).times[1].fresh; };
     run(20, 0.1);
@@ -308,7 +308,7 @@ TEST_F(Described, anOutageIsNoPeriod)
 TEST_F(Described, anOutageBeforeThereWasAnyPeriodIsNoneEither)
 {
     double time = 0.0;
-    for (const double interval : {0.0, 600.0, 0.1, 0.1}) take(gas(0, 20.0, 7, time += interval));
+    for (const double interval : {0.0, 600.0, 0.1, 0.1}) add(gas(0, 20.0, 7, time += interval));
     EXPECT_NEAR(described(291, time).times[1].fresh, 0.3, 1e-9);
 }
 
@@ -317,14 +317,14 @@ TEST_F(Described, aBurstIsNoPeriod)
     double time = 0.0;
     for (int burst = 0; burst < 4; ++burst) {
         time += 2.0;
-        for (int i = 0; i < 5; ++i) take(gas(0, 20.0, 7, time += 0.001));
+        for (int i = 0; i < 5; ++i) add(gas(0, 20.0, 7, time += 0.001));
     }
     EXPECT_NEAR(described(291, time).times[1].fresh, 6.0, 0.01);
 }
 
 TEST_F(Described, needsAllBytesOfASignal)
 {
-    take({.frame = {.id = 291, .length = 2, .data = {0, 7}}, .time = 0.0});
+    add({.frame = {.id = 291, .length = 2, .data = {0, 7}}, .time = 0.0});
     const TappedFrame frame = described(291, 0.0);
     EXPECT_EQ(frame.payload[0].last, 0.0);
     EXPECT_FALSE(frame.payload[1].last);
@@ -333,10 +333,10 @@ TEST_F(Described, needsAllBytesOfASignal)
 
 TEST_F(Described, areRawBytesWithoutTheirDbcFile)
 {
-    take(gas(0, 20.0, 1, 0.0));
+    add(gas(0, 20.0, 1, 0.0));
     tap.describe(nullptr);
     EXPECT_TRUE(tap.frames(0.0).empty()) << "forgotten";
-    take(gas(0, 20.0, 1, 0.1));
+    add(gas(0, 20.0, 1, 0.1));
     ASSERT_EQ(tap.frames(0.1).size(), 1U);
     EXPECT_FALSE(tap.frames(0.1)[0].described);
     EXPECT_EQ(tap.trace().back().trouble, FrameTrouble::Unknown);
@@ -362,12 +362,12 @@ std::shared_ptr<const DbcBook> wideBook(unsigned messages, unsigned signalsOfEac
 TEST_F(Tapping, isBoundedWhateverFilesDescribe)
 {
     tap.describe(wideBook(1000, 1));
-    for (std::uint32_t id = 256; id < 1256; ++id) take({.frame = {.id = id, .length = 8}});
+    for (std::uint32_t id = 256; id < 1256; ++id) add({.frame = {.id = id, .length = 8}});
     constexpr std::size_t kRoom = ForeignFrames::kMaxDescribed + ForeignFrames::kMaxUnknown;
     EXPECT_EQ(tap.frames(0.0).size(), kRoom);
     EXPECT_EQ(tap.load().beyond, 1000 - kRoom);
     tap.describe(wideBook(10, 900));
-    for (std::uint32_t id = 256; id < 266; ++id) take({.frame = {.id = id, .length = 8}});
+    for (std::uint32_t id = 256; id < 266; ++id) add({.frame = {.id = id, .length = 8}});
     std::size_t described = 0;
     for (const TappedFrame& frame : tap.frames(0.0)) described += frame.described != nullptr;
     EXPECT_EQ(described, ForeignFrames::kMaxSignals / 900);
@@ -402,10 +402,10 @@ std::vector<BusFrame> fullBus(std::size_t frames)
 }
 
 template <class Take>
-double secondsPerMillion(const std::vector<BusFrame>& frames, Take&& take)
+double secondsPerMillion(const std::vector<BusFrame>& frames, Take&& add)
 {
     const double began = cpuSeconds();
-    for (int round = 0; round < 5; ++round) take(frames);
+    for (int round = 0; round < 5; ++round) add(frames);
     return (cpuSeconds() - began) / (5.0 * static_cast<double>(frames.size())) * 1e6;
 }
 
@@ -419,7 +419,7 @@ TEST(FrameHistoryCost, isLessThanFormattingEveryFrame)
         return secondsPerMillion(frames, [&](const std::vector<BusFrame>& all) {
             FrameValidator validator;
             for (std::size_t i = 0; i < all.size(); ++i) {
-                some.take(all[i], validator.judge(all[i].frame, all[i].time));
+                some.add(all[i], validator.judge(all[i].frame, all[i].time));
                 if (i % 10 == 0) some.tick(all[i].time);
             }
         });
@@ -434,7 +434,7 @@ TEST(FrameHistoryCost, isLessThanFormattingEveryFrame)
     BusStatistics statistics;
     const double worded = secondsPerMillion(frames, [&](const std::vector<BusFrame>& all) {
         for (const BusFrame& f : all)
-            statistics.take(f.frame, reader->read(f.frame, f.time), f.time);
+            statistics.add(f.frame, reader->read(f.frame, f.time), f.time);
     });
     ConsoleLink link(absolem(), {});
     const double received = secondsPerMillion(frames, [&](const std::vector<BusFrame>& all) {
@@ -457,7 +457,7 @@ TEST(FrameHistoryThreads, mayBeLookedAtWhileItTakes)
     std::jthread receiver([&] {
         for (int round = 0; round < 3; ++round)
             for (const BusFrame& frame : frames) {
-                tap.take(frame, validator.judge(frame.frame, frame.time));
+                tap.add(frame, validator.judge(frame.frame, frame.time));
                 tap.tick(frame.time);
             }
         done = true;

@@ -217,10 +217,10 @@ TEST_F(Outage, longerThanASecondWithholdsVerdictUntilNextPress)
     linkIsLostFor(kMaxSilence + 0.04);
     EXPECT_TRUE(exploration->linkAlive());
     ASSERT_TRUE(exploration->estimation().estimate()) << "it stays to be seen";
-    EXPECT_EQ(doubts(), std::vector{WithholdReason::Unheard});
+    EXPECT_EQ(doubts(), std::vector{WithholdReason::TelemetryGap});
     EXPECT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::CannotTell);
     tick(100);
-    EXPECT_EQ(doubts(), std::vector{WithholdReason::Unheard})
+    EXPECT_EQ(doubts(), std::vector{WithholdReason::TelemetryGap})
         << "however long telemetry comes again";
 
     telemetry.activity = RobotActivity::Halted;
@@ -237,7 +237,7 @@ TEST_F(Outage, withholdsTheVerdictThoughNobodyPolled)
     line();
     line();
     tick();
-    EXPECT_EQ(doubts(), std::vector{WithholdReason::Unheard});
+    EXPECT_EQ(doubts(), std::vector{WithholdReason::TelemetryGap});
 }
 
 TEST_F(Outage, ofAFrozenWindowIsNoLostLink)

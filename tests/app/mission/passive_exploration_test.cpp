@@ -65,7 +65,7 @@ TEST_F(PassiveExplorationBench, estimatesAPressOnceAndSendsNothing)
     exploration->releaseStop();
     tick(3);
     exploration->leave();
-    EXPECT_TRUE(source.takeCommands().empty());
+    EXPECT_TRUE(source.consumeCommands().empty());
     EXPECT_EQ(phase(), AtemPhase::Presenting);
     EXPECT_FALSE(stopsNothing.isEmpty());
     EXPECT_EQ(exploration->stopViewState().state, StopViewState::State::NoEffect);
@@ -186,7 +186,7 @@ TEST_F(PassiveExplorationBench, showsAStopOfSomebodyElse)
     telemetry.activity = RobotActivity::Halted;
     ASSERT_TRUE(reaches(AtemPhase::Idle));
     tick(20);
-    EXPECT_TRUE(source.takeCommands().empty());
+    EXPECT_TRUE(source.consumeCommands().empty());
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST_F(Recorder, makesASealedFileOfEverything)
 {
     {
         SessionRecorder recorder(options);
-        recorder.take(busFrames(0, 1000));
+        recorder.add(busFrames(0, 1000));
         const std::int64_t model = recorder.record(ModelRow{.id = 0, .name = "default.ttm"});
         SceneRow scene = someScene(1, 0);
         const std::int64_t sceneId = recorder.record(scene);
@@ -137,7 +137,7 @@ TEST_F(Recorder, countsWhatFindsNoRoom)
     options.batch = 200ms;
     {
         SessionRecorder recorder(options);
-        recorder.take(busFrames(0, 1000));
+        recorder.add(busFrames(0, 1000));
         EXPECT_GE(recorder.state().missing, 800);
         ASSERT_TRUE(eventually([&] { return recorder.state().frames >= 100; }));
     }
@@ -159,7 +159,7 @@ TEST_F(Recorder, reportsWhyRecordingFailsAndResumes)
     ASSERT_TRUE(eventually([&] { return !recorder.state().trouble.empty(); }));
     EXPECT_NE(recorder.state().trouble.english().find(folder), std::string::npos);
     EXPECT_FALSE(recorder.state().recording);
-    recorder.take(busFrames(0, 10));
+    recorder.add(busFrames(0, 10));
     recorder.record(EventRow{.kind = EventKind::Decision, .subject = "stop"});
     std::filesystem::remove(folder);
     ASSERT_TRUE(eventually([&] { return recorder.state().frames == 10; })) << "what waited is kept";
@@ -179,7 +179,7 @@ void recordOn(const SessionRecorder::Options& options)
         recorder.record(someScene(1, 0));
         recorder.record(someEstimate(1, 0));
         for (int turn = 0; turn < 6; ++turn) {
-            recorder.take(busFrames(2000 * turn, 2000));
+            recorder.add(busFrames(2000 * turn, 2000));
             ASSERT_TRUE(eventually([&] { return recorder.state().frames == 2000 * (turn + 1); }));
         }
         recorder.record(EventRow{.kind = EventKind::Decision, .subject = "approve", .estimate = 1});
@@ -231,7 +231,7 @@ TEST_F(Recorder, aStalledDiskBlocksNoCallerAndIsReported)
         const double began = steadyNow();
         for (int turn = 0; turn < kTurns; ++turn) {
             const double before = steadyNow();
-            recorder.take(busFrames(static_cast<std::int64_t>(kPerTurn) * turn, kPerTurn));
+            recorder.add(busFrames(static_cast<std::int64_t>(kPerTurn) * turn, kPerTurn));
             recorder.record(EventRow{.kind = EventKind::Decision, .subject = "refuse"});
             const std::string trouble = recorder.state().trouble.english();
             longest = std::max(longest, steadyNow() - before);
@@ -273,10 +273,10 @@ TEST_F(Recorder, keepsNothingWhileItIsOff)
     ASSERT_TRUE(eventually([&] { return !recorder.state().recording; }));
     EXPECT_EQ(recorder.state().trouble.english(), "");
     EXPECT_TRUE(SessionReader::open(first)->sealed());
-    recorder.take(busFrames(0, 10));
+    recorder.add(busFrames(0, 10));
     std::this_thread::sleep_for(100ms);  // ten turns of the recorder's thread
     recorder.setOn(true);
-    recorder.take(busFrames(10, 10));
+    recorder.add(busFrames(10, 10));
     ASSERT_TRUE(eventually([&] { return recorder.state().frames == 10; }));
     auto reader = SessionReader::open(recorder.state().path);
     ASSERT_TRUE(reader);
@@ -301,7 +301,7 @@ TEST_F(Recorder, everyFileHasTheStateFromBeforeItsStart)
             EstimateRow second = someEstimate(1, 0);
             second.role = EstimateRole::Second;
             recorder.record(second);
-            recorder.take(busFrames(0, 10));
+            recorder.add(busFrames(0, 10));
             const std::int64_t before = recorder.state().frames;
             ASSERT_TRUE(eventually([&] { return recorder.state().frames >= before; }));
             std::this_thread::sleep_for(100ms);
@@ -332,21 +332,21 @@ TEST_F(Recorder, everyFileSaysWhatStoodWhenItBegan)
         recorder.record(ModelRow{.id = 0, .name = "default.ttm"});
         recorder.record(someScene(1, 0));
         recorder.record(someEstimate(1, 0));
-        const auto tell = [&](EventKind kind, const char* subject, const char* text,
-                              std::optional<double> number = {}) {
+        const auto log = [&](EventKind kind, const char* subject, const char* text,
+                             std::optional<double> number = {}) {
             recorder.record(EventRow{
                 .kind = kind, .subject = subject, .text = text, .number = number, .estimate = 1});
         };
-        tell(EventKind::Phase, "pressing", "");
-        tell(EventKind::Phase, "ready", "");
-        tell(EventKind::Link, "up", "");
-        tell(EventKind::Unheard, "", "");
-        tell(EventKind::Override, "", "roll 9");
-        tell(EventKind::Forgotten, "", "the robot has moved");
-        tell(EventKind::Alarm, "load", "too much", 3.0);
-        tell(EventKind::Alarm, "link", "gone", 3.0);
-        tell(EventKind::Alarm, "link", "", 0.0);
-        tell(EventKind::Word, "note", "said once");
+        log(EventKind::Phase, "pressing", "");
+        log(EventKind::Phase, "ready", "");
+        log(EventKind::Link, "up", "");
+        log(EventKind::TelemetryGap, "", "");
+        log(EventKind::Override, "", "roll 9");
+        log(EventKind::Forgotten, "", "the robot has moved");
+        log(EventKind::Alarm, "load", "too much", 3.0);
+        log(EventKind::Alarm, "link", "gone", 3.0);
+        log(EventKind::Alarm, "link", "", 0.0);
+        log(EventKind::Word, "note", "said once");
         ASSERT_TRUE(eventually([&] { return recorder.state().recording; }));
         recorder.setOn(false);
         ASSERT_TRUE(eventually([&] { return !recorder.state().recording; }));
@@ -600,7 +600,7 @@ TEST_F(Recorder, costsLittle)
         options.mostBytes = std::int64_t{1} << 40U;
         SessionRecorder recorder(options);
         for (std::int64_t n = 0; n < frames; n += 250) {
-            recorder.take(busFrames(n, 250));
+            recorder.add(busFrames(n, 250));
             ASSERT_TRUE(eventually([&] { return recorder.state().frames + 9000 > n; }));
         }
         ASSERT_TRUE(eventually([&] { return recorder.state().frames == frames; }));

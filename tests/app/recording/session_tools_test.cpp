@@ -149,9 +149,9 @@ TEST_F(Drive, estimatesAreFollowedToTheScenesBehindTheirs)
     TelemetryListener listener(robot);
     for (std::size_t batch = 0; batch < reader.batches().size(); ++batch)
         for (const FrameRow& row : reader.frames(batch)) {
-            const auto measurement = listener.take(row.frame, secondsOf(row.time));
+            const auto measurement = listener.receive(row.frame, secondsOf(row.time));
             if (measurement && row.time > scene.time && row.time <= next.time)
-                track.take(*measurement);
+                track.add(*measurement);
         }
     ASSERT_TRUE(track.ghost());
 

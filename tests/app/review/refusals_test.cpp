@@ -64,7 +64,7 @@ public:
     explicit Refusals(QSet<QString> data) : data_(std::move(data)) {}
 
     template <class Value>
-    void take(const Result<Value>& read)
+    void add(const Result<Value>& read)
     {
         if (!read) add(read.error().message);
     }
@@ -285,7 +285,7 @@ TEST(Refusals, ofModels)
                  "DELETE FROM residual_row WHERE row = 2",
                  "DELETE FROM scanned_row WHERE row = 0",
                  "DELETE FROM length_scale WHERE feature_set = 'pa' AND bin = 10 AND input = 13"},
-                [&](const std::string& file) { refusals.take(readModel(file)); });
+                [&](const std::string& file) { refusals.add(readModel(file)); });
     EXPECT_GE(refusals.size(), 50U);
     refusals.expectTranslated();
 }
@@ -295,7 +295,7 @@ TEST(Refusals, ofRobots)
     const std::string text = contentOf(kSource + "/resources/robots/absolem.toml");
     Refusals refusals({"name", "base", "imu", "track", "body", "arm", "odometry"});
     const auto read = [&](const std::string& robot) {
-        refusals.take(robotModelFrom("/tmp/my robot.toml", robot));
+        refusals.add(robotModelFrom("/tmp/my robot.toml", robot));
     };
     breakToml(text, read);
     const std::string array = "[[force_array]]\nname = \"a\"\nside = \"left\"\nelements = [1, 2]\n";
@@ -325,19 +325,19 @@ TEST(Refusals, ofPanelsAndCards)
     Refusals refusals({"name", "chip", "chip.name", "inputs", "outputs", "data", "date", "scenes",
                        "method", "terrain", "trained", "evaluation", "label"});
     breakToml(contentOf(kSource + "/resources/panels/example.toml"),
-              [&](const std::string& broken) { refusals.take(panelFrom("panel.toml", broken)); });
+              [&](const std::string& broken) { refusals.add(panelFrom("panel.toml", broken)); });
     const std::size_t panels = refusals.size();
     EXPECT_GE(panels, 12U);
     const std::string card = contentOf(kSource + "/resources/models/default.card.toml");
     breakToml(card, [&](const std::string& broken) {
-        refusals.take(modelCardFrom("m.card.toml", broken));
+        refusals.add(modelCardFrom("m.card.toml", broken));
     });
     breakToml(
         "evaluation = [1]\n" + card.substr(0, card.find("[[")),
-        [&](const std::string& broken) { refusals.take(modelCardFrom("m.card.toml", broken)); });
+        [&](const std::string& broken) { refusals.add(modelCardFrom("m.card.toml", broken)); });
     const TemporaryDirectory dir;
     dir.write("mine.card.toml", card);
-    refusals.take(readModelCard(dir.file("mine.ttm"), std::string(64, '7')));
+    refusals.add(readModelCard(dir.file("mine.ttm"), std::string(64, '7')));
     EXPECT_GE(refusals.size(), panels + 5U);
     refusals.expectTranslated();
 }
@@ -355,10 +355,10 @@ TEST(Refusals, ofScenes)
     const auto read = [&](const std::string& content) {
         const std::string path = dir.write("scenes.csv", content);
         const auto file = readScenes(path);
-        refusals.take(file);
+        refusals.add(file);
         for (const Message& notice : file ? file->notices : std::vector<Message>{})
             refusals.add(notice);
-        refusals.take(readScenesWithTruth(path));
+        refusals.add(readScenesWithTruth(path));
     };
     Scene scene;
     scene.run = "a";
@@ -417,7 +417,7 @@ TEST(Refusals, ofScenes)
             }
             read(header + broken);
         }
-    refusals.take(readScenes(dir.file("none.csv")));
+    refusals.add(readScenes(dir.file("none.csv")));
     EXPECT_GE(refusals.size(), 20U);
     refusals.expectTranslated();
 }
@@ -440,7 +440,7 @@ TEST(Refusals, ofDbcFiles)
     Refusals refusals({"Windows"});
     const auto read = [&](const std::string& content) {
         const auto file = dbcFrom("my.dbc", content);
-        refusals.take(file);
+        refusals.add(file);
         for (const Message& warning : file ? file->warnings : std::vector<Message>{})
             refusals.add(warning);
     };
@@ -469,13 +469,13 @@ TEST(Refusals, ofDbcFiles)
     read(many);
     read(std::string("\0", 1));
     DbcBook book;
-    refusals.take(book.add("/dev/null"));
-    refusals.take(book.add(dir.file("none.dbc")));
-    refusals.take(book.add(dir.write("one.dbc", text)));
-    refusals.take(book.add(dir.write("two.dbc", text + "BO_ 257 Another_1: 8 G1\n")));
-    refusals.take(book.add(dir.write("three.dbc", text + "BO_ 257 Another_1: 8 G1\n")));
-    refusals.take(book.add(kSource + "/resources/dbc/terratact.dbc"));
-    refusals.take(book.add(dir.write("ours.dbc", "BO_ 34 Ours_1: 8 G1\n")));
+    refusals.add(book.add("/dev/null"));
+    refusals.add(book.add(dir.file("none.dbc")));
+    refusals.add(book.add(dir.write("one.dbc", text)));
+    refusals.add(book.add(dir.write("two.dbc", text + "BO_ 257 Another_1: 8 G1\n")));
+    refusals.add(book.add(dir.write("three.dbc", text + "BO_ 257 Another_1: 8 G1\n")));
+    refusals.add(book.add(kSource + "/resources/dbc/terratact.dbc"));
+    refusals.add(book.add(dir.write("ours.dbc", "BO_ 34 Ours_1: 8 G1\n")));
     for (const Message& remark : book.remarks()) refusals.add(remark);
     EXPECT_GE(refusals.size(), 60U);
     refusals.expectTranslated();
@@ -539,8 +539,8 @@ TEST(Refusals, ofLogs)
     for (const auto& path : {dir.write("empty.log", ""), dir.file("."), dir.file("none.log"),
                              dir.write("two.log", "(1.5) can0 044#2A\n(1.6) can1 044#2A\n"),
                              dir.write("untimed.log", "  vcan0  044   [1]  2A\n")})
-        refusals.take(LogReplay::open(path, {}));
-    refusals.take(LogReplay::open(dir.file("two.log"), {.interface = "can7"}));
+        refusals.add(LogReplay::open(path, {}));
+    refusals.add(LogReplay::open(dir.file("two.log"), {.interface = "can7"}));
     refusals.add(Message::verbatim("my.csv: has no scenes"));
     EXPECT_GE(refusals.size(), 24U);
     refusals.expectTranslated();
@@ -571,24 +571,24 @@ TEST(Refusals, ofSessions)
          "INSERT INTO can_frame SELECT 100000, t, id, flags, data FROM can_frame WHERE seq = 1"},
         [&](const std::string& file) {
             auto session = SessionReader::open(file);
-            refusals.take(session);
+            refusals.add(session);
             if (!session) return;
             for (const SessionDamage& damage : session->verify().damage) refusals.add(damage.why);
         });
     auto session = SessionReader::open(path);
     ASSERT_TRUE(session);
-    refusals.take(robotOf(*session));
+    refusals.add(robotOf(*session));
     const ModelRow row{
         .id = 1, .name = "default.ttm", .hash = std::string(8, 'c') + std::string(56, '1')};
     const std::string a = dir.write("a.ttm", "x"), b = dir.write("b.ttm", "y");
-    refusals.take(modelFileOf(row, {}));
-    refusals.take(modelFileOf(row, std::array{a}));
-    refusals.take(modelFileOf(row, std::array{a, b}));
-    refusals.take(modelFileOf(row, std::array{a, b, dir.file("none.ttm")}));
+    refusals.add(modelFileOf(row, {}));
+    refusals.add(modelFileOf(row, std::array{a}));
+    refusals.add(modelFileOf(row, std::array{a, b}));
+    refusals.add(modelFileOf(row, std::array{a, b, dir.file("none.ttm")}));
     for (const char* const notes : {"", "x\n", "t_s,note", "t_s\n", "t_s,\"note\n",
                                     "t_s,note\nx,y\n", "t_s,note\n1,2,3\n", "x,y\n"}) {
         dir.write("session.tts.notes.csv", notes);
-        refusals.take(readNotes(path));
+        refusals.add(readNotes(path));
     }
     EXPECT_GE(refusals.size(), 25U);
     refusals.expectTranslated();

@@ -93,9 +93,9 @@ TEST_F(ReviewOf, aSessionOpenedByAConsoleStopsItsRobot)
     ASSERT_TRUE(listens) << listens.error().text;
     auto line = std::make_unique<StopLine>(std::move(*listens));
     press(Qt::Key_Pause);
-    EXPECT_TRUE(line->take());
+    EXPECT_TRUE(line->consume());
     press(Qt::Key_F12);
-    EXPECT_TRUE(line->take());
+    EXPECT_TRUE(line->consume());
     EXPECT_TRUE(saysUponTheHeader(*window, "STOP SENT to the console"));
     EXPECT_TRUE(eventually([&] { return saysUponTheHeader(*window, "has received it"); }));
     press(Qt::Key_F12);  // nobody reads the line

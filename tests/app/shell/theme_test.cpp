@@ -521,7 +521,7 @@ TEST_F(Look, preferenceErrorsUseTheCurrentLanguage)
 TEST_F(Look, safeModeIsShownOnEveryPageAndCutsNothing)
 {
     window->hide();
-    window->saySafeMode();
+    window->showSafeMode();
     gui::showActive(*window);
     for (const QSize size : {QSize(1200, 680), QSize(1440, 900)}) {
         window->setRoom(size);

@@ -80,8 +80,8 @@ TEST_P(Sounds, followNewAlarmsAndTheirPeriod)
     for (int second = 1; second <= 60; ++second) {
         for (const auto& [at, event] : GetParam().events)
             if (at == second) apply(list, event, second);
-        if (list.takeSound(second)) sounds.push_back(second);
-        EXPECT_FALSE(list.takeSound(second)) << "it has sounded already";
+        if (list.consumeSound(second)) sounds.push_back(second);
+        EXPECT_FALSE(list.consumeSound(second)) << "it has sounded already";
     }
     EXPECT_EQ(sounds, GetParam().sounds);
 }
@@ -114,11 +114,11 @@ TEST(AlarmList, soundsAgainWhenTheSilenceIsOver)
 {
     AlarmList list;
     list.raise("link", "", Severity::Critical, 0.0);
-    EXPECT_TRUE(list.takeSound(0.0));
+    EXPECT_TRUE(list.consumeSound(0.0));
     list.silence(120.0);
     EXPECT_DOUBLE_EQ(list.silentFor(20.0), 100.0);
-    EXPECT_FALSE(list.takeSound(119.0));
-    EXPECT_TRUE(list.takeSound(120.0));
+    EXPECT_FALSE(list.consumeSound(119.0));
+    EXPECT_TRUE(list.consumeSound(120.0));
     EXPECT_DOUBLE_EQ(list.silentFor(121.0), 0.0);
 }
 
@@ -172,7 +172,7 @@ TEST(AlarmList, refusesTimesThatAreNotFinite)
     EXPECT_THROW(list.raise("x", "", Severity::Caution, kNaN), std::invalid_argument);
     EXPECT_THROW(list.clear("x", kNaN), std::invalid_argument);
     EXPECT_THROW(list.silence(std::numeric_limits<double>::infinity()), std::invalid_argument);
-    EXPECT_THROW((void)list.takeSound(kNaN), std::invalid_argument);
+    EXPECT_THROW((void)list.consumeSound(kNaN), std::invalid_argument);
 }
 
 TEST(AlarmList, hasWordsForEverything)

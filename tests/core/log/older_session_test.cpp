@@ -24,14 +24,14 @@ std::vector<std::string> recordedEvents(const std::string& path)
 {
     std::vector<std::string> lines;
     sqlite3* file = nullptr;
-    const auto take = [](void* all, int, char** row, char**) {
+    const auto add = [](void* all, int, char** row, char**) {
         const auto part = [row](int column) { return std::string(row[column]); };
         static_cast<std::vector<std::string>*>(all)->push_back(part(0) + '|' + part(1) + '|'
                                                                + part(2));
         return 0;
     };
     sqlite3_open_v2(path.c_str(), &file, SQLITE_OPEN_READONLY, nullptr);
-    sqlite3_exec(file, "SELECT kind, subject, text FROM event ORDER BY id", take, &lines, nullptr);
+    sqlite3_exec(file, "SELECT kind, subject, text FROM event ORDER BY id", add, &lines, nullptr);
     sqlite3_close(file);
     return lines;
 }

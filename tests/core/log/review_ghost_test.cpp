@@ -17,7 +17,7 @@ namespace {
 
 using At = RobotSessionTimes;
 
-const ReviewGhost::ViewState kNone{}, kUnheard{{}, NoGhost::Unheard};
+const ReviewGhost::ViewState kNone{}, kTelemetryGap{{}, NoGhost::TelemetryGap};
 
 struct GhostOf : testing::Test {
     void record(const std::vector<std::variant<EventRow, ModelRow>>& more)
@@ -91,12 +91,12 @@ TEST_F(GhostOf, anotherModelEndsTheGhost)
 TEST_F(GhostOf, aSilenceEndsTheGhost)
 {
     for (const double time : {At::kMarker, kStood}) {
-        record({event(time, EventKind::Unheard)});
-        EXPECT_EQ(at(kLeft), kUnheard) << "since the scene: " << time;
+        record({event(time, EventKind::TelemetryGap)});
+        EXPECT_EQ(at(kLeft), kTelemetryGap) << "since the scene: " << time;
     }
-    record({event(kLeft + 0.1, EventKind::Unheard)});
+    record({event(kLeft + 0.1, EventKind::TelemetryGap)});
     EXPECT_TRUE(at(kLeft).ghost);
-    EXPECT_EQ(at(kLater), kUnheard);
+    EXPECT_EQ(at(kLater), kTelemetryGap);
 }
 
 TEST_F(GhostOf, theNextExplorationEndsTheGhost)
@@ -108,7 +108,7 @@ TEST_F(GhostOf, theNextExplorationEndsTheGhost)
 
 TEST_F(GhostOf, aMomentIsTheSameForAnyOrderOfRequests)
 {
-    record({event(kLeft + 0.1, EventKind::Unheard)});
+    record({event(kLeft + 0.1, EventKind::TelemetryGap)});
     ReviewMoments moments(*reader, absolem());
     ReviewGhost ghosts(*reader, absolem());
     for (const double time : {kLater, kLeft, kStood, kLeft, 0.1, kLeft + 0.05, kLeft, kLater})

@@ -145,7 +145,7 @@ TEST_F(Review, showsWhetherTelemetryWasUnbroken)
     std::int64_t id = 100;
     for (const double when : {At::kScene - 0.1, 3.15})  // the first belongs to the scene before
         ASSERT_TRUE(writer->add(
-            EventRow{.id = ++id, .time = sessionTimeOf(when), .kind = EventKind::Unheard}));
+            EventRow{.id = ++id, .time = sessionTimeOf(when), .kind = EventKind::TelemetryGap}));
     ASSERT_TRUE(writer->seal());
     ASSERT_TRUE(at(3.1).scene);
     EXPECT_TRUE(at(3.1).unbroken);
@@ -270,16 +270,16 @@ TEST_F(Review, surveyFindsSilencesAndContacts)
     record(4.0, [](double t) { return t > 1.0 && t < 2.0; });
     (void)moments();
     SessionSurvey survey(absolem(), 1.0);
-    while (survey.takeNext(*reader)) {
+    while (survey.addNext(*reader)) {
     }
-    EXPECT_EQ(survey.taken(), reader->batches().size());
+    EXPECT_EQ(survey.batchesRead(), reader->batches().size());
     ASSERT_EQ(survey.silences().size(), 1U);
     EXPECT_NEAR(secondsOf(survey.silences()[0].first), 1.0, 0.06);
     EXPECT_NEAR(secondsOf(survey.silences()[0].last), 2.0, 0.06);
     EXPECT_FALSE(at(1.9).linkAlive && at(1.9).measurement
                  && at(1.9).time - at(1.9).measured < sessionTimeOf(0.25));
     SessionSurvey sensitive(absolem(), -1.0);
-    while (sensitive.takeNext(*reader)) {
+    while (sensitive.addNext(*reader)) {
     }
     EXPECT_EQ(sensitive.contacts().size(), 2U);  // silences separate contacts
 }

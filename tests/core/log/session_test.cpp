@@ -268,7 +268,7 @@ TEST_F(Session, framesWithAForgedHashAreNotShown)
     }
     change(path, "UPDATE can_frame SET data = x'0000000000000000' WHERE seq = 301; "
                  "UPDATE batch SET frames_hash = "
-                     + literal(hash.take()) + " WHERE id = 4");
+                     + literal(hash.finish()) + " WHERE id = 4");
     auto reader = SessionReader::open(path);
     ASSERT_TRUE(reader) << reader.error().text;
     EXPECT_EQ(reader->frames(3).size(), 0U) << "the hash beside them holds, the chain does not";

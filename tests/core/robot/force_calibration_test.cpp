@@ -136,22 +136,22 @@ ForceDrift::Forces everywhere(std::optional<double> force)
     return forces;
 }
 
-void takeFor(ForceDrift& drift, double from, double seconds, std::optional<double> force)
+void addFor(ForceDrift& drift, double from, double seconds, std::optional<double> force)
 {
-    for (int i = 0; i * 0.05 < seconds; ++i) drift.take(from + i * 0.05, everywhere(force));
+    for (int i = 0; i * 0.05 < seconds; ++i) drift.add(from + i * 0.05, everywhere(force));
 }
 
 TEST(ForceDriftTest, isTheMedianOfUnloadedReadings)
 {
     ForceDrift drift;
-    takeFor(drift, 0.0, 1.8, 0.4);
+    addFor(drift, 0.0, 1.8, 0.4);
     EXPECT_FALSE(drift.drift(0)) << "too little was read";
-    takeFor(drift, 1.8, 2.2, 0.4);
-    takeFor(drift, 4.0, 1.0, 1.9);  // a pebble
+    addFor(drift, 1.8, 2.2, 0.4);
+    addFor(drift, 4.0, 1.0, 1.9);  // a pebble
     ASSERT_TRUE(drift.drift(5));
     EXPECT_DOUBLE_EQ(*drift.drift(5), 0.4);
-    takeFor(drift, 5.0, 20.0, 0.4);
-    takeFor(drift, 25.0, 6.0, -0.5);
+    addFor(drift, 5.0, 20.0, 0.4);
+    addFor(drift, 25.0, 6.0, -0.5);
     EXPECT_DOUBLE_EQ(*drift.drift(5), -0.5) << "what is older than 10 s no longer counts";
     EXPECT_THROW(static_cast<void>(drift.drift(6)), std::out_of_range);
 }
@@ -162,18 +162,18 @@ TEST(ForceDriftTest, skipsElementsWithoutAReading)
     ForceDrift::Forces forces = everywhere(0.1);
     forces[2] = std::nullopt;
     forces[3] = std::nan("");
-    for (int i = 0; i < 50; ++i) drift.take(0.1 * i, forces);
+    for (int i = 0; i < 50; ++i) drift.add(0.1 * i, forces);
     EXPECT_TRUE(drift.drift(1));
     EXPECT_FALSE(drift.drift(2));
     EXPECT_FALSE(drift.drift(3));
-    EXPECT_THROW(drift.take(std::nan(""), forces), std::invalid_argument);
+    EXPECT_THROW(drift.add(std::nan(""), forces), std::invalid_argument);
 }
 
 TEST(ForceDriftTest, beginsAnewWhenItsClockJumpsBack)
 {
     ForceDrift drift;
-    takeFor(drift, 100.0, 5.0, 0.4);
-    drift.take(3.0, everywhere(0.0));
+    addFor(drift, 100.0, 5.0, 0.4);
+    drift.add(3.0, everywhere(0.0));
     EXPECT_FALSE(drift.drift(0));
 }
 

@@ -41,7 +41,7 @@ bool suspects(const std::vector<WatchedLine>& drive, std::string_view fault, Sen
     if (!fault.empty()) faulty.emplace(*sensorFaultFrom(fault), absolem(), 1);
     bool does = false;
     for (const WatchedLine& line : drive) {
-        watch.take(faulty ? faulty->take(line.measurement) : line.measurement);
+        watch.add(faulty ? faulty->apply(line.measurement) : line.measurement);
         for (const SensorSuspicion& s : watch.found())
             does = does || (s.sensor == sensor && s.trouble == trouble);
     }
@@ -68,7 +68,7 @@ TEST(DrivenGround, KnowsTheGroundThatTheTracksPassed)
     style.period = 0.1;
     DrivenGround ground(absolem());
     for (const WatchedLine& line : driveWithTelemetry(absolem(), flat, style, 3))
-        ground.take(line.measurement, false);
+        ground.add(line.measurement, false);
     const double x = ground.pose().base.x;
     EXPECT_FALSE(ground.highestAt(x + 0.5));
     ASSERT_TRUE(ground.highestAt(x - 1.0));
@@ -124,12 +124,12 @@ TEST(DrivenGround, PassedGroundIsWhatTheWholeTracksCrossed)
     Measurement line;
     line.activity = RobotActivity::Driving;
     line.travelled = 0.0;
-    ground.take(line, false);
+    ground.add(line, false);
     const double reach = absolem().trackAxle / 2.0 + absolem().trackRadius;
     EXPECT_NEAR(ground.passedFrom(), ground.pose().base.x + reach, 1e-12);
     const double from = ground.passedFrom();
     line.travelled = 0.5;
-    ground.take(line, false);
+    ground.add(line, false);
     EXPECT_EQ(ground.passedFrom(), from);
 }
 
@@ -140,14 +140,14 @@ TEST(ReturnWatch, ClearsWhenTheShiftIsWithinItsLimit)
     FaultySensors faulty(*sensorFaultFrom("offset:pitch:0.1"), absolem(), 1);
     bool wasSuspected = false;
     for (const WatchedLine& line : drive) {
-        watch.take(faulty.take(line.measurement));
+        watch.add(faulty.apply(line.measurement));
         if (watch.found().empty()) continue;
         wasSuspected = true;
         EXPECT_FALSE(watch.isCleared());
     }
     EXPECT_TRUE(wasSuspected);
     ReturnWatch sound(absolem());
-    for (const WatchedLine& line : drive) sound.take(line.measurement);
+    for (const WatchedLine& line : drive) sound.add(line.measurement);
     EXPECT_TRUE(sound.isCleared());
 }
 
@@ -182,7 +182,7 @@ TEST(StuckWatch, DoesNotCallOdometryStuckInATurn)
         m.time = 0.05 * k;
         m.pitch = 0.2 * std::sin(0.1 * k);
         m.turned = std::numbers::pi * k / 300.0;
-        watch.take(line);
+        watch.add(line);
         for (const SensorSuspicion& s : watch.found()) EXPECT_NE(s.sensor, Sensor::Travelled);
     }
 }

@@ -50,9 +50,9 @@ TEST(SensorFault, OfOneSideHalvesTheMean)
 {
     EXPECT_EQ(sensorFaultFrom("stuck:left-force-1")->sensors, std::vector{Sensor::LeftForce1});
     EXPECT_FALSE(sensorFaultFrom("stuck:left-pitch"));
-    EXPECT_DOUBLE_EQ(with("offset:right-force-2:3").take(line(0.0, 0.1)).force[1], 3.5);
-    EXPECT_DOUBLE_EQ(with("zero:left-forces").take(line(0.0, 0.1)).force[5], 3.0);
-    const Measurement swapped = with("swapped:left-forces").take(line(0.0, 0.1));
+    EXPECT_DOUBLE_EQ(with("offset:right-force-2:3").apply(line(0.0, 0.1)).force[1], 3.5);
+    EXPECT_DOUBLE_EQ(with("zero:left-forces").apply(line(0.0, 0.1)).force[5], 3.0);
+    const Measurement swapped = with("swapped:left-forces").apply(line(0.0, 0.1));
     EXPECT_DOUBLE_EQ(swapped.force[0], 3.5);
     EXPECT_DOUBLE_EQ(swapped.force[5], 3.5);
 }
@@ -64,25 +64,25 @@ TEST(SensorFault, OfOneSideLeavesTheOther)
         truth.sides.left[e] = truth.measurement.force[e] + 0.5;
         truth.sides.right[e] = truth.measurement.force[e] - 0.5;
     }
-    const SensedLine one = with("offset:right-force-2:3").take(truth);
+    const SensedLine one = with("offset:right-force-2:3").apply(truth);
     EXPECT_DOUBLE_EQ(*one.sides.right[1], 4.5);
     EXPECT_EQ(one.sides.left, truth.sides.left);
     EXPECT_DOUBLE_EQ(one.measurement.force[1], 3.5);
-    const SensedLine both = with("zero:force-6").take(truth);
+    const SensedLine both = with("zero:force-6").apply(truth);
     EXPECT_EQ(*both.sides.left[5], 0.0);
     EXPECT_EQ(both.measurement.force[5], 0.0);
-    const SensedLine swapped = with("swapped:left-forces").take(truth);
+    const SensedLine swapped = with("swapped:left-forces").apply(truth);
     EXPECT_DOUBLE_EQ(*swapped.sides.left[0], 6.5);
     EXPECT_EQ(swapped.sides.right, truth.sides.right);
-    const SensedLine pushed = with("scatter:force-3:1").take(truth);
+    const SensedLine pushed = with("scatter:force-3:1").apply(truth);
     EXPECT_DOUBLE_EQ(*pushed.sides.left[2] - *pushed.sides.right[2], 1.0);
 }
 
 TEST(SensorFault, SticksAtTheFirstLine)
 {
     FaultySensors faulty = with("stuck:pitch");
-    EXPECT_EQ(faulty.take(line(0.0, 0.1)).pitch, 0.1);
-    const Measurement second = faulty.take(line(1.0, 0.2));
+    EXPECT_EQ(faulty.apply(line(0.0, 0.1)).pitch, 0.1);
+    const Measurement second = faulty.apply(line(1.0, 0.2));
     EXPECT_EQ(second.pitch, 0.1);
     EXPECT_EQ(second.frontLeft, 0.3);
 }
@@ -90,52 +90,52 @@ TEST(SensorFault, SticksAtTheFirstLine)
 TEST(SensorFault, ShowsTheLastSceneUntilTheNextPress)
 {
     FaultySensors faulty = with("stuck-at-scene:pitch");
-    const auto take = [&](double time, double pitch, RobotActivity activity) {
+    const auto add = [&](double time, double pitch, RobotActivity activity) {
         Measurement m = line(time, pitch);
         m.activity = activity;
-        return faulty.take(m).pitch;
+        return faulty.apply(m).pitch;
     };
-    EXPECT_EQ(take(0.0, 0.1, RobotActivity::Pressed), 0.1);
-    EXPECT_EQ(take(0.1, 0.11, RobotActivity::Pressed), 0.11);
-    EXPECT_EQ(take(1.0, 0.2, RobotActivity::Driving), 0.1);
-    EXPECT_EQ(take(2.0, 0.3, RobotActivity::Pressed), 0.1);
-    EXPECT_EQ(take(3.0, 0.4, RobotActivity::Driving), 0.3);
+    EXPECT_EQ(add(0.0, 0.1, RobotActivity::Pressed), 0.1);
+    EXPECT_EQ(add(0.1, 0.11, RobotActivity::Pressed), 0.11);
+    EXPECT_EQ(add(1.0, 0.2, RobotActivity::Driving), 0.1);
+    EXPECT_EQ(add(2.0, 0.3, RobotActivity::Pressed), 0.1);
+    EXPECT_EQ(add(3.0, 0.4, RobotActivity::Driving), 0.3);
 }
 
 TEST(SensorFault, DriftsByItsAmountInAMinute)
 {
     FaultySensors faulty = with("drift:pitch:0.1");
-    faulty.take(line(0.0, 0.0));
-    EXPECT_NEAR(faulty.take(line(30.0, 0.0)).pitch, 0.05, 1e-12);
+    faulty.apply(line(0.0, 0.0));
+    EXPECT_NEAR(faulty.apply(line(30.0, 0.0)).pitch, 0.05, 1e-12);
 }
 
 TEST(SensorFault, IsLateByItsAmount)
 {
     FaultySensors faulty = with("late:pitch:0.5");
     for (int k = 0; k <= 20; ++k) {
-        const double late = faulty.take(line(0.1 * k, k)).pitch;
+        const double late = faulty.apply(line(0.1 * k, k)).pitch;
         EXPECT_EQ(late, std::max(0, k - 5));
     }
 }
 
 TEST(SensorFault, SwapsSidesAxlesAndTheOrderOfForces)
 {
-    const Measurement sides = with("swapped:front").take(line(0.0, 0.0));
+    const Measurement sides = with("swapped:front").apply(line(0.0, 0.0));
     EXPECT_EQ(sides.frontLeft, 0.4);
     EXPECT_EQ(sides.frontRight, 0.3);
-    const Measurement axles = with("swapped-axles:angles").take(line(0.0, 0.0));
+    const Measurement axles = with("swapped-axles:angles").apply(line(0.0, 0.0));
     EXPECT_EQ(axles.frontLeft, -0.1);
     EXPECT_EQ(axles.rearRight, 0.4);
-    const Measurement forces = with("swapped:forces").take(line(0.0, 0.0));
+    const Measurement forces = with("swapped:forces").apply(line(0.0, 0.0));
     EXPECT_EQ(forces.force, (std::array<double, 6>{6, 5, 4, 3, 2, 1}));
 }
 
 TEST(SensorFault, KeepsForcesWithinTheirRange)
 {
-    const Measurement m = with("offset:forces:-3").take(line(0.0, 0.0));
+    const Measurement m = with("offset:forces:-3").apply(line(0.0, 0.0));
     EXPECT_EQ(m.force[0], 0.0);
     EXPECT_EQ(m.force[5], 3.0);
-    EXPECT_EQ(with("full-scale:force-6").take(line(0.0, 0.0)).force[5], absolem().forceSaturation);
+    EXPECT_EQ(with("full-scale:force-6").apply(line(0.0, 0.0)).force[5], absolem().forceSaturation);
 }
 
 TEST(SensorFault, MakesScenesOfASensorThatIsStuckSinceTheLast)
@@ -143,11 +143,11 @@ TEST(SensorFault, MakesScenesOfASensorThatIsStuckSinceTheLast)
     FaultyScenes faulty(*sensorFaultFrom("stuck-at-scene:pitch"), absolem(), 1);
     Proprioception s;
     s.pitch = 0.1;
-    EXPECT_EQ(faulty.take(s, 0.0).pitch, 0.1);
+    EXPECT_EQ(faulty.apply(s, 0.0).pitch, 0.1);
     s.pitch = 0.2;
-    EXPECT_EQ(faulty.take(s, 10.0).pitch, 0.1);
+    EXPECT_EQ(faulty.apply(s, 10.0).pitch, 0.1);
     s.pitch = 0.3;
-    EXPECT_EQ(faulty.take(s, 20.0).pitch, 0.2);
+    EXPECT_EQ(faulty.apply(s, 20.0).pitch, 0.2);
 }
 
 TEST(SensorFault, LeavesWhatASceneDidNotMeasure)
@@ -156,7 +156,7 @@ TEST(SensorFault, LeavesWhatASceneDidNotMeasure)
     Proprioception s;
     s.front = 0.5;
     s.force[2] = 4.0;
-    const Proprioception read = faulty.take(s, 0.0);
+    const Proprioception read = faulty.apply(s, 0.0);
     EXPECT_FALSE(read.frontCurrent);
     EXPECT_FALSE(read.force[0]);
     EXPECT_EQ(read.force[2], 0.0);

@@ -94,7 +94,7 @@ TEST(SensorWatch, IsSilentForAnHourOfHealthyTelemetry)
         for (const WatchedLine& line : lines) {
             SensedLine sensed = line.sensed();
             sensed.measurement.time += from;
-            watch.take(sensed);
+            watch.add(sensed);
             ASSERT_TRUE(watch.standing().empty())
                 << describe(watch.standing().front()) << " at " << sensed.measurement.time;
         }
@@ -112,10 +112,10 @@ TEST(SensorWatch, IsSilentOverTheShippedSession)
     int lines = 0;
     for (std::size_t batch = 0; batch < session->batches().size(); ++batch)
         for (const FrameRow& row : session->frames(batch)) {
-            const auto line = listener.take(row.frame, secondsOf(row.time));
+            const auto line = listener.receive(row.frame, secondsOf(row.time));
             if (!line) continue;
             ++lines;
-            watch.take(SensedLine{.measurement = *line, .sides = sideForces(listener.forces())});
+            watch.add(SensedLine{.measurement = *line, .sides = sideForces(listener.forces())});
             ASSERT_TRUE(watch.standing().empty())
                 << describe(watch.standing().front()) << " at " << line->time;
         }
@@ -144,7 +144,7 @@ TEST(SensorWatch, ClearsASensorThatRecovers)
     bool stood = false;
     for (const WatchedLine& line : lines) {
         const bool isFaulty = line.measurement.time < mended;
-        watch.take(isFaulty ? faulty.take(line.measurement) : line.measurement);
+        watch.add(isFaulty ? faulty.apply(line.measurement) : line.measurement);
         stood = stood || !watch.standing().empty();
         if (line.measurement.time > mended + StuckWatch::kHold + 5.0) break;
     }
@@ -156,11 +156,11 @@ TEST(SensorWatch, BeginsAnewWhenTimeGoesBack)
 {
     SensorWatch watch(absolem());
     FaultySensors faulty(*sensorFaultFrom("stuck:pitch"), absolem(), 1);
-    for (const WatchedLine& line : drives()[0]) watch.take(faulty.take(line.measurement));
+    for (const WatchedLine& line : drives()[0]) watch.add(faulty.apply(line.measurement));
     ASSERT_FALSE(watch.standing().empty());
     Measurement early = drives()[0].front().measurement;
     early.time = -5.0;
-    watch.take(early);
+    watch.add(early);
     EXPECT_TRUE(watch.standing().empty());
 }
 
@@ -170,7 +170,7 @@ TEST(SensorWatch, DoesNotCallAMissingRollStuck)
     for (const WatchedLine& line : drives()[0]) {
         Measurement m = line.measurement;
         m.roll = 0.0;
-        watch.take(m);
+        watch.add(m);
         ASSERT_TRUE(watch.standing().empty());
     }
 }
@@ -180,7 +180,7 @@ TEST(SensorWatch, RefusesATimeThatIsNotFinite)
     SensorWatch watch(absolem());
     Measurement m;
     m.time = NAN;
-    EXPECT_THROW(watch.take(m), std::invalid_argument);
+    EXPECT_THROW(watch.add(m), std::invalid_argument);
 }
 
 }  // namespace

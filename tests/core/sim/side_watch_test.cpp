@@ -42,7 +42,7 @@ Found found(std::string_view fault)
     FaultySensors faulty(*sensorFaultFrom(fault), absolem(), 1);
     Found all;
     for (const WatchedLine& line : drive()) {
-        watch.take(faulty.take(line.sensed()));
+        watch.add(faulty.apply(line.sensed()));
         for (const SensorSuspicion& s : watch.standing()) {
             if (!isSideForce(s.sensor)) continue;
             const std::pair one(s.sensor, s.trouble);
@@ -86,7 +86,7 @@ void driveRaised(SideWatch& watch)
     line.measurement.frontLeft = line.measurement.frontRight = 0.7;
     for (int k = 0; k < 20; ++k) {
         line.measurement.time = -1.0 + 0.05 * k;
-        watch.take(line);
+        watch.add(line);
     }
 }
 
@@ -104,7 +104,7 @@ std::size_t suspicionsOf(const SideForces& sides, double leftCurrent, double ang
     for (int k = 0; k < 200; ++k) {
         m.time = 0.05 * k;
         m.activity = k % 50 < 40 ? RobotActivity::Pressed : RobotActivity::Pressing;
-        watch.take(line);
+        watch.add(line);
         count += watch.found().size();
     }
     return count;
@@ -144,7 +144,7 @@ TEST(SideWatch, ClearsAnElementThatAgreesAgain)
         for (int k = 0; k < 50; ++k) {
             line.measurement.time = from + 0.05 * k;
             line.measurement.activity = k < 40 ? RobotActivity::Pressed : RobotActivity::Pressing;
-            watch.take(line);
+            watch.add(line);
             isFound = isFound || !watch.found().empty();
         }
         return isFound;

@@ -37,7 +37,7 @@ Result<CsvReader> atSecond(const std::string& text, const std::vector<std::strin
 {
     Result<CsvReader> csv = CsvReader::over("text", text);
     if (!csv || !csv->next()) return csv;
-    if (!units.empty()) csv->takeHeader(units);
+    if (!units.empty()) csv->useAsHeader(units);
     if (const Result<bool> more = csv->next(); !more) return more.error();
     return csv;
 }

@@ -53,13 +53,13 @@ struct OnAbsolemsBus : testing::Test {
     AbsolemListener listener;
     double now = 50.0;
 
-    Verdict take(const CanFrame& frame) { return listener.take(frame, now).verdict; }
+    Verdict receive(const CanFrame& frame) { return listener.receive(frame, now).verdict; }
     Verdict ask(Node node, const char* command, std::uint32_t value, std::uint8_t type = 0,
                 std::uint8_t index = 0)
     {
-        EXPECT_EQ(take(query(node, command, index)), Verdict::Passed);
+        EXPECT_EQ(receive(query(node, command, index)), Verdict::Passed);
         now += 0.001;
-        return take(reply(node, command, value, type, index));
+        return receive(reply(node, command, value, type, index));
     }
     Verdict askPosition(Node node, std::int32_t counts)
     {
@@ -151,39 +151,39 @@ TEST_F(OnAbsolemsBus, tracksHaveNoFlipperAngleButADrive)
 
 TEST_F(OnAbsolemsBus, statusWordsComeUnasked)
 {
-    EXPECT_EQ(take(bytes(0x184, {0x37, 0x02})), Verdict::Used);
+    EXPECT_EQ(receive(bytes(0x184, {0x37, 0x02})), Verdict::Used);
     EXPECT_EQ(state().drives[3].statusWord->value, 0x0237);
-    EXPECT_EQ(take(bytes(0x184, {0x37})), Verdict::WrongLength);
-    EXPECT_EQ(take(bytes(0x000, {0x01, 0x00, 0x00, 0x00})), Verdict::Passed);
-    EXPECT_EQ(take(bytes(0x000, {})), Verdict::WrongLength);
+    EXPECT_EQ(receive(bytes(0x184, {0x37})), Verdict::WrongLength);
+    EXPECT_EQ(receive(bytes(0x000, {0x01, 0x00, 0x00, 0x00})), Verdict::Passed);
+    EXPECT_EQ(receive(bytes(0x000, {})), Verdict::WrongLength);
 }
 
 TEST_F(OnAbsolemsBus, aReplyNeedsTheHeaderOfItsRequest)
 {
-    EXPECT_EQ(take(reply(Node::RearRight, "px", 7)), Verdict::NotAsked);
-    take(query(Node::RearRight, "px"));
-    EXPECT_EQ(take(reply(Node::RearRight, "iq", 7)), Verdict::NotAsked) << "another command";
-    EXPECT_EQ(take(reply(Node::RearRight, "px", 7, 0, 1)), Verdict::NotAsked) << "another index";
-    EXPECT_EQ(take(reply(Node::RearRight, "px", 7, 1)), Verdict::NotAsked) << "index 256";
-    EXPECT_EQ(take(reply(Node::RearLeft, "px", 7)), Verdict::NotAsked) << "another node";
+    EXPECT_EQ(receive(reply(Node::RearRight, "px", 7)), Verdict::NotAsked);
+    receive(query(Node::RearRight, "px"));
+    EXPECT_EQ(receive(reply(Node::RearRight, "iq", 7)), Verdict::NotAsked) << "another command";
+    EXPECT_EQ(receive(reply(Node::RearRight, "px", 7, 0, 1)), Verdict::NotAsked) << "another index";
+    EXPECT_EQ(receive(reply(Node::RearRight, "px", 7, 1)), Verdict::NotAsked) << "index 256";
+    EXPECT_EQ(receive(reply(Node::RearLeft, "px", 7)), Verdict::NotAsked) << "another node";
     EXPECT_FALSE(state().rearRight.angle);
-    EXPECT_EQ(take(reply(Node::RearRight, "px", 7)), Verdict::Used);
-    EXPECT_EQ(take(reply(Node::RearRight, "px", 8)), Verdict::NotAsked) << "a second answer";
-    take(query(Node::RearRight, "px"));
+    EXPECT_EQ(receive(reply(Node::RearRight, "px", 7)), Verdict::Used);
+    EXPECT_EQ(receive(reply(Node::RearRight, "px", 8)), Verdict::NotAsked) << "a second answer";
+    receive(query(Node::RearRight, "px"));
     now += 0.11;
-    EXPECT_EQ(take(reply(Node::RearRight, "px", 7)), Verdict::NotAsked) << "too late";
-    take(query(Node::RearRight, "px"));
+    EXPECT_EQ(receive(reply(Node::RearRight, "px", 7)), Verdict::NotAsked) << "too late";
+    receive(query(Node::RearRight, "px"));
     now -= 1.0;
-    EXPECT_EQ(take(reply(Node::RearRight, "px", 7)), Verdict::NotAsked) << "before it was asked";
+    EXPECT_EQ(receive(reply(Node::RearRight, "px", 7)), Verdict::NotAsked) << "before it was asked";
 }
 
 TEST_F(OnAbsolemsBus, capitalsAnswerSmallLettersAndSettingAnswersToo)
 {
-    take(query(Node::RearRight, "px"));
-    EXPECT_EQ(take(reply(Node::RearRight, "PX", 7)), Verdict::Used);
+    receive(query(Node::RearRight, "px"));
+    EXPECT_EQ(receive(reply(Node::RearRight, "PX", 7)), Verdict::Used);
     const CanFrame set = bytes(0x302, {'p', 'x', 0, 0, 0xDC, 0x05, 0, 0});
-    EXPECT_EQ(take(set), Verdict::Passed);
-    EXPECT_EQ(take(reply(Node::RearRight, "PX", 1500)), Verdict::Used);
+    EXPECT_EQ(receive(set), Verdict::Passed);
+    EXPECT_EQ(receive(reply(Node::RearRight, "PX", 1500)), Verdict::Used);
     EXPECT_NEAR(state().rearRight.angle->value, 0.5 * kPi, 1e-12);
 }
 
@@ -215,26 +215,27 @@ TEST_F(OnAbsolemsBus, unknownCommandsAndFramesAreCounted)
     EXPECT_EQ(ask(Node::RearRight, "zz", 1), Verdict::UnknownCommand);
     EXPECT_EQ(ask(Node::RearRight, "um", 5), Verdict::Passed);
     EXPECT_EQ(ask(Node::RearRight, "px", 1, 0, 3), Verdict::UnknownCommand) << "there is no PX[3]";
-    EXPECT_EQ(take(bytes(0x308, {'p', 'x', 0, 0x40})), Verdict::UnknownId) << "no eighth node";
-    EXPECT_EQ(take(bytes(0x280, {'p', 'x', 0, 0x40})), Verdict::UnknownId) << "nor a node 0";
-    EXPECT_EQ(take(bytes(0x705, {0x05})), Verdict::UnknownId);
-    EXPECT_EQ(take(bytes(0x302, {'p', 'x', 0})), Verdict::WrongLength);
-    EXPECT_EQ(take(bytes(0x302, {'p', 'x', 0, 0, 1})), Verdict::WrongLength);
-    EXPECT_EQ(take(bytes(0x282, {'p', 'x', 0, 0})), Verdict::WrongLength) << "a reply has a value";
-    EXPECT_EQ(take(bytes(0x302, {'p', '1', 0, 0x40})), Verdict::NotACommand);
-    EXPECT_EQ(take(bytes(0x302, {0, 0, 0, 0x40})), Verdict::NotACommand);
+    EXPECT_EQ(receive(bytes(0x308, {'p', 'x', 0, 0x40})), Verdict::UnknownId) << "no eighth node";
+    EXPECT_EQ(receive(bytes(0x280, {'p', 'x', 0, 0x40})), Verdict::UnknownId) << "nor a node 0";
+    EXPECT_EQ(receive(bytes(0x705, {0x05})), Verdict::UnknownId);
+    EXPECT_EQ(receive(bytes(0x302, {'p', 'x', 0})), Verdict::WrongLength);
+    EXPECT_EQ(receive(bytes(0x302, {'p', 'x', 0, 0, 1})), Verdict::WrongLength);
+    EXPECT_EQ(receive(bytes(0x282, {'p', 'x', 0, 0})), Verdict::WrongLength)
+        << "a reply has a value";
+    EXPECT_EQ(receive(bytes(0x302, {'p', '1', 0, 0x40})), Verdict::NotACommand);
+    EXPECT_EQ(receive(bytes(0x302, {0, 0, 0, 0x40})), Verdict::NotACommand);
     for (const int kind : {0, 1, 2, 3}) {
         CanFrame frame = query(Node::RearRight, "px");
         frame.extended = kind == 0;
         frame.remote = kind == 1;
         frame.error = kind == 2;
         frame.fd = kind == 3;
-        EXPECT_EQ(take(frame), Verdict::NotClassicData);
+        EXPECT_EQ(receive(frame), Verdict::NotClassicData);
     }
     EXPECT_EQ(count(Verdict::UnknownId), 3U);
     EXPECT_EQ(count(Verdict::WrongLength), 3U);
     EXPECT_EQ(count(Verdict::NotClassicData), 4U);
-    EXPECT_THROW(listener.take(CanFrame{}, std::nan("")), std::invalid_argument);
+    EXPECT_THROW(listener.receive(CanFrame{}, std::nan("")), std::invalid_argument);
 }
 
 TEST_F(OnAbsolemsBus, aLineOfSensorsHoldsWhatIsFreshOnBothSides)
@@ -310,7 +311,7 @@ TEST(AbsolemFrames, anyBytesAreCountedAndGivePossibleValues)
                                                              >> (8U * static_cast<unsigned>(byte)));
         if (random() % 4 == 0) frame.data[random() % 8] = static_cast<std::uint8_t>(random());
         if (random() % 8 == 0) frame.length = static_cast<std::uint8_t>(random() % 9);
-        listener.take(frame, 0.0001 * i);
+        listener.receive(frame, 0.0001 * i);
         ++taken;
     }
     std::uint64_t counted = 0;

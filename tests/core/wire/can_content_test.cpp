@@ -152,7 +152,7 @@ std::optional<SensorLine> read(SensorLineReader& reader, const SensorLine& line,
     std::optional<SensorLine> got;
     for (const CanFrame& frame : framesOf(line, counter)) {
         EXPECT_FALSE(got) << "before the last frame";
-        got = reader.take(contentOf(frame));
+        got = reader.add(contentOf(frame));
     }
     return got;
 }
@@ -215,13 +215,13 @@ TEST(SensorLine, isNeverMadeOfTwoLines)
     SensorLineReader reader;
     const auto first = framesOf(fullLine(), 1), second = framesOf(SensorLine{}, 2);
     for (std::size_t i = 0; i + 1 < first.size(); ++i)
-        EXPECT_FALSE(reader.take(contentOf(first[i])));
-    EXPECT_FALSE(reader.take(contentOf(second.back()))) << "the one missing, of another line";
+        EXPECT_FALSE(reader.add(contentOf(first[i])));
+    EXPECT_FALSE(reader.add(contentOf(second.back()))) << "the one missing, of another line";
     EXPECT_EQ(reader.unfinished(), 1U);
     for (std::size_t i = 0; i + 2 < second.size(); ++i)
-        EXPECT_FALSE(reader.take(contentOf(second[i])));
-    EXPECT_FALSE(reader.take(contentOf(frameOf(RobotStatus{}, 2)))) << "no sensor frame";
-    EXPECT_TRUE(reader.take(contentOf(second[second.size() - 2])));
+        EXPECT_FALSE(reader.add(contentOf(second[i])));
+    EXPECT_FALSE(reader.add(contentOf(frameOf(RobotStatus{}, 2)))) << "no sensor frame";
+    EXPECT_TRUE(reader.add(contentOf(second[second.size() - 2])));
 }
 
 TEST(SensorLine, needsNoOdometryAndTakesNoOtherLines)
@@ -229,11 +229,11 @@ TEST(SensorLine, needsNoOdometryAndTakesNoOtherLines)
     SensorLineReader reader;
     const auto first = framesOf(fullLine(), 1), second = framesOf(fullLine(), 2);
     std::optional<SensorLine> got;
-    for (std::size_t i = 1; i < first.size(); ++i) got = reader.take(contentOf(first[i]));
+    for (std::size_t i = 1; i < first.size(); ++i) got = reader.add(contentOf(first[i]));
     ASSERT_TRUE(got) << "a robot without odometry";
     EXPECT_FALSE(got->odometry);
-    EXPECT_FALSE(reader.take(contentOf(first.front()))) << "too late for its line";
-    for (std::size_t i = 1; i < second.size(); ++i) got = reader.take(contentOf(second[i]));
+    EXPECT_FALSE(reader.add(contentOf(first.front()))) << "too late for its line";
+    for (std::size_t i = 1; i < second.size(); ++i) got = reader.add(contentOf(second[i]));
     ASSERT_TRUE(got);
     EXPECT_FALSE(got->odometry) << "of the line before";
     EXPECT_EQ(reader.unfinished(), 0U);

@@ -223,7 +223,8 @@ struct CandumpFile : testing::Test {
             auto next = reader->next();
             if (!next) return next.error();
             dropped = reader->dropped();
-            for (const Message& remark : reader->takeRemarks()) remarks.push_back(remark.english());
+            for (const Message& remark : reader->consumeRemarks())
+                remarks.push_back(remark.english());
             if (!*next) return frames;
             frames.push_back(**std::move(next));
         }

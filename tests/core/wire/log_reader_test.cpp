@@ -42,7 +42,8 @@ Log read(const std::string& content)
     Log log;
     for (;;) {
         const auto next = reader.next();
-        for (const Message& remark : reader.takeRemarks()) log.remarks.push_back(remark.english());
+        for (const Message& remark : reader.consumeRemarks())
+            log.remarks.push_back(remark.english());
         if (!next) log.error = next.error().text;
         if (!next || !*next) break;
         log.frames.push_back(**next);

@@ -30,11 +30,11 @@ struct Listening : testing::Test {
     std::uint8_t counter = 250;  // so that it wraps on the way
     RobotStatus status{.epoch = 7, .activity = RobotActivity::Pressed, .refusal = Refusal::Busy};
 
-    std::optional<Measurement> takeLine(const SensorLine& line)
+    std::optional<Measurement> receiveLine(const SensorLine& line)
     {
         std::optional<Measurement> got;
         for (const CanFrame& frame : framesOf(line, counter)) {
-            const auto m = listener.take(frame, now);
+            const auto m = listener.receive(frame, now);
             if (m) {
                 EXPECT_FALSE(got) << "two measurements of one line";
                 got = m;
@@ -42,16 +42,19 @@ struct Listening : testing::Test {
         }
         return got;
     }
-    std::optional<Measurement> takeLine() { return takeLine(sensorLineOf(measured(), robot)); }
-    void takeStatus() { listener.take(frameOf(status, counter), now); }
+    std::optional<Measurement> receiveLine()
+    {
+        return receiveLine(sensorLineOf(measured(), robot));
+    }
+    void receiveStatus() { listener.receive(frameOf(status, counter), now); }
 
     /// Sends what a robot sends every 50 ms.
     std::optional<Measurement> tick()
     {
         ++counter;
         now += kPeriod;
-        takeStatus();
-        return takeLine();
+        receiveStatus();
+        return receiveLine();
     }
     LinkState link() const { return listener.link(FrameKind::RobotStatus, now); }
 };
@@ -88,15 +91,15 @@ TEST_F(Listening, knowsNothingAtFirst)
 
 TEST_F(Listening, makesNoMeasurementWithoutAStatusBesideTheLine)
 {
-    EXPECT_FALSE(takeLine());
+    EXPECT_FALSE(receiveLine());
     EXPECT_EQ(listener.counters().orphans, 1U);
     ASSERT_TRUE(tick());
     now += 0.24;
     ++counter;
-    EXPECT_TRUE(takeLine()) << "the status is 0.24 s old";
+    EXPECT_TRUE(receiveLine()) << "the status is 0.24 s old";
     now += 0.02;
     ++counter;
-    EXPECT_FALSE(takeLine()) << "the status is over 0.25 s old";
+    EXPECT_FALSE(receiveLine()) << "the status is over 0.25 s old";
     EXPECT_EQ(listener.counters().orphans, 2U);
     EXPECT_EQ(listener.status(), status) << "the last one is kept";
     EXPECT_TRUE(tick());
@@ -107,10 +110,10 @@ TEST_F(Listening, refusesARepeatedLineAndAnOldOne)
     ASSERT_TRUE(tick());
     const std::uint8_t before = counter;
     ASSERT_TRUE(tick());
-    EXPECT_FALSE(takeLine());
+    EXPECT_FALSE(receiveLine());
     EXPECT_EQ(listener.counters().repeated, 11U);
     counter = before;
-    EXPECT_FALSE(takeLine());
+    EXPECT_FALSE(receiveLine());
     EXPECT_EQ(listener.counters().wrongSequence, 11U);
     EXPECT_EQ(listener.counters().lines, 2U);
 }
@@ -123,7 +126,8 @@ TEST_F(Listening, countsMissingFramesAndLines)
     EXPECT_EQ(listener.counters().gaps, 12U);
     ++counter;
     const auto frames = framesOf(sensorLineOf(measured(), robot), counter);
-    for (std::size_t i = 0; i + 1 < frames.size(); ++i) EXPECT_FALSE(listener.take(frames[i], now));
+    for (std::size_t i = 0; i + 1 < frames.size(); ++i)
+        EXPECT_FALSE(listener.receive(frames[i], now));
     ASSERT_TRUE(tick());
     EXPECT_EQ(listener.counters().unfinished, 1U);
 }
@@ -135,8 +139,8 @@ TEST_F(Listening, countsLinesInWhichSomethingWasNotMeasured)
     line.attitude.reset();
     (*line.voltages[0])[1] = 0.0;
     ++counter;
-    takeStatus();
-    EXPECT_FALSE(takeLine(line));
+    receiveStatus();
+    EXPECT_FALSE(receiveLine(line));
     EXPECT_EQ(listener.counters().partial, 1U);
     EXPECT_TRUE(listener.forces().carried);
     EXPECT_EQ(listener.forces().left[1]->state, ElementState::Open);
@@ -153,19 +157,19 @@ TEST_F(Listening, countsEachFaultAndDamagesTheLink)
     CanFrame extended = sound, unknown = sound;
     extended.extended = true;
     unknown.id = 0x7FF;
-    listener.take(extended, now);
-    listener.take(unknown, now);
+    listener.receive(extended, now);
+    listener.receive(unknown, now);
     EXPECT_EQ(listener.counters().of(FrameFault::NotClassicData), 1U);
     EXPECT_EQ(listener.counters().of(FrameFault::UnknownId), 1U);
     EXPECT_EQ(link(), LinkState::Good) << "somebody else's frames are no fault of this link";
 
     CanFrame damaged = sound;
     damaged.data[4] ^= 0x01U;
-    listener.take(damaged, now);
+    listener.receive(damaged, now);
     EXPECT_EQ(link(), LinkState::Good) << "one error in the window";
     CanFrame shortOne = sound;
     shortOne.length = 7;
-    listener.take(shortOne, now);
+    listener.receive(shortOne, now);
     EXPECT_EQ(listener.counters().of(FrameFault::WrongCrc), 1U);
     EXPECT_EQ(listener.counters().of(FrameFault::WrongLength), 1U);
     EXPECT_EQ(link(), LinkState::Bad);
@@ -180,7 +184,7 @@ TEST_F(Listening, shortFramesDoNotKeepALinkAlive)
     const FrameLayout& layout = layoutOf(FrameKind::RobotStatus);
     protect(std::span(frame.data).first(7), counter, layout.dataId);
     now += 0.1;
-    listener.take(frame, now);
+    listener.receive(frame, now);
     EXPECT_NEAR(*listener.age(FrameKind::RobotStatus, now), 0.1, 1e-9);
 }
 
@@ -193,7 +197,7 @@ TEST_F(Listening, takesAValueOutOfRangeForAMissingFrame)
         frame.data[static_cast<std::size_t>(byte)] = byte == 3 ? 0 : 5;
         protect(std::span(frame.data).first(8), counter, layout.dataId);
         now += 0.1;
-        listener.take(frame, now);
+        listener.receive(frame, now);
     }
     EXPECT_EQ(listener.counters().of(FrameFault::OutOfRange), 2U);
     EXPECT_EQ(listener.status()->epoch, 7);
@@ -202,11 +206,11 @@ TEST_F(Listening, takesAValueOutOfRangeForAMissingFrame)
 
 TEST_F(Listening, countsAConsolesFramesAndKeepsTheTokenOfAnAnswer)
 {
-    listener.take(consoleHeartbeat(0x1234, 1), now);
-    listener.take(frameOf(Command{StopCommand{}}, 7, 1), now);
+    listener.receive(consoleHeartbeat(0x1234, 1), now);
+    listener.receive(frameOf(Command{StopCommand{}}, 7, 1), now);
     EXPECT_EQ(listener.counters().fromConsole, 2U);
     EXPECT_FALSE(listener.token());
-    listener.take(robotHeartbeat(0x1234, 1), now);
+    listener.receive(robotHeartbeat(0x1234, 1), now);
     EXPECT_EQ(listener.token(), 0x1234);
     EXPECT_EQ(listener.counters().used, 1U);
     EXPECT_THROW(static_cast<void>(listener.link(FrameKind::Stop, now)), std::invalid_argument);
@@ -216,8 +220,8 @@ TEST_F(Listening, countsAConsolesFramesAndKeepsTheTokenOfAnAnswer)
 
 TEST_F(Listening, refusesATimeThatIsNotFinite)
 {
-    EXPECT_THROW(listener.take(CanFrame{}, std::nan("")), std::invalid_argument);
-    EXPECT_THROW(listener.take(CanFrame{}, std::numeric_limits<double>::infinity()),
+    EXPECT_THROW(listener.receive(CanFrame{}, std::nan("")), std::invalid_argument);
+    EXPECT_THROW(listener.receive(CanFrame{}, std::numeric_limits<double>::infinity()),
                  std::invalid_argument);
 }
 
@@ -236,7 +240,7 @@ TEST_F(Listening, putsEveryFrameOfAnyKindIntoOneCounter)
         frame.fd = random() % 16 == 0;
         frame.remote = random() % 16 == 0;
         now += random() % 100 == 0 ? -1.0 : 0.005;
-        listener.take(frame, now);
+        listener.receive(frame, now);
         ++taken;
     }
     const TelemetryCounters c = listener.counters();

@@ -45,7 +45,7 @@ struct Wire : testing::Test {
         SensorLineReader reader;
         std::optional<SensorLine> got;
         for (const CanFrame& frame : framesOf(line, 1))
-            got = reader.take(std::get<Unpacked>(unpack(frame)));
+            got = reader.add(std::get<Unpacked>(unpack(frame)));
         return got;
     }
     std::optional<Measurement> overTheWire(const Measurement& m)

@@ -188,7 +188,7 @@ TEST_F(Probe, showsTheFactsReadOnlyWithoutAProposal)
         card.setProposal(kProposal);
         card.setTimeLeft(23.4);
         card.setWorth(kProposal, "approved elsewhere");
-        EXPECT_TRUE(card.tells());
+        EXPECT_TRUE(card.showsWorth());
         EXPECT_FALSE(card.asks());
         EXPECT_FALSE(card.shown());
         const QString text = allText();
@@ -205,13 +205,13 @@ TEST_F(Probe, showsTheFactsReadOnlyWithoutAProposal)
         EXPECT_FALSE(button->isVisible()) << button->text().toStdString();
     const int least = card.leastHeight();
     card.setProposal(kProposal);
-    EXPECT_FALSE(card.tells());
+    EXPECT_FALSE(card.showsWorth());
     EXPECT_TRUE(card.approveButton()->isVisible());
     EXPECT_EQ(card.leastHeight(), least) << "the question has its room before it comes";
     EXPECT_FALSE(allText().contains("approved elsewhere"));
     card.setWorth(kProposal, "approved elsewhere");
     card.setNothing("no estimate");
-    EXPECT_FALSE(card.tells());
+    EXPECT_FALSE(card.showsWorth());
     EXPECT_FALSE(allText().contains("bit"));
 }
 

@@ -256,7 +256,7 @@ struct Listener final : QObject {
                      + says->text(QAccessible::Description);
         return false;
     }
-    QStringList take() { return std::exchange(heard, {}); }
+    QStringList consume() { return std::exchange(heard, {}); }
     QStringList heard;
 };
 
@@ -283,17 +283,17 @@ TEST(Spoken, urgentTextIsAnnouncedOnce)
     VerdictStrip verdict;
     Listener listener;
     header.setLink("link 19 Hz", Tone::Good);
-    EXPECT_EQ(listener.take(), QStringList());
+    EXPECT_EQ(listener.consume(), QStringList());
     header.setLink("LINK LOST · 300 ms", Tone::Bad);
     header.setLink("LINK LOST · 340 ms", Tone::Bad);
-    EXPECT_EQ(listener.take(), QStringList{QStringLiteral("Link: LINK LOST · 300 ms|")})
+    EXPECT_EQ(listener.consume(), QStringList{QStringLiteral("Link: LINK LOST · 300 ms|")})
         << "once, not with every picture";
     header.setLink("link 20 Hz", Tone::Good);
-    EXPECT_EQ(listener.take(), QStringList{QStringLiteral("Link: link 20 Hz|")});
+    EXPECT_EQ(listener.consume(), QStringList{QStringLiteral("Link: link 20 Hz|")});
 
     header.setStop({.state = StopViewState::State::Sent});
     header.setStop({.state = StopViewState::State::Sent, .seconds = 0.3});
-    const QStringList stop = listener.take();
+    const QStringList stop = listener.consume();
     ASSERT_EQ(stop.size(), 1);
     EXPECT_TRUE(stop[0].startsWith("STOP|") && stop[0].contains("not confirmed"))
         << stop[0].toStdString();
@@ -302,14 +302,14 @@ TEST(Spoken, urgentTextIsAnnouncedOnce)
     blocked.stepVerdict = StepVerdict::Blocked;
     verdict.setVerdict(blocked);
     verdict.setVerdict(blocked);
-    EXPECT_EQ(listener.take(), QStringList{QStringLiteral("Verdict: ✘ BLOCKED|")});
+    EXPECT_EQ(listener.consume(), QStringList{QStringLiteral("Verdict: ✘ BLOCKED|")});
 
     ProbeCard card;
     ProbeProposal probe{.id = 3, .bin = 9, .height = 0.02, .worth = {}, .others = {}};
     card.setProposal(probe);
     probe.answer = StepVerdict::Blocked;
     card.setProposal(probe);
-    const QStringList question = listener.take();
+    const QStringList question = listener.consume();
     ASSERT_EQ(question.size(), 1);
     EXPECT_TRUE(question[0].startsWith("Arm probe|bin 0.6 m; +0.02 m"))
         << question[0].toStdString();

@@ -158,7 +158,7 @@ public:
     {
         for (QLabel* label : strip.findChildren<QLabel*>()) label->installEventFilter(this);
     }
-    QStringList take() { return std::exchange(said_, {}); }
+    QStringList consume() { return std::exchange(said_, {}); }
 
 private:
     bool eventFilter(QObject* object, QEvent* event) override
@@ -174,18 +174,18 @@ TEST_F(Strip, sameVerdictWithAnotherReasonIsAnnounced)
     Announcements announcements(strip);
     const Verdict undecided = verdict(StepVerdict::CannotTell, 0.5);
     Verdict withheld = undecided;
-    withheld.withheldFor = {WithholdReason::Unheard};
+    withheld.withheldFor = {WithholdReason::TelemetryGap};
     strip.setVerdict(undecided);
-    EXPECT_EQ(announcements.take(), QStringList{QStringLiteral("? CANNOT TELL")});
+    EXPECT_EQ(announcements.consume(), QStringList{QStringLiteral("? CANNOT TELL")});
     strip.setVerdict(undecided);
-    EXPECT_EQ(announcements.take(), QStringList());
+    EXPECT_EQ(announcements.consume(), QStringList());
     strip.setVerdict(withheld);
-    EXPECT_EQ(announcements.take(),
+    EXPECT_EQ(announcements.consume(),
               QStringList{"withheld: the link was lost, the robot may have moved"});
     strip.setVerdict(withheld);
-    EXPECT_EQ(announcements.take(), QStringList()) << "once";
+    EXPECT_EQ(announcements.consume(), QStringList()) << "once";
     strip.setVerdict(undecided);
-    EXPECT_EQ(announcements.take().size(), 1);
+    EXPECT_EQ(announcements.consume().size(), 1);
 }
 
 TEST_F(Strip, theLimitMovesByACentimetreWithinItsRange)

@@ -36,7 +36,7 @@ TerrainEstimate ramp(double slope)
 DeadReckoning reckoned(std::initializer_list<std::pair<double, double>> way)
 {
     DeadReckoning reckoning(absolem(), way.begin()->first, way.begin()->second);
-    for (const auto& [travelled, pitch] : way) reckoning.take(travelled, pitch);
+    for (const auto& [travelled, pitch] : way) reckoning.add(travelled, pitch);
     return reckoning;
 }
 
@@ -155,8 +155,8 @@ TEST(DeadReckoning, refusesNumbersThatAreNotFinite)
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(DeadReckoning(absolem(), kNan, 0.0), std::invalid_argument);
     DeadReckoning reckoning(absolem(), 0.0, 0.0);
-    EXPECT_THROW(reckoning.take(0.0, kNan), std::invalid_argument);
-    EXPECT_THROW(reckoning.take(kNan, 0.0), std::invalid_argument);
+    EXPECT_THROW(reckoning.add(0.0, kNan), std::invalid_argument);
+    EXPECT_THROW(reckoning.add(kNan, 0.0), std::invalid_argument);
 }
 
 TEST(Ghost, isFiniteWhereverItGoes)
@@ -167,7 +167,7 @@ TEST(Ghost, isFiniteWhereverItGoes)
         DeadReckoning reckoning(absolem(), 0.0, 0.0);
         double travelled = 0.0;
         for (int k = 0; k < 10; ++k) {
-            reckoning.take(travelled += step(rng), 3.0 * step(rng));
+            reckoning.add(travelled += step(rng), 3.0 * step(rng));
             for (const auto& bin : ghostOf(stepEstimate(), reckoning.motion()).bin) {
                 if (!bin) continue;
                 ASSERT_TRUE(std::isfinite(bin->height) && std::isfinite(bin->sd));
@@ -195,10 +195,10 @@ struct Track : testing::Test {
         GhostTrack track(absolem(), estimate, m);
         Measurement next = m;
         next.time += 60.0;  // estimate and probe take time
-        track.take(next);
+        track.add(next);
         next.time += 0.05;
         change(next);
-        track.take(next);
+        track.add(next);
         EXPECT_NE(track.ghost().has_value(), track.why().has_value());
         return track.why();
     }
@@ -211,8 +211,8 @@ TEST_F(Track, followsTheTelemetry)
     for (int k = 1; k <= 4; ++k) {
         m.time += 0.05;
         *m.travelled += 0.05;
-        track.take(m);
-        track.take(m);  // the same line again
+        track.add(m);
+        track.add(m);  // the same line again
     }
     ASSERT_TRUE(track.ghost());
     EXPECT_NEAR(track.ghost()->motion.forward, 0.2, 1e-12);
@@ -229,7 +229,7 @@ TEST_F(Track, endsWithAReasonBeyondItsLimits)
     EXPECT_EQ(after([](Measurement& n) { n.turned = 2.9; }), NoGhost::Turned);
     EXPECT_EQ(after([](Measurement& n) { n.pitch = 0.36; }), NoGhost::Tilted);
     EXPECT_EQ(after([](Measurement& n) { n.roll = -0.36; }), NoGhost::Tilted);
-    EXPECT_EQ(after([](Measurement& n) { n.time += 1.1; }), NoGhost::Unheard);
+    EXPECT_EQ(after([](Measurement& n) { n.time += 1.1; }), NoGhost::TelemetryGap);
     EXPECT_EQ(after([](Measurement& n) { *n.travelled -= 1.01; }), NoGhost::TooFar);
     EXPECT_EQ(after([](Measurement& n) { *n.travelled += 0.95; }), NoGhost::NothingLeft);
     estimate.sd.fill(0.16);
@@ -239,7 +239,7 @@ TEST_F(Track, endsWithAReasonBeyondItsLimits)
     std::set<std::string> words;
     for (const NoGhost why :
          {NoGhost::NoOdometry, NoGhost::TooFar, NoGhost::TooUncertain, NoGhost::Tilted,
-          NoGhost::Turned, NoGhost::Unheard, NoGhost::NothingLeft})
+          NoGhost::Turned, NoGhost::TelemetryGap, NoGhost::NothingLeft})
         EXPECT_TRUE(words.insert(describe(why)).second);
 }
 
@@ -248,9 +248,9 @@ TEST_F(Track, staysEndedWhenTheRobotComesBack)
     GhostTrack track(absolem(), estimate, m);
     Measurement gone = m;
     *gone.travelled += 1.1;
-    track.take(gone);
+    track.add(gone);
     EXPECT_FALSE(track.ghost());
-    track.take(m);
+    track.add(m);
     EXPECT_FALSE(track.ghost());
     EXPECT_EQ(track.why(), NoGhost::TooFar);
 }

@@ -144,12 +144,12 @@ TEST(Verdict, isWithheldForEachSingleDoubt)
     };
     const Case cases[]{
         {WithholdReason::Stale,
-         [](TerrainEstimate&, Measurement&, LinkSinceScene& a) { a.heard = false; }},
+         [](TerrainEstimate&, Measurement&, LinkSinceScene& a) { a.telemetryFresh = false; }},
         {WithholdReason::SensorFault,
          [](TerrainEstimate&, Measurement&, LinkSinceScene& a) { a.sensorsSound = false; }},
         {WithholdReason::Contradiction,
          [](TerrainEstimate& e, Measurement&, LinkSinceScene&) { e.contradicts = true; }},
-        {WithholdReason::Unheard,
+        {WithholdReason::TelemetryGap,
          [](TerrainEstimate&, Measurement&, LinkSinceScene& a) { a.unbroken = false; }},
         {WithholdReason::NotConverged,
          [](TerrainEstimate& e, Measurement&, LinkSinceScene&) { e.converged = false; }},

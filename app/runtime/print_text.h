@@ -18,7 +18,7 @@ struct Lines {
 };
 
 template <class Value>
-auto sayable(const Value& value)
+auto forTerminal(const Value& value)
 {
     if constexpr (std::is_same_v<Value, Lines>)
         return printableLines(value.text);
@@ -31,18 +31,18 @@ auto sayable(const Value& value)
 /// Prints a formatted text; all output of the programs goes through here. Each value may come from an untrusted file,
 /// so it becomes one line without control characters (printable()).
 template <class... Values>
-void say(std::FILE* to,
-         fmt::format_string<decltype(sayable(std::declval<const Values&>()))...> format,
-         const Values&... values)
+void printText(std::FILE* to,
+               fmt::format_string<decltype(forTerminal(std::declval<const Values&>()))...> format,
+               const Values&... values)
 {
-    fmt::print(to, format, sayable(values)...);
+    fmt::print(to, format, forTerminal(values)...);
 }
 
 template <class... Values>
-void say(fmt::format_string<decltype(sayable(std::declval<const Values&>()))...> format,
-         const Values&... values)
+void printText(fmt::format_string<decltype(forTerminal(std::declval<const Values&>()))...> format,
+               const Values&... values)
 {
-    say(stdout, format, values...);
+    printText(stdout, format, values...);
 }
 
 }  // namespace terratact
