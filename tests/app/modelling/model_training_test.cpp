@@ -41,7 +41,7 @@ TEST_F(Training, tellsOfInducingRowsWhereThereAreManyScenes)
 {
     const std::vector<Scene> few = someScenes(4, 1);
     std::vector<Scene> scenes;
-    // Varies the rear flippers, because repeated scenes would be omitted.
+    // Varies the rear flippers, because a repeated scene does not count as a row of the conditionals.
     for (double rear = 0.0; scenes.size() <= 11 * kManyRows / 10; rear += 0.02)
         for (Scene scene : few) {
             scene.s.rear += rear;
