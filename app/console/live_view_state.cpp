@@ -23,16 +23,13 @@ void addEstimation(TerrainViewState& viewState, const Estimation& estimation)
         viewState.scene = &scene->measurement;
         viewState.sceneTruth = &scene->truth;
     }
-    viewState.estimate = pointer(estimation.estimate());
+    const Estimation::Revisions revisions = estimation.revisions();
+    viewState.estimate = {pointer(estimation.estimate()), revisions.estimate};
     viewState.estimateSeconds = estimation.seconds();
-    viewState.second = pointer(estimation.second());
+    viewState.second = {pointer(estimation.second()), revisions.second};
     if (viewState.second)
         viewState.secondName = format::text(name(viewState.second->settings.method));
-    viewState.live = pointer(estimation.live());
-    const Estimation::Revisions revisions = estimation.revisions();
-    viewState.estimateRevision = revisions.estimate;
-    viewState.secondRevision = revisions.second;
-    viewState.liveRevision = revisions.live;
+    viewState.live = {pointer(estimation.live()), revisions.live};
     viewState.ghost = estimation.ghost();
     viewState.whyNoGhost = estimation.whyNoGhost();
     viewState.verdict = estimation.verdict();

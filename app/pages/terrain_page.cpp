@@ -107,11 +107,6 @@ bool flippersMove(const TerrainViewState& viewState)
     return viewState.state.phase == AtemPhase::Pressing;
 }
 
-std::optional<std::uint64_t> revisionOf(const TerrainEstimate* estimate, std::uint64_t revision)
-{
-    return estimate ? std::optional(revision) : std::nullopt;
-}
-
 }  // namespace
 
 TerrainPage::TerrainPage(RobotModel robot, QWidget* parent)
@@ -334,8 +329,8 @@ void TerrainPage::showForcesAge(const TerrainViewState& viewState)
 
 void TerrainPage::showEstimate(const TerrainViewState& viewState)
 {
-    const auto estimate = revisionOf(viewState.estimate, viewState.estimateRevision);
-    const auto second = revisionOf(viewState.second, viewState.secondRevision);
+    const auto estimate = viewState.estimate.shown();
+    const auto second = viewState.second.shown();
     if (viewState.live) {
         showPreview(viewState);
         shown_.reset();
@@ -357,7 +352,7 @@ void TerrainPage::showEstimate(const TerrainViewState& viewState)
         terrain_->setSecond(second ? std::optional(*viewState.second) : std::nullopt,
                             viewState.secondName);
     }
-    shownLive_ = revisionOf(viewState.live, viewState.liveRevision);
+    shownLive_ = viewState.live.shown();
     shownEstimate_ = estimate && !viewState.live;
     if (shownEstimate_) shownReason_.clear();
 }
@@ -368,7 +363,7 @@ void TerrainPage::showPreview(const TerrainViewState& viewState)
     const QString note =
         moves ? tr("The flippers still move: no ground ahead is felt yet")
               : tr("Preview while the flippers go down: the estimate is being computed");
-    if (shownLive_ == viewState.liveRevision && shownReason_ == note) return;
+    if (shownLive_ == viewState.live.shown() && shownReason_ == note) return;
     terrain_->setEstimate(*viewState.live, note);
     strip_->setLive(moves ? tr("LIVE preview") : tr("preview"));
     shownReason_ = note;
@@ -380,13 +375,9 @@ void TerrainPage::showPose(const TerrainViewState& viewState)
     // The estimate belongs to its scene, so both are drawn in the scene's pose.
     const Proprioception s =
         proprioception(viewState.scene ? *viewState.scene : *viewState.measurement);
-    if (shownPose_ != std::array{s.pitch, s.front, s.rear}) {
-        shownPose_ = std::array{s.pitch, s.front, s.rear};
-        terrain_->setOutline(robotOutline(robot_, s.pitch, s.front, s.rear));
-    }
+    terrain_->setOutline(robotOutline(robot_, s.pitch, s.front, s.rear));
     const std::optional<Heights>* truth = viewState.scene ? viewState.sceneTruth : viewState.truth;
-    const std::optional<Heights> known = truth ? *truth : std::nullopt;
-    if (shownTruth_ != known) terrain_->setTruth(shownTruth_ = known);
+    terrain_->setTruth(truth ? *truth : std::nullopt);
     shownCount_ = viewState.count;
 }
 

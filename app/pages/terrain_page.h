@@ -1,7 +1,7 @@
 #pragma once
 
 #include <QWidget>
-#include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -30,6 +30,21 @@ class EventList;
 class TerrainProfileView;
 class VerdictStrip;
 
+/// An estimate to draw; null: none. The page draws it anew only if its revision changes.
+struct DrawnEstimate {
+    const TerrainEstimate* estimate = nullptr;
+    std::uint64_t revision = 0;
+
+    explicit operator bool() const { return estimate != nullptr; }
+    const TerrainEstimate& operator*() const { return *estimate; }
+    const TerrainEstimate* operator->() const { return estimate; }
+    /// Returns the revision; empty without an estimate.
+    std::optional<std::uint64_t> shown() const
+    {
+        return estimate ? std::optional(revision) : std::nullopt;
+    }
+};
+
 /// State of robot and exploration at one time, as shown by the page. Pointers are used during setViewState() only;
 /// null: no value.
 struct TerrainViewState {
@@ -51,13 +66,11 @@ struct TerrainViewState {
 
     const Measurement* scene = nullptr;  ///< the captured scene
     const std::optional<Heights>* sceneTruth = nullptr;
-    const TerrainEstimate* estimate = nullptr;  ///< estimate of the scene
-    /// Revisions of estimate, second and live: the page draws one anew only if its revision changes.
-    std::uint64_t estimateRevision = 0, secondRevision = 0, liveRevision = 0;
-    double estimateSeconds = 0.0;             ///< [s] computation time
-    const TerrainEstimate* second = nullptr;  ///< estimate by a second method
+    DrawnEstimate estimate{};      ///< estimate of the scene
+    double estimateSeconds = 0.0;  ///< [s] computation time
+    DrawnEstimate second{};        ///< estimate by a second method
     QString secondName{};
-    const TerrainEstimate* live = nullptr;  ///< live preview, shown instead of the estimate
+    DrawnEstimate live{};  ///< live preview, shown instead of the estimate
     QString whyNoEstimate{};
     std::optional<Ghost> ghost{};  ///< the last estimate, moved by odometry
     QString whyNoGhost{};          ///< reason that there is no ghost; empty: none to show
@@ -168,8 +181,6 @@ private:
 
     std::uint64_t shownCount_ = 0;
     std::optional<std::uint64_t> shown_, shownLive_, shownSecond_;  ///< revisions; empty: none
-    std::optional<std::array<double, 3>> shownPose_;                ///< pitch, front, rear [rad]
-    std::optional<Heights> shownTruth_;
     QString shownReason_;
     bool shownEstimate_ = false;
 };

@@ -111,18 +111,16 @@ void ReviewViewState::addEstimates(TerrainViewState& viewState, const ReviewMome
 {
     const EstimateRow* const row = moment.estimate.get();
     if (row) {
-        viewState.estimate = &row->estimate;
-        viewState.estimateRevision = revisionOf(row);
+        viewState.estimate = {&row->estimate, revisionOf(row)};
         viewState.estimateSeconds = row->seconds;
         viewState.verdict = verdict(moment);
     }
     if (whatIf && row) {
-        viewState.second = &*whatIf;
-        viewState.secondRevision = 2 * whatIf.revision() + 1;  // never that of a recorded one
+        // A revision that no recorded estimate has.
+        viewState.second = {&*whatIf, 2 * whatIf.revision() + 1};
         viewState.secondName = tr("what if: %1").arg(format::text(name(whatIf->settings.method)));
     } else if (moment.second) {
-        viewState.second = &moment.second->estimate;
-        viewState.secondRevision = 2 * revisionOf(moment.second.get());
+        viewState.second = {&moment.second->estimate, 2 * revisionOf(moment.second.get())};
         viewState.secondName = format::text(name(moment.second->estimate.settings.method));
     }
     viewState.whyNoEstimate = moment.forgotten.empty() ? tr("No estimate at this time")

@@ -150,8 +150,7 @@ void ScenesWindow::showViewState()
         trouble_.isEmpty() ? tr("Estimating …") : format::sentence(trouble_.toStdString());
     page_->verdict()->setLimit(options_.stepLimit);
     if (estimate_) {
-        viewState.estimate = &*estimate_;
-        viewState.estimateRevision = estimate_.revision();
+        viewState.estimate = {&*estimate_, estimate_.revision()};
         viewState.estimateSeconds = seconds_;
         viewState.verdict = verdictOf(*estimate_, measurement_, {}, options_.stepLimit);
         viewState.state.phase = AtemPhase::Presenting;

@@ -11,6 +11,7 @@ struct OutlinePart {
     enum class Kind { Body, Track, FrontFlipper, RearFlipper };
     Kind kind = Kind::Body;
     std::vector<std::array<double, 2>> points;
+    bool operator==(const OutlinePart&) const = default;
 };
 
 /// Side view of the robot as drawn under an estimate, back to front.

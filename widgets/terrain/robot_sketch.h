@@ -16,6 +16,7 @@ public:
 
     /// Sets the outline without replotting. Points that are not finite or beyond 100 m are left out.
     void setOutline(const Outline& outline);
+    const Outline& outline() const { return outline_; }
     void restyle() { setOutline(outline_); }  ///< applies the current theme
 
 private:

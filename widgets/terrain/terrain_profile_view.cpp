@@ -225,6 +225,7 @@ void TerrainProfileView::setSecond(const std::optional<TerrainEstimate>& estimat
 
 void TerrainProfileView::setOutline(const Outline& outline)
 {
+    if (outline == robot_.outline()) return;
     robot_.setOutline(outline);
     fitAxes();
     replot();

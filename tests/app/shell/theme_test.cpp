@@ -604,7 +604,7 @@ TEST(TerrainPageAlone, saysThatFlippersMoveOnlyWhileTheyDo)
     const auto says = [&](AtemPhase phase) {
         TerrainViewState viewState;
         viewState.measurement = &m;
-        viewState.live = &preview;
+        viewState.live = {&preview, 0};
         viewState.state.phase = phase;
         page.setViewState(viewState);
         return page.verdict()->reason() + "\n" + page.terrain()->accessibleDescription() + "\n"
