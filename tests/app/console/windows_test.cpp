@@ -1,17 +1,13 @@
 // Tests every secondary window: it is not modal, and STOP works while it has the focus.
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <QApplication>
 #include <QClipboard>
-#include <QDir>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QMenu>
 #include <QPointer>
 #include <QPushButton>
-#include <cerrno>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -25,12 +21,9 @@
 #include "app/review/scenes_window.h"
 #include "app/runtime/steady_now.h"
 #include "app/shell/about.h"
-#include "app/shell/file_dialog.h"
-#include "app/shell/language.h"
 #include "app/shell/open_file.h"
 #include "app/shell/text_sheet.h"
 #include "core/atem/panel.h"
-#include "drivers/gpio_chip.h"
 #include "drivers/memory_bus.h"
 #include "tests/support/gui.h"
 #include "tests/support/robot_session.h"
@@ -230,18 +223,6 @@ TEST_F(Windows, showTextsOfFilesAsTheyAre)
             << widget->toolTip().toStdString();
 }
 
-TEST_F(Windows, aSheetOpensNoFileThatItsTextNames)
-{
-    const std::string pipe = directory.file("pipe");
-    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-    TextSheet sheet("test", {}, nullptr);
-    const QString image = QStringLiteral("<IMG src=\"%1\">").arg(QString::fromStdString(pipe));
-    sheet.setText(QStringLiteral("<h3>a</h3>%1<p style=\"background:url(%2)\">b</p>")
-                      .arg(image, QString::fromStdString(pipe)),
-                  QSize(800, 600));  // reading the pipe would block forever
-    EXPECT_TRUE(sheet.plainText().contains(image)) << sheet.plainText().toStdString();
-}
-
 /// A window with only the help button.
 struct HelpingWindow : ConsoleWindow {
     explicit HelpingWindow(const QString& demonstration)
@@ -371,68 +352,6 @@ TEST_F(Windows, fileDialogStartsInTheSessionFolder)
     QFileDialog* const dialog = ask();
     EXPECT_EQ(dialog->directory().absolutePath().toStdString(), sessions);
     dialog->reject();  // the chosen file would start this program again
-}
-
-TEST(FileDialogs, beginWhereTheLastFileWasChosen)
-{
-    const TemporaryDirectory directory;
-    const QString chosen = QString::fromStdString(directory.file("some.log"));
-    QWidget parent;
-    const auto ask = [&] {
-        askForFile(parent, {.title = "Some file", .start = QDir::homePath()},
-                   [](const QString&) {});
-        return parent.findChild<QFileDialog*>();
-    };
-    QFileDialog* const first = ask();
-    ASSERT_TRUE(first);
-    emit first->fileSelected(chosen);
-    first->reject();
-    ASSERT_TRUE(eventually([&] { return parent.findChildren<QFileDialog*>().empty(); }));
-    QFileDialog* const second = ask();
-    ASSERT_TRUE(second);
-    EXPECT_EQ(second->directory().absolutePath(), QFileInfo(chosen).absolutePath());
-    second->reject();
-}
-
-struct InCzech {
-    InCzech() : isThere(installLanguage(*qApp, "cs") == QLatin1String("cs")) {}
-    ~InCzech() { installLanguage(*qApp, "en"); }
-    bool isThere;
-};
-
-TEST(CoreSentences, withNamesAreTranslatedAroundTheNames)
-{
-    const InCzech czech;
-    if (!czech.isThere) GTEST_SKIP() << "built without translations";
-    const GpioChip chip{.path = "/dev/gpiochip0", .name = "gpiochip0", .label = "box", .lines = 4};
-    const auto missing = chooseGpioChip({chip}, "", "gpiochip7");
-    ASSERT_FALSE(missing);
-    EXPECT_EQ(format::sentence("the panel is absent: " + missing.error().text),
-              QString::fromUtf8("panel chybí: žádný čip GPIO jménem 'gpiochip7': je tu gpiochip0 "
-                                "[box]"));
-    GpioFound found;
-    found.chip = "gpiochip0";
-    found.label = "box";
-    found.inputs = {{.offset = 2, .name = ""}};
-    const Error busy =
-        gpioRefused(EBUSY, found, {{}, {}, {.name = "", .used = true, .holder = ""}});
-    EXPECT_TRUE(format::sentence(busy.text).contains(QString::fromUtf8("jiný program nebo jádro")))
-        << busy.text << " -> " << format::sentence(busy.text).toStdString();
-    EXPECT_FALSE(format::sentence(busy.text).contains("in use"));
-    for (const Result<GpioChip>& none :
-         {chooseGpioChip({}, "box", ""), chooseGpioChip({chip, chip}, "box", "")}) {
-        ASSERT_FALSE(none);
-        EXPECT_FALSE(format::sentence(none.error().text).contains("GPIO chip"))
-            << none.error().text;
-    }
-    for (const std::string& trouble :
-         {buttonTrouble(PanelContact::Approve, ButtonPhase::Stuck),
-          buttonTrouble(PanelContact::Approve, ButtonPhase::HeldAtStart)})
-        EXPECT_TRUE(format::sentence(trouble).startsWith(QString::fromUtf8("tlačítko"))) << trouble;
-    EXPECT_FALSE(
-        format::sentence("chains not converged: R-hat > 100 (limit 1.01), effective draws 4 "
-                         "(limit 400)")
-            .contains("chains"));
 }
 
 }  // namespace

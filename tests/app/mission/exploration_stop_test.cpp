@@ -11,25 +11,6 @@
 namespace terratact {
 namespace {
 
-TEST_F(Bench, stopIsSentAtOnceAndRepeatedUntilConfirmed)
-{
-    propose();
-    exploration->stop();
-    EXPECT_EQ(sent<StopCommand>(), 1) << "before any tick";
-    tick();
-    EXPECT_EQ(phase(), AtemPhase::Stopped);
-    tick(20);
-    const int repeated = sent<StopCommand>();
-    EXPECT_GE(repeated, 3);
-    telemetry.activity = RobotActivity::Stopped;
-    tick();
-    (void)sent<StopCommand>();
-    const int confirmed = sent<StopCommand>();
-    tick(20);
-    EXPECT_EQ(sent<StopCommand>(), confirmed);
-    EXPECT_EQ(exploration->whyNotDriving(), "STOP is latched: release it first");
-}
-
 TEST_F(Bench, stopReadsSentUntilTheRobotConfirms)
 {
     using State = StopViewState::State;
@@ -50,33 +31,6 @@ TEST_F(Bench, stopReadsSentUntilTheRobotConfirms)
     tick();
     EXPECT_EQ(exploration->stopViewState().state, State::Sent) << "but telemetry does";
     EXPECT_LT(exploration->stopViewState().seconds, 0.1);
-}
-
-TEST_F(Bench, stopPressedElsewhereIsOneEventForEachPress)
-{
-    exploration->stop();
-    tick();
-    telemetry.activity = RobotActivity::Stopped;
-    tick(2);
-    ASSERT_EQ(exploration->stopViewState().state, StopViewState::State::Confirmed);
-    QStringList decided;
-    int happened = 0;
-    QObject::connect(exploration.get(), &Exploration::decided, exploration.get(),
-                     [&](const char* what, const QString& text) {
-                         decided << QString::fromLatin1(what) + ": " + text;
-                     });
-    QObject::connect(exploration.get(), &Exploration::happened, exploration.get(),
-                     [&] { ++happened; });
-    (void)sent<StopCommand>();
-    for (int press = 1; press <= 3; ++press) {
-        const int before = sent<StopCommand>();
-        exploration->stopFrom("in another window");
-        EXPECT_EQ(sent<StopCommand>(), before + 1) << "it is sent all the same";
-        tick(3);
-        EXPECT_EQ(decided.size(), press);
-    }
-    EXPECT_EQ(decided.last(), "stop: in another window");
-    EXPECT_EQ(happened, 0) << "the robot has confirmed it before";
 }
 
 TEST_F(Bench, unsentStopIsReportedOnceAndRetried)
@@ -103,50 +57,6 @@ TEST_F(Bench, stopIsRepeatedToARobotWithoutTelemetry)
     for (int i = 0; i < 20; ++i) another.tick({.now = (now += 0.04)});
     EXPECT_GE(sent<StopCommand>(), 3);
     EXPECT_EQ(another.stopViewState().state, StopViewState::State::Sent);
-}
-
-TEST_F(Bench, stopIsReleasedWhenTheRobotSaysSo)
-{
-    exploration->stop();
-    telemetry.activity = RobotActivity::Stopped;
-    tick(3);
-    exploration->request();
-    tick();
-    EXPECT_EQ(phase(), AtemPhase::Stopped) << "nothing but a release ends it";
-    exploration->releaseStop();
-    tick(10);
-    EXPECT_EQ(phase(), AtemPhase::Stopped) << "the robot is still latched";
-    EXPECT_GE(sent<ReleaseStopCommand>(), 2);
-    telemetry.activity = RobotActivity::Halted;
-    ASSERT_TRUE(reaches(AtemPhase::Idle));
-    tick(10);
-    EXPECT_EQ(phase(), AtemPhase::Idle);
-}
-
-TEST_F(Bench, releaseThatTheRobotDoesNotFollowIsForgotten)
-{
-    exploration->stop();
-    telemetry.activity = RobotActivity::Stopped;
-    tick(3);
-    exploration->releaseStop();
-    tick(130);  // 5.2 s
-    const int sentSoFar = sent<ReleaseStopCommand>();
-    EXPECT_TRUE(events.join('\n').contains("hold R again"));
-    tick(50);
-    EXPECT_EQ(sent<ReleaseStopCommand>(), sentSoFar);
-    EXPECT_EQ(phase(), AtemPhase::Stopped);
-}
-
-TEST_F(Bench, stopDuringAReleaseWins)
-{
-    exploration->stop();
-    telemetry.activity = RobotActivity::Stopped;
-    tick(3);
-    exploration->releaseStop();
-    exploration->stop();
-    telemetry.activity = RobotActivity::Halted;
-    tick(30);
-    EXPECT_EQ(phase(), AtemPhase::Stopped);
 }
 
 TEST_F(Bench, aRobotThatStoppedItselfIsShownAsStopped)
@@ -401,33 +311,6 @@ TEST_F(Bench, busErrorsWithholdTheVerdictOnlyWhileRecent)
     EXPECT_TRUE(header.linkText().contains("1 dropped")) << "it has been";
     EXPECT_EQ(role(), calm);
     EXPECT_EQ(toneOfLink(), "good");
-}
-
-TEST_F(Bench, drivingEndsWithOneHaltIfItHadBegun)
-{
-    exploration->halt();
-    EXPECT_EQ(sent<HaltCommand>(), 0);
-    exploration->drive(-1);
-    exploration->halt();
-    exploration->halt();
-    EXPECT_EQ(sent<HaltCommand>(), 1);
-    propose();
-    const int before = sent<HaltCommand>();
-    exploration->drive(+1);
-    EXPECT_EQ(sent<DriveCommand>(), 1) << "not while exploring";
-    exploration->halt();
-    EXPECT_EQ(sent<HaltCommand>(), before) << "a halt would end the press";
-}
-
-TEST_F(Bench, closingHaltsMotionCommandedFromHere)
-{
-    exploration->drive(+1);
-    exploration->leave();
-    EXPECT_EQ(sent<HaltCommand>(), 1);
-    press();
-    const int before = sent<AbortAtemCommand>();
-    exploration->leave();
-    EXPECT_EQ(sent<AbortAtemCommand>(), before + 1);
 }
 
 }  // namespace

@@ -81,31 +81,6 @@ TEST_F(Bench, robotConditionsAreUnmetWithoutTelemetry)
     EXPECT_TRUE(linesOf(unheard.preconditions()).contains("! left, right: not known"));
 }
 
-TEST_F(Bench, everyCommandListsWhatItNeeds)
-{
-    EXPECT_EQ(linesOf(exploration->toDrive()),
-              "✔ STOP is not latched\n✔ nothing is being explored\n✔ telemetry is live");
-    EXPECT_EQ(linesOf(exploration->toProbe()), "✔ telemetry is live\n✘ no probe is proposed");
-    EXPECT_EQ(linesOf(exploration->toReleaseStop()),
-              "✔ telemetry is live\n✘ there is no STOP to release");
-    propose();
-    EXPECT_TRUE(linesOf(exploration->toDrive()).contains("✘ An exploration is running"));
-    EXPECT_EQ(linesOf(exploration->toProbe()),
-              "✔ telemetry is live\n✔ scene, settings and model are unchanged since the question");
-    exploration->stop();
-    tick();
-    EXPECT_TRUE(linesOf(exploration->toDrive()).startsWith("✘ STOP is latched: release it first"));
-    EXPECT_TRUE(linesOf(exploration->toReleaseStop()).contains("! the robot has not confirmed"));
-    telemetry.activity = RobotActivity::Stopped;
-    tick();
-    EXPECT_EQ(linesOf(exploration->toReleaseStop()),
-              "✔ telemetry is live\n✔ the robot reports stopped");
-    tickInSilence(10);
-    EXPECT_EQ(linesOf(exploration->toReleaseStop()),
-              "✘ no telemetry from the robot\n"
-              "! the robot reported stopped, then telemetry ended");
-}
-
 TEST_F(Bench, anOverrideCoversOneReasonAtItsSize)
 {
     using Level = Precondition::Level;

@@ -6,13 +6,10 @@
 #include <cstdlib>
 #include <utility>
 
-#include "app/pages/terrain_page.h"
-#include "app/review/review_events_page.h"
 #include "app/review/review_window.h"
 #include "tests/support/gui.h"
 #include "tests/support/review_bench.h"
 #include "tests/support/robot_session.h"
-#include "widgets/signals/force_bars.h"
 
 namespace terratact {
 namespace {
@@ -72,99 +69,6 @@ TEST(ReviewPlayer, playsBackwardsLoopsAndStopsAtTheEnds)
     EXPECT_TRUE(player.playing()) << "waits for more";
 }
 
-TEST_F(ReviewOf, aSessionPlaysAndPausesByKeys)
-{
-    record();
-    open();
-    press(Qt::Key_Space);
-    EXPECT_TRUE(window->player().playing());
-    const double began = now();
-    window->poll(0.2);
-    EXPECT_NEAR(now() - began, 0.2, 0.15);  // its own timer may have ticked
-    press(Qt::Key_Space);
-    EXPECT_FALSE(window->player().playing());
-    const double stood = now();
-    window->poll(0.2);
-    EXPECT_EQ(now(), stood);
-    press(Qt::Key_F);
-    press(Qt::Key_F);
-    press(Qt::Key_H);
-    EXPECT_EQ(window->player().speed(), 2.0);
-    window->goTo(2.0);
-    press(Qt::Key_J);
-    EXPECT_TRUE(window->player().backwards());
-    window->poll(0.1);
-    EXPECT_LT(now(), 2.0);
-    press(Qt::Key_K);
-    EXPECT_FALSE(window->player().playing());
-}
-
-TEST_F(ReviewOf, aSessionIsSteppedThroughByKeys)
-{
-    record();
-    open();
-    window->goTo(1.02);
-    press(Qt::Key_Period);
-    EXPECT_NEAR(now(), 1.05, 0.011);
-    const double frame = now();
-    press(Qt::Key_Period);
-    press(Qt::Key_Comma);
-    EXPECT_EQ(now(), frame);
-    press(Qt::Key_PageDown);
-    EXPECT_NEAR(now(), At::kEstimate, 1e-6) << "what stands then is the estimate of the scene";
-    press(Qt::Key_Down);
-    EXPECT_NEAR(now(), At::kProposing, 1e-6);
-    press(Qt::Key_Down);
-    EXPECT_NEAR(now(), At::kMarker, 1e-6);
-    press(Qt::Key_Up);
-    EXPECT_NEAR(now(), At::kProposing, 1e-6);
-    press(Qt::Key_6);
-    EXPECT_NEAR(now(), At::kApproved, 1e-6);
-    press(Qt::Key_7, Qt::AltModifier);
-    EXPECT_NEAR(now(), At::kAlarm, 1e-6);
-    press(Qt::Key_End);
-    EXPECT_EQ(now(), window->player().end());
-    press(Qt::Key_Home);
-    EXPECT_EQ(now(), window->player().begin());
-}
-
-TEST_F(ReviewOf, aSessionGoesToATypedTime)
-{
-    record();
-    open();
-    press(Qt::Key_G);
-    QTest::keyClicks(window->positionEdit(), "0:02.5");
-    QTest::keyClick(window->positionEdit(), Qt::Key_Return);
-    EXPECT_NEAR(now(), 2.5, 1e-6);
-    press(Qt::Key_G);
-    QTest::keyClicks(window->positionEdit(), "now");
-    QTest::keyClick(window->positionEdit(), Qt::Key_Return);
-    EXPECT_NEAR(now(), 2.5, 1e-6);
-}
-
-TEST_F(ReviewOf, twoCursorsLoopAndTellTheDifference)
-{
-    record();
-    open();
-    window->goTo(1.0);
-    press(Qt::Key_A);
-    window->goTo(1.5);
-    press(Qt::Key_B);
-    EXPECT_TRUE(window->differenceLabel()->text().contains("+0.500"));
-    press(Qt::Key_P);
-    EXPECT_TRUE(window->player().loops());
-    press(Qt::Key_L);
-    for (int n = 0; n < 10; ++n) {
-        window->poll(0.2);
-        EXPECT_GE(now(), 1.0);
-        EXPECT_LE(now(), 1.5);
-    }
-    press(Qt::Key_K);
-    window->goTo(1.5);
-    press(Qt::Key_B);
-    EXPECT_FALSE(window->player().b());
-}
-
 TEST_F(ReviewOf, aSessionThatIsStillRecordedIsFollowed)
 {
     auto writer = robotSession(path.toStdString(), 2.0);
@@ -185,42 +89,7 @@ TEST_F(ReviewOf, aSessionThatIsStillRecordedIsFollowed)
               static_cast<int>(window->session().events().size()));
 }
 
-TEST_F(ReviewOf, forcePeaksAtATimeDoNotDependOnThePath)
-{
-    path = TERRATACT_SOURCE_DIR "/resources/sessions/demo.tts";
-    open();
-    const auto peaks = [&] {
-        const ForceBars& bars = *window->terrainPage()->forces();
-        std::vector<std::optional<double>> all;
-        for (int array = 0; array < bars.arrays(); ++array)
-            for (int e = 0; e < kForceElements; ++e) all.push_back(bars.peak(e, array));
-        return all;
-    };
-    const auto shown = [&](double time) {
-        window->goTo(time);
-        return peaks();
-    };
-    constexpr double kLetGo = 20.0;  // [s] start of the search
-    double at = 0.0;                 // time at which an element's force falls
-    std::vector<std::optional<double>> jumped;
-    for (double t = kLetGo; at == 0.0 && t < window->player().end(); t += 0.5) {
-        jumped = shown(t);
-        const auto& measured = window->moment().measurement;
-        for (std::size_t e = 0; measured && e < measured->force.size(); ++e)
-            if (jumped[e] && *jumped[e] > measured->force[e] + 1.0) at = t;
-    }
-    ASSERT_GT(at, 0.0) << "the session has a peak that stands above its bar";
-    for (double t = at - 1.0; t < at; t += 0.04) window->goTo(t);
-    EXPECT_EQ(shown(at), jumped) << "played there";
-    for (double t = at + 5.0; t > at; t -= 0.3) window->goTo(t);
-    EXPECT_EQ(shown(at), jumped) << "played there backwards";
-    window->goTo(1.0);
-    EXPECT_EQ(shown(at), jumped) << "from far away";
-    open();
-    EXPECT_EQ(shown(at), jumped) << "in a window that was nowhere else";
-}
-
-/// Measures the cost of playback: TERRATACT_REVIEW_SECONDS=3600 app.review.review_test --gtest_filter=*Costs*
+/// Measures the cost of playback: TERRATACT_REVIEW_SECONDS=3600 app.review.review_window_test --gtest_filter=*Costs*
 TEST_F(ReviewOf, playbackCostsLittle)
 {
     const char* given = std::getenv("TERRATACT_REVIEW_SECONDS");

@@ -16,7 +16,6 @@
 #include "app/mission/console_alarms.h"
 #include "core/store/file_read.h"
 #include "drivers/audio_output.h"
-#include "tests/support/counting_alarm_sound.h"
 #include "tests/support/gui.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/signals/alarm_table.h"
@@ -135,16 +134,6 @@ TEST_F(SoundCard, missingIsReportedOnThePage)
     EXPECT_TRUE(std::ranges::any_of(page.findChildren<QLabel*>(), [](const QLabel* label) {
         return label->isVisible() && label->text().contains("Only the desktop's bell can sound");
     }));
-}
-
-TEST(AlarmsPageTest, theSoundIsTriedWantedOrNot)
-{
-    int sounds = 0;
-    ConsoleAlarms alarms(std::make_unique<CountingAlarmSound>(sounds));
-    alarms.setSoundOn(false);
-    AlarmsPage page(alarms);
-    page.table()->trySoundButton()->click();
-    EXPECT_EQ(sounds, 1);
 }
 
 }  // namespace

@@ -1,11 +1,14 @@
 // Tests that every page follows a change of the font size at run time, including tables.
+#include "app/shell/font_fit.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <utility>
 
-#include "app/shell/font_fit.h"
+#include "app/display/format.h"
 #include "app/shell/language.h"
 #include "tests/support/bus_console_bench.h"
 #include "tests/support/review_bench.h"
@@ -133,6 +136,39 @@ TEST(LettersOfTables, resizeRowsAndColumnsOfExistingTables)
     applyLook(*qApp);
     for (std::size_t i = 0; i < before.size(); ++i)
         EXPECT_GT(after[i], 1.5 * before[i]) << i << ": " << before[i];
+}
+
+/// Returns the final font scale of a window and the number of trials.
+std::pair<int, int> lettersThatFit(int wanted, QSize room, const std::function<QSize(int)>& needs)
+{
+    int percent = wanted, tries = 1;
+    for (; percent > kSmallestFont && needs(percent).expandedTo(room) != room; ++tries)
+        percent = smallerLetters(percent, needs(percent), room);
+    return {percent, tries};
+}
+
+TEST(Letters, areTheLargestThatFit)
+{
+    const auto fits = [](int wanted, QSize room) {
+        return lettersThatFit(wanted, room,
+                              [](int percent) { return QSize(10 * percent, 5 * percent); });
+    };
+    EXPECT_EQ(fits(100, {2000, 2000}), std::pair(100, 1)) << "never larger than wanted";
+    EXPECT_EQ(fits(200, {2000, 1000}), std::pair(200, 1)) << "just so";
+    EXPECT_EQ(fits(200, {1999, 2000}), std::pair(190, 2)) << "too wide";
+    EXPECT_EQ(fits(200, {2000, 700}), std::pair(140, 2)) << "too high";
+    EXPECT_EQ(fits(155, {1460, 2000}), std::pair(145, 2)) << "steps are from the wanted ones";
+    EXPECT_EQ(fits(200, {100, 100}), std::pair(kSmallestFont, 2)) << "smaller there are none";
+}
+
+TEST(Letters, areTheLargestThatFitWithFixedSizeParts)
+{
+    for (int room = 900; room < 1700; room += 7) {
+        const auto needs = [](int percent) { return QSize(5 * percent, 700 + 4 * percent); };
+        const auto [percent, tries] = lettersThatFit(200, {2000, room}, needs);
+        EXPECT_EQ(percent, std::clamp((room - 700) / 40 * 10, kSmallestFont, 200)) << room;
+        EXPECT_LE(tries, 8) << room;
+    }
 }
 
 }  // namespace

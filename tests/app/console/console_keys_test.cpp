@@ -13,7 +13,6 @@
 #include <QScrollArea>
 #include <functional>
 #include <utility>
-#include <vector>
 
 #include "app/console/settings_page.h"
 #include "app/display/format.h"
@@ -31,7 +30,6 @@
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/drive_pad.h"
 #include "widgets/control/probe_card.h"
-#include "widgets/control/robot_readout.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/event_list.h"
 #include "widgets/signals/force_bars.h"
@@ -276,29 +274,6 @@ TEST_F(Console, coveredProposalCanBeRefusedButNotApproved)
     QTest::keyClick(window.get(), Qt::Key_N);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
     EXPECT_FALSE(window->exploration().state().probed);
-}
-
-TEST_F(Console, stopClaimsNoMoreThanIsKnown)
-{
-    ScriptedSource* source = openScripted();
-    const QPushButton& stop = *window->header()->stopButton();
-    ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
-    source->setDeaf(true);
-    QTest::keyClick(window.get(), Qt::Key_F12);
-    EXPECT_TRUE(eventually([&] { return says("STOP NOT SENT for"); }));
-    EXPECT_TRUE(says("the bus is off"));
-    EXPECT_EQ(stop.text(), "STOP NOT SENT");
-    source->setDeaf(false);
-    EXPECT_TRUE(eventually([&] { return says("STOP SENT, NOT CONFIRMED for"); }));
-    EXPECT_TRUE(stop.text().startsWith("STOP SENT")) << stop.text().toStdString();
-    EXPECT_EQ(gui::cutText(*window), std::vector<std::string>());
-    if (const QString folder = qEnvironmentVariable("TERRATACT_PICTURES"); !folder.isEmpty())
-        window->grab().save(folder + "/stop-not-confirmed.png");
-    Measurement stopped;
-    stopped.activity = RobotActivity::Stopped;
-    source->setMeasurement(stopped);
-    EXPECT_TRUE(eventually([&] { return stop.text() == "STOPPED (F12)"; }));
-    EXPECT_FALSE(says("STOP SENT") || says("STOP NOT SENT"));
 }
 
 TEST_F(Console, stopFromAWindowThatWasOpenedHereActsLikeItsOwn)

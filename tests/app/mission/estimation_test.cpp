@@ -1,0 +1,291 @@
+// Tests the estimates of a scene: preparation, live previews, the ghost, and models.
+#include "app/mission/estimation.h"
+
+#include "tests/support/exploration_bench.h"
+
+namespace terratact {
+namespace {
+
+/// A robot that stands on an estimate and then drives on.
+struct DrivingOn : Bench {
+    void stand()
+    {
+        press();
+        ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+        exploration->refuse(exploration->proposal()->id);
+        ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    }
+    void driveBy(double metres)
+    {
+        telemetry.activity = RobotActivity::Driving;
+        if (telemetry.travelled) *telemetry.travelled += metres;
+        tick(2);
+    }
+};
+
+TEST_F(DrivingOn, leavesAGhostThatMovesWithTheTracksAndGoes)
+{
+    telemetry.travelled = 7.0;
+    stand();
+    EXPECT_TRUE(exploration->estimation().estimate());
+    EXPECT_FALSE(exploration->estimation().ghost()) << "the estimate itself stands";
+    driveBy(0.1);
+    ASSERT_TRUE(exploration->estimation().ghost());
+    EXPECT_FALSE(exploration->estimation().estimate());
+    EXPECT_FALSE(exploration->estimation().verdict()) << "it decides nothing";
+    EXPECT_NEAR(exploration->estimation().ghost()->motion.forward, 0.1, 1e-9);
+    EXPECT_NEAR(exploration->estimation().ghost()->bin[6]->height, stepEstimate().height[7], 1e-9);
+    driveBy(0.3);
+    ASSERT_TRUE(exploration->estimation().ghost());
+    EXPECT_NEAR(exploration->estimation().ghost()->motion.way, 0.4, 1e-9);
+    EXPECT_NEAR(exploration->estimation().ghost()->bin[4]->height, stepEstimate().height[8], 1e-9);
+    EXPECT_TRUE(exploration->estimation().whyNoGhost().isEmpty());
+    driveBy(0.7);
+    EXPECT_FALSE(exploration->estimation().ghost());
+    EXPECT_TRUE(exploration->estimation().whyNoGhost().contains("too far"));
+    telemetry.activity = RobotActivity::Halted;
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    EXPECT_FALSE(exploration->estimation().ghost());
+    EXPECT_TRUE(exploration->estimation().whyNoGhost().isEmpty())
+        << "of the last estimate, not of the one before";
+}
+
+TEST_F(DrivingOn, leavesNoGhostWithoutOdometryAndSaysSo)
+{
+    stand();
+    driveBy(0.1);
+    EXPECT_FALSE(exploration->estimation().estimate());
+    EXPECT_FALSE(exploration->estimation().ghost());
+    EXPECT_TRUE(exploration->estimation().whyNoGhost().contains("no odometry"));
+}
+
+TEST_F(DrivingOn, leavesAGhostThatIsNotShownWhileTheLinkIsLost)
+{
+    telemetry.travelled = 0.0;
+    stand();
+    driveBy(0.1);
+    tickInSilence(10);
+    EXPECT_FALSE(exploration->estimation().ghost());
+    EXPECT_EQ(exploration->estimation().whyNoGhost(), "No ghost while telemetry is missing");
+    tick();
+    EXPECT_TRUE(exploration->estimation().ghost());
+    telemetry.time += 2.0;  // two seconds of silence
+    tick();
+    EXPECT_FALSE(exploration->estimation().ghost());
+    EXPECT_TRUE(exploration->estimation().whyNoGhost().contains("may have moved"));
+    tickInSilence(10);
+    EXPECT_TRUE(exploration->estimation().whyNoGhost().contains("may have moved"))
+        << "it is ended for that, not for the silence of now";
+}
+
+TEST_F(DrivingOn, leavesNothingOfAnEstimateThatTheOperatorHasCleared)
+{
+    telemetry.travelled = 0.0;
+    stand();
+    exploration->abort();
+    ASSERT_TRUE(reaches(AtemPhase::Idle));
+    driveBy(0.1);
+    EXPECT_FALSE(exploration->estimation().ghost());
+    EXPECT_TRUE(exploration->estimation().whyNoGhost().isEmpty());
+}
+
+TEST_F(Bench, telemetryIsEstimatedLiveWhileTheFlippersMove)
+{
+    exploration->request();
+    telemetry.activity = RobotActivity::Halted;
+    EXPECT_FALSE(exploration->estimation().live());
+    ASSERT_TRUE(reaches(AtemPhase::Pressing));
+    telemetry.activity = RobotActivity::Pressing;
+    ASSERT_TRUE(gui::eventually([this] {
+        tick();
+        return estimates >= 5;
+    }));
+    ASSERT_TRUE(exploration->estimation().live());
+    EXPECT_EQ(exploration->estimation().live()->settings.method, Method::Local);
+    EXPECT_FALSE(exploration->estimation().estimate());
+    EXPECT_FALSE(exploration->proposal()) << "a preview proposes nothing";
+
+    blocked = true;
+    telemetry.activity = RobotActivity::Pressed;
+    ASSERT_TRUE(reaches(AtemPhase::Estimating));
+    EXPECT_TRUE(exploration->estimation().live()) << "stays until there is better";
+    blocked = false;
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    EXPECT_TRUE(exploration->estimation().estimate());
+    EXPECT_FALSE(exploration->estimation().live());
+}
+
+TEST_F(Bench, samplersGaussianProcessesArePreparedWhenIdle)
+{
+    tick(3);
+    EXPECT_EQ(estimates, 0) << "a formula needs none";
+    Settings sampled;
+    sampled.method = Method::Pafc;
+    exploration->setSettings(sampled);
+    const auto isMade = [this](int made) {
+        return gui::eventually([&] {
+            tick();
+            return estimates == made && settles();
+        });
+    };
+    ASSERT_TRUE(isMade(1));
+    EXPECT_EQ(lastAsked().settings.method, Method::Pafc);
+    EXPECT_TRUE(lastAsked().prepares);
+    EXPECT_FALSE(exploration->estimation().estimate()) << "nobody has asked for an estimate";
+    tick(5);
+    EXPECT_EQ(estimates, 1) << "once is enough";
+    sampled.inducing = 300;
+    exploration->setSettings(sampled);
+    ASSERT_TRUE(isMade(2)) << "those of other settings";
+    exploration->setSecondMethod(Method::Pa);
+    ASSERT_TRUE(isMade(3)) << "those of the second method";
+    EXPECT_EQ(lastAsked().settings.method, Method::Pa);
+    EXPECT_TRUE(lastAsked().prepares);
+    ASSERT_TRUE(begunToPress());
+    ASSERT_TRUE(gui::eventually([this] {
+        tick();
+        return exploration->estimation().live().has_value();
+    }));
+    EXPECT_EQ(lastAsked().settings.method, Method::Local) << "nor again while the flippers move";
+}
+
+TEST_F(Bench, samplersPrepareOnceWhileTheFlippersMove)
+{
+    Settings sampled;
+    sampled.method = Method::Pafc;
+    sampled.inducing = 300;
+    exploration->setSettings(sampled);
+    blocked = true;
+    ASSERT_TRUE(begunToPress());
+    ASSERT_TRUE(gui::eventually([this] {
+        tick();
+        return estimates == 1;
+    }));
+    EXPECT_EQ(lastAsked().settings.method, Method::Pafc);
+    EXPECT_EQ(lastAsked().settings.inducing, 300);
+    EXPECT_TRUE(lastAsked().prepares);
+    tick(5);
+    EXPECT_EQ(estimates, 1) << "no preview overtakes it";
+    blocked = false;
+    ASSERT_TRUE(gui::eventually([this] {
+        tick();
+        return exploration->estimation().live().has_value();
+    }));
+    EXPECT_EQ(exploration->estimation().live()->settings.method, Method::Local)
+        << "it shows nothing";
+
+    const int before = estimates;
+    ASSERT_TRUE(gui::eventually([&] {
+        tick();
+        return estimates >= before + 3;
+    }));
+    EXPECT_EQ(lastAsked().settings.method, Method::Local) << "once is enough";
+    telemetry.activity = RobotActivity::Pressed;
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    EXPECT_EQ(exploration->estimation().estimate()->settings.method, Method::Pafc);
+}
+
+TEST_F(Bench, secondMethodIsNotPreparedWhileFlippersMove)
+{
+    exploration->setSecondMethod(Method::Pafc);
+    blocked = true;
+    ASSERT_TRUE(gui::eventually([this] {
+        tick();
+        return estimates == 1;
+    }));
+    EXPECT_TRUE(lastAsked().prepares);
+    ASSERT_TRUE(begunToPress());
+    ASSERT_TRUE(gui::eventually([this] {
+        tick();
+        return estimates == 2;
+    })) << "no preview overtakes them";
+    EXPECT_EQ(lastAsked().settings.method, Method::Local);
+    blocked = false;
+}
+
+TEST_F(Bench, aLivePreviewEndsWithTheExploration)
+{
+    ASSERT_TRUE(begunToPress());
+    ASSERT_TRUE(gui::eventually([this] {
+        tick();
+        return exploration->estimation().live().has_value();
+    }));
+    blocked = true;
+    const int before = estimates;
+    ASSERT_TRUE(gui::eventually([&] {
+        tick();
+        return estimates > before;
+    }));
+    ASSERT_TRUE(answerIsQueued());
+    exploration->abort();
+    tick();
+    EXPECT_FALSE(exploration->estimation().live());
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(exploration->estimation().live()) << "a preview already on its way is not shown";
+}
+
+TEST_F(Bench, modelChosenDuringAnEstimateIsUsedForIt)
+{
+    ASSERT_NO_FATAL_FAILURE(beginToEstimate());
+    worker->load([this]() -> Result<LoadedModel> {
+        return LoadedModel{
+            .estimate = [this](const EstimateRequest& r, const Watch& w) { return estimate(r, w); },
+            .name = "other.ttm",
+            .details = {}};
+    });
+    ASSERT_TRUE(gui::eventually([this] { return events.contains("model other.ttm loaded"); }));
+    blocked = false;
+    EXPECT_TRUE(reaches(AtemPhase::ProposingProbe)) << describe(exploration->state().failure);
+}
+
+TEST_F(Bench, estimateContinuesIfTheNewModelCannotBeLoaded)
+{
+    blocked = true;
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::Estimating));
+    worker->load([]() -> Result<LoadedModel> { return Error{"no such file"}; });
+    blocked = false;
+    EXPECT_TRUE(reaches(AtemPhase::ProposingProbe)) << describe(exploration->state().failure);
+}
+
+TEST_F(Bench, aFailedEstimateIsReportedAsText)
+{
+    broken = true;
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::Failed));
+    EXPECT_EQ(exploration->state().failure, AtemFailure::EstimateError);
+    EXPECT_TRUE(events.join('\n').contains("covariance is not positive definite"));
+}
+
+TEST_F(Bench, sceneIsTheFirstPressedSampleHoweverLateThePoll)
+{
+    exploration->request();
+    tick();
+    ASSERT_TRUE(reaches(AtemPhase::Pressing));
+    telemetry.activity = RobotActivity::Pressing;
+    tick(3);
+    telemetry.activity = RobotActivity::Pressed;
+    telemetry.pitch = 0.011;
+    line();
+    telemetry.pitch = 0.012;
+    line();
+    tick();
+    ASSERT_EQ(phase(), AtemPhase::Estimating);
+    EXPECT_EQ(exploration->estimation().scene()->measurement.pitch, 0.011);
+}
+
+TEST_F(Bench, aPressFromBeforeTheCommandIsNoScene)
+{
+    telemetry.activity = RobotActivity::Pressed;
+    telemetry.pitch = 0.011;
+    tick(3);
+    exploration->request();
+    ASSERT_TRUE(reaches(AtemPhase::Pressing));
+    telemetry.pitch = 0.012;
+    ASSERT_TRUE(reaches(AtemPhase::Estimating)) << "it was pressed again between two lines";
+    EXPECT_EQ(exploration->estimation().scene()->measurement.pitch, 0.012);
+}
+
+}  // namespace
+}  // namespace terratact

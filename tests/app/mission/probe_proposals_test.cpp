@@ -1,0 +1,121 @@
+// Tests which probe is proposed, and when a proposal is void.
+#include "app/mission/probe_proposals.h"
+
+#include "core/log/session_reader.h"
+#include "tests/support/exploration_bench.h"
+
+namespace terratact {
+namespace {
+
+TEST_F(Bench, anAnswerToAnotherProposalIsIgnored)
+{
+    propose();
+    const quint64 id = exploration->proposal()->id;
+    exploration->approve(id + 1);
+    exploration->refuse(id - 1);
+    tick(3);
+    EXPECT_EQ(phase(), AtemPhase::ProposingProbe);
+    EXPECT_EQ(sent<ProbeCommand>(), 0);
+}
+
+TEST_F(Bench, newStepLimitVoidsTheOldProposal)
+{
+    propose();
+    const ProbeProposal before = *exploration->proposal();
+    exploration->setStepLimit(0.2);
+    ASSERT_TRUE(gui::eventually([this] { return exploration->proposal()->stepLimit == 0.2; }));
+    const ProbeProposal after = *exploration->proposal();
+    EXPECT_EQ(after.bin, before.bin);
+    exploration->approve(before.id);
+    tick(3);
+    EXPECT_EQ(phase(), AtemPhase::ProposingProbe) << "nobody was shown that";
+    exploration->approve(after.id);
+    EXPECT_TRUE(reaches(AtemPhase::Probing));
+}
+
+TEST_F(Bench, stepLimitChangedDuringAnEstimateIsProposed)
+{
+    ASSERT_NO_FATAL_FAILURE(beginToEstimate());
+    exploration->setStepLimit(0.2);
+    blocked = false;
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    EXPECT_TRUE(gui::eventually([this] { return exploration->proposal()->stepLimit == 0.2; }));
+}
+
+TEST_F(Bench, openPolicyProposesNoProbeForADecidedVerdict)
+{
+    withDraws = true;
+    propose();
+    EXPECT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::Blocked);
+    EXPECT_EQ(exploration->whyNotOffered(), "");
+    exploration->abort();
+    ASSERT_TRUE(reaches(AtemPhase::Idle));
+
+    exploration->setProbePolicy(ProbePolicy::VarianceOpen);
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    EXPECT_FALSE(exploration->proposal());
+    EXPECT_TRUE(exploration->whyNotOffered().contains("BLOCKED stands"))
+        << exploration->whyNotOffered().toStdString();
+    EXPECT_TRUE(exploration->bestProbe()) << "it can still be read what it would buy";
+    exploration->abort();
+    ASSERT_TRUE(reaches(AtemPhase::Idle));
+
+    exploration->setStepLimit(0.3);  // higher than the step: CLEAR
+    press();
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    EXPECT_TRUE(exploration->whyNotOffered().contains("CLEAR stands"));
+}
+
+TEST_F(Bench, aLimitChangedDuringAnEstimateDecidesWhatIsOffered)
+{
+    withDraws = true;
+    stepInHalf = true;  // half of the draws have a step of about 0.15 m
+    exploration->setProbePolicy(ProbePolicy::Question);
+    exploration->setStepLimit(1.0);  // no step is that high, so no probe is proposed
+    ASSERT_NO_FATAL_FAILURE(beginToEstimate());
+    exploration->setStepLimit(kStepLimit);
+    blocked = false;
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe)) << exploration->whyNotOffered().toStdString();
+    EXPECT_EQ(exploration->proposal()->stepLimit, kStepLimit);
+    EXPECT_GT(exploration->proposal()->bitsBefore, 0.9);
+}
+
+TEST_F(Bench, stepLimitChangedAndRestoredDelaysNothing)
+{
+    ASSERT_NO_FATAL_FAILURE(beginToEstimate());
+    const double limit = exploration->options().stepLimit;
+    exploration->setStepLimit(0.5);
+    ASSERT_TRUE(answerIsQueued());
+    QCoreApplication::processEvents();  // requests advice again
+    exploration->setStepLimit(limit);
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
+    EXPECT_EQ(exploration->proposal()->stepLimit, limit);
+}
+
+TEST_F(Bench, adviceForAnOlderEstimateIsIgnored)
+{
+    propose();
+    exploration->approve(exploration->proposal()->id);
+    ASSERT_TRUE(reaches(AtemPhase::Probing));
+    telemetry.activity = RobotActivity::Probing;
+    tick(3);
+    blocked = true;
+    telemetry.activity = RobotActivity::Pressed;
+    telemetry.arm = ArmReading{.bin = kBin06, .height = -0.04, .sd = 0.03};
+    ASSERT_TRUE(reaches(AtemPhase::EstimatingAgain));
+    const Estimation& estimation = exploration->estimation();
+    std::optional<ProbeAdvice> offered;
+    QObject::connect(&estimation, &Estimation::offered, [&] { offered = estimation.advice(); });
+    exploration->setStepLimit(
+        // Advice of the first estimate, which waits behind the second in the worker.
+        0.2);
+    blocked = false;
+    ASSERT_TRUE(reaches(AtemPhase::Presenting));
+    ASSERT_TRUE(offered);
+    EXPECT_EQ(offered->stepLimit, 0.2);
+    EXPECT_NE(offered->bin, kBin06) << "the arm has just been there";
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,22 @@
+// Tests tables of a session.
+#include <gtest/gtest.h>
+
+#include "tests/support/session_files.h"
+
+namespace terratact {
+namespace {
+
+TEST_F(SessionFiles, quotesTextsThatHoldSeparators)
+{
+    const std::string path = session("words.tts", [](SessionWriter& writer) {
+        ASSERT_TRUE(writer.add(EventRow{.id = 1,
+                                        .kind = EventKind::Marker,
+                                        .text = "a, \"b\"\nc\xFF\x01",
+                                        .shown = "</script>"}));
+    });
+    EXPECT_NE(exported(path, "a.csv", ExportKind::Events).find("\"a, \"\"b\"\"\nc"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace terratact

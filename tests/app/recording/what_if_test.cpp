@@ -1,0 +1,122 @@
+// Tests recomputed estimates of a session and their differences from the recorded ones.
+#include "app/recording/what_if.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "core/store/sha256.h"
+#include "tests/support/estimates.h"
+#include "tests/support/recorded_drive.h"
+#include "tests/support/refusal.h"
+
+namespace terratact {
+namespace {
+
+TEST_F(Drive, estimatesComeOutAgainBitForBit)
+{
+    ASSERT_GE(reader.estimates().size(), 3U);
+    EXPECT_FALSE(reader.estimates().back().readings.empty()) << "no probe in this drive";
+    for (const EstimateRow& row : reader.estimates()) {
+        const auto before = recordedEstimate(reader, row);
+        ASSERT_TRUE(before) << before.error().text;
+        const auto again = estimateAgain(reader, row, *models, row.estimate.settings);
+        ASSERT_TRUE(again) << again.error().text;
+        const Measurement& scene = reader.scene(row.scene)->measurement;
+        const Differences same = differencesBetween(*before, *again, scene, row.stepLimit);
+        EXPECT_EQ(same.likeness, Match::Identical) << row.id;
+        EXPECT_EQ(same.largest(), 0.0);
+        EXPECT_EQ(same.before, same.after);
+
+        Settings other = row.estimate.settings;
+        other.seed += 1;
+        const auto moved = estimateAgain(reader, row, *models, other);
+        ASSERT_TRUE(moved);
+        EXPECT_EQ(differencesBetween(*before, *moved, scene, row.stepLimit).likeness, Match::Other);
+    }
+}
+
+TEST_F(Drive, recomputedEstimatesUseTheArmReadings)
+{
+    EstimateRow row = reader.estimates().back();
+    const auto with = estimateAgain(reader, row, *models, row.estimate.settings);
+    const std::size_t bin = static_cast<std::size_t>(row.readings.at(0).bin);
+    row.readings.clear();
+    const auto without = estimateAgain(reader, row, *models, row.estimate.settings);
+    ASSERT_TRUE(with && without);
+    EXPECT_EQ(with->origin[bin], Origin::Arm);
+    EXPECT_NE(without->origin[bin], Origin::Arm);
+}
+
+TEST_F(Drive, rowsThatCannotBeEstimatedAreErrorsWithTheFile)
+{
+    EstimateRow row = reader.estimates().front();
+    Settings wrong = row.estimate.settings;
+    wrong.contactSd = 0.0;
+    wrong.draws = 0;
+    EXPECT_TRUE(refused(estimateAgain(reader, row, *models, wrong), reader.path(), {"estimate 1"}));
+    row.scene = 77;
+    EXPECT_TRUE(refused(estimateAgain(reader, row, *models, row.estimate.settings), reader.path(),
+                        {"scene is not there"}));
+}
+
+TEST_F(Drive, modelsAreFoundByTheirHash)
+{
+    const ModelRow& row = reader.models().front();
+    const std::array both{std::string(kRobot), std::string(kModel)};
+    EXPECT_EQ(*modelFileOf(row, both), kModel);
+    const auto none = modelFileOf(row, std::span(both).first(1));
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().text.find("default.ttm"), std::string::npos);
+    EXPECT_NE(none.error().text.find(sha256OfFile(kRobot)->substr(0, 12)), std::string::npos);
+}
+
+TEST(Differences, tellsBitsApartThatCompareEqual)
+{
+    const TerrainEstimate zero = [] {
+        TerrainEstimate e = stepEstimate();
+        e.mean[3] = 0.0;
+        return e;
+    }();
+    TerrainEstimate minus = zero;
+    minus.mean[3] = -0.0;
+    ASSERT_EQ(zero, minus);
+    const auto likeness = [&](const TerrainEstimate& other) {
+        return differencesBetween(zero, other, {}, 0.1).likeness;
+    };
+    EXPECT_EQ(likeness(zero), Match::Identical);
+    EXPECT_EQ(likeness(minus), Match::LastBits);
+    TerrainEstimate moved = zero;
+    moved.height[8] += 0.02;
+    moved.height[2] -= 0.05;
+    const Differences d = differencesBetween(zero, moved, {}, 0.1);
+    EXPECT_EQ(d.largestBin, 2);
+    EXPECT_NEAR(d.largest(), 0.05, 1e-12);
+    EXPECT_NEAR(d.bin[8].height, 0.02, 1e-12);
+    EXPECT_EQ(d.likeness, Match::Other);
+}
+
+TEST(Differences, areLastBitsIfNumbersAreNearAndTextsEqual)
+{
+    TerrainEstimate recorded = stepEstimate();
+    recorded.draws.assign(3, Heights{});
+    recorded.ess.fill(400.0);
+    const auto likenessAfter = [&](const auto& change) {
+        TerrainEstimate other = recorded;
+        change(other);
+        return differencesBetween(recorded, other, {}, 0.1).likeness;
+    };
+    using Estimate = TerrainEstimate;
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.q90[2] += 0.9e-6; }), Match::LastBits);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.draws[2][5] -= 0.9e-6; }), Match::LastBits);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.ess[2] += 3e-4; }), Match::LastBits);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.q90[2] += 1.1e-6; }), Match::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.draws[2][5] -= 1.1e-6; }), Match::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.ess[2] += 5e-4; }), Match::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.sd[2] = std::nan(""); }), Match::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.draws.pop_back(); }), Match::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.warnings.emplace_back("other"); }), Match::Other);
+}
+
+}  // namespace
+}  // namespace terratact

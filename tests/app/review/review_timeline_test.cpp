@@ -1,0 +1,115 @@
+// Tests the timeline of a review.
+#include "app/review/review_timeline.h"
+
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <QRegularExpression>
+
+#include "app/display/translated.h"
+#include "app/review/review_window.h"
+#include "app/review/scenes_window.h"
+#include "app/shell/language.h"
+#include "core/infer/verdict/verdict.h"
+#include "core/log/session_rows.h"
+#include "core/robot/force_sensor.h"
+#include "core/robot/watch/sensor_suspicion.h"
+#include "drivers/can_bus.h"
+#include "tests/support/gui.h"
+#include "tests/support/review_bench.h"
+#include "tests/support/robot_session.h"
+
+namespace terratact {
+namespace {
+
+TEST(Languages, sessionTextIsTranslatedExceptWhatPeopleWrote)
+{
+    const std::vector<EventRow> told{
+        {.kind = EventKind::Decision, .subject = "drive", .text = "back"},
+        {.kind = EventKind::Decision, .subject = "second method", .text = "none"},
+        {.kind = EventKind::Decision, .subject = "release stop"},
+        {.kind = EventKind::Phase,
+         .subject = std::string(name(AtemPhase::Failed)),
+         .text = std::string(name(AtemFailure::Disarmed))},
+        {.kind = EventKind::Arming,
+         .subject = std::string(name(ArmingPhase::Disarmed)),
+         .text = std::string(name(DisarmCause::Stop))},
+        {.kind = EventKind::Arming, .subject = std::string(name(ArmingPhase::Confirming))},
+        {.kind = EventKind::Arming, .subject = std::string(name(ArmingPhase::Requested))},
+        {.kind = EventKind::Arming, .subject = std::string(name(ArmingPhase::Armed))},
+        {.kind = EventKind::Link,
+         .subject = std::string(kLinkUp),
+         .text = "gaps before: 3, the longest 0.41 s"},
+        {.kind = EventKind::Link,
+         .subject = std::string(kLinkLost),
+         .text = describe(BusState::Ended, "bus")},
+        {.kind = EventKind::Link, .subject = std::string(kTelemetryLost)},
+        {.kind = EventKind::Alarm, .subject = "silence", .number = 0.0},
+        {.kind = EventKind::Panel, .subject = "refuse", .number = 1.0},
+        {.kind = EventKind::Gap,
+         .subject = "missing",
+         .text =
+             "12 frames and 3 other rows are not here: there was no room while the disk was slow "
+             "or full, or they could not be written"},
+        {.kind = EventKind::Gap,
+         .subject = "log",
+         .text = "frames that were lost when the log was recorded"},
+        {.kind = EventKind::Session, .subject = "begun", .text = "from a log of CAN frames"},
+        {.kind = EventKind::Session, .subject = "continued", .text = "after /tmp/seen.tts"},
+        {.kind = EventKind::Session,
+         .subject = "merged",
+         .text = "from seen.tts, 12 frames, last link 0123, 3 batches of which are not what was "
+                 "recorded and left out"},
+        {.kind = EventKind::Session,
+         .subject = "recovered",
+         .text = "the program that recorded ended without closing the session"},
+        {.kind = EventKind::Session, .subject = "ended", .text = "closed with the console"}};
+    std::vector<QString> english;
+    for (const EventRow& event : told) english.push_back(sentenceOf(event));
+    for (const char* language : {"cs", "de"}) {
+        if (installLanguage(*qApp, language) != QLatin1String(language))
+            GTEST_SKIP() << "built without translations";
+        static const QRegularExpression kBetween(QStringLiteral("[^\\p{L}]+"));
+        for (std::size_t i = 0; i < told.size(); ++i) {
+            const QString translated = sentenceOf(told[i]);
+            const QStringList left = translated.split(kBetween, Qt::SkipEmptyParts);
+            for (const QString& word : english[i].split(kBetween, Qt::SkipEmptyParts))
+                EXPECT_TRUE(!left.contains(word)
+                            || QStringList({"STOP", "CAN", "disk", "program", "robot", "s", "tmp",
+                                            "seen", "tts", "bus"})
+                                   .contains(word))
+                    << language << ": " << word.toStdString() << " in " << translated.toStdString();
+        }
+        const EventRow note{.kind = EventKind::Marker, .subject = "operator", .text = "stop"};
+        EXPECT_TRUE(sentenceOf(note).endsWith(": stop")) << sentenceOf(note).toStdString();
+    }
+    installLanguage(*qApp, "en");
+}
+
+using namespace gui;
+using At = RobotSessionTimes;
+
+TEST_F(ReviewOf, aDamagedSessionShowsItsGaps)
+{
+    record();
+    sqlite3* file = nullptr;
+    ASSERT_EQ(sqlite3_open(path.toUtf8().constData(), &file), SQLITE_OK);
+    ASSERT_EQ(sqlite3_exec(file,
+                           "UPDATE can_frame SET data = x'00' WHERE t > 1000000000 AND t < "
+                           "3000000000",
+                           nullptr, nullptr, nullptr),
+              SQLITE_OK);
+    sqlite3_close(file);
+    open();
+    ASSERT_TRUE(eventually([&] { return window->surveyed(); }));
+    EXPECT_TRUE(window->stateLabel()->text().contains("DAMAGED"));
+    window->goTo(2.9);
+    EXPECT_TRUE(window->damageLabel()->isVisible());
+    EXPECT_FALSE(window->moment().measurement);
+    window->goTo(3.9);
+    EXPECT_FALSE(window->damageLabel()->isVisible());
+    EXPECT_TRUE(window->moment().measurement);
+}
+
+}  // namespace
+}  // namespace terratact

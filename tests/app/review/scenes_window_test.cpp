@@ -1,0 +1,57 @@
+// Tests the window of a file of scenes.
+#include "app/review/scenes_window.h"
+
+#include <gtest/gtest.h>
+
+#include "app/mission/estimator_worker.h"
+#include "app/pages/terrain_page.h"
+#include "app/review/review_window.h"
+#include "app/review/what_if_page.h"
+#include "tests/support/gui.h"
+#include "tests/support/review_command_check.h"
+#include "widgets/control/status_header.h"
+#include "widgets/terrain/terrain_profile_view.h"
+
+namespace terratact {
+namespace {
+
+using namespace gui;
+
+TEST(ScenesOfAFile, areEstimatedOneByOneWithoutCommands)
+{
+    std::vector<Scene> scenes(2);
+    scenes[0].run = "first";
+    scenes[0].s.force.fill(0.0);
+    scenes[1] = scenes[0];
+    scenes[1].run = "second";
+    scenes[1].s.pitch = 0.2;
+    scenes[1].truth[3] = -0.2;  // the other bins are unknown
+    ScenesWindow window({.path = "/some/scenes.csv",
+                         .scenes = scenes,
+                         .robot = absolem(),
+                         .model = modelFileLoader(
+                             TERRATACT_SOURCE_DIR "/resources/models/default.ttm", absolem())});
+    showActive(window);
+    ASSERT_TRUE(eventually([&] { return window.estimate().has_value(); }, 60000));
+    const TerrainEstimate first = *window.estimate();
+    EXPECT_TRUE(window.stateLabel()->text().contains("first"));
+    QTest::keyClick(&window, Qt::Key_Period);
+    EXPECT_EQ(window.scene(), 1U);
+    EXPECT_FALSE(window.estimate()) << "of another scene";
+    ASSERT_TRUE(eventually([&] { return window.estimate().has_value(); }, 60000));
+    EXPECT_NE(*window.estimate(), first);
+    EXPECT_FALSE(painted(window).isNull());
+    QTest::keyClick(&window, Qt::Key_Period);
+    EXPECT_EQ(window.scene(), 1U) << "is the last";
+    QTest::keyClick(&window, Qt::Key_Comma);
+    EXPECT_EQ(window.scene(), 0U);
+    for (const QPushButton* button : commandButtons(*window.terrainPage()))
+        EXPECT_FALSE(button->isVisible() && button->isEnabled());
+    EXPECT_FALSE(window.header()->stopButton()->isVisible());
+    EXPECT_FALSE(saysThatStopIsDead(window));
+    QTest::keyClick(&window, Qt::Key_Pause);
+    EXPECT_TRUE(saysThatStopIsDead(window));
+}
+
+}  // namespace
+}  // namespace terratact

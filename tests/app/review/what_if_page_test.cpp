@@ -1,0 +1,93 @@
+// Tests recomputed estimates in a review.
+#include "app/review/what_if_page.h"
+
+#include <gtest/gtest.h>
+
+#include "app/mission/estimator_worker.h"
+#include "app/review/review_window.h"
+#include "app/review/scenes_window.h"
+#include "tests/support/gui.h"
+#include "tests/support/review_bench.h"
+#include "tests/support/robot_session.h"
+#include "widgets/terrain/terrain_profile_view.h"
+
+namespace terratact {
+namespace {
+
+using namespace gui;
+using At = RobotSessionTimes;
+
+TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
+{
+    const std::string model = TERRATACT_SOURCE_DIR "/resources/models/default.ttm";
+    const auto loaded = modelFileLoader(model, absolem())();
+    ASSERT_TRUE(loaded) << loaded.error().text;
+    SessionStart start = someStart();
+    start.robot = *readFile(TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml", 1U << 16U);
+    auto writer = SessionWriter::create(path.toStdString(), start);
+    ASSERT_TRUE(writer) << writer.error().text;
+    ASSERT_TRUE(
+        writer->add(ModelRow{.id = 1, .name = "default.ttm", .hash = *sha256OfFile(model)}));
+    SceneRow scene{.id = 1, .time = sessionTimeOf(1.0)};
+    scene.measurement.pitch = 0.05;
+    scene.measurement.roll = 0.2;  // causes a warning
+    scene.measurement.force = {0.0, 0.0, 0.0, 0.0, 0.0, 7.0};
+    ASSERT_TRUE(writer->add(scene));
+    EstimateRow row{.id = 1, .time = sessionTimeOf(1.5), .scene = 1, .model = 1};
+    Settings settings;
+    settings.seed = 18'446'744'073'709'551'557U;
+    row.estimate = loaded->estimate({scene.measurement, {}, settings}, Watch{});
+    ASSERT_TRUE(writer->add(row));
+    EstimateRow rounded = row;  // rounded like on another processor
+    rounded.id = 2;
+    rounded.time = sessionTimeOf(1.7);
+    rounded.estimate.height[4] += 1e-12;
+    ASSERT_TRUE(writer->add(rounded));
+    ASSERT_TRUE(writer->seal());
+
+    open({QString::fromStdString(model)});
+    window->goTo(1.5);
+    press(Qt::Key_E);
+    WhatIfPage& page = *window->whatIf();
+    EXPECT_EQ(page.seed()->text(), "18446744073709551557");
+    ASSERT_TRUE(eventually([&] { return page.answer().hasValue(); }, 60000));
+    EXPECT_TRUE(page.result()->text().contains("bit for bit"))
+        << page.result()->text().toStdString();
+    EXPECT_EQ(*page.answer(), row.estimate);
+
+    page.threshold()->setValue(20.0);
+    page.estimate();
+    ASSERT_TRUE(eventually([&] { return page.answer() && *page.answer() != row.estimate; }, 60000));
+    EXPECT_FALSE(page.result()->text().contains("bit for bit"));
+    EXPECT_EQ(page.answer()->settings.forceThreshold, 20.0);
+    window->goTo(1.0);
+    EXPECT_FALSE(page.answer()) << "of another estimate";
+
+    window->goTo(1.7);
+    page.estimate();
+    ASSERT_TRUE(eventually([&] { return page.answer().hasValue(); }, 60000));
+    EXPECT_TRUE(page.result()->text().contains("except for rounding in the last bits"))
+        << page.result()->text().toStdString();
+}
+
+/// Other processors and later versions may round the last bits differently.
+TEST_F(ReviewOf, theShippedSessionIsReproduced)
+{
+    path = TERRATACT_SOURCE_DIR "/resources/sessions/demo.tts";
+    open({TERRATACT_SOURCE_DIR "/resources/models/default.ttm"});
+    press(Qt::Key_4);
+    for (int estimate = 0; estimate < 2; ++estimate) {
+        if (estimate > 0) {
+            window->goTo(secondsOf(window->session().estimates().back().time));
+            ASSERT_TRUE(window->moment().state.probed);
+        }
+        ASSERT_TRUE(window->moment().estimate);
+        window->whatIf()->estimate();
+        ASSERT_TRUE(eventually([&] { return window->whatIf()->answer().hasValue(); }, 60000));
+        EXPECT_TRUE(window->whatIf()->result()->text().contains("reproduce the recorded estimate"))
+            << window->whatIf()->result()->text().toStdString();
+    }
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,36 @@
+// Tests the table of keys.
+#include "app/shell/key_table.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/support/look_bench.h"
+
+namespace terratact {
+namespace {
+
+TEST_F(Look, theKeySheetListsEveryKeyAndEveryKeyActs)
+{
+    const QString sheet = window->keys().html();
+    std::set<int> seen;
+    for (const KeyTable::Entry& entry : window->keys().entries()) {
+        EXPECT_FALSE(entry.meaning.isEmpty());
+        EXPECT_TRUE(sheet.contains(entry.meaning.toHtmlEscaped()));
+        for (const QKeyCombination key : entry.keys) {
+            EXPECT_TRUE(seen.insert(key.toCombined()).second) << "a key with two meanings";
+            const QKeyEvent event(QEvent::KeyPress, key.key(), key.keyboardModifiers());
+            EXPECT_EQ(window->keys().entryOf(event), &entry);
+            EXPECT_TRUE(sheet.contains(
+                QKeySequence(key).toString(QKeySequence::NativeText).toHtmlEscaped()));
+        }
+    }
+    KeyTable twice;
+    twice.add({{Qt::Key_A}, "one", {}});
+    EXPECT_THROW(twice.add({{Qt::Key_B, Qt::Key_A}, "two", {}}), std::logic_error);
+    const QKeyEvent withAlt(QEvent::KeyPress, Qt::Key_A, Qt::AltModifier);
+    EXPECT_EQ(twice.entryOf(withAlt), nullptr);
+}
+
+}  // namespace
+}  // namespace terratact
