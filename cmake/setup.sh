@@ -21,7 +21,7 @@ gpiod_prefix=$PWD/.deps/libgpiod2
 log=$PWD/.deps/setup.log
 
 declare -A packages=(
-  [core]="g++ cmake ninja-build pkg-config libeigen3-dev libopenblas-dev liblapacke-dev libnlopt-dev
+  [core]="g++ cmake ninja-build pkg-config libeigen3-dev libopenblas-dev liblapacke-dev libhwy-dev libnlopt-dev
           libboost-math-dev libsqlite3-dev libsodium-dev zlib1g-dev libtomlplusplus-dev libcli11-dev libfmt-dev
           libcairo2-dev libgpiod-dev fonts-dejavu-core"
   [gui]="qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools qt6-wayland qmake6 libgl-dev libasound2-dev make bzip2 fonts-dejavu-core"

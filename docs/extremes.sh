@@ -80,7 +80,7 @@ them all; \`docs/extremes.sh $build\` made this page, with the long forms and wh
 What a truncated normal draw costs: \`build/headless/tests/terratact-bench --benchmark_filter=draws\`.
 
 **Same bytes.** The same seed gives the same draws, states and estimate with g++ and clang++, at every optimisation and
-with any number of threads, as long as the processor picks the same kernels (baseline, AVX2 or AVX-512) and the same
+with any number of threads, as long as the processor picks the same kernels (SSE4, AVX2 or AVX-512) and the same
 variants of the C library's functions, and OpenBLAS runs in one thread, as both programs set it.
 
 **Singular models.** Where the covariance of the training rows is singular to working precision, a jitter of 1e-10 to

@@ -45,7 +45,7 @@ def main(folder):
     ours |= measured(folder / "scenes.json")
     files = [json.loads(p.read_text()) for p in sorted(folder.glob("numpy-*.json"))]
     numpy = medians(files)
-    sets = [s for s in ("AVX-512", "AVX2", "baseline") if f"peak/{s}/f32" in ours]
+    sets = [s for s in ("AVX-512", "AVX2", "SSE4") if f"peak/{s}/f32" in ours]
     best = sets[0]
     rows = []
 

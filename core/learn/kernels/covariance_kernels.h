@@ -41,12 +41,11 @@ struct KernelPoll {
 /// Approximate number of a kernel's multiplications between two polls.
 inline constexpr long kKernelMultiplications = 1L << 25;
 
-/// Hot loops of prediction, compiled for several instruction sets from one source
-/// (covariance_kernels.inl). All pointers must be 64-byte aligned. A column's result does not
+/// Hot loops of prediction, compiled for several instruction sets from one source by Highway. All pointers must be 64-byte aligned. A column's result does not
 /// depend on its neighbours. AVX-512 and AVX2 give the same bits, because both use fused products
 /// in the same order.
 struct CovarianceKernels {
-    const char* name;  ///< "AVX-512", "AVX2", "baseline"
+    const char* name;  ///< of the instruction set, see nameOfTarget()
 
     /// Computes K[u·8 + c] = signal² exp(logWeight[u] − ½ Σ_j ((X[u·m + j] − Z[j·8 + c])
     /// perLength[j])²), u < kept, c < 8, with an exponent of at least −300, and mean[c] = Σ_u K[u·8

@@ -1,7 +1,7 @@
 """Same seed, same bytes: builds same_draws.cpp by several compilers and optimisations and compares what the
-programs print, each in 1 and 4 threads.  With the baseline kernels, which every x86-64 processor runs, and one
+programs print, each in 1 and 4 threads.  With the baseline kernels, which every processor runs, and one
 BLAS thread, as the console and the command line set it: OpenBLAS adds in another order with more.
---native builds the kernels for AVX2 and AVX-512, too, and the fastest that this processor has are compared.
+--native builds the kernels of every instruction set, and the fastest that this processor has are compared.
 
 same_draws_test.py [--native] [--builds g++-12:-O0 g++-12:-O2 clang++-14:-O0 clang++-14:-O2]
 same_draws_test.py --programs build/release/tests/same_draws build/dev/tests/same_draws
@@ -20,16 +20,13 @@ from concurrent.futures import ThreadPoolExecutor
 
 ROOT = pathlib.Path(os.environ.get("TERRATACT_SOURCE_DIR", pathlib.Path(__file__).parents[3]))
 PROGRAM = "tests/core/infer/same_draws.cpp"
-INCLUDE = re.compile(r'^#include "(core/[^"]+)\.(h|inl)"', re.MULTILINE)
+INCLUDE = re.compile(r'^#include "(core/[^"]+)\.h"', re.MULTILINE)
 FLAGS = ["-std=c++20", f"-I{ROOT}", "-Wno-psabi", "-ffp-contract=off"]
-KERNELS = {"_baseline": [], "_avx2": ["-mavx2", "-mfma"],
-           "_avx512": ["-mavx512f", "-mavx512dq", "-mfma", "-mprefer-vector-width=512"]}
 
 
-def sources(native):
-    """The program and, header by header, every source it needs, each with its own flags."""
-    suffixes = KERNELS if native else {"_baseline": []}
-    found, waiting = {}, [PROGRAM]
+def sources():
+    """Returns the program and, header by header, every source it needs."""
+    found, waiting = [], [PROGRAM]
     seen = set()
     while waiting:
         path = waiting.pop()
@@ -37,27 +34,26 @@ def sources(native):
             continue
         seen.add(path)
         if path.endswith(".cpp"):
-            kernel = next((s for s in KERNELS if path.endswith(s + ".cpp")), None)
-            found[path] = [*KERNELS[kernel], "-O3"] if kernel and native else []
-        for stem, _ in INCLUDE.findall((ROOT / path).read_text()):
-            waiting += [stem + ".h", stem + ".cpp", *(stem + s + ".cpp" for s in suffixes)]
+            found.append(path)
+        for stem in INCLUDE.findall((ROOT / path).read_text()):
+            waiting += [stem + ".h", stem + ".cpp"]
     return found
 
 
 def pkg_config(*arguments):
-    packages = ["eigen3", "lapacke", "openblas", "fmt", "nlopt"]
+    packages = ["eigen3", "lapacke", "libhwy", "openblas", "fmt", "nlopt"]
     out = subprocess.run(["pkg-config", *arguments, *packages], check=True, capture_output=True, text=True)
     return out.stdout.split()
 
 
 def compile_all(compiler, level, native, folder):
     cache = ["ccache"] if shutil.which("ccache") else []
-    macros = ["-DTERRATACT_X86_KERNELS"] if native else []
+    macros = [] if native else ["-DHWY_COMPILE_ONLY_STATIC"]
     objects, commands = [], []
-    for path, own in sources(native).items():
+    for path in sources():
         target = folder / (path.replace("/", ".") + ".o")
         objects.append(target)
-        commands.append([*cache, compiler, level, *FLAGS, *macros, *own, *pkg_config("--cflags"), "-c",
+        commands.append([*cache, compiler, level, *FLAGS, *macros, *pkg_config("--cflags"), "-c",
                          str(ROOT / path), "-o", str(target)])
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         list(pool.map(lambda command: subprocess.run(command, check=True), commands))

@@ -276,7 +276,8 @@ TEST(CovarianceKernels, withFusedProductsGiveTheSameBits)
     const Covariances data(37);
     std::vector<std::vector<double>> results;
     for (const CovarianceKernels* kernels : variants()) {
-        if (kernels->name == std::string_view("baseline")) continue;
+        const std::string_view name = kernels->name;
+        if (name != "AVX-512" && name != "AVX2") continue;
         std::vector<double> all = product.sums(*kernels);
         const std::vector<double> more = single.sums(*kernels);
         all.insert(all.end(), more.begin(), more.end());
