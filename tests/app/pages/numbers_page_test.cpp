@@ -8,12 +8,14 @@
 
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "widgets/base/theme.h"
 
 namespace terratact {
 namespace {
 
 TEST(NumbersPage, showsTheVerdictAndTheAgeOfTelemetry)
 {
+    applyLook(*qApp);
     const TerrainEstimate estimate = stepEstimate();
     NumbersViewState viewState;
     NumbersPage page([&] { return viewState; });
