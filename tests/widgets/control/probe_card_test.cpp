@@ -1,3 +1,4 @@
+#include "widgets/base/covered.h"
 #include "widgets/control/probe_card.h"
 
 #include <gtest/gtest.h>
@@ -266,7 +267,7 @@ TEST_F(Probe, isCoveredByAnOpenMenuOnTopOfIt)
     menu.addAction("an entry");
     menu.popup(card.mapToGlobal(QPoint(20, 20)));
     ASSERT_TRUE(gui::eventually([&] { return menu.isVisible(); }));
-    EXPECT_TRUE(card.isCovered());
+    EXPECT_TRUE(isCovered(card));
     EXPECT_FALSE(card.shown());
     menu.close();
     EXPECT_TRUE(gui::eventually([&] { return card.shown() == kProposal.id; }));
@@ -274,7 +275,7 @@ TEST_F(Probe, isCoveredByAnOpenMenuOnTopOfIt)
     beside.addAction("an entry");
     beside.popup(card.mapToGlobal(QPoint(card.width() + 20, 20)));
     ASSERT_TRUE(gui::eventually([&] { return beside.isVisible(); }));
-    EXPECT_FALSE(card.isCovered());
+    EXPECT_FALSE(isCovered(card));
     beside.close();
 }
 
