@@ -1,25 +1,30 @@
 #include "drivers/can_bus.h"
 
 #include <stdexcept>
+#include <utility>
 
 namespace terratact {
 namespace {
 
-std::string matter(BusState state)
+SourceText faultOf(BusState state)
 {
     switch (state) {
-    case BusState::Up: return "works";
+    case BusState::Up: return TR_NOOP("BusWords", "%1 works");
     case BusState::Stalled:
-        return "does not take frames: nobody acknowledges them or the bus is full; is the robot "
-               "on, are the "
-               "wires and the bit rate right?";
-    case BusState::ErrorWarning: return "has errors: check wires, terminators and bit rate";
-    case BusState::ErrorPassive: return "has many errors: check wires, terminators and bit rate";
+        return TR_NOOP("BusWords",
+                       "%1 does not take frames: no node acknowledges them, or the bus is full. "
+                       "Check the robot's power, the wires and the bit rate");
+    case BusState::ErrorWarning:
+        return TR_NOOP("BusWords", "%1 has errors: check wires, terminators and bit rate");
+    case BusState::ErrorPassive:
+        return TR_NOOP("BusWords", "%1 has many errors: check wires, terminators and bit rate");
     case BusState::BusOff:
-        return "is bus-off after too many errors: check the wires, then restart it";
-    case BusState::Down: return "is down: bring it up";
-    case BusState::Absent: return "does not exist: plug the adapter in, or make the interface";
-    case BusState::Ended: return "has ended";
+        return TR_NOOP("BusWords",
+                       "%1 is bus-off after too many errors: check the wires, then restart it");
+    case BusState::Down: return TR_NOOP("BusWords", "%1 is down: bring it up");
+    case BusState::Absent:
+        return TR_NOOP("BusWords", "%1 does not exist: plug the adapter in, or make the interface");
+    case BusState::Ended: return TR_NOOP("BusWords", "%1 has ended");
     }
     throw std::invalid_argument("BusState: no such state");
 }
@@ -55,13 +60,11 @@ std::string cureOf(BusState state, const std::string& bus)
     throw std::invalid_argument("BusState: no such state");
 }
 
-std::string describe(BusState state, const std::string& bus)
+Message describe(BusState state, const std::string& bus)
 {
-    std::string sentence = bus;
-    sentence.append(" ").append(matter(state));
-    if (const std::string command = cureOf(state, bus); !command.empty())
-        sentence.append(" (").append(command).append(")");
-    return sentence;
+    Message fault(faultOf(state), bus);
+    const std::string command = cureOf(state, bus);
+    return command.empty() ? fault : Message::followedBy(std::move(fault), command);
 }
 
 }  // namespace terratact

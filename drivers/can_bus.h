@@ -41,7 +41,7 @@ inline constexpr std::array kBusStates{
 std::string cureOf(BusState state, const std::string& bus);
 
 /// Returns one sentence for people: the bus, the fault, and the command that repairs it.
-std::string describe(BusState state, const std::string& bus);
+Message describe(BusState state, const std::string& bus);
 
 /// Counters since the bus was opened.
 struct BusCounters {

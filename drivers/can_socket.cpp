@@ -29,9 +29,9 @@ Error errorOf(int code)
     return {std::generic_category().message(code), code};
 }
 
-Error errorOf(int code, const std::string& interface, const std::string& text)
+Error errorOf(int code, const std::string& interface, Message what)
 {
-    return {interface + ": " + text, code};
+    return {Message::joined(Message::verbatim(interface), std::move(what)), code};
 }
 
 ifreq requestFor(const std::string& interface)
@@ -117,7 +117,7 @@ public:
         const can_frame raw = rawOf(frame);
         const ssize_t written = ::send(fd_.get(), &raw, sizeof raw, MSG_DONTWAIT | MSG_NOSIGNAL);
         if (written < 0) return errorOf(errno);
-        if (written != sizeof raw) return Error{"the frame was cut short", EIO};
+        if (written != sizeof raw) return Error{TR_NOOP("core", "the frame was cut short"), EIO};
         return Done{};
     }
 
@@ -213,19 +213,20 @@ bool configure(const PosixFd& fd, int receiveBuffer)
         && set(fd, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, errors);
 }
 
-std::string whyNoSocket(int code)
+Message whyNoSocket(int code)
 {
     switch (code) {
     case EAFNOSUPPORT:
     case EPROTONOSUPPORT:
     case ESOCKTNOSUPPORT:
-        return "the kernel has no CAN here: load it (sudo modprobe can_raw), or use another kernel";
+        return TR_NOOP("core", "the kernel has no CAN here: load it (sudo modprobe can_raw), or "
+                               "use another kernel");
     case EPERM:
     case EACCES:
-        return "this process may not open CAN sockets: a sandbox or container forbids it, start it "
-               "outside "
-               "(or: sudo setcap cap_net_raw+ep PROGRAM)";
-    default: return "no socket: " + std::generic_category().message(code);
+        return TR_NOOP("core", "this process may not open CAN sockets: a sandbox or container "
+                               "forbids it, start it outside (or: sudo setcap cap_net_raw+ep "
+                               "PROGRAM)");
+    default: return {TR_NOOP("core", "no socket: %1"), std::generic_category().message(code)};
     }
 }
 
@@ -240,10 +241,13 @@ Result<std::unique_ptr<CanSocket>> openCanSocket(const std::string& interface, i
     if (::ioctl(fd.get(), SIOCGIFHWADDR, &request) != 0)
         return Error{describe(BusState::Absent, interface), ENODEV};
     if (request.ifr_hwaddr.sa_family != ARPHRD_CAN)
-        return errorOf(EPFNOSUPPORT, interface,
-                       "is no CAN interface (ip -brief link show type can lists those)");
+        return errorOf(
+            EPFNOSUPPORT, interface,
+            TR_NOOP("core", "is no CAN interface (ip -brief link show type can lists those)"));
     if (!configure(fd, receiveBuffer))
-        return errorOf(errno, interface, "the kernel's CAN is too old: " + errorOf(errno).text);
+        return errorOf(
+            errno, interface,
+            Message(TR_NOOP("core", "the kernel's CAN is too old: %1"), errorOf(errno).text));
 
     sockaddr_can address{};
     address.can_family = AF_CAN;
@@ -251,8 +255,10 @@ Result<std::unique_ptr<CanSocket>> openCanSocket(const std::string& interface, i
     if (address.can_ifindex == 0) return Error{describe(BusState::Absent, interface), ENODEV};
     if (::bind(fd.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
         const int code = errno;
-        return code == ENODEV ? Error{describe(BusState::Absent, interface), ENODEV}
-                              : errorOf(code, interface, "not bound: " + errorOf(code).text);
+        return code == ENODEV
+                 ? Error{describe(BusState::Absent, interface), ENODEV}
+                 : errorOf(code, interface,
+                           Message(TR_NOOP("core", "not bound: %1"), errorOf(code).text));
     }
     return std::unique_ptr<CanSocket>(
         std::make_unique<RawCanSocket>(std::move(fd), interface, address.can_ifindex));

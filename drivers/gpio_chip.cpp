@@ -64,23 +64,31 @@ bool matches(const GpioChip& chip, const std::string& label, const std::string& 
     return label.empty() ? chip.name == name : chip.error == 0 && chip.label == label;
 }
 
+/// Returns "3", or "3 ('stop')".
 std::string placeName(const GpioPlace& place)
 {
-    return place.name.empty() ? fmt::format("line {}", place.offset)
-                              : fmt::format("line {} ({})", place.offset, shown(place.name));
+    const std::string offset = std::to_string(place.offset);
+    return place.name.empty() ? offset : fmt::format("{} ({})", offset, shown(place.name));
+}
+
+/// Returns "gpiochip0 [box]".
+std::string chipName(const std::string& name, const std::string& label)
+{
+    return fmt::format("{} [{}]", name, label);
 }
 
 /// Returns the names of the chip's lines, for an error about a missing line.
-std::string lineNames(const std::vector<GpioLineInfo>& lines)
+Message lineNames(const std::vector<GpioLineInfo>& lines)
 {
     constexpr std::size_t kMax = 60;
     std::vector<std::string> names;
     for (const GpioLineInfo& line : lines)
         if (!line.name.empty()) names.push_back(line.name);
-    if (names.empty()) return "its lines have no names: say offset instead";
+    if (names.empty()) return TR_NOOP("core", "its lines have no names: say offset instead");
     const bool more = names.size() > kMax;
     if (more) names.resize(kMax);
-    return fmt::format("it has {}{}", fmt::join(names, ", "), more ? " and more" : "");
+    return {more ? TR_NOOP("core", "it has %1 and more") : TR_NOOP("core", "it has %1"),
+            fmt::format("{}", fmt::join(names, ", "))};
 }
 
 Result<GpioPlace> placeByName(const std::string& name, const GpioChip& chip,
@@ -89,12 +97,12 @@ Result<GpioPlace> placeByName(const std::string& name, const GpioChip& chip,
     const auto isIt = [&](const GpioLineInfo& line) { return line.name == name; };
     const auto found = std::find_if(lines.begin(), lines.end(), isIt);
     if (found == lines.end())
-        return Error{fmt::format("{} [{}] has no line named {}: {}", chip.name, chip.label,
-                                 shown(name), lineNames(lines)),
+        return Error{Message(TR_NOOP("core", "%1 has no line named %2: %3"),
+                             chipName(chip.name, chip.label), shown(name), lineNames(lines)),
                      ENOENT};
     if (std::find_if(found + 1, lines.end(), isIt) != lines.end())
-        return Error{fmt::format("{} [{}] has several lines named {}: say offset instead",
-                                 chip.name, chip.label, shown(name)),
+        return Error{Message(TR_NOOP("core", "%1 has several lines named %2: say offset instead"),
+                             chipName(chip.name, chip.label), shown(name)),
                      EINVAL};
     return GpioPlace{static_cast<unsigned>(found - lines.begin()), name};
 }
@@ -104,8 +112,9 @@ Result<GpioPlace> placeOf(const std::string& name, std::optional<unsigned> offse
 {
     if (!name.empty()) return placeByName(name, chip, lines);
     if (offset && *offset < lines.size()) return GpioPlace{*offset, lines[*offset].name};
-    return Error{fmt::format("{} [{}] has no line {}: it has 0 to {}", chip.name, chip.label,
-                             offset.value_or(0), static_cast<int>(lines.size()) - 1),
+    return Error{Message(TR_NOOP("core", "%1 has no line %2: it has 0 to %3"),
+                         chipName(chip.name, chip.label), offset.value_or(0),
+                         static_cast<int>(lines.size()) - 1),
                  ENOENT};
 }
 
@@ -140,12 +149,17 @@ std::vector<GpioChip> listGpioChips(const std::string& directory)
 Result<GpioChip> chooseGpioChip(const std::vector<GpioChip>& chips, const std::string& label,
                                 const std::string& name)
 {
-    const std::string wanted = label.empty() ? fmt::format("named {}", shown(name))
-                                             : fmt::format("labelled {}", shown(label));
+    const bool isNamed = label.empty();
+    const std::string wanted = shown(isNamed ? name : label);
     if (chips.empty())
-        return Error{fmt::format("no GPIO chip {}: this computer has none (no /dev/gpiochip*); "
-                                 "plug it in, or load its driver",
-                                 wanted),
+        return Error{Message(isNamed
+                                 ? TR_NOOP("core", "no GPIO chip named %1: this computer has none "
+                                                   "(no /dev/gpiochip*); plug it in, or load "
+                                                   "its driver")
+                                 : TR_NOOP("core", "no GPIO chip labelled %1: this computer "
+                                                   "has none (no /dev/gpiochip*); plug it "
+                                                   "in, or load its driver"),
+                             wanted),
                      ENODEV};
     const auto isIt = [&](const GpioChip& chip) { return matches(chip, label, name); };
     const auto found = std::find_if(chips.begin(), chips.end(), isIt);
@@ -153,12 +167,18 @@ Result<GpioChip> chooseGpioChip(const std::vector<GpioChip>& chips, const std::s
         const auto closed = std::find_if(chips.begin(), chips.end(),
                                          [](const GpioChip& chip) { return chip.error != 0; });
         if (closed != chips.end()) return gpioForbidden(closed->path, closed->error);
-        return Error{fmt::format("no GPIO chip {}: there is {}", wanted, listed(chips)), ENODEV};
+        return Error{Message(isNamed ? TR_NOOP("core", "no GPIO chip named %1: there is %2")
+                                     : TR_NOOP("core", "no GPIO chip labelled %1: there is %2"),
+                             wanted, listed(chips)),
+                     ENODEV};
     }
     if (found->error != 0) return gpioForbidden(found->path, found->error);
     if (std::find_if(found + 1, chips.end(), isIt) != chips.end())
-        return Error{fmt::format("several GPIO chips {}: there is {}; say the chip's name instead",
-                                 wanted, listed(chips)),
+        return Error{Message(isNamed ? TR_NOOP("core", "several GPIO chips named %1: there is %2; "
+                                                       "say the chip's name instead")
+                                     : TR_NOOP("core", "several GPIO chips labelled %1: there "
+                                                       "is %2; say the chip's name instead"),
+                             wanted, listed(chips)),
                      EINVAL};
     return *found;
 }
@@ -177,8 +197,8 @@ Result<GpioFound> placeGpioLines(const GpioRequest& request, const GpioChip& chi
         auto at = placeOf(wanted.name, wanted.offset, chip, lines);
         if (!at) return at.error();
         if (!used.insert(at->offset).second)
-            return Error{fmt::format("{} of {} [{}] is asked for twice", placeName(*at), chip.name,
-                                     chip.label),
+            return Error{Message(TR_NOOP("core", "line %1 of %2 is asked for twice"),
+                                 placeName(*at), chipName(chip.name, chip.label)),
                          EINVAL};
         places.push_back(*std::move(at));
         return Done{};
@@ -192,23 +212,26 @@ Result<GpioFound> placeGpioLines(const GpioRequest& request, const GpioChip& chi
 
 Error gpioRefused(int code, const GpioFound& found, const std::vector<GpioLineInfo>& lines)
 {
-    const std::string chip = fmt::format("{} [{}]", found.chip, found.label);
+    const std::string chip = chipName(found.chip, found.label);
     if (code != EBUSY)
-        return {fmt::format("{}: the lines were refused: {}", chip, std::strerror(code)), code};
+        return {
+            Message(TR_NOOP("core", "%1: the lines were refused: %2"), chip, std::strerror(code)),
+            code};
     for (const auto& places : {found.inputs, found.outputs})
         for (const GpioPlace& place : places) {
             const GpioLineInfo& line = lines.at(place.offset);
             if (!line.used) continue;
-            const std::string holder =
-                line.holder.empty() ? "another program, or the kernel," : shown(line.holder);
-            return {fmt::format("{} of {} is in use: {} holds it; end that program, or wire the "
-                                "panel to another line",
-                                placeName(place), chip, holder),
+            const Message holder = line.holder.empty()
+                                     ? TR_NOOP("core", "another program, or the kernel,")
+                                     : Message::verbatim(shown(line.holder));
+            return {Message(TR_NOOP("core", "line %1 of %2 is in use: %3 holds it; end that "
+                                            "program, or wire the panel to another line"),
+                            placeName(place), chip, holder),
                     code};
         }
-    return {fmt::format("{}: a line is in use by another program, or by the kernel; gpioinfo shows "
-                        "which",
-                        chip),
+    return {Message(TR_NOOP("core", "%1: a line is in use by another program, or by the kernel; "
+                                    "gpioinfo shows which"),
+                    chip),
             code};
 }
 
@@ -216,28 +239,34 @@ Error gpioForbidden(const std::string& path, int code)
 {
     const std::string cause = fmt::format("{}: {}", path, std::strerror(code));
     struct ::stat status {};
-    if (code != EACCES || ::stat(path.c_str(), &status) != 0) return {cause, code};
+    if (code != EACCES || ::stat(path.c_str(), &status) != 0)
+        return {Message::verbatim(cause), code};
     const bool groupMay = (status.st_mode & (S_IRGRP | S_IWGRP)) == (S_IRGRP | S_IWGRP);
     if (groupMay && status.st_gid != 0)
-        return {fmt::format("{}: it is open to the group {}; run: sudo usermod -aG {} {} (and log "
-                            "in again)",
-                            cause, groupName(status.st_gid), groupName(status.st_gid), userName()),
-                code};
-    return {fmt::format("{}: it is open to root only; run: sudo groupadd -f gpio && sudo usermod "
-                        "-aG gpio {} && echo 'SUBSYSTEM==\"gpio\", KERNEL==\"gpiochip*\", "
-                        "GROUP=\"gpio\", MODE=\"0660\"' | sudo tee "
-                        "/etc/udev/rules.d/60-gpio.rules (and restart)",
-                        cause, userName()),
+        return {
+            Message(TR_NOOP("core", "%1: it is open to the group %2; run: %3 (and log in "
+                                    "again)"),
+                    cause, groupName(status.st_gid),
+                    fmt::format("sudo usermod -aG {} {}", groupName(status.st_gid), userName())),
+            code};
+    return {Message(TR_NOOP("core", "%1: it is open to root only; run: %2 (and restart)"), cause,
+                    fmt::format("sudo groupadd -f gpio && sudo usermod -aG gpio {} && echo "
+                                "'SUBSYSTEM==\"gpio\", KERNEL==\"gpiochip*\", GROUP=\"gpio\", "
+                                "MODE=\"0660\"' | sudo tee /etc/udev/rules.d/60-gpio.rules",
+                                userName())),
             code};
 }
 
-Error gpioFailed(const GpioFound& found, const std::string& action, int code)
+Error gpioFailed(const GpioFound& found, SourceText action, int code)
 {
-    const std::string chip = fmt::format("{} [{}]", found.chip, found.label);
+    const std::string chip = chipName(found.chip, found.label);
     if (code == ENODEV)
-        return {fmt::format("{}: the chip is gone: unplugged, or its driver was removed", chip),
+        return {Message(TR_NOOP("core", "%1: the chip is gone: unplugged, or its driver was "
+                                        "removed"),
+                        chip),
                 code};
-    return {fmt::format("{}: {}: {}", chip, action, std::strerror(code)), code};
+    Message cause = Message::joined(action, Message::verbatim(std::strerror(code)));
+    return {Message::joined(Message::verbatim(chip), std::move(cause)), code};
 }
 
 Result<std::vector<bool>> waitForGpio(const GpioFound& found, std::span<const int> descriptors,
@@ -249,11 +278,11 @@ Result<std::vector<bool>> waitForGpio(const GpioFound& found, std::span<const in
     std::vector<bool> ready(polled.size(), false);
     if (::poll(polled.data(), polled.size(), static_cast<int>(patience.count())) < 0) {
         if (errno == EINTR) return ready;
-        return gpioFailed(found, "waiting for an edge", errno);
+        return gpioFailed(found, TR_NOOP("core", "waiting for an edge"), errno);
     }
     for (std::size_t i = 0; i < polled.size(); ++i) {
         if ((polled[i].revents & (POLLERR | POLLHUP | POLLNVAL)) != 0)
-            return gpioFailed(found, "waiting for an edge", ENODEV);
+            return gpioFailed(found, TR_NOOP("core", "waiting for an edge"), ENODEV);
         ready[i] = (polled[i].revents & (POLLIN | POLLPRI)) != 0;
     }
     return ready;

@@ -44,7 +44,7 @@ Error gpioRefused(int code, const GpioFound& found, const std::vector<GpioLineIn
 Error gpioForbidden(const std::string& path, int code);
 
 /// Returns the Error of a chip that fails, or is gone.
-Error gpioFailed(const GpioFound& found, const std::string& action, int code);
+Error gpioFailed(const GpioFound& found, SourceText action, int code);
 
 /// Waits until one of the descriptors is readable, and returns which are. Returns none after the time,
 /// or after a signal. The Error's code is ENODEV if a descriptor's chip is gone.

@@ -88,7 +88,7 @@ public:
         for (std::size_t i = 0; i < descriptors_.size(); ++i)
             if ((*ready)[i])
                 if (const int code = append(i, edges.edges); code != 0)
-                    return gpioFailed(found_, "reading an edge", code);
+                    return gpioFailed(found_, TR_NOOP("core", "reading an edge"), code);
         return edges;
     }
 
@@ -97,7 +97,7 @@ public:
         std::vector<bool> levels;
         for (gpiod_line* const line : inputs_) {
             const int level = gpiod_line_get_value(line);
-            if (level < 0) return gpioFailed(found_, "reading a level", errno);
+            if (level < 0) return gpioFailed(found_, TR_NOOP("core", "reading a level"), errno);
             levels.push_back(level != 0);
         }
         return levels;
@@ -108,7 +108,7 @@ public:
         if (output >= outputs_.size())
             throw std::invalid_argument("GpioLines: there is no such output");
         if (gpiod_line_set_value(outputs_[output], active ? 1 : 0) != 0)
-            return gpioFailed(found_, "setting an output", errno);
+            return gpioFailed(found_, TR_NOOP("core", "setting an output"), errno);
         return Done{};
     }
 

@@ -116,7 +116,7 @@ public:
         const int count =
             gpiod_line_request_read_edge_events(lines_.get(), buffer_.get(), kMaxEdges);
         if (count < 0 && errno != EINTR && errno != EAGAIN)
-            return gpioFailed(found_, "reading an edge", errno);
+            return gpioFailed(found_, TR_NOOP("core", "reading an edge"), errno);
         for (int i = 0; i < count; ++i) append(static_cast<unsigned long>(i), edges);
         return edges;
     }
@@ -127,7 +127,7 @@ public:
         if (gpiod_line_request_get_values_subset(lines_.get(), offsets_.size(), offsets_.data(),
                                                  values.data())
             != 0)
-            return gpioFailed(found_, "reading the levels", errno);
+            return gpioFailed(found_, TR_NOOP("core", "reading the levels"), errno);
         std::vector<bool> levels(values.size());
         for (std::size_t i = 0; i < values.size(); ++i)
             levels[i] = values[i] == GPIOD_LINE_VALUE_ACTIVE;
@@ -142,7 +142,7 @@ public:
                                          active ? GPIOD_LINE_VALUE_ACTIVE
                                                 : GPIOD_LINE_VALUE_INACTIVE)
             != 0)
-            return gpioFailed(found_, "setting an output", errno);
+            return gpioFailed(found_, TR_NOOP("core", "setting an output"), errno);
         return Done{};
     }
 

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -88,7 +89,7 @@ public:
     BusCounters counters() const override;
 
 private:
-    std::string obstacle() const;
+    std::optional<Message> obstacle() const;
 
     std::shared_ptr<Wire> wire_;
     std::shared_ptr<Socket> socket_;
@@ -123,9 +124,9 @@ Status MemoryBus::End::send(const CanFrame& frame)
 {
     requireSendable(frame);
     const std::scoped_lock lock(wire_->mutex);
-    if (const std::string trouble = obstacle(); !trouble.empty()) {
+    if (auto trouble = obstacle()) {
         ++socket_->counters.notSent;
-        return Error{socket_->name + ": " + trouble};
+        return Error{Message::joined(Message::verbatim(socket_->name), *std::move(trouble))};
     }
     ++socket_->counters.sent;
     ++socket_->unconfirmed;
@@ -136,13 +137,13 @@ Status MemoryBus::End::send(const CanFrame& frame)
     return Done{};
 }
 
-std::string MemoryBus::End::obstacle() const
+std::optional<Message> MemoryBus::End::obstacle() const
 {
-    if (!connected(socket_->state)) return "the bus is down";
-    if (socket_->state == BusState::BusOff) return "the controller is off the bus";
+    if (!connected(socket_->state)) return TR_NOOP("core", "the bus is down");
+    if (socket_->state == BusState::BusOff) return TR_NOOP("core", "the controller is off the bus");
     if (socket_->window != 0 && socket_->unconfirmed >= socket_->window)
-        return "what was sent before has not left yet";
-    return {};
+        return TR_NOOP("core", "what was sent before has not left yet");
+    return std::nullopt;
 }
 
 BusState MemoryBus::End::state() const

@@ -98,13 +98,13 @@ void OperatorPanel::open()
     auto lines = open_(requestOf(panel_));
     if (lines) {
         lines_ = *std::move(lines);
-        absence_.clear();
+        absence_ = {};
         backOff_ = 0.0;
         lit_ = false;
         if (!firstOpened_) firstOpened_ = now;
         return;
     }
-    absence_ = lines.error().text;
+    absence_ = lines.error().message;
     backOff_ = std::clamp(2.0 * backOff_, kFirstBackOff, kMaxBackOff);
     nextOpening_ = now + backOff_;
 }
@@ -135,34 +135,32 @@ void OperatorPanel::count(const GpioEdges& edges)
 void OperatorPanel::lose(const Error& why)
 {
     lines_.reset();
-    absence_ = why.text;
+    absence_ = why.message;
     ++report_.counters.losses;
     report_.lamps = {};
-    lampTrouble_.clear();
+    lampTrouble_ = {};
     nextOpening_ = clock_();
 }
 
 void OperatorPanel::light(const LampState& lamps)
 {
     const auto wanted = outputsOf(lamps), are = outputsOf(report_.lamps);
-    std::string failed;
+    Message failed;
     for (std::size_t i = 0; i < kPanelOutputs; ++i) {
         if (lit_ && wanted[i] == are[i]) continue;
         const Status done = lines_->set(i, wanted[i]);
         if (!done && failed.empty())
-            failed.append("the panel's ")
-                .append(kPanelOutputNames[i])
-                .append(" does not obey: ")
-                .append(done.error().text);
+            failed = {TR_NOOP("core", "the panel's %1 does not obey: %2"), kPanelOutputNames[i],
+                      done.error().message};
     }
     lampTrouble_ = failed;
     lit_ = failed.empty();  // otherwise all are set again at the next reading
     if (lit_) report_.lamps = lamps;
 }
 
-std::string OperatorPanel::trouble() const
+Message OperatorPanel::trouble() const
 {
-    if (!lines_) return "the panel is absent: " + absence_;
+    if (!lines_) return {TR_NOOP("core", "the panel is absent: %1"), absence_};
     if (!lampTrouble_.empty()) return lampTrouble_;
     for (const PanelContact button : kPanelButtons)
         if (auto text = buttonTrouble(button, report_.state.contacts[button].phase); !text.empty())

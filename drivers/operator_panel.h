@@ -32,7 +32,7 @@ struct PanelReport {
     PanelCounters counters;
     /// One sentence about the worst fault: the panel is absent, a lamp fails, or a button is stuck.
     /// Empty: no fault.
-    std::string trouble;
+    Message trouble;
 };
 
 /// The operator panel on GPIO lines. One thread must call poll() in a loop.
@@ -66,7 +66,7 @@ private:
     void count(const GpioEdges& edges);
     void lose(const Error& why);
     void light(const LampState& lamps);
-    std::string trouble() const;
+    Message trouble() const;
 
     PanelConfig panel_;
     Open open_;
@@ -76,8 +76,8 @@ private:
     double nextOpening_ = 0.0;           // [s]
     double backOff_ = 0.0;               // [s]
     PanelReport report_;
-    std::string absence_, lampTrouble_;  // texts
-    bool lit_ = false;                   // true if the lines are set to report_.lamps
+    Message absence_, lampTrouble_;
+    bool lit_ = false;  // true if the lines are set to report_.lamps
 };
 
 }  // namespace terratact

@@ -102,7 +102,8 @@ Result<std::size_t> SocketCan::receive(std::span<BusFrame> frames,
             failed(reading.error().code);
             system_.sleep(std::min(left, kPauseAfterError));
             if (state() != BusState::Down && state() != BusState::Absent)
-                return Error{fmt::format("{}: not readable: {}", name(), reading.error().text),
+                return Error{Message(TR_NOOP("core", "%1: not readable: %2"), name(),
+                                     reading.error().message),
                              reading.error().code};
         }
         if (system_.steadyTime() >= deadline) return std::size_t{0};
@@ -114,9 +115,9 @@ Status SocketCan::send(const CanFrame& frame)
     requireSendable(frame);
     const double now = system_.steadyTime();
     std::unique_lock lock(mutex_);
-    if (const std::string reason = obstacle(now); !reason.empty()) {
+    if (auto reason = obstacle(now)) {
         ++counters_.notSent;
-        return Error{reason};
+        return Error{*std::move(reason)};
     }
     const CanFrame content = trimmed(frame);
     const Status written = socket_->write(content);
@@ -131,13 +132,15 @@ Status SocketCan::send(const CanFrame& frame)
     if (code == ENOBUFS || code == EAGAIN) {
         if (!full_ || now - full_->last > kFullCounts) full_ = Full{now, now};
         full_->last = now;
-        return Error{fmt::format("{}: not sent, the kernel's queue is full", name()), code};
+        return Error{Message(TR_NOOP("core", "%1: not sent, the kernel's queue is full"), name()),
+                     code};
     }
     lock.unlock();
     failed(code);
     if (state() == BusState::Down || state() == BusState::Absent)
         return Error{describe(state(), name()), code};
-    return Error{fmt::format("{}: not sent: {}", name(), written.error().text), code};
+    return Error{Message(TR_NOOP("core", "%1: not sent: %2"), name(), written.error().message),
+                 code};
 }
 
 BusState SocketCan::state() const
@@ -315,17 +318,17 @@ BusState SocketCan::stateAt(double now) const
     return BusState::BusOff;
 }
 
-/// Returns why nothing may be sent now; empty: sending is possible.
-std::string SocketCan::obstacle(double now) const
+/// Returns why nothing may be sent now; nothing: sending is possible.
+std::optional<Message> SocketCan::obstacle(double now) const
 {
     if (!options_.transmit)
-        return fmt::format("{} was opened to receive only: nothing is sent", name());
+        return Message(TR_NOOP("core", "%1 was opened to receive only: nothing is sent"), name());
     if (link_ != BusState::Up || controller_ == ControllerState::BusOff || overdue(now))
         return describe(stateAt(now), name());
     if (options_.maxUnconfirmed > 0 && unconfirmed_.size() >= options_.maxUnconfirmed)
-        return fmt::format("{}: not sent, {} frames before it have not left yet", name(),
-                           unconfirmed_.size());
-    return {};
+        return Message(TR_NOOP("core", "%1: not sent, %2 frames before it have not left yet"),
+                       name(), unconfirmed_.size());
+    return std::nullopt;
 }
 
 }  // namespace terratact

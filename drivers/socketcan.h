@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/message.h"
 #include "core/wire/can_error.h"
 #include "drivers/can_bus.h"
 #include "drivers/can_socket.h"
@@ -85,7 +86,7 @@ private:
     std::uint64_t drops() const;
     bool overdue(double now) const;
     BusState stateAt(double now) const;
-    std::string obstacle(double now) const;
+    std::optional<Message> obstacle(double now) const;
 
     const Options options_;
     const System system_;

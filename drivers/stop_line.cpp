@@ -24,7 +24,7 @@ struct Address {
 Status check(const std::string& name)
 {
     if (name.empty() || name.size() > 100)
-        return Error{"a stop line needs a name of 1 to 100 characters", EINVAL};
+        return Error{TR_NOOP("core", "a stop line needs a name of 1 to 100 characters"), EINVAL};
     return Done{};
 }
 

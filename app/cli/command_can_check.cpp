@@ -79,8 +79,8 @@ Status checkCan(const std::string& interface)
         facts.isCan && !facts.isVirtual ? controllerFrom(linkDetails(interface)) : CanController{};
     const std::vector<CanFinding> findings = findingsOf(facts, canSocketError(), controller);
     for (const CanFinding& finding : findings) {
-        printText("{:<8} {}\n", wordOf(finding.level), finding.what);
-        if (!finding.cure.empty()) printText("{:<8} → {}\n", "", finding.cure);
+        printText("{:<8} {}\n", wordOf(finding.level), finding.what.english());
+        if (!finding.cure.empty()) printText("{:<8} → {}\n", "", finding.cure.english());
     }
     const auto problems = std::count_if(findings.begin(), findings.end(), [](const CanFinding& f) {
         return f.level == CanFinding::Level::Problem;

@@ -114,7 +114,7 @@ std::string stateText(const Monitored& monitored)
 {
     constexpr double kShort = 2.0;  // [s] a shorter wait is not reported
     const CanBus& bus = *monitored.bus;
-    if (!monitored.replay) return describe(bus.state(), bus.name());
+    if (!monitored.replay) return describe(bus.state(), bus.name()).english();
     if (bus.state() == BusState::Ended) return bus.name() + " has ended";
     const double wait = monitored.replay->wait().value_or(0.0);
     if (wait < kShort) return bus.name();

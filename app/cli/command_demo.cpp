@@ -43,9 +43,9 @@ bool waitFor(SimulatedRobot& robot, Condition wanted)
 
 Error refused(SimulatedRobot& robot, std::string_view what)
 {
-    return Error{
-        fmt::format("the simulated robot did not {}: {}", what, describe(robot.measure().refusal)),
-        0};
+    return Error{fmt::format("the simulated robot did not {}: {}", what,
+                             describe(robot.measure().refusal).english),
+                 0};
 }
 
 Status driveToStep(SimulatedRobot& robot)
@@ -82,8 +82,8 @@ Status present(const TerrainEstimate& estimate, const Scene& scene, const RobotM
     Heights truth{};
     for (std::size_t i = 0; i < kBins; ++i) truth[i] = *scene.truth[i];
     printText("\n{}\n{}", title, Lines(profileTable(estimate, truth)));
-    for (const std::string& sentence : hiddenByBands(estimate)) printText("  {}\n", sentence);
-    for (const std::string& warning : estimate.warnings) printText("! {}\n", warning);
+    for (const Message& sentence : hiddenByBands(estimate)) printText("  {}\n", sentence.english());
+    for (const Message& warning : estimate.warnings) printText("! {}\n", warning.english());
     const std::string csv = estimateCsv({scene}, {{estimate, ""}});
     if (Status s = writeFileAtomically(stem.string() + ".csv", csv); !s) return s;
     FigureInput figure;

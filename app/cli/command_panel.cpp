@@ -88,7 +88,7 @@ public:
     void operator()(const PanelReport& now)
     {
         if (now.trouble != last_.trouble)
-            print(now, now.trouble.empty() ? "all is well" : now.trouble);
+            print(now, now.trouble.empty() ? "all is well" : now.trouble.english());
         if (now.state.present)
             for (const PanelContact c : kAllPanelContacts) printContact(now, c);
         if (now.counters.lostEdges != last_.counters.lostEdges)

@@ -8,6 +8,7 @@
 
 #include "app/cli/session_commands.h"
 #include "app/runtime/print_text.h"
+#include "core/log/event_text.h"
 #include "core/log/session_writer.h"
 #include "core/store/file_read.h"
 #include "core/store/sha256.h"
@@ -93,23 +94,24 @@ private:
             return;
         }
         const double step = *log.stepBack();
-        steps_.push_back(fmt::format("at line {} the log's clock was set {} by {:.6f} s; the "
-                                     "session goes on evenly",
-                                     log.line(), step < 0.0 ? "forward" : "back", std::abs(step)));
+        steps_.emplace_back(step < 0.0
+                                ? TR_NOOP("core", "at line %1 the log's clock was set forward by "
+                                                  "%2 s; the session goes on evenly")
+                                : TR_NOOP("core", "at line %1 the log's clock was set back by "
+                                                  "%2 s; the session goes on evenly"),
+                            log.line(), fixed(std::abs(step), 6));
     }
 
-    EventRow event(EventKind kind, std::string subject, std::string text = {})
+    EventRow event(EventKind kind, std::string subject, Message text = {})
     {
-        return {.id = ++events_,
-                .time = last_,
-                .kind = kind,
-                .subject = std::move(subject),
-                .text = std::move(text)};
+        return withText(
+            {.id = ++events_, .time = last_, .kind = kind, .subject = std::move(subject)},
+            std::move(text));
     }
 
     Status logSteps()
     {
-        for (std::string& step : std::exchange(steps_, {})) {
+        for (Message& step : std::exchange(steps_, {})) {
             ++loggedSteps_;
             if (Status status = writer_->add(event(EventKind::Gap, "clock", std::move(step)));
                 !status)
@@ -125,14 +127,16 @@ private:
         if (untold_ > 0)
             rows.push_back(
                 event(EventKind::Gap, "clock",
-                      fmt::format("the log's clock was set back {} more times", untold_)));
+                      {TR_NOOP("core", "the log's clock was set back %1 more times"), untold_}));
         if (log.dropped() > 0) {
-            rows.push_back(
-                event(EventKind::Gap, "log", "frames that were lost when the log was recorded"));
+            rows.push_back(event(EventKind::Gap, "log",
+                                 TR_NOOP("core", "frames that were lost when the log was "
+                                                 "recorded")));
             rows.back().number = static_cast<double>(log.dropped());
         }
         if (log.isTorn())
-            rows.push_back(event(EventKind::Gap, "log", "the end of the log is torn"));
+            rows.push_back(
+                event(EventKind::Gap, "log", TR_NOOP("core", "the end of the log is torn")));
         rows.push_back(event(EventKind::Session, "ended"));
         for (const EventRow& row : rows)
             if (Status status = writer_->add(row); !status) return status;
@@ -153,7 +157,8 @@ private:
         auto writer = SessionWriter::create(options_.out, start);
         if (!writer) return writer.error();
         writer_ = std::move(*writer);
-        return writer_->add(event(EventKind::Session, "begun", "from a log of CAN frames"));
+        return writer_->add(
+            event(EventKind::Session, "begun", TR_NOOP("core", "from a log of CAN frames")));
     }
 
     const SessionImportOptions& options_;
@@ -164,7 +169,7 @@ private:
     std::uint64_t count_ = 0, untold_ = 0;
     std::int64_t events_ = 0;
     std::size_t loggedSteps_ = 0;
-    std::vector<std::string> steps_;  ///< clock steps since the last frame
+    std::vector<Message> steps_;  ///< clock steps since the last frame
 };
 
 }  // namespace

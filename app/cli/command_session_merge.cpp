@@ -9,6 +9,7 @@
 #include "app/recording/session_merger.h"
 #include "app/recording/session_text.h"
 #include "app/runtime/print_text.h"
+#include "core/log/event_text.h"
 #include "core/log/session_writer.h"
 #include "core/store/file_read.h"
 
@@ -38,18 +39,18 @@ std::pair<std::int64_t, std::int64_t> frameSpan(SessionReader& session)
 Status showMerge(SessionMerger& merger, SessionReader& session)
 {
     const SessionVerification found = session.verify();
-    const std::string damaged =
+    const std::string file = std::filesystem::path(session.path()).filename().string();
+    const Message source =
         found.damage.empty()
-            ? ""
-            : fmt::format(", {} batches of which are not what was recorded and left out",
-                          found.damage.size());
+            ? Message(TR_NOOP("core", "from %1, %2 frames, last link %3"), file, found.frames,
+                      found.chain)
+            : Message(TR_NOOP("core", "from %1, %2 frames, last link %3, %4 batches of which are "
+                                      "not what was recorded and left out"),
+                      file, found.frames, found.chain, found.damage.size());
     return merger.event(
-        session, {.time = session.begin(),
-                  .kind = EventKind::Session,
-                  .subject = "merged",
-                  .text = fmt::format("from {}, {} frames, last link {}{}",
-                                      std::filesystem::path(session.path()).filename().string(),
-                                      found.frames, found.chain, damaged)});
+        session,
+        withText({.time = session.begin(), .kind = EventKind::Session, .subject = "merged"},
+                 source));
 }
 
 Status requireAlike(const SessionReader& a, const SessionReader& b)

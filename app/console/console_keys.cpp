@@ -30,10 +30,10 @@ void addDriveKey(KeyTable& keys, QList<QKeyCombination> of, const QString& meani
 {
     const auto press = [button, &window] {
         if (button->isEnabled() && button->isVisible()) return button->hold();
-        const QString why = window.exploration().whyNotDriving();
-        window.showWhyNot(
-            MainWindow::tr("not driven: %1")
-                .arg(why.isEmpty() ? MainWindow::tr("it is done on the page Terrain (F2)") : why));
+        const auto why = window.exploration().whyNotDriving();
+        window.showWhyNot({TR_NOOP("terratact::MainWindow", "not driven: %1"),
+                           why.value_or(TR_NOOP("terratact::MainWindow",
+                                                "it is done on the page Terrain (F2)"))});
     };
     keys.add({std::move(of), meaning, press, [button] { button->letGoSoon(); }});
 }

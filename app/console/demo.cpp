@@ -37,7 +37,7 @@ void ScreenshotDemo::tick()
         return arm();
     }
     if (exploration.state().phase == AtemPhase::Failed && stage_ == Stage::Exploring)
-        return giveUp(QString::fromStdString(describe(exploration.state().failure)));
+        return giveUp(QString::fromStdString(describe(exploration.state().failure).english));
 
     switch (stage_) {
     case Stage::Loading: {
@@ -87,8 +87,7 @@ void ScreenshotDemo::arm()
     CanSource& link = *window_.link();
     const CanView view = link.view();
     if (view.link.arming.phase == ArmingPhase::Confirming) link.confirmArming();
-    if (view.link.arming.phase == ArmingPhase::Disarmed && whyNotArming(view).empty())
-        link.wantArming();
+    if (view.link.arming.phase == ArmingPhase::Disarmed && !whyNotArming(view)) link.wantArming();
 }
 
 /// Returns an error text; empty: the picture was saved.

@@ -23,6 +23,7 @@
 #include <qwt_global.h>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/link/can_check.h"
 #include "app/shell/loop_meter.h"
 #include "core/learn/kernels/covariance_kernels.h"
@@ -187,10 +188,9 @@ DiagnosticsSection panelDiagnostics(const std::optional<PanelFacts>& panel)
     };
     line(DiagnosticsPage::tr("panel"), [](const PanelFacts& p) {
         if (!p.answers)
-            return DiagnosticsPage::tr("✘ does not answer: %1")
-                .arg(format::sentence(p.report.trouble));
+            return DiagnosticsPage::tr("✘ does not answer: %1").arg(translated(p.report.trouble));
         return p.report.trouble.empty() ? DiagnosticsPage::tr("✔ answers")
-                                        : format::sentence(p.report.trouble);
+                                        : translated(p.report.trouble);
     });
     for (const PanelContact contact : kAllPanelContacts)
         line(DiagnosticsPage::tr("contact %1").arg(format::text(name(contact))),
@@ -213,7 +213,8 @@ DiagnosticsSection partsDiagnostics(const ConsoleFacts& facts)
              {DiagnosticsPage::tr("robot"), facts.robot},
              {DiagnosticsPage::tr("facts of the robot"),
               facts.robotDetails.isEmpty() ? format::kNothing : facts.robotDetails},
-             {DiagnosticsPage::tr("model"), model.trouble.isEmpty() ? model.name : model.trouble},
+             {DiagnosticsPage::tr("model"),
+              model.trouble.empty() ? model.name : translated(model.trouble)},
              {DiagnosticsPage::tr("facts of the model"), model.details}}};
 }
 
@@ -232,9 +233,8 @@ QString canSocketWords(int socketError)
 {
     if (socketError == 0) return DiagnosticsPage::tr("✔ possible");
     const CanFinding finding = socketFinding(socketError);
-    const QString what =
-        DiagnosticsPage::tr("✘ not possible: %1").arg(format::sentence(finding.what));
-    return finding.cure.empty() ? what : what + QLatin1Char('\n') + format::sentence(finding.cure);
+    const QString what = DiagnosticsPage::tr("✘ not possible: %1").arg(translated(finding.what));
+    return finding.cure.empty() ? what : what + QLatin1Char('\n') + translated(finding.cure);
 }
 
 QList<DiagnosticsSection> standingDiagnostics()

@@ -7,6 +7,7 @@
 
 #include "app/console/signals_page.h"
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/mission/bus_text.h"
 #include "app/mission/preconditions.h"
 #include "app/mission/robot_text.h"
@@ -22,7 +23,7 @@ constexpr double kRateEvery = 0.5;  // [s] update interval of the telemetry rate
 
 QString sentence(const LinkAccount& link)
 {
-    return format::sentence(describe(link));
+    return translated(describe(link));
 }
 
 QString capitals(const LinkAccount& link)
@@ -149,7 +150,7 @@ QString LinkStatus::bannerText(const LinkViewState& viewState, double age) const
     if (link.alive)
         return tr("LINK RESTORED after %1 — values are live; the terrain predates the gap")
             .arg(format::age(link.longest));
-    const QString trouble = troubleWords(viewState.bus, acquisition_.trouble());
+    const QString trouble = translated(troubleOf(viewState.bus, acquisition_.trouble()));
     const QString why = trouble.isEmpty() ? QString() : QStringLiteral(": ") + trouble;
     return link.alone
              ? tr("%1 for %2 — %3; no measured value is live%4")
@@ -175,13 +176,12 @@ void LinkStatus::logChange(const LinkAccount& link)
     if (link.standing == logged_.standing && !(isDown(link) && worsens)) return;
     if (isDown(link) && isDown(logged_) && !worsens) return;
     logged_ = link;
-    const QString text = sentence(link);
     if (link.standing == LinkStanding::Up && link.gaps > 1)
-        events_.add(tr("%1; gaps before: %2, the longest %3")
-                        .arg(text, QString::number(link.gaps), format::age(link.longest)),
+        events_.add(Message(TR_NOOP("LinkStatus", "%1; gaps before: %2, the longest %3"),
+                            describe(link), link.gaps, verbatim(format::age(link.longest))),
                     EventSeverity::Note, QTime::currentTime());
     else if (link.standing != LinkStanding::Silent)
-        events_.add(text, isDown(link) ? EventSeverity::Bad : EventSeverity::Note,
+        events_.add(describe(link), isDown(link) ? EventSeverity::Bad : EventSeverity::Note,
                     QTime::currentTime(), EventPlace::LinkBanner);
 }
 
@@ -204,7 +204,8 @@ void LinkStatus::showArming(const CanView* bus, const std::optional<Precondition
 {
     if (!bus) return;
     const CanView& view = *bus;
-    if (!view.transmits) return header_.arming()->setListening(whyFollowing(link_));
+    if (view.whyNotTransmitting)
+        return header_.arming()->setListening(translated(*view.whyNotTransmitting));
     const ArmingState& state = view.link.arming;
     QList<Precondition> needs = Preconditions::toArm(view);
     if (panel) needs << *panel;
@@ -212,10 +213,12 @@ void LinkStatus::showArming(const CanView* bus, const std::optional<Precondition
     if (state.phase == armingWas_) return;
     const bool wasArmed = std::exchange(armingWas_, state.phase) == ArmingPhase::Armed;
     if (state.phase == ArmingPhase::Armed)
-        events_.add(tr("the robot is armed"), EventSeverity::Note, QTime::currentTime());
+        events_.add(TR_NOOP("LinkStatus", "the robot is armed"), EventSeverity::Note,
+                    QTime::currentTime());
     if (state.phase == ArmingPhase::Disarmed)
-        events_.add((wasArmed ? tr("disarmed: %1") : tr("not armed: %1"))
-                        .arg(format::sentence(describe(state.cause))),
+        events_.add(Message(wasArmed ? TR_NOOP("LinkStatus", "disarmed: %1")
+                                     : TR_NOOP("LinkStatus", "not armed: %1"),
+                            describe(state.cause)),
                     state.cause == DisarmCause::Operator ? EventSeverity::Note : EventSeverity::Bad,
                     QTime::currentTime());
 }

@@ -31,7 +31,7 @@ void addEstimation(TerrainViewState& viewState, const Estimation& estimation)
         viewState.secondName = format::text(name(viewState.second->settings.method));
     viewState.live = {pointer(estimation.live()), revisions.live};
     viewState.ghost = estimation.ghost();
-    viewState.whyNoGhost = estimation.whyNoGhost();
+    viewState.whyNoGhost = translated(estimation.whyNoGhost().value_or(Message()));
     viewState.verdict = estimation.verdict();
 }
 
@@ -99,17 +99,19 @@ AlarmViewState LiveViewState::alarms(const RobotMoment& moment, const LinkAccoun
     }
     viewState.isSceneSuspected = exploration.estimation().wasSuspected();
     if (newest) viewState.isStopped = newest->sample.measurement.activity == RobotActivity::Stopped;
-    viewState.sourceTrouble = troubleWords(pointer(moment.bus), parts_.acquisition.trouble());
+    viewState.sourceTrouble = troubleOf(pointer(moment.bus), parts_.acquisition.trouble());
     viewState.bus = moment.bus;
     if (CanSource* bus = parts_.link)
         viewState.wrongChecksums =
             bus->tap().load().troubles[static_cast<std::size_t>(FrameTrouble::WrongChecksum)];
     viewState.noModel = exploration.estimation().model().trouble;
-    if (parts_.recorder) viewState.notRecorded = translated(parts_.recorder->state().trouble);
+    if (parts_.recorder) viewState.notRecorded = parts_.recorder->state().trouble;
     if (parts_.panel && !parts_.panel->answers(now))
-        viewState.panelTrouble = exploration.following()  // a following console stops nothing
-                                   ? tr("The operator's panel does not answer")
-                                   : tr("The operator's panel does not answer: STOP is asserted");
+        viewState.panelTrouble =
+            exploration.following()  // a following console stops nothing
+                ? TR_NOOP("LiveViewState", "The operator's panel does not answer")
+                : TR_NOOP("LiveViewState",
+                          "The operator's panel does not answer: STOP is asserted");
     if (exploration.state().phase == AtemPhase::Failed)
         viewState.failedExploration = exploration.stateWords();
     return viewState;
@@ -134,14 +136,14 @@ TerrainViewState LiveViewState::terrain(const RobotMoment& moment)
         viewState.truth = &newest->sample.truth;
     }
     addEstimation(viewState, exploration.estimation());
-    viewState.whyNoEstimate = exploration.whyNoEstimate();
+    viewState.whyNoEstimate = translated(exploration.whyNoEstimate());
     viewState.state = exploration.state();
-    viewState.stateWords = exploration.stateWords();
+    viewState.stateWords = translated(exploration.stateWords());
     viewState.time = exploration.time();
     viewState.secondsInPhase = exploration.secondsInPhase();
     viewState.proposal = pointer(exploration.proposal());
     if (!viewState.proposal) viewState.bestProbe = exploration.bestProbe();
-    viewState.whyNotOffered = exploration.whyNotOffered();
+    viewState.whyNotOffered = translated(exploration.whyNotOffered().value_or(Message()));
     viewState.probingBin = exploration.probingBin();
     viewState.probeSeconds = exploration.options().probeSeconds;
     // A preview takes one telemetry period, so its progress would only flicker.

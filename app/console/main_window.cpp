@@ -18,6 +18,7 @@
 #include "app/console/signals_page.h"
 #include "app/console/training_page.h"
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/mission/session_event_logger.h"
 #include "app/pages/numbers_page.h"
 #include "app/recording/session_folder.h"
@@ -76,13 +77,13 @@ MainWindow::MainWindow(Options options)
         connect(events(), &EventList::added, eventLogger_.get(), &SessionEventLogger::word);
         recorder_->setOn(preferences_->current().record);
         const QString unusual = changesOf(Preferences{}, preferences_->current());
-        if (!unusual.isEmpty()) eventLogger_->decision("settings", unusual);
+        if (!unusual.isEmpty()) eventLogger_->decision("settings", verbatim(unusual));
     }
     offerQualities();
     profileMenu_ = new ProfileMenu(*terrain(), *exploration_, viewButton());
     viewButton()->setMenu(profileMenu_);
     defineKeys();
-    for (const QString& trouble : preferences_->troubles()) log(trouble, EventSeverity::Warning);
+    for (const Message& trouble : preferences_->troubles()) log(trouble, EventSeverity::Warning);
     look_.setInterval(kLook);
     connect(&look_, &QTimer::timeout, this, [this] {
         meter_.beat(steadyNow());
@@ -140,7 +141,7 @@ void MainWindow::addPages(const Options& options)
             return NumbersViewState{
                 estimate ? &*estimate : nullptr,
                 estimation.revisions().estimate,
-                exploration_->whyNoEstimate(),
+                translated(exploration_->whyNoEstimate()),
                 exploration_->options().stepLimit,
                 estimation.verdict(),
                 moment_.latest ? std::optional(moment_.now - secondsOf(moment_.latest->arrived))
@@ -217,11 +218,11 @@ void MainWindow::connectAll()
     connect(events(), &EventList::added, this, &MainWindow::notice);
     connect(preferences_.get(), &PreferenceStore::changed, this, &MainWindow::applyPreferences);
     connect(preferences_.get(), &PreferenceStore::notSaved, this,
-            [this](const QString& why) { log(why, EventSeverity::Warning); });
+            [this](const Message& why) { log(why, EventSeverity::Warning); });
     connectExploration();
     connectStop();
     connect(alarms_.get(), &ConsoleAlarms::raised, this,
-            [this](const QString& text, Severity severity) {
+            [this](const Message& text, Severity severity) {
                 log(text,
                     severity == Severity::Critical ? EventSeverity::Bad : EventSeverity::Warning);
             });
@@ -275,12 +276,12 @@ void MainWindow::connectExploration()
 }
 
 /// Reports trouble on every page, in a banner if the event list is hidden.
-void MainWindow::notice(const QString& text, EventSeverity severity, EventPlace place)
+void MainWindow::notice(const Message& text, EventSeverity severity, EventPlace place)
 {
     const bool isShown = (place == EventPlace::ExplorationPanel && atemPanel()->isVisible())
                       || (place == EventPlace::LinkBanner && linkStatus_->isBannerShown());
     if (severity != EventSeverity::Bad || events()->isVisible() || isShown) return;
-    notice_->show(text, steadyNow());
+    notice_->show(translated(text), steadyNow());
 }
 
 void MainWindow::connectWorker()
@@ -295,8 +296,8 @@ void MainWindow::connectWorker()
                 offerQualities();
                 if (link_) link_->begin();  // begins a replay now, so that no press is missed
             });
-    connect(worker_.get(), &EstimatorWorker::modelFailed, this, [this](const QString& why) {
-        header()->setModel(tr("no model"), Tone::Bad, why);
+    connect(worker_.get(), &EstimatorWorker::modelFailed, this, [this](const Message& why) {
+        header()->setModel(tr("no model"), Tone::Bad, translated(why));
         if (link_) link_->begin();
     });
 }
@@ -304,11 +305,11 @@ void MainWindow::connectWorker()
 void MainWindow::connectStop()
 {
     connect(sharedStop_.get(), &SharedStop::happened, this, &MainWindow::log);
-    connect(sharedStop_.get(), &SharedStop::received, this, [this](const QString& text) {
-        events()->log(text, EventSeverity::Note, QTime::currentTime());
+    connect(sharedStop_.get(), &SharedStop::received, this, [this](const Message& text) {
+        events()->log(translated(text), EventSeverity::Note, QTime::currentTime());
     });
     connect(sharedStop_.get(), &SharedStop::said, this,
-            [this](const QString& text) { notice_->show(text, steadyNow()); });
+            [this](const Message& text) { notice_->show(translated(text), steadyNow()); });
     sharedStop_->listen();
 }
 
@@ -320,15 +321,16 @@ void MainWindow::restartMeter()
 void MainWindow::mark()
 {
     if (!eventLogger_ || !recorder_->state().recording)
-        return log(tr("not marked: nothing is recorded"), EventSeverity::Warning);
+        return log(TR_NOOP("terratact::MainWindow", "not marked: nothing is recorded"),
+                   EventSeverity::Warning);
     eventLogger_->mark({});
-    log(tr("marked in the recording"), EventSeverity::Note);
+    log(TR_NOOP("terratact::MainWindow", "marked in the recording"), EventSeverity::Note);
 }
 
 void MainWindow::releaseStop()
 {
-    const QString why = panel_ ? panel_->whyNotReleased() : QString();
-    if (!why.isEmpty()) return log(why, EventSeverity::Bad);
+    if (const auto why = panel_ ? panel_->whyNotReleased() : std::nullopt)
+        return log(*why, EventSeverity::Bad);
     exploration_->releaseStop();
 }
 
@@ -341,23 +343,23 @@ void MainWindow::open()
 
 std::function<void(const QString&)> MainWindow::notOpened()
 {
-    return [this](const QString& why) { log(why, EventSeverity::Bad); };
+    return [this](const QString& why) { log(verbatim(why), EventSeverity::Bad); };
 }
 
-void MainWindow::logState(const QString& text, EventSeverity severity)
+void MainWindow::logState(const Message& text, EventSeverity severity)
 {
     events()->add(text, severity, QTime::currentTime(), EventPlace::ExplorationPanel);
 }
 
-void MainWindow::log(const QString& text, EventSeverity severity)
+void MainWindow::log(const Message& text, EventSeverity severity)
 {
     events()->add(text, severity, QTime::currentTime());
 }
 
-void MainWindow::showWhyNot(const QString& text)
+void MainWindow::showWhyNot(const Message& text)
 {
     log(text, EventSeverity::Warning);
-    notice_->show(text, steadyNow());
+    notice_->show(translated(text), steadyNow());
 }
 
 void MainWindow::askProbe()
@@ -368,10 +370,11 @@ void MainWindow::askProbe()
         exploration_->askProbe(seen);
     else if (best)
         exploration_->askProbe(best->bin);
-    else if (const QString why = exploration_->whyNotOffered(); !why.isEmpty())
-        log(why, EventSeverity::Warning);
+    else if (const auto why = exploration_->whyNotOffered())
+        log(*why, EventSeverity::Warning);
     else
-        log(tr("no bin is selected: point at a bin first"), EventSeverity::Warning);
+        log(TR_NOOP("terratact::MainWindow", "no bin is selected: point at a bin first"),
+            EventSeverity::Warning);
 }
 
 void MainWindow::defineKeys()
@@ -413,10 +416,11 @@ void MainWindow::closeEvent(QCloseEvent* event)
     const bool isAnswer = since > kToRead && since <= ShortNotice::kFor;
     if (mayAskBeforeClosing() && link_ && exploration_->armed() && !isAnswer) {
         closeRefused_ = now;
-        const QString why = tr("THE ROBOT IS ARMED: close the window again within %1 s to halt and "
-                               "disarm it; or disarm it first (M)")
-                                .arg(format::number(ShortNotice::kFor, 0));
-        notice_->show(why, now);
+        const Message why(TR_NOOP("terratact::MainWindow",
+                                  "THE ROBOT IS ARMED: close the window again within %1 s to halt "
+                                  "and disarm it; or disarm it first (M)"),
+                          fixed(ShortNotice::kFor, 0));
+        notice_->show(translated(why), now);
         if (since > ShortNotice::kFor) log(why, EventSeverity::Warning);
         return event->ignore();
     }

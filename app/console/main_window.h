@@ -5,6 +5,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/console/diagnostics_page.h"
@@ -14,6 +15,7 @@
 #include "app/console/recording_display.h"
 #include "app/console/shared_stop.h"
 #include "app/console/stop_display.h"
+#include "app/display/translated.h"
 #include "app/link/acquisition.h"
 #include "app/link/robot_moment.h"
 #include "app/mission/console_alarms.h"
@@ -30,6 +32,7 @@
 #include "app/shell/preference_store.h"
 #include "app/shell/short_notice.h"
 #include "core/atem/stall_watch.h"
+#include "core/base/message.h"
 
 class QLabel;
 class QPushButton;
@@ -75,7 +78,7 @@ public:
     const Acquisition& acquisition() const { return *acquisition_; }
     /// Returns true once the last painted frame includes the present estimate.
     bool showsEstimate() const { return terrainPage_->showsEstimate(); }
-    QString modelTrouble() const { return exploration_->estimation().model().trouble; }
+    QString modelTrouble() const { return translated(exploration_->estimation().model().trouble); }
 
     PreferenceStore& preferences() { return *preferences_; }
     CanSource* link() const { return link_; }
@@ -97,7 +100,7 @@ public:
     const LoopMeter& meter() const { return meter_; }
     void restartMeter();
     /// Reports why a key or button had no effect: as an event and in a temporary banner.
-    void showWhyNot(const QString& text);
+    void showWhyNot(const Message& text);
     /// Requests a probe of the bin shown in detail, else of the best bin.
     void askProbe();
     AlarmsPage* alarmsPage() const { return alarmsPage_; }
@@ -118,15 +121,15 @@ private:
     void addPages(const Options& options);
     void showAlarms(const LinkAccount& link);
     void showRecording(const LinkAccount& link);
-    void notice(const QString& text, EventSeverity severity, EventPlace place);
+    void notice(const Message& text, EventSeverity severity, EventPlace place);
     void showPanelLost();
     void mark();
     void connectAll();
     void connectHeader();
     void connectExploration();
-    void log(const QString& text, EventSeverity severity);  ///< adds an event
+    void log(const Message& text, EventSeverity severity);  ///< adds an event
     /// Adds an event that the exploration panel shows, too.
-    void logState(const QString& text, EventSeverity severity);
+    void logState(const Message& text, EventSeverity severity);
     void connectWorker();
     /// Polls telemetry, panel and estimator: on new telemetry and estimates, and every 10 ms. It draws at up to 25 Hz.
     void poll();
@@ -151,7 +154,7 @@ private:
     void leave();
     void reopen();
     void applyRobot(const QString& path);
-    QString whyNotReopening() const;  ///< empty: the window may be rebuilt
+    std::optional<Message> whyNotReopening() const;  ///< empty: the window may be rebuilt
     void offerQualities();  ///< offers the presets, with costs if measured with this model
 
     std::unique_ptr<PreferenceStore> preferences_;

@@ -3,6 +3,7 @@
 #include "app/console/main_window.h"
 #include "app/console/settings_page.h"
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/mission/preset_text.h"
 #include "app/mission/session_event_logger.h"
 #include "widgets/base/theme.h"
@@ -28,7 +29,7 @@ void MainWindow::applyPreferences(const Preferences& before)
 {
     const Preferences& now = preferences_->current();
     const QString changes = changesOf(before, now);
-    if (eventLogger_ && !changes.isEmpty()) eventLogger_->decision("settings", changes);
+    if (eventLogger_ && !changes.isEmpty()) eventLogger_->decision("settings", verbatim(changes));
     const Settings& set = exploration_->options().settings;
     // Applies changed settings only, because they void a proposal; other changes, such as colours, do not.
     if (const Settings wanted = withPreferences(set, now); wanted != withPreferences(set, before)) {
@@ -54,15 +55,18 @@ void MainWindow::applyPreferences(const Preferences& before)
 /// Takes the robot file of a dialog that may have been open since before arming.
 void MainWindow::applyRobot(const QString& path)
 {
-    if (const QString why = whyNotReopening(); !why.isEmpty())
-        return log(tr("the robot stays: %1").arg(why), EventSeverity::Bad);
+    if (const auto why = whyNotReopening())
+        return log({TR_NOOP("terratact::MainWindow", "the robot stays: %1"), *why},
+                   EventSeverity::Bad);
     preferences_->change([path](Preferences& p) { p.robot = path; });
 }
 
 void MainWindow::reopen()
 {
-    if (const QString why = whyNotReopening(); !why.isEmpty()) {
-        log(tr("robot and language change at the next start: %1").arg(why), EventSeverity::Warning);
+    if (const auto why = whyNotReopening()) {
+        log({TR_NOOP("terratact::MainWindow", "robot and language change at the next start: %1"),
+             *why},
+            EventSeverity::Warning);
         return;
     }
     leave();
@@ -72,19 +76,21 @@ void MainWindow::reopen()
 void MainWindow::showCards()
 {
     const ModelInUse& model = exploration_->estimation().model();
-    settings_->setModelCard(model.trouble.isEmpty() ? model.name + QLatin1Char('\n') + model.details
-                                                    : tr("no model: %1").arg(model.trouble));
+    settings_->setModelCard(model.trouble.empty()
+                                ? model.name + QLatin1Char('\n') + model.details
+                                : tr("no model: %1").arg(translated(model.trouble)));
     settings_->setRobotCard(robotDetails_);
-    settings_->setReopenBlocked(whyNotReopening());
+    settings_->setReopenBlocked(translated(whyNotReopening().value_or(Message())));
 }
 
-QString MainWindow::whyNotReopening() const
+std::optional<Message> MainWindow::whyNotReopening() const
 {
-    if (exploration_->following()) return {};
+    if (exploration_->following()) return std::nullopt;
     if (exploring(exploration_->state().phase))
-        return tr("An exploration is running: end it with Esc first");
-    if (link_ && exploration_->armed()) return tr("The robot is armed: disarm it first (M)");
-    return {};
+        return TR_NOOP("terratact::MainWindow", "An exploration is running: end it with Esc first");
+    if (link_ && exploration_->armed())
+        return TR_NOOP("terratact::MainWindow", "The robot is armed: disarm it first (M)");
+    return std::nullopt;
 }
 
 void MainWindow::offerQualities()
@@ -95,7 +101,7 @@ void MainWindow::offerQualities()
     const std::vector<PresetCost> costs = measured ? presets_.costs : std::vector<PresetCost>{};
     settings_->setPresets(costs);
     QStringList names;
-    for (const QualityPreset preset : kQualityPresets) names << format::sentence(name(preset));
+    for (const QualityPreset preset : kQualityPresets) names << translated(describe(preset));
     header()->setQualities(names, presetLines(method, costs),
                            static_cast<int>(preferences_->current().preset));
 }

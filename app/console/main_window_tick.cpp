@@ -6,6 +6,7 @@
 #include "app/console/replay_bar.h"
 #include "app/console/settings_page.h"
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/mission/session_event_logger.h"
 #include "app/shell/page.h"
 #include "widgets/base/covered.h"
@@ -57,8 +58,9 @@ void MainWindow::poll()
 void MainWindow::logStall(double seconds)
 {
     if (link_ && exploration_->armed())
-        log(tr("this window froze for %1 ms: no command could leave")
-                .arg(format::number(seconds * 1e3, 0)),
+        log({TR_NOOP("terratact::MainWindow",
+                     "this window froze for %1 ms: no command could leave"),
+             fixed(seconds * 1e3, 0)},
             EventSeverity::Warning);
 }
 
@@ -84,7 +86,7 @@ void MainWindow::redraw()
     showPanelLost();
     if (replayBar_) replayBar_->poll();
     notice_->poll(now, !stopDisplay_->isLate());
-    header()->setOverridden(exploration_->overridden());
+    header()->setOverridden(translated(Message::listed(exploration_->overridden(), "; ")));
     if (settings_->isVisible()) showCards();
     if (auto* page = qobject_cast<Page*>(currentPage())) page->refresh(now);
 

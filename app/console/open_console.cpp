@@ -40,7 +40,7 @@ Result<Chosen> choose(const ConsoleOptions& options, const std::optional<Prefere
 {
     Chosen chosen;
     chosen.loaded = preferencesFor(options);
-    std::vector<LateSentence>& troubles = chosen.loaded.troubles;
+    std::vector<Message>& troubles = chosen.loaded.troubles;
     auto robot = before ? usableRobot(before->robot, troubles) : robotFor(options, chosen.loaded);
     if (!robot) return robot.error();
     chosen.robot = std::move(*robot);
@@ -95,7 +95,8 @@ Exploration::Options explorationFor(const ConsoleOptions& options, const Prefere
     exploration.stepLimit = preferences.obstacleLimit;
     exploration.probes = preferences.probes;
     exploration.seconds = preferences.estimateSeconds;
-    if (options.terrain != "varied") exploration.groundFile = options.terrain;
+    if (options.can.empty() && options.replay.empty())
+        exploration.groundFile = options.terrain == "varied" ? std::string() : options.terrain;
     if (options.isPicture())  // pictures must not fail on a busy machine
         exploration.linkLostAfter = exploration.staleAfter = 5.0;
     return exploration;
@@ -137,7 +138,7 @@ void keepHouse(Lasting& lasting, std::vector<std::string> earlier, const std::st
         house->setLimits(retentionOf(preferences.current()));
     });
     const auto showNews = [house, events = window.events()] {
-        for (const QString& sentence : house->consumeNews())
+        for (const Message& sentence : house->consumeNews())
             events->add(sentence, EventSeverity::Warning, QTime::currentTime());
     };
     QObject::connect(house, &SessionRetention::news, &window, showNews);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/display/format.h"
-
 namespace terratact {
 namespace {
 
@@ -70,16 +68,10 @@ bool SessionRetention::inForce(const RetentionLimits& limits)
     return limits_ == limits;
 }
 
-QStringList SessionRetention::consumeNews()
+std::vector<Message> SessionRetention::consumeNews()
 {
-    std::vector<std::string> reports;
-    {
-        const std::scoped_lock lock(mutex_);
-        reports = std::exchange(news_, {});
-    }
-    QStringList sentences;
-    for (const std::string& sentence : reports) sentences << format::sentence(sentence);
-    return sentences;
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(news_, {});
 }
 
 void SessionRetention::run(const std::stop_token& stop)
@@ -102,7 +94,7 @@ void SessionRetention::run(const std::stop_token& stop)
     }
 }
 
-void SessionRetention::addNews(const std::vector<std::string>& sentences)
+void SessionRetention::addNews(const std::vector<Message>& sentences)
 {
     if (sentences.empty()) return;
     {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QObject>
-#include <QStringList>
 #include <QTimer>
 #include <condition_variable>
 #include <mutex>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "app/recording/session_folder.h"
+#include "core/base/message.h"
 
 namespace terratact {
 
@@ -31,7 +31,7 @@ public:
     static constexpr int kGrace = 10'000;  ///< [ms]
 
     /// Returns the news since the last call, one sentence each.
-    QStringList consumeNews();
+    std::vector<Message> consumeNews();
 
 signals:
     void news();  ///< consumeNews() has news
@@ -40,7 +40,7 @@ private:
     void run(const std::stop_token& stop);
     void apply(const RetentionLimits& limits);
     bool inForce(const RetentionLimits& limits);
-    void addNews(const std::vector<std::string>& sentences);
+    void addNews(const std::vector<Message>& sentences);
 
     std::vector<std::string> earlier_;
     std::string folder_;
@@ -50,7 +50,7 @@ private:
     RetentionLimits limits_;
     bool due_ = true;  ///< the limits are not applied yet
     std::condition_variable_any limitsSet_;
-    std::vector<std::string> news_;
+    std::vector<Message> news_;
     std::jthread thread_;  // last member: it ends before all others are destroyed
 };
 

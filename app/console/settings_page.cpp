@@ -14,6 +14,7 @@
 #include <array>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/mission/preset_text.h"
 #include "app/shell/file_dialog.h"
 #include "app/shell/font_fit.h"
@@ -212,7 +213,7 @@ void SettingsPage::buildEstimate(QFormLayout* form)
 {
     QStringList methods, presets;
     for (const Method method : offeredMethods()) methods << format::text(name(method));
-    for (const QualityPreset preset : kQualityPresets) presets << format::sentence(name(preset));
+    for (const QualityPreset preset : kQualityPresets) presets << translated(describe(preset));
     method_ = choice(
         form, tr("Method"), methods,
         tr("local and joint are closed formulas; the others sample with Markov chains"),

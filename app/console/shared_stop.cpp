@@ -2,9 +2,6 @@
 
 #include <utility>
 
-#include "app/display/format.h"
-#include "app/display/translated.h"
-
 namespace terratact {
 
 SharedStop::SharedStop(Exploration& exploration, QObject* parent)
@@ -22,15 +19,17 @@ void SharedStop::listen()
     if (line)
         line_.emplace(std::move(*line));
     else
-        emit happened(tr("STOP has no effect in windows opened from here: %1")
-                          .arg(translated(line.error().message)),
+        emit happened(Message(TR_NOOP("terratact::SharedStop",
+                                      "STOP has no effect in windows opened from here: %1"),
+                              line.error().message),
                       EventSeverity::Warning);
 }
 
 void SharedStop::poll()
 {
     if (!line_ || !line_->consume()) return;
-    const QString where = tr("STOP was pressed in a window that was opened from here");
+    const Message where =
+        TR_NOOP("terratact::SharedStop", "STOP was pressed in a window that was opened from here");
     emit received(where);
     exploration_.stopFrom(where);
 }
@@ -40,11 +39,12 @@ std::string SharedStop::line() const
     return line_ ? stopLineName() : std::string();
 }
 
-void SharedStop::stoppedNothing(const QString& why)
+void SharedStop::stoppedNothing(const Message& why)
 {
     if (remote_.exists()) return remote_.press();
-    emit happened(tr("STOP has no effect: %1").arg(why), EventSeverity::Bad);
-    emit said(tr("STOP HAS NO EFFECT HERE: %1").arg(why));
+    emit happened(Message(TR_NOOP("terratact::SharedStop", "STOP has no effect: %1"), why),
+                  EventSeverity::Bad);
+    emit said(Message(TR_NOOP("terratact::SharedStop", "STOP HAS NO EFFECT HERE: %1"), why));
 }
 
 }  // namespace terratact

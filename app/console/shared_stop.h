@@ -7,6 +7,7 @@
 
 #include "app/mission/exploration.h"
 #include "app/shell/remote_stop.h"
+#include "core/base/message.h"
 
 namespace terratact {
 
@@ -28,13 +29,13 @@ public:
     bool hasOther() const { return remote_.exists(); }
 
 signals:
-    void happened(const QString& text, terratact::EventSeverity severity);
+    void happened(const terratact::Message& text, terratact::EventSeverity severity);
     /// STOP was pressed elsewhere; Exploration::decided() records it, too.
-    void received(const QString& text);
-    void said(const QString& text);  ///< important text for a banner
+    void received(const terratact::Message& text);
+    void said(const terratact::Message& text);  ///< important text for a banner
 
 private:
-    void stoppedNothing(const QString& why);
+    void stoppedNothing(const Message& why);
 
     Exploration& exploration_;
     std::optional<StopLine> line_;

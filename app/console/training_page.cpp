@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/mission/comparison_text.h"
 #include "app/mission/exploration.h"
 #include "app/shell/file_dialog.h"
@@ -127,16 +128,16 @@ QString TrainingPage::pathOfName() const
     return options_.directory + QLatin1Char('/') + name_->text() + QStringLiteral(".ttm");
 }
 
-QString TrainingPage::whyNotStart() const
+std::optional<QString> TrainingPage::whyNotStart() const
 {
     if (scenes_->text().isEmpty()) return tr("Choose a file of scenes for training.");
     if (!name_->hasAcceptableInput()) return tr("Give the new model a name.");
     if (QFileInfo::exists(pathOfName()))
         return tr("%1 exists already: choose another name.").arg(pathOfName());
-    return {};
+    return std::nullopt;
 }
 
-QString TrainingPage::whyBusy() const
+std::optional<QString> TrainingPage::whyBusy() const
 {
     switch (phase_) {
     case Phase::Training: return tr("A model is being trained: cancel that first.");
@@ -146,31 +147,33 @@ QString TrainingPage::whyBusy() const
     case Phase::Trained:
     case Phase::Compared: break;
     }
-    return {};
+    return std::nullopt;
 }
 
-QString TrainingPage::whyNotDiscard() const
+std::optional<QString> TrainingPage::whyNotDiscard() const
 {
-    if (QString why = whyBusy(); !why.isEmpty()) return why;
-    return trained_.isEmpty() ? tr("There is no new model.") : QString();
+    if (auto why = whyBusy()) return why;
+    if (trained_.isEmpty()) return tr("There is no new model.");
+    return std::nullopt;
 }
 
-QString TrainingPage::whyNotCompare() const
+std::optional<QString> TrainingPage::whyNotCompare() const
 {
-    if (QString why = whyBusy(); !why.isEmpty()) return why;
+    if (auto why = whyBusy()) return why;
     if (trained_.isEmpty()) return tr("Train a model first.");
-    return test_->text().isEmpty() ? tr("Choose a file of scenes to test on.") : QString();
+    if (test_->text().isEmpty()) return tr("Choose a file of scenes to test on.");
+    return std::nullopt;
 }
 
-QString TrainingPage::whyNotAdopt() const
+std::optional<QString> TrainingPage::whyNotAdopt() const
 {
     if (phase_ == Phase::Adopting) return whyBusy();
     if (trained_.isEmpty()) return tr("Train a model first.");
-    if (phase_ == Phase::Training || phase_ == Phase::Comparing) return {};
+    if (phase_ == Phase::Training || phase_ == Phase::Comparing) return std::nullopt;
     if (phase_ != Phase::Compared) return tr("Compare the new model before it is adopted.");
     if (exploring(exploration_.state().phase))
         return tr("An exploration is running: the model stays until it has ended (Esc ends it).");
-    return {};
+    return std::nullopt;
 }
 
 void TrainingPage::start()
@@ -204,7 +207,7 @@ void TrainingPage::compare()
 
 void TrainingPage::adopt()
 {
-    if (!whyNotAdopt().isEmpty()) return;
+    if (whyNotAdopt()) return;
     enter(Phase::Adopting);
     emit adopted(trained_);
 }
@@ -219,10 +222,10 @@ void TrainingPage::adoptionDone()
     emit adoptionFinished(options_.model);
 }
 
-void TrainingPage::adoptionFailed(const QString& why)
+void TrainingPage::adoptionFailed(const Message& why)
 {
     if (phase_ != Phase::Adopting) return;
-    showStatus(tr("Not adopted, the model in use stays: %1").arg(why), true);
+    showStatus(tr("Not adopted, the model in use stays: %1").arg(translated(why)), true);
     enter(Phase::Compared);
 }
 
@@ -263,30 +266,34 @@ void TrainingPage::enter(Phase phase)
 
 void TrainingPage::showButtons()
 {
-    const auto offer = [](QPushButton* button, const QString& whyNot, const QString& tip) {
-        button->setEnabled(whyNot.isEmpty());
-        setTip(*button, whyNot.isEmpty() ? tip : whyNot);
+    const auto offer = [](QPushButton* button, const std::optional<QString>& whyNot,
+                          const QString& tip) {
+        button->setEnabled(!whyNot);
+        setTip(*button, whyNot.value_or(tip));
     };
-    const QString busy = whyBusy(), whyNot = whyNotStart(), why = whyNotAdopt();
+    const auto busy = whyBusy(), whyNot = whyNotStart(), why = whyNotAdopt();
     const bool runs = phase_ == Phase::Training || phase_ == Phase::Comparing;
-    offer(start_, busy.isEmpty() ? whyNot : busy, tr("Trains the model in the background"));
-    if (phase_ == Phase::Idle && !whyNot.isEmpty() && !scenes_->text().isEmpty())
-        showStatus(whyNot);
-    if (phase_ == Phase::Idle && status_->text().isEmpty()) showStatus(whyNot);
-    offer(cancel_, runs ? QString() : tr("No training or comparison is running."),
+    offer(start_, busy ? busy : whyNot, tr("Trains the model in the background"));
+    const bool mustSay = !scenes_->text().isEmpty() || status_->text().isEmpty();
+    if (phase_ == Phase::Idle && whyNot && mustSay) showStatus(*whyNot);
+    offer(cancel_, runs ? std::nullopt : std::optional(tr("No training or comparison is running.")),
           tr("Cancels the training or comparison; no file is written"));
     for (QWidget* field : std::initializer_list<QWidget*>{scenes_, name_, seed_})
-        field->setEnabled(busy.isEmpty());
+        field->setEnabled(!busy);
     offer(chooseScenes_, busy, chooseScenes_->accessibleName());
     test_->setEnabled(phase_ != Phase::Comparing);
-    offer(chooseTest_, phase_ == Phase::Comparing ? busy : QString(),
+    offer(chooseTest_, phase_ == Phase::Comparing ? busy : std::nullopt,
           chooseTest_->accessibleName());
     offer(compare_, whyNotCompare(), tr("Estimate the test scenes with both models"));
-    adopt_->setEnabled(phase_ == Phase::Compared && why.isEmpty());
-    setTip(*adopt_, !why.isEmpty() ? why : runs ? busy : tr("Use the new model from now on"));
+    adopt_->setEnabled(phase_ == Phase::Compared && !why);
+    setTip(*adopt_, (why    ? why
+                     : runs ? busy
+                            : std::nullopt)
+                        .value_or(tr("Use the new model from now on")));
     offer(discard_, whyNotDiscard(), tr("Delete the new model's file"));
-    if (reason_->text() != why) reason_->setText(why);
-    reason_->setVisible(!why.isEmpty());
+    if (const QString text = why.value_or(QString()); reason_->text() != text)
+        reason_->setText(text);
+    reason_->setVisible(why.has_value());
 }
 
 void TrainingPage::refresh(double /*now*/)

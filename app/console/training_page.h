@@ -1,9 +1,11 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 
 #include "app/mission/model_trainer.h"
 #include "app/shell/page.h"
+#include "core/base/message.h"
 
 class QBoxLayout;
 class QLabel;
@@ -61,7 +63,7 @@ public:
 
 public slots:
     void adoptionDone();  ///< call when the console has loaded the adopted model
-    void adoptionFailed(const QString& why);  ///< call when loading failed
+    void adoptionFailed(const Message& why);  ///< call when loading failed
 
 signals:
     void adopted(const QString& path);           ///< the operator adopts this model
@@ -93,11 +95,11 @@ private:
     void clearComparison();
     QString pathOfName() const;
     // Each returns a reason; empty: allowed.
-    QString whyBusy() const;
-    QString whyNotStart() const;
-    QString whyNotCompare() const;
-    QString whyNotDiscard() const;
-    QString whyNotAdopt() const;
+    std::optional<QString> whyBusy() const;
+    std::optional<QString> whyNotStart() const;
+    std::optional<QString> whyNotCompare() const;
+    std::optional<QString> whyNotDiscard() const;
+    std::optional<QString> whyNotAdopt() const;
 
     const Exploration& exploration_;
     Options options_;

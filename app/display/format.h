@@ -43,11 +43,7 @@ inline QString fileName(const QString& path)
     return shownName(path.mid(path.lastIndexOf(QLatin1Char('/')) + 1).toStdString());
 }
 
-/// Returns a sentence of the core in the operator's language if core_sentences.cpp lists it. Otherwise it translates
-/// each part between ": " that is listed. Numbers are carried over; a part of one word is a name and stays.
-QString sentence(std::string_view english);
-
-/// Returns a word of a session event (EventRow) in the operator's language if it is one of the recorded words.
+/// Returns a name that a session event (EventRow) holds in the operator's language. Other texts stay.
 QString eventWord(std::string_view english);
 
 /// Returns a source's name. Names of files, buses and interfaces stay; everything else is in the operator's language.

@@ -3,6 +3,8 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "app/display/translated.h"
+
 namespace terratact {
 
 QString markOf(Precondition::Level level)
@@ -16,7 +18,7 @@ QString linesOf(const QList<Precondition>& preconditions)
 {
     QStringList lines;
     for (const Precondition& p : preconditions)
-        lines << markOf(p.level) + QLatin1Char(' ') + p.text;
+        lines << markOf(p.level) + QLatin1Char(' ') + translated(p.text);
     return lines.join(QLatin1Char('\n'));
 }
 
@@ -27,12 +29,13 @@ Precondition::Level worstOf(const QList<Precondition>& preconditions)
     return worst;
 }
 
-QString firstMissing(const QList<Precondition>& preconditions)
+std::optional<Message> firstMissing(const QList<Precondition>& preconditions)
 {
     const auto missing =
         std::find_if(preconditions.begin(), preconditions.end(),
                      [](const Precondition& p) { return p.level == Precondition::Level::Missing; });
-    return missing == preconditions.end() ? QString() : missing->text;
+    if (missing == preconditions.end()) return std::nullopt;
+    return missing->text;
 }
 
 }  // namespace terratact

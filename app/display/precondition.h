@@ -4,6 +4,9 @@
 #include <QString>
 #include <array>
 #include <cstdint>
+#include <optional>
+
+#include "core/base/message.h"
 
 namespace terratact {
 
@@ -12,7 +15,7 @@ struct Precondition {
     /// Shown as ✔ (Met), ! (Overridden by the operator), ! (Doubtful: override first) and ✘ (Missing: no override).
     enum class Level : std::uint8_t { Met, Overridden, Doubtful, Missing };
     Level level = Level::Met;
-    QString text;
+    Message text;
     bool operator==(const Precondition&) const = default;
 };
 
@@ -27,6 +30,6 @@ QString linesOf(const QList<Precondition>& preconditions);
 /// Returns the worst level, which decides; Met for an empty list.
 Precondition::Level worstOf(const QList<Precondition>& preconditions);
 /// Returns the text of the first Missing precondition; empty: none is Missing.
-QString firstMissing(const QList<Precondition>& preconditions);
+std::optional<Message> firstMissing(const QList<Precondition>& preconditions);
 
 }  // namespace terratact

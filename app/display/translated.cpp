@@ -25,10 +25,17 @@ std::string inLanguage(const Message& message)
 
 QString translated(const Message& message)
 {
-    // What is still told in English alone is looked up whole.
-    if (message.context.empty() && message.arguments.empty())
-        return format::sentence(message.source);
     return format::text(inLanguage(message));
+}
+
+QString translatedLine(const Message& message)
+{
+    return translated(message).replace(QLatin1Char('\n'), QLatin1Char(' '));
+}
+
+Message verbatim(const QString& text)
+{
+    return Message::verbatim(text.toStdString());
 }
 
 }  // namespace terratact

@@ -10,4 +10,10 @@ namespace terratact {
 /// as it is. Control characters become '?'.
 QString translated(const Message& message);
 
+/// Returns translated() on one line: line ends become spaces.
+QString translatedLine(const Message& message);
+
+/// Returns a message of a text that is the same in every language, such as a number of format.h.
+Message verbatim(const QString& text);
+
 }  // namespace terratact

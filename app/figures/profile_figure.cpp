@@ -160,8 +160,8 @@ private:
     {
         const auto& warnings = input_.estimate.warnings;
         if (warnings.empty()) return "! not converged";
-        if (warnings.size() == 1) return "! " + warnings.front();
-        return fmt::format("! (+{} more) {}", warnings.size() - 1, warnings.front());
+        if (warnings.size() == 1) return "! " + warnings.front().english();
+        return fmt::format("! (+{} more) {}", warnings.size() - 1, warnings.front().english());
     }
 
     void drawPriorZones()

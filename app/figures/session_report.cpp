@@ -58,9 +58,10 @@ std::string verdictText(const EstimateRow& row, const SceneRow& scene)
     std::string text =
         fmt::format("{}: a step ahead of more than {:.2f} m has probability {:.0f} %",
                     describeStepVerdict(v), row.stepLimit, 100.0 * v.step.p);
-    if (v.shortfall != Shortfall::None) text += "; " + describe(v.shortfall);
+    if (v.shortfall != Shortfall::None) text.append("; ").append(describe(v.shortfall).english);
     if (!v.unfelt.empty()) text += "; " + describeUnfelt(v);
-    for (const WithholdReason reason : v.withheldFor) text += "; " + describe(reason);
+    for (const WithholdReason reason : v.withheldFor)
+        text.append("; ").append(describe(reason).english);
     return text;
 }
 
@@ -324,9 +325,8 @@ Result<SessionReport> reportOf(SessionReader& session, std::int64_t wanted,
                                                            : "PARTS ARE NOT WHAT WAS RECORDED",
                      found.chain)}};
     if (!row.estimate.warnings.empty())
-        report.facts.insert(
-            report.facts.begin(),
-            {"warnings", fmt::format("{}", fmt::join(row.estimate.warnings, "; "))});
+        report.facts.insert(report.facts.begin(),
+                            {"warnings", english(row.estimate.warnings, "; ")});
     report.events = eventsOf(session, *scene);
     return report;
 }

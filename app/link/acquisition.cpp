@@ -62,7 +62,7 @@ void Acquisition::receive(const Sample& sample)
         if (sensors_) latest_->suspicions = sensors_->standing();
         arrivals_.push_back(now);
         while (now - arrivals_.front() > 1s) arrivals_.pop_front();
-        trouble_.clear();
+        trouble_ = {};
     }
     if (received_) received_();
 }
@@ -70,7 +70,7 @@ void Acquisition::receive(const Sample& sample)
 void Acquisition::read(const std::stop_token& stop)
 {
     while (!stop.stop_requested()) {
-        std::string trouble;
+        Message trouble;
         try {
             auto next = source_.next(50ms);
             if (next && !*next) continue;
@@ -78,9 +78,9 @@ void Acquisition::read(const std::stop_token& stop)
                 receive(**next);
                 continue;
             }
-            trouble = next.error().text;
+            trouble = next.error().message;
         } catch (const std::exception& error) {
-            trouble = error.what();
+            trouble = messageOf(error);
         }
         {
             const std::scoped_lock lock(mutex_);
@@ -105,7 +105,7 @@ double Acquisition::rate() const
                       [now](SteadyTime arrived) { return now - arrived <= 1s; }));
 }
 
-std::string Acquisition::trouble() const
+Message Acquisition::trouble() const
 {
     const std::scoped_lock lock(mutex_);
     return trouble_;

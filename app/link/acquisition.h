@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/runtime/steady_now.h"
+#include "core/base/message.h"
 #include "core/robot/robot_model.h"
 #include "core/robot/watch/sensor_watch.h"
 #include "drivers/measurement_source.h"
@@ -58,7 +59,7 @@ public:
     std::optional<Received> latest() const;
     double rate() const;  ///< [Hz] sample rate over the last second
     /// Returns the source's last error; empty once telemetry arrives again.
-    std::string trouble() const;
+    Message trouble() const;
 
 private:
     void read(const std::stop_token& stop);
@@ -70,7 +71,7 @@ private:
     mutable std::mutex mutex_;            // guards the members below
     std::optional<Received> latest_;
     std::deque<SteadyTime> arrivals_;
-    std::string trouble_;
+    Message trouble_;
     std::jthread thread_;  // last member: the thread starts after all others exist
 };
 

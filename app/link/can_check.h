@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
 #include "drivers/can_interface.h"
 
 namespace terratact {
@@ -17,8 +18,8 @@ struct CanFinding {
         Problem,  ///< cannot be used
     };
     Level level = Level::Fine;
-    std::string what;    ///< a sentence without its full stop
-    std::string cure{};  ///< command that fixes the problem
+    Message what;    ///< a sentence without its full stop
+    Message cure{};  ///< command that fixes the problem
     bool operator==(const CanFinding&) const = default;
 };
 

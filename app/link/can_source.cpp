@@ -56,7 +56,7 @@ Result<std::optional<Sample>> CanSource::next(std::chrono::milliseconds patience
         waiting_ = pending_.size();
         mostWaiting_ = std::max<std::size_t>(mostWaiting_, waiting_);
         if (*count > 0 || left > 0ms) continue;
-        if (std::string what = trouble(); !what.empty()) return Error{std::move(what), 0};
+        if (auto what = trouble()) return Error{*std::move(what)};
         return std::optional<Sample>{};
     }
 }
@@ -66,20 +66,23 @@ bool CanSource::ended() const
     return options_.mode == Mode::Replay && bus_->state() == BusState::Ended;
 }
 
-std::string CanSource::trouble() const
+std::optional<Message> CanSource::trouble() const
 {
     const BusState state = bus_->state();
-    return state == BusState::Up ? std::string() : describe(state, bus_->name());
+    if (state == BusState::Up) return std::nullopt;
+    return describe(state, bus_->name());
 }
 
-std::string CanSource::whyNotTransmitting() const
+std::optional<Message> CanSource::whyNotTransmitting() const
 {
     switch (options_.mode) {
-    case Mode::Transmit: return {};
-    case Mode::Listen: return name() + " is receive-only: start the console with --transmit";
-    case Mode::Replay: return name() + " takes no commands";
+    case Mode::Transmit: break;
+    case Mode::Listen:
+        return Message(TR_NOOP("BusWords", "%1 is receive-only: start the console with --transmit"),
+                       name());
+    case Mode::Replay: return Message(TR_NOOP("BusWords", "%1 takes no commands"), name());
     }
-    return {};
+    return std::nullopt;
 }
 
 std::optional<Sample> CanSource::consumePending()
@@ -126,7 +129,7 @@ void CanSource::remember(const Command& command, bool left)
 
 Status CanSource::send(const Command& command)
 {
-    if (std::string why = whyNotTransmitting(); !why.empty()) return Error{std::move(why), 0};
+    if (auto why = whyNotTransmitting()) return Error{*std::move(why)};
     const std::scoped_lock lock(mutex_);
     const auto sent = link_.send(command, steadyNow());
     if (const auto* refusal = std::get_if<GateRefusal>(&sent)) return Error{describe(*refusal), 0};
@@ -187,25 +190,27 @@ CanView CanSource::view() const
 std::vector<LinkNeed> armingNeeds(const CanView& view)
 {
     const auto& robot = view.link.robot;
-    const auto need = [](bool met, const std::string& so, const std::string& why) {
-        return LinkNeed{met, met ? so : why};
+    const auto need = [](bool met, SourceText so, const Message& why) {
+        return LinkNeed{met, met ? Message(so) : why};
     };
-    return {need(view.transmits, "commands can leave", view.whyNotTransmitting),
-            need(!view.link.foreignSender, "no other console sends commands",
+    return {need(!view.whyNotTransmitting, TR_NOOP("core", "commands can leave"),
+                 view.whyNotTransmitting.value_or(Message())),
+            need(!view.link.foreignSender, TR_NOOP("core", "no other console sends commands"),
                  describe(DisarmCause::ForeignSender)),
-            need(!robot || robot->activity != RobotActivity::Stopped, "STOP is not latched",
-                 "STOP is latched: release it first"),
-            need(view.link.goodFor >= ArmingLimits{}.linkGood, "the link is good",
-                 "The link must be good for a second"),
-            need(!robot || !robot->armed, "nobody else has armed the robot",
+            need(!robot || robot->activity != RobotActivity::Stopped,
+                 TR_NOOP("core", "STOP is not latched"),
+                 TR_NOOP("core", "STOP is latched: release it first")),
+            need(view.link.goodFor >= ArmingLimits{}.linkGood, TR_NOOP("core", "the link is good"),
+                 TR_NOOP("core", "The link must be good for a second")),
+            need(!robot || !robot->armed, TR_NOOP("core", "nobody else has armed the robot"),
                  describe(DisarmCause::AlreadyArmed))};
 }
 
-std::string whyNotArming(const CanView& view)
+std::optional<Message> whyNotArming(const CanView& view)
 {
     for (const LinkNeed& need : armingNeeds(view))
         if (!need.met) return need.text;
-    return {};
+    return std::nullopt;
 }
 
 }  // namespace terratact

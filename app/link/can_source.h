@@ -13,6 +13,7 @@
 
 #include "app/link/frame_history.h"
 #include "core/atem/console_link.h"
+#include "core/base/message.h"
 #include "drivers/can_bus.h"
 #include "drivers/measurement_source.h"
 
@@ -27,9 +28,9 @@ struct CanView {
     TelemetryCounters telemetry{};
     ElementForces forces{};  ///< of the newest complete sensor line, even without a measurement
     bool transmits = false;
-    std::string whyNotTransmitting{};  ///< reason in words; empty if the source transmits
-    bool waits = false;                ///< a replay that has not begun
-    bool ended = false;                ///< a replay at its end
+    std::optional<Message> whyNotTransmitting{};  ///< empty: the source transmits
+    bool waits = false;                           ///< a replay that has not begun
+    bool ended = false;                           ///< a replay at its end
 };
 
 /// Bit rate used for the bus load.
@@ -75,6 +76,8 @@ public:
     void approve(int bin);
 
     CanView view() const;
+    /// Returns why no command can be sent, whatever its kind; empty: commands are sent.
+    std::optional<Message> whyNotTransmitting() const;
     BusState busState() const { return bus_->state(); }
     /// Returns the history of all decoded frames, for the pages that show the bus.
     FrameHistory& tap() { return tap_; }
@@ -88,9 +91,8 @@ public:
     Waiting waiting() const { return {waiting_, mostWaiting_}; }
 
 private:
-    std::string whyNotTransmitting() const;
     bool ended() const;
-    std::string trouble() const;
+    std::optional<Message> trouble() const;
     std::optional<Sample> consumePending();
     void work();
     void remember(const Command& command, bool left);
@@ -111,11 +113,11 @@ private:
 /// A precondition of arming about the link.
 struct LinkNeed {
     bool met = false;
-    std::string text;  ///< says that it is met, or why not
+    Message text;  ///< says that it is met, or why not
 };
 std::vector<LinkNeed> armingNeeds(const CanView& view);
 
-/// Returns why the operator cannot arm now: the first unmet need; empty if arming is possible.
-std::string whyNotArming(const CanView& view);
+/// Returns why the operator cannot arm now: the first unmet need. Empty: arming is possible.
+std::optional<Message> whyNotArming(const CanView& view);
 
 }  // namespace terratact

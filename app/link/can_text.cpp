@@ -25,10 +25,11 @@ std::string number(double value, double scale)
     return fmt::format("{:.{}f}", value == 0.0 ? 0.0 : value, digits);
 }
 
-std::string commandName(double id)
+Message commandName(double id)
 {
+    if (id == 0.0) return TR_NOOP("core", "none");
     const std::optional<FrameKind> kind = kindOfId(static_cast<std::uint32_t>(id));
-    return kind ? std::string(layoutOf(*kind).name) : id == 0.0 ? "none" : number(id, 1.0);
+    return Message::verbatim(kind ? std::string(layoutOf(*kind).name) : number(id, 1.0));
 }
 
 /// Returns the values of a frame; a sensor line without measurements has only that statement.
@@ -37,8 +38,11 @@ std::vector<NamedValue> valuesOf(const Unpacked& content)
     std::vector<NamedValue> values;
     const auto signals = layoutOf(content.kind).payload;
     for (std::size_t i = 0; i < signals.size(); ++i) {
-        NamedValue value{std::string(signals[i].name), wordOf(signals[i], content.values[i]),
-                         std::string(signals[i].unit)};
+        const Message word = wordOf(signals[i], content.values[i]);
+        NamedValue value{.name = std::string(signals[i].name),
+                         .value = word.english(),
+                         .unit = std::string(signals[i].unit),
+                         .shown = word};
         if (value.name != "Measured")
             values.push_back(std::move(value));
         else if (content.values[i] == 0.0)
@@ -223,13 +227,13 @@ std::unique_ptr<FrameReader> frameReader(CanProtocol protocol)
     throw std::invalid_argument("frameReader: no such CanProtocol");
 }
 
-std::string wordOf(const SignalLayout& signal, double value)
+Message wordOf(const SignalLayout& signal, double value)
 {
     if (signal.name == "Activity") return describe(static_cast<RobotActivity>(value));
     if (signal.name == "Refusal") return describe(static_cast<Refusal>(value));
     if (signal.name == "LastCommand") return commandName(value);
-    if (signal.length == 1) return value != 0.0 ? "yes" : "no";
-    return number(value, signal.scale);
+    if (signal.length == 1) return value != 0.0 ? TR_NOOP("core", "yes") : TR_NOOP("core", "no");
+    return Message::verbatim(number(value, signal.scale));
 }
 
 bool isNotMeasured(const std::vector<NamedValue>& values)

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/wire/can_codec.h"
 #include "core/wire/can_frame.h"
 #include "core/wire/frame_trouble.h"
@@ -22,6 +23,7 @@ std::optional<CanProtocol> canProtocolFromName(std::string_view name);
 struct NamedValue {
     std::string name, value, unit;
     std::string exact{};  ///< all digits, for files; empty: `value` has them
+    Message shown{};      ///< `value` for the operator; empty: the same in every language
 
     const std::string& forFiles() const { return exact.empty() ? value : exact; }
     bool operator==(const NamedValue&) const = default;
@@ -46,7 +48,7 @@ public:
 std::unique_ptr<FrameReader> frameReader(CanProtocol protocol);
 
 /// Returns a signal's value as text: "0.2100", "yes", "driving".
-std::string wordOf(const SignalLayout& signal, double value);
+Message wordOf(const SignalLayout& signal, double value);
 
 /// Returns true if a frame of our protocol states only that nothing was measured.
 bool isNotMeasured(const std::vector<NamedValue>& values);

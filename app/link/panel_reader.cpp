@@ -44,7 +44,7 @@ PanelReport PanelReader::poll(const LampState& lamps)
         std::this_thread::sleep_for(
             OperatorPanel::kPeriod);  // a panel that fails at once must not busy-loop
         PanelReport lost;
-        lost.trouble = error.what();
+        lost.trouble = messageOf(error);
         return lost;
     }
 }

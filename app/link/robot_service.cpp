@@ -21,10 +21,10 @@ struct Shown {
 
 std::string words(const Shown& shown, const RobotOnBus& robot, const CanBus& bus)
 {
-    std::string state = describe(shown.bus, bus.name());
+    std::string state = describe(shown.bus, bus.name()).english();
     const bool works = shown.bus == BusState::Up || shown.bus == BusState::ErrorWarning;
     if (!works) return state;
-    return fmt::format("{}, {} (epoch {}){}", describe(shown.activity),
+    return fmt::format("{}, {} (epoch {}){}", describe(shown.activity).english,
                        shown.armed ? "armed" : "disarmed", robot.epoch(),
                        shown.bus == BusState::Up ? "" : "; " + state);
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "core/limits.h"
 #include "core/wire/frame_layout.h"
 
@@ -15,42 +16,17 @@ struct BusWords {
     Q_DECLARE_TR_FUNCTIONS(BusWords)
 };
 
-QString matter(BusState state)
-{
-    switch (state) {
-    case BusState::Up: return BusWords::tr("%1 works");
-    case BusState::Stalled:
-        return BusWords::tr("%1 does not take frames: no node acknowledges them, or the bus is "
-                            "full. Check the robot's power, the wires and the bit rate");
-    case BusState::ErrorWarning:
-        return BusWords::tr("%1 has errors: check wires, terminators and bit rate");
-    case BusState::ErrorPassive:
-        return BusWords::tr("%1 has many errors: check wires, terminators and bit rate");
-    case BusState::BusOff:
-        return BusWords::tr(
-            "%1 is bus-off after too many errors: check the wires, then restart it");
-    case BusState::Down: return BusWords::tr("%1 is down: bring it up");
-    case BusState::Absent:
-        return BusWords::tr("%1 does not exist: plug the adapter in, or make the interface");
-    case BusState::Ended: return BusWords::tr("%1 has ended");
-    }
-    return QStringLiteral("%1");
-}
-
-QString troubleOf(BusState state, const std::string& bus, const std::string& said)
+Message troubleOf(BusState state, const std::string& bus, const Message& said)
 {
     const bool works = state == BusState::Up || state == BusState::ErrorWarning;
-    return said.empty() || works ? format::sentence(said) : busWords(state, bus);
+    return said.empty() || works ? said : describe(state, bus);
 }
 
 }  // namespace
 
 QString busWords(BusState state, const std::string& bus)
 {
-    const QString sentence = matter(state).arg(format::shownName(bus));
-    const std::string command = cureOf(state, bus);
-    return command.empty() ? sentence
-                           : sentence + QStringLiteral(" (%1)").arg(format::text(command));
+    return translated(describe(state, format::shownName(bus).toStdString()));
 }
 
 QString glance(BusState state)
@@ -90,14 +66,14 @@ QString loadGlance(const BusLoad& load, const BitRate& bitrate)
     return QStringLiteral("≤ %1 %").arg(format::percent(load.mostBits / rate));
 }
 
-QString troubleWords(const CanSource* link, const std::string& said)
+Message troubleOf(const CanSource* link, const Message& said)
 {
-    return link ? troubleOf(link->busState(), link->busName(), said) : format::sentence(said);
+    return link ? troubleOf(link->busState(), link->busName(), said) : said;
 }
 
-QString troubleWords(const CanView* bus, const std::string& said)
+Message troubleOf(const CanView* bus, const Message& said)
 {
-    return bus ? troubleOf(bus->bus, bus->busName, said) : format::sentence(said);
+    return bus ? troubleOf(bus->bus, bus->busName, said) : said;
 }
 
 QString stillComes(const std::vector<TappedFrame>& frames, double silence)
@@ -117,17 +93,9 @@ QString stillComes(const std::vector<TappedFrame>& frames, double silence)
     return BusWords::tr("frames still come");
 }
 
-QString whyFollowing(const CanSource* link)
+std::optional<Message> whyFollowing(const CanSource* link)
 {
-    if (!link) return {};
-    const QString name = format::text(link->name());
-    switch (link->mode()) {
-    case CanSource::Mode::Transmit: return {};
-    case CanSource::Mode::Listen:
-        return BusWords::tr("%1 is receive-only: start the console with --transmit").arg(name);
-    case CanSource::Mode::Replay: return BusWords::tr("%1 takes no commands").arg(name);
-    }
-    return {};
+    return link ? link->whyNotTransmitting() : std::nullopt;
 }
 
 }  // namespace terratact

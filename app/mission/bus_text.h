@@ -1,11 +1,14 @@
 #pragma once
 
 #include <QString>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "app/display/tone.h"
 #include "app/link/can_source.h"
 #include "app/link/frame_history.h"
+#include "core/base/message.h"
 #include "drivers/can_bus.h"
 
 namespace terratact {
@@ -23,15 +26,15 @@ Tone toneOf(BusState state);
 QString loadGlance(const BusLoad& load, const BitRate& bitrate);
 
 /// Returns why nothing is received or sent: the fault of the robot's bus, else the source's own text.
-QString troubleWords(const CanSource* link, const std::string& said);
-QString troubleWords(const CanView* bus, const std::string& said);
+Message troubleOf(const CanSource* link, const Message& said);
+Message troubleOf(const CanView* bus, const Message& said);
 
 /// Returns what is still received after telemetry has stopped for `silence` seconds: "frames still come, heartbeat 0.1
 /// s old". Only usable frames younger than kLinkLostAfter and half the silence count, because others may have come with
 /// the last telemetry. Empty: none.
 QString stillComes(const std::vector<TappedFrame>& frames, double silence);
 
-/// Returns why this console only follows; empty if it commands.
-QString whyFollowing(const CanSource* link);
+/// Returns why this console only follows; empty: it commands.
+std::optional<Message> whyFollowing(const CanSource* link);
 
 }  // namespace terratact

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 
 namespace terratact {
 namespace {
@@ -84,7 +85,7 @@ QString ComparisonWords::caution(const ModelComparison& c)
                         .arg(c.tried - c.scenes)
                         .arg(c.onlyBefore)
                         .arg(c.onlyAfter)
-                        .arg(format::sentence(c.whyNot));
+                        .arg(translated(c.whyNot));
     return cautions.join(QLatin1Char(' '));
 }
 

@@ -1,12 +1,12 @@
 #include "app/mission/console_alarms.h"
 
-#include <QStringList>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/mission/bus_text.h"
 
 namespace terratact {
@@ -26,55 +26,72 @@ bool comesAndGoes(BusState state)
         || state == BusState::ErrorPassive;
 }
 
-/// Returns "left 3 open, right 1 short". Saturated elements are pressed hard and are shown by the bars.
-QString unsoundElements(const ElementForces& forces)
+/// Returns "left 3 open, right 1 short"; nothing if all are usable. Saturated elements are pressed hard and are shown by
+/// the bars.
+std::optional<Message> unsoundElements(const ElementForces& forces)
 {
-    QStringList unsound;
-    const auto poll = [&](const auto& side, const QString& name) {
+    std::vector<Message> unsound;
+    const auto poll = [&](const auto& side, SourceText element) {
         for (std::size_t i = 0; i < side.size(); ++i)
             if (side[i]
                 && (side[i]->state == ElementState::Open || side[i]->state == ElementState::Short))
-                unsound << QStringLiteral("%1 %2 %3")
-                               .arg(name)
-                               .arg(i + 1)
-                               .arg(format::sentence(describe(side[i]->state)));
+                unsound.emplace_back(element, i + 1, describe(side[i]->state));
     };
-    poll(forces.left, ConsoleAlarms::tr("left"));
-    poll(forces.right, ConsoleAlarms::tr("right"));
-    return unsound.join(QStringLiteral(", "));
+    poll(forces.left, TR_NOOP("terratact::ConsoleAlarms", "left %1 %2"));
+    poll(forces.right, TR_NOOP("terratact::ConsoleAlarms", "right %1 %2"));
+    if (unsound.empty()) return std::nullopt;
+    return Message::listed(std::move(unsound), ", ");
 }
 
 /// Returns "Danger of tipping over: pitch +48°, tips over at +51°".
-QString tiltWords(const Measurement& m, const Attitude& attitude)
+Message tiltMessage(const Measurement& m, const Attitude& attitude)
 {
-    QStringList angles;
+    std::vector<Message> angles;
     if (attitude.pitch != AttitudeLevel::Level)
-        angles << ConsoleAlarms::tr("pitch %1, tips over at %2")
-                      .arg(format::degrees(m.pitch), format::degrees(attitude.pitchTips));
+        angles.emplace_back(TR_NOOP("terratact::ConsoleAlarms", "pitch %1, tips over at %2"),
+                            verbatim(format::degrees(m.pitch)),
+                            verbatim(format::degrees(attitude.pitchTips)));
     if (attitude.roll != AttitudeLevel::Level)
-        angles << ConsoleAlarms::tr("roll %1, tips over at %2")
-                      .arg(format::degrees(m.roll), format::degrees(attitude.rollTips));
-    const QString all = angles.join(QStringLiteral("; "));
-    return attitude.worst() == AttitudeLevel::Red
-             ? ConsoleAlarms::tr("Danger of tipping over: %1").arg(all)
-             : ConsoleAlarms::tr("Steep: %1").arg(all);
+        angles.emplace_back(TR_NOOP("terratact::ConsoleAlarms", "roll %1, tips over at %2"),
+                            verbatim(format::degrees(m.roll)),
+                            verbatim(format::degrees(attitude.rollTips)));
+    return {attitude.worst() == AttitudeLevel::Red
+                ? TR_NOOP("terratact::ConsoleAlarms", "Danger of tipping over: %1")
+                : TR_NOOP("terratact::ConsoleAlarms", "Steep: %1"),
+            Message::listed(std::move(angles), "; ")};
+}
+
+/// Returns what the alarm of a link that is not good begins with.
+SourceText linkFault(const LinkAccount& link)
+{
+    if (link.standing == LinkStanding::Unsteady)
+        return link.alone ? TR_NOOP("terratact::ConsoleAlarms", "Telemetry unsteady")
+                          : TR_NOOP("terratact::ConsoleAlarms", "Link unsteady");
+    return link.alone ? TR_NOOP("terratact::ConsoleAlarms", "Telemetry lost")
+                      : TR_NOOP("terratact::ConsoleAlarms", "Link lost");
+}
+
+/// Returns "fault: cause", or the fault alone.
+Message withCause(const Message& fault, const Message& cause)
+{
+    return cause.empty() ? fault : Message::joined(fault, cause);
 }
 
 }  // namespace
 
-QString suspicionWords(const std::vector<SensorSuspicion>& suspicions)
+Message suspicionMessage(const std::vector<SensorSuspicion>& suspicions)
 {
-    QStringList sentences;
-    std::map<SensorTrouble, QStringList> sensors;
-    std::map<SensorTrouble, QString> troubles;
+    std::map<SensorTrouble, std::vector<Message>> sensors;
+    std::map<SensorTrouble, Message> troubles;
     for (const SensorSuspicion& suspicion : suspicions) {
-        sensors[suspicion.trouble] << format::sentence(describe(suspicion.sensor));
-        troubles[suspicion.trouble] = format::sentence(describeTrouble(suspicion));
+        sensors[suspicion.trouble].emplace_back(describe(suspicion.sensor));
+        troubles[suspicion.trouble] = describeTrouble(suspicion);
     }
-    for (const auto& [trouble, names] : sensors)
-        sentences << QStringLiteral("%1: %2").arg(names.join(QStringLiteral(", ")),
-                                                  troubles[trouble]);
-    return sentences.join(QStringLiteral("; "));
+    std::vector<Message> sentences;
+    for (auto& [trouble, names] : sensors)
+        sentences.push_back(
+            Message::joined(Message::listed(std::move(names), ", "), troubles[trouble]));
+    return Message::listed(std::move(sentences), "; ");
 }
 
 ConsoleAlarms::ConsoleAlarms(std::unique_ptr<AlarmSound> alarmSound, QObject* parent)
@@ -88,19 +105,25 @@ void ConsoleAlarms::poll(double now, const AlarmViewState& viewState)
     if (!began_) began_ = now;
     lookAtLink(viewState);
     if (viewState.bus) lookAtBus(*viewState.bus, viewState);
-    judge("model", !viewState.noModel.isEmpty(),
-          tr("No model, so nothing can be estimated: %1").arg(viewState.noModel),
+    judge("model", !viewState.noModel.empty(),
+          Message(TR_NOOP("terratact::ConsoleAlarms", "No model, so nothing can be estimated: %1"),
+                  viewState.noModel),
           Severity::Critical);
-    judge("panel", !viewState.panelTrouble.isEmpty(), viewState.panelTrouble, Severity::Critical);
-    judge("exploration", !viewState.failedExploration.isEmpty(),
-          tr("Exploration failed: %1").arg(viewState.failedExploration), Severity::Caution);
-    judge("recording", !viewState.notRecorded.isEmpty(),
-          tr("Not recorded: %1").arg(viewState.notRecorded), Severity::Caution);
+    judge("panel", !viewState.panelTrouble.empty(), viewState.panelTrouble, Severity::Critical);
+    judge("exploration", !viewState.failedExploration.empty(),
+          Message(TR_NOOP("terratact::ConsoleAlarms", "Exploration failed: %1"),
+                  viewState.failedExploration),
+          Severity::Caution);
+    judge("recording", !viewState.notRecorded.empty(),
+          Message(TR_NOOP("terratact::ConsoleAlarms", "Not recorded: %1"), viewState.notRecorded),
+          Severity::Caution);
     lookAtSuspicions(viewState);
     lookAtAttitude(viewState);
     lookAtHalt(viewState);
-    judge("stop", viewState.isStopped, tr("The robot is stopped and moves only after a release"),
-          Severity::Caution);
+    judge(
+        "stop", viewState.isStopped,
+        TR_NOOP("terratact::ConsoleAlarms", "The robot is stopped and moves only after a release"),
+        Severity::Caution);
     if (list_.consumeSound(now) && soundOn_) trySound();
 }
 
@@ -112,41 +135,41 @@ void ConsoleAlarms::trySound()
 
 void ConsoleAlarms::lookAtLink(const AlarmViewState& viewState)
 {
-    const QString why = viewState.sourceTrouble.isEmpty()
-                          ? QString()
-                          : QStringLiteral(": ") + viewState.sourceTrouble;
     const LinkAccount& link = viewState.link;
     const bool came = link.standing != LinkStanding::Silent;
     const bool waits = viewState.bus && viewState.bus->waits;
     const bool ended = viewState.bus && viewState.bus->ended;
     if (waits) began_ = now_;  // no alarm is due yet
     judge("silence", !came && !ended && now_ - *began_ >= kFirstTelemetry,
-          tr("No telemetry since the start%1").arg(why), Severity::Critical);
-    QString what = format::sentence(describe(link));
-    what.replace(0, 1, what.left(1).toUpper());
+          withCause(TR_NOOP("terratact::ConsoleAlarms", "No telemetry since the start"),
+                    viewState.sourceTrouble),
+          Severity::Critical);
     judge("link", came && !link.alive && !ended,
           link.standing == LinkStanding::Unsteady
-              ? tr("%1; gaps: %2, the longest %3")
-                    .arg(what, QString::number(link.gaps), format::age(link.longest))
-              : what + why,
+              ? Message(TR_NOOP("terratact::ConsoleAlarms", "%1; gaps: %2, the longest %3"),
+                        linkFault(link), link.gaps, verbatim(format::age(link.longest)))
+              : withCause(linkFault(link), viewState.sourceTrouble),
           Severity::Critical);
 }
 
 void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmViewState& viewState)
 {
-    judge("bus", toneOf(bus.bus) != Tone::Plain, busWords(bus.bus, bus.busName),
+    judge("bus", toneOf(bus.bus) != Tone::Plain, describe(bus.bus, bus.busName),
           comesAndGoes(bus.bus) ? Severity::Caution : Severity::Critical,
           comesAndGoes(bus.bus) ? kFlutter : 0.0);
     judge("foreign", bus.link.foreignSender && bus.transmits,
-          tr("Another console sends commands on this bus: find it and turn it off"),
+          TR_NOOP("terratact::ConsoleAlarms",
+                  "Another console sends commands on this bus: find it and turn it off"),
           Severity::Critical);
     judge("dropped", counted_["dropped"].grewLately(bus.frames.dropped, now_),
-          tr("This computer was too slow for the bus: %1 frames lost since the start")
-              .arg(bus.frames.dropped),
+          Message(TR_NOOP("terratact::ConsoleAlarms",
+                          "This computer was too slow for the bus: %1 frames lost since the start"),
+                  bus.frames.dropped),
           Severity::Caution);
     judge("checksum", counted_["checksum"].grewLately(viewState.wrongChecksums, now_),
-          tr("Damaged frames: %1 with a wrong checksum since the start")
-              .arg(viewState.wrongChecksums),
+          Message(TR_NOOP("terratact::ConsoleAlarms",
+                          "Damaged frames: %1 with a wrong checksum since the start"),
+                  viewState.wrongChecksums),
           Severity::Caution);
     lookAtSensors(bus.forces);
     lookAtArming(bus.link.arming);
@@ -164,22 +187,26 @@ void ConsoleAlarms::lookAtArming(const ArmingState& arming)
         disarmedBy_.reset();
     const DisarmCause cause = disarmedBy_.value_or(DisarmCause::None);
     judge("disarmed", disarmedBy_.has_value(),
-          tr("Disarmed: %1").arg(format::sentence(describe(cause))), Severity::Critical);
+          Message(TR_NOOP("terratact::ConsoleAlarms", "Disarmed: %1"), describe(cause)),
+          Severity::Critical);
 }
 
 void ConsoleAlarms::lookAtSensors(const ElementForces& forces)
 {
-    const QString unsound = unsoundElements(forces);
-    judge("sensors", !unsound.isEmpty(), tr("Force sensors not usable: %1").arg(unsound),
+    const auto unsound = unsoundElements(forces);
+    judge("sensors", unsound.has_value(),
+          Message(TR_NOOP("terratact::ConsoleAlarms", "Force sensors not usable: %1"),
+                  unsound.value_or(Message())),
           Severity::Caution, kFlutter);
 }
 
 /// A suspicion stays an alarm while a verdict is withheld because of it, and then names what was suspected.
 void ConsoleAlarms::lookAtSuspicions(const AlarmViewState& viewState)
 {
-    if (!viewState.suspicions.empty()) suspected_ = suspicionWords(viewState.suspicions);
+    if (!viewState.suspicions.empty()) suspected_ = suspicionMessage(viewState.suspicions);
     const bool stands = !viewState.suspicions.empty() || viewState.isSceneSuspected;
-    judge(std::string(kSensorAlarm), stands, tr("Do not trust this sensor: %1").arg(suspected_),
+    judge(std::string(kSensorAlarm), stands,
+          Message(TR_NOOP("terratact::ConsoleAlarms", "Do not trust this sensor: %1"), suspected_),
           Severity::Critical);
 }
 
@@ -187,7 +214,7 @@ void ConsoleAlarms::lookAtAttitude(const AlarmViewState& viewState)
 {
     const Attitude& attitude = viewState.attitude;
     const bool stands = viewState.measurement && attitude.worst() != AttitudeLevel::Level;
-    judge("attitude", stands, stands ? tiltWords(*viewState.measurement, attitude) : QString(),
+    judge("attitude", stands, stands ? tiltMessage(*viewState.measurement, attitude) : Message(),
           attitude.worst() == AttitudeLevel::Red ? Severity::Critical : Severity::Caution,
           kTiltFlutter);
 }
@@ -201,19 +228,21 @@ void ConsoleAlarms::lookAtHalt(const AlarmViewState& viewState)
         const bool moved =
             activity_ != RobotActivity::Halted && activity_ != RobotActivity::Stopped;
         if (hasHalted && moved) {
-            halted_ = format::sentence(describe(m.refusal));
+            halted_ = describe(m.refusal);
             if (viewState.attitude.worst() != AttitudeLevel::Level)
-                halted_ += QStringLiteral(". ") + tiltWords(m, viewState.attitude);
+                halted_ = Message::listed({halted_, tiltMessage(m, viewState.attitude)}, ". ");
         } else if (m.activity != RobotActivity::Halted) {
-            halted_.clear();
+            halted_ = {};
         }
         activity_ = m.activity;
     }
-    judge("halted", !halted_.isEmpty(), tr("The robot has halted by itself: %1").arg(halted_),
-          Severity::Caution);
+    judge(
+        "halted", !halted_.empty(),
+        Message(TR_NOOP("terratact::ConsoleAlarms", "The robot has halted by itself: %1"), halted_),
+        Severity::Caution);
 }
 
-void ConsoleAlarms::judge(const std::string& id, bool stands, const QString& text,
+void ConsoleAlarms::judge(const std::string& id, bool stands, const Message& text,
                           Severity severity, double after)
 {
     Cause& cause = causes_[id];
@@ -221,7 +250,7 @@ void ConsoleAlarms::judge(const std::string& id, bool stands, const QString& tex
         cause.gone.reset();
         if (!cause.stands) cause.stands = now_;
         if (now_ - *cause.stands < after) return;
-        list_.raise(id, text.toStdString(), severity, now_);
+        list_.raise(id, text, severity, now_);
         if (cause.raised == severity || cause.raised == Severity::Critical) return;
         cause.raised = severity;
         if (kOnlyHere.contains(id)) emit raised(text, severity);

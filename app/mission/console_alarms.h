@@ -14,6 +14,7 @@
 #include "app/shell/alarm_sound.h"
 #include "core/atem/alarms.h"
 #include "core/atem/link_watch.h"
+#include "core/base/message.h"
 #include "core/robot/attitude.h"
 #include "core/robot/watch/sensor_suspicion.h"
 
@@ -22,10 +23,10 @@ namespace terratact {
 /// Current inputs of the alarms. An empty text means no trouble.
 struct AlarmViewState {
     LinkAccount link{};
-    QString sourceTrouble{};           ///< reason that there is no telemetry
+    Message sourceTrouble{};           ///< reason that there is no telemetry
     std::optional<CanView> bus{};      ///< empty: the source has no bus
     std::uint64_t wrongChecksums = 0;  ///< since the bus was opened
-    QString noModel{}, panelTrouble{}, failedExploration{}, notRecorded{};
+    Message noModel{}, panelTrouble{}, failedExploration{}, notRecorded{};
     bool isStopped = false;                     ///< the robot reports that it is stopped
     std::vector<SensorSuspicion> suspicions{};  ///< current suspicions of sensors
     bool isSceneSuspected = false;              ///< a verdict is withheld because of a suspicion
@@ -33,9 +34,9 @@ struct AlarmViewState {
     Attitude attitude{};                        ///< tip-over assessment of the measurement
 };
 
-/// Returns suspicions in the operator's language: "pitch angle: not changed for 12 s …; force 1, force 2: loaded while
+/// Returns suspicions as one message: "pitch angle: not changed for 12 s …; force 1, force 2: loaded while
 /// …".
-QString suspicionWords(const std::vector<SensorSuspicion>& suspicions);
+Message suspicionMessage(const std::vector<SensorSuspicion>& suspicions);
 
 /// Derives alarms from the console's state and makes them sound. A cause must be absent for a while before its alarm
 /// can return. A cause that occurs occasionally on a working bus must persist before it becomes an alarm. GUI thread
@@ -62,7 +63,7 @@ public:
 
 signals:
     /// Emitted for a new or more severe alarm that no other part of the window shows.
-    void raised(const QString& text, Severity severity);
+    void raised(const terratact::Message& text, Severity severity);
     void sounded();  ///< emitted when a sound is due or was tried
 
 private:
@@ -71,7 +72,7 @@ private:
         std::optional<Severity> raised{};        ///< highest severity raised so far
     };
     /// after: time [s] a cause must persist before it becomes an alarm.
-    void judge(const std::string& id, bool stands, const QString& text, Severity severity,
+    void judge(const std::string& id, bool stands, const Message& text, Severity severity,
                double after = 0.0);
     void lookAtLink(const AlarmViewState& viewState);
     void lookAtBus(const CanView& bus, const AlarmViewState& viewState);
@@ -86,8 +87,8 @@ private:
     std::map<std::string, Cause> causes_;
     std::map<std::string, GrowingCount> counted_;
     std::optional<double> began_;
-    QString suspected_{};  ///< last suspicions as text
-    QString halted_{};     ///< reason that the robot ended its last drive itself; empty: it did not
+    Message suspected_{};  ///< last suspicions
+    Message halted_{};     ///< reason that the robot ended its last drive itself; empty: it did not
     RobotActivity activity_ = RobotActivity::Halted;
     bool wasArmed_ = false;
     /// Cause of an unwanted disarming; empty after the operator has armed again.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "core/infer/verdict/estimate_text.h"
 
 namespace terratact {
@@ -51,16 +52,20 @@ void Estimation::listenToModels()
                 if (!estimate_) track_.reset();  // the ghost belongs to the previous model
                 aside_.reset();
                 emit modelChanged();
-                emit happened(tr("model %1 loaded").arg(name), EventSeverity::Note);
+                emit happened(
+                    Message(TR_NOOP("terratact::Estimation", "model %1 loaded"), verbatim(name)),
+                    EventSeverity::Note);
                 resume();
             });
-    connect(&worker_, &EstimatorWorker::modelFailed, this, [this](const QString& why) {
+    connect(&worker_, &EstimatorWorker::modelFailed, this, [this](const Message& why) {
         model_.trouble = why;
         emit happened(why, EventSeverity::Bad);
         resume();
     });
-    connect(&worker_, &EstimatorWorker::modelKept, this, [this](const QString& why) {
-        emit happened(tr("model %1 stays in use: %2").arg(model_.name, why), EventSeverity::Bad);
+    connect(&worker_, &EstimatorWorker::modelKept, this, [this](const Message& why) {
+        emit happened(Message(TR_NOOP("terratact::Estimation", "model %1 stays in use: %2"),
+                              verbatim(model_.name), why),
+                      EventSeverity::Bad);
         resume();
     });
 }
@@ -159,10 +164,13 @@ void Estimation::addArmReading(const ArmReading& reading)
 {
     const auto i = static_cast<std::size_t>(reading.bin);
     const bool inside = estimate_->q10[i] <= reading.height && reading.height <= estimate_->q90[i];
-    emit happened(tr("arm at %1: %2 m, %3 the band shown before")
-                      .arg(format::binName(reading.bin), format::signedNumber(reading.height, 2),
-                           inside ? tr("inside") : tr("outside")),
-                  inside ? EventSeverity::Note : EventSeverity::Warning);
+    emit happened(
+        Message(TR_NOOP("terratact::Estimation", "arm at %1: %2 m, %3 the band shown before"),
+                verbatim(format::binName(reading.bin)),
+                verbatim(format::signedNumber(reading.height, 2)),
+                inside ? TR_NOOP("terratact::Estimation", "inside")
+                       : TR_NOOP("terratact::Estimation", "outside")),
+        inside ? EventSeverity::Note : EventSeverity::Warning);
     ledger_.record(*estimate_, reading.bin, reading.height, reading.sd, Origin::Arm);
     std::erase_if(readings_, [&](const ArmReading& r) { return r.bin == reading.bin; });
     readings_.push_back(reading);
@@ -193,7 +201,7 @@ void Estimation::adviseAnew()
         worker_.advise(estimateJob_, *estimate_, robot_, options_.stepLimit);
 }
 
-void Estimation::forget(const QString& why)
+void Estimation::forget(const Message& why)
 {
     if (estimate_) emit forgotten(why);
     estimate_.reset();
@@ -207,7 +215,7 @@ void Estimation::forget(const QString& why)
     whyNone_ = why;
 }
 
-void Estimation::setAside(const QString& why)
+void Estimation::setAside(const Message& why)
 {
     if (estimate_ && scene_ && pose_)
         aside_ = Aside{*scene_,   *pose_,     capturedAt_,     hadTelemetryGap_,
@@ -228,7 +236,7 @@ bool Estimation::restore()
     estimate_ = std::move(aside.estimate);
     second_ = std::move(aside.second);
     track_ = std::move(aside.track);
-    whyNone_.clear();
+    whyNone_ = {};
     emit stands(false);
     adviseAnew();  // if the limit has changed meanwhile
     return true;
@@ -310,31 +318,34 @@ void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds
     if (askedLimit_ != options_.stepLimit) adviseAnew();
 }
 
-void Estimation::refuse(int job, const QString& why)
+void Estimation::refuse(int job, const Message& why)
 {
     if (job == warmUpJob_) warmUpJob_ = 0;
     if (job == liveJob_) {
         liveJob_ = 0;
         live_.reset();
-        whyNone_ = tr("No live estimate: %1").arg(why);
+        whyNone_ = Message(TR_NOOP("terratact::Estimation", "No live estimate: %1"), why);
     }
     if (job == secondJob_) {
         secondJob_ = 0;
-        emit happened(tr("no second estimate: %1").arg(why), EventSeverity::Warning);
+        emit happened(Message(TR_NOOP("terratact::Estimation", "no second estimate: %1"), why),
+                      EventSeverity::Warning);
     }
     if (job != job_) return;
     job_ = 0;
     emit failed();
-    emit happened(tr("estimate failed: %1").arg(why), EventSeverity::Bad);
+    emit happened(Message(TR_NOOP("terratact::Estimation", "estimate failed: %1"), why),
+                  EventSeverity::Bad);
 }
 
 void Estimation::announce(const TerrainEstimate& estimate)
 {
-    emit happened(tr("estimate in %1").arg(format::age(seconds_)), EventSeverity::Note);
-    for (const std::string& warning : estimate.warnings)
-        emit happened(format::sentence(warning), EventSeverity::Warning);
-    for (const std::string& sentence : hiddenByBands(estimate, options_.stepLimit))
-        emit happened(format::sentence(sentence), EventSeverity::Note);
+    emit happened(Message(TR_NOOP("terratact::Estimation", "estimate in %1"),
+                          verbatim(format::age(seconds_))),
+                  EventSeverity::Note);
+    for (const Message& warning : estimate.warnings) emit happened(warning, EventSeverity::Warning);
+    for (const Message& sentence : hiddenByBands(estimate, options_.stepLimit))
+        emit happened(sentence, EventSeverity::Note);
 }
 
 std::optional<Verdict> Estimation::verdict() const
@@ -353,15 +364,16 @@ std::optional<Ghost> Estimation::ghost() const
     return track_->ghost();
 }
 
-QString Estimation::whyNoGhost() const
+std::optional<Message> Estimation::whyNoGhost() const
 {
-    return wantsGhost() ? noGhostWords(track_->why(), telemetryFresh_) : QString();
+    return wantsGhost() ? noGhostWords(track_->why(), telemetryFresh_) : std::nullopt;
 }
 
-QString noGhostWords(std::optional<NoGhost> why, bool telemetryFresh)
+std::optional<Message> noGhostWords(std::optional<NoGhost> why, bool telemetryFresh)
 {
-    if (why) return Estimation::tr("No ghost: %1").arg(format::sentence(describe(*why)));
-    return telemetryFresh ? QString() : Estimation::tr("No ghost while telemetry is missing");
+    if (why) return Message(TR_NOOP("terratact::Estimation", "No ghost: %1"), describe(*why));
+    if (telemetryFresh) return std::nullopt;
+    return TR_NOOP("terratact::Estimation", "No ghost while telemetry is missing");
 }
 
 }  // namespace terratact

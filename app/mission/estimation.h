@@ -11,6 +11,7 @@
 #include "app/mission/estimator_worker.h"
 #include "app/runtime/revised.h"
 #include "core/atem/pose_watch.h"
+#include "core/base/message.h"
 #include "core/eval/calibration_ledger.h"
 #include "core/infer/verdict/ghost_track.h"
 #include "core/infer/verdict/verdict.h"
@@ -28,7 +29,7 @@ struct CapturedScene {
 struct ModelInUse {
     QString name{}, details{};  ///< empty: no model has been loaded
     QString content{};          ///< LoadedModel::content
-    QString trouble{};          ///< reason that there is no model
+    Message trouble{};          ///< reason that there is no model
 };
 
 /// Owns the estimates of the present scene, by the settings' method and an optional second method, with the arm's
@@ -64,11 +65,11 @@ public:
     void cancel();                                       ///< cancels all running jobs
     void adviseAnew();  ///< requests advice for the present step limit if it has changed
     /// Drops scene, readings, estimates and pending answers, but not the ghost or a preview.
-    void forget(const QString& why);
+    void forget(const Message& why);
     void forgetGhost() { track_.reset(); }
     /// Combines forget() and forgetGhost() so that restore() can undo them. Restoring needs the same model and pose,
     /// and no newer scene.
-    void setAside(const QString& why);
+    void setAside(const Message& why);
     bool isAside() const { return aside_ && !aside_->pose.hasLeft(); }
     bool restore();  ///< returns false if nothing is set aside
 
@@ -91,7 +92,7 @@ public:
     const std::optional<TerrainEstimate>& estimate() const { return estimate_.value(); }
     double seconds() const { return seconds_; }  ///< computation time of estimate() [s]
     /// Returns why the last request gave no estimate(); empty: no reason that concerns a scene.
-    QString whyNone() const { return whyNone_; }
+    const Message& whyNone() const { return whyNone_; }
     const ProbeAdvice& advice() const { return advice_; }  ///< probe advice for estimate()
     /// Returns the verdict of estimate() for the present step limit; empty without an estimate.
     std::optional<Verdict> verdict() const;
@@ -112,7 +113,7 @@ public:
     /// Returns the last estimate moved by odometry until a new one exists. It affects no decision.
     std::optional<Ghost> ghost() const;
     /// Reason of the last estimate; empty: there is a ghost, or was no estimate.
-    QString whyNoGhost() const;
+    std::optional<Message> whyNoGhost() const;
     /// Number of finished estimates of scenes, and of those that contradict their readings
     /// (core/sim/posterior_check.h), since the console started.
     struct Counts {
@@ -124,7 +125,7 @@ public:
     const ModelInUse& model() const { return model_; }
 
 signals:
-    void happened(const QString& text, terratact::EventSeverity severity);
+    void happened(const terratact::Message& text, terratact::EventSeverity severity);
     void modelChanged();  ///< an existing estimate still belongs to the previous model
     void captured(const terratact::CapturedScene& scene);
     void stands(bool second);  ///< a new estimate is ready; second: of the second method
@@ -132,7 +133,7 @@ signals:
     void failed();        ///< the estimate of scene() failed
     void advised();       ///< new advice for another step limit is ready
     void telemetryGap();  ///< hadTelemetryGap() became true, or the ghost ended for that reason
-    void forgotten(const QString& why);  ///< the estimate was dropped
+    void forgotten(const terratact::Message& why);  ///< the estimate was dropped
 
 private:
     /// Key of a sampling method's Gaussian processes besides the model.
@@ -160,7 +161,7 @@ private:
     void addAdvice(int job, const ProbeAdvice& advice);
     void offer();
     void accept(int job, const TerrainEstimate& estimate, double seconds);
-    void refuse(int job, const QString& why);
+    void refuse(int job, const Message& why);
     /// Makes the worker prepare the Gaussian processes of a sampling method, so that no estimate waits for them.
     /// Returns false if that is done already or the method needs none.
     bool warmUp(Method method);
@@ -195,7 +196,7 @@ private:
     double askedLimit_ = 0.0;  ///< [m] step limit of the current or last request
     ProbeAdvice advice_;
     bool unadvised_ = false;  ///< offered() waits for advice with the present step limit
-    QString whyNone_;
+    Message whyNone_;
     std::optional<Method> secondMethod_;
     /// Processes made by the worker; while warmUpJob_ runs, the last entry is in progress.
     std::vector<Processes> made_;
@@ -208,6 +209,6 @@ private:
 };
 
 /// Returns why no ghost is shown: there is none, or no telemetry. Empty: a ghost is shown.
-QString noGhostWords(std::optional<NoGhost> why, bool telemetryFresh);
+std::optional<Message> noGhostWords(std::optional<NoGhost> why, bool telemetryFresh);
 
 }  // namespace terratact

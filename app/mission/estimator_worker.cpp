@@ -132,7 +132,7 @@ void EstimatorWorker::load(const ModelLoader& load)
 
 void EstimatorWorker::loadModel(const ModelLoader& load)
 {
-    QString why;
+    Message why;
     try {
         auto model = load();
         if (model) {
@@ -140,9 +140,9 @@ void EstimatorWorker::loadModel(const ModelLoader& load)
             emit modelLoaded(model->name, model->details, model->hash, model->content);
             return;
         }
-        why = translated(model.error().message);
+        why = model.error().message;
     } catch (const std::exception& error) {
-        why = format::text(error.what());
+        why = messageOf(error);
     }
     if (estimate_) {
         emit modelKept(why);
@@ -167,9 +167,9 @@ void EstimatorWorker::run(int job, const EstimateRequest& request)
 /// Computes a request and emits its result; returns empty if it gave no estimate.
 std::optional<TerrainEstimate> EstimatorWorker::estimateFor(int job, const EstimateRequest& request)
 {
-    QString why;
+    Message why;
     try {
-        if (!estimate_) throw std::runtime_error(trouble_.toStdString());
+        if (!estimate_) throw Failure(trouble_);
         Watch watch = endingAfter(request.seconds);
         watch.cancelled = [this, job] { return overtaken(job); };
         watch.progress = [this, job](double share) {
@@ -187,9 +187,9 @@ std::optional<TerrainEstimate> EstimatorWorker::estimateFor(int job, const Estim
     } catch (const Cancelled&) {
         return std::nullopt;
     } catch (const std::exception& error) {
-        why = format::text(error.what());
+        why = messageOf(error);
     } catch (...) {
-        why = QStringLiteral("unknown error");
+        why = TR_NOOP("core", "unknown error");
     }
     if (overtaken(job)) return std::nullopt;
     progress_ = -1.0;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/atem/arm_choice.h"
+#include "core/base/message.h"
 #include "core/base/result.h"
 #include "core/infer/estimate/estimate.h"
 #include "core/infer/sampling/watch.h"
@@ -78,11 +79,11 @@ signals:
                          double stepLimit);  ///< to the worker's thread
     void modelLoaded(const QString& name, const QString& details, const QString& hash,
                      const QString& content);
-    void modelFailed(const QString& why);  ///< there is no model
-    void modelKept(const QString& why);    ///< the previous model stays
+    void modelFailed(const terratact::Message& why);  ///< there is no model
+    void modelKept(const terratact::Message& why);    ///< the previous model stays
     /// seconds: computation time.
     void estimated(int job, const terratact::TerrainEstimate& estimate, double seconds);
-    void failed(int job, const QString& why);
+    void failed(int job, const terratact::Message& why);
     /// Probe advice for that job's estimate, with its expected gain. Not emitted if a newer request, cancel() or load()
     /// came after the estimate.
     void advised(int job, const terratact::ProbeAdvice& advice);
@@ -99,7 +100,7 @@ private:
 
     ModelLoader load_;
     Estimator estimate_;  // used in the worker's thread only
-    QString trouble_;     // why there is no model; used in the worker's thread only
+    Message trouble_;     // why there is no model; used in the worker's thread only
     std::atomic<int> newest_ = 0, newestAdvice_ = 0;
     std::atomic<double> progress_ = -1.0;
     QThread thread_;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/mission/bus_text.h"
 
 namespace terratact {
@@ -21,8 +22,8 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
       estimation_(worker, robot_, options_),
       probes_(estimation_, robot_, options_.probeSeconds, options_.probes)
 {
-    if (const QString why = whyFollowing(link); !why.isEmpty()) {
-        following_ = std::make_unique<PassiveExploration>(why, estimation_, options_.limits);
+    if (const auto why = whyFollowing(link)) {
+        following_ = std::make_unique<PassiveExploration>(*why, estimation_, options_.limits);
         connect(following_.get(), &PassiveExploration::happened, this, &Exploration::happened);
         connect(following_.get(), &PassiveExploration::stateChanged, this,
                 &Exploration::stateChanged);
@@ -63,7 +64,7 @@ void Exploration::driveOn()
     if (!driveWanted_) return;
     const auto robot = bus_ ? bus_->link.robot : std::nullopt;
     if (robot && robot->exploring && now_ - driveBegan_ < kEndsWithin) return;
-    if (!whyNotDriving().isEmpty()) return driveWanted_.reset();  // driving is no longer allowed
+    if (whyNotDriving()) return driveWanted_.reset();  // driving is no longer allowed
     command(*std::exchange(driveWanted_, std::nullopt));
 }
 
@@ -72,9 +73,10 @@ void Exploration::sendStop()
     stopSent_ = now_;
     commandedAt_ = latest_ ? latest_->count : 0;
     const Status sent = source_.send(StopCommand{});
-    const QString trouble = sent ? QString() : troubleWords(link_, sent.error().text);
-    if (!trouble.isEmpty() && trouble != stopTrouble_)
-        emit stateChanged(tr("STOP not sent: %1").arg(trouble), EventSeverity::Bad);
+    const Message trouble = sent ? Message() : troubleOf(link_, sent.error().message);
+    if (!trouble.empty() && trouble != stopTrouble_)
+        emit stateChanged(Message(TR_NOOP("terratact::Exploration", "STOP not sent: %1"), trouble),
+                          EventSeverity::Bad);
     stopTrouble_ = trouble;
 }
 
@@ -83,7 +85,8 @@ void Exploration::confirmStop(bool latched)
     if (!linkAlive_ || latched == stopConfirmed_ || (releasing_ && !latched)) return;
     stopConfirmed_ = latched;
     if (latched)
-        emit happened(tr("the robot reports stopped"), EventSeverity::Note);
+        emit happened(TR_NOOP("terratact::Exploration", "the robot reports stopped"),
+                      EventSeverity::Note);
     else
         stopBegan_ = now_;  // the request starts again
 }
@@ -91,12 +94,12 @@ void Exploration::confirmStop(bool latched)
 StopViewState Exploration::stopViewState() const
 {
     using State = StopViewState::State;
-    if (following()) return {.state = State::NoEffect, .why = following_->why()};
+    if (following()) return {.state = State::NoEffect, .why = translated(following_->why())};
     if (state_.phase != AtemPhase::Stopped && !pending_.stop) return {};
     if (stopConfirmed_) return {.state = State::Confirmed};
-    return {.state = stopTrouble_.isEmpty() ? State::Sent : State::NotSent,
+    return {.state = stopTrouble_.empty() ? State::Sent : State::NotSent,
             .seconds = now_ - stopBegan_,
-            .why = stopTrouble_};
+            .why = translated(stopTrouble_)};
 }
 
 void Exploration::command(const Command& command)
@@ -104,7 +107,8 @@ void Exploration::command(const Command& command)
     commandedAt_ = latest_ ? latest_->count : 0;
     const Status sent = source_.send(command);
     if (!sent)
-        emit happened(tr("command not sent: %1").arg(troubleWords(link_, sent.error().text)),
+        emit happened(Message(TR_NOOP("terratact::Exploration", "command not sent: %1"),
+                              troubleOf(link_, sent.error().message)),
                       EventSeverity::Bad);
 }
 
@@ -135,7 +139,9 @@ void Exploration::repeatStop(AtemInput& in)
     if (answered() && releasing_ && !latched) in.stopReleased = true;
     if (releasing_ && now_ - releaseBegan_ > kReleaseFor) {
         releasing_ = false;  // the operator's request has expired
-        emit happened(tr("the robot did not release STOP: hold R again"), EventSeverity::Bad);
+        emit happened(
+            TR_NOOP("terratact::Exploration", "the robot did not release STOP: hold R again"),
+            EventSeverity::Bad);
     }
     if (now_ - stopSent_ < kRepeatStop || latched != releasing_) return;
     if (!releasing_) return sendStop();
@@ -221,10 +227,11 @@ void Exploration::advance()
     endOverrides();
     if (in.aborted && !exploring(state_.phase)) {
         estimation_.forgetGhost();
-        if (estimation_.estimate()) forget(tr("No estimate: explore the terrain (A)"));
+        if (estimation_.estimate())
+            forget(TR_NOOP("terratact::Exploration", "No estimate: explore the terrain (A)"));
     }
     if (estimation_.hasLeft() && estimation_.estimate())
-        forget(tr("The robot has moved: explore again (A)"));
+        forget(TR_NOOP("terratact::Exploration", "The robot has moved: explore again (A)"));
 
     const AtemState before = state_;
     state_ = nextState(state_, in, options_.limits);
@@ -237,17 +244,20 @@ void Exploration::advance()
 void Exploration::watchDrive()
 {
     if (!latest_ || !linkAlive_ || !driveWatch_.poll(latest_->sample.measurement, now_)) return;
-    if (source_.name() != "SIMULATED ROBOT")
-        emit happened(tr("the robot reports driving, but its tracks do not move"),
+    if (!options_.groundFile)
+        emit happened(TR_NOOP("terratact::Exploration",
+                              "the robot reports driving, but its tracks do not move"),
                       EventSeverity::Bad);
-    else if (options_.groundFile.empty())
+    else if (options_.groundFile->empty())
         emit happened(
-            tr("the built-in ground ends here: drive back, or start with another --terrain"),
+            TR_NOOP("terratact::Exploration",
+                    "the built-in ground ends here: drive back, or start with another --terrain"),
             EventSeverity::Bad);
     else
         emit happened(
-            tr("the ground of the file %1 ends here: drive back, or start with another --terrain")
-                .arg(format::fileName(QString::fromStdString(options_.groundFile))),
+            Message(TR_NOOP("terratact::Exploration", "the ground of the file %1 ends here: drive "
+                                                      "back, or start with another --terrain"),
+                    verbatim(format::fileName(QString::fromStdString(*options_.groundFile)))),
             EventSeverity::Bad);
 }
 
@@ -268,22 +278,24 @@ void Exploration::enter(const AtemState& before)
     if (!exploring(state_.phase)) askedBin_.reset();
     switch (state_.phase) {
     case AtemPhase::Halting:
-        forget(tr("Exploring: the robot halts"));
-        emit happened(tr("exploration requested"), EventSeverity::Note);
+        forget(TR_NOOP("terratact::Exploration", "Exploring: the robot halts"));
+        emit happened(TR_NOOP("terratact::Exploration", "exploration requested"),
+                      EventSeverity::Note);
         command(BeginAtemCommand{});
         break;
     case AtemPhase::Pressing:
-        forget(tr("Exploring: the front flippers press down"));
+        forget(TR_NOOP("terratact::Exploration", "Exploring: the front flippers press down"));
         command(PressCommand{.torque = options_.pressTorque});
         break;
     case AtemPhase::Estimating:
-        forget(tr("Estimating …"));
+        forget(TR_NOOP("terratact::Exploration", "Estimating …"));
         pressTook_ = state_.since - before.since;
         estimation_.begin(*latest_, commandedAt_);
         break;
     case AtemPhase::ProposingProbe:
         emit proposed();
-        emit happened(tr("probe proposed at %1").arg(format::binName(probes_.current()->bin)),
+        emit happened(Message(TR_NOOP("terratact::Exploration", "probe proposed at %1"),
+                              verbatim(format::binName(probes_.current()->bin))),
                       EventSeverity::Note);
         break;
     case AtemPhase::Probing: probe(); break;
@@ -294,8 +306,9 @@ void Exploration::enter(const AtemState& before)
     case AtemPhase::Idle: end(exploring(before.phase)); break;
     case AtemPhase::Stopped:
         estimation_.cancel();
-        emit happened(tr("STOP"), EventSeverity::Bad);
-        if (!estimation_.estimate()) forget(tr("No estimate: STOP is latched"));
+        emit happened(TR_NOOP("terratact::Exploration", "STOP"), EventSeverity::Bad);
+        if (!estimation_.estimate())
+            forget(TR_NOOP("terratact::Exploration", "No estimate: STOP is latched"));
         break;
     case AtemPhase::Failed: fail(); break;
     }
@@ -305,7 +318,9 @@ void Exploration::probe()
 {
     probing_ = probes_.current()->bin;
     probes_.withdraw();
-    emit happened(tr("probe at %1 approved").arg(format::binName(probing_)), EventSeverity::Note);
+    emit happened(Message(TR_NOOP("terratact::Exploration", "probe at %1 approved"),
+                          verbatim(format::binName(probing_))),
+                  EventSeverity::Note);
     sawProbing_ = false;
     armBefore_ = latest_->sample.measurement.arm;
     if (link_) link_->approve(probing_);
@@ -315,9 +330,10 @@ void Exploration::probe()
 void Exploration::present(bool unprobed)
 {
     if (unprobed && state_.approvalExpired)
-        emit happened(tr("no answer in time: refused"), EventSeverity::Warning);
+        emit happened(TR_NOOP("terratact::Exploration", "no answer in time: refused"),
+                      EventSeverity::Warning);
     else if (unprobed)
-        emit happened(tr("probe refused"), EventSeverity::Note);
+        emit happened(TR_NOOP("terratact::Exploration", "probe refused"), EventSeverity::Note);
     probes_.withdraw();
     command(AbortAtemCommand{});
 }
@@ -328,20 +344,24 @@ void Exploration::end(bool aborted)
     if (!aborted) return;
     estimation_.cancel();
     command(AbortAtemCommand{});
-    emit happened(tr("exploration ended by the operator"), EventSeverity::Warning);
-    if (!estimation_.estimate()) forget(tr("No estimate: explore the terrain (A)"));
+    emit happened(TR_NOOP("terratact::Exploration", "exploration ended by the operator"),
+                  EventSeverity::Warning);
+    if (!estimation_.estimate())
+        forget(TR_NOOP("terratact::Exploration", "No estimate: explore the terrain (A)"));
 }
 
 void Exploration::fail()
 {
-    const QString why = failureWords();
+    const Message why = failureWords();
     estimation_.cancel();
     if (linkAlive_) command(AbortAtemCommand{});
-    emit stateChanged(tr("exploration failed: %1").arg(why), EventSeverity::Bad);
-    if (!estimation_.estimate()) forget(tr("No estimate: %1").arg(why));
+    emit stateChanged(Message(TR_NOOP("terratact::Exploration", "exploration failed: %1"), why),
+                      EventSeverity::Bad);
+    if (!estimation_.estimate())
+        forget(Message(TR_NOOP("terratact::Exploration", "No estimate: %1"), why));
 }
 
-void Exploration::forget(const QString& why)
+void Exploration::forget(const Message& why)
 {
     estimation_.forget(why);
     probes_.withdraw();
@@ -353,12 +373,14 @@ std::optional<PhaseTime> Exploration::time() const
                      {.press = pressTook_, .probe = options_.probeSeconds});
 }
 
-QString Exploration::stateWords() const
+Message Exploration::stateWords() const
 {
     if (state_.phase == AtemPhase::Failed) return failureWords();
     switch (const StopViewState stop = stopViewState(); stop.state) {
-    case StopViewState::State::Sent: return tr("STOP sent, not confirmed by the robot");
-    case StopViewState::State::NotSent: return tr("STOP not sent: %1").arg(stop.why);
+    case StopViewState::State::Sent:
+        return TR_NOOP("terratact::Exploration", "STOP sent, not confirmed by the robot");
+    case StopViewState::State::NotSent:
+        return Message(TR_NOOP("terratact::Exploration", "STOP not sent: %1"), stopTrouble_);
     case StopViewState::State::Ready:
     case StopViewState::State::Confirmed:
     case StopViewState::State::Elsewhere:
@@ -367,13 +389,13 @@ QString Exploration::stateWords() const
     return {};
 }
 
-QString Exploration::failureWords() const
+Message Exploration::failureWords() const
 {
-    QString what = format::sentence(describe(state_.failure));
+    const SourceText what = describe(state_.failure);
     const bool refused =
         state_.failure == AtemFailure::PressRefused || state_.failure == AtemFailure::ProbeRefused;
     if (!refused || refusal_ == Refusal::None) return what;
-    return what + QStringLiteral(": ") + format::sentence(describe(refusal_));
+    return Message::joined(what, describe(refusal_));
 }
 
 std::optional<int> Exploration::probingBin() const
@@ -386,8 +408,10 @@ void Exploration::endOverrides()
 {
     if (!latest_) return;
     const Measurement& m = latest_->sample.measurement;
-    for (const QString& reason : ground_.endOverrides(m, options_.settings))
-        emit happened(tr("the override has ended: %1").arg(reason), EventSeverity::Warning);
+    for (const Message& reason : ground_.endOverrides(m, options_.settings))
+        emit happened(
+            Message(TR_NOOP("terratact::Exploration", "the override has ended: %1"), reason),
+            EventSeverity::Warning);
 }
 
 }  // namespace terratact

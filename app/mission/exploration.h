@@ -4,6 +4,8 @@
 #include <QString>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/display/event_severity.h"
 #include "app/display/precondition.h"
@@ -18,6 +20,7 @@
 #include "core/atem/drive_watch.h"
 #include "core/atem/phase_time.h"
 #include "core/atem/probe_proposal.h"
+#include "core/base/message.h"
 #include "core/limits.h"
 #include "core/robot/robot_model.h"
 #include "drivers/measurement_source.h"
@@ -39,8 +42,8 @@ public:
         double linkLostAfter = kLinkLostAfter;
         double staleAfter = kStaleAfter;  ///< [s] older telemetry is stale: no verdict, no ghost
         double probeSeconds = 45.0;       ///< expected duration of a probe, shown to the operator
-        /// Ground file of the simulated robot; empty: ground without a file.
-        std::string groundFile;
+        /// Ground file of the simulated robot, or "" for its built-in ground; empty: a real robot.
+        std::optional<std::string> groundFile;
     };
 
     /// link: the same source if its robot needs arming; else null.
@@ -58,10 +61,11 @@ public:
     /// Requests a probe of this bin, whatever the advice. It replaces the current proposal, or starts a new exploration
     /// at this pose that proposes it. Approval is needed as for any other probe.
     void askProbe(int bin);
-    QString whyNotAsking(int bin) const;  ///< why askProbe() is refused; empty: it is allowed
-    void forgetResult();                  ///< clears estimate and ghost unless exploring
-    void restoreResult();                 ///< restores what forgetResult() cleared
-    void setStepLimit(double metres);     ///< obstacle height
+    std::optional<Message>
+    whyNotAsking(int bin) const;       ///< why askProbe() is refused; empty: it is allowed
+    void forgetResult();               ///< clears estimate and ghost unless exploring
+    void restoreResult();              ///< restores what forgetResult() cleared
+    void setStepLimit(double metres);  ///< obstacle height
     /// Sets the policy of proposals from the next estimate on; bestProbe() uses it at once.
     void setProbePolicy(ProbePolicy policy) { options_.probes = policy; }
     void setEstimateSeconds(double seconds) { options_.seconds = seconds; }  ///< 0: no limit
@@ -71,7 +75,7 @@ public:
     void halt();                ///< ends drive(); does nothing otherwise
     /// Sends STOP at once and repeats it until the robot confirms. On a receive-only link it only reports that.
     void stop();
-    void stopFrom(const QString& where);  ///< the same, with a text about the origin of the press
+    void stopFrom(const Message& where);  ///< the same, with a text about the origin of the press
     void releaseStop();
     /// Settings of following estimates; the seed stays.
     void setSettings(const Settings& settings);
@@ -85,7 +89,7 @@ public:
     const AtemState& state() const { return state_; }
     std::optional<PhaseTime> time() const;
     /// Returns a text with more detail than the state: why it failed, whether STOP is confirmed. Empty: none.
-    QString stateWords() const;
+    Message stateWords() const;
     double secondsInPhase() const { return now_ - state_.since; }
     /// Returns true while the estimate of a captured scene is running.
     bool estimating() const
@@ -98,39 +102,39 @@ public:
     bool following() const { return following_ != nullptr; }
     bool ended() const { return ended_; }  ///< end of a replayed log
     bool canRestore() const { return estimation_.isAside() && !estimation_.scene(); }
-    QString whyNoEstimate() const;  ///< reason, and how to get an estimate
+    Message whyNoEstimate() const;  ///< reason, and how to get an estimate
     const std::optional<ProbeProposal>& proposal() const { return probes_.current(); }
     /// Returns the best probe for the present estimate, proposed or not; empty: its gain is unknown.
     std::optional<ProbeProposal> bestProbe() const { return probes_.best(); }
     /// Returns why the best probe is not proposed; empty: it was, or would be if commands could be sent.
-    QString whyNotOffered() const;
+    std::optional<Message> whyNotOffered() const;
     /// Returns the fingerprint of the data behind the proposal.
     const std::string& proposedOn() const { return probes_.proposedOn(); }
     std::optional<int> probingBin() const;
     /// Returns the first unmet precondition of driving; empty: driving is allowed.
-    QString whyNotDriving() const { return firstMissing(toDrive()); }
+    std::optional<Message> whyNotDriving() const { return firstMissing(toDrive()); }
     QList<Precondition> preconditions() const;  ///< preconditions of exploring
     QList<Precondition> toDrive() const;
     QList<Precondition> toProbe() const;  ///< preconditions of approving the proposal
     QList<Precondition> toReleaseStop() const;
-    /// Returns the overridden values as text; empty: none.
-    QString overridden() const { return ground_.overridden().join(QStringLiteral("; ")); }
+    /// Returns the overridden values; empty: none.
+    std::vector<Message> overridden() const { return ground_.overridden(); }
     const Options& options() const { return options_; }
 
 signals:
-    void happened(const QString& text, terratact::EventSeverity severity);
+    void happened(const terratact::Message& text, terratact::EventSeverity severity);
     /// Emitted instead of happened() for an event that stateWords() contains.
-    void stateChanged(const QString& text, terratact::EventSeverity severity);
-    void stoppedNothing(const QString& why);  ///< stop() had no effect
+    void stateChanged(const terratact::Message& text, terratact::EventSeverity severity);
+    void stoppedNothing(const terratact::Message& why);  ///< stop() had no effect
     // Signals for the session's record.
-    void proposed();                                      ///< a probe was proposed
-    void decided(const char* what, const QString& text);  ///< a decision of the operator
+    void proposed();                                                 ///< a probe was proposed
+    void decided(const char* what, const terratact::Message& text);  ///< a decision of the operator
 
 private:
     void addAdvice();
     void explore();
     bool inReach(int bin) const;
-    QString wordsOf(NoProbe why) const;
+    std::optional<Message> wordsOf(NoProbe why) const;
     /// Proposes the same probe with the newest advice, as a new proposal with its own id.
     void askAnew();
 
@@ -146,7 +150,7 @@ private:
     void present(bool unprobed);
     void end(bool aborted);
     void fail();
-    QString failureWords() const;
+    Message failureWords() const;
     void preview();
 
     void driveOn();
@@ -156,8 +160,8 @@ private:
     bool hasPressed() const;  ///< the flippers have executed the last press command
     void endOverrides();
     bool armIsOut() const;
-    void forget(const QString& why);  ///< drops the estimate and the proposal on it
-    QString whyNotArmed() const;      ///< reason on a link; empty: armed
+    void forget(const Message& why);             ///< drops the estimate and the proposal on it
+    std::optional<Message> whyNotArmed() const;  ///< reason on a link; empty: armed
 
     MeasurementSource& source_;
     CanSource* link_;
@@ -188,7 +192,7 @@ private:
     double stopBegan_ = 0.0, stopSent_ = 0.0, releaseBegan_ = 0.0;  ///< [s]
     /// The robot has confirmed STOP; missing telemetry does not revoke it.
     bool stopConfirmed_ = false;
-    QString stopTrouble_;  ///< reason that the newest STOP was not sent
+    Message stopTrouble_;  ///< reason that the newest STOP was not sent
 
     double approvedAt_ = 0.0;              ///< [s]
     std::optional<double> pressTook_;      ///< [s] duration of the last press in this run

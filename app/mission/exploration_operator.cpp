@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/mission/exploration.h"
 
 namespace terratact {
@@ -23,14 +24,18 @@ void Exploration::explore()
 
 void Exploration::askProbe(int bin)
 {
-    if (const QString why = whyNotAsking(bin); !why.isEmpty())
-        return void(
-            emit happened(tr("no probe is asked for: %1").arg(why), EventSeverity::Warning));
+    if (const auto why = whyNotAsking(bin))
+        return void(emit happened(
+            Message(TR_NOOP("terratact::Exploration", "no probe is asked for: %1"), *why),
+            EventSeverity::Warning));
     if (state_.phase == AtemPhase::ProposingProbe) return choose(probes_.current()->id, bin);
-    emit decided("choose", format::binName(bin));
-    emit happened(tr("a probe at %1 is requested: the robot presses again, then asks for approval")
-                      .arg(format::binName(bin)),
-                  EventSeverity::Note);
+    emit decided("choose", verbatim(format::binName(bin)));
+    emit happened(
+        Message(
+            TR_NOOP("terratact::Exploration",
+                    "a probe at %1 is requested: the robot presses again, then asks for approval"),
+            verbatim(format::binName(bin))),
+        EventSeverity::Note);
     askedBin_ = bin;
     explore();
 }
@@ -40,11 +45,14 @@ void Exploration::forgetResult()
     if (exploring(state_.phase)) return;
     const bool stood = estimation_.estimate().has_value();
     emit decided("forget", {});
-    estimation_.setAside(tr("No estimate: explore the terrain (A)"));
+    estimation_.setAside(TR_NOOP("terratact::Exploration", "No estimate: explore the terrain (A)"));
     probes_.withdraw();
     const bool ends = state_.phase == AtemPhase::Presenting || state_.phase == AtemPhase::Failed;
     if (ends || following()) pending_.aborted = true;
-    if (stood) emit happened(tr("the estimate is hidden: Ctrl+Z restores it"), EventSeverity::Note);
+    if (stood)
+        emit happened(
+            TR_NOOP("terratact::Exploration", "the estimate is hidden: Ctrl+Z restores it"),
+            EventSeverity::Note);
 }
 
 void Exploration::restoreResult()
@@ -52,9 +60,11 @@ void Exploration::restoreResult()
     if (!exploring(state_.phase) && estimation_.restore()) {
         pending_.aborted = false;
         emit decided("restore", {});
-        emit happened(tr("the estimate is back"), EventSeverity::Note);
+        emit happened(TR_NOOP("terratact::Exploration", "the estimate is back"),
+                      EventSeverity::Note);
     } else {
-        emit happened(tr("no estimate can be brought back"), EventSeverity::Note);
+        emit happened(TR_NOOP("terratact::Exploration", "no estimate can be brought back"),
+                      EventSeverity::Note);
     }
 }
 
@@ -69,7 +79,7 @@ void Exploration::approve(quint64 proposal)
     if (!probes_.isCurrent(proposal)) return;
     if (estimation_.wasPitchSuspected())
         return void(emit happened(Preconditions::pitchSuspected().text, EventSeverity::Warning));
-    emit decided("approve", format::binName(probes_.current()->bin));
+    emit decided("approve", verbatim(format::binName(probes_.current()->bin)));
     pending_.approved = true;
     pending_.approvedFor = probes_.proposedOn();
     approvedAt_ = now_;
@@ -78,17 +88,18 @@ void Exploration::approve(quint64 proposal)
 void Exploration::refuse(quint64 proposal)
 {
     if (!probes_.isCurrent(proposal)) return;
-    emit decided("refuse", format::binName(probes_.current()->bin));
+    emit decided("refuse", verbatim(format::binName(probes_.current()->bin)));
     pending_.refused = true;
 }
 
 void Exploration::choose(quint64 proposal, int bin)
 {
     if (!probes_.isCurrent(proposal) || !probes_.stands() || !inReach(bin)) return;
-    emit decided("choose", format::binName(bin));
+    emit decided("choose", verbatim(format::binName(bin)));
     probes_.propose(bin);
     emit proposed();
-    emit happened(tr("probe asked for at %1 instead").arg(format::binName(bin)),
+    emit happened(Message(TR_NOOP("terratact::Exploration", "probe asked for at %1 instead"),
+                          verbatim(format::binName(bin))),
                   EventSeverity::Note);
 }
 
@@ -101,17 +112,18 @@ void Exploration::setStepLimit(double metres)
 
 void Exploration::setSecondMethod(std::optional<Method> method)
 {
-    emit decided("second method", method ? format::text(name(*method)) : QStringLiteral("none"));
+    emit decided("second method",
+                 method ? Message::verbatim(std::string(name(*method))) : TR_NOOP("event", "none"));
     estimation_.setSecondMethod(method);
 }
 
 void Exploration::drive(int direction)
 {
-    if (!whyNotDriving().isEmpty()) return;
+    if (whyNotDriving()) return;
     driving_ = true;
     driveBegan_ = now_;
     driveWanted_ = DriveCommand{.speed = direction * options_.driveSpeed};
-    emit decided("drive", direction > 0 ? QStringLiteral("forward") : QStringLiteral("back"));
+    emit decided("drive", direction > 0 ? TR_NOOP("event", "forward") : TR_NOOP("event", "back"));
     driveOn();
 }
 
@@ -128,7 +140,7 @@ void Exploration::stop()
     stopFrom({});
 }
 
-void Exploration::stopFrom(const QString& where)
+void Exploration::stopFrom(const Message& where)
 {
     if (following()) {
         emit stoppedNothing(following_->why());
@@ -154,7 +166,8 @@ void Exploration::releaseStop()
     releasing_ = true;
     releaseBegan_ = stopSent_ = now_;
     command(ReleaseStopCommand{});
-    emit happened(tr("STOP released by the operator"), EventSeverity::Warning);
+    emit happened(TR_NOOP("terratact::Exploration", "STOP released by the operator"),
+                  EventSeverity::Warning);
 }
 
 void Exploration::setSettings(const Settings& settings)
@@ -162,10 +175,10 @@ void Exploration::setSettings(const Settings& settings)
     const std::uint64_t seed = options_.settings.seed;
     options_.settings = settings;
     options_.settings.seed = seed;
-    emit happened(tr("the next estimate: %1, %2 draws, contacts above %3 N")
-                      .arg(format::text(name(settings.method)))
-                      .arg(settings.draws)
-                      .arg(format::number(settings.forceThreshold, 1)),
+    emit happened(Message(TR_NOOP("terratact::Exploration",
+                                  "the next estimate: %1, %2 draws, contacts above %3 N"),
+                          verbatim(format::text(name(settings.method))), settings.draws,
+                          verbatim(format::number(settings.forceThreshold, 1))),
                   EventSeverity::Note);
 }
 
@@ -173,9 +186,11 @@ void Exploration::overrideWarnings()
 {
     if (following() || !linkAlive_) return;  // the doubtful values are unknown
     const Measurement& m = latest_->sample.measurement;
-    for (const QString& warning : ground_.overrideWarnings(m, options_.settings)) {
+    for (const Message& warning : ground_.overrideWarnings(m, options_.settings)) {
         emit decided("override", warning);
-        emit happened(tr("overridden by the operator: %1").arg(warning), EventSeverity::Warning);
+        emit happened(
+            Message(TR_NOOP("terratact::Exploration", "overridden by the operator: %1"), warning),
+            EventSeverity::Warning);
     }
 }
 

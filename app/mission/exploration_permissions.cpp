@@ -1,44 +1,57 @@
 // What may be done now, and why not.
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/mission/exploration.h"
 
 namespace terratact {
 
-QString Exploration::whyNoEstimate() const
+Message Exploration::whyNoEstimate() const
 {
-    if (QString why = estimation_.whyNone(); !why.isEmpty()) return why;
+    if (!estimation_.whyNone().empty()) return estimation_.whyNone();
     const ModelInUse& model = estimation_.model();
-    if (!linkAlive_ && !ended_) return tr("No estimate yet: no telemetry from the robot");
-    if (!model.trouble.isEmpty()) return tr("No estimate: there is no model");
-    if (model.name.isEmpty()) return tr("No estimate yet: the model is being loaded");
-    if (following()) return tr("No estimate yet: one is made when the robot presses its flippers");
-    if (!armed()) return tr("No estimate yet: press M, then hold M to arm; then explore (A)");
-    return tr("No estimate yet: explore the terrain (A)");
+    if (!linkAlive_ && !ended_)
+        return TR_NOOP("terratact::Exploration", "No estimate yet: no telemetry from the robot");
+    if (!model.trouble.empty())
+        return TR_NOOP("terratact::Exploration", "No estimate: there is no model");
+    if (model.name.isEmpty())
+        return TR_NOOP("terratact::Exploration", "No estimate yet: the model is being loaded");
+    if (following())
+        return TR_NOOP("terratact::Exploration",
+                       "No estimate yet: one is made when the robot presses its flippers");
+    if (!armed())
+        return TR_NOOP("terratact::Exploration",
+                       "No estimate yet: press M, then hold M to arm; then explore (A)");
+    return TR_NOOP("terratact::Exploration", "No estimate yet: explore the terrain (A)");
 }
 
-QString Exploration::whyNotOffered() const
+std::optional<Message> Exploration::whyNotOffered() const
 {
-    if (!estimation_.estimate() || offered_) return {};
+    if (!estimation_.estimate() || offered_) return std::nullopt;
     if (estimation_.wasPitchSuspected()) return Preconditions::pitchSuspected().text;
     const ProbeOffer now = probes_.offer();  // limit, policy and telemetry may have changed
-    if (now.bin) return tr("No probe was offered with this estimate: explore again");
+    if (now.bin)
+        return TR_NOOP("terratact::Exploration",
+                       "No probe was offered with this estimate: explore again");
     return wordsOf(now.why);
 }
 
-QString Exploration::wordsOf(NoProbe why) const
+std::optional<Message> Exploration::wordsOf(NoProbe why) const
 {
     switch (why) {
     case NoProbe::None: break;
     case NoProbe::Certain:
-        return tr("No probe offered: every bin in reach is known to ± %1 m")
-            .arg(format::number(estimation_.estimate()->settings.probeAbove, 2));
+        return Message(TR_NOOP("terratact::Exploration",
+                               "No probe offered: every bin in reach is known to ± %1 m"),
+                       verbatim(format::number(estimation_.estimate()->settings.probeAbove, 2)));
     case NoProbe::Decided:
-        return tr("No probe offered, by the settings: %1 stands without the arm")
-            .arg(format::sentence(name(estimation_.verdict()->stepVerdict)));
+        return Message(TR_NOOP("terratact::Exploration",
+                               "No probe offered, by the settings: %1 stands without the arm"),
+                       describe(estimation_.verdict()->stepVerdict));
     case NoProbe::NoGain:
-        return tr("No probe offered, by the settings: no bin in reach informs about the step");
+        return TR_NOOP("terratact::Exploration",
+                       "No probe offered, by the settings: no bin in reach informs about the step");
     }
-    return {};
+    return std::nullopt;
 }
 
 bool Exploration::inReach(int bin) const
@@ -46,20 +59,23 @@ bool Exploration::inReach(int bin) const
     return bin >= 0 && bin < kBins && robot_.armSd > 0.0 && robot_.armReaches(bin);
 }
 
-QString Exploration::whyNotAsking(int bin) const
+std::optional<Message> Exploration::whyNotAsking(int bin) const
 {
     if (following()) return following_->why();
     if (latest_ && isSuspected(latest_->suspicions, Sensor::Pitch))
         return Preconditions::pitchSuspected().text;
-    if (!inReach(bin)) return tr("the arm does not reach bin %1").arg(format::binName(bin));
+    if (!inReach(bin))
+        return Message(TR_NOOP("terratact::Exploration", "the arm does not reach bin %1"),
+                       verbatim(format::binName(bin)));
     if (state_.phase == AtemPhase::ProposingProbe)
-        return probes_.stands() ? QString() : Preconditions::stands(false).text;
-    if (exploring(state_.phase)) return tr("an exploration is running");
+        return probes_.stands() ? std::nullopt : std::optional(Preconditions::stands(false).text);
+    if (exploring(state_.phase))
+        return TR_NOOP("terratact::Exploration", "an exploration is running");
     for (const Precondition& need : preconditions())
         if (need.level == Precondition::Level::Missing
             || need.level == Precondition::Level::Doubtful)
             return need.text;
-    return {};
+    return std::nullopt;
 }
 
 QList<Precondition> Exploration::toDrive() const
@@ -102,10 +118,11 @@ QList<Precondition> Exploration::toReleaseStop() const
                                                : Preconditions::nothingToRelease()};
 }
 
-QString Exploration::whyNotArmed() const
+std::optional<Message> Exploration::whyNotArmed() const
 {
-    if (armed()) return {};
-    return following() ? following_->why() : tr("not armed: press M, then hold M");
+    if (armed()) return std::nullopt;
+    if (following()) return following_->why();
+    return TR_NOOP("terratact::Exploration", "not armed: press M, then hold M");
 }
 
 QList<Precondition> Exploration::preconditions() const

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "app/display/format.h"
-
 namespace terratact {
 
 PanelControl::PanelControl(std::unique_ptr<OperatorPanel> panel, MeasurementSource& source,
@@ -23,17 +21,20 @@ void PanelControl::tick(double now, const ViewState& viewState)
     if (stopped && !wasStopped_) {
         // The reader sends STOP itself; this second STOP also updates the window.
         exploration_.stop();
-        emit happened(report_.state.present && !isLost() ? tr("STOP pressed on the panel")
-                      : exploration_.following()         ? tr("the panel is lost")
-                                                 : tr("the panel is lost: STOP is asserted"),
-                      EventSeverity::Bad);
+        emit happened(
+            report_.state.present && !isLost()
+                ? TR_NOOP("terratact::PanelControl", "STOP pressed on the panel")
+            : exploration_.following()
+                ? TR_NOOP("terratact::PanelControl", "the panel is lost")
+                : TR_NOOP("terratact::PanelControl", "the panel is lost: STOP is asserted"),
+            EventSeverity::Bad);
     }
     wasStopped_ = stopped;
     press(viewState);
     ask(viewState);
     light();
-    const QString trouble = format::sentence(report_.trouble);
-    if (trouble != trouble_ && !trouble.isEmpty()) emit happened(trouble, EventSeverity::Bad);
+    const Message& trouble = report_.trouble;
+    if (!trouble.empty() && trouble != trouble_) emit happened(trouble, EventSeverity::Bad);
     trouble_ = trouble;
 }
 
@@ -56,14 +57,18 @@ void PanelControl::press(const ViewState& viewState)
 void PanelControl::approve(quint64 asked, bool pressed, bool covered)
 {
     if (pressed && shown_ != asked)
-        emit happened(covered ? tr("not approved: close the window that covers the question")
-                              : tr("not approved: the question is not on the screen (Terrain, F2)"),
-                      EventSeverity::Bad);
+        emit happened(
+            covered ? TR_NOOP("terratact::PanelControl",
+                              "not approved: close the window that covers the question")
+                    : TR_NOOP("terratact::PanelControl",
+                              "not approved: the question is not on the screen (Terrain, F2)"),
+            EventSeverity::Bad);
     const ContactState& contact = report_.state.contacts[PanelContact::Approve];
     const bool counts = shown_ == asked && report_.state.held(PanelContact::Approve)
                      && contact.since >= shownSince_;
     if (std::exchange(approving_, counts) && !counts)
-        emit happened(tr("not approved: the panel's button has to be held for 1.5 s"),
+        emit happened(TR_NOOP("terratact::PanelControl",
+                              "not approved: the panel's button has to be held for 1.5 s"),
                       EventSeverity::Bad);
     if (!counts || report_.state.time - contact.since < kApproveHold) return;
     approving_ = false;
@@ -96,19 +101,25 @@ bool PanelControl::answers(double now) const
     return report_.state.present && reader_.age(now) <= kAnswersWithin;
 }
 
-QString PanelControl::whyNotReleased() const
+std::optional<Message> PanelControl::whyNotReleased() const
 {
     if (!report_.state.present || isLost())
-        return tr("the panel is lost: connect it first, or start the console without --panel");
-    return stopPressed() ? tr("STOP is pressed on the panel: release it there first") : QString();
+        return TR_NOOP("terratact::PanelControl",
+                       "the panel is lost: connect it first, or start the console without --panel");
+    if (!stopPressed()) return std::nullopt;
+    return TR_NOOP("terratact::PanelControl",
+                   "STOP is pressed on the panel: release it there first");
 }
 
 Precondition PanelControl::precondition(double now) const
 {
     using Level = Precondition::Level;
-    if (!answers(now)) return {Level::Missing, tr("the operator's panel does not answer")};
-    if (stopPressed()) return {Level::Missing, tr("STOP is pressed on the panel")};
-    return {Level::Met, tr("the operator's panel answers")};
+    if (!answers(now))
+        return {Level::Missing,
+                TR_NOOP("terratact::PanelControl", "the operator's panel does not answer")};
+    if (stopPressed())
+        return {Level::Missing, TR_NOOP("terratact::PanelControl", "STOP is pressed on the panel")};
+    return {Level::Met, TR_NOOP("terratact::PanelControl", "the operator's panel answers")};
 }
 
 }  // namespace terratact

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "app/link/panel_reader.h"
 #include "app/mission/exploration.h"
+#include "core/base/message.h"
 
 namespace terratact {
 
@@ -39,12 +41,13 @@ public:
     bool stopPressed() const { return report_.state.stop; }
     const PanelState& state() const { return report_.state; }
     Precondition precondition(double now) const;
-    QString whyNotReleased() const;  ///< why STOP cannot be released at the window; empty: it can
+    std::optional<Message>
+    whyNotReleased() const;  ///< why STOP cannot be released at the window; empty: it can
     const PanelReader& reader() const { return reader_; }
     const PanelReport& report() const { return report_; }
 
 signals:
-    void happened(const QString& text, terratact::EventSeverity severity);
+    void happened(const terratact::Message& text, terratact::EventSeverity severity);
 
 private:
     void press(const ViewState& viewState);
@@ -63,7 +66,7 @@ private:
     bool approving_ = false;       ///< the contact is held, but not long enough yet
     std::optional<double> asked_;  ///< [s] time of the last sound for a proposal
     double buzzUntil_ = 0.0;       ///< [s]
-    QString trouble_;
+    Message trouble_;
 };
 
 }  // namespace terratact

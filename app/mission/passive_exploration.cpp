@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/display/format.h"
-
 namespace terratact {
 
-PassiveExploration::PassiveExploration(QString why, Estimation& estimation,
+PassiveExploration::PassiveExploration(Message why, Estimation& estimation,
                                        const AtemLimits& limits)
     : why_(std::move(why)), estimation_(estimation), limits_(limits)
 {
@@ -43,30 +41,36 @@ void PassiveExploration::enter(const AtemState& state, const Received& latest)
 {
     switch (state.phase) {
     case AtemPhase::Pressing:
-        estimation_.forget(tr("Following: the front flippers press down"));
+        estimation_.forget(
+            TR_NOOP("terratact::PassiveExploration", "Following: the front flippers press down"));
         break;
     case AtemPhase::Estimating:
-        estimation_.forget(tr("Estimating …"));
-        emit happened(tr("following: the robot has pressed its flippers down"),
+        estimation_.forget(TR_NOOP("terratact::PassiveExploration", "Estimating …"));
+        emit happened(TR_NOOP("terratact::PassiveExploration",
+                              "following: the robot has pressed its flippers down"),
                       EventSeverity::Note);
         captured_ = latest.press->count;
         estimation_.begin(latest, lostAt_);
         break;
     case AtemPhase::Probing:
-        emit happened(tr("following: the arm is probing"), EventSeverity::Note);
+        emit happened(TR_NOOP("terratact::PassiveExploration", "following: the arm is probing"),
+                      EventSeverity::Note);
         break;
     case AtemPhase::EstimatingAgain:
         estimation_.addArmReading(*latest.sample.measurement.arm);
         break;
     case AtemPhase::Stopped:
-        emit happened(tr("following: the robot is stopped"), EventSeverity::Bad);
+        emit happened(TR_NOOP("terratact::PassiveExploration", "following: the robot is stopped"),
+                      EventSeverity::Bad);
         estimation_.cancel();
-        if (!estimation_.estimate()) estimation_.forget(tr("No estimate: the robot is stopped"));
+        if (!estimation_.estimate())
+            estimation_.forget(
+                TR_NOOP("terratact::PassiveExploration", "No estimate: the robot is stopped"));
         break;
     case AtemPhase::Failed: fail(state.failure); break;
     case AtemPhase::Idle:
         estimation_.cancel();
-        estimation_.forget(estimation_.hasMoved() ? whyMoved() : QString());
+        estimation_.forget(estimation_.hasMoved() ? whyMoved() : Message());
         break;
     case AtemPhase::Presenting:
     case AtemPhase::Halting:
@@ -76,15 +80,18 @@ void PassiveExploration::enter(const AtemState& state, const Received& latest)
 
 void PassiveExploration::fail(AtemFailure failure)
 {
-    const QString why = format::sentence(describe(failure));
-    emit stateChanged(tr("following: no estimate: %1").arg(why), EventSeverity::Bad);
+    const SourceText why = describe(failure);
+    emit stateChanged(
+        Message(TR_NOOP("terratact::PassiveExploration", "following: no estimate: %1"), why),
+        EventSeverity::Bad);
     estimation_.cancel();
-    estimation_.forget(tr("No estimate: %1").arg(why));
+    estimation_.forget(Message(TR_NOOP("terratact::PassiveExploration", "No estimate: %1"), why));
 }
 
-QString PassiveExploration::whyMoved()
+Message PassiveExploration::whyMoved()
 {
-    return tr("The robot has moved: the next press gives the next estimate");
+    return TR_NOOP("terratact::PassiveExploration",
+                   "The robot has moved: the next press gives the next estimate");
 }
 
 }  // namespace terratact

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <QObject>
-#include <QString>
 #include <cstdint>
 
 #include "app/mission/estimation.h"
 #include "core/atem/following.h"
+#include "core/base/message.h"
 
 namespace terratact {
 
@@ -15,25 +15,25 @@ class PassiveExploration final : public QObject {
     Q_OBJECT
 public:
     /// why: reason that no command is sent. The other arguments must outlive the object.
-    PassiveExploration(QString why, Estimation& estimation, const AtemLimits& limits);
+    PassiveExploration(Message why, Estimation& estimation, const AtemLimits& limits);
 
-    const QString& why() const { return why_; }
+    const Message& why() const { return why_; }
     /// Advances `state` by one tick. in: what this console knows itself (now, linkLost, aborted, estimateReady,
     /// estimateFailed). Everything else comes from telemetry.
     void tick(AtemState& state, FollowInput in, const Received& latest);
 
 signals:
-    void happened(const QString& text, terratact::EventSeverity severity);
+    void happened(const terratact::Message& text, terratact::EventSeverity severity);
     /// Emitted instead of happened() for an event that the state shows, too.
-    void stateChanged(const QString& text, terratact::EventSeverity severity);
+    void stateChanged(const terratact::Message& text, terratact::EventSeverity severity);
 
 private:
     void poll(FollowInput& in, const Received& latest) const;
     void enter(const AtemState& state, const Received& latest);
     void fail(AtemFailure failure);
-    static QString whyMoved();
+    static Message whyMoved();
 
-    QString why_;
+    Message why_;
     Estimation& estimation_;
     const AtemLimits& limits_;
     std::uint64_t captured_ = 0;  ///< Press::count; 0: none

@@ -1,15 +1,14 @@
 #pragma once
 
-#include <QCoreApplication>
 #include <QList>
-#include <QString>
-#include <QStringList>
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "app/display/precondition.h"
 #include "app/link/can_source.h"
 #include "app/mission/estimation.h"
+#include "core/base/message.h"
 #include "core/infer/estimate/settings.h"
 #include "core/robot/measurement.h"
 
@@ -17,14 +16,14 @@ namespace terratact {
 
 /// Preconditions of commands, as texts for the operator.
 class Preconditions {
-    Q_DECLARE_TR_FUNCTIONS(Preconditions)
 public:
     static Precondition telemetry(bool alive, bool logEnded);
     /// heard: telemetry is fresh. Without it, no condition that only the robot knows counts as met.
     static Precondition stop(bool latched, bool releasing,  ///< releasing: not yet confirmed
                              bool telemetryFresh);
     static Precondition groundNotKnown();  ///< ground and the robot's pose on it are unknown
-    static Precondition arming(const QString& whyNot);  ///< empty: the robot is armed
+    static Precondition
+    arming(const std::optional<Message>& whyNot);  ///< empty: the robot is armed
     static Precondition model(const ModelInUse& model);
     /// STOP as a precondition of commands that it blocks.
     static Precondition released(bool latched, bool telemetryFresh);
@@ -44,29 +43,28 @@ public:
 /// may override each contradiction at its present size. New contradictions, and growth beyond the limit, are not
 /// covered.
 class PlanarGround {
-    Q_DECLARE_TR_FUNCTIONS(PlanarGround)
 public:
     /// Returns a Doubtful or Overridden precondition per contradiction of the settings' limits; a single Met one
     /// without any.
     QList<Precondition> judge(const Measurement& measurement, const Settings& settings) const;
 
     /// Overrides all present contradictions. Returns the new ones as text.
-    QStringList overrideWarnings(const Measurement& measurement, const Settings& settings);
+    std::vector<Message> overrideWarnings(const Measurement& measurement, const Settings& settings);
     /// Ends overrides whose contradiction has ended or grown too much. Returns the reasons as text.
-    QStringList endOverrides(const Measurement& measurement, const Settings& settings);
+    std::vector<Message> endOverrides(const Measurement& measurement, const Settings& settings);
     /// Overridden contradictions as text, with their values at that time.
-    QStringList overridden() const;
+    std::vector<Message> overridden() const;
 
 private:
     enum Kind { kRoll, kAsymmetry, kKinds };
     struct PlanarityWarning {
         double size = 0.0, limit = 0.0;  ///< [rad]
-        QString text;
+        Message text;
         bool stands() const { return size > limit; }
     };
     static std::array<PlanarityWarning, kKinds> warnings(const Measurement& measurement,
                                                          const Settings& settings);
-    static QString goneWords(int kind);
+    static SourceText goneWords(int kind);
 
     std::array<std::optional<PlanarityWarning>, kKinds>
         overridden_;  ///< each at its size when overridden

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 
 namespace terratact {
 namespace {
@@ -19,7 +20,7 @@ struct CostWords {
 
 CostWords inWords(const PresetCost& cost)
 {
-    return {format::sentence(name(cost.preset)), format::number(cost.milliseconds, 1),
+    return {translated(describe(cost.preset)), format::number(cost.milliseconds, 1),
             format::number(cost.errorMm, 0), format::number(cost.offMm, 1),
             format::number(100.0 * cost.converged, 0)};
 }
@@ -33,7 +34,7 @@ QStringList ofEach(Method method, std::span<const PresetCost> costs, const QStri
         const auto cost = std::find_if(costs.begin(), costs.end(), [&](const PresetCost& c) {
             return c.method == method && c.preset == preset;
         });
-        lines << (cost == costs.end() ? unmeasured.arg(format::sentence(name(preset)))
+        lines << (cost == costs.end() ? unmeasured.arg(translated(describe(preset)))
                                       : show(inWords(*cost)));
     }
     return lines;

@@ -4,7 +4,9 @@
 
 #include <utility>
 
+#include "app/display/translated.h"
 #include "core/base/text.h"
+#include "core/log/event_text.h"
 
 namespace terratact {
 namespace {
@@ -30,6 +32,13 @@ double numberOf(AlarmState state)
     return 0.0;
 }
 
+/// Returns the name of a failure or a cause, which a session holds as it is.
+template <class Enum>
+Message named(Enum value)
+{
+    return Message::verbatim(std::string(name(value)));
+}
+
 std::string inWords(const Verdict& verdict, double limit)
 {
     std::string text =
@@ -37,7 +46,7 @@ std::string inWords(const Verdict& verdict, double limit)
                     100.0 * verdict.step.p, randomErrorText(100.0 * verdict.step.monteCarloSd, 1));
     if (!verdict.unfelt.empty()) text += "; " + describeUnfelt(verdict);
     for (const WithholdReason reason : verdict.withheldFor)
-        text += fmt::format("; {}", describe(reason));
+        text += fmt::format("; {}", describe(reason).english);
     return text;
 }
 
@@ -64,8 +73,8 @@ void SessionEventLogger::connectTo(Exploration& exploration)
     connect(&exploration, &Exploration::decided, this, &SessionEventLogger::decision);
     connect(estimation, &Estimation::telemetryGap, this,
             [this] { log(EventKind::TelemetryGap, {}, {}); });
-    connect(estimation, &Estimation::forgotten, this, [this](const QString& why) {
-        log(EventKind::Forgotten, {}, why.toStdString());
+    connect(estimation, &Estimation::forgotten, this, [this](const Message& why) {
+        log(EventKind::Forgotten, {}, why);
         estimate_ = proposal_ = 0;
     });
 }
@@ -122,40 +131,40 @@ void SessionEventLogger::logProposal()
     proposal_ = recorder_->record(std::move(row));
 }
 
-void SessionEventLogger::log(EventKind kind, const std::string& subject, const std::string& text,
+void SessionEventLogger::log(EventKind kind, const std::string& subject, const Message& text,
                              std::optional<double> number)
 {
     const bool isDecision = kind == EventKind::Decision || kind == EventKind::Marker;
-    recorder_->record(EventRow{.id = 0,
-                               .time = 0,
-                               .kind = kind,
-                               .subject = subject,
-                               .text = text,
-                               .number = number,
-                               .estimate = estimate_,
-                               .proposal = exploration_.proposal() ? proposal_ : 0,
-                               .shown = isDecision ? shown() : std::string()});
+    recorder_->record(withText({.id = 0,
+                                .time = 0,
+                                .kind = kind,
+                                .subject = subject,
+                                .number = number,
+                                .estimate = estimate_,
+                                .proposal = exploration_.proposal() ? proposal_ : 0,
+                                .shown = isDecision ? shown() : std::string()},
+                               text));
 }
 
-void SessionEventLogger::decision(const char* what, const QString& text)
+void SessionEventLogger::decision(const char* what, const Message& text)
 {
-    log(EventKind::Decision, what, text.toStdString());
+    log(EventKind::Decision, what, text);
 }
 
-void SessionEventLogger::word(const QString& text, EventSeverity severity)
+void SessionEventLogger::word(const Message& text, EventSeverity severity)
 {
-    log(EventKind::Word, inWords(severity), text.toStdString());
+    log(EventKind::Word, inWords(severity), text);
 }
 
 void SessionEventLogger::mark(const QString& note)
 {
-    log(EventKind::Marker, "operator", note.toStdString());
+    log(EventKind::Marker, "operator", verbatim(note));
 }
 
 std::string SessionEventLogger::shown() const
 {
-    std::string text = fmt::format("exploration: {}", describe(exploration_.state().phase));
-    text += "; " + describe(link_);
+    std::string text = fmt::format("exploration: {}", describe(exploration_.state().phase).english);
+    text.append("; ").append(describe(link_).english);
     if (const auto verdict = exploration_.estimation().verdict())
         text += "; " + inWords(*verdict, exploration_.options().stepLimit);
     else
@@ -173,13 +182,12 @@ void SessionEventLogger::poll(const LinkAccount& link, const std::optional<CanVi
     lookAtLink(link, bus);
     if (bus && std::exchange(arming_, bus->link.arming.phase) != bus->link.arming.phase)
         log(EventKind::Arming, std::string(name(*arming_)),
-            *arming_ == ArmingPhase::Disarmed ? std::string(name(bus->link.arming.cause))
-                                              : std::string());
+            *arming_ == ArmingPhase::Disarmed ? named(bus->link.arming.cause) : Message());
     const AtemState& state = exploration_.state();
     if (std::exchange(phase_, state.phase) != state.phase)
         log(EventKind::Phase, std::string(name(state.phase)),
-            state.phase == AtemPhase::Failed ? std::string(name(state.failure)) : std::string());
-    const std::string overridden = exploration_.overridden().toStdString();
+            state.phase == AtemPhase::Failed ? named(state.failure) : Message());
+    const Message overridden = Message::listed(exploration_.overridden(), "; ");
     if (std::exchange(overridden_, overridden) != overridden)
         log(EventKind::Override, {}, overridden);
     lookAtAlarms(alarms);
@@ -195,11 +203,11 @@ void SessionEventLogger::lookAtLink(const LinkAccount& link, const std::optional
     // A flapping link is recorded as one loss, unless it becomes worse.
     if (subject == loggedLink_ || (loggedLink_ == kLinkLost && !isUp)) return;
     loggedLink_ = subject;
-    if (!isUp) return log(EventKind::Link, subject, bus ? describe(bus->bus, "bus") : "");
+    if (!isUp) return log(EventKind::Link, subject, bus ? describe(bus->bus, "bus") : Message());
     log(EventKind::Link, subject,
-        link.gaps > 1
-            ? fmt::format("gaps before: {}, the longest {:.2f} s", link.gaps, link.longest)
-            : std::string(),
+        link.gaps > 1 ? Message(TR_NOOP("core", "gaps before: %1, the longest %2 s"), link.gaps,
+                                fixed(link.longest, 2))
+                      : Message(),
         link.gaps > 0 ? std::optional(link.longest) : std::nullopt);
 }
 

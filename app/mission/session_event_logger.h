@@ -12,12 +12,12 @@
 #include "app/mission/console_alarms.h"
 #include "app/mission/exploration.h"
 #include "app/recording/session_recorder.h"
+#include "core/base/message.h"
 
 namespace terratact {
 
 /// Records the console's events: scenes, estimates, proposals, the operator's decisions, and changes of link, arming,
-/// exploration, alarms and panel. Texts of rows are English; texts from the screen are recorded in the language shown.
-/// GUI thread only.
+/// exploration, alarms and panel. Texts of rows are English, with their message for translation. GUI thread only.
 class SessionEventLogger final : public QObject {
     Q_OBJECT
 public:
@@ -32,17 +32,17 @@ public:
     void mark(const QString& note);
 
     /// A line of the list of events, in words.
-    void word(const QString& text, EventSeverity severity);
+    void word(const Message& text, EventSeverity severity);
 
     RecordingState state() const { return recorder_->state(); }
-    void decision(const char* what, const QString& text);  ///< a decision of the operator
+    void decision(const char* what, const Message& text);  ///< a decision of the operator
 
 private:
     void connectTo(Exploration& exploration);
     void logModel(const QString& name, const QString& details, const QString& hash);
     void logEstimate(bool second);
     void logProposal();
-    void log(EventKind kind, const std::string& subject, const std::string& text = {},
+    void log(EventKind kind, const std::string& subject, const Message& text = {},
              std::optional<double> number = std::nullopt);
     std::string shown() const;
     void lookAtLink(const LinkAccount& link, const std::optional<CanView>& bus);
@@ -56,7 +56,7 @@ private:
     LinkAccount link_;
     std::string loggedLink_;  ///< subject of the last event; empty: none
     std::optional<ArmingPhase> arming_;
-    std::string overridden_;
+    Message overridden_;
     std::map<std::string, AlarmState> alarms_;
     std::optional<PerContact<bool>> contacts_;
 };

@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/link/can_text.h"
 #include "core/limits.h"
 #include "core/wire/dbc/dbc_text.h"
@@ -23,15 +24,14 @@ std::optional<FrameKind> kindOf(const CanFrame& frame)
 }
 
 /// Returns the text of wordsOf(). Names and texts from DBC files are the same in every language.
-QString contentOf(const CanFrame& frame, const std::vector<NamedValue>& values)
+QString contentOf(const std::vector<NamedValue>& values)
 {
-    if (isNotMeasured(values)) return format::sentence("not measured");
-    const bool isOurs = kindOf(frame).has_value();
+    if (isNotMeasured(values)) return translated(TR_NOOP("core", "not measured"));
     QStringList parts;
     for (const NamedValue& value : values)
         parts << QStringLiteral("%1 %2 %3")
                      .arg(format::text(value.name),
-                          isOurs ? format::sentence(value.value) : format::text(value.value),
+                          value.shown.empty() ? format::text(value.value) : translated(value.shown),
                           format::text(shownDbcText(value.unit)))
                      .trimmed();
     return parts.join(QStringLiteral(", "));
@@ -53,7 +53,7 @@ QString withMinus(QString number)
 
 QString valueText(const SignalLayout& layout, const std::optional<double>& value)
 {
-    return value ? withMinus(format::sentence(wordOf(layout, *value))) : format::kNothing;
+    return value ? withMinus(translated(wordOf(layout, *value))) : format::kNothing;
 }
 
 /// Returns false for identifiers, which have no meaningful extremes.
@@ -204,7 +204,7 @@ TraceWords traceWords(const CanFrame& frame, const std::shared_ptr<const DbcBook
             .name = frameName(frame, book.get()),
             .bytes = format::text(bytesText(frame)),
             .content = said.values.empty() && frame.error ? format::text(said.verdict)
-                                                          : contentOf(frame, said.values)};
+                                                          : contentOf(said.values)};
 }
 
 }  // namespace terratact

@@ -138,13 +138,13 @@ Result<ModelComparison> compareModels(const ComparisonPlan& plan, const Comparis
         if (pair.before.estimate) ++comparison.onlyBefore;
         if (pair.after.estimate) ++comparison.onlyAfter;
         if (comparison.whyNot.empty())
-            comparison.whyNot = pair.after.estimate ? pair.before.note : pair.after.note;
+            comparison.whyNot = pair.after.estimate ? pair.before.whyNone : pair.after.whyNone;
     }
     if (comparison.scenes == 0)
         return fileError(plan.data,
-                         fmt::format("no scene that both models can estimate: {}; choose another "
-                                     "file of scenes",
-                                     comparison.whyNot));
+                         Message(TR_NOOP("core", "no scene that both models can estimate: %1; "
+                                                 "choose another file of scenes"),
+                                 comparison.whyNot));
     comparison.before = summaryOf(ofBefore);
     comparison.after = summaryOf(ofAfter);
     comparison.nearDifference = differenceOf(ofBefore, ofAfter, scenes, plan.settings.seed);

@@ -32,7 +32,7 @@ struct ModelComparison {
     std::size_t inFile = 0;       ///< scenes with a known height
     std::size_t onlyBefore = 0;   ///< scenes that only the old model could estimate
     std::size_t onlyAfter = 0;
-    std::string whyNot;  ///< reason for the first scene that one model could not estimate
+    Message whyNot;  ///< reason for the first scene that one model could not estimate
     /// 95 % interval of the difference new − old of the mean |error| near the robot [m], bootstrapped over drives.
     /// Empty for fewer than kMinRuns drives.
     std::optional<Interval> nearDifference;

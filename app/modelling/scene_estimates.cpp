@@ -20,15 +20,10 @@ namespace terratact {
 
 namespace {
 
-std::string joined(const std::vector<std::string>& warnings)
-{
-    return fmt::format("{}", fmt::join(warnings, "; "));
-}
-
 SceneEstimate noted(TerrainEstimate estimate)
 {
-    std::string note = joined(estimate.warnings);
-    return {std::move(estimate), std::move(note)};
+    std::string note = english(estimate.warnings, "; ");
+    return {.estimate = std::move(estimate), .note = std::move(note)};
 }
 
 /// Returns a standard normal number: the simulated arm's error in units of its sd.
@@ -85,7 +80,7 @@ private:
         try {
             batch_.add(k, work_.scenes[k].s, arm, own, endingAfter(work_.seconds));
         } catch (const NotLearnt& error) {
-            leave(k, {std::nullopt, error.what()});
+            leave(k, {.note = error.what(), .whyNone = error.message()});
         }
     }
 
@@ -107,8 +102,9 @@ private:
             touched_[k] = {{*bin, *truth + sd * armNoise(work_.settings.seed + k), sd}};
             return add(k, touched_[k]);
         }
-        first.warnings.push_back(fmt::format(
-            "arm not simulated: the truth of bin {:+.1f} m is unknown", binCentre(*bin)));
+        first.warnings.emplace_back(
+            TR_NOOP("core", "arm not simulated: the truth of bin %1 m is unknown"),
+            signedFixed(binCentre(*bin), 1));
         leave(k, noted(std::move(first)));
     }
 
@@ -199,7 +195,7 @@ std::size_t checkEstimates(const std::vector<Scene>& scenes, const RobotModel& r
         writePosteriorCheck(*estimate, scenes[k].s, robot);
         if (!estimate->contradicts) return;
         ++contradicting;
-        estimates[k].note = joined(estimate->warnings);
+        estimates[k].note = english(estimate->warnings, "; ");
     });
     return contradicting;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/infer/estimator.h"
 #include "core/learn/data/scene.h"
 #include "core/learn/model/model_file.h"
@@ -36,8 +37,9 @@ TerrainEstimate estimateWith(const Scene& scene, std::span<const ArmReading> arm
 
 /// An estimate of a scene, or the reason that there is none.
 struct SceneEstimate {
-    std::optional<TerrainEstimate> estimate;
-    std::string note;               ///< warnings, or why the scene cannot be estimated
+    std::optional<TerrainEstimate> estimate{};
+    std::string note{};             ///< in English: warnings, or why there is no estimate
+    Message whyNone{};              ///< why there is no estimate; empty: there is one
     std::vector<ArmReading> arm{};  ///< readings of the simulated arm
 };
 

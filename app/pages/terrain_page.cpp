@@ -419,7 +419,7 @@ void TerrainPage::showProbe(const TerrainViewState& viewState)
     drive_->setVisible(layout_->layout() != Layout::Review && !(isTight() && needed));
     // With a large font the proposal takes the room; the robot stands still meanwhile.
     readout_->setVisible(!asking || layout_->fontScale() <= 120 || isTight());
-    terrain_->setArmTip(armTipOf(viewState, asking && firstMissing(viewState.probing).isEmpty()));
+    terrain_->setArmTip(armTipOf(viewState, asking && !firstMissing(viewState.probing)));
     if (asking) {
         ProbeProposal proposal = *viewState.proposal;
         if (viewState.verdict && proposal.stepLimit == verdict_->limit())

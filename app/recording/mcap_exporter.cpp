@@ -168,7 +168,8 @@ private:
             R"("force":{},"activity":{},"refusal":{}{}}})",
             m.pitch, m.roll, m.frontLeft, m.frontRight, m.rearLeft, m.rearRight, m.frontLeftCurrent,
             m.frontRightCurrent, m.rearLeftCurrent, m.rearRightCurrent, jsonNumbers(m.force),
-            jsonText(describe(m.activity)), jsonText(describe(m.refusal)), missingJson(m.missing));
+            jsonText(describe(m.activity).english), jsonText(describe(m.refusal).english),
+            missingJson(m.missing));
     }
 
     /// Returns the names of unmeasured features, whose numbers are 0; empty if all were measured.
@@ -196,8 +197,9 @@ private:
             if (scene && scene->truth) bins += fmt::format(",\"truth\":{}", scene->truth->at(i));
             bins += "}";
         }
-        for (const std::string& warning : e.warnings)
-            warnings += fmt::format("{}{}", warnings.empty() ? "" : ",", jsonText(warning));
+        for (const Message& warning : e.warnings)
+            warnings +=
+                fmt::format("{}{}", warnings.empty() ? "" : ",", jsonText(warning.english()));
         return fmt::format(
             R"({{"id":{},"scene":{},"role":{},"method":{},"seconds":{},"step_limit":{},"converged":{},"ending":{},"warnings":[{}],"bins":[{}]}})",
             row.id, row.scene, jsonText(name(row.role)), jsonText(name(e.settings.method)),

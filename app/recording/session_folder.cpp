@@ -61,17 +61,20 @@ std::vector<std::string> sessionsIn(const std::string& folder)
     return paths;
 }
 
-std::vector<std::string> recoverDeadSessions(const std::vector<std::string>& paths)
+std::vector<Message> recoverDeadSessions(const std::vector<std::string>& paths)
 {
-    std::vector<std::string> reports;
+    std::vector<Message> reports;
     for (const std::string& path : paths) {
         const auto recovery =
             recoverSession(path, true);  // true: a journal missing in this folder never comes back
         if (!recovery)
-            reports.push_back("session not recovered: " + recovery.error().text);
+            reports.emplace_back(TR_NOOP("core", "session not recovered: %1"),
+                                 recovery.error().message);
         else if (*recovery == SessionRecovery::Recovered)
-            reports.push_back("session recovered, whose program had ended without closing it: "
-                              + path);
+            reports.emplace_back(TR_NOOP("core",
+                                         "session recovered, whose program had ended without "
+                                         "closing it: %1"),
+                                 path);
     }
     return reports;
 }
@@ -149,9 +152,9 @@ std::vector<ClosedSession> beyond(const std::vector<ClosedSession>& sessions,
 
 }  // namespace
 
-std::vector<std::string> applyRetention(const std::vector<std::string>& paths,
-                                        const RetentionLimits& limits, std::int64_t now,
-                                        const std::function<bool()>& goesOn)
+std::vector<Message> applyRetention(const std::vector<std::string>& paths,
+                                    const RetentionLimits& limits, std::int64_t now,
+                                    const std::function<bool()>& goesOn)
 {
     if ((limits.days <= 0.0 && limits.gigabytes <= 0.0) || now < kYear2020) return {};
     const std::vector<ClosedSession> surplus = beyond(closedOnes(paths, now, goesOn), limits, now);
@@ -159,18 +162,23 @@ std::vector<std::string> applyRetention(const std::vector<std::string>& paths,
         if (surplus.empty()) return {};
         double bytes = 0.0;
         for (const ClosedSession& session : surplus) bytes += session.bytes;
-        return {fmt::format("{} sessions of {:.1f} MB are beyond the limits that you have set; "
-                            "none is deleted until the page of the settings says that they may be",
-                            surplus.size(), 1e-6 * bytes)};
+        return {
+            Message(TR_NOOP("core", "%1 sessions of %2 MB are beyond the limits that you have set; "
+                                    "none is deleted until the page of the settings says that they "
+                                    "may be"),
+                    surplus.size(), fixed(1e-6 * bytes, 1))};
     }
-    std::vector<std::string> reports;
+    std::vector<Message> reports;
     for (const ClosedSession& session : surplus) {
         if (!goesOn()) break;
         std::error_code none;
         if (std::filesystem::remove(session.path, none))
-            reports.push_back(std::string("session deleted, since ")
-                              + (session.tooOld ? "it is older" : "all together are larger")
-                              + " than you have set: " + session.path);
+            reports.emplace_back(
+                session.tooOld
+                    ? TR_NOOP("core", "session deleted, since it is older than you have set: %1")
+                    : TR_NOOP("core", "session deleted, since all together are larger than you "
+                                      "have set: %1"),
+                session.path);
     }
     return reports;
 }

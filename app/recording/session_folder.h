@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace terratact {
 
 inline constexpr const char* kSessionSuffix = ".tts";
@@ -27,7 +29,7 @@ std::vector<std::string> sessionsIn(const std::string& folder);
 
 /// Closes sessions whose program died (recoverSession). Returns one sentence per closed or unrecoverable session.
 /// Sessions that are being recorded are not touched.
-std::vector<std::string> recoverDeadSessions(const std::vector<std::string>& paths);
+std::vector<Message> recoverDeadSessions(const std::vector<std::string>& paths);
 
 /// Retention limits set by the user; 0: no limit.
 struct RetentionLimits {
@@ -45,7 +47,7 @@ struct RetentionLimits {
 /// Nothing is deleted if `now` is before 2020 or no limit is set. Files that are not sessions, not closed, or reached
 /// through a symbolic link are never deleted.
 /// now: [ns] since 1970. goesOn: called before each file; false cancels.
-std::vector<std::string> applyRetention(
+std::vector<Message> applyRetention(
     const std::vector<std::string>& paths, const RetentionLimits& limits, std::int64_t now,
     const std::function<bool()>& goesOn = [] { return true; });
 

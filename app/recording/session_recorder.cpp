@@ -11,6 +11,7 @@
 #include "app/recording/session_folder.h"
 #include "app/recording/session_text.h"
 #include "app/runtime/steady_now.h"
+#include "core/log/event_text.h"
 #include "core/log/session_reader.h"
 #include "core/store/file_write.h"
 
@@ -163,7 +164,7 @@ void SessionRecorder::run(const std::stop_token& stop)
             busySince_ = steadyNow();
         }
         if (!on) {
-            if (writer_ && store()) seal("recording was switched off");
+            if (writer_ && store()) seal(TR_NOOP("core", "recording was switched off"));
             remember();
             const std::scoped_lock lock(mutex_);
             state_.trouble = {};
@@ -174,7 +175,7 @@ void SessionRecorder::run(const std::stop_token& stop)
         if (!open()) continue;
         if (store()) measure();
     }
-    if (writer_) seal("closed with the console");
+    if (writer_) seal(TR_NOOP("core", "closed with the console"));
 }
 
 /// Writes all waiting rows and commits. On failure it closes the file, keeps the rows and returns false.
@@ -191,10 +192,10 @@ bool SessionRecorder::store()
 }
 
 /// Writes the end event and seals the file.
-void SessionRecorder::seal(const std::string& why)
+void SessionRecorder::seal(SourceText why)
 {
     Status ended = writer_->add(
-        EventRow{.time = now(), .kind = EventKind::Session, .subject = "ended", .text = why});
+        withText({.time = now(), .kind = EventKind::Session, .subject = "ended"}, why));
     if (ended) ended = writer_->commit();
     if (ended) (void)writer_->seal();  // a reader blocks sealing; then the next start seals it
     close(ended ? Message() : ended.error().message);
@@ -242,12 +243,13 @@ bool SessionRecorder::open()
 Status SessionRecorder::begin()
 {
     if (options_.folder.empty())
-        return Error{"there is no home folder to record in: --sessions names another"};
+        return Error{
+            TR_NOOP("core", "there is no home folder to record in: --sessions names another")};
     if (Status made = makeDirectory(options_.folder, FolderAccess::Owner); !made) return made;
     if (const auto left = freeBytes(options_.folder); left && *left < options_.leastFree)
-        return Error{options_.folder + ": the disk is full: only " + std::to_string(*left >> 20U)
-                     + " MB are free, " + std::to_string(options_.leastFree >> 20U)
-                     + " MB are left alone; recording goes on when there is room"};
+        return Error{Message(TR_NOOP("core", "%1: the disk is full: only %2 MB are free, %3 MB are "
+                                             "left alone; recording goes on when there is room"),
+                             options_.folder, *left >> 20U, options_.leastFree >> 20U)};
     const std::string path = freeName(options_.folder, wallNow());
     auto writer = SessionWriter::create(path, options_.start);
     if (!writer) return writer.error();
@@ -261,10 +263,9 @@ Status SessionRecorder::begin()
     }
     const bool goesOn = !before_.empty();
     if (Status written = writeContext(); !written) return written;
-    Status logged = writer_->add(EventRow{.time = now(),
-                                          .kind = EventKind::Session,
-                                          .subject = goesOn ? "continued" : "begun",
-                                          .text = goesOn ? "after " + before_ : std::string()});
+    Status logged = writer_->add(withText(
+        {.time = now(), .kind = EventKind::Session, .subject = goesOn ? "continued" : "begun"},
+        goesOn ? Message(TR_NOOP("core", "after %1"), before_) : Message()));
     before_ = path;
     return logged;
 }
@@ -301,15 +302,14 @@ Status SessionRecorder::write()
     });
     if (!added) return added;
     if (batch_.missingFrames + batch_.missingRows == 0) return Done{};
-    return writer_->add(EventRow{
-        .time = batch_.missingSince,
-        .kind = EventKind::Gap,
-        .subject = "missing",
-        .text = std::to_string(batch_.missingFrames) + " frames and "
-              + std::to_string(batch_.missingRows)
-              + " other rows are not here: there was no room while the disk was slow or full, or "
-                "they could not be written",
-        .number = static_cast<double>(batch_.missingFrames)});
+    return writer_->add(withText(
+        {.time = batch_.missingSince,
+         .kind = EventKind::Gap,
+         .subject = "missing",
+         .number = static_cast<double>(batch_.missingFrames)},
+        {TR_NOOP("core", "%1 frames and %2 other rows are not here: there was no room while the "
+                         "disk was slow or full, or they could not be written"),
+         batch_.missingFrames, batch_.missingRows}));
 }
 
 void SessionRecorder::remember()
@@ -344,13 +344,13 @@ void SessionRecorder::measure()
                                * elapsed / static_cast<double>(bytes);
     }
     if (left && *left < options_.leastFree) {
-        seal("the disk is full");
+        seal(TR_NOOP("core", "the disk is full"));
         const std::scoped_lock lock(mutex_);
         state_.trouble =
             Message(TR_NOOP("core", "%1: the disk is full; recording goes on when there is room"),
                     options_.folder);
     } else if (bytes > options_.mostBytes || writer_->batches() + 1 >= options_.mostBatches) {
-        seal("the file is large enough");
+        seal(TR_NOOP("core", "the file is large enough"));
         nextTry_ = 0.0;
     }
 }

@@ -96,7 +96,7 @@ private:
     bool store();
     void remember();
     void close(const Message& why);
-    void seal(const std::string& why);
+    void seal(SourceText why);
     void measure();
 
     Options options_;

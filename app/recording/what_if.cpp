@@ -48,7 +48,7 @@ bool alike(const TerrainEstimate& a, const TerrainEstimate& b, Same same)
         && same(a.height, b.height) && same(a.ceiling, b.ceiling) && a.origin == b.origin
         && same(a.rhat, b.rhat) && same(a.ess, b.ess) && same(a.draws, b.draws)
         && same(a.novelty, b.novelty) && a.ending == b.ending && a.converged == b.converged
-        && a.warnings == b.warnings;
+        && english(a.warnings, "\n") == english(b.warnings, "\n");
 }
 
 Match likenessOf(const TerrainEstimate& a, const TerrainEstimate& b)

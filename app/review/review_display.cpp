@@ -47,13 +47,12 @@ void ReviewDisplay::showLink(const ReviewMoment& moment)
         places_.header.setLink(tr("link %1 Hz").arg(format::number(moment.linesPerSecond, 0)),
                                Tone::Good);
     else if (!moment.linkAlive && moment.linkSince > 0)
-        places_.header.setLink(
-            QStringLiteral("%1 · %2").arg(
-                format::sentence(describe(LinkAccount{.standing = LinkStanding::Lost,
-                                                      .alone = moment.telemetryAlone}))
-                    .toUpper(),
-                format::age(age)),
-            Tone::Bad);
+        places_.header.setLink(QStringLiteral("%1 · %2").arg(
+                                   translated(describe(LinkAccount{.standing = LinkStanding::Lost,
+                                                                   .alone = moment.telemetryAlone}))
+                                       .toUpper(),
+                                   format::age(age)),
+                               Tone::Bad);
     else
         places_.header.setLink(tr("no telemetry"), Tone::Doubt);
 }
@@ -71,7 +70,7 @@ void ReviewDisplay::showHeader(const ReviewMoment& moment)
                         format::text(moment.model->details));
     else
         header.setModel(tr("no model"), Tone::Doubt);
-    header.setOverridden(format::line(moment.overridden));
+    header.setOverridden(translatedLine(moment.overridden));
     const auto unseen =
         std::count_if(moment.alarms.begin(), moment.alarms.end(),
                       [](const Alarm& alarm) { return alarm.state != AlarmState::Acknowledged; });

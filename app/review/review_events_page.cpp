@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/review/review_timeline.h"
 #include "core/log/review_moment.h"
 #include "widgets/base/card.h"
@@ -166,7 +167,7 @@ void ReviewEventsPage::reload()
 void ReviewEventsPage::setMoment(const ReviewMoment& moment)
 {
     QStringList alarms;
-    for (const Alarm& alarm : moment.alarms) alarms << format::line(alarm.text);
+    for (const Alarm& alarm : moment.alarms) alarms << translatedLine(alarm.text);
     alarms_->setText(alarms.isEmpty() ? tr("No alarm was active at this time.")
                                       : tr("Alarms at this time: %1").arg(alarms.join("; ")));
     setTone(*alarms_, alarms.isEmpty() ? Tone::Muted : Tone::Bad);

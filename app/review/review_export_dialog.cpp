@@ -328,28 +328,29 @@ void ReviewExportDialog::showPayload()
                                       : tr("Only the kind Signals holds the values of DBC files"));
 }
 
-QString ReviewExportDialog::whyNotExport() const
+std::optional<QString> ReviewExportDialog::whyNotExport() const
 {
     if (job_) return tr("A file is being written");
     if (chosen(*what_).from == From::Report && viewState_.scene == 0)
         return tr("No estimate stands at this time");
-    return path_->text().trimmed().isEmpty() ? tr("Name the file first") : QString();
+    if (path_->text().trimmed().isEmpty()) return tr("Name the file first");
+    return std::nullopt;
 }
 
 void ReviewExportDialog::showButtons()
 {
-    const QString whyNot = whyNotExport();
+    const auto whyNot = whyNotExport();
     export_->setText(QFileInfo::exists(path()) ? tr("Replace the file") : tr("Export"));
-    export_->setEnabled(whyNot.isEmpty());
-    setTip(*export_, whyNot.isEmpty() ? tr("Writes the file") : whyNot);
+    export_->setEnabled(!whyNot);
+    setTip(*export_, whyNot.value_or(tr("Writes the file")));
     for (QWidget* const choice :
          std::initializer_list<QWidget*>{what_, format_, visible_, everything_, path_, browse_})
         choice->setEnabled(!job_);
-    setTip(*browse_, job_ ? whyNot : tr("Choose the file"));
+    setTip(*browse_, job_ ? *whyNot : tr("Choose the file"));
     setTip(*visible_,
-           job_ ? whyNot
+           job_ ? *whyNot
                 : tr("From A to B, else the visible part of the timeline: zoom with Z and X"));
-    setTip(*everything_, job_ ? whyNot : tr("The whole session"));
+    setTip(*everything_, job_ ? *whyNot : tr("The whole session"));
     cancel_->setEnabled(job_ != nullptr);
     setTip(*cancel_, job_ ? tr("Cancels the export and leaves no file (Esc)")
                           : tr("Nothing is being written"));

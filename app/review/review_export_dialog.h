@@ -4,6 +4,7 @@
 #include <QTimer>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "app/review/session_export_job.h"
 
@@ -67,7 +68,7 @@ private:
     void showViewState();
     void showPayload();
     void showButtons();
-    QString whyNotExport() const;  ///< reason that writing is not possible; empty: it is
+    std::optional<QString> whyNotExport() const;  ///< empty: writing is possible
     void applyFormat();
     void nameFile();
     void browse();

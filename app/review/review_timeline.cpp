@@ -6,7 +6,6 @@
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
-#include "app/mission/bus_text.h"
 #include "app/recording/session_text.h"
 #include "core/log/event_text.h"
 #include "core/log/review_moment.h"
@@ -180,7 +179,7 @@ void addSurvey(Timeline& timeline, const Surveyed& surveyed)
 QString alarmSentence(const EventRow& event)
 {
     const QString text =
-        event.text.empty() ? format::eventWord(event.subject) : format::sentence(event.text);
+        event.text.empty() ? format::eventWord(event.subject) : translated(messageOf(event));
     const double state = event.number.value_or(0.0);
     if (state == 3.0) return ReviewWords::tr("alarm: %1").arg(text);
     if (state == 2.0) return ReviewWords::tr("alarm seen: %1").arg(text);
@@ -188,23 +187,19 @@ QString alarmSentence(const EventRow& event)
     return ReviewWords::tr("alarm gone: %1").arg(text);
 }
 
-QString subjectOf(const EventRow& event)
+QString subjectText(const EventRow& event)
 {
-    const bool isWord = event.kind != EventKind::Phase;
-    return isWord ? format::eventWord(subjectWords(event)) : format::sentence(subjectWords(event));
+    const Message subject = subjectOf(event);
+    return subject.context.empty() ? format::eventWord(event.subject) : translated(subject);
 }
 
 QString textOf(const EventRow& event)
 {
     if (event.kind == EventKind::Marker)
         return format::line(event.text);  // text that a person typed
-    if (event.kind == EventKind::Decision)
-        if (QString word = format::eventWord(event.text); word != format::line(event.text))
-            return word;
-    if (event.kind == EventKind::Link)
-        for (const BusState state : kBusStates)
-            if (event.text == describe(state, "bus")) return busWords(state, "bus");
-    return format::sentence(textWords(event));
+    if (event.kind == EventKind::Decision && event.message.empty())
+        return format::eventWord(event.text);  // a name, or a number that has no translation
+    return translated(messageOf(event));
 }
 
 }  // namespace
@@ -249,7 +244,7 @@ namespace {
 QString wordsOf(const EventRow& event)
 {
     if (event.kind == EventKind::Alarm) return alarmSentence(event);
-    if (event.kind == EventKind::Word) return format::sentence(event.text);
+    if (event.kind == EventKind::Word) return translated(messageOf(event));
     if (event.kind == EventKind::Panel)
         return event.number.value_or(0.0) > 0.0
                  ? ReviewWords::tr("contact closed: %1").arg(format::eventWord(event.subject))
@@ -257,11 +252,12 @@ QString wordsOf(const EventRow& event)
     if (event.kind == EventKind::TelemetryGap)
         return ReviewWords::tr("telemetry was missing for a while since the scene");
     if (event.kind == EventKind::Override)
-        return event.text.empty() ? ReviewWords::tr("nothing is overridden")
-                                  : ReviewWords::tr("overridden: %1").arg(format::text(event.text));
+        return event.text.empty()
+                 ? ReviewWords::tr("nothing is overridden")
+                 : ReviewWords::tr("overridden: %1").arg(translated(messageOf(event)));
     QStringList parts;
     if (event.kind == EventKind::Link) parts << ReviewWords::tr("link");
-    if (!event.subject.empty()) parts << subjectOf(event);
+    if (!event.subject.empty()) parts << subjectText(event);
     if (!event.text.empty()) parts << textOf(event);
     return parts.join(QStringLiteral(": "));
 }

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/mission/estimation.h"
 #include "app/pages/force_arrays.h"
 
@@ -80,8 +81,8 @@ TerrainViewState ReviewViewState::terrain(const ReviewMoment& moment,
     viewState.state = moment.state;
     viewState.secondsInPhase = viewState.now - moment.state.since;
     addProbe(viewState, moment, preferences.probes);
-    viewState.preconditions << Precondition{Precondition::Level::Missing,
-                                            tr("A review commands no robot")};
+    viewState.preconditions << Precondition{
+        Precondition::Level::Missing, TR_NOOP("ReviewViewState", "A review commands no robot")};
     viewState.driving = viewState.preconditions;
     return viewState;
 }
@@ -123,16 +124,19 @@ void ReviewViewState::addEstimates(TerrainViewState& viewState, const ReviewMome
         viewState.second = {&moment.second->estimate, 2 * revisionOf(moment.second.get())};
         viewState.secondName = format::text(name(moment.second->estimate.settings.method));
     }
-    viewState.whyNoEstimate = moment.forgotten.empty() ? tr("No estimate at this time")
-                                                       : format::sentence(moment.forgotten);
+    viewState.whyNoEstimate =
+        moment.forgotten.empty() ? tr("No estimate at this time") : translated(moment.forgotten);
 }
 
 void ReviewViewState::addGhost(TerrainViewState& viewState, const ReviewMoment& moment)
 {
     const auto [ghost, why] = ghost_.at(moment);
     if (!ghost && !why) return;
-    viewState.whyNoGhost = noGhostWords(why, isTelemetryFresh(moment));
-    if (viewState.whyNoGhost.isEmpty()) viewState.ghost = ghost;
+    const auto whyNoGhost = noGhostWords(why, isTelemetryFresh(moment));
+    if (whyNoGhost)
+        viewState.whyNoGhost = translated(*whyNoGhost);
+    else
+        viewState.ghost = ghost;
 }
 
 void ReviewViewState::addProbe(TerrainViewState& viewState, const ReviewMoment& moment,

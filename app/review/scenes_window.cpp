@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/pages/terrain_page.h"
 #include "widgets/base/theme.h"
 #include "widgets/control/arming_control.h"
@@ -88,8 +89,8 @@ ScenesWindow::ScenesWindow(Options options)
         header()->setModel(tr("model %1").arg(model), Tone::Plain);
         ask();
     });
-    connect(worker_.get(), &EstimatorWorker::modelFailed, this, [this](const QString& why) {
-        header()->setModel(tr("no model"), Tone::Bad, why);
+    connect(worker_.get(), &EstimatorWorker::modelFailed, this, [this](const Message& why) {
+        header()->setModel(tr("no model"), Tone::Bad, translated(why));
         trouble_ = why;
         showViewState();
     });
@@ -100,7 +101,7 @@ ScenesWindow::ScenesWindow(Options options)
                 seconds_ = seconds;
                 showViewState();
             });
-    connect(worker_.get(), &EstimatorWorker::failed, this, [this](int job, const QString& why) {
+    connect(worker_.get(), &EstimatorWorker::failed, this, [this](int job, const Message& why) {
         if (job != job_) return;
         trouble_ = why;
         showViewState();
@@ -130,7 +131,7 @@ void ScenesWindow::go(int by)
 void ScenesWindow::ask()
 {
     estimate_.reset();
-    trouble_.clear();
+    trouble_ = {};
     job_ = worker_->request({measurement_, {}, options_.settings});
     showViewState();
 }
@@ -146,8 +147,7 @@ void ScenesWindow::showViewState()
     const std::vector<ForceArray> forces{array};
     viewState.forces = &forces;
     viewState.sceneTruth = &truth_;
-    viewState.whyNoEstimate =
-        trouble_.isEmpty() ? tr("Estimating …") : format::sentence(trouble_.toStdString());
+    viewState.whyNoEstimate = trouble_.empty() ? tr("Estimating …") : translated(trouble_);
     page_->verdict()->setLimit(options_.stepLimit);
     if (estimate_) {
         viewState.estimate = {&*estimate_, estimate_.revision()};
@@ -155,8 +155,9 @@ void ScenesWindow::showViewState()
         viewState.verdict = verdictOf(*estimate_, measurement_, {}, options_.stepLimit);
         viewState.state.phase = AtemPhase::Presenting;
     }
-    const QString why = tr("A scene of a file commands no robot");
-    viewState.preconditions << Precondition{Precondition::Level::Missing, why};
+    viewState.preconditions << Precondition{
+        Precondition::Level::Missing,
+        TR_NOOP("terratact::ScenesWindow", "A scene of a file commands no robot")};
     viewState.driving = viewState.preconditions;
     page_->setViewState(viewState);
     const Scene& scene = options_.scenes[scene_];

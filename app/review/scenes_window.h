@@ -7,6 +7,7 @@
 #include "app/mission/estimator_worker.h"
 #include "app/runtime/revised.h"
 #include "app/shell/console_window.h"
+#include "core/base/message.h"
 #include "core/learn/data/scene.h"
 #include "core/robot/robot_model.h"
 
@@ -52,7 +53,7 @@ private:
     std::uint64_t shows_ = 0;
     int job_ = 0;
     double seconds_ = 0.0;
-    QString trouble_;
+    Message trouble_;
     Revised<TerrainEstimate> estimate_;
 
     QLabel* state_ = nullptr;

@@ -106,7 +106,7 @@ QWidget* WhatIfPage::form()
     quality_ = combo(tr("Quality"), tr("Draws, chains and precision"));
     quality_->addItem(tr("as recorded"));
     for (const QualityPreset preset : kQualityPresets)
-        quality_->addItem(format::sentence(name(preset)));
+        quality_->addItem(translated(describe(preset)));
     threshold_ = new QDoubleSpinBox(form);
     threshold_->setRange(0.1, 50.0);
     threshold_->setSingleStep(0.1);
@@ -242,15 +242,15 @@ void WhatIfPage::useModel(const QString& path)
     worker_ = std::make_unique<EstimatorWorker>(loader);
     connect(worker_.get(), &EstimatorWorker::estimated, this,
             [this](int job, const TerrainEstimate& estimate) { addEstimate(job, estimate); });
-    const auto failed = [this](const QString& why) {
+    const auto failed = [this](const Message& why) {
         job_ = 0;
         modelPath_.clear();
-        showStatus(tr("No estimate: %1").arg(why), Tone::Bad);
+        showStatus(tr("No estimate: %1").arg(translated(why)), Tone::Bad);
     };
-    connect(worker_.get(), &EstimatorWorker::failed, this, [this](int job, const QString& why) {
+    connect(worker_.get(), &EstimatorWorker::failed, this, [this](int job, const Message& why) {
         if (job != job_) return;
         job_ = 0;
-        showStatus(tr("No estimate: %1").arg(why), Tone::Bad);
+        showStatus(tr("No estimate: %1").arg(translated(why)), Tone::Bad);
     });
     connect(worker_.get(), &EstimatorWorker::modelFailed, this, failed);
     connect(worker_.get(), &EstimatorWorker::modelKept, this, failed);
@@ -318,9 +318,9 @@ void WhatIfPage::showAnswer()
     text += QLatin1Char('\n')
           + tr("Steps of more than %1 m: %2 (%3 %) then, %4 (%5 %) now.")
                 .arg(format::number(recorded_->stepLimit, 2),
-                     format::sentence(name(found.before.stepVerdict)),
+                     translated(describe(found.before.stepVerdict)),
                      format::number(100.0 * found.before.step.p, 1),
-                     format::sentence(name(found.after.stepVerdict)),
+                     translated(describe(found.after.stepVerdict)),
                      format::number(100.0 * found.after.step.p, 1));
     showStatus(text, tone);
     showBins(&found);

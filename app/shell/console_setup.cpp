@@ -29,7 +29,7 @@ Preferences inForce(Preferences preferences, const ConsoleOptions& options)
     return preferences;
 }
 
-Result<RobotFile> usableRobot(const QString& preferred, std::vector<LateSentence>& troubles)
+Result<RobotFile> usableRobot(const QString& preferred, std::vector<Message>& troubles)
 {
     if (!preferred.isEmpty()) {
         auto robot = readRobotFile(preferred.toStdString());
@@ -39,7 +39,7 @@ Result<RobotFile> usableRobot(const QString& preferred, std::vector<LateSentence
     return readRobotFile(resourcePath("robots/absolem.toml"));
 }
 
-std::string usableModel(const QString& preferred, std::vector<LateSentence>& troubles)
+std::string usableModel(const QString& preferred, std::vector<Message>& troubles)
 {
     if (!preferred.isEmpty()) {
         if (const QFileInfo info(preferred); info.isFile() && info.isReadable())

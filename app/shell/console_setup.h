@@ -7,6 +7,7 @@
 #include "app/link/robot_file.h"
 #include "app/shell/console_options.h"
 #include "app/shell/preferences.h"
+#include "core/base/message.h"
 
 namespace terratact {
 
@@ -20,8 +21,8 @@ Preferences inForce(Preferences preferences, const ConsoleOptions& options);
 
 /// Return the preferred file, or the shipped one and an entry in `troubles` if the preferred cannot be used. The Error
 /// is that of the shipped file.
-Result<RobotFile> usableRobot(const QString& preferred, std::vector<LateSentence>& troubles);
-std::string usableModel(const QString& preferred, std::vector<LateSentence>& troubles);
+Result<RobotFile> usableRobot(const QString& preferred, std::vector<Message>& troubles);
+std::string usableModel(const QString& preferred, std::vector<Message>& troubles);
 
 /// Return the file of the command line, else the usable one.
 Result<RobotFile> robotFor(const ConsoleOptions& options, LoadedPreferences& loaded);

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/display/translated.h"
 #include "app/runtime/vector_registers.h"
 #include "app/shell/about.h"
 #include "app/shell/preferences.h"
@@ -208,8 +209,8 @@ void ConsoleWindow::addRemoteStop()
     end->setSingleShot(true);
     end->setInterval(kFor);
     connect(end, &QTimer::timeout, banner, &QWidget::hide);
-    const auto showOn = [this, banner, end](const QString& text) {
-        banner->setText(text);
+    const auto showOn = [this, banner, end](const Message& text) {
+        banner->setText(translated(text));
         QRect place = header_->geometry();  // on top of the header, so that nothing moves
         if (const QPushButton& stop = *header_->stopButton(); stop.isVisible())
             place.setRight(place.left() + stop.x()
@@ -231,8 +232,9 @@ void ConsoleWindow::addRemoteStop()
                .pressed =
                    [remote, showOn] {
                        if (remote->exists()) return remote->press();
-                       showOn(tr("STOP HAS NO EFFECT HERE: this window has no robot. Use the "
-                                 "console's own window"));
+                       showOn(TR_NOOP("terratact::ConsoleWindow",
+                                      "STOP HAS NO EFFECT HERE: this window has no robot. Use the "
+                                      "console's own window"));
                    },
                .everywhere = true});
 }

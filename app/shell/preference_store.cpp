@@ -9,21 +9,14 @@ PreferenceStore::PreferenceStore(LoadedPreferences loaded, Preferences inForce)
 {
 }
 
-QStringList PreferenceStore::troubles() const
-{
-    QStringList sentences;
-    for (const LateSentence& trouble : loaded_.troubles) sentences << trouble();
-    return sentences;
-}
-
 void PreferenceStore::change(const std::function<void(Preferences&)>& edit)
 {
     const Preferences before = inForce_, saved = loaded_.preferences;
     edit(inForce_);
     edit(loaded_.preferences);
     if (loaded_.preferences != saved) {
-        const QString trouble = savePreferences(loaded_.path, loaded_.preferences);
-        if (!trouble.isEmpty()) emit notSaved(trouble);
+        const auto trouble = savePreferences(loaded_.path, loaded_.preferences);
+        if (trouble) emit notSaved(*trouble);
     }
     if (inForce_ != before) emit changed(before);
 }

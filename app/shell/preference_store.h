@@ -1,10 +1,11 @@
 #pragma once
 
 #include <QObject>
-#include <QStringList>
 #include <functional>
+#include <vector>
 
 #include "app/shell/preferences.h"
+#include "core/base/message.h"
 
 namespace terratact {
 
@@ -17,14 +18,15 @@ public:
     PreferenceStore() : PreferenceStore({}, {}) {}  ///< defaults; reads and saves nothing
 
     const Preferences& current() const { return inForce_; }
-    QStringList troubles() const;  ///< errors of loading as text
+    /// Returns the errors of loading.
+    const std::vector<Message>& troubles() const { return loaded_.troubles; }
 
     /// Applies a change to the values in force and the saved values, and saves.
     void change(const std::function<void(Preferences&)>& edit);
 
 signals:
     void changed(const terratact::Preferences& before);
-    void notSaved(const QString& why);
+    void notSaved(const terratact::Message& why);
 
 private:
     LoadedPreferences loaded_;

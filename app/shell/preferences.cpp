@@ -27,10 +27,6 @@ constexpr std::array kThemes{ThemeName::Day, ThemeName::NightRed, ThemeName::Hig
 constexpr std::array kLayouts{Layout::Drive, Layout::Probe, Layout::Review};
 const QString kSchemaKey = QStringLiteral("schema");
 
-struct Says {
-    Q_DECLARE_TR_FUNCTIONS(Preferences)
-};
-
 bool isPath(const QString& text)
 {
     constexpr int kMaxLength = 4096;
@@ -40,7 +36,7 @@ bool isPath(const QString& text)
 /// Reads one value per key; every value is stored as text.
 struct Reader {
     const QSettings& file;
-    std::vector<LateSentence>& troubles;
+    std::vector<Message>& troubles;
 
     /// parse: sets the value from the text; returns false if the text is invalid.
     template <class Parse>
@@ -49,10 +45,9 @@ struct Reader {
         if (!file.contains(QLatin1String(key))) return;
         const QVariant found = file.value(QLatin1String(key));
         if (found.typeId() == QMetaType::QString && parse(found.toString())) return;
-        troubles.emplace_back([key, text = found.toString().left(40).simplified()] {
-            return Says::tr("Preferences: “%1” is no valid %2, its default is used")
-                .arg(text, QLatin1String(key));
-        });
+        troubles.emplace_back(
+            TR_NOOP("Preferences", "Preferences: “%1” is no valid %2, its default is used"),
+            verbatim(found.toString().left(40).simplified()), key);
     }
     void number(const char* key, double& to, PreferenceRange range)
     {
@@ -190,19 +185,18 @@ void visit(Visitor visitor, Values& p)
 }
 
 /// Moves the file aside and reports it. If that fails, nothing may be saved.
-void setAside(const QString& path, const LateSentence& why, LoadedPreferences& loaded)
+void setAside(const QString& path, const Message& why, LoadedPreferences& loaded)
 {
     const QString bad = path + QStringLiteral(".bad");
     QFile::remove(bad);
     if (QFile::rename(path, bad)) {
-        loaded.troubles.emplace_back([why, bad] {
-            return Says::tr("Preferences: %1; the file is set aside as %2, defaults are used")
-                .arg(why(), bad);
-        });
+        loaded.troubles.emplace_back(
+            TR_NOOP("Preferences",
+                    "Preferences: %1; the file is set aside as %2, defaults are used"),
+            why, verbatim(bad));
     } else {
-        loaded.troubles.emplace_back([why] {
-            return Says::tr("Preferences: %1; defaults are used and nothing is saved").arg(why());
-        });
+        loaded.troubles.emplace_back(
+            TR_NOOP("Preferences", "Preferences: %1; defaults are used and nothing is saved"), why);
         loaded.path.clear();
     }
 }
@@ -238,18 +232,15 @@ Settings withPreferences(Settings settings, const Preferences& preferences)
     return settings;
 }
 
-LateSentence robotNotUsed(const Error& why)
+Message robotNotUsed(const Error& why)
 {
-    return [why] {
-        return Says::tr("Preferences: %1; the shipped robot is used").arg(translated(why.message));
-    };
+    return {TR_NOOP("Preferences", "Preferences: %1; the shipped robot is used"), why.message};
 }
 
-LateSentence modelNotUsed(const QString& path)
+Message modelNotUsed(const QString& path)
 {
-    return [path] {
-        return Says::tr("Preferences: %1 cannot be read; the shipped model is used").arg(path);
-    };
+    return {TR_NOOP("Preferences", "Preferences: %1 cannot be read; the shipped model is used"),
+            verbatim(path)};
 }
 
 QString preferencesPath()
@@ -266,39 +257,36 @@ LoadedPreferences loadPreferences(const QString& path)
     if (path.isEmpty() || !info.exists()) return loaded;
     if (!info.isFile()) {  // a folder, or a pipe that would block forever
         loaded.path.clear();
-        loaded.troubles.emplace_back([path] {
-            return Says::tr("Preferences: %1 is no file; defaults are used and nothing is saved")
-                .arg(path);
-        });
+        loaded.troubles.emplace_back(
+            TR_NOOP("Preferences",
+                    "Preferences: %1 is no file; defaults are used and nothing is saved"),
+            verbatim(path));
         return loaded;
     }
     if (!info.isReadable()) {
         loaded.path.clear();
-        loaded.troubles.emplace_back([path] {
-            return Says::tr(
-                       "Preferences: %1 cannot be read; defaults are used and nothing is saved")
-                .arg(path);
-        });
+        loaded.troubles.emplace_back(
+            TR_NOOP("Preferences",
+                    "Preferences: %1 cannot be read; defaults are used and nothing is saved"),
+            verbatim(path));
         return loaded;
     }
     if (info.size() > kLargestFile) {
-        setAside(
-            path, [path] { return Says::tr("%1 is too large").arg(path); }, loaded);
+        setAside(path, {TR_NOOP("Preferences", "%1 is too large"), verbatim(path)}, loaded);
         return loaded;
     }
     const QSettings file(path, QSettings::IniFormat);
     bool numbered = false;
     const int schema = file.value(kSchemaKey).toString().toInt(&numbered);
     if (file.status() != QSettings::NoError || !numbered || schema < 1) {
-        setAside(
-            path, [path] { return Says::tr("%1 is not understood").arg(path); }, loaded);
+        setAside(path, {TR_NOOP("Preferences", "%1 is not understood"), verbatim(path)}, loaded);
     } else if (schema > kPreferencesSchema) {
         loaded.path.clear();
-        loaded.troubles.emplace_back([path] {
-            return Says::tr("Preferences: %1 was written by a newer version; defaults are used and "
-                            "nothing is saved")
-                .arg(path);
-        });
+        loaded.troubles.emplace_back(
+            TR_NOOP("Preferences",
+                    "Preferences: %1 was written by a newer version; defaults are used and "
+                    "nothing is saved"),
+            verbatim(path));
     } else {
         visit(Reader{file, loaded.troubles}, loaded.preferences);
     }
@@ -325,9 +313,9 @@ QString changesOf(const Preferences& before, const Preferences& now)
     return changes.join(QStringLiteral("; "));
 }
 
-QString savePreferences(const QString& path, const Preferences& preferences)
+std::optional<Message> savePreferences(const QString& path, const Preferences& preferences)
 {
-    if (path.isEmpty()) return {};
+    if (path.isEmpty()) return std::nullopt;
     QDir().mkpath(QFileInfo(path).path());
     QSettings file(path, QSettings::IniFormat);
     file.setValue(kSchemaKey, QString::number(kPreferencesSchema));
@@ -336,9 +324,8 @@ QString savePreferences(const QString& path, const Preferences& preferences)
           }},
           preferences);
     file.sync();
-    return file.status() == QSettings::NoError
-             ? QString()
-             : Says::tr("Preferences: %1 cannot be written").arg(path);
+    if (file.status() == QSettings::NoError) return std::nullopt;
+    return Message(TR_NOOP("Preferences", "Preferences: %1 cannot be written"), verbatim(path));
 }
 
 }  // namespace terratact

@@ -2,12 +2,13 @@
 
 #include <QByteArray>
 #include <QString>
-#include <functional>
 #include <numbers>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "core/atem/probe_policy.h"
+#include "core/base/message.h"
 #include "core/base/result.h"
 #include "core/infer/estimate/quality_preset.h"
 #include "core/robot/attitude.h"
@@ -74,12 +75,9 @@ Settings withPreferences(Settings settings, const Preferences& preferences);
 /// Returns terratact/console.ini in the user's configuration folder (XDG base directory specification).
 QString preferencesPath();
 
-/// A sentence in the language at the time of the call. The file that is being loaded sets that language.
-using LateSentence = std::function<QString()>;
-
 struct LoadedPreferences {
     Preferences preferences;
-    std::vector<LateSentence> troubles;  ///< one for each value that was not accepted
+    std::vector<Message> troubles;  ///< one for each value that was not accepted
     QString path;  ///< where to save; empty: never, because the file must not be replaced
 };
 
@@ -90,15 +88,15 @@ LoadedPreferences loadPreferences(const QString& path);
 
 /// Replaces the file atomically. Returns the reason of a failure in one sentence; empty: saved. Does nothing for an
 /// empty path.
-QString savePreferences(const QString& path, const Preferences& preferences);
+std::optional<Message> savePreferences(const QString& path, const Preferences& preferences);
 
 /// Returns every changed preference by its key in the file, for the session's record: "method: local → pafc; sound:
 /// true → false". The window geometry is omitted.
 QString changesOf(const Preferences& before, const Preferences& now);
 
 // Sentences for a preferred file that could not be used.
-LateSentence robotNotUsed(const Error& why);
-LateSentence modelNotUsed(const QString& path);
+Message robotNotUsed(const Error& why);
+Message modelNotUsed(const QString& path);
 
 /// Return the names used in the file and on the command line: "day", "night-red", "high-contrast"; "drive", …
 std::string_view name(ThemeName theme);

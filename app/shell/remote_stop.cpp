@@ -41,14 +41,18 @@ void RemoteStop::press()
     if (const Status sent = caller_->press(line_); !sent) return fail(sent.error());
     looks_ = 0;
     look_.start();
-    emit said(tr("STOP SENT to the console that opened this window …"), EventSeverity::Note);
+    emit said(
+        TR_NOOP("terratact::RemoteStop", "STOP SENT to the console that opened this window …"),
+        EventSeverity::Note);
 }
 
 void RemoteStop::fail(const Error& error)
 {
     emit said(error.code == ECONNREFUSED
-                  ? tr("STOP HAS NO EFFECT HERE: the console that opened this window is gone")
-                  : tr("STOP NOT SENT: %1").arg(translated(error.message)),
+                  ? Message(TR_NOOP(
+                      "terratact::RemoteStop",
+                      "STOP HAS NO EFFECT HERE: the console that opened this window is gone"))
+                  : Message(TR_NOOP("terratact::RemoteStop", "STOP NOT SENT: %1"), error.message),
               EventSeverity::Bad);
 }
 
@@ -56,14 +60,17 @@ void RemoteStop::poll()
 {
     if (caller_->isTaken()) {
         look_.stop();
-        emit said(tr("STOP: the console that opened this window has received it; look there "
-                     "whether the robot confirms it"),
+        emit said(TR_NOOP("terratact::RemoteStop",
+                          "STOP: the console that opened this window has received it; look there "
+                          "whether the robot confirms it"),
                   EventSeverity::Note);
     } else if (++looks_ * kPollAnswer >= kAnswers) {
         look_.stop();
-        emit said(tr("STOP NOT RECEIVED: the console that opened this window does not answer; use "
-                     "the robot's own switch"),
-                  EventSeverity::Bad);
+        emit said(
+            TR_NOOP("terratact::RemoteStop",
+                    "STOP NOT RECEIVED: the console that opened this window does not answer; use "
+                    "the robot's own switch"),
+            EventSeverity::Bad);
     }
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/message.h"
 #include "drivers/stop_line.h"
 #include "widgets/signals/event_list.h"
 
@@ -32,7 +33,7 @@ public:
     static constexpr int kAnswers = 500;  ///< [ms] time limit for the console's answer
 
 signals:
-    void said(const QString& text, terratact::EventSeverity severity);
+    void said(const terratact::Message& text, terratact::EventSeverity severity);
 
 private:
     void fail(const Error& error);

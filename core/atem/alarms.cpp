@@ -15,25 +15,6 @@ void requireTime(double now)
 
 }  // namespace
 
-std::string describe(AlarmState state)
-{
-    switch (state) {
-    case AlarmState::Unacknowledged: return "not acknowledged";
-    case AlarmState::Returned: return "returned, not acknowledged";
-    case AlarmState::Acknowledged: return "acknowledged";
-    }
-    throw std::invalid_argument("AlarmState: no such state");
-}
-
-std::string describe(Severity severity)
-{
-    switch (severity) {
-    case Severity::Caution: return "caution";
-    case Severity::Critical: return "critical";
-    }
-    throw std::invalid_argument("Severity: no such severity");
-}
-
 Alarm* AlarmList::find(const std::string& id)
 {
     const auto found = std::find_if(alarms_.begin(), alarms_.end(),
@@ -60,7 +41,7 @@ void AlarmList::announce(const std::string& id, double now)
     silentUntil_ = now;
 }
 
-void AlarmList::raise(const std::string& id, const std::string& text, Severity severity, double now)
+void AlarmList::raise(const std::string& id, const Message& text, Severity severity, double now)
 {
     requireTime(now);
     Alarm* alarm = find(id);

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace terratact {
 
 /// Identifier of the sensor alarm. A session that holds it withholds the verdict
@@ -32,12 +34,10 @@ enum class AlarmState : std::uint8_t {
     Acknowledged,    ///< the cause persists, the operator has acknowledged it
 };
 inline constexpr int kAlarmStates = 3;
-std::string describe(AlarmState state);
-std::string describe(Severity severity);
 
 struct Alarm {
-    std::string id;    ///< identifies the cause: one alarm per cause
-    std::string text;  ///< text for the operator, as last raised
+    std::string id;  ///< identifies the cause: one alarm per cause
+    Message text;    ///< text for the operator, as last raised
     Severity severity = Severity::Caution;
     AlarmState state = AlarmState::Unacknowledged;
     double since = 0.0;        ///< time at which the cause began [s]
@@ -57,7 +57,7 @@ public:
 
     /// Raises an alarm. While the cause persists, only text and severity change. A higher severity,
     /// or a cause that comes back, must be acknowledged again.
-    void raise(const std::string& id, const std::string& text, Severity severity, double now);
+    void raise(const std::string& id, const Message& text, Severity severity, double now);
 
     /// Ends the cause of an alarm. Does nothing if there is no such alarm.
     void clear(const std::string& id, double now);

@@ -86,35 +86,33 @@ ArmingState nextArming(const ArmingState& state, const ArmingInput& in, const Ar
     throw std::invalid_argument("nextArming: no such phase");
 }
 
-std::string describe(ArmingPhase phase)
+SourceText describe(ArmingPhase phase)
 {
     switch (phase) {
-    case ArmingPhase::Disarmed: return TR_NOOP("event", "disarmed").english;
-    case ArmingPhase::Confirming: return TR_NOOP("event", "confirm to arm").english;
-    case ArmingPhase::Requested: return TR_NOOP("event", "waiting for the robot to arm").english;
-    case ArmingPhase::Armed: return TR_NOOP("event", "armed").english;
+    case ArmingPhase::Disarmed: return TR_NOOP("event", "disarmed");
+    case ArmingPhase::Confirming: return TR_NOOP("event", "confirm to arm");
+    case ArmingPhase::Requested: return TR_NOOP("event", "waiting for the robot to arm");
+    case ArmingPhase::Armed: return TR_NOOP("event", "armed");
     }
     throw std::invalid_argument("describe: no such ArmingPhase");
 }
 
-std::string describe(DisarmCause cause)
+SourceText describe(DisarmCause cause)
 {
     switch (cause) {
-    case DisarmCause::None: return TR_NOOP("core", "not armed yet").english;
-    case DisarmCause::Operator: return TR_NOOP("core", "disarmed by the operator").english;
-    case DisarmCause::Stop: return TR_NOOP("core", "STOP is latched").english;
-    case DisarmCause::OperatorAbsent:
-        return TR_NOOP("core", "window or panel does not answer").english;
+    case DisarmCause::None: return TR_NOOP("core", "not armed yet");
+    case DisarmCause::Operator: return TR_NOOP("core", "disarmed by the operator");
+    case DisarmCause::Stop: return TR_NOOP("core", "STOP is latched");
+    case DisarmCause::OperatorAbsent: return TR_NOOP("core", "window or panel does not answer");
     case DisarmCause::ForeignSender:
-        return TR_NOOP("core", "somebody else sends this console's frames").english;
-    case DisarmCause::LinkNotGood: return TR_NOOP("core", "the link is not good").english;
+        return TR_NOOP("core", "somebody else sends this console's frames");
+    case DisarmCause::LinkNotGood: return TR_NOOP("core", "the link is not good");
     case DisarmCause::AlreadyArmed:
-        return TR_NOOP("core", "the robot is armed, but not by this console").english;
-    case DisarmCause::ConfirmTimeout: return TR_NOOP("core", "not confirmed in time").english;
-    case DisarmCause::RequestTimeout:
-        return TR_NOOP("core", "the robot did not arm in time").english;
-    case DisarmCause::RobotDisarmed: return TR_NOOP("core", "the robot has disarmed").english;
-    case DisarmCause::EpochChanged: return TR_NOOP("core", "the robot has begun anew").english;
+        return TR_NOOP("core", "the robot is armed, but not by this console");
+    case DisarmCause::ConfirmTimeout: return TR_NOOP("core", "not confirmed in time");
+    case DisarmCause::RequestTimeout: return TR_NOOP("core", "the robot did not arm in time");
+    case DisarmCause::RobotDisarmed: return TR_NOOP("core", "the robot has disarmed");
+    case DisarmCause::EpochChanged: return TR_NOOP("core", "the robot has begun anew");
     }
     throw std::invalid_argument("describe: no such DisarmCause");
 }

@@ -2,8 +2,9 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <string_view>
+
+#include "core/base/message.h"
 
 namespace terratact {
 
@@ -66,8 +67,8 @@ struct ArmingLimits {
 /// Computes one tick, without a clock. Throws std::invalid_argument unless in.now is finite.
 ArmingState nextArming(const ArmingState& state, const ArmingInput& in, const ArmingLimits& limits);
 
-std::string describe(ArmingPhase phase);
-std::string describe(DisarmCause cause);
+SourceText describe(ArmingPhase phase);
+SourceText describe(DisarmCause cause);
 
 /// Return the names that a session file holds, and the values of these names.
 std::string_view name(ArmingPhase phase);

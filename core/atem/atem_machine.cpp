@@ -160,44 +160,42 @@ bool mayDrive(AtemPhase phase)
     return !exploring(phase) && phase != AtemPhase::Stopped;
 }
 
-std::string describe(AtemPhase phase)
+SourceText describe(AtemPhase phase)
 {
     switch (phase) {
-    case AtemPhase::Idle: return TR_NOOP("core", "ready").english;
-    case AtemPhase::Halting: return TR_NOOP("core", "halting the robot").english;
-    case AtemPhase::Pressing: return TR_NOOP("core", "pressing the front flippers down").english;
-    case AtemPhase::Estimating: return TR_NOOP("core", "estimating the terrain").english;
-    case AtemPhase::ProposingProbe: return TR_NOOP("core", "arm probe proposed").english;
-    case AtemPhase::Probing: return TR_NOOP("core", "arm is probing").english;
+    case AtemPhase::Idle: return TR_NOOP("core", "ready");
+    case AtemPhase::Halting: return TR_NOOP("core", "halting the robot");
+    case AtemPhase::Pressing: return TR_NOOP("core", "pressing the front flippers down");
+    case AtemPhase::Estimating: return TR_NOOP("core", "estimating the terrain");
+    case AtemPhase::ProposingProbe: return TR_NOOP("core", "arm probe proposed");
+    case AtemPhase::Probing: return TR_NOOP("core", "arm is probing");
     case AtemPhase::EstimatingAgain:
-        return TR_NOOP("core", "estimating again with the arm's height").english;
-    case AtemPhase::Presenting: return TR_NOOP("core", "estimate stands").english;
-    case AtemPhase::Stopped: return TR_NOOP("core", "STOPPED").english;
-    case AtemPhase::Failed: return TR_NOOP("core", "exploration failed").english;
+        return TR_NOOP("core", "estimating again with the arm's height");
+    case AtemPhase::Presenting: return TR_NOOP("core", "estimate stands");
+    case AtemPhase::Stopped: return TR_NOOP("core", "STOPPED");
+    case AtemPhase::Failed: return TR_NOOP("core", "exploration failed");
     }
     throw std::invalid_argument("describe: no such AtemPhase");
 }
 
-std::string describe(AtemFailure failure)
+SourceText describe(AtemFailure failure)
 {
     switch (failure) {
-    case AtemFailure::None: return TR_NOOP("core", "no failure").english;
-    case AtemFailure::HaltTimeout: return TR_NOOP("core", "the robot did not halt in time").english;
+    case AtemFailure::None: return TR_NOOP("core", "no failure");
+    case AtemFailure::HaltTimeout: return TR_NOOP("core", "the robot did not halt in time");
     case AtemFailure::PressTimeout:
-        return TR_NOOP("core", "the flippers found nothing to press against in time").english;
-    case AtemFailure::EstimateTimeout: return TR_NOOP("core", "the estimate took too long").english;
-    case AtemFailure::EstimateError:
-        return TR_NOOP("core", "the estimate could not be computed").english;
-    case AtemFailure::ProbeTimeout:
-        return TR_NOOP("core", "the arm did not finish in time").english;
-    case AtemFailure::ProbeRefused: return TR_NOOP("core", "the robot refused the probe").english;
-    case AtemFailure::PressRefused: return TR_NOOP("core", "the robot refused to press").english;
-    case AtemFailure::LinkLost: return TR_NOOP("core", "the link to the robot was lost").english;
+        return TR_NOOP("core", "the flippers found nothing to press against in time");
+    case AtemFailure::EstimateTimeout: return TR_NOOP("core", "the estimate took too long");
+    case AtemFailure::EstimateError: return TR_NOOP("core", "the estimate could not be computed");
+    case AtemFailure::ProbeTimeout: return TR_NOOP("core", "the arm did not finish in time");
+    case AtemFailure::ProbeRefused: return TR_NOOP("core", "the robot refused the probe");
+    case AtemFailure::PressRefused: return TR_NOOP("core", "the robot refused to press");
+    case AtemFailure::LinkLost: return TR_NOOP("core", "the link to the robot was lost");
     case AtemFailure::PoseChanged:
-        return TR_NOOP("core", "the robot moved, so what it felt no longer holds").english;
+        return TR_NOOP("core", "the robot moved, so what it felt no longer holds");
     case AtemFailure::ApprovalVoid:
-        return TR_NOOP("core", "the approval was of another scene, settings or model").english;
-    case AtemFailure::Disarmed: return TR_NOOP("core", "the robot is not armed").english;
+        return TR_NOOP("core", "the approval was of another scene, settings or model");
+    case AtemFailure::Disarmed: return TR_NOOP("core", "the robot is not armed");
     }
     throw std::invalid_argument("describe: no such AtemFailure");
 }

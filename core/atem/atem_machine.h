@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/message.h"
 #include "core/limits.h"
 
 namespace terratact {
@@ -116,8 +117,8 @@ bool exploring(AtemPhase phase);
 bool mayDrive(AtemPhase phase);
 
 /// Return a text for the operator.
-std::string describe(AtemPhase phase);
-std::string describe(AtemFailure failure);
+SourceText describe(AtemPhase phase);
+SourceText describe(AtemFailure failure);
 
 /// Return the names that a session file holds, and the values of these names.
 std::string_view name(AtemPhase phase);

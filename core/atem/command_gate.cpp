@@ -160,32 +160,30 @@ GateRefusal judge(const CanFrame& frame, const GateView& view, const GateLimits&
     return sent ? std::visit(Judge{view, limits, *sent}, sent->command) : NotAllowed;
 }
 
-std::string describe(GateRefusal refusal)
+SourceText describe(GateRefusal refusal)
 {
     switch (refusal) {
-    case None: return TR_NOOP("core", "may be sent").english;
-    case NotAllowed: return TR_NOOP("core", "not a frame that a console sends").english;
-    case Malformed: return TR_NOOP("core", "the frame is damaged").english;
-    case OperatorAbsent: return TR_NOOP("core", "window or panel does not answer").english;
-    case ForeignSender: return TR_NOOP("core", "somebody else sends this console's frames").english;
-    case LinkNotGood: return TR_NOOP("core", "the link to the robot is not good").english;
+    case None: return TR_NOOP("core", "may be sent");
+    case NotAllowed: return TR_NOOP("core", "not a frame that a console sends");
+    case Malformed: return TR_NOOP("core", "the frame is damaged");
+    case OperatorAbsent: return TR_NOOP("core", "window or panel does not answer");
+    case ForeignSender: return TR_NOOP("core", "somebody else sends this console's frames");
+    case LinkNotGood: return TR_NOOP("core", "the link to the robot is not good");
     case NotAnswered:
-        return TR_NOOP("core", "the robot does not answer: what arrives may be a recording")
-            .english;
-    case WrongEpoch: return TR_NOOP("core", "the robot has begun a new arming").english;
-    case StopLatched: return TR_NOOP("core", "STOP is latched").english;
-    case NotStopped: return TR_NOOP("core", "the robot is not stopped").english;
-    case NotArmed: return TR_NOOP("core", "not armed").english;
-    case NotConfirmed: return TR_NOOP("core", "arming is not confirmed").english;
-    case Exploring: return TR_NOOP("core", "an exploration is running").english;
-    case NotExploring: return TR_NOOP("core", "no exploration is running").english;
-    case Busy: return TR_NOOP("core", "the robot is busy").english;
-    case NotPressed:
-        return TR_NOOP("core", "the front flippers are not pressed to the ground").english;
-    case OverLimit: return TR_NOOP("core", "the value is over its limit").english;
-    case NotApproved: return TR_NOOP("core", "nobody has approved the probe").english;
-    case ApprovalExpired: return TR_NOOP("core", "the approval is too old").english;
-    case OtherBin: return TR_NOOP("core", "another bin was approved").english;
+        return TR_NOOP("core", "the robot does not answer: what arrives may be a recording");
+    case WrongEpoch: return TR_NOOP("core", "the robot has begun a new arming");
+    case StopLatched: return TR_NOOP("core", "STOP is latched");
+    case NotStopped: return TR_NOOP("core", "the robot is not stopped");
+    case NotArmed: return TR_NOOP("core", "not armed");
+    case NotConfirmed: return TR_NOOP("core", "arming is not confirmed");
+    case Exploring: return TR_NOOP("core", "an exploration is running");
+    case NotExploring: return TR_NOOP("core", "no exploration is running");
+    case Busy: return TR_NOOP("core", "the robot is busy");
+    case NotPressed: return TR_NOOP("core", "the front flippers are not pressed to the ground");
+    case OverLimit: return TR_NOOP("core", "the value is over its limit");
+    case NotApproved: return TR_NOOP("core", "nobody has approved the probe");
+    case ApprovalExpired: return TR_NOOP("core", "the approval is too old");
+    case OtherBin: return TR_NOOP("core", "another bin was approved");
     }
     throw std::invalid_argument("describe: no such GateRefusal");
 }

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <string>
 
 #include "core/atem/arming.h"
+#include "core/base/message.h"
 #include "core/limits.h"
 #include "core/wire/can_codec.h"
 #include "core/wire/e2e.h"
@@ -87,6 +87,6 @@ double operatorPatience(const GateView& view, const GateLimits& limits);
 GateRefusal judge(const CanFrame& frame, const GateView& view, const GateLimits& limits);
 
 /// Returns a text for the operator.
-std::string describe(GateRefusal refusal);
+SourceText describe(GateRefusal refusal);
 
 }  // namespace terratact

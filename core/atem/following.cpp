@@ -78,22 +78,21 @@ AtemState nextFollowed(const AtemState& now, const FollowInput& in, const AtemLi
     throw std::invalid_argument("nextFollowed: no such phase");
 }
 
-std::string describeFollowed(AtemPhase phase)
+SourceText describeFollowed(AtemPhase phase)
 {
     switch (phase) {
-    case AtemPhase::Idle: return TR_NOOP("core", "following: nothing is explored").english;
+    case AtemPhase::Idle: return TR_NOOP("core", "following: nothing is explored");
     case AtemPhase::Halting:
-    case AtemPhase::Pressing: return TR_NOOP("core", "following: flippers go down").english;
+    case AtemPhase::Pressing: return TR_NOOP("core", "following: flippers go down");
     case AtemPhase::Estimating:
-        return TR_NOOP("core", "following: flippers pressed, estimating the terrain").english;
-    case AtemPhase::Probing:
-        return TR_NOOP("core", "following: flippers pressed, arm is probing").english;
+        return TR_NOOP("core", "following: flippers pressed, estimating the terrain");
+    case AtemPhase::Probing: return TR_NOOP("core", "following: flippers pressed, arm is probing");
     case AtemPhase::EstimatingAgain:
-        return TR_NOOP("core", "following: estimating again with the arm's height").english;
+        return TR_NOOP("core", "following: estimating again with the arm's height");
     case AtemPhase::ProposingProbe:
-    case AtemPhase::Presenting: return TR_NOOP("core", "following: estimate stands").english;
-    case AtemPhase::Stopped: return TR_NOOP("core", "following: the robot is stopped").english;
-    case AtemPhase::Failed: return TR_NOOP("core", "following: no estimate").english;
+    case AtemPhase::Presenting: return TR_NOOP("core", "following: estimate stands");
+    case AtemPhase::Stopped: return TR_NOOP("core", "following: the robot is stopped");
+    case AtemPhase::Failed: return TR_NOOP("core", "following: no estimate");
     }
     throw std::invalid_argument("describeFollowed: no such phase");
 }

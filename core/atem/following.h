@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/atem/atem_machine.h"
+#include "core/base/message.h"
 #include "core/robot/measurement.h"
 
 namespace terratact {
@@ -37,6 +38,6 @@ struct FollowInput {
 AtemState nextFollowed(const AtemState& now, const FollowInput& in, const AtemLimits& limits);
 
 /// Returns a text for the operator: "following: flippers pressed, estimating the terrain".
-std::string describeFollowed(AtemPhase phase);
+SourceText describeFollowed(AtemPhase phase);
 
 }  // namespace terratact

@@ -8,18 +8,17 @@
 
 namespace terratact {
 
-std::string describe(const LinkAccount& link)
+SourceText describe(const LinkAccount& link)
 {
     switch (link.standing) {
-    case LinkStanding::Silent: return TR_NOOP("core", "no telemetry yet").english;
-    case LinkStanding::Up: return TR_NOOP("core", "link is up").english;
+    case LinkStanding::Silent: return TR_NOOP("core", "no telemetry yet");
+    case LinkStanding::Up: return TR_NOOP("core", "link is up");
     case LinkStanding::Lost:
-        return link.alone ? TR_NOOP("core", "telemetry lost").english
-                          : TR_NOOP("core", "link lost").english;
+        return link.alone ? TR_NOOP("core", "telemetry lost") : TR_NOOP("core", "link lost");
     case LinkStanding::Unsteady:
-        return link.alone ? TR_NOOP("core", "telemetry unsteady").english
-                          : TR_NOOP("core", "link unsteady").english;
-    case LinkStanding::Ended: return TR_NOOP("core", "end of the log").english;
+        return link.alone ? TR_NOOP("core", "telemetry unsteady")
+                          : TR_NOOP("core", "link unsteady");
+    case LinkStanding::Ended: return TR_NOOP("core", "end of the log");
     }
     throw std::invalid_argument("describe: no such LinkStanding");
 }

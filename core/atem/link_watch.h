@@ -2,7 +2,8 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
+
+#include "core/base/message.h"
 
 namespace terratact {
 
@@ -26,7 +27,7 @@ struct LinkAccount {
 };
 
 /// Returns "link lost" or "telemetry unsteady".
-std::string describe(const LinkAccount& link);
+SourceText describe(const LinkAccount& link);
 
 /// Observation of the link at one time.
 struct LinkGlimpse {

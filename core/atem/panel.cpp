@@ -90,20 +90,26 @@ PanelState nextPanel(const PanelState& state, const PanelInput& in, const PanelL
     return next;
 }
 
-std::string buttonTrouble(PanelContact button, ButtonPhase phase)
+Message buttonTrouble(PanelContact button, ButtonPhase phase)
 {
-    std::string text = "the panel's button ";
-    text.append(name(button));
     switch (phase) {
     case ButtonPhase::Starting:
     case ButtonPhase::Released:
     case ButtonPhase::Pressed: return {};
-    case ButtonPhase::HeldAtStart: text += " was held when the panel came up"; break;
-    case ButtonPhase::Stuck: text += " has been held for longer than anybody presses"; break;
+    case ButtonPhase::HeldAtStart:
+        return {TR_NOOP("core",
+                        "the panel's button %1 was held when the panel came up: it counts as not "
+                        "pressed until it is let go; if nobody holds it, its contact sticks or "
+                        "its wires touch"),
+                name(button)};
+    case ButtonPhase::Stuck:
+        return {TR_NOOP("core",
+                        "the panel's button %1 has been held for longer than anybody presses: it "
+                        "counts as not pressed until it is let go; if nobody holds it, its "
+                        "contact sticks or its wires touch"),
+                name(button)};
     }
-    return text
-         + ": it counts as not pressed until it is let go; if nobody holds it, its contact sticks "
-           "or its wires touch";
+    throw std::invalid_argument("buttonTrouble: no such phase");
 }
 
 std::array<bool, kPanelOutputs> outputsOf(const LampState& lamps)

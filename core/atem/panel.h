@@ -4,8 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <string_view>
+
+#include "core/base/message.h"
 
 namespace terratact {
 
@@ -84,7 +85,7 @@ struct PanelLimits {
 PanelState nextPanel(const PanelState& state, const PanelInput& in, const PanelLimits& limits = {});
 
 /// Returns one sentence about a button's fault; empty if there is none.
-std::string buttonTrouble(PanelContact button, ButtonPhase phase);
+Message buttonTrouble(PanelContact button, ButtonPhase phase);
 
 /// Lamps and buzzer of the panel. A lamp is on or off; the caller makes it blink.
 struct LampState {

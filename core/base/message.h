@@ -15,8 +15,8 @@ namespace terratact {
 /// English sentence of the source, with %1 … %9 for its arguments, and its context for translators.
 /// It points to literals.
 struct SourceText {
-    const char* context;
-    const char* english;
+    const char* context = "";
+    const char* english = "";  ///< empty: nothing to say
 };
 
 /// Marks a sentence for the translators; resources/translations/update.sh finds it.
@@ -42,6 +42,12 @@ struct Message {
 
     /// Returns "first: then".
     static Message joined(Message first, Message then);
+
+    /// Returns "first; second; third"; an empty message of no parts. separator: without '%'.
+    static Message listed(std::vector<Message> parts, std::string_view separator);
+
+    /// Returns "first (then)".
+    static Message followedBy(Message first, std::string then);
 
     bool empty() const { return source.empty(); }
 
@@ -72,11 +78,12 @@ private:
     }
 };
 
-/// Exception for a condition outside of the program. what() is the message in English.
-class Failure : public std::runtime_error {
+/// Exception with a message to the operator. what() is the message in English.
+template <class Exception>
+class WithMessage : public Exception {
 public:
-    explicit Failure(Message message)
-        : std::runtime_error(message.english()), message_(std::move(message))
+    explicit WithMessage(Message message)
+        : Exception(message.english()), message_(std::move(message))
     {
     }
     const Message& message() const { return message_; }
@@ -85,8 +92,28 @@ private:
     Message message_;
 };
 
+/// Exception for a condition outside of the program.
+class Failure : public WithMessage<std::runtime_error> {
+public:
+    using WithMessage::WithMessage;
+};
+
+/// Exception for an input without a result; it is an argument of the caller, too.
+class RefusedInput : public WithMessage<std::invalid_argument> {
+public:
+    using WithMessage::WithMessage;
+};
+
+/// Returns the message of a Failure or a RefusedInput; what() of another exception.
+Message messageOf(const std::exception& error);
+
+/// Returns the messages in English, with the separator between them.
+std::string english(const std::vector<Message>& messages, std::string_view separator);
+
 /// Returns a number with this many decimals, as an argument.
 std::string fixed(double value, int decimals);
+/// The same with its sign, also a plus.
+std::string signedFixed(double value, int decimals);
 
 /// Returns the source with `part(n)` in place of every %n, n from 1 to 9.
 template <class Part>

@@ -162,9 +162,10 @@ TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const A
     MeasuredBins measured = measureBins(robot, s, arm, estimate.ceiling, settings);
     applyMeasurements(distribution, measured, model, estimate);
     if (estimate.novelty > 1.0)
-        estimate.warnings.push_back(fmt::format(
-            "unlike the training scenes: {:.1f} times the distance that 1 % of them exceed",
-            estimate.novelty));
+        estimate.warnings.emplace_back(
+            TR_NOOP("core",
+                    "unlike the training scenes: %1 times the distance that 1 % of them exceed"),
+            fixed(estimate.novelty, 1));
 
     for (std::size_t i = 0; i < kBins; ++i) {
         momentsOf(distribution, i, estimate);

@@ -24,7 +24,7 @@ ClearanceConditionals conditionalsOf(const ModelData& model, const RobotModel& r
 void warnMissing(TerrainEstimate& estimate, Method asked, MissingFeatures missing)
 {
     estimate.missing = missing;
-    std::vector<std::string> sentences = missingSentences(asked, missing);
+    const std::vector<Message> sentences = missingSentences(asked, missing);
     estimate.warnings.insert(estimate.warnings.begin(), sentences.begin(), sentences.end());
 }
 

@@ -74,12 +74,15 @@ void warnIfNotPlanar(TerrainEstimate& estimate, const Measurement& m)
 {
     const Settings& settings = estimate.settings;
     if (std::abs(m.roll) > settings.rollLimit)
-        estimate.warnings.push_back(fmt::format(
-            "roll {:.1f}°: the ground is not the same left and right", m.roll * 57.29577951));
+        estimate.warnings.emplace_back(
+            TR_NOOP("core", "roll %1°: the ground is not the same left and right"),
+            fixed(m.roll * 57.29577951, 1));
     if (flipperAsymmetry(m) > settings.asymmetryLimit)
-        estimate.warnings.push_back(fmt::format(
-            "left and right flippers differ by {:.1f}°: the ground is not the same left and right",
-            flipperAsymmetry(m) * 57.29577951));
+        estimate.warnings.emplace_back(
+            TR_NOOP("core",
+                    "left and right flippers differ by %1°: the ground is not the same left "
+                    "and right"),
+            fixed(flipperAsymmetry(m) * 57.29577951, 1));
 }
 
 }  // namespace terratact

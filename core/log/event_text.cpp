@@ -1,12 +1,14 @@
 #include "core/log/event_text.h"
 
+#include <utility>
+
 namespace terratact {
 namespace {
 
 template <class Enum>
-std::string wordsOf(const std::optional<Enum>& value, const std::string& recorded)
+Message messageOr(const std::optional<Enum>& value, const std::string& recorded)
 {
-    return value ? std::string(describe(*value)) : recorded;
+    return value ? Message(describe(*value)) : Message::verbatim(recorded);
 }
 
 }  // namespace
@@ -35,16 +37,35 @@ std::optional<DisarmCause> causeOf(const EventRow& event)
     return disarmCauseFromName(event.text);
 }
 
+EventRow withText(EventRow event, Message text)
+{
+    event.text = text.english();
+    const bool isTranslated = !text.context.empty() || !text.arguments.empty();
+    if (isTranslated) event.message = std::move(text);
+    return event;
+}
+
+Message messageOf(const EventRow& event)
+{
+    if (!event.message.empty()) return event.message;
+    if (event.kind == EventKind::Arming) return messageOr(causeOf(event), event.text);
+    return messageOr(failureOf(event), event.text);
+}
+
+Message subjectOf(const EventRow& event)
+{
+    if (event.kind == EventKind::Arming) return messageOr(armingOf(event), event.subject);
+    return messageOr(phaseOf(event), event.subject);
+}
+
 std::string subjectWords(const EventRow& event)
 {
-    if (event.kind == EventKind::Arming) return wordsOf(armingOf(event), event.subject);
-    return wordsOf(phaseOf(event), event.subject);
+    return subjectOf(event).english();
 }
 
 std::string textWords(const EventRow& event)
 {
-    if (event.kind == EventKind::Arming) return wordsOf(causeOf(event), event.text);
-    return wordsOf(failureOf(event), event.text);
+    return messageOf(event).english();
 }
 
 }  // namespace terratact

@@ -6,6 +6,7 @@
 
 #include "core/atem/arming.h"
 #include "core/atem/atem_machine.h"
+#include "core/base/message.h"
 #include "core/log/session_rows.h"
 
 namespace terratact {
@@ -17,8 +18,18 @@ std::optional<AtemFailure> failureOf(const EventRow& event);
 std::optional<ArmingPhase> armingOf(const EventRow& event);
 std::optional<DisarmCause> causeOf(const EventRow& event);
 
-/// Return subject and text of an event for the operator. Names get the text of describe(); anything
-/// else stays as recorded.
+/// Returns the event with this text in English, and as a message if that has anything to translate.
+EventRow withText(EventRow event, Message text);
+
+/// Returns the event's text for the operator: that of describe() for a failure or a cause of
+/// disarming, else the event's message. Where it has none: the English text.
+Message messageOf(const EventRow& event);
+
+/// Returns the event's subject for the operator: the text of describe() for a phase; else the name
+/// as recorded.
+Message subjectOf(const EventRow& event);
+
+/// Return subjectOf() and messageOf() in English.
 std::string subjectWords(const EventRow& event);
 std::string textWords(const EventRow& event);
 

@@ -54,7 +54,7 @@ void addAlarm(std::map<std::string, Alarm>& alarms, const EventRow& event)
     Alarm& alarm = alarms[event.subject];
     if (alarm.id.empty()) alarm.since = secondsOf(event.time);
     alarm.id = event.subject;
-    alarm.text = event.text;
+    alarm.text = messageOf(event);
     alarm.state = *state;
 }
 
@@ -188,7 +188,7 @@ void ReviewMoments::addEvents(ReviewMoment& moment)
         case EventKind::TelemetryGap:
             if (moment.scene && event.time >= moment.scene->time) moment.unbroken = false;
             break;
-        case EventKind::Override: moment.overridden = event.text; break;
+        case EventKind::Override: moment.overridden = messageOf(event); break;
         case EventKind::Alarm:
             addAlarm(alarms, event);
             if (event.subject != kSensorAlarm) break;
@@ -196,7 +196,7 @@ void ReviewMoments::addEvents(ReviewMoment& moment)
                 moment.sensorsSound = false;
             suspected = event.number.value_or(0.0) >= 2.0;
             break;
-        case EventKind::Forgotten: moment.forgotten = event.text; break;
+        case EventKind::Forgotten: moment.forgotten = messageOf(event); break;
         case EventKind::Decision:
             if (moment.proposal && event.proposal == moment.proposal->id
                 && (event.subject == "approve" || event.subject == "refuse"))

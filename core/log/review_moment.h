@@ -9,6 +9,7 @@
 #include "core/atem/alarms.h"
 #include "core/atem/arming.h"
 #include "core/atem/atem_machine.h"
+#include "core/base/message.h"
 #include "core/log/session_reader.h"
 #include "core/robot/robot_model.h"
 #include "core/wire/telemetry.h"
@@ -30,7 +31,7 @@ struct ReviewMoment {
     SessionTime linkSince = 0;    ///< time since which the link has this state
     bool unbroken = true;         ///< no silence of more than kMaxSilence has ended since the scene
     bool sensorsSound = true;     ///< kSensorAlarm was not raised at the scene or since
-    std::string overridden{};     ///< what the operator has overridden; empty: nothing
+    Message overridden{};         ///< what the operator has overridden; empty: nothing
     std::optional<SessionDamage> damage{};  ///< damage that covers this time
 
     const ModelRow* model = nullptr;
@@ -39,7 +40,7 @@ struct ReviewMoment {
     const ProposalRow* proposal = nullptr;                    ///< proposal of the estimate
     const EventRow* decision = nullptr;  ///< the operator's answer to the proposal
     /// Reason why the last estimate is not valid any more; empty: there was none.
-    std::string forgotten{};
+    Message forgotten{};
 
     AtemState state{};  ///< `since` is on the session's clock [s]
     std::optional<ArmingPhase> arming{};

@@ -49,6 +49,23 @@ std::vector<std::string> linesOf(const std::string& text)
     return lines;
 }
 
+Message messageFrom(const std::string& json)
+{
+    auto message = messageFromJson(json);
+    require(message.has_value(), TR_NOOP("core", "a message is no JSON"));
+    return *std::move(message);
+}
+
+/// Returns the warnings of an estimate: the messages, one a line in JSON; without them the English
+/// lines.
+std::vector<Message> warningsFrom(const std::string& english, const std::string& json)
+{
+    std::vector<Message> warnings;
+    for (std::string& line : linesOf(json.empty() ? english : json))
+        warnings.push_back(json.empty() ? Message::verbatim(std::move(line)) : messageFrom(line));
+    return warnings;
+}
+
 ArmReading readingFrom(CheckedRow& row)
 {
     ArmReading reading;
@@ -185,10 +202,13 @@ EstimateRow estimateFrom(CheckedRow& row, std::int64_t id, const SessionRows& ro
     e.novelty = row.real();
     e.ending = row.named(endingFromName);
     e.converged = row.flag();
-    e.warnings = linesOf(row.text());
+    const std::string warnings = row.text();
     row.skip(1);  // the hash of the draws
     if (row.hasMore()) e.feltTo = row.real();
-    e.contradicts = row.hasMore() ? row.flag() : sayContradiction(e.warnings);
+    std::optional<bool> contradicts;
+    if (row.hasMore()) contradicts = row.flag();
+    e.warnings = warningsFrom(warnings, row.hasMore() ? row.text() : std::string());
+    e.contradicts = contradicts.value_or(sayContradiction(e.warnings));
     const SceneRow* const scene = byId(rows.scenes, r.scene);
     e.missing = missingFor(e.settings.method, proprioception(scene->measurement));
     return r;
@@ -237,9 +257,7 @@ EventRow eventFrom(CheckedRow& row, std::int64_t id)
     e.proposal = row.idOrNone();
     e.shown = row.text();
     if (!row.hasMore()) return withNames(std::move(e));
-    const auto message = messageFromJson(row.text());
-    require(message.has_value(), TR_NOOP("core", "a message is no JSON"));
-    e.message = *message;
+    e.message = messageFrom(row.text());
     return e;
 }
 

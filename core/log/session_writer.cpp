@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/log/event_text.h"
 #include "core/log/message_json.h"
 #include "core/log/session_hash.h"
 #include "core/log/session_row_checks.h"
@@ -23,18 +24,25 @@ namespace {
 
 constexpr std::size_t kFrameBytes = 30;  // approximate size of a frame in the file [bytes]
 
-std::string joined(const std::vector<std::string>& lines)
-{
-    std::string text;
-    for (const std::string& line : lines) text.append(line).append("\n");
-    return text;
-}
-
-/// A message in JSON; one that is too long for a row is left out, for JSON cannot be cut.
+/// Returns a message in JSON. One that a reader would refuse, too long or too deep, is left out: the
+/// row has its text in English.
 std::string shortJsonOf(const Message& message)
 {
     std::string json = jsonOf(message);
-    return json.size() <= kMaxTextBytes ? json : std::string();
+    const bool isReadable = json.size() <= kMaxTextBytes && messageFromJson(json);
+    return isReadable ? json : std::string();
+}
+
+/// Returns messages in JSON, one a line; nothing if a reader would refuse one.
+std::string shortJsonOf(const std::vector<Message>& messages)
+{
+    std::string lines;
+    for (const Message& message : messages) {
+        const std::string json = shortJsonOf(message);
+        if (json.empty()) return {};
+        lines.append(json).append("\n");
+    }
+    return lines.size() <= kMaxTextBytes ? lines : std::string();
 }
 
 std::int64_t flagsOf(const FrameRow& row)
@@ -172,8 +180,9 @@ void SessionWriter::Impl::addEstimate(const EstimateRow& r)
     drawsHash.add(draws);
     const std::int64_t settingsOf = settingsId(e.settings);
     row(estimateTable, r.id, batch.id, r.time, r.scene, settingsOf, r.model, name(r.role),
-        r.seconds, r.stepLimit, e.novelty, name(e.ending), int{e.converged}, joined(e.warnings),
-        Blob{drawsHash.finish()}, e.feltTo, int{e.contradicts}, std::string());
+        r.seconds, r.stepLimit, e.novelty, name(e.ending), int{e.converged},
+        english(e.warnings, "\n"), Blob{drawsHash.finish()}, e.feltTo, int{e.contradicts},
+        shortJsonOf(e.warnings));
     drawsInsert.bind(0, r.id);
     drawsInsert.bindBlob(1, draws);
     drawsInsert.run();
@@ -417,11 +426,9 @@ Result<SessionRecovery> SessionWriter::finish(const std::string& path, SqliteFil
     SessionWriter writer(std::move(impl));
     Status added = Done{};
     if (!ended)
-        added = writer.add(
-            EventRow{.time = time,
-                     .kind = EventKind::Session,
-                     .subject = "recovered",
-                     .text = "the program that recorded ended without closing the session"});
+        added = writer.add(withText(
+            {.time = time, .kind = EventKind::Session, .subject = "recovered"},
+            TR_NOOP("core", "the program that recorded ended without closing the session")));
     const Status sealed = added ? writer.seal() : added;
     if (!sealed) return sealed.error();
     return SessionRecovery::Recovered;

@@ -102,7 +102,7 @@ Result<FittedCalibration> calibrate(const std::vector<ForceReading>& readings,
         const ElementState state = feltBy(r, present).state;
         if (state == ElementState::Open || state == ElementState::Short)
             return Error{nameOf(r.side, r.element) + " at " + numberText(r.voltage)
-                             + " V: " + describe(state),
+                             + " V: " + describe(state).english,
                          0};
     }
     FittedCalibration fitted{.calibration = present};

@@ -54,13 +54,13 @@ bool haveElement(const std::vector<ForceArrayLayout>& arrays, Side side, int ele
     });
 }
 
-std::string describe(ElementState state)
+SourceText describe(ElementState state)
 {
     switch (state) {
-    case ElementState::Sound: return "sound";
-    case ElementState::Saturated: return TR_NOOP("core", "saturated").english;
-    case ElementState::Open: return TR_NOOP("core", "wire broken").english;
-    case ElementState::Short: return TR_NOOP("core", "short circuit").english;
+    case ElementState::Sound: return {"", "sound"};
+    case ElementState::Saturated: return TR_NOOP("core", "saturated");
+    case ElementState::Open: return TR_NOOP("core", "wire broken");
+    case ElementState::Short: return TR_NOOP("core", "short circuit");
     }
     throw std::invalid_argument("describe: no such ElementState");
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/robot/measurement.h"
 
 namespace terratact {
@@ -47,7 +48,7 @@ std::vector<ForceArrayLayout> leftAndRightArrays();
 bool haveElement(const std::vector<ForceArrayLayout>& arrays, Side side, int element);
 
 enum class ElementState : std::uint8_t { Sound, Saturated, Open, Short };
-std::string describe(ElementState state);
+SourceText describe(ElementState state);
 
 struct ElementForce {
     double force = 0.0;  ///< [N] on the flipper, never negative; 0 where Open or Short

@@ -10,37 +10,32 @@
 
 namespace terratact {
 
-std::string describe(RobotActivity activity)
+SourceText describe(RobotActivity activity)
 {
     switch (activity) {
-    case RobotActivity::Halted: return TR_NOOP("core", "halted").english;
-    case RobotActivity::Driving: return TR_NOOP("core", "driving").english;
-    case RobotActivity::Pressing:
-        return TR_NOOP("core", "pressing the front flippers down").english;
-    case RobotActivity::Pressed:
-        return TR_NOOP("core", "front flippers pressed to the ground").english;
-    case RobotActivity::Probing: return TR_NOOP("core", "probing with the arm").english;
-    case RobotActivity::Stopped: return TR_NOOP("core", "stopped").english;
+    case RobotActivity::Halted: return TR_NOOP("core", "halted");
+    case RobotActivity::Driving: return TR_NOOP("core", "driving");
+    case RobotActivity::Pressing: return TR_NOOP("core", "pressing the front flippers down");
+    case RobotActivity::Pressed: return TR_NOOP("core", "front flippers pressed to the ground");
+    case RobotActivity::Probing: return TR_NOOP("core", "probing with the arm");
+    case RobotActivity::Stopped: return TR_NOOP("core", "stopped");
     }
     throw std::invalid_argument("describe: no such RobotActivity");
 }
 
-std::string describe(Refusal refusal)
+SourceText describe(Refusal refusal)
 {
     switch (refusal) {
-    case Refusal::None: return TR_NOOP("core", "nothing refused").english;
-    case Refusal::StopLatched: return TR_NOOP("core", "STOP is latched").english;
-    case Refusal::Busy: return TR_NOOP("core", "the robot is busy").english;
-    case Refusal::OutOfReach: return TR_NOOP("core", "the arm does not reach that bin").english;
+    case Refusal::None: return TR_NOOP("core", "nothing refused");
+    case Refusal::StopLatched: return TR_NOOP("core", "STOP is latched");
+    case Refusal::Busy: return TR_NOOP("core", "the robot is busy");
+    case Refusal::OutOfReach: return TR_NOOP("core", "the arm does not reach that bin");
     case Refusal::NotPressed:
-        return TR_NOOP("core", "the front flippers are not pressed to the ground").english;
-    case Refusal::NoRestPose:
-        return TR_NOOP("core", "the robot finds no pose to rest in there").english;
-    case Refusal::NotArmed: return TR_NOOP("core", "the robot is not armed").english;
-    case Refusal::WrongEpoch:
-        return TR_NOOP("core", "the command is late or not of this arming").english;
-    case Refusal::OutOfLimits:
-        return TR_NOOP("core", "the command is beyond the robot's limits").english;
+        return TR_NOOP("core", "the front flippers are not pressed to the ground");
+    case Refusal::NoRestPose: return TR_NOOP("core", "the robot finds no pose to rest in there");
+    case Refusal::NotArmed: return TR_NOOP("core", "the robot is not armed");
+    case Refusal::WrongEpoch: return TR_NOOP("core", "the command is late or not of this arming");
+    case Refusal::OutOfLimits: return TR_NOOP("core", "the command is beyond the robot's limits");
     }
     throw std::invalid_argument("describe: no such Refusal");
 }

@@ -4,7 +4,8 @@
 #include <bitset>
 #include <cstdint>
 #include <optional>
-#include <string>
+
+#include "core/base/message.h"
 
 namespace terratact {
 
@@ -48,8 +49,8 @@ enum class Refusal : std::uint8_t {
     OutOfLimits,
 };
 
-std::string describe(RobotActivity activity);
-std::string describe(Refusal refusal);
+SourceText describe(RobotActivity activity);
+SourceText describe(Refusal refusal);
 
 /// Terrain height measured by the arm's tip.
 struct ArmReading {

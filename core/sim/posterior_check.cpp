@@ -1,7 +1,5 @@
 #include "core/sim/posterior_check.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -84,12 +82,13 @@ void writePosteriorCheck(TerrainEstimate& estimate, const Proprioception& s,
     const PosteriorCheck check = checkPosterior(estimate, s, robot, {}, poll);
     estimate.contradicts = !check.agrees;
     if (check.agrees) return;
-    const auto degrees = [](double angle) { return std::round(angle / kOneDegree) + 0.0; };
-    estimate.warnings.push_back(fmt::format(
-        "{}: pitch {:+.0f}° measured, {:+.0f}° on its ground; front flippers {:+.0f}° measured, "
-        "{:+.0f}° on its ground",
-        kContradictsReadings, degrees(s.pitch), degrees(check.pitch), degrees(s.front),
-        degrees(check.front)));
+    const auto degrees = [](double angle) {
+        return signedFixed(std::round(angle / kOneDegree) + 0.0, 0);
+    };
+    estimate.warnings.emplace_back(
+        TR_NOOP("core", "the estimate contradicts the readings: pitch %1° measured, %2° on its "
+                        "ground; front flippers %3° measured, %4° on its ground"),
+        degrees(s.pitch), degrees(check.pitch), degrees(s.front), degrees(check.front));
 }
 
 }  // namespace terratact

@@ -1,7 +1,5 @@
 #include "core/terrain/kinematic_reconstruction.h"
 
-#include <fmt/format.h>
-
 #include <optional>
 #include <stdexcept>
 
@@ -91,9 +89,9 @@ KinematicReconstruction reconstructContacts(const RobotModel& robot, const Propr
         if (!contact) continue;
         const double body = lowerEnvelope(shape, contact->x);
         if (contact->height > body + kContradiction)
-            result.warnings.push_back(fmt::format(
-                "contact at x {:+.2f} m lies {:.0f} mm above the robot's own lower edge",
-                contact->x, 1000.0 * (contact->height - body)));
+            result.warnings.emplace_back(
+                TR_NOOP("core", "contact at x %1 m lies %2 mm above the robot's own lower edge"),
+                signedFixed(contact->x, 2), fixed(1000.0 * (contact->height - body), 0));
         result.contacts.push_back(*contact);
     }
     fixBins(result);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
 #include "core/terrain/bins.h"
@@ -22,7 +23,7 @@ struct KinematicReconstruction {
     OptionalHeights height{};       ///< known bins; several contacts in a bin are averaged by force
     std::vector<Contact> contacts;  ///< contacts inside the bins
     std::array<bool, kForceElements> touching{};  ///< elements that made a contact
-    std::vector<std::string> warnings;            ///< contacts that contradict the body
+    std::vector<Message> warnings;                ///< contacts that contradict the body
 };
 
 /// Reconstructs contact heights from pitch, flipper angle and element positions (section 4.2 of the

@@ -1011,10 +1011,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>rameno našlo bod %1 m o %2 mm nad spodní hranou robota</translation>
     </message>
     <message>
-        <source>unlike the training scenes: %1 times the distance that %2 % of them exceed</source>
-        <translation>nepodobá se trénovacím scénám: %1násobek vzdálenosti, kterou překročí %2 % z nich</translation>
-    </message>
-    <message>
         <source>a step ahead of more than %1 mm: probability %2 ± %3, likeliest between %4 and %5 m (%6)</source>
         <translation>schod vyšší než %1 mm: pravděpodobnost %2 ± %3, nejspíš mezi %4 a %5 m (%6)</translation>
     </message>
@@ -1415,10 +1411,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>nikdo jiný robota neaktivoval</translation>
     </message>
     <message>
-        <source>a step ahead of more than %1 mm: probability %2 ± &lt; %3, likeliest between %4 and %5 m (%6)</source>
-        <translation>schod vyšší než %1 mm: pravděpodobnost %2 ± &lt; %3, nejspíš mezi %4 a %5 m (%6)</translation>
-    </message>
-    <message>
         <source>telemetry was missing for a while, in which the robot may have moved</source>
         <translation>chvíli chyběla telemetrie, robot se mezitím mohl pohnout</translation>
     </message>
@@ -1429,10 +1421,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>cannot be read</source>
         <translation>nelze přečíst</translation>
-    </message>
-    <message>
-        <source>cannot be written</source>
-        <translation>nelze zapsat</translation>
     </message>
     <message>
         <source>it is not a regular file</source>
@@ -1491,28 +1479,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>disk je plný</translation>
     </message>
     <message>
-        <source>only %1 MB are free, %2 MB are left alone; recording goes on when there is room</source>
-        <translation>volných je jen %1 MB, %2 MB zůstává nedotčeno; nahrává se dál, až bude místo</translation>
-    </message>
-    <message>
         <source>%1: the disk is slow, it has been writing for %2 s; %3 frames wait</source>
         <translation>%1: disk je pomalý, zapisuje už %2 s; čeká %3 rámců</translation>
-    </message>
-    <message>
-        <source>not sent</source>
-        <translation>neodesláno</translation>
-    </message>
-    <message>
-        <source>not sent, the kernel&apos;s queue is full</source>
-        <translation>neodesláno, fronta jádra je plná</translation>
-    </message>
-    <message>
-        <source>not readable</source>
-        <translation>nelze číst</translation>
-    </message>
-    <message>
-        <source>the panel is absent</source>
-        <translation>panel chybí</translation>
     </message>
     <message>
         <source>No such file or directory</source>
@@ -1567,20 +1535,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>není místo ve vyrovnávací paměti</translation>
     </message>
     <message>
-        <source>the lines were refused</source>
-        <translation>linky byly odmítnuty</translation>
-    </message>
-    <message>
         <source>another program, or the kernel,</source>
         <translation>jiný program nebo jádro</translation>
-    </message>
-    <message>
-        <source>a line is in use by another program, or by the kernel; gpioinfo shows which</source>
-        <translation>některou linku používá jiný program nebo jádro; gpioinfo ukáže kterou</translation>
-    </message>
-    <message>
-        <source>the chip is gone: unplugged, or its driver was removed</source>
-        <translation>čip zmizel: byl odpojen, nebo byl odebrán jeho ovladač</translation>
     </message>
     <message>
         <source>reading an edge</source>
@@ -1627,28 +1583,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>několik čipů GPIO s označením %1: je tu %2; uveďte místo toho jméno čipu</translation>
     </message>
     <message>
-        <source>%1 has no line named %2: its lines have no names: say offset instead</source>
-        <translation>%1 nemá linku jménem %2: jeho linky nemají jména: uveďte místo toho offset</translation>
-    </message>
-    <message>
-        <source>%1 has no line named %2: it has %3 and more</source>
-        <translation>%1 nemá linku jménem %2: má %3 a další</translation>
-    </message>
-    <message>
-        <source>%1 has no line named %2: it has %3</source>
-        <translation>%1 nemá linku jménem %2: má %3</translation>
-    </message>
-    <message>
         <source>%1 has several lines named %2: say offset instead</source>
         <translation>%1 má několik linek jménem %2: uveďte místo toho offset</translation>
-    </message>
-    <message>
-        <source>it is open to the group %1; run: %2 (and log in again)</source>
-        <translation>je otevřen skupině %1; spusťte: %2 (a znovu se přihlaste)</translation>
-    </message>
-    <message>
-        <source>it is open to root only; run: %1 (and restart)</source>
-        <translation>je otevřen jen správci (root); spusťte: %1 (a restartujte)</translation>
     </message>
     <message>
         <source>the panel&apos;s %1 does not obey: %2</source>
@@ -1677,10 +1613,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>STOP is latched</source>
         <translation>STOP drží</translation>
-    </message>
-    <message>
-        <source>is not TOML</source>
-        <translation>není TOML</translation>
     </message>
     <message>
         <source>nests deeper than %1 levels</source>
@@ -1715,28 +1647,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>vynecháno scén bez jediné známé výšky: %1</translation>
     </message>
     <message>
-        <source>a stop line needs a name of %1 to %2 characters</source>
-        <translation>vedení pro zastavení potřebuje jméno o %1 až %2 znacích</translation>
-    </message>
-    <message>
         <source>Address already in use</source>
         <translation>adresa se již používá</translation>
-    </message>
-    <message>
-        <source>session recovered, whose program had ended without closing it</source>
-        <translation>relace obnovena; její program skončil, aniž ji uzavřel</translation>
-    </message>
-    <message>
-        <source>session not recovered</source>
-        <translation>relace nebyla obnovena</translation>
-    </message>
-    <message>
-        <source>session deleted, since it is older than you have set</source>
-        <translation>relace smazána, neboť je starší, než jste nastavili</translation>
-    </message>
-    <message>
-        <source>session deleted, since all together are larger than you have set</source>
-        <translation>relace smazána, neboť všechny dohromady jsou větší, než jste nastavili</translation>
     </message>
     <message>
         <source>the key %1 is missing</source>
@@ -2275,10 +2187,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>chybí sloupec %1</translation>
     </message>
     <message>
-        <source>%1 is unknown, and method %2 needs it</source>
-        <translation>%1 není známo a metoda %2 to potřebuje</translation>
-    </message>
-    <message>
         <source>its table meta lacks %1</source>
         <translation>jeho tabulce meta chybí %1</translation>
     </message>
@@ -2529,10 +2437,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>holds no frame</source>
         <translation>neobsahuje žádný rámec</translation>
-    </message>
-    <message>
-        <source>has no scenes</source>
-        <translation>nemá žádné scény</translation>
     </message>
     <message>
         <source>holds no frame of %1, only of %2</source>
@@ -2941,10 +2845,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>rear right flipper current</source>
         <translation>proud pravého zadního ramene</translation>
-    </message>
-    <message>
-        <source>force %1</source>
-        <translation>síla %1</translation>
     </message>
     <message>
         <source>track odometry</source>
@@ -3722,6 +3622,246 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>%1 scenes repeat a place within the sensors&apos; noise; training counts each place once (runs %2)</source>
         <translation>%1 scén opakuje jiné místo v mezích šumu snímačů; trénování počítá každé místo jednou (jízdy %2)</translation>
     </message>
+    <message>
+        <source>unlike the training scenes: %1 times the distance that 1 % of them exceed</source>
+        <translation>nepodobá se trénovacím scénám: %1násobek vzdálenosti, kterou překročí 1 % z nich</translation>
+    </message>
+    <message>
+        <source>time was out %1 sweeps before the burn-in&apos;s end: the draws depend on where the chains started</source>
+        <translation>čas vypršel %1 průchodů před koncem záběhu: vzorky závisejí na tom, kde řetězce začaly</translation>
+    </message>
+    <message>
+        <source>bin %1 m under the robot was seen in %2 training scenes, and %3 are needed</source>
+        <translation>bod %1 m pod robotem byl v %2 trénovacích scénách a potřeba je %3</translation>
+    </message>
+    <message>
+        <source>bin %1 m with no robot above it was seen in %2 training scenes, and %3 are needed</source>
+        <translation>bod %1 m bez robotu nad ním byl v %2 trénovacích scénách a potřeba je %3</translation>
+    </message>
+    <message>
+        <source>the frame was cut short</source>
+        <translation>rámec byl zkrácen</translation>
+    </message>
+    <message>
+        <source>the kernel has no CAN here: load it (sudo modprobe can_raw), or use another kernel</source>
+        <translation>jádro tu nemá CAN: načtěte ho (sudo modprobe can_raw), nebo použijte jiné jádro</translation>
+    </message>
+    <message>
+        <source>this process may not open CAN sockets: a sandbox or container forbids it, start it outside (or: sudo setcap cap_net_raw+ep PROGRAM)</source>
+        <translation>tento proces nesmí otevírat CAN sockety: zakazuje to sandbox nebo kontejner, spusťte ho mimo něj (nebo: sudo setcap cap_net_raw+ep PROGRAM)</translation>
+    </message>
+    <message>
+        <source>no socket: %1</source>
+        <translation>žádný socket: %1</translation>
+    </message>
+    <message>
+        <source>is no CAN interface (ip -brief link show type can lists those)</source>
+        <translation>není rozhraní CAN (vypíše je ip -brief link show type can)</translation>
+    </message>
+    <message>
+        <source>the kernel&apos;s CAN is too old: %1</source>
+        <translation>CAN v jádře je příliš staré: %1</translation>
+    </message>
+    <message>
+        <source>not bound: %1</source>
+        <translation>nepřipojeno: %1</translation>
+    </message>
+    <message>
+        <source>its lines have no names: say offset instead</source>
+        <translation>jeho linky nemají jména: uveďte místo toho offset</translation>
+    </message>
+    <message>
+        <source>it has %1 and more</source>
+        <translation>má %1 a další</translation>
+    </message>
+    <message>
+        <source>it has %1</source>
+        <translation>má %1</translation>
+    </message>
+    <message>
+        <source>%1 has no line named %2: %3</source>
+        <translation>%1 nemá linku jménem %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 has no line %2: it has 0 to %3</source>
+        <translation>%1 nemá linku %2: má 0 až %3</translation>
+    </message>
+    <message>
+        <source>%1: the lines were refused: %2</source>
+        <translation>%1: linky byly odmítnuty: %2</translation>
+    </message>
+    <message>
+        <source>%1: a line is in use by another program, or by the kernel; gpioinfo shows which</source>
+        <translation>%1: některou linku používá jiný program nebo jádro; gpioinfo ukáže kterou</translation>
+    </message>
+    <message>
+        <source>%1: it is open to the group %2; run: %3 (and log in again)</source>
+        <translation>%1: je otevřen skupině %2; spusťte: %3 (a znovu se přihlaste)</translation>
+    </message>
+    <message>
+        <source>%1: it is open to root only; run: %2 (and restart)</source>
+        <translation>%1: je otevřen jen správci (root); spusťte: %2 (a restartujte)</translation>
+    </message>
+    <message>
+        <source>%1: the chip is gone: unplugged, or its driver was removed</source>
+        <translation>%1: čip zmizel: byl odpojen, nebo byl odebrán jeho ovladač</translation>
+    </message>
+    <message>
+        <source>the panel is absent: %1</source>
+        <translation>panel chybí: %1</translation>
+    </message>
+    <message>
+        <source>%1: not readable: %2</source>
+        <translation>%1: nelze číst: %2</translation>
+    </message>
+    <message>
+        <source>%1: not sent, the kernel&apos;s queue is full</source>
+        <translation>%1: neodesláno, fronta jádra je plná</translation>
+    </message>
+    <message>
+        <source>%1: not sent: %2</source>
+        <translation>%1: neodesláno: %2</translation>
+    </message>
+    <message>
+        <source>%1 was opened to receive only: nothing is sent</source>
+        <translation>%1 bylo otevřeno jen pro příjem: nic se neodesílá</translation>
+    </message>
+    <message>
+        <source>%1: not sent, %2 frames before it have not left yet</source>
+        <translation>%1: neodesláno, %2 předchozích rámců ještě neodešlo</translation>
+    </message>
+    <message>
+        <source>a stop line needs a name of 1 to 100 characters</source>
+        <translation>vedení pro zastavení potřebuje jméno o 1 až 100 znacích</translation>
+    </message>
+    <message>
+        <source>there is no interface %1, but %2</source>
+        <translation>rozhraní %1 neexistuje, ale existuje %2</translation>
+    </message>
+    <message>
+        <source>there is no interface %1, nor any CAN interface</source>
+        <translation>rozhraní %1 neexistuje, ani žádné rozhraní CAN</translation>
+    </message>
+    <message>
+        <source>plug the adapter in and load its driver; for a virtual one: sudo ip link add dev vcan0 type vcan</source>
+        <translation>připojte adaptér a načtěte jeho ovladač; virtuální: sudo ip link add dev vcan0 type vcan</translation>
+    </message>
+    <message>
+        <source>it is virtual: no bit rate, no controller</source>
+        <translation>je virtuální: bez rychlosti, bez řadiče</translation>
+    </message>
+    <message>
+        <source>its bit rate and its controller&apos;s state are not known</source>
+        <translation>jeho rychlost a stav jeho řadiče nejsou známy</translation>
+    </message>
+    <message>
+        <source>it has no bit rate</source>
+        <translation>nemá nastavenou rychlost</translation>
+    </message>
+    <message>
+        <source>%1   (as on the robot&apos;s bus)</source>
+        <translation>%1   (jako na sběrnici robotu)</translation>
+    </message>
+    <message>
+        <source>bit rate %1 bit/s</source>
+        <translation>rychlost %1 bit/s</translation>
+    </message>
+    <message>
+        <source>its controller has given up (bus-off): wrong bit rate, no terminators or crossed wires</source>
+        <translation>jeho řadič to vzdal (bus-off): špatná rychlost, chybějící zakončení nebo prohozené vodiče</translation>
+    </message>
+    <message>
+        <source>its controller sees many errors (%1): wrong bit rate, no terminators or loose wires</source>
+        <translation>jeho řadič vidí mnoho chyb (%1): špatná rychlost, chybějící zakončení nebo uvolněné vodiče</translation>
+    </message>
+    <message>
+        <source>it is up</source>
+        <translation>je zapnuté</translation>
+    </message>
+    <message>
+        <source>it is down</source>
+        <translation>je vypnuté</translation>
+    </message>
+    <message>
+        <source>its send queue holds %1 frames: with nobody to acknowledge them, other programs&apos; frames grow old in it</source>
+        <translation>jeho odesílací fronta pojme %1 rámců: když je nikdo nepotvrzuje, rámce jiných programů v ní stárnou</translation>
+    </message>
+    <message>
+        <source>the receive buffer may be as large as it has to</source>
+        <translation>přijímací vyrovnávací paměť smí být tak velká, jak je třeba</translation>
+    </message>
+    <message>
+        <source>the receive buffer is limited to %1 of %2 bytes: frames are lost when this computer is busy</source>
+        <translation>přijímací vyrovnávací paměť je omezena na %1 z %2 bajtů: když je tento počítač vytížen, rámce se ztrácejí</translation>
+    </message>
+    <message>
+        <source>the kernel has CAN and this user may use it</source>
+        <translation>jádro má CAN a tento uživatel ho smí používat</translation>
+    </message>
+    <message>
+        <source>%1 is no CAN interface</source>
+        <translation>%1 není rozhraní CAN</translation>
+    </message>
+    <message>
+        <source>ip -brief link   (lists all there are)</source>
+        <translation>ip -brief link   (vypíše všechna)</translation>
+    </message>
+    <message>
+        <source>it is a CAN interface</source>
+        <translation>je to rozhraní CAN</translation>
+    </message>
+    <message>
+        <source>unknown error</source>
+        <translation>neznámá chyba</translation>
+    </message>
+    <message>
+        <source>no scene that both models can estimate: %1; choose another file of scenes</source>
+        <translation>žádná scéna, kterou by uměly odhadnout oba modely: %1; zvolte jiný soubor scén</translation>
+    </message>
+    <message>
+        <source>arm not simulated: the truth of bin %1 m is unknown</source>
+        <translation>rameno nebylo simulováno: skutečná výška bodu %1 m není známa</translation>
+    </message>
+    <message>
+        <source>session not recovered: %1</source>
+        <translation>relace nebyla obnovena: %1</translation>
+    </message>
+    <message>
+        <source>session recovered, whose program had ended without closing it: %1</source>
+        <translation>relace obnovena; její program skončil, aniž ji uzavřel: %1</translation>
+    </message>
+    <message>
+        <source>session deleted, since it is older than you have set: %1</source>
+        <translation>relace smazána, neboť je starší, než jste nastavili: %1</translation>
+    </message>
+    <message>
+        <source>session deleted, since all together are larger than you have set: %1</source>
+        <translation>relace smazána, neboť všechny dohromady jsou větší, než jste nastavili: %1</translation>
+    </message>
+    <message>
+        <source>recording was switched off</source>
+        <translation>nahrávání bylo vypnuto</translation>
+    </message>
+    <message>
+        <source>%1: the disk is full: only %2 MB are free, %3 MB are left alone; recording goes on when there is room</source>
+        <translation>%1: disk je plný: volných je jen %2 MB, %3 MB zůstává nedotčeno; nahrává se dál, až bude místo</translation>
+    </message>
+    <message>
+        <source>the file is large enough</source>
+        <translation>soubor je dost velký</translation>
+    </message>
+    <message>
+        <source>the bus is down</source>
+        <translation>sběrnice je vypnutá</translation>
+    </message>
+    <message>
+        <source>the controller is off the bus</source>
+        <translation>řadič je odpojen od sběrnice</translation>
+    </message>
+    <message>
+        <source>what was sent before has not left yet</source>
+        <translation>co bylo odesláno dříve, ještě neodešlo</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -4285,14 +4425,6 @@ Poslední deaktivace: %1</translation>
 <context>
     <name>terratact::ConsoleAlarms</name>
     <message>
-        <source>left</source>
-        <translation>vlevo</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>vpravo</translation>
-    </message>
-    <message>
         <source>No model, so nothing can be estimated: %1</source>
         <translation>Bez modelu nelze nic odhadnout: %1</translation>
     </message>
@@ -4303,10 +4435,6 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>The robot is stopped and moves only after a release</source>
         <translation>Robot je zastaven a pohne se až po uvolnění</translation>
-    </message>
-    <message>
-        <source>No telemetry since the start%1</source>
-        <translation>Od spuštění nepřišla telemetrie%1</translation>
     </message>
     <message>
         <source>Another console sends commands on this bus: find it and turn it off</source>
@@ -4359,6 +4487,34 @@ Poslední deaktivace: %1</translation>
     <message>
         <source>The robot has halted by itself: %1</source>
         <translation>Robot se sám zastavil: %1</translation>
+    </message>
+    <message>
+        <source>left %1 %2</source>
+        <translation>vlevo %1 %2</translation>
+    </message>
+    <message>
+        <source>right %1 %2</source>
+        <translation>vpravo %1 %2</translation>
+    </message>
+    <message>
+        <source>Telemetry unsteady</source>
+        <translation>Telemetrie nestálá</translation>
+    </message>
+    <message>
+        <source>Link unsteady</source>
+        <translation>Spojení nestálé</translation>
+    </message>
+    <message>
+        <source>Telemetry lost</source>
+        <translation>Telemetrie ztracena</translation>
+    </message>
+    <message>
+        <source>Link lost</source>
+        <translation>Spojení ztraceno</translation>
+    </message>
+    <message>
+        <source>No telemetry since the start</source>
+        <translation>Od spuštění nepřišla telemetrie</translation>
     </message>
 </context>
 <context>

@@ -1011,10 +1011,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>der Arm fand Feld %1 m um %2 mm über der Unterkante des Roboters</translation>
     </message>
     <message>
-        <source>unlike the training scenes: %1 times the distance that %2 % of them exceed</source>
-        <translation>anders als die Trainingsszenen: das %1-Fache des Abstands, den %2 % davon überschreiten</translation>
-    </message>
-    <message>
         <source>a step ahead of more than %1 mm: probability %2 ± %3, likeliest between %4 and %5 m (%6)</source>
         <translation>eine Stufe über %1 mm: Wahrscheinlichkeit %2 ± %3, am ehesten zwischen %4 und %5 m (%6)</translation>
     </message>
@@ -1415,10 +1411,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>niemand sonst hat den Roboter freigegeben</translation>
     </message>
     <message>
-        <source>a step ahead of more than %1 mm: probability %2 ± &lt; %3, likeliest between %4 and %5 m (%6)</source>
-        <translation>eine Stufe über %1 mm: Wahrscheinlichkeit %2 ± &lt; %3, am ehesten zwischen %4 und %5 m (%6)</translation>
-    </message>
-    <message>
         <source>telemetry was missing for a while, in which the robot may have moved</source>
         <translation>eine Weile fehlte die Telemetrie, der Roboter kann sich bewegt haben</translation>
     </message>
@@ -1429,10 +1421,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>cannot be read</source>
         <translation>ist nicht lesbar</translation>
-    </message>
-    <message>
-        <source>cannot be written</source>
-        <translation>kann nicht geschrieben werden</translation>
     </message>
     <message>
         <source>it is not a regular file</source>
@@ -1491,28 +1479,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>der Datenträger ist voll</translation>
     </message>
     <message>
-        <source>only %1 MB are free, %2 MB are left alone; recording goes on when there is room</source>
-        <translation>nur %1 MB sind frei, %2 MB bleiben unberührt; aufgezeichnet wird wieder, sobald Platz ist</translation>
-    </message>
-    <message>
         <source>%1: the disk is slow, it has been writing for %2 s; %3 frames wait</source>
         <translation>%1: der Datenträger ist langsam, er schreibt seit %2 s; %3 Frames warten</translation>
-    </message>
-    <message>
-        <source>not sent</source>
-        <translation>nicht gesendet</translation>
-    </message>
-    <message>
-        <source>not sent, the kernel&apos;s queue is full</source>
-        <translation>nicht gesendet, die Warteschlange des Kernels ist voll</translation>
-    </message>
-    <message>
-        <source>not readable</source>
-        <translation>nicht lesbar</translation>
-    </message>
-    <message>
-        <source>the panel is absent</source>
-        <translation>das Bedienpult fehlt</translation>
     </message>
     <message>
         <source>No such file or directory</source>
@@ -1567,20 +1535,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>kein Platz im Puffer</translation>
     </message>
     <message>
-        <source>the lines were refused</source>
-        <translation>die Leitungen wurden verweigert</translation>
-    </message>
-    <message>
         <source>another program, or the kernel,</source>
         <translation>ein anderes Programm oder der Kernel</translation>
-    </message>
-    <message>
-        <source>a line is in use by another program, or by the kernel; gpioinfo shows which</source>
-        <translation>eine Leitung wird von einem anderen Programm oder vom Kernel benutzt; gpioinfo zeigt welche</translation>
-    </message>
-    <message>
-        <source>the chip is gone: unplugged, or its driver was removed</source>
-        <translation>der Chip ist weg: abgezogen, oder sein Treiber wurde entfernt</translation>
     </message>
     <message>
         <source>reading an edge</source>
@@ -1627,28 +1583,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>mehrere GPIO-Chips mit der Bezeichnung %1: es gibt %2; bitte statt dessen den Namen des Chips angeben</translation>
     </message>
     <message>
-        <source>%1 has no line named %2: its lines have no names: say offset instead</source>
-        <translation>%1 hat keine Leitung namens %2: seine Leitungen haben keine Namen: bitte statt dessen offset angeben</translation>
-    </message>
-    <message>
-        <source>%1 has no line named %2: it has %3 and more</source>
-        <translation>%1 hat keine Leitung namens %2: er hat %3 und weitere</translation>
-    </message>
-    <message>
-        <source>%1 has no line named %2: it has %3</source>
-        <translation>%1 hat keine Leitung namens %2: er hat %3</translation>
-    </message>
-    <message>
         <source>%1 has several lines named %2: say offset instead</source>
         <translation>%1 hat mehrere Leitungen namens %2: bitte statt dessen offset angeben</translation>
-    </message>
-    <message>
-        <source>it is open to the group %1; run: %2 (and log in again)</source>
-        <translation>offen für die Gruppe %1; ausführen: %2 (und neu anmelden)</translation>
-    </message>
-    <message>
-        <source>it is open to root only; run: %1 (and restart)</source>
-        <translation>offen nur für root; ausführen: %1 (und neu starten)</translation>
     </message>
     <message>
         <source>the panel&apos;s %1 does not obey: %2</source>
@@ -1677,10 +1613,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>STOP is latched</source>
         <translation>STOP ist eingerastet</translation>
-    </message>
-    <message>
-        <source>is not TOML</source>
-        <translation>ist kein TOML</translation>
     </message>
     <message>
         <source>nests deeper than %1 levels</source>
@@ -1715,28 +1647,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ausgelassene Szenen ohne jede bekannte Höhe: %1</translation>
     </message>
     <message>
-        <source>a stop line needs a name of %1 to %2 characters</source>
-        <translation>eine Leitung zum Anhalten braucht einen Namen von %1 bis %2 Zeichen</translation>
-    </message>
-    <message>
         <source>Address already in use</source>
         <translation>Adresse wird schon verwendet</translation>
-    </message>
-    <message>
-        <source>session recovered, whose program had ended without closing it</source>
-        <translation>Sitzung wiederhergestellt, deren Programm geendet hatte, ohne sie zu schließen</translation>
-    </message>
-    <message>
-        <source>session not recovered</source>
-        <translation>Sitzung nicht wiederhergestellt</translation>
-    </message>
-    <message>
-        <source>session deleted, since it is older than you have set</source>
-        <translation>Sitzung gelöscht, da sie älter ist als eingestellt</translation>
-    </message>
-    <message>
-        <source>session deleted, since all together are larger than you have set</source>
-        <translation>Sitzung gelöscht, da alle zusammen größer sind als eingestellt</translation>
     </message>
     <message>
         <source>the key %1 is missing</source>
@@ -2275,10 +2187,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>die Spalte %1 fehlt</translation>
     </message>
     <message>
-        <source>%1 is unknown, and method %2 needs it</source>
-        <translation>%1 ist unbekannt, und das Verfahren %2 braucht es</translation>
-    </message>
-    <message>
         <source>its table meta lacks %1</source>
         <translation>seiner Tabelle meta fehlt %1</translation>
     </message>
@@ -2529,10 +2437,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>holds no frame</source>
         <translation>enthält keinen Rahmen</translation>
-    </message>
-    <message>
-        <source>has no scenes</source>
-        <translation>hat keine Szenen</translation>
     </message>
     <message>
         <source>holds no frame of %1, only of %2</source>
@@ -2941,10 +2845,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>rear right flipper current</source>
         <translation>Strom des Flippers hinten rechts</translation>
-    </message>
-    <message>
-        <source>force %1</source>
-        <translation>Kraft %1</translation>
     </message>
     <message>
         <source>track odometry</source>
@@ -3722,6 +3622,246 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>%1 scenes repeat a place within the sensors&apos; noise; training counts each place once (runs %2)</source>
         <translation>%1 Szenen wiederholen einen Ort innerhalb des Rauschens der Sensoren; das Training zählt jeden Ort einmal (Fahrten %2)</translation>
     </message>
+    <message>
+        <source>unlike the training scenes: %1 times the distance that 1 % of them exceed</source>
+        <translation>anders als die Trainingsszenen: das %1-Fache des Abstands, den 1 % davon überschreiten</translation>
+    </message>
+    <message>
+        <source>time was out %1 sweeps before the burn-in&apos;s end: the draws depend on where the chains started</source>
+        <translation>die Zeit war %1 Durchläufe vor dem Ende der Einlaufphase um: die Ziehungen hängen vom Start der Ketten ab</translation>
+    </message>
+    <message>
+        <source>bin %1 m under the robot was seen in %2 training scenes, and %3 are needed</source>
+        <translation>das Feld %1 m unter dem Roboter kam in %2 Trainingsszenen vor, und %3 sind nötig</translation>
+    </message>
+    <message>
+        <source>bin %1 m with no robot above it was seen in %2 training scenes, and %3 are needed</source>
+        <translation>das Feld %1 m ohne Roboter darüber kam in %2 Trainingsszenen vor, und %3 sind nötig</translation>
+    </message>
+    <message>
+        <source>the frame was cut short</source>
+        <translation>der Rahmen wurde abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the kernel has no CAN here: load it (sudo modprobe can_raw), or use another kernel</source>
+        <translation>der Kernel hat hier kein CAN: laden (sudo modprobe can_raw), oder einen anderen Kernel benutzen</translation>
+    </message>
+    <message>
+        <source>this process may not open CAN sockets: a sandbox or container forbids it, start it outside (or: sudo setcap cap_net_raw+ep PROGRAM)</source>
+        <translation>dieser Prozess darf keine CAN-Sockets öffnen: eine Sandbox oder ein Container verbietet es, außerhalb starten (oder: sudo setcap cap_net_raw+ep PROGRAM)</translation>
+    </message>
+    <message>
+        <source>no socket: %1</source>
+        <translation>kein Socket: %1</translation>
+    </message>
+    <message>
+        <source>is no CAN interface (ip -brief link show type can lists those)</source>
+        <translation>ist keine CAN-Schnittstelle (ip -brief link show type can zeigt diese)</translation>
+    </message>
+    <message>
+        <source>the kernel&apos;s CAN is too old: %1</source>
+        <translation>das CAN des Kernels ist zu alt: %1</translation>
+    </message>
+    <message>
+        <source>not bound: %1</source>
+        <translation>nicht gebunden: %1</translation>
+    </message>
+    <message>
+        <source>its lines have no names: say offset instead</source>
+        <translation>seine Leitungen haben keine Namen: bitte statt dessen offset angeben</translation>
+    </message>
+    <message>
+        <source>it has %1 and more</source>
+        <translation>er hat %1 und weitere</translation>
+    </message>
+    <message>
+        <source>it has %1</source>
+        <translation>er hat %1</translation>
+    </message>
+    <message>
+        <source>%1 has no line named %2: %3</source>
+        <translation>%1 hat keine Leitung namens %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 has no line %2: it has 0 to %3</source>
+        <translation>%1 hat keine Leitung %2: er hat 0 bis %3</translation>
+    </message>
+    <message>
+        <source>%1: the lines were refused: %2</source>
+        <translation>%1: die Leitungen wurden verweigert: %2</translation>
+    </message>
+    <message>
+        <source>%1: a line is in use by another program, or by the kernel; gpioinfo shows which</source>
+        <translation>%1: eine Leitung wird von einem anderen Programm oder vom Kernel benutzt; gpioinfo zeigt welche</translation>
+    </message>
+    <message>
+        <source>%1: it is open to the group %2; run: %3 (and log in again)</source>
+        <translation>%1: offen für die Gruppe %2; ausführen: %3 (und neu anmelden)</translation>
+    </message>
+    <message>
+        <source>%1: it is open to root only; run: %2 (and restart)</source>
+        <translation>%1: offen nur für root; ausführen: %2 (und neu starten)</translation>
+    </message>
+    <message>
+        <source>%1: the chip is gone: unplugged, or its driver was removed</source>
+        <translation>%1: der Chip ist weg: abgezogen, oder sein Treiber wurde entfernt</translation>
+    </message>
+    <message>
+        <source>the panel is absent: %1</source>
+        <translation>das Bedienpult fehlt: %1</translation>
+    </message>
+    <message>
+        <source>%1: not readable: %2</source>
+        <translation>%1: nicht lesbar: %2</translation>
+    </message>
+    <message>
+        <source>%1: not sent, the kernel&apos;s queue is full</source>
+        <translation>%1: nicht gesendet, die Warteschlange des Kernels ist voll</translation>
+    </message>
+    <message>
+        <source>%1: not sent: %2</source>
+        <translation>%1: nicht gesendet: %2</translation>
+    </message>
+    <message>
+        <source>%1 was opened to receive only: nothing is sent</source>
+        <translation>%1 wurde nur zum Empfangen geöffnet: nichts wird gesendet</translation>
+    </message>
+    <message>
+        <source>%1: not sent, %2 frames before it have not left yet</source>
+        <translation>%1: nicht gesendet, %2 Rahmen davor sind noch nicht weg</translation>
+    </message>
+    <message>
+        <source>a stop line needs a name of 1 to 100 characters</source>
+        <translation>eine Leitung zum Anhalten braucht einen Namen von 1 bis 100 Zeichen</translation>
+    </message>
+    <message>
+        <source>there is no interface %1, but %2</source>
+        <translation>die Schnittstelle %1 gibt es nicht, wohl aber %2</translation>
+    </message>
+    <message>
+        <source>there is no interface %1, nor any CAN interface</source>
+        <translation>es gibt weder die Schnittstelle %1 noch irgendeine CAN-Schnittstelle</translation>
+    </message>
+    <message>
+        <source>plug the adapter in and load its driver; for a virtual one: sudo ip link add dev vcan0 type vcan</source>
+        <translation>den Adapter anstecken und seinen Treiber laden; virtuell: sudo ip link add dev vcan0 type vcan</translation>
+    </message>
+    <message>
+        <source>it is virtual: no bit rate, no controller</source>
+        <translation>sie ist virtuell: keine Bitrate, kein Controller</translation>
+    </message>
+    <message>
+        <source>its bit rate and its controller&apos;s state are not known</source>
+        <translation>ihre Bitrate und der Zustand ihres Controllers sind nicht bekannt</translation>
+    </message>
+    <message>
+        <source>it has no bit rate</source>
+        <translation>sie hat keine Bitrate</translation>
+    </message>
+    <message>
+        <source>%1   (as on the robot&apos;s bus)</source>
+        <translation>%1   (wie auf dem Bus des Roboters)</translation>
+    </message>
+    <message>
+        <source>bit rate %1 bit/s</source>
+        <translation>Bitrate %1 bit/s</translation>
+    </message>
+    <message>
+        <source>its controller has given up (bus-off): wrong bit rate, no terminators or crossed wires</source>
+        <translation>ihr Controller hat aufgegeben (bus-off): falsche Bitrate, keine Abschlusswiderstände oder vertauschte Drähte</translation>
+    </message>
+    <message>
+        <source>its controller sees many errors (%1): wrong bit rate, no terminators or loose wires</source>
+        <translation>ihr Controller sieht viele Fehler (%1): falsche Bitrate, keine Abschlusswiderstände oder lose Drähte</translation>
+    </message>
+    <message>
+        <source>it is up</source>
+        <translation>sie ist aktiv</translation>
+    </message>
+    <message>
+        <source>it is down</source>
+        <translation>sie ist abgeschaltet</translation>
+    </message>
+    <message>
+        <source>its send queue holds %1 frames: with nobody to acknowledge them, other programs&apos; frames grow old in it</source>
+        <translation>ihre Sendewarteschlange fasst %1 Rahmen: wenn niemand sie bestätigt, veralten darin die Rahmen anderer Programme</translation>
+    </message>
+    <message>
+        <source>the receive buffer may be as large as it has to</source>
+        <translation>der Empfangspuffer darf so groß sein wie nötig</translation>
+    </message>
+    <message>
+        <source>the receive buffer is limited to %1 of %2 bytes: frames are lost when this computer is busy</source>
+        <translation>der Empfangspuffer ist auf %1 von %2 Bytes begrenzt: Rahmen gehen verloren, wenn dieser Rechner ausgelastet ist</translation>
+    </message>
+    <message>
+        <source>the kernel has CAN and this user may use it</source>
+        <translation>der Kernel hat CAN, und dieser Benutzer darf es benutzen</translation>
+    </message>
+    <message>
+        <source>%1 is no CAN interface</source>
+        <translation>%1 ist keine CAN-Schnittstelle</translation>
+    </message>
+    <message>
+        <source>ip -brief link   (lists all there are)</source>
+        <translation>ip -brief link   (zeigt alle)</translation>
+    </message>
+    <message>
+        <source>it is a CAN interface</source>
+        <translation>sie ist eine CAN-Schnittstelle</translation>
+    </message>
+    <message>
+        <source>unknown error</source>
+        <translation>unbekannter Fehler</translation>
+    </message>
+    <message>
+        <source>no scene that both models can estimate: %1; choose another file of scenes</source>
+        <translation>keine Szene, die beide Modelle schätzen können: %1; bitte eine andere Szenendatei wählen</translation>
+    </message>
+    <message>
+        <source>arm not simulated: the truth of bin %1 m is unknown</source>
+        <translation>Arm nicht simuliert: die wahre Höhe des Feldes %1 m ist unbekannt</translation>
+    </message>
+    <message>
+        <source>session not recovered: %1</source>
+        <translation>Sitzung nicht wiederhergestellt: %1</translation>
+    </message>
+    <message>
+        <source>session recovered, whose program had ended without closing it: %1</source>
+        <translation>Sitzung wiederhergestellt, deren Programm geendet hatte, ohne sie zu schließen: %1</translation>
+    </message>
+    <message>
+        <source>session deleted, since it is older than you have set: %1</source>
+        <translation>Sitzung gelöscht, da sie älter ist als eingestellt: %1</translation>
+    </message>
+    <message>
+        <source>session deleted, since all together are larger than you have set: %1</source>
+        <translation>Sitzung gelöscht, da alle zusammen größer sind als eingestellt: %1</translation>
+    </message>
+    <message>
+        <source>recording was switched off</source>
+        <translation>die Aufzeichnung wurde abgeschaltet</translation>
+    </message>
+    <message>
+        <source>%1: the disk is full: only %2 MB are free, %3 MB are left alone; recording goes on when there is room</source>
+        <translation>%1: die Platte ist voll: nur %2 MB sind frei, %3 MB bleiben unberührt; aufgezeichnet wird wieder, sobald Platz ist</translation>
+    </message>
+    <message>
+        <source>the file is large enough</source>
+        <translation>die Datei ist groß genug</translation>
+    </message>
+    <message>
+        <source>the bus is down</source>
+        <translation>der Bus ist abgeschaltet</translation>
+    </message>
+    <message>
+        <source>the controller is off the bus</source>
+        <translation>der Controller ist vom Bus getrennt</translation>
+    </message>
+    <message>
+        <source>what was sent before has not left yet</source>
+        <translation>was vorher gesendet wurde, ist noch nicht weg</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -4285,14 +4425,6 @@ Zuletzt gesperrt: %1</translation>
 <context>
     <name>terratact::ConsoleAlarms</name>
     <message>
-        <source>left</source>
-        <translation>links</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
         <source>No model, so nothing can be estimated: %1</source>
         <translation>Kein Modell, also keine Schätzung: %1</translation>
     </message>
@@ -4303,10 +4435,6 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>The robot is stopped and moves only after a release</source>
         <translation>Der Roboter ist gestoppt und bewegt sich erst nach dem Lösen</translation>
-    </message>
-    <message>
-        <source>No telemetry since the start%1</source>
-        <translation>Seit dem Start keine Telemetrie%1</translation>
     </message>
     <message>
         <source>Another console sends commands on this bus: find it and turn it off</source>
@@ -4359,6 +4487,34 @@ Zuletzt gesperrt: %1</translation>
     <message>
         <source>The robot has halted by itself: %1</source>
         <translation>Der Roboter hat von selbst angehalten: %1</translation>
+    </message>
+    <message>
+        <source>left %1 %2</source>
+        <translation>links %1 %2</translation>
+    </message>
+    <message>
+        <source>right %1 %2</source>
+        <translation>rechts %1 %2</translation>
+    </message>
+    <message>
+        <source>Telemetry unsteady</source>
+        <translation>Telemetrie unstetig</translation>
+    </message>
+    <message>
+        <source>Link unsteady</source>
+        <translation>Verbindung unstetig</translation>
+    </message>
+    <message>
+        <source>Telemetry lost</source>
+        <translation>Telemetrie weg</translation>
+    </message>
+    <message>
+        <source>Link lost</source>
+        <translation>Verbindung weg</translation>
+    </message>
+    <message>
+        <source>No telemetry since the start</source>
+        <translation>Seit dem Start keine Telemetrie</translation>
     </message>
 </context>
 <context>

@@ -159,8 +159,10 @@ TEST(GpioWords, sayWhichCommandOpensADeviceFile)
 TEST(GpioWords, sayThatAChipIsGone)
 {
     const GpioFound found{"/dev/gpiochip1", "gpiochip1", "expander", 8, {}, {}};
-    EXPECT_TRUE(says(gpioFailed(found, "reading", ENODEV), ENODEV, {"[expander]", "gone"}));
-    EXPECT_TRUE(says(gpioFailed(found, "reading", EIO), EIO, {"reading", "nput/output error"}));
+    EXPECT_TRUE(says(gpioFailed(found, TR_NOOP("core", "reading a level"), ENODEV), ENODEV,
+                     {"[expander]", "gone"}));
+    EXPECT_TRUE(says(gpioFailed(found, TR_NOOP("core", "reading a level"), EIO), EIO,
+                     {"reading a level", "nput/output error"}));
 }
 
 TEST(WaitingForGpio, returnsTheReadableDescriptors)

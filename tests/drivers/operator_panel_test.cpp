@@ -83,7 +83,7 @@ TEST_F(Panel, isThereAndReleasesStopAfter30Ms)
     EXPECT_TRUE(report.state.stop);
     pollFor(0.05);
     EXPECT_FALSE(report.state.stop);
-    EXPECT_EQ(report.trouble, "");
+    EXPECT_EQ(report.trouble.english(), "");
 }
 
 TEST_F(Panel, stopsAtTheFirstReadingAfterAStopEdge)
@@ -138,7 +138,7 @@ TEST_F(Panel, isLostAndStoppedWhenTheChipIsGone)
     EXPECT_FALSE(report.state.present);
     EXPECT_TRUE(report.state.stop);
     EXPECT_EQ(report.state.time, now);
-    EXPECT_EQ(report.trouble, "the panel is absent: gpiochip0 [fake]: the chip is gone");
+    EXPECT_EQ(report.trouble.english(), "the panel is absent: gpiochip0 [fake]: the chip is gone");
     EXPECT_EQ(report.counters.losses, 1U);
     EXPECT_EQ(chip.held, 0) << "what is gone is let go of";
     EXPECT_FALSE(panel.found());
@@ -156,7 +156,7 @@ TEST_F(Panel, comesBackWithinASecondOfItsChip)
     pollFor(1.1);
     EXPECT_TRUE(report.state.present);
     EXPECT_FALSE(report.state.stop);
-    EXPECT_EQ(report.trouble, "");
+    EXPECT_EQ(report.trouble.english(), "");
     ASSERT_TRUE(panel.found());
     EXPECT_EQ(panel.found()->label, "fake");
 }
@@ -197,7 +197,7 @@ TEST_F(Panel, hasNoLampsLitWhileItIsLost)
 TEST_F(Panel, thatWasNeverThereSaysWhy)
 {
     chip.gone = true;
-    EXPECT_EQ(poll().trouble, "the panel is absent: no GPIO chip labelled fake");
+    EXPECT_EQ(poll().trouble.english(), "the panel is absent: no GPIO chip labelled fake");
     EXPECT_TRUE(report.state.stop);
     EXPECT_EQ(report.counters.losses, 0U);
     chip.gone = false;
@@ -211,10 +211,11 @@ TEST_F(Panel, doesNotTakeAButtonThatWasHeldWhenItCameUp)
     int presses = 0;
     for (int i = 0; i < 100; ++i) presses += poll().state.pressed[PanelContact::Approve];
     EXPECT_EQ(presses, 0);
-    EXPECT_NE(report.trouble.find("approve was held"), std::string::npos) << report.trouble;
+    EXPECT_NE(report.trouble.english().find("approve was held"), std::string::npos)
+        << report.trouble.english();
     chip.move(kApprove, false);
     pollFor(0.1);
-    EXPECT_EQ(report.trouble, "");
+    EXPECT_EQ(report.trouble.english(), "");
 }
 
 TEST_F(Panel, testsItsLampsWhenItComesUpForTheFirstTimeOnly)
@@ -251,12 +252,13 @@ TEST_F(Panel, reportsAFailingLampAndRetries)
     pollFor(2.0, kDark);
     chip.setError = EIO;
     poll(kLink);
-    EXPECT_EQ(report.trouble, "the panel's link_lamp does not obey: fake: input/output error");
+    EXPECT_EQ(report.trouble.english(),
+              "the panel's link_lamp does not obey: fake: input/output error");
     EXPECT_EQ(report.lamps, kDark);
     EXPECT_TRUE(report.state.present) << "its buttons work";
     chip.setError = 0;
     poll(kLink);
-    EXPECT_EQ(report.trouble, "");
+    EXPECT_EQ(report.trouble.english(), "");
     EXPECT_EQ(report.lamps, kLink);
     EXPECT_TRUE(chip.outputs[0]);
 }

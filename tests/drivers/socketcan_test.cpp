@@ -583,10 +583,12 @@ TEST(BusState, everyOneHasASentenceWithTheBusInIt)
     for (const BusState state :
          {BusState::Up, BusState::Stalled, BusState::ErrorWarning, BusState::ErrorPassive,
           BusState::BusOff, BusState::Down, BusState::Absent, BusState::Ended})
-        EXPECT_TRUE(describe(state, "can7").starts_with("can7 ")) << describe(state, "can7");
-    EXPECT_NE(describe(BusState::Absent, "vcan0").find("sudo ip link add dev vcan0 type vcan"),
-              std::string::npos);
-    EXPECT_NE(describe(BusState::Down, "vcan0").find("sudo ip link set vcan0 up"),
+        EXPECT_TRUE(describe(state, "can7").english().starts_with("can7 "))
+            << describe(state, "can7").english();
+    EXPECT_NE(
+        describe(BusState::Absent, "vcan0").english().find("sudo ip link add dev vcan0 type vcan"),
+        std::string::npos);
+    EXPECT_NE(describe(BusState::Down, "vcan0").english().find("sudo ip link set vcan0 up"),
               std::string::npos);
 }
 

@@ -308,7 +308,7 @@ struct PanelKernel : GpioKernel {
 TEST_F(PanelKernel, aBrokenWireOfStopStops)
 {
     pollFor(300ms);
-    EXPECT_TRUE(report.state.present) << report.trouble;
+    EXPECT_TRUE(report.state.present) << report.trouble.english();
     EXPECT_TRUE(report.state.stop) << "nothing is connected: the resistor holds the line open";
     close(kStop);
     EXPECT_TRUE(until([](const PanelReport& r) { return !r.state.stop; }));
@@ -318,7 +318,7 @@ TEST_F(PanelKernel, aBrokenWireOfStopStops)
 
 TEST_F(PanelKernel, anOpeningOfStopBetweenTwoLooksStops)
 {
-    ASSERT_TRUE(isReady()) << report.trouble;
+    ASSERT_TRUE(isReady()) << report.trouble.english();
     close(kStop, false);
     close(kStop, true);
     EXPECT_TRUE(poll().state.stop);
@@ -329,7 +329,7 @@ TEST_F(PanelKernel, anOpeningOfStopBetweenTwoLooksStops)
 
 TEST_F(PanelKernel, eachButtonIsPressedOnce)
 {
-    ASSERT_TRUE(isReady()) << report.trouble;
+    ASSERT_TRUE(isReady()) << report.trouble.english();
     pollFor(100ms);
     for (const PanelContact c : kPanelButtons) {
         close(static_cast<std::size_t>(c));
@@ -343,7 +343,7 @@ TEST_F(PanelKernel, eachButtonIsPressedOnce)
 
 TEST_F(PanelKernel, bouncingContactsEndInTheRightState)
 {
-    ASSERT_TRUE(isReady()) << report.trouble;
+    ASSERT_TRUE(isReady()) << report.trouble.english();
     std::mt19937_64 rng(4);
     std::uniform_int_distribution<int> count(17, 80);
     std::uniform_int_distribution<std::size_t> which(0, 3);
@@ -365,19 +365,22 @@ TEST_F(PanelKernel, bouncingContactsEndInTheRightState)
 
 TEST_F(PanelKernel, aChipThatIsUnpluggedIsLostAndComesBack)
 {
-    ASSERT_TRUE(isReady()) << report.trouble;
+    ASSERT_TRUE(isReady()) << report.trouble.english();
     for (int i = 1; i <= 20; ++i) {
         chip->unplug();
         poll();
         ASSERT_FALSE(report.state.present) << "in the very next look";
         ASSERT_TRUE(report.state.stop);
-        ASSERT_NE(report.trouble.find("absent"), std::string::npos) << report.trouble;
+        ASSERT_NE(report.trouble.english().find("absent"), std::string::npos)
+            << report.trouble.english();
         if (i % 2 == 0) pollFor(150ms);
         chip->plugIn();
-        ASSERT_TRUE(until([](const PanelReport& r) { return r.state.present; })) << report.trouble;
+        ASSERT_TRUE(until([](const PanelReport& r) { return r.state.present; }))
+            << report.trouble.english();
         ASSERT_TRUE(report.state.stop) << "until STOP is seen closed";
         close(kStop);
-        ASSERT_TRUE(until([](const PanelReport& r) { return !r.state.stop; })) << report.trouble;
+        ASSERT_TRUE(until([](const PanelReport& r) { return !r.state.stop; }))
+            << report.trouble.english();
         ASSERT_EQ(report.counters.losses, static_cast<std::uint64_t>(i));
     }
 }
@@ -386,9 +389,11 @@ TEST_F(PanelKernel, aPanelThatIsInUseComesUpOnceItIsFree)
 {
     auto other = open();
     EXPECT_FALSE(poll().state.present);
-    EXPECT_NE(report.trouble.find("holds it"), std::string::npos) << report.trouble;
+    EXPECT_NE(report.trouble.english().find("holds it"), std::string::npos)
+        << report.trouble.english();
     other.reset();
-    EXPECT_TRUE(until([](const PanelReport& r) { return r.state.present; })) << report.trouble;
+    EXPECT_TRUE(until([](const PanelReport& r) { return r.state.present; }))
+        << report.trouble.english();
 }
 
 TEST_F(PanelKernel, lampsAreTestedLitAndLeftDark)
@@ -434,7 +439,8 @@ TEST_F(GpioKernel, aButtonHeldWhenThePanelComesUpIsNoPress)
     }
     EXPECT_EQ(report.state.contacts[PanelContact::Approve].phase, ButtonPhase::HeldAtStart);
     EXPECT_FALSE(report.state.stop);
-    EXPECT_NE(report.trouble.find("approve was held"), std::string::npos) << report.trouble;
+    EXPECT_NE(report.trouble.english().find("approve was held"), std::string::npos)
+        << report.trouble.english();
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ public:
     }
     bool arms()
     {
-        if (!eventually([&] { return whyNotArming(source.view()).empty(); })) return false;
+        if (!eventually([&] { return !whyNotArming(source.view()); })) return false;
         const double began = steadyNow();
         (void)eventually(
             [&] { return steadyNow() - began > 0.5; });  // waits for the robot's ten heartbeats
@@ -342,8 +342,8 @@ std::string told(const PanelReport& panel, const CanView& link)
     std::ostringstream text;
     text << "panel " << (panel.state.present ? "present" : "absent") << ", stop "
          << panel.state.stop << ", edges " << panel.counters.edges[PanelContact::Stop] << ", lost "
-         << panel.counters.lostEdges << ", trouble '" << panel.trouble << "'; "
-         << describe(link.bus, kBus) << "; sent " << link.frames.sent << ", confirmed "
+         << panel.counters.lostEdges << ", trouble '" << panel.trouble.english() << "'; "
+         << describe(link.bus, kBus).english() << "; sent " << link.frames.sent << ", confirmed "
          << link.frames.confirmed << ", not sent " << link.frames.notSent << ", dropped "
          << link.frames.dropped;
     return text.str();
@@ -367,10 +367,10 @@ TEST_F(RobotLink, stopOfThePanelReachesTheBus)
     PanelReader panel(std::make_unique<OperatorPanel>(config, openGpioLines), console.source);
     // The request opens all contacts; then STOP is closed, its state at rest.
     ASSERT_TRUE(console.eventually([&] { return panel.latest().state.present; }))
-        << panel.latest().trouble;
+        << panel.latest().trouble.english();
     chip.drive(kStop, false);
     ASSERT_TRUE(console.eventually([&] { return !panel.latest().state.stop; }))
-        << panel.latest().trouble;
+        << panel.latest().trouble.english();
     Listener listener;
     const int times = repeats(20);
     for (int i = 0; i < times; ++i) {

@@ -222,7 +222,7 @@ TEST_F(OnVcan, twentyTimesDeletedAndMadeAgain)
         // Every other time the sender notices first.
         EXPECT_TRUE(i % 2 == 0 || !bus->send(command()));
         ASSERT_TRUE(reaches(*bus, BusState::Absent)) << i;
-        EXPECT_EQ(bus->send(command()).error().text, describe(BusState::Absent, "vcan0"));
+        EXPECT_EQ(bus->send(command()).error().text, describe(BusState::Absent, "vcan0").english());
         shell("ip link add dev vcan0 type vcan && ip link set vcan0 up");
         ASSERT_TRUE(reaches(*bus, BusState::Up)) << i;
         (void)all(*bus, 1ms);
@@ -265,7 +265,7 @@ TEST_F(OnVcan, anInterfaceThatIsDownAtFirstIsWaitedFor)
     setVcan(false);
     const auto bus = onto("vcan0");
     EXPECT_EQ(bus->state(), BusState::Down);
-    EXPECT_EQ(bus->send(command()).error().text, describe(BusState::Down, "vcan0"));
+    EXPECT_EQ(bus->send(command()).error().text, describe(BusState::Down, "vcan0").english());
     setVcan(true);
     EXPECT_TRUE(reaches(*bus, BusState::Up));
 }

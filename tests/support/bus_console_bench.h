@@ -184,7 +184,7 @@ struct BusConsole : testing::Test, RobotOnBench {
         EXPECT_TRUE(
             state.phase == AtemPhase::Failed
             && (state.failure == AtemFailure::Disarmed || state.failure == AtemFailure::LinkLost))
-            << describe(state.phase) << ": " << describe(state.failure);
+            << describe(state.phase).english << ": " << describe(state.failure).english;
         return false;
     }
     bool gets(AtemPhase phase) const

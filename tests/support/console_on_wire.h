@@ -87,7 +87,7 @@ struct Wire : testing::Test {
         pass(0.2);
         console.confirmArming();
         pass(0.2);
-        ASSERT_EQ(phase(), ArmingPhase::Armed) << describe(console.view(now).arming.cause);
+        ASSERT_EQ(phase(), ArmingPhase::Armed) << describe(console.view(now).arming.cause).english;
     }
     void beginProbe(int bin)
     {

@@ -15,10 +15,13 @@
 #include <variant>
 #include <vector>
 
+#include "app/display/translated.h"
 #include "app/mission/exploration.h"
 #include "app/runtime/steady_now.h"
+#include "core/base/message.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "tests/support/messages.h"
 #include "tests/support/scripted_source.h"
 
 namespace terratact {
@@ -43,7 +46,7 @@ struct Bench : testing::Test {
             std::make_unique<Exploration>(source, robot, *worker, Exploration::Options{}, link);
         for (const auto signal : {&Exploration::happened, &Exploration::stateChanged})
             QObject::connect(exploration.get(), signal,
-                             [this](const QString& text) { events << text; });
+                             [this](const Message& text) { events << translated(text); });
         worker->start();
         EXPECT_TRUE(gui::eventually([this] { return events.contains("model fake.ttm loaded"); }));
         tick(3);

@@ -165,7 +165,7 @@ private:
     {
         const auto answer = console_.send(command, time_);
         if (!std::holds_alternative<CanFrame>(answer))
-            throw std::runtime_error(describe(std::get<GateRefusal>(answer)));
+            throw std::runtime_error(describe(std::get<GateRefusal>(answer)).english);
         toRobot({std::get<CanFrame>(answer)});
     }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/log/session_rows.h"
 #include "core/log/session_writer.h"
 #include "tests/support/estimates.h"
@@ -39,7 +40,10 @@ inline EstimateRow someEstimate(std::int64_t id, SessionTime time)
     row.estimate = stepEstimate();
     row.estimate.settings.seed = 18'446'744'073'709'551'615U;
     row.estimate.settings.draws = 4;
-    row.estimate.warnings = {"chains have not converged", "left and right differ"};
+    row.estimate.warnings = {Message::verbatim("chains have not converged"),
+                             Message(TR_NOOP("core", "roll %1°: the ground is not the same left "
+                                                     "and right"),
+                                     fixed(12.34, 1))};
     row.estimate.draws.assign(4, row.estimate.height);
     row.estimate.draws[1][3] = -0.125;
     if (id > 1) {

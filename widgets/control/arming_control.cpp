@@ -4,6 +4,7 @@
 #include <QPushButton>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/tips.h"
@@ -56,11 +57,11 @@ void ArmingControl::setState(const ArmingState& state, const QList<Precondition>
 {
     const bool off = state.phase == ArmingPhase::Disarmed;
     const bool on = state.phase == ArmingPhase::Armed;
-    const bool possible = firstMissing(preconditions).isEmpty();
+    const bool possible = !firstMissing(preconditions);
     QString tip = possible ? tr("Asks for a second action within 5 s") : tr("Not possible now:");
     if (!preconditions.isEmpty()) tip += QLatin1Char('\n') + linesOf(preconditions);
     if (off && state.cause != DisarmCause::None)
-        tip += tr("\nLast disarmed: %1").arg(format::sentence(describe(state.cause)));
+        tip += tr("\nLast disarmed: %1").arg(translated(describe(state.cause)));
     listens_ = false;
     arm_->setText(disarmedText());
     arm_->setVisible(off);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "core/atem/following.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/palette.h"
@@ -46,10 +47,8 @@ QString capital(QString text)
     return text;
 }
 
-QString alreadyExploring()
-{
-    return AtemPanel::tr("An exploration is running: end it with Esc first");
-}
+constexpr SourceText kAlreadyExploring =
+    TR_NOOP("terratact::AtemPanel", "An exploration is running: end it with Esc first");
 
 std::size_t indexOf(Commanded command)
 {
@@ -164,11 +163,11 @@ void AtemPanel::setState(const AtemState& state, const std::optional<PhaseTime>&
 void AtemPanel::showState()
 {
     const auto is = [this](AtemPhase phase) { return state_.phase == phase; };
-    QString text = format::sentence(state_.followed ? describeFollowed(state_.phase)
-                                                    : terratact::describe(state_.phase));
+    QString text = translated(state_.followed ? describeFollowed(state_.phase)
+                                              : terratact::describe(state_.phase));
     if (is(AtemPhase::Failed))
         text += QStringLiteral(": ")
-              + (said_.isEmpty() ? format::sentence(terratact::describe(state_.failure)) : said_);
+              + (said_.isEmpty() ? translated(terratact::describe(state_.failure)) : said_);
     else if (!said_.isEmpty())
         text = said_;
     else if (is(AtemPhase::Idle) && !state_.followed)
@@ -269,7 +268,7 @@ QList<Precondition> AtemPanel::needsNow(Commanded command) const
 {
     QList<Precondition> needs = needs_[indexOf(command)];
     if (command == Commanded::Explore && exploring(state_.phase) && !state_.followed)
-        needs.prepend({Precondition::Level::Missing, alreadyExploring()});
+        needs.prepend({Precondition::Level::Missing, kAlreadyExploring});
     return needs;
 }
 
@@ -330,9 +329,10 @@ void AtemPanel::showList()
         const auto level = static_cast<std::size_t>(condition.level);
         mark->setText(markOf(condition.level));
         reason->setText(condition.level == Precondition::Level::Overridden
-                            ? tr("%1 (overridden)").arg(condition.text)
-                            : condition.text);
-        reason->setAccessibleName(spoken[level] + QStringLiteral(": ") + condition.text);
+                            ? tr("%1 (overridden)").arg(translated(condition.text))
+                            : translated(condition.text));
+        reason->setAccessibleName(spoken[level] + QStringLiteral(": ")
+                                  + translated(condition.text));
         setTone(*mark, kTones[level]);
         setTone(*reason, condition.level == Precondition::Level::Met ? Tone::Plain : kTones[level]);
     }
@@ -396,8 +396,9 @@ void AtemPanel::showButtons()
     QStringList missing, doubtful;
     const QList<Precondition>& needs = needs_[indexOf(Commanded::Explore)];
     for (const Precondition& condition : needs) {
-        if (condition.level == Precondition::Level::Missing) missing << condition.text;
-        if (condition.level == Precondition::Level::Doubtful) doubtful << condition.text;
+        if (condition.level == Precondition::Level::Missing) missing << translated(condition.text);
+        if (condition.level == Precondition::Level::Doubtful)
+            doubtful << translated(condition.text);
     }
     const bool busy = exploring(state_.phase);
     const bool stopped = state_.phase == AtemPhase::Stopped && !state_.followed;
@@ -416,7 +417,7 @@ void AtemPanel::showButtons()
                                                 : QBoxLayout::LeftToRight);
     QString tip = tr("Halts the robot, presses the front flippers down and estimates the terrain");
     if (busy && !state_.followed)
-        tip = alreadyExploring();
+        tip = translated(kAlreadyExploring);
     else if (!missing.isEmpty())
         tip = tr("Not possible now:");
     else if (!doubtful.isEmpty())

@@ -35,7 +35,7 @@ void DrivePad::setPreconditions(const QList<Precondition>& preconditions)
     const QString tip = tr("Dead-man key: drives while held; also the arrow keys Up and Down")
                       + QLatin1Char('\n') + linesOf(preconditions);
     for (HeldButton* button : {forward_, back_}) {
-        button->setEnabled(firstMissing(preconditions).isEmpty());
+        button->setEnabled(!firstMissing(preconditions));
         setTip(*button, tip.trimmed());
     }
 }

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "widgets/base/covered.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/palette.h"
@@ -34,7 +35,7 @@ QString percent(double share)
 
 QString wordOf(StepVerdict answer)
 {
-    return format::sentence(name(answer));
+    return translated(describe(answer));
 }
 
 }  // namespace
@@ -386,11 +387,11 @@ void ProbeCard::setTimeLeft(double seconds)
 
 void ProbeCard::setPreconditions(const QList<Precondition>& preconditions)
 {
-    const QString missing = firstMissing(preconditions);
+    const auto unmet = firstMissing(preconditions);
+    const QString missing = unmet ? translated(*unmet) : QString();
     const QString how =
-        missing.isEmpty()
-            ? tr("Hold the mouse button or Space for 1.5 s; releasing early has no effect")
-            : tr("Cannot be approved: %1").arg(missing);
+        !unmet ? tr("Hold the mouse button or Space for 1.5 s; releasing early has no effect")
+               : tr("Cannot be approved: %1").arg(missing);
     setTip(*approve_, (how + QLatin1Char('\n') + linesOf(preconditions)).trimmed());
     if (missing == whyVoid_) return;
     whyVoid_ = missing;

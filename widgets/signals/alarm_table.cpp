@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/plain_table.h"
@@ -160,7 +161,7 @@ void AlarmTable::resizeToFont()
 
 void AlarmTable::put(int row, const Alarm& alarm, double now)
 {
-    const QString texts[kColumns]{stateWords(alarm.state, alarm.severity), format::text(alarm.text),
+    const QString texts[kColumns]{stateWords(alarm.state, alarm.severity), translated(alarm.text),
                                   sinceWords(alarm, now), QString::number(alarm.raised)};
     for (int column = 0; column < kColumns; ++column) {
         QTableWidgetItem* item = table_->item(row, column);

@@ -2,6 +2,7 @@
 
 #include <QEvent>
 
+#include "app/display/translated.h"
 #include "widgets/base/palette.h"
 
 namespace terratact {
@@ -30,10 +31,16 @@ EventList::EventList(QWidget* parent) : QListWidget(parent)
     setFrameShape(QFrame::NoFrame);
 }
 
-void EventList::add(const QString& text, EventSeverity severity, QTime at, EventPlace place)
+void EventList::add(const Message& text, EventSeverity severity, QTime at, EventPlace place)
+{
+    log(translated(text), severity, at);
+    emit added(text, severity, place);
+}
+
+void EventList::add(const QString& text, EventSeverity severity, QTime at)
 {
     log(text, severity, at);
-    emit added(text, severity, place);
+    emit added(verbatim(text), severity, EventPlace::ListOnly);
 }
 
 void EventList::log(const QString& text, EventSeverity severity, QTime at)

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "core/robot/measurement.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/tips.h"
@@ -143,7 +144,7 @@ QStringList activities()
     for (const RobotActivity activity :
          {RobotActivity::Halted, RobotActivity::Driving, RobotActivity::Pressing,
           RobotActivity::Pressed, RobotActivity::Probing, RobotActivity::Stopped})
-        words << format::sentence(describe(activity));
+        words << translated(describe(activity));
     return words;
 }
 

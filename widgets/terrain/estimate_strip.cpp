@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "core/infer/estimate/estimate.h"
 #include "widgets/base/elided_label.h"
 #include "widgets/base/palette.h"
@@ -120,7 +121,7 @@ void EstimateStrip::setEstimate(const TerrainEstimate& estimate, double seconds)
     QStringList warnings;
     if (!estimate.converged && estimate.warnings.empty())
         warnings << tr("the chains have not converged");
-    for (const std::string& warning : estimate.warnings) warnings << format::sentence(warning);
+    for (const Message& warning : estimate.warnings) warnings << translated(warning);
     warnings_->setText(warnings.isEmpty()
                            ? QString()
                            : QStringLiteral("! ") + warnings.join(QStringLiteral(" · ")));

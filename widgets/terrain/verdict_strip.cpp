@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "widgets/base/plain_label.h"
 #include "widgets/base/spoken.h"
 #include "widgets/base/theme.h"
@@ -103,12 +104,11 @@ QString clearText(const Verdict& verdict)
 /// Returns what is not felt, and what besides a probe would help.
 QString shortfallText(const Verdict& verdict)
 {
-    QString text = format::sentence(describe(verdict.shortfall));
+    QString text = translated(describe(verdict.shortfall));
     if (const QString unfelt = unfeltText(verdict.unfelt); !unfelt.isEmpty())
         text = VerdictStrip::tr("%1; not felt: %2").arg(text, unfelt);
     if (verdict.help != Help::Nothing)
-        text =
-            VerdictStrip::tr("%1. Helps: %2").arg(text, format::sentence(describe(verdict.help)));
+        text = VerdictStrip::tr("%1. Helps: %2").arg(text, translated(describe(verdict.help)));
     return text;
 }
 
@@ -125,7 +125,7 @@ QString withheldText(const std::vector<WithholdReason>& reasons)
 {
     QStringList texts;
     for (const WithholdReason reason : reasons)
-        texts << (reasons.size() > 1 ? briefly(reason) : format::sentence(describe(reason)));
+        texts << (reasons.size() > 1 ? briefly(reason) : translated(describe(reason)));
     return VerdictStrip::tr("withheld: %1").arg(texts.join(QStringLiteral(" · ")));
 }
 
@@ -275,8 +275,7 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
     reason_->setText(why);
     QStringList tip{why};
     if (falls) tip << whyOf(verdict);
-    for (const WithholdReason reason : verdict.withheldFor)
-        tip << format::sentence(describe(reason));
+    for (const WithholdReason reason : verdict.withheldFor) tip << translated(describe(reason));
     setTip(*reason_, tip.join(QLatin1Char('\n')));
     say(badgeOf(verdict), wordOf(verdict), isWithheld);
 }

@@ -5,17 +5,19 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace terratact {
 
-/// Prefix of the warning that a posterior check failed (core/sim/posterior_check.h). A session
-/// stores it among the estimate's warnings.
+/// Prefix of the warning that a posterior check failed (core/sim/posterior_check.h). Sessions of
+/// versions 1 and 2 store it among the estimate's warnings alone.
 inline constexpr std::string_view kContradictsReadings = "the estimate contradicts the readings";
 
 /// Returns true if one of the warnings begins with kContradictsReadings.
-inline bool sayContradiction(const std::vector<std::string>& warnings)
+inline bool sayContradiction(const std::vector<Message>& warnings)
 {
-    return std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
-        return warning.starts_with(kContradictsReadings);
+    return std::any_of(warnings.begin(), warnings.end(), [](const Message& warning) {
+        return warning.source.starts_with(kContradictsReadings);
     });
 }
 

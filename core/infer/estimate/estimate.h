@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/infer/estimate/settings.h"
 #include "core/infer/estimate/touch.h"
 #include "core/robot/measurement.h"
@@ -61,7 +62,7 @@ struct TerrainEstimate {
     /// True if a posterior check failed: on the estimated ground the robot would read other values
     /// (core/sim/posterior_check.h). False if no check was made.
     bool contradicts = false;
-    std::vector<std::string> warnings;  ///< one sentence for each reason to doubt the result
+    std::vector<Message> warnings;  ///< one sentence for each reason to doubt the result
     Settings settings;
     bool operator==(const TerrainEstimate&) const = default;
 

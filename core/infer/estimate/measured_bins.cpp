@@ -1,7 +1,5 @@
 #include "core/infer/estimate/measured_bins.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -32,9 +30,9 @@ void flagDisagreement(MeasuredBins& measured, const ArmReading& reading)
     if (!touched || touched->origin != Origin::Contact) return;
     const double difference = std::abs(touched->height - reading.height);
     if (difference > kContradiction * std::hypot(touched->sd, reading.sd))
-        measured.warnings.push_back(
-            fmt::format("contact and arm disagree about bin {:+.1f} m by {:.0f} mm",
-                        binCentre(reading.bin), 1000.0 * difference));
+        measured.warnings.emplace_back(
+            TR_NOOP("core", "contact and arm disagree about bin %1 m by %2 mm"),
+            signedFixed(binCentre(reading.bin), 1), fixed(1000.0 * difference, 0));
 }
 
 void addReading(MeasuredBins& measured, const ArmReading& reading, const Heights& ceiling)
@@ -47,9 +45,10 @@ void addReading(MeasuredBins& measured, const ArmReading& reading, const Heights
     flagDisagreement(measured, reading);
     measured.bin[bin] = MeasuredHeight{reading.height, reading.sd, Origin::Arm};
     if (reading.height > ceiling[bin] + kContradiction * reading.sd)
-        measured.warnings.push_back(
-            fmt::format("the arm found bin {:+.1f} m {:.0f} mm above the robot's own lower edge",
-                        binCentre(reading.bin), 1000.0 * (reading.height - ceiling[bin])));
+        measured.warnings.emplace_back(
+            TR_NOOP("core", "the arm found bin %1 m %2 mm above the robot's own lower edge"),
+            signedFixed(binCentre(reading.bin), 1),
+            fixed(1000.0 * (reading.height - ceiling[bin]), 0));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/infer/estimate/estimate.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
@@ -24,7 +25,7 @@ struct MeasuredBins {
     std::array<std::optional<MeasuredHeight>, kBins> bin{};
     /// Readings that contradict the robot's body, and contacts and arm readings that contradict
     /// each other.
-    std::vector<std::string> warnings;
+    std::vector<Message> warnings;
 };
 
 /// Returns the contacts of the flippers (for methods that use forces) and the readings of the arm.

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/infer/estimate/variant.h"
 #include "core/robot/measurement.h"
 
@@ -20,6 +21,6 @@ Method methodWithout(Method method, MissingFeatures missing);
 
 /// Returns one sentence for what was not measured, and one if another method replaces `method`;
 /// empty if nothing is missing.
-std::vector<std::string> missingSentences(Method method, MissingFeatures missing);
+std::vector<Message> missingSentences(Method method, MissingFeatures missing);
 
 }  // namespace terratact

@@ -33,6 +33,16 @@ std::string_view name(QualityPreset preset)
     return nameIn(kQualityPresetNames, preset);
 }
 
+SourceText describe(QualityPreset preset)
+{
+    switch (preset) {
+    case QualityPreset::Fast: return TR_NOOP("core", "fast");
+    case QualityPreset::Balanced: return TR_NOOP("core", "balanced");
+    case QualityPreset::Accurate: return TR_NOOP("core", "accurate");
+    }
+    throw std::invalid_argument("describe: no such QualityPreset");
+}
+
 std::optional<QualityPreset> qualityPresetFromName(std::string_view text)
 {
     return valueIn<QualityPreset>(kQualityPresetNames, text);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/message.h"
 #include "core/infer/estimate/settings.h"
 
 namespace terratact {
@@ -20,6 +21,9 @@ inline constexpr std::array kQualityPresets{QualityPreset::Fast, QualityPreset::
 
 /// Returns "fast", "balanced" or "accurate".
 std::string_view name(QualityPreset preset);
+
+/// Returns the same for the operator.
+SourceText describe(QualityPreset preset);
 std::optional<QualityPreset> qualityPresetFromName(std::string_view text);
 
 /// Returns the settings with the preset's draws, chains, burn-in, precision and inducing rows.

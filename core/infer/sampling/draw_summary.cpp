@@ -27,18 +27,20 @@ void judge(TerrainEstimate& estimate, const GibbsDraws& draws)
         worstEss = std::min(worstEss, estimate.ess[static_cast<std::size_t>(bin)]);
     }
     if (draws.burnInLeftOut > 0)
-        estimate.warnings.push_back(fmt::format(
-            "time was out {} sweeps before the burn-in's end: the draws depend on where "
-            "the chains started",
-            draws.burnInLeftOut));
+        estimate.warnings.emplace_back(
+            TR_NOOP("core", "time was out %1 sweeps before the burn-in's end: the draws depend on "
+                            "where the chains started"),
+            draws.burnInLeftOut);
     estimate.converged =
         worstRhat <= kRhatLimit && worstEss >= kEssLimit && draws.burnInLeftOut == 0;
     if (!estimate.converged)
-        estimate.warnings.push_back(
-            fmt::format("chains not converged{}: R-hat {} (limit {}), effective draws {:.0f} "
-                        "(limit {:.0f})",
-                        estimate.ending == Ending::Time ? " when time was out" : "",
-                        rhatText(worstRhat), kRhatLimit, worstEss, kEssLimit));
+        estimate.warnings.emplace_back(
+            estimate.ending == Ending::Time
+                ? TR_NOOP("core", "chains not converged when time was out: R-hat %1 (limit %2), "
+                                  "effective draws %3 (limit %4)")
+                : TR_NOOP("core", "chains not converged: R-hat %1 (limit %2), effective draws %3 "
+                                  "(limit %4)"),
+            rhatText(worstRhat), kRhatLimit, fixed(worstEss, 0), fixed(kEssLimit, 0));
 }
 
 /// Returns all draws in ascending order.
@@ -101,9 +103,10 @@ void fixBin(TerrainEstimate& estimate, int bin, const MeasuredHeight& measured)
 void warnIfMended(TerrainEstimate& estimate, int bin, const GaussianProcess& model)
 {
     if (model.jitter() > 0.0)
-        estimate.warnings.push_back(fmt::format(
-            "the model of bin {:+.1f} m is singular: {:.0e} of its variance was added as noise",
-            binCentre(bin), model.jitter()));
+        estimate.warnings.emplace_back(
+            TR_NOOP("core",
+                    "the model of bin %1 m is singular: %2 of its variance was added as noise"),
+            signedFixed(binCentre(bin), 1), fmt::format("{:.0e}", model.jitter()));
 }
 
 std::vector<Heights> jointDraws(const GibbsDraws& draws, const OptionalHeights& known,
@@ -146,7 +149,8 @@ TerrainEstimate finite(TerrainEstimate estimate, const Poll& poll)
     for (const Heights& numbers : {estimate.mean, estimate.sd, estimate.q10, estimate.q90,
                                    estimate.height, estimate.rhat, estimate.ess})
         holds = holds && allFinite(numbers);
-    if (!holds) throw std::invalid_argument("the model gives no finite estimate of this scene");
+    if (!holds)
+        throw RefusedInput(TR_NOOP("core", "the model gives no finite estimate of this scene"));
     return estimate;
 }
 

@@ -36,7 +36,7 @@ std::vector<Heights> jointDraws(const GibbsDraws& draws, const OptionalHeights& 
 void conclude(TerrainEstimate& estimate, const GibbsDraws& draws, const OptionalHeights& known,
               const Poll& poll = {});
 
-/// Returns the estimate unchanged. Throws std::invalid_argument unless every number is finite that
+/// Returns the estimate unchanged. Throws RefusedInput unless every number is finite that
 /// must be (TerrainEstimate). A model with finite but absurd numbers may give such an estimate.
 TerrainEstimate finite(TerrainEstimate estimate, const Poll& poll = {});
 

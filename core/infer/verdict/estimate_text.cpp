@@ -1,7 +1,5 @@
 #include "core/infer/verdict/estimate_text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "core/base/text.h"
@@ -12,34 +10,38 @@ namespace terratact {
 
 namespace {
 
-std::string stepSentence(const TerrainEstimate& estimate, double limit)
+Message stepSentence(const TerrainEstimate& estimate, double limit)
 {
     const StepProbability any = anyStep(estimate, limit, kFirstAhead);
     const auto pairs = stepProbabilities(estimate, limit);
     const auto likeliest = std::max_element(pairs.begin() + kFirstAhead, pairs.end(),
                                             [](const auto& a, const auto& b) { return a.p < b.p; })
                          - pairs.begin();
-    return fmt::format("a step ahead of more than {:.0f} mm: probability {:.2f} ± {}, likeliest "
-                       "between {:+.1f} and {:+.1f} m ({:.2f})",
-                       1000.0 * limit, any.p, randomErrorText(any.monteCarloSd, 2),
-                       binCentre(static_cast<int>(likeliest)),
-                       binCentre(static_cast<int>(likeliest) + 1),
-                       pairs[static_cast<std::size_t>(likeliest)].p);
+    return {TR_NOOP("core",
+                    "a step ahead of more than %1 mm: probability %2 ± %3, likeliest between "
+                    "%4 and %5 m (%6)"),
+            fixed(1000.0 * limit, 0),
+            fixed(any.p, 2),
+            randomErrorText(any.monteCarloSd, 2),
+            signedFixed(binCentre(static_cast<int>(likeliest)), 1),
+            signedFixed(binCentre(static_cast<int>(likeliest) + 1), 1),
+            fixed(pairs[static_cast<std::size_t>(likeliest)].p, 2)};
 }
 
 }  // namespace
 
-std::vector<std::string> hiddenByBands(const TerrainEstimate& estimate, double limit)
+std::vector<Message> hiddenByBands(const TerrainEstimate& estimate, double limit)
 {
     if (estimate.draws.empty()) return {};
-    std::vector<std::string> sentences{stepSentence(estimate, limit)};
+    std::vector<Message> sentences{stepSentence(estimate, limit)};
     const auto modes = twoModes(estimate);
     for (std::size_t i = 0; i < kBins; ++i)
         if (modes[i])
-            sentences.push_back(fmt::format(
-                "two heights are likely at {:+.1f} m: {:+.2f} m ({:.0f} %) or {:+.2f} m ({:.0f} %)",
-                binCentre(static_cast<int>(i)), modes[i]->lowMean, 100.0 * modes[i]->lowShare,
-                modes[i]->highMean, 100.0 * modes[i]->highShare));
+            sentences.emplace_back(
+                TR_NOOP("core", "two heights are likely at %1 m: %2 m (%3 %) or %4 m (%5 %)"),
+                signedFixed(binCentre(static_cast<int>(i)), 1), signedFixed(modes[i]->lowMean, 2),
+                fixed(100.0 * modes[i]->lowShare, 0), signedFixed(modes[i]->highMean, 2),
+                fixed(100.0 * modes[i]->highShare, 0));
     return sentences;
 }
 

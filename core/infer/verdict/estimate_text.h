@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/infer/verdict/obstacle.h"
 
 namespace terratact {
@@ -10,6 +11,6 @@ namespace terratact {
 /// Returns one sentence for each fact that a mean and two quantiles hide. The first is the
 /// probability of a step ahead of more than `limit` [m] and its likeliest place. Then comes every
 /// bin whose draws fall into two clusters. Empty without draws.
-std::vector<std::string> hiddenByBands(const TerrainEstimate& estimate, double limit = kStepLimit);
+std::vector<Message> hiddenByBands(const TerrainEstimate& estimate, double limit = kStepLimit);
 
 }  // namespace terratact

@@ -78,24 +78,22 @@ Ghost ghostOf(const TerrainEstimate& estimate, const ImuMotion& motion)
     return ghost;
 }
 
-std::string describe(NoGhost why)
+SourceText describe(NoGhost why)
 {
     switch (why) {
-    case NoGhost::NoOdometry: return TR_NOOP("core", "the robot reports no odometry").english;
+    case NoGhost::NoOdometry: return TR_NOOP("core", "the robot reports no odometry");
     case NoGhost::TooFar:
-        return TR_NOOP("core", "the robot has driven too far since the last estimate").english;
+        return TR_NOOP("core", "the robot has driven too far since the last estimate");
     case NoGhost::TooUncertain:
-        return TR_NOOP("core", "the last estimate has become too uncertain").english;
+        return TR_NOOP("core", "the last estimate has become too uncertain");
     case NoGhost::Tilted:
-        return TR_NOOP("core", "the robot has tilted too much since the last estimate").english;
-    case NoGhost::Turned:
-        return TR_NOOP("core", "the robot has turned since the last estimate").english;
+        return TR_NOOP("core", "the robot has tilted too much since the last estimate");
+    case NoGhost::Turned: return TR_NOOP("core", "the robot has turned since the last estimate");
     case NoGhost::TelemetryGap:
         return TR_NOOP("core",
-                       "telemetry was missing for a while, in which the robot may have moved")
-            .english;
+                       "telemetry was missing for a while, in which the robot may have moved");
     case NoGhost::NothingLeft:
-        return TR_NOOP("core", "nothing of the last estimate is left in view").english;
+        return TR_NOOP("core", "nothing of the last estimate is left in view");
     }
     throw std::invalid_argument("describe: no such NoGhost");
 }

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
 
+#include "core/base/message.h"
 #include "core/infer/estimate/estimate.h"
 
 namespace terratact {
@@ -55,6 +55,6 @@ enum class NoGhost : std::uint8_t {
 };
 
 /// Returns a sentence such as "the robot reports no odometry".
-std::string describe(NoGhost why);
+SourceText describe(NoGhost why);
 
 }  // namespace terratact

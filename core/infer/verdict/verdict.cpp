@@ -114,25 +114,32 @@ std::string_view name(StepVerdict stepVerdict)
     return nameIn(kStepVerdictNames, stepVerdict);
 }
 
-std::string describe(WithholdReason reason)
+SourceText describe(StepVerdict stepVerdict)
+{
+    switch (stepVerdict) {
+    case StepVerdict::Clear: return TR_NOOP("core", "CLEAR");
+    case StepVerdict::Blocked: return TR_NOOP("core", "BLOCKED");
+    case StepVerdict::CannotTell: return TR_NOOP("core", "CANNOT TELL");
+    }
+    throw std::invalid_argument("describe: no such StepVerdict");
+}
+
+SourceText describe(WithholdReason reason)
 {
     switch (reason) {
     case WithholdReason::Stale:
-        return TR_NOOP("core", "no live telemetry, the robot may have moved").english;
+        return TR_NOOP("core", "no live telemetry, the robot may have moved");
     case WithholdReason::TelemetryGap:
-        return TR_NOOP("core", "the link was lost, the robot may have moved").english;
-    case WithholdReason::NotConverged:
-        return TR_NOOP("core", "the chains have not converged").english;
-    case WithholdReason::UnlikeTraining:
-        return TR_NOOP("core", "the scene is unlike all training").english;
+        return TR_NOOP("core", "the link was lost, the robot may have moved");
+    case WithholdReason::NotConverged: return TR_NOOP("core", "the chains have not converged");
+    case WithholdReason::UnlikeTraining: return TR_NOOP("core", "the scene is unlike all training");
     case WithholdReason::Roll:
-        return TR_NOOP("core", "the robot rolls, left and right ground differ").english;
+        return TR_NOOP("core", "the robot rolls, left and right ground differ");
     case WithholdReason::Asymmetry:
-        return TR_NOOP("core", "the flippers differ, left and right ground differ").english;
-    case WithholdReason::SensorFault:
-        return TR_NOOP("core", "a sensor may lie, see the alarms").english;
+        return TR_NOOP("core", "the flippers differ, left and right ground differ");
+    case WithholdReason::SensorFault: return TR_NOOP("core", "a sensor may lie, see the alarms");
     case WithholdReason::Contradiction:
-        return TR_NOOP("core", "the estimate contradicts the readings").english;
+        return TR_NOOP("core", "the estimate contradicts the readings");
     }
     throw std::invalid_argument("describe: no such WithholdReason");
 }
@@ -151,26 +158,25 @@ std::optional<double> feltHorizon(const TerrainEstimate& estimate)
     return binEnd(last);
 }
 
-std::string describe(Shortfall shortfall)
+SourceText describe(Shortfall shortfall)
 {
     switch (shortfall) {
     case Shortfall::None: return {};
-    case Shortfall::NothingFelt:
-        return TR_NOOP("core", "the front flippers press on nothing").english;
+    case Shortfall::NothingFelt: return TR_NOOP("core", "the front flippers press on nothing");
     case Shortfall::ShortHorizon:
-        return TR_NOOP("core", "the front flippers reach further than they press").english;
+        return TR_NOOP("core", "the front flippers reach further than they press");
     case Shortfall::Spanned:
-        return TR_NOOP("core", "the front flippers span ground that they do not press").english;
+        return TR_NOOP("core", "the front flippers span ground that they do not press");
     }
     throw std::invalid_argument("describe: no such Shortfall");
 }
 
-std::string describe(Help help)
+SourceText describe(Help help)
 {
     switch (help) {
     case Help::Nothing: return {};
-    case Help::Flatten: return TR_NOOP("core", "lay the front flippers flatter").english;
-    case Help::DriveOn: return TR_NOOP("core", "drive on 0.1 m and explore again").english;
+    case Help::Flatten: return TR_NOOP("core", "lay the front flippers flatter");
+    case Help::DriveOn: return TR_NOOP("core", "drive on 0.1 m and explore again");
     }
     throw std::invalid_argument("describe: no such Help");
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/infer/estimate/estimate.h"
 #include "core/infer/verdict/obstacle.h"
 #include "core/robot/measurement.h"
@@ -16,6 +17,9 @@ enum class StepVerdict : std::uint8_t { Clear, Blocked, CannotTell };
 
 /// Returns "CLEAR", "BLOCKED" or "CANNOT TELL".
 std::string_view name(StepVerdict stepVerdict);
+
+/// Returns the same for the operator.
+SourceText describe(StepVerdict stepVerdict);
 
 /// Reason to withhold the answer that the draws would give.
 enum class WithholdReason : std::uint8_t {
@@ -30,7 +34,7 @@ enum class WithholdReason : std::uint8_t {
 };
 
 /// Returns a sentence such as "the chains have not converged".
-std::string describe(WithholdReason reason);
+SourceText describe(WithholdReason reason);
 
 /// Reason why the felt ground does not allow CLEAR, although the draws hold no step there.
 enum class Shortfall : std::uint8_t {
@@ -42,7 +46,7 @@ enum class Shortfall : std::uint8_t {
 inline constexpr int kShortfalls = 4;
 
 /// Returns a sentence such as "the front flippers press on nothing"; empty for None.
-std::string describe(Shortfall shortfall);
+SourceText describe(Shortfall shortfall);
 
 /// Remedy for a CANNOT TELL besides a probe.
 enum class Help : std::uint8_t {
@@ -52,7 +56,7 @@ enum class Help : std::uint8_t {
 };
 
 /// Returns a sentence such as "lay the front flippers flatter"; empty for Nothing.
-std::string describe(Help help);
+SourceText describe(Help help);
 
 struct Verdict {
     StepVerdict stepVerdict = StepVerdict::CannotTell;

@@ -26,11 +26,15 @@ constexpr SearchBounds kBounds{1e-3, 10.0, 5e-4,
 
 constexpr auto kFeatureCount = static_cast<Eigen::Index>(kFeatures);
 
-std::string_view words(Regime regime)
+SourceText rarityOf(Regime regime)
 {
     switch (regime) {
-    case Regime::Covered: return "under the robot";
-    case Regime::Open: return "with no robot above it";
+    case Regime::Covered:
+        return TR_NOOP("core", "bin %1 m under the robot was seen in %2 training scenes, and %3 "
+                               "are needed");
+    case Regime::Open:
+        return TR_NOOP("core", "bin %1 m with no robot above it was seen in %2 training scenes, "
+                               "and %3 are needed");
     }
     throw std::invalid_argument("no such Regime");
 }
@@ -171,9 +175,7 @@ void requireEnoughRows(const ClearanceConditionalData& data, int bin, Regime reg
 {
     const int rows = data.at(bin, regime).rows;
     if (rows < kMinTrainingRows)
-        throw NotLearnt(
-            fmt::format("bin {:+.1f} m {} was seen in {} training scenes, and {} are needed",
-                        binCentre(bin), words(regime), rows, kMinTrainingRows));
+        throw NotLearnt({rarityOf(regime), signedFixed(binCentre(bin), 1), rows, kMinTrainingRows});
 }
 
 void requireBin(int bin)
@@ -271,7 +273,8 @@ const GaussianProcess& ClearanceConditionals::gp(int bin, Regime regime, int ind
     const ClearanceRegimeData& own = data_.at(bin, regime);
     if (own.hyper.lengthScale.size() == 0)
         throw std::invalid_argument(
-            fmt::format("bin {:+.1f} m {} has not been trained", binCentre(bin), words(regime)));
+            fmt::format("bin {:+.1f} m {} has not been trained", binCentre(bin),
+                        regime == Regime::Open ? "with no robot above it" : "under the robot"));
     const int rows = rowsToInduce(inducing, 0, std::min(own.rows, kMaxClearanceRows));
     return lazy_[static_cast<std::size_t>(bin)][static_cast<std::size_t>(regime)].get(
         rows,

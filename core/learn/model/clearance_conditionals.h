@@ -9,6 +9,7 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "core/base/message.h"
 #include "core/learn/data/bin_set.h"
 #include "core/learn/gp/gaussian_process.h"
 #include "core/learn/gp/lazy_processes.h"
@@ -29,9 +30,9 @@ inline Regime regimeOf(double ceiling)
 }
 
 /// Thrown for a scene in a regime that training saw too rarely; the sentence names it.
-class NotLearnt : public std::invalid_argument {
+class NotLearnt : public RefusedInput {
 public:
-    using std::invalid_argument::invalid_argument;
+    using RefusedInput::RefusedInput;
 };
 
 /// Training data of the conditionals over clearances, one scene per row.

@@ -74,9 +74,9 @@ SensorKind kindOf(Sensor sensor)
     return sensor == Sensor::Travelled ? SensorKind::Way : SensorKind::Force;
 }
 
-std::string_view describe(Sensor sensor)
+SourceText describe(Sensor sensor)
 {
-    return kNames.at(indexOf(sensor)).english;
+    return kNames.at(indexOf(sensor));
 }
 
 SensorReadings readingsOf(const SensedLine& line)

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string_view>
 
+#include "core/base/message.h"
 #include "core/robot/measurement.h"
 #include "core/robot/sensed_line.h"
 
@@ -91,7 +91,7 @@ constexpr std::size_t elementOf(Sensor force)
 
 /// Returns a name such as "pitch angle", "front left flipper angle", "rear right flipper current",
 /// "force 3", "left force 3" or "track odometry".
-std::string_view describe(Sensor sensor);
+SourceText describe(Sensor sensor);
 
 /// Returns the readings of a line; empty where the robot did not measure. Forces are the means, and
 /// the sides where they are known.

@@ -1,7 +1,5 @@
 #include "core/robot/watch/sensor_suspicion.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <stdexcept>
 
@@ -10,12 +8,12 @@ namespace {
 
 constexpr double kNotableWay = 0.05;  // [m]
 
-std::string stuckWords(const SensorSuspicion& s)
+Message stuckMessage(const SensorSuspicion& s)
 {
     if (s.way >= kNotableWay)
-        return fmt::format("not changed for {:.0f} s while the robot drove {:.1f} m, stuck?",
-                           s.amount, s.way);
-    return fmt::format("not changed for {:.0f} s, not even by noise, stuck?", s.amount);
+        return {TR_NOOP("core", "not changed for %1 s while the robot drove %2 m, stuck?"),
+                fixed(s.amount, 0), fixed(s.way, 1)};
+    return {TR_NOOP("core", "not changed for %1 s, not even by noise, stuck?"), fixed(s.amount, 0)};
 }
 
 }  // namespace
@@ -26,30 +24,37 @@ bool isSuspected(const std::vector<SensorSuspicion>& suspicions, Sensor sensor)
                        [sensor](const SensorSuspicion& s) { return s.sensor == sensor; });
 }
 
-std::string describeTrouble(const SensorSuspicion& s)
+Message describeTrouble(const SensorSuspicion& s)
 {
     switch (s.trouble) {
-    case SensorTrouble::Stuck: return stuckWords(s);
-    case SensorTrouble::Spikes: return "jumps away and comes back, loose contact?";
-    case SensorTrouble::OutOfRange: return "reads what the robot cannot do";
-    case SensorTrouble::Flipped: return "changes the wrong way, sign flipped?";
-    case SensorTrouble::SwappedAxles: return "moves with the other axle, front and rear swapped?";
-    case SensorTrouble::Late: return "still changes when the robot stands still, late?";
-    case SensorTrouble::NoLoad: return "no load while the flippers press, disconnected?";
-    case SensorTrouble::LoadedFree: return "loaded while nothing presses, drifted?";
-    case SensorTrouble::SidesDiffer: return "left and right differ by the same at every press";
+    case SensorTrouble::Stuck: return stuckMessage(s);
+    case SensorTrouble::Spikes: return TR_NOOP("core", "jumps away and comes back, loose contact?");
+    case SensorTrouble::OutOfRange: return TR_NOOP("core", "reads what the robot cannot do");
+    case SensorTrouble::Flipped: return TR_NOOP("core", "changes the wrong way, sign flipped?");
+    case SensorTrouble::SwappedAxles:
+        return TR_NOOP("core", "moves with the other axle, front and rear swapped?");
+    case SensorTrouble::Late:
+        return TR_NOOP("core", "still changes when the robot stands still, late?");
+    case SensorTrouble::NoLoad:
+        return TR_NOOP("core", "no load while the flippers press, disconnected?");
+    case SensorTrouble::LoadedFree:
+        return TR_NOOP("core", "loaded while nothing presses, drifted?");
+    case SensorTrouble::SidesDiffer:
+        return TR_NOOP("core", "left and right differ by the same at every press");
     case SensorTrouble::OffGround:
-        return "does not fit the ground driven over, offset or sign flipped?";
-    case SensorTrouble::WrongOrder: return "load where no ground was, order reversed?";
+        return TR_NOOP("core", "does not fit the ground driven over, offset or sign flipped?");
+    case SensorTrouble::WrongOrder:
+        return TR_NOOP("core", "load where no ground was, order reversed?");
     case SensorTrouble::BothWays:
-        return "does not fit the same ground driven in both directions, zero shifted?";
+        return TR_NOOP("core",
+                       "does not fit the same ground driven in both directions, zero shifted?");
     }
     throw std::invalid_argument("describe: no such SensorTrouble");
 }
 
-std::string describe(const SensorSuspicion& s)
+Message describe(const SensorSuspicion& s)
 {
-    return fmt::format("{}: {}", describe(s.sensor), describeTrouble(s));
+    return Message::joined(describe(s.sensor), describeTrouble(s));
 }
 
 }  // namespace terratact

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/robot/watch/sensor.h"
 
 namespace terratact {
@@ -41,9 +42,9 @@ bool isSuspected(const std::vector<SensorSuspicion>& suspicions, Sensor sensor);
 
 /// Returns the fault without the sensor: "not changed for 12 s while the robot drove 0.6 m,
 /// stuck?".
-std::string describeTrouble(const SensorSuspicion& suspicion);
+Message describeTrouble(const SensorSuspicion& suspicion);
 
 /// Returns one sentence: "pitch angle: not changed for 12 s while the robot drove 0.6 m, stuck?".
-std::string describe(const SensorSuspicion& suspicion);
+Message describe(const SensorSuspicion& suspicion);
 
 }  // namespace terratact

@@ -266,7 +266,7 @@ TEST_F(BusConsole, noTextIsCutAtTheSmallestSize)
     EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     QTest::keyClick(window.get(), Qt::Key_A);
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe))
-        << describe(window->exploration().state().failure);
+        << describe(window->exploration().state().failure).english;
     QTest::qWait(100);
     EXPECT_EQ(window->size(), window->minimumSize()) << "the layout needs more than this";
     EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());

@@ -219,7 +219,7 @@ TEST_F(Console, aDriveKeyWithoutEffectSaysWhy)
     expectWhy("it is done on the page Terrain (F2)");
     QTest::keyClick(window.get(), Qt::Key_F2);
     proposeByKeyboard();
-    const std::string why = window->exploration().whyNotDriving().toStdString();
+    const std::string why = window->exploration().whyNotDriving().value().english();
     ASSERT_FALSE(why.empty());
     expectWhy(why);
     EXPECT_TRUE(says("not driven: ")) << "a banner, too";

@@ -10,6 +10,7 @@
 
 #include "app/console/main_window.h"
 #include "app/console/signals_page.h"
+#include "app/display/translated.h"
 #include "app/recording/session_folder.h"
 #include "core/log/session_reader.h"
 #include "tests/support/bus_console_bench.h"
@@ -56,7 +57,7 @@ TEST_F(BusConsole, missingTelemetryWithOtherFramesIsNoLostLink)
     EXPECT_TRUE(window->header()->linkText().startsWith("TELEMETRY LOST"));
     const auto alarm = [&] {
         for (const Alarm& one : window->alarms().list().alarms())
-            if (one.id == "link") return QString::fromStdString(one.text);
+            if (one.id == "link") return translated(one.text);
         return QString();
     };
     EXPECT_TRUE(alarm().startsWith("Telemetry lost")) << alarm().toStdString();
@@ -103,7 +104,7 @@ TEST_F(BusConsole, disarmingWhileDrivingIsShownOnEveryPage)
     moody.stage({.isDisarmed = true});
     EXPECT_TRUE(eventually([&] { return says("disarmed: the robot has disarmed"); }));
     ASSERT_TRUE(eventually([&] { return alarm().has_value(); }));
-    EXPECT_EQ(alarm()->text, "Disarmed: the robot has disarmed");
+    EXPECT_EQ(alarm()->text.english(), "Disarmed: the robot has disarmed");
     EXPECT_EQ(alarm()->severity, Severity::Critical) << "it sounds";
     picture("disarmed-while-driving");
     QTest::keyRelease(window.get(), Qt::Key_W);

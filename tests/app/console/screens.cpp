@@ -439,7 +439,7 @@ void Screens::press(int key, Qt::KeyboardModifiers with)
 void Screens::arm()
 {
     console->header()->arming()->confirmButton()->setHoldTime(1);
-    ASSERT_TRUE(arms(*console)) << describe(console->link()->view().link.arming.cause);
+    ASSERT_TRUE(arms(*console)) << describe(console->link()->view().link.arming.cause).english;
     ASSERT_TRUE(eventually([&] { return console->exploration().armed(); }, kPatience));
 }
 
@@ -468,7 +468,7 @@ void Screens::explore()
             kPatience));
         return;
     }
-    FAIL() << describe(phase()) << ": " << describe(exploration.state().failure);
+    FAIL() << describe(phase()).english << ": " << describe(exploration.state().failure).english;
 }
 
 void Screens::exploreWithoutProbe()
@@ -483,7 +483,8 @@ void Screens::exploreWithoutProbe()
         ASSERT_TRUE(eventually([&] { return exploring(phase()); }, kPatience));
         ASSERT_TRUE(eventually([&] { return !exploring(phase()); }, kPatience));
     }
-    ASSERT_TRUE(exploration.estimation().estimate()) << describe(exploration.state().failure);
+    ASSERT_TRUE(exploration.estimation().estimate())
+        << describe(exploration.state().failure).english;
 }
 
 void Screens::approve()

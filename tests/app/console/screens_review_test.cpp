@@ -13,6 +13,7 @@
 #include "app/console/settings_page.h"
 #include "app/console/training_page.h"
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/review/review_events_page.h"
 #include "app/review/review_export_dialog.h"
 #include "app/review/review_view_state.h"
@@ -65,7 +66,7 @@ TEST_F(Screens, result)
         }
         press(Qt::Key_F2);
 
-        const QString stands = format::sentence(describe(AtemPhase::Presenting));
+        const QString stands = translated(describe(AtemPhase::Presenting));
         press(Qt::Key_1, Qt::ControlModifier);
         picture("layout_drive", {stands});
         EXPECT_EQ(console->preferences().current().layout, Layout::Drive);
@@ -124,7 +125,8 @@ TEST_F(Screens, result)
         }
         const QString moved = Exploration::tr("The robot has moved: explore again (A)");
         picture("ghost", {moved});
-        EXPECT_GT(way(), 0.2) << console->exploration().estimation().whyNoGhost().toStdString();
+        EXPECT_GT(way(), 0.2)
+            << console->exploration().estimation().whyNoGhost().value_or(Message()).english();
         console->setRoom({1200, 680});
         console->resize(1200, 680);
         for (const auto& [theme, name] :

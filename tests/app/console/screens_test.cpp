@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/mission/preconditions.h"
 #include "app/mission/robot_text.h"
 #include "app/pages/terrain_page.h"
@@ -103,9 +104,9 @@ TEST(Pictures, haveNamesOfTheirOwn)
 
 namespace {
 
-QString told(std::string_view english)
+QString told(const Message& message)
 {
-    return format::sentence(english);
+    return translated(message);
 }
 
 QString notReady()
@@ -130,7 +131,8 @@ TEST_F(Screens, start)
         picture("no_model",
                 {MainWindow::tr("no model"), Exploration::tr("No estimate: there is no model"),
                  QStringLiteral("models/mine.ttm: %1: %2")
-                     .arg(told("cannot be opened"), told("No such file or directory")),
+                     .arg(told(TR_NOOP("core", "cannot be opened")),
+                          told(TR_NOOP("core", "No such file or directory"))),
                  notReady()});
 
         std::atomic<bool> go = false;
@@ -193,13 +195,13 @@ TEST_F(Screens, exploring)
                 return isSeenToPress() || console->exploration().state().phase == AtemPhase::Failed;
             });
         }
-        ASSERT_TRUE(isSeenToPress()) << describe(console->exploration().state().failure);
+        ASSERT_TRUE(isSeenToPress()) << describe(console->exploration().state().failure).english;
         picture("live_preview",
                 {told(describe(AtemPhase::Pressing)), TerrainPage::tr("LIVE preview")});
         holdsEstimates = true;
         robot->stage({});
         ASSERT_TRUE(reaches(AtemPhase::Estimating))
-            << describe(console->exploration().state().failure);
+            << describe(console->exploration().state().failure).english;
         picture("estimating", {told(describe(AtemPhase::Estimating)),
                                TerrainPage::tr("The estimate is being computed"),
                                RobotReadout::tr("%1   captured %2")});
@@ -210,9 +212,11 @@ TEST_F(Screens, exploring)
         ASSERT_TRUE(reaches(AtemPhase::Idle));
 
         robot->stage({.roll = 0.2, .twist = 0.2});
-        picture("doubtful_ground", {AtemPanel::tr("Override (O)"),
-                                    PlanarGround::tr("roll %1: left and right ground differ"),
-                                    PlanarGround::tr("left and right flippers differ by %1")});
+        picture(
+            "doubtful_ground",
+            {AtemPanel::tr("Override (O)"),
+             QCoreApplication::translate("PlanarGround", "roll %1: left and right ground differ"),
+             QCoreApplication::translate("PlanarGround", "left and right flippers differ by %1")});
         press(Qt::Key_O);
         picture("checks_overridden",
                 {StatusHeader::tr("! CHECK OVERRIDDEN"), AtemPanel::tr("%1 (overridden)")});
@@ -284,12 +288,16 @@ TEST_F(Screens, verdict)
         e.rhat[9] = 1.061;
         e.ess[9] = 92.0;
         e.warnings.emplace_back(
-            "chains not converged: R-hat 1.061 (limit 1.01), effective draws 92 (limit 400)");
+            TR_NOOP("core", "chains not converged: R-hat %1 (limit %2), effective draws %3 (limit "
+                            "%4)"),
+            "1.061", "1.01", "92", "400");
     };
     const auto unlike = [](TerrainEstimate& e) {
         e.novelty = 1.8;
         e.warnings.emplace_back(
-            "unlike the training scenes: 1.8 times the distance that 1 % of them exceed");
+            TR_NOOP("core",
+                    "unlike the training scenes: %1 times the distance that 1 % of them exceed"),
+            "1.8");
     };
     // Halves the step, so that some selectable limit certainly exceeds it, whatever the noise.
     const auto halved = [](TerrainEstimate& e) {
@@ -435,7 +443,8 @@ TEST_F(Screens, probe)
             if (exploration.state().phase == AtemPhase::ProposingProbe) break;
         }
         picture("question_of_another_model",
-                {Preconditions::tr("scene, settings or model have changed since the question"),
+                {QCoreApplication::translate(
+                     "Preconditions", "scene, settings or model have changed since the question"),
                  ProbeCard::tr("void"), ProbeCard::tr("approval void: probe at %1")});
         approve();
         ASSERT_TRUE(reaches(AtemPhase::Failed));

@@ -3,6 +3,7 @@
 
 #include "app/console/link_status.h"
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "tests/app/console/screens.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/probe_card.h"
@@ -33,7 +34,7 @@ TEST_F(Screens, themes)
             robot->stage({.isMute = true});
             picture(names.lost, {LinkStatus::tr("%1 for %2 — nothing on this screen is live%3")});
             press(Qt::Key_F4);
-            picture(names.alarms, {format::sentence("link lost")});
+            picture(names.alarms, {translated(TR_NOOP("core", "link lost"))});
         }
 
         open({});

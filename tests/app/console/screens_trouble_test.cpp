@@ -8,6 +8,7 @@
 #include "app/console/shared_stop.h"
 #include "app/console/stop_display.h"
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/mission/bus_text.h"
 #include "app/mission/robot_text.h"
 #include "app/pages/terrain_page.h"
@@ -47,7 +48,7 @@ TEST_F(Screens, stop)
                                  "is sent again")});
         robot->stage({});
         picture("stopped", {StatusHeader::tr("STOPPED (F12)"), glance(RobotActivity::Stopped),
-                            format::sentence(describe(AtemPhase::Stopped))});
+                            translated(describe(AtemPhase::Stopped))});
         holdAtHalf(*console->atemPanel()->releaseButton(), Qt::Key_R,
                    "hold_to_release_stop_at_half", {AtemPanel::tr("hold to release STOP (R)")});
         ASSERT_TRUE(reaches(AtemPhase::Idle));
@@ -67,14 +68,14 @@ TEST_F(Screens, trouble)
     const Staging mute{.isMute = true};
     inEveryLanguage([&] {
         open({.linkLostAfter = 0.8, .staging = mute});
-        picture("no_telemetry_yet", {format::sentence("no telemetry yet")});
+        picture("no_telemetry_yet", {translated(TR_NOOP("core", "no telemetry yet"))});
         robot->stage({});
         ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
         robot->stage(mute);
         const QString lost = LinkStatus::tr("%1 for %2 — nothing on this screen is live%3");
-        picture("link_lost", {format::sentence("link lost"), lost});
+        picture("link_lost", {translated(TR_NOOP("core", "link lost")), lost});
         press(Qt::Key_F4);
-        picture("alarms_of_a_lost_link", {lost, format::sentence("link lost")});
+        picture("alarms_of_a_lost_link", {lost, translated(TR_NOOP("core", "link lost"))});
         press(Qt::Key_F2);
         bus.setState(BusState::BusOff, "can0");
         picture("bus_off", {lost, busWords(BusState::BusOff, "can0")});
@@ -136,7 +137,7 @@ TEST_F(Screens, doubtful_link)
         open({.linkLostAfter = 0.8});
         ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
         robot->stage({.isNumb = true});
-        picture("telemetry_lost", {format::sentence("telemetry lost"),
+        picture("telemetry_lost", {translated(TR_NOOP("core", "telemetry lost")),
                                    LinkStatus::tr("%1 for %2 — %3; no measured value is live%4")});
         robot->stage({});
 
@@ -150,7 +151,7 @@ TEST_F(Screens, doubtful_link)
         });
         comesAndGoes.start(500);
         picture("telemetry_unsteady",
-                {format::sentence("telemetry unsteady"),
+                {translated(TR_NOOP("core", "telemetry unsteady")),
                  LinkStatus::tr("%1 — gaps: %2, the longest %3; values read -- during a gap")});
         comesAndGoes.stop();
 
@@ -193,9 +194,7 @@ TEST_F(Screens, doubtful_link)
 TEST_F(Screens, following)
 {
     inEveryLanguage([&] {
-        const auto follows = [](AtemPhase phase) {
-            return format::sentence(describeFollowed(phase));
-        };
+        const auto follows = [](AtemPhase phase) { return translated(describeFollowed(phase)); };
         open({.before = 0.5,
               .isPressed = true,
               .mode = CanSource::Mode::Listen,
@@ -221,8 +220,8 @@ TEST_F(Screens, following)
         ASSERT_TRUE(reaches(AtemPhase::Presenting));
         bus.setState(BusState::Ended, "REPLAY mission.log");
         robot->stage({.isMute = true});
-        picture("end_of_the_log",
-                {format::sentence("end of the log"), TerrainPage::tr("the log has ended")});
+        picture("end_of_the_log", {translated(TR_NOOP("core", "end of the log")),
+                                   TerrainPage::tr("the log has ended")});
     });
 }
 

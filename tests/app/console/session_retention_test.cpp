@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "app/display/translated.h"
 #include "app/recording/session_folder.h"
 #include "core/log/session_reader.h"
 #include "tests/support/gui.h"
@@ -26,7 +27,9 @@ TEST(SessionRetention, closesWhatADeadProgramLeftAndTellsIt)
     ASSERT_FALSE(SessionReader::open(path)->sealed());
     SessionRetention house(sessionsIn(folder), folder, {});
     QStringList told;
-    QObject::connect(&house, &SessionRetention::news, &house, [&] { told << house.consumeNews(); });
+    QObject::connect(&house, &SessionRetention::news, &house, [&] {
+        for (const Message& sentence : house.consumeNews()) told << translated(sentence);
+    });
     QTest::qWait(100);
     EXPECT_FALSE(SessionReader::open(path)->sealed()) << "nothing before the window is there";
     house.start();
@@ -47,7 +50,9 @@ TEST(SessionRetention, appliesANewLimitAfterTheGracePeriod)
     house.setGrace(300);
     house.start();
     QStringList told;
-    QObject::connect(&house, &SessionRetention::news, &house, [&] { told << house.consumeNews(); });
+    QObject::connect(&house, &SessionRetention::news, &house, [&] {
+        for (const Message& sentence : house.consumeNews()) told << translated(sentence);
+    });
     house.setLimits(small);
     house.setLimits(any);  // a mistake that is undone in time
     QTest::qWait(900);

@@ -314,7 +314,7 @@ TEST_F(SettingsInForce, allBackToTheDefaultsAsksFirst)
 
 TEST_F(SettingsInForce, aWindowThatIsBuiltAnewEndsWhatItHadSetInMotion)
 {
-    ASSERT_TRUE(eventually([&] { return window->exploration().whyNotDriving().isEmpty(); }));
+    ASSERT_TRUE(eventually([&] { return !window->exploration().whyNotDriving(); }));
     window->exploration().drive(1);
     window->preferences().change([](Preferences& p) { p.robot = "/robots/other.toml"; });
     EXPECT_TRUE(wasTold<HaltCommand>());

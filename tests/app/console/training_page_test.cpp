@@ -20,6 +20,7 @@
 
 #include "app/console/main_window.h"
 #include "app/console/settings_page.h"
+#include "app/display/translated.h"
 #include "core/learn/data/scene_file.h"
 #include "core/learn/model/model_card.h"
 #include "core/learn/model/model_file.h"
@@ -132,8 +133,8 @@ struct TrainingConsole : testing::Test {
     std::string modelInUse() const
     {
         for (const Precondition& p : window->exploration().preconditions())
-            if (p.text.startsWith("model ") && p.text.endsWith(" is ready"))
-                return p.text.mid(6, p.text.size() - 15).toStdString();
+            if (translated(p.text).startsWith("model ") && translated(p.text).endsWith(" is ready"))
+                return translated(p.text).mid(6, translated(p.text).size() - 15).toStdString();
         return {};
     }
     std::set<std::string> written() const

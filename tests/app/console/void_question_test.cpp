@@ -26,7 +26,7 @@ struct VoidQuestion : Bench {
         tick(3);
         ASSERT_EQ(phase(), AtemPhase::ProposingProbe) << "it is still on the screen";
     }
-    bool mayBeApproved() const { return firstMissing(exploration->toProbe()).isEmpty(); }
+    bool mayBeApproved() const { return !firstMissing(exploration->toProbe()); }
 };
 
 TEST_F(VoidQuestion, isSaidToBe)

@@ -10,10 +10,10 @@ using Level = Precondition::Level;
 
 TEST(Preconditions, everyOneHasALineWithItsMark)
 {
-    EXPECT_EQ(linesOf({{Level::Met, "telemetry is live"},
-                       {Level::Overridden, "roll +6°"},
-                       {Level::Doubtful, "flippers differ"},
-                       {Level::Missing, "STOP is latched"}}),
+    EXPECT_EQ(linesOf({{Level::Met, Message::verbatim("telemetry is live")},
+                       {Level::Overridden, Message::verbatim("roll +6°")},
+                       {Level::Doubtful, Message::verbatim("flippers differ")},
+                       {Level::Missing, Message::verbatim("STOP is latched")}}),
               QString::fromUtf8("✔ telemetry is live\n! roll +6°\n! flippers differ\n"
                                 "✘ STOP is latched"));
     EXPECT_EQ(linesOf({}), "");
@@ -22,13 +22,18 @@ TEST(Preconditions, everyOneHasALineWithItsMark)
 TEST(Preconditions, theWorstDecidesAndTheFirstMissingIsNamed)
 {
     EXPECT_EQ(worstOf({}), Level::Met);
-    EXPECT_EQ(worstOf({{Level::Doubtful, "a"}, {Level::Overridden, "b"}}), Level::Doubtful);
-    const QList<Precondition> some{
-        {Level::Doubtful, "a"}, {Level::Missing, "b"}, {Level::Missing, "c"}, {Level::Met, "d"}};
+    EXPECT_EQ(worstOf({{Level::Doubtful, Message::verbatim("a")},
+                       {Level::Overridden, Message::verbatim("b")}}),
+              Level::Doubtful);
+    const QList<Precondition> some{{Level::Doubtful, Message::verbatim("a")},
+                                   {Level::Missing, Message::verbatim("b")},
+                                   {Level::Missing, Message::verbatim("c")},
+                                   {Level::Met, Message::verbatim("d")}};
     EXPECT_EQ(worstOf(some), Level::Missing);
-    EXPECT_EQ(firstMissing(some), "b");
-    EXPECT_EQ(firstMissing(some.mid(3)), "");
-    EXPECT_EQ(firstMissing({{Level::Doubtful, "a"}}), "") << "it can be overridden";
+    EXPECT_EQ(firstMissing(some), Message::verbatim("b"));
+    EXPECT_FALSE(firstMissing(some.mid(3)));
+    EXPECT_FALSE(firstMissing({{Level::Doubtful, Message::verbatim("a")}}))
+        << "it can be overridden";
 }
 
 }  // namespace

@@ -68,7 +68,8 @@ TEST_F(ProfileFigure, is1200By700WithAWhiteMarginAllAround)
 {
     FigureInput input = flatGround();
     input.title = std::string(300, 'W');  // far wider than the picture
-    input.estimate.warnings = {std::string(300, 'w'), "another"};
+    input.estimate.warnings = {Message::verbatim(std::string(300, 'w')),
+                               Message::verbatim("another")};
     input.previous = input.estimate;
     input.truth = input.estimate.height;
     input.estimate.origin[6] = Origin::Contact;  // with every entry the legend has two rows

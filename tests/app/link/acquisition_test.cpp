@@ -76,7 +76,7 @@ TEST(AcquisitionTest, sourceErrorIsReportedUntilTheNextTelemetry)
     ScriptedSource source;
     source.setTrouble("can0 is down");
     const Acquisition acquisition(source);
-    ASSERT_TRUE(gui::eventually([&] { return acquisition.trouble() == "can0 is down"; }));
+    ASSERT_TRUE(gui::eventually([&] { return acquisition.trouble().english() == "can0 is down"; }));
     EXPECT_FALSE(acquisition.latest());
     source.setTrouble("");
     EXPECT_TRUE(

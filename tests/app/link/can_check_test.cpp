@@ -69,24 +69,27 @@ TEST_F(Checking, findsNothingWrongWhereNothingIs)
 TEST_F(Checking, tellsAKernelWithoutCanFromAUserWithoutRights)
 {
     socketError = EAFNOSUPPORT;
-    EXPECT_NE(finding(Level::Problem).cure.find("modprobe can_raw"), std::string::npos);
+    EXPECT_NE(finding(Level::Problem).cure.english().find("modprobe can_raw"), std::string::npos);
     socketError = EPERM;
-    EXPECT_NE(finding(Level::Problem).what.find("this user may not"), std::string::npos);
+    EXPECT_NE(finding(Level::Problem).what.english().find("this user may not"), std::string::npos);
     socketError = EMFILE;
-    EXPECT_NE(finding(Level::Problem).what.find("Too many open files"), std::string::npos);
+    EXPECT_NE(finding(Level::Problem).what.english().find("Too many open files"),
+              std::string::npos);
 }
 
 TEST_F(Checking, namesTheInterfacesThatThereAre)
 {
     facts.present = false;
     facts.others = {"can1", "vcan0"};
-    EXPECT_EQ(finding(Level::Problem).what, "there is no interface can0, but can1, vcan0");
-    EXPECT_EQ(finding(Level::Problem).cure, "terratact can check can1");
+    EXPECT_EQ(finding(Level::Problem).what.english(),
+              "there is no interface can0, but can1, vcan0");
+    EXPECT_EQ(finding(Level::Problem).cure.english(), "terratact can check can1");
     facts.others.clear();
-    EXPECT_NE(finding(Level::Problem).what.find("nor any CAN interface"), std::string::npos);
+    EXPECT_NE(finding(Level::Problem).what.english().find("nor any CAN interface"),
+              std::string::npos);
     facts.present = true;
     facts.isCan = false;
-    EXPECT_EQ(finding(Level::Problem).what, "can0 is no CAN interface");
+    EXPECT_EQ(finding(Level::Problem).what.english(), "can0 is no CAN interface");
 }
 
 TEST_F(Checking, asksForABitRateAndForBeingUp)
@@ -95,31 +98,32 @@ TEST_F(Checking, asksForABitRateAndForBeingUp)
     facts.up = false;
     const auto problems = of(Level::Problem);
     ASSERT_EQ(problems.size(), 2U);
-    EXPECT_NE(problems[0].cure.find("sudo ip link set can0 type can bitrate 500000"),
+    EXPECT_NE(problems[0].cure.english().find("sudo ip link set can0 type can bitrate 500000"),
               std::string::npos);
-    EXPECT_EQ(problems[1].cure, "sudo ip link set can0 up");
+    EXPECT_EQ(problems[1].cure.english(), "sudo ip link set can0 up");
     controller = controllerFrom(kWorking);
-    EXPECT_EQ(finding(Level::Problem).cure, "sudo ip link set can0 up");
+    EXPECT_EQ(finding(Level::Problem).cure.english(), "sudo ip link set can0 up");
 }
 
 TEST_F(Checking, knowsBusOffAndManyErrors)
 {
     controller.state = "BUS-OFF";
-    EXPECT_EQ(finding(Level::Problem).cure, "sudo ip link set can0 down; sudo ip link set can0 up");
+    EXPECT_EQ(finding(Level::Problem).cure.english(),
+              "sudo ip link set can0 down; sudo ip link set can0 up");
     controller.state = "ERROR-PASSIVE";
-    EXPECT_NE(finding(Level::Warning).what.find("ERROR-PASSIVE"), std::string::npos);
+    EXPECT_NE(finding(Level::Warning).what.english().find("ERROR-PASSIVE"), std::string::npos);
     controller = {};
-    EXPECT_NE(finding(Level::Warning).what.find("not known"), std::string::npos);
+    EXPECT_NE(finding(Level::Warning).what.english().find("not known"), std::string::npos);
 }
 
 TEST_F(Checking, warnsOfBuffers)
 {
     facts.receiveLimit = 212'992;
-    EXPECT_EQ(finding(Level::Warning).cure, "sudo sysctl -w net.core.rmem_max=4194304");
+    EXPECT_EQ(finding(Level::Warning).cure.english(), "sudo sysctl -w net.core.rmem_max=4194304");
     facts.mayForce = true;
     EXPECT_TRUE(of(Level::Warning).empty());
     facts.sendQueue = 1000;
-    EXPECT_EQ(finding(Level::Warning).cure, "sudo ip link set can0 txqueuelen 10");
+    EXPECT_EQ(finding(Level::Warning).cure.english(), "sudo ip link set can0 txqueuelen 10");
 }
 
 TEST(AControllersDetails, areReadFromTheOutputOfIp)

@@ -72,7 +72,7 @@ TEST_F(RobotServing, reportsEachChangeOfStateOnce)
     });
     ASSERT_EQ(states.size(), 2U);
     EXPECT_NE(states[0].find("disarmed"), std::string::npos) << states[0];
-    EXPECT_EQ(states[1].find(describe(RobotActivity::Stopped)), 0U) << states[1];
+    EXPECT_EQ(states[1].find(describe(RobotActivity::Stopped).english), 0U) << states[1];
 }
 
 TEST_F(RobotServing, aBusThatFailsIsReportedAndServedAgain)
@@ -82,7 +82,7 @@ TEST_F(RobotServing, aBusThatFailsIsReportedAndServedAgain)
         if (turn == 40) bus.setState(BusState::Up, "robot");
     });
     ASSERT_EQ(states.size(), 3U);
-    EXPECT_EQ(states[1], describe(BusState::Down, "robot"));
+    EXPECT_EQ(states[1], describe(BusState::Down, "robot").english());
     EXPECT_EQ(states[2], states[0]);
 }
 

@@ -60,7 +60,7 @@ TEST(ComparisonTexts, cautionNamesScenesThatAreLeftOut)
     c.inFile = 900;
     c.scenes = 290;
     c.onlyAfter = 7;
-    c.whyNot = "no ground fits";
+    c.whyNot = Message::verbatim("no ground fits");
     const QString caution = ComparisonWords::caution(c);
     EXPECT_TRUE(caution.contains("300 of the file's 900 scenes")) << caution.toStdString();
     EXPECT_TRUE(caution.contains("10 scenes left out")) << caution.toStdString();

@@ -1,9 +1,11 @@
 // Tests the conditions of alarms, and the alarm table.
 #include <gtest/gtest.h>
 
+#include "app/display/translated.h"
 #include "app/mission/console_alarms.h"
 #include "tests/support/counting_alarm_sound.h"
 #include "tests/support/gui.h"
+#include "tests/support/messages.h"
 #include "widgets/signals/alarm_table.h"
 
 namespace terratact {
@@ -32,8 +34,8 @@ struct Alarming : testing::Test {
     {
         const Alarm* alarm = find(id);
         if (!alarm) return testing::AssertionFailure() << "no alarm " << id;
-        if (alarm->text.find(part) == std::string::npos)
-            return testing::AssertionFailure() << alarm->text;
+        if (!mentions(alarm->text, part))
+            return testing::AssertionFailure() << alarm->text.english();
         return testing::AssertionSuccess();
     }
     bool stands(const std::string& id) const
@@ -119,7 +121,7 @@ TEST_F(Alarming, aWantedHaltRaisesNoAlarm)
 TEST_F(Alarming, lostLinkSoundsOnceThenSeldomAndIsSilentOnReturn)
 {
     viewState.link = kLost;
-    viewState.sourceTrouble = "can0 is down";
+    viewState.sourceTrouble = Message::verbatim("can0 is down");
     pass(1.0);
     EXPECT_TRUE(says("link", "can0 is down"));
     EXPECT_EQ(sounds, 1);
@@ -155,7 +157,7 @@ TEST_F(Alarming, aBusWithManyErrorsAlarmsBeforeItFails)
     EXPECT_TRUE(says("bus", "many errors"));
     QStringList told;
     QObject::connect(&alarms, &ConsoleAlarms::raised,
-                     [&](const QString& text, Severity) { told << text; });
+                     [&](const Message& text, Severity) { told << translated(text); });
     viewState.bus->bus = BusState::BusOff;
     pass(1.0);
     EXPECT_EQ(find("bus")->severity, Severity::Critical);
@@ -166,7 +168,7 @@ TEST_F(Alarming, alarmsWithoutABannerAreRaisedOncePerOnset)
 {
     QStringList told;
     QObject::connect(&alarms, &ConsoleAlarms::raised,
-                     [&](const QString& text, Severity) { told << text; });
+                     [&](const Message& text, Severity) { told << translated(text); });
     viewState.bus->link.foreignSender = viewState.bus->transmits = true;
     viewState.link = kLost;
     pass(3.0);
@@ -213,7 +215,7 @@ TEST_F(Alarming, aPausedOrEndedReplayRaisesNoAlarm)
     viewState.bus->ended = true;
     viewState.bus->bus = BusState::Ended;
     pass(20.0);
-    for (const Alarm& alarm : alarms.list().alarms()) ADD_FAILURE() << alarm.text;
+    for (const Alarm& alarm : alarms.list().alarms()) ADD_FAILURE() << alarm.text.english();
     EXPECT_EQ(sounds, 0);
 }
 
@@ -272,7 +274,7 @@ TEST_F(Alarming, unwantedDisarmingAlarmsUntilTheRobotIsRearmed)
     for (const DisarmCause wanted : {DisarmCause::Operator, DisarmCause::Stop}) {
         goes(ArmingPhase::Armed);
         goes(ArmingPhase::Disarmed, wanted);
-        EXPECT_FALSE(find("disarmed")) << describe(wanted);
+        EXPECT_FALSE(find("disarmed")) << describe(wanted).english;
     }
     EXPECT_EQ(sounds, 0);
     for (int i = 0; i <= static_cast<int>(DisarmCause::EpochChanged); ++i) {
@@ -280,9 +282,9 @@ TEST_F(Alarming, unwantedDisarmingAlarmsUntilTheRobotIsRearmed)
         if (cause == DisarmCause::Operator || cause == DisarmCause::Stop) continue;
         goes(ArmingPhase::Armed);
         goes(ArmingPhase::Disarmed, cause);
-        EXPECT_TRUE(says("disarmed", "Disarmed: " + describe(cause)));
+        EXPECT_TRUE(says("disarmed", std::string("Disarmed: ") + describe(cause).english));
         goes(ArmingPhase::Disarmed, DisarmCause::LinkNotGood);  // reported after an attempt to arm
-        EXPECT_TRUE(says("disarmed", "Disarmed: " + describe(cause)));
+        EXPECT_TRUE(says("disarmed", std::string("Disarmed: ") + describe(cause).english));
         goes(ArmingPhase::Confirming);
         pass(2.0);
         EXPECT_EQ(find("disarmed")->state, AlarmState::Returned);
@@ -295,9 +297,9 @@ TEST_F(Alarming, otherCauses)
 {
     viewState.bus->link.foreignSender = true;
     viewState.bus->transmits = true;
-    viewState.noModel = "no such file";
-    viewState.panelTrouble = "the panel does not answer";
-    viewState.failedExploration = "the estimate failed";
+    viewState.noModel = Message::verbatim("no such file");
+    viewState.panelTrouble = Message::verbatim("the panel does not answer");
+    viewState.failedExploration = Message::verbatim("the estimate failed");
     viewState.isStopped = true;
     viewState.bus->forces.left[2] = ElementForce{0.0, ElementState::Open};
     pass(0.1);
@@ -305,7 +307,7 @@ TEST_F(Alarming, otherCauses)
         EXPECT_TRUE(stands(id)) << id;
     EXPECT_FALSE(find("sensors"));
     pass(1.5);
-    EXPECT_TRUE(says("sensors", "left 3 " + describe(ElementState::Open)));
+    EXPECT_TRUE(says("sensors", std::string("left 3 ") + describe(ElementState::Open).english));
     EXPECT_EQ(sounds, 1) << "all at once sound once";
 }
 
@@ -321,11 +323,11 @@ TEST_F(Alarming, soundCanBeSwitchedOff)
 TEST(AlarmTableWidget, showsStatesAsTextAndEmitsTheOperatorsActions)
 {
     AlarmList list;
-    list.raise("seen", "the first", Severity::Caution, 0.0);
+    list.raise("seen", Message::verbatim("the first"), Severity::Caution, 0.0);
     list.acknowledge("seen");
-    list.raise("over", "the second", Severity::Critical, 10.0);
+    list.raise("over", Message::verbatim("the second"), Severity::Critical, 10.0);
     list.clear("over", 20.0);
-    list.raise("new", "the third", Severity::Critical, 30.0);
+    list.raise("new", Message::verbatim("the third"), Severity::Critical, 30.0);
     AlarmTable table;
     table.resize(900, 300);
     table.setAlarms(list.alarms(), 95.0, 42.0);
@@ -347,7 +349,7 @@ TEST(AlarmTableWidget, showsStatesAsTextAndEmitsTheOperatorsActions)
     QObject::connect(&table, &AlarmTable::allAcknowledged, [&] { ++all; });
     QObject::connect(&table, &AlarmTable::silenced, [&](double s) { silenced = s; });
     table.table()->selectRow(1);
-    list.raise("newer", "on top", Severity::Critical, 96.0);
+    list.raise("newer", Message::verbatim("on top"), Severity::Critical, 96.0);
     table.setAlarms(list.alarms(), 97.0, 0.0);
     QTest::mouseClick(table.acknowledgeButton(), Qt::LeftButton);
     EXPECT_EQ(seen, QStringList{"over"}) << "the chosen alarm, wherever it has moved";
@@ -362,7 +364,8 @@ TEST(AlarmTableWidget, showsStatesAsTextAndEmitsTheOperatorsActions)
 TEST(AlarmTableWidget, selectsNoOtherAlarmWhenTheSelectedOneEnds)
 {
     AlarmList list;
-    for (const char* id : {"a", "b", "c"}) list.raise(id, id, Severity::Caution, 0.0);
+    for (const char* id : {"a", "b", "c"})
+        list.raise(id, Message::verbatim(id), Severity::Caution, 0.0);
     AlarmTable table;
     QStringList seen;
     QObject::connect(&table, &AlarmTable::acknowledged, [&](const QString& id) { seen << id; });

@@ -39,15 +39,15 @@ TEST_F(DrivingOn, leavesAGhostThatMovesWithTheTracksAndGoes)
     ASSERT_TRUE(exploration->estimation().ghost());
     EXPECT_NEAR(exploration->estimation().ghost()->motion.way, 0.4, 1e-9);
     EXPECT_NEAR(exploration->estimation().ghost()->bin[4]->height, stepEstimate().height[8], 1e-9);
-    EXPECT_TRUE(exploration->estimation().whyNoGhost().isEmpty());
+    EXPECT_FALSE(exploration->estimation().whyNoGhost());
     driveBy(0.7);
     EXPECT_FALSE(exploration->estimation().ghost());
-    EXPECT_TRUE(exploration->estimation().whyNoGhost().contains("too far"));
+    EXPECT_TRUE(mentions(exploration->estimation().whyNoGhost(), "too far"));
     telemetry.activity = RobotActivity::Halted;
     press();
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
     EXPECT_FALSE(exploration->estimation().ghost());
-    EXPECT_TRUE(exploration->estimation().whyNoGhost().isEmpty())
+    EXPECT_FALSE(exploration->estimation().whyNoGhost())
         << "of the last estimate, not of the one before";
 }
 
@@ -57,7 +57,7 @@ TEST_F(DrivingOn, leavesNoGhostWithoutOdometryAndSaysSo)
     driveBy(0.1);
     EXPECT_FALSE(exploration->estimation().estimate());
     EXPECT_FALSE(exploration->estimation().ghost());
-    EXPECT_TRUE(exploration->estimation().whyNoGhost().contains("no odometry"));
+    EXPECT_TRUE(mentions(exploration->estimation().whyNoGhost(), "no odometry"));
 }
 
 TEST_F(DrivingOn, leavesAGhostThatIsNotShownWhileTheLinkIsLost)
@@ -67,15 +67,16 @@ TEST_F(DrivingOn, leavesAGhostThatIsNotShownWhileTheLinkIsLost)
     driveBy(0.1);
     tickInSilence(10);
     EXPECT_FALSE(exploration->estimation().ghost());
-    EXPECT_EQ(exploration->estimation().whyNoGhost(), "No ghost while telemetry is missing");
+    EXPECT_TRUE(
+        mentions(exploration->estimation().whyNoGhost(), "No ghost while telemetry is missing"));
     tick();
     EXPECT_TRUE(exploration->estimation().ghost());
     telemetry.time += 2.0;  // two seconds of silence
     tick();
     EXPECT_FALSE(exploration->estimation().ghost());
-    EXPECT_TRUE(exploration->estimation().whyNoGhost().contains("may have moved"));
+    EXPECT_TRUE(mentions(exploration->estimation().whyNoGhost(), "may have moved"));
     tickInSilence(10);
-    EXPECT_TRUE(exploration->estimation().whyNoGhost().contains("may have moved"))
+    EXPECT_TRUE(mentions(exploration->estimation().whyNoGhost(), "may have moved"))
         << "it is ended for that, not for the silence of now";
 }
 
@@ -87,7 +88,7 @@ TEST_F(DrivingOn, leavesNothingOfAnEstimateThatTheOperatorHasCleared)
     ASSERT_TRUE(reaches(AtemPhase::Idle));
     driveBy(0.1);
     EXPECT_FALSE(exploration->estimation().ghost());
-    EXPECT_TRUE(exploration->estimation().whyNoGhost().isEmpty());
+    EXPECT_FALSE(exploration->estimation().whyNoGhost());
 }
 
 TEST_F(Bench, telemetryIsEstimatedLiveWhileTheFlippersMove)
@@ -236,7 +237,8 @@ TEST_F(Bench, modelChosenDuringAnEstimateIsUsedForIt)
     });
     ASSERT_TRUE(gui::eventually([this] { return events.contains("model other.ttm loaded"); }));
     blocked = false;
-    EXPECT_TRUE(reaches(AtemPhase::ProposingProbe)) << describe(exploration->state().failure);
+    EXPECT_TRUE(reaches(AtemPhase::ProposingProbe))
+        << describe(exploration->state().failure).english;
 }
 
 TEST_F(Bench, estimateContinuesIfTheNewModelCannotBeLoaded)
@@ -246,7 +248,8 @@ TEST_F(Bench, estimateContinuesIfTheNewModelCannotBeLoaded)
     ASSERT_TRUE(reaches(AtemPhase::Estimating));
     worker->load([]() -> Result<LoadedModel> { return Error{"no such file"}; });
     blocked = false;
-    EXPECT_TRUE(reaches(AtemPhase::ProposingProbe)) << describe(exploration->state().failure);
+    EXPECT_TRUE(reaches(AtemPhase::ProposingProbe))
+        << describe(exploration->state().failure).english;
 }
 
 TEST_F(Bench, aFailedEstimateIsReportedAsText)

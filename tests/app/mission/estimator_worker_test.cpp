@@ -1,3 +1,4 @@
+#include "app/display/translated.h"
 #include "app/mission/estimator_worker.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ struct Listener : QObject {
         connect(&worker, &EstimatorWorker::modelLoaded, this,
                 [this](const QString& name) { loaded << name; });
         connect(&worker, &EstimatorWorker::modelFailed, this,
-                [this](const QString& why) { noModel << why; });
+                [this](const Message& why) { noModel << translated(why); });
         connect(&worker, &EstimatorWorker::estimated, this,
                 [this](int job, const TerrainEstimate& e, double seconds) {
                     estimated << job;
@@ -31,9 +32,9 @@ struct Listener : QObject {
                     EXPECT_GE(seconds, 0.0);
                     EXPECT_EQ(QThread::currentThread(), thread());
                 });
-        connect(&worker, &EstimatorWorker::failed, this, [this](int job, const QString& why) {
+        connect(&worker, &EstimatorWorker::failed, this, [this](int job, const Message& why) {
             failed << job;
-            reasons << why;
+            reasons << translated(why);
         });
     }
     QStringList loaded, noModel, reasons;
@@ -201,7 +202,7 @@ TEST(Worker, keepsTheModelWhenTheNextCannotBeLoaded)
     Listener heard(worker);
     QStringList kept;
     QObject::connect(&worker, &EstimatorWorker::modelKept, &heard,
-                     [&](const QString& why) { kept << why; });
+                     [&](const Message& why) { kept << translated(why); });
     worker.start();
     worker.load(modelFileLoader("/nowhere/none.ttm", RobotModel{}));
     worker.load([]() -> Result<LoadedModel> { throw std::runtime_error("out of memory"); });

@@ -1,4 +1,5 @@
 // Tests when a probe is proposed, with which limit and policy, and that the estimate is recorded before.
+#include "app/display/translated.h"
 #include "app/mission/session_event_logger.h"
 #include "app/recording/session_folder.h"
 #include "core/log/session_reader.h"
@@ -48,7 +49,8 @@ TEST_F(WaitingForAdvice, doesNotWaitForTheSecondMethod)
     ASSERT_NO_FATAL_FAILURE(wait());
     exploration->setStepLimit(0.3);
     workerHeld = false;
-    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe)) << describe(exploration->state().failure);
+    ASSERT_TRUE(reaches(AtemPhase::ProposingProbe))
+        << describe(exploration->state().failure).english;
     EXPECT_EQ(exploration->proposal()->stepLimit, 0.3);
     EXPECT_FALSE(exploration->estimation().second());
     secondBlocked = false;
@@ -93,26 +95,15 @@ TEST_F(Bench, lastMinutesUseTheOperatorsStepLimit)
         EXPECT_TRUE(event.contains(QStringLiteral("more than 240 mm"))) << event.toStdString();
 }
 
-/// A source with the name of the simulated robot.
-struct BuiltInSource final : MeasurementSource {
-    std::string name() const override { return "SIMULATED ROBOT"; }
-    Result<std::optional<Sample>> next(std::chrono::milliseconds /*patience*/) override
-    {
-        return std::optional<Sample>{};
-    }
-    Status send(const Command& /*command*/) override { return Done{}; }
-};
-
 TEST_F(Bench, theEndOfTheGroundIsReportedWithItsFile)
 {
-    BuiltInSource builtIn;
     const auto toldOn = [&](const std::string& file) {
         Exploration::Options options;
         options.groundFile = file;
-        Exploration drives(builtIn, RobotModel{}, *worker, options);
+        Exploration drives(source, RobotModel{}, *worker, options);
         QStringList told;
         QObject::connect(&drives, &Exploration::happened,
-                         [&](const QString& text) { told << text; });
+                         [&](const Message& text) { told << translated(text); });
         telemetry.travelled = 1.0;
         telemetry.activity = RobotActivity::Driving;
         for (int i = 0; i < 40; ++i) {

@@ -1,4 +1,5 @@
 // Tests the operator's commands: STOP, its release, and driving.
+#include "app/display/translated.h"
 #include "core/log/session_reader.h"
 #include "tests/support/exploration_bench.h"
 
@@ -21,7 +22,7 @@ TEST_F(Bench, stopIsSentAtOnceAndRepeatedUntilConfirmed)
     const int confirmed = sent<StopCommand>();
     tick(20);
     EXPECT_EQ(sent<StopCommand>(), confirmed);
-    EXPECT_EQ(exploration->whyNotDriving(), "STOP is latched: release it first");
+    EXPECT_TRUE(mentions(exploration->whyNotDriving(), "STOP is latched: release it first"));
 }
 
 TEST_F(Bench, stopPressedElsewhereIsOneEventForEachPress)
@@ -34,15 +35,15 @@ TEST_F(Bench, stopPressedElsewhereIsOneEventForEachPress)
     QStringList decided;
     int happened = 0;
     QObject::connect(exploration.get(), &Exploration::decided, exploration.get(),
-                     [&](const char* what, const QString& text) {
-                         decided << QString::fromLatin1(what) + ": " + text;
+                     [&](const char* what, const Message& text) {
+                         decided << QString::fromLatin1(what) + ": " + translated(text);
                      });
     QObject::connect(exploration.get(), &Exploration::happened, exploration.get(),
                      [&] { ++happened; });
     (void)sent<StopCommand>();
     for (int press = 1; press <= 3; ++press) {
         const int before = sent<StopCommand>();
-        exploration->stopFrom("in another window");
+        exploration->stopFrom(Message::verbatim("in another window"));
         EXPECT_EQ(sent<StopCommand>(), before + 1) << "it is sent all the same";
         tick(3);
         EXPECT_EQ(decided.size(), press);
@@ -148,7 +149,7 @@ TEST_F(Bench, aBinChosenLaterIsProposedAfterANewPress)
     ASSERT_NO_FATAL_FAILURE(propose());
     exploration->refuse(exploration->proposal()->id);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    ASSERT_EQ(exploration->whyNotAsking(8), "");
+    ASSERT_FALSE(exploration->whyNotAsking(8));
     exploration->askProbe(8);
     tick();
     EXPECT_EQ(phase(), AtemPhase::Halting);

@@ -1,6 +1,7 @@
 
 
 #include "app/console/link_status.h"
+#include "app/display/translated.h"
 #include "tests/support/exploration_bench.h"
 #include "widgets/control/status_header.h"
 
@@ -93,11 +94,12 @@ TEST_F(Bench, reasonOfTheRobotsRefusalIsShown)
     tick(3);
     ASSERT_EQ(exploration->state().failure, AtemFailure::ProbeRefused);
     const QString why = "the robot refused the probe: the arm does not reach that bin";
-    EXPECT_EQ(exploration->stateWords(), why);
+    EXPECT_EQ(translated(exploration->stateWords()), why);
     EXPECT_TRUE(events.contains("exploration failed: " + why)) << events.join('\n').toStdString();
     telemetry.refusal = Refusal::None;
     tick(10);
-    EXPECT_EQ(exploration->stateWords(), why) << "also when the robot is asked for other things";
+    EXPECT_EQ(translated(exploration->stateWords()), why)
+        << "also when the robot is asked for other things";
 }
 
 TEST_F(Bench, aPressIsExpectedToTakeAsLongAsTheOneBefore)

@@ -1,16 +1,24 @@
 // Tests the preconditions of exploring and of the other commands, and overriding doubtful ones.
 
+#include "app/display/translated.h"
 #include "tests/support/exploration_bench.h"
 
 namespace terratact {
 namespace {
 
-TEST_F(Bench, unmetPreconditionsOfAnExplorationAreListed)
+struct PreconditionBench : Bench {
+    QString overridden() const
+    {
+        return translated(Message::listed(exploration->overridden(), "; "));
+    }
+};
+
+TEST_F(PreconditionBench, unmetPreconditionsOfAnExplorationAreListed)
 {
     using Level = Precondition::Level;
     const auto level = [this](const QString& words) {
         for (const Precondition& p : exploration->preconditions())
-            if (p.text.contains(words)) return static_cast<int>(p.level);
+            if (translated(p.text).contains(words)) return static_cast<int>(p.level);
         return -1;
     };
     EXPECT_EQ(level("telemetry"), static_cast<int>(Level::Met));
@@ -19,13 +27,13 @@ TEST_F(Bench, unmetPreconditionsOfAnExplorationAreListed)
     EXPECT_EQ(level("roll"), static_cast<int>(Level::Doubtful));
     exploration->overrideWarnings();
     EXPECT_EQ(level("roll"), static_cast<int>(Level::Overridden));
-    EXPECT_TRUE(exploration->overridden().contains("roll"));
+    EXPECT_TRUE(overridden().contains("roll"));
     EXPECT_TRUE(events.filter("overridden by the operator").size() == 1) << "it is logged";
     telemetry.roll = 0.0;
     tick();
-    EXPECT_TRUE(exploration->overridden().isEmpty()) << "an override must not outlive its reason";
+    EXPECT_TRUE(overridden().isEmpty()) << "an override must not outlive its reason";
     exploration->overrideWarnings();
-    EXPECT_TRUE(exploration->overridden().isEmpty()) << "nor come before it";
+    EXPECT_TRUE(overridden().isEmpty()) << "nor come before it";
     telemetry.rearLeft = 0.4;
     tick();
     EXPECT_EQ(level("flippers differ"), static_cast<int>(Level::Doubtful));
@@ -33,7 +41,7 @@ TEST_F(Bench, unmetPreconditionsOfAnExplorationAreListed)
     EXPECT_EQ(level("telemetry"), static_cast<int>(Level::Missing));
 }
 
-TEST_F(Bench, nothingMovesWhileTheArmIsOutAfterAnAbort)
+TEST_F(PreconditionBench, nothingMovesWhileTheArmIsOutAfterAnAbort)
 {
     telemetry.activity = RobotActivity::Probing;
     tick();
@@ -53,7 +61,7 @@ TEST_F(Bench, nothingMovesWhileTheArmIsOutAfterAnAbort)
     EXPECT_NE(exploration->state().phase, AtemPhase::Idle);
 }
 
-TEST_F(Bench, robotConditionsAreUnmetWithoutTelemetry)
+TEST_F(PreconditionBench, robotConditionsAreUnmetWithoutTelemetry)
 {
     EXPECT_EQ(linesOf(exploration->preconditions()),
               "✔ telemetry is live\n✔ STOP is not latched\n✔ model fake.ttm is ready\n"
@@ -69,8 +77,7 @@ TEST_F(Bench, robotConditionsAreUnmetWithoutTelemetry)
     tick();
     exploration->tick({.now = now + 0.849, .latest = latest});
     exploration->overrideWarnings();
-    EXPECT_EQ(exploration->overridden(), "")
-        << "of a roll that was, nobody can take anything upon him";
+    EXPECT_EQ(overridden(), "") << "of a roll that was, nobody can take anything upon him";
     EXPECT_EQ(linesOf(exploration->preconditions()), stale);
     tick();
     EXPECT_TRUE(linesOf(exploration->preconditions()).contains("! roll +11.5°"));
@@ -81,7 +88,7 @@ TEST_F(Bench, robotConditionsAreUnmetWithoutTelemetry)
     EXPECT_TRUE(linesOf(unheard.preconditions()).contains("! left, right: not known"));
 }
 
-TEST_F(Bench, anOverrideCoversOneReasonAtItsSize)
+TEST_F(PreconditionBench, anOverrideCoversOneReasonAtItsSize)
 {
     using Level = Precondition::Level;
     const auto levels = [this](Level level) {
@@ -92,11 +99,11 @@ TEST_F(Bench, anOverrideCoversOneReasonAtItsSize)
     telemetry.roll = 0.105;  // 6°
     tick();
     exploration->overrideWarnings();
-    EXPECT_EQ(exploration->overridden(), "roll +6.0°: left and right ground differ");
+    EXPECT_EQ(overridden(), "roll +6.0°: left and right ground differ");
     telemetry.roll = 0.15;
     tick();
     EXPECT_EQ(levels(Level::Overridden), 1) << "as good as the same";
-    EXPECT_TRUE(exploration->overridden().contains("6.0°")) << "what was overridden then";
+    EXPECT_TRUE(overridden().contains("6.0°")) << "what was overridden then";
 
     telemetry.rearLeft = 0.4;
     tick();
@@ -109,12 +116,12 @@ TEST_F(Bench, anOverrideCoversOneReasonAtItsSize)
     telemetry.roll = 0.52;  // 30°
     tick();
     EXPECT_EQ(levels(Level::Doubtful), 1);
-    EXPECT_FALSE(exploration->overridden().contains("roll"));
-    EXPECT_TRUE(exploration->overridden().contains("flippers"));
+    EXPECT_FALSE(overridden().contains("roll"));
+    EXPECT_TRUE(overridden().contains("flippers"));
     EXPECT_EQ(events.filter("the override has ended: roll +29.8°").size(), 1);
 }
 
-TEST_F(Bench, overrideEndsWhenItsReasonEndsWhileExploring)
+TEST_F(PreconditionBench, overrideEndsWhenItsReasonEndsWhileExploring)
 {
     telemetry.roll = 0.105;
     tick();
@@ -124,7 +131,7 @@ TEST_F(Bench, overrideEndsWhenItsReasonEndsWhileExploring)
     ASSERT_EQ(phase(), AtemPhase::Halting);
     telemetry.roll = 0.0;
     tick();
-    EXPECT_EQ(exploration->overridden(), "");
+    EXPECT_EQ(overridden(), "");
     EXPECT_EQ(events.filter("the override has ended: the roll is small again").size(), 1);
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/link/dbc_book.h"
 #include "app/shell/language.h"
 #include "tests/support/temporary_directory.h"
@@ -76,7 +77,8 @@ TEST(Trace, textsOfDbcFilesAreNotTranslated)
                                                   " SG_ Gear : 0|8@1+ (1,0) [0|1] \"\" D\n"
                                                   "VAL_ 1200 Gear 0 \"stopped\" 1 \"no\" ;\n")));
     EXPECT_EQ(traceWords({.id = 1200, .length = 1}, book).content, "Gear stopped");
-    EXPECT_NE(format::sentence("stopped"), "stopped") << "a word of the robot's, elsewhere";
+    EXPECT_NE(translated(TR_NOOP("core", "stopped")), "stopped")
+        << "a word of the robot's, elsewhere";
     installLanguage(*qApp, "en");
 }
 

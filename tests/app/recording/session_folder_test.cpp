@@ -68,8 +68,9 @@ TEST_F(SessionFolder, deletesNothingThatWasNotConfirmed)
     makeClosed(folder + "/2.tts");
     const auto told = applyRetention(sessionsIn(folder), {.days = 30.0}, kLater);
     ASSERT_EQ(told.size(), 1U);
-    EXPECT_NE(told[0].find("2 sessions of "), std::string::npos) << told[0];
-    EXPECT_NE(told[0].find("none is deleted until"), std::string::npos) << told[0];
+    EXPECT_NE(told[0].english().find("2 sessions of "), std::string::npos) << told[0].english();
+    EXPECT_NE(told[0].english().find("none is deleted until"), std::string::npos)
+        << told[0].english();
     EXPECT_EQ(filesIn(folder).size(), 2U);
 }
 
@@ -135,7 +136,7 @@ TEST_F(SessionFolder, symbolicLinksInItsFolderAreNotFollowed)
     EXPECT_TRUE(sessionsIn(folder).empty());
     const auto told = recoverDeadSessions({link});
     ASSERT_EQ(told.size(), 1U);
-    EXPECT_NE(told[0].find("is a symbolic link"), std::string::npos) << told[0];
+    EXPECT_NE(told[0].english().find("is a symbolic link"), std::string::npos) << told[0].english();
     EXPECT_EQ(contentOf(elsewhere), before);
     makeClosed(directory.file("closed.tts"));
     std::filesystem::create_symlink(directory.file("closed.tts"), folder + "/closed.tts");

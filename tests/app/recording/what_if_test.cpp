@@ -115,7 +115,8 @@ TEST(Differences, areLastBitsIfNumbersAreNearAndTextsEqual)
     EXPECT_EQ(likenessAfter([](Estimate& e) { e.ess[2] += 5e-4; }), Match::Other);
     EXPECT_EQ(likenessAfter([](Estimate& e) { e.sd[2] = std::nan(""); }), Match::Other);
     EXPECT_EQ(likenessAfter([](Estimate& e) { e.draws.pop_back(); }), Match::Other);
-    EXPECT_EQ(likenessAfter([](Estimate& e) { e.warnings.emplace_back("other"); }), Match::Other);
+    EXPECT_EQ(likenessAfter([](Estimate& e) { e.warnings.push_back(Message::verbatim("other")); }),
+              Match::Other);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "app/review/scenes_window.h"
 #include "app/shell/language.h"
 #include "core/infer/verdict/verdict.h"
+#include "core/log/event_text.h"
 #include "core/log/session_rows.h"
 #include "core/robot/force_sensor.h"
 #include "core/robot/watch/sensor_suspicion.h"
@@ -26,6 +27,7 @@ TEST(Languages, sessionTextIsTranslatedExceptWhatPeopleWrote)
 {
     const std::vector<EventRow> told{
         {.kind = EventKind::Decision, .subject = "drive", .text = "back"},
+        withText({.kind = EventKind::Decision, .subject = "drive"}, TR_NOOP("event", "forward")),
         {.kind = EventKind::Decision, .subject = "second method", .text = "none"},
         {.kind = EventKind::Decision, .subject = "release stop"},
         {.kind = EventKind::Phase,
@@ -37,33 +39,25 @@ TEST(Languages, sessionTextIsTranslatedExceptWhatPeopleWrote)
         {.kind = EventKind::Arming, .subject = std::string(name(ArmingPhase::Confirming))},
         {.kind = EventKind::Arming, .subject = std::string(name(ArmingPhase::Requested))},
         {.kind = EventKind::Arming, .subject = std::string(name(ArmingPhase::Armed))},
-        {.kind = EventKind::Link,
-         .subject = std::string(kLinkUp),
-         .text = "gaps before: 3, the longest 0.41 s"},
-        {.kind = EventKind::Link,
-         .subject = std::string(kLinkLost),
-         .text = describe(BusState::Ended, "bus")},
+        withText({.kind = EventKind::Link, .subject = std::string(kLinkUp)},
+                 {TR_NOOP("core", "gaps before: %1, the longest %2 s"), 3, fixed(0.41, 2)}),
+        withText({.kind = EventKind::Link, .subject = std::string(kLinkLost)},
+                 describe(BusState::Ended, "bus")),
         {.kind = EventKind::Link, .subject = std::string(kTelemetryLost)},
         {.kind = EventKind::Alarm, .subject = "silence", .number = 0.0},
         {.kind = EventKind::Panel, .subject = "refuse", .number = 1.0},
-        {.kind = EventKind::Gap,
-         .subject = "missing",
-         .text =
-             "12 frames and 3 other rows are not here: there was no room while the disk was slow "
-             "or full, or they could not be written"},
-        {.kind = EventKind::Gap,
-         .subject = "log",
-         .text = "frames that were lost when the log was recorded"},
-        {.kind = EventKind::Session, .subject = "begun", .text = "from a log of CAN frames"},
-        {.kind = EventKind::Session, .subject = "continued", .text = "after /tmp/seen.tts"},
-        {.kind = EventKind::Session,
-         .subject = "merged",
-         .text = "from seen.tts, 12 frames, last link 0123, 3 batches of which are not what was "
-                 "recorded and left out"},
-        {.kind = EventKind::Session,
-         .subject = "recovered",
-         .text = "the program that recorded ended without closing the session"},
-        {.kind = EventKind::Session, .subject = "ended", .text = "closed with the console"}};
+        withText({.kind = EventKind::Gap, .subject = "log"},
+                 TR_NOOP("core", "frames that were lost when the log was recorded")),
+        withText({.kind = EventKind::Session, .subject = "begun"},
+                 TR_NOOP("core", "from a log of CAN frames")),
+        withText({.kind = EventKind::Session, .subject = "continued"},
+                 {TR_NOOP("core", "after %1"), "/tmp/seen.tts"}),
+        withText({.kind = EventKind::Session, .subject = "merged"},
+                 {TR_NOOP("core", "from %1, %2 frames, last link %3, %4 batches of which are not "
+                                  "what was recorded and left out"),
+                  "seen.tts", 12, "0123", 3}),
+        withText({.kind = EventKind::Session, .subject = "ended"},
+                 TR_NOOP("core", "closed with the console"))};
     std::vector<QString> english;
     for (const EventRow& event : told) english.push_back(sentenceOf(event));
     for (const char* language : {"cs", "de"}) {

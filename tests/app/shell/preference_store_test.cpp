@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "app/console/main_window.h"
+#include "app/display/translated.h"
 #include "app/shell/language.h"
+#include "core/store/file_read.h"
 #include "tests/support/gui.h"
 #include "tests/support/look_bench.h"
 #include "widgets/signals/event_list.h"
@@ -44,12 +46,17 @@ TEST_F(Look, preferenceErrorsUseTheCurrentLanguage)
     directory.write("console.ini", "[General]\nschema=1\nlanguage=cs\ntheme=purple\n");
     LoadedPreferences loaded =
         loadPreferences(QString::fromStdString(directory.file("console.ini")));
-    loaded.troubles.push_back(robotNotUsed(Error{"mine.toml: is empty"}));
+    loaded.troubles.push_back(robotNotUsed(fileError("mine.toml", TR_NOOP("core", "is empty"))));
     const PreferenceStore store(loaded, loaded.preferences);
-    const QStringList english = store.troubles();
+    const auto sentences = [&store] {
+        QStringList all;
+        for (const Message& trouble : store.troubles()) all << translated(trouble);
+        return all;
+    };
+    const QStringList english = sentences();
     if (installLanguage(*qApp, store.current().language) != "cs")
         GTEST_SKIP() << "built without translations";
-    const QStringList czech = store.troubles();
+    const QStringList czech = sentences();
     installLanguage(*qApp, "en");
     ASSERT_EQ(czech.size(), 2);
     EXPECT_TRUE(czech[0].contains("purple") && czech[0] != english[0]);

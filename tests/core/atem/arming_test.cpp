@@ -118,7 +118,7 @@ TEST(Arming, anyFaultDisarmsAtOnce)
             in.robotArmed = in.confirmed = true;
             happens(in);
             EXPECT_EQ(nextArming(state, in, kLimits), (ArmingState{.cause = cause, .since = 100.0}))
-                << describe(state.phase) << ", " << describe(cause);
+                << describe(state.phase).english << ", " << describe(cause).english;
         }
 }
 
@@ -152,11 +152,12 @@ TEST(Arming, refusesTimesThatAreNotFinite)
 TEST(Arming, hasWordsForEverything)
 {
     for (int i = 0; i <= static_cast<int>(Phase::Armed); ++i)
-        EXPECT_FALSE(describe(static_cast<Phase>(i)).empty());
+        EXPECT_STRNE(describe(static_cast<Phase>(i)).english, "");
     for (int i = 0; i <= static_cast<int>(Cause::EpochChanged); ++i)
-        EXPECT_FALSE(describe(static_cast<Cause>(i)).empty());
-    EXPECT_THROW(static_cast<void>(describe(static_cast<Phase>(4))), std::invalid_argument);
-    EXPECT_THROW(static_cast<void>(describe(static_cast<Cause>(99))), std::invalid_argument);
+        EXPECT_STRNE(describe(static_cast<Cause>(i)).english, "");
+    EXPECT_THROW(static_cast<void>(describe(static_cast<Phase>(4)).english), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(describe(static_cast<Cause>(99)).english),
+                 std::invalid_argument);
 }
 
 }  // namespace

@@ -69,12 +69,12 @@ TEST_P(AtemArrow, leadsToTheStateInTheDiagram)
     AtemInput in = GetParam().in;
     in.now += before.since;
     const AtemState after = nextState(before, in, kLimits);
-    EXPECT_EQ(after.phase, GetParam().to) << describe(after.phase);
+    EXPECT_EQ(after.phase, GetParam().to) << describe(after.phase).english;
     const bool stayed = GetParam().to == GetParam().from && GetParam().failure == AtemFailure::None;
     if (stayed) {
         EXPECT_EQ(after, before) << "a state that stays keeps everything, its start too";
     } else {
-        EXPECT_EQ(after.failure, GetParam().failure) << describe(after.failure);
+        EXPECT_EQ(after.failure, GetParam().failure) << describe(after.failure).english;
         EXPECT_EQ(after.since, in.now);
     }
 }
@@ -254,7 +254,7 @@ TEST(AtemMachine, stopEndsEveryPhaseWhateverElseHappens)
     for (const AtemPhase phase : kPhases) {
         const AtemInput in{
             .now = 1e9, .requested = true, .aborted = true, .stop = true, .linkAlive = false};
-        EXPECT_EQ(nextState(at(phase), in, kLimits).phase, Stopped) << describe(phase);
+        EXPECT_EQ(nextState(at(phase), in, kLimits).phase, Stopped) << describe(phase).english;
     }
 }
 
@@ -263,10 +263,10 @@ TEST(AtemMachine, aLostLinkFailsEveryExploringPhaseAndNoOther)
     for (const AtemPhase phase : kPhases) {
         const AtemState after = nextState(at(phase), {.now = 101.0, .linkAlive = false}, kLimits);
         if (exploring(phase)) {
-            EXPECT_EQ(after.phase, Failed) << describe(phase);
-            EXPECT_EQ(after.failure, AtemFailure::LinkLost) << describe(phase);
+            EXPECT_EQ(after.phase, Failed) << describe(phase).english;
+            EXPECT_EQ(after.failure, AtemFailure::LinkLost) << describe(phase).english;
         } else {
-            EXPECT_EQ(after, at(phase)) << describe(phase);
+            EXPECT_EQ(after, at(phase)) << describe(phase).english;
         }
     }
 }
@@ -276,7 +276,7 @@ TEST(AtemMachine, abortEndsEveryExploringPhase)
     for (const AtemPhase phase : kPhases)
         if (exploring(phase)) {
             EXPECT_EQ(nextState(at(phase), {.now = 101.0, .aborted = true}, kLimits).phase, Idle)
-                << describe(phase);
+                << describe(phase).english;
         }
 }
 
@@ -341,7 +341,8 @@ TEST(AtemMachine, keepsItsInvariantsForEveryInput)
 TEST(AtemMachine, everyExploringPhaseHasADeadlineAndNoOtherHas)
 {
     for (const AtemPhase phase : kPhases)
-        EXPECT_EQ(deadline(at(phase), kLimits).has_value(), exploring(phase)) << describe(phase);
+        EXPECT_EQ(deadline(at(phase), kLimits).has_value(), exploring(phase))
+            << describe(phase).english;
     EXPECT_DOUBLE_EQ(*deadline(at(ProposingProbe), kLimits), 120.0);
 }
 
@@ -349,7 +350,7 @@ TEST(AtemMachine, mayDriveOnlyWithoutAnExploration)
 {
     for (const AtemPhase phase : kPhases)
         EXPECT_EQ(mayDrive(phase), phase == Idle || phase == Presenting || phase == Failed)
-            << describe(phase);
+            << describe(phase).english;
 }
 
 TEST(AtemMachine, refusesATimeThatIsNotFinite)
@@ -361,9 +362,9 @@ TEST(AtemMachine, refusesATimeThatIsNotFinite)
 TEST(AtemMachine, hasWordsForEveryPhaseAndFailure)
 {
     std::vector<std::string> words;
-    for (const AtemPhase phase : kPhases) words.push_back(describe(phase));
+    for (const AtemPhase phase : kPhases) words.push_back(describe(phase).english);
     for (int f = 0; f <= static_cast<int>(AtemFailure::Disarmed); ++f)
-        words.push_back(describe(static_cast<AtemFailure>(f)));
+        words.push_back(describe(static_cast<AtemFailure>(f)).english);
     for (std::size_t i = 0; i < words.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) EXPECT_NE(words[i], words[j]);
 }

@@ -207,7 +207,7 @@ TEST(Gate, asksForTheRightActivityOfTheRobot)
             GateView view = c.view;
             view.robot->activity = activity;
             EXPECT_EQ(verdict(c.command, view), expected[static_cast<std::size_t>(activity)])
-                << c.command.index() << ", " << describe(activity);
+                << c.command.index() << ", " << describe(activity).english;
         }
 }
 
@@ -466,10 +466,11 @@ TEST(Gate, hasWordsForEveryRefusal)
 {
     std::set<std::string> words;
     for (int i = 0; i <= static_cast<int>(OtherBin); ++i)
-        words.insert(describe(static_cast<GateRefusal>(i)));
+        words.insert(describe(static_cast<GateRefusal>(i)).english);
     EXPECT_EQ(words.size(), static_cast<std::size_t>(OtherBin) + 1);
     EXPECT_FALSE(words.contains(""));
-    EXPECT_THROW(static_cast<void>(describe(static_cast<GateRefusal>(99))), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(describe(static_cast<GateRefusal>(99)).english),
+                 std::invalid_argument);
 }
 
 }  // namespace

@@ -45,13 +45,13 @@ TEST_P(FollowedArrow, leadsToTheStateInTheDiagram)
     FollowInput in = GetParam().in;
     in.now += before.since;
     const AtemState after = nextFollowed(before, in, kLimits);
-    EXPECT_EQ(after.phase, GetParam().to) << describeFollowed(after.phase);
+    EXPECT_EQ(after.phase, GetParam().to) << describeFollowed(after.phase).english;
     EXPECT_TRUE(after.followed);
     const bool stayed = GetParam().to == GetParam().from && !in.newPress;
     if (stayed) {
         EXPECT_EQ(after, before) << "a state that stays keeps everything, its start too";
     } else {
-        EXPECT_EQ(after.failure, GetParam().failure) << describe(after.failure);
+        EXPECT_EQ(after.failure, GetParam().failure) << describe(after.failure).english;
         EXPECT_EQ(after.since, in.now);
     }
 }
@@ -195,9 +195,9 @@ TEST(PassiveExploration, keepsProbedUntilTheNextPress)
 TEST(PassiveExploration, onlyAnEstimateHasATimeLimit)
 {
     for (const AtemPhase phase : {Idle, Pressing, Probing, Presenting, Stopped, Failed})
-        EXPECT_FALSE(deadline(at(phase), kLimits)) << describeFollowed(phase);
+        EXPECT_FALSE(deadline(at(phase), kLimits)) << describeFollowed(phase).english;
     for (const AtemPhase phase : {Estimating, EstimatingAgain})
-        EXPECT_EQ(deadline(at(phase), kLimits), 130.0) << describeFollowed(phase);
+        EXPECT_EQ(deadline(at(phase), kLimits), 130.0) << describeFollowed(phase).english;
 }
 
 TEST(PassiveExploration, refusesATimeThatIsNotFinite)

@@ -23,7 +23,8 @@ struct Watching : testing::Test {
                                               .age = now - heard,
                                               .alive = now - heard <= 0.25,
                                               .othersCome = othersCome});
-        if (said.empty() || said.back() != describe(link)) said.push_back(describe(link));
+        if (said.empty() || said.back() != describe(link).english)
+            said.push_back(describe(link).english);
     }
     void pass(double seconds, bool comes)
     {
@@ -35,7 +36,7 @@ using Said = std::vector<std::string>;
 
 TEST_F(Watching, isSilentUntilTheFirstTelemetryAndUpWithIt)
 {
-    EXPECT_EQ(describe(watch.poll({.now = 1.0})), "no telemetry yet");
+    EXPECT_EQ(describe(watch.poll({.now = 1.0})).english, "no telemetry yet");
     poll(true);
     EXPECT_EQ(watch.account(), (LinkAccount{.standing = LinkStanding::Up, .alive = true}));
 }
@@ -102,7 +103,8 @@ TEST_F(Watching, endOfALogIsNoLoss)
 {
     pass(1.0, true);
     pass(0.5, false);
-    EXPECT_EQ(describe(watch.poll({.now = now, .age = 0.5, .ended = true})), "end of the log");
+    EXPECT_EQ(describe(watch.poll({.now = now, .age = 0.5, .ended = true})).english,
+              "end of the log");
     EXPECT_EQ(watch.account().gaps, 0);
 }
 

@@ -153,8 +153,8 @@ TEST(ClosedForm, flagsAProbeInsideTheRobotAndASceneUnlikeTraining)
     const Scene& scene = bench().scenes.front();
     const ArmReading inside{3, 0.3, 0.03};
     const TerrainEstimate e = estimate(scene, Method::Local, {&inside, 1});
-    EXPECT_TRUE(std::any_of(e.warnings.begin(), e.warnings.end(), [](const std::string& w) {
-        return w.find("above the robot's own lower edge") != std::string::npos;
+    EXPECT_TRUE(std::any_of(e.warnings.begin(), e.warnings.end(), [](const Message& w) {
+        return w.english().find("above the robot's own lower edge") != std::string::npos;
     }));
     EXPECT_LE(e.height[3], e.ceiling[3] + kDeepestSinking);
 
@@ -163,8 +163,8 @@ TEST(ClosedForm, flagsAProbeInsideTheRobotAndASceneUnlikeTraining)
     strange.s.pitch = -0.9;
     const TerrainEstimate unlike = estimate(strange, Method::Local);
     EXPECT_GT(unlike.novelty, 1.0);
-    EXPECT_TRUE(std::any_of(unlike.warnings.begin(), unlike.warnings.end(), [](const auto& w) {
-        return w.find("unlike the training scenes") != std::string::npos;
+    EXPECT_TRUE(std::any_of(unlike.warnings.begin(), unlike.warnings.end(), [](const Message& w) {
+        return w.english().find("unlike the training scenes") != std::string::npos;
     }));
 }
 

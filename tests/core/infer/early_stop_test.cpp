@@ -241,8 +241,8 @@ TEST(TimeOut, duringTheBurnInIsNeverCalledConverged)
         conclude(estimate, draws, {});
         EXPECT_EQ(estimate.converged, leftOut == 0);
         EXPECT_EQ(std::count_if(estimate.warnings.begin(), estimate.warnings.end(),
-                                [](const std::string& w) {
-                                    return w.find("7 sweeps before the burn-in's end")
+                                [](const Message& w) {
+                                    return w.english().find("7 sweeps before the burn-in's end")
                                         != std::string::npos;
                                 }),
                   leftOut == 0 ? 0 : 1);

@@ -177,8 +177,8 @@ TEST_P(EveryMethod, answersContradictoryContactsAndSaysSo)
     expectSound(e, what());
     EXPECT_EQ(e.origin[static_cast<std::size_t>(contacts.front().bin)], Origin::Arm);
     if (usesForces(GetParam())) {
-        EXPECT_TRUE(std::any_of(e.warnings.begin(), e.warnings.end(), [](const std::string& w) {
-            return w.find("contact and arm disagree") != std::string::npos;
+        EXPECT_TRUE(std::any_of(e.warnings.begin(), e.warnings.end(), [](const Message& w) {
+            return w.english().find("contact and arm disagree") != std::string::npos;
         })) << what();
     }
 }
@@ -513,7 +513,7 @@ TEST(Estimate, stuckChainsConvergeOnlyAtTheirCeiling)
         EXPECT_FALSE(e.converged) << ceiling;
         EXPECT_EQ(e.rhat[9], kRhatNever);
         ASSERT_EQ(e.warnings.size(), 1U);
-        EXPECT_NE(e.warnings[0].find("not converged"), std::string::npos);
+        EXPECT_NE(e.warnings[0].english().find("not converged"), std::string::npos);
     }
     EXPECT_TRUE(concluded(draws, -0.2).converged);
     EXPECT_TRUE(concluded(draws, -0.2).warnings.empty());
@@ -563,8 +563,8 @@ TEST(Sampler, saysWhereAModelNeededAJitter)
             estimateTerrain(asked.scene.s, {}, robot(), singular, asked.settings);
         expectSound(e, "singular model");
         EXPECT_EQ(std::count_if(e.warnings.begin(), e.warnings.end(),
-                                [](const std::string& w) {
-                                    return w.find("model of bin +0.1 m is singular")
+                                [](const Message& w) {
+                                    return w.english().find("model of bin +0.1 m is singular")
                                         != std::string::npos;
                                 }),
                   1)

@@ -141,7 +141,7 @@ TEST(Reconstruct, saysHowItsSamplingEndedAndCountsItsDraws)
     EXPECT_EQ(cut.ending, Ending::Time);
     EXPECT_EQ(cut.draws.size(), 12U);
     EXPECT_EQ(cut.ess[4], 12.0);
-    EXPECT_NE(cut.warnings.back().find("when time was out"), std::string::npos);
+    EXPECT_NE(cut.warnings.back().english().find("when time was out"), std::string::npos);
 }
 
 TEST(Reconstruct, reportsAnArmReadingAboveTheBodyAndKeepsIt)
@@ -150,7 +150,8 @@ TEST(Reconstruct, reportsAnArmReadingAboveTheBodyAndKeepsIt)
     const TerrainEstimate e = estimate(Method::Pafc, {&impossible, 1});
     EXPECT_EQ(e.origin[3], Origin::Arm);
     ASSERT_FALSE(e.warnings.empty());
-    EXPECT_NE(e.warnings.front().find("above the robot's own lower edge"), std::string::npos);
+    EXPECT_NE(e.warnings.front().english().find("above the robot's own lower edge"),
+              std::string::npos);
 }
 
 TEST(Reconstruct, repeatsBitForBit)
@@ -182,7 +183,7 @@ TEST(Reconstruct, saysWhenTheChainsHaveNotConverged)
     const TerrainEstimate e = reconstruct(bench().scene.s, {}, bench().robot, bench().pa, settings);
     EXPECT_FALSE(e.converged);
     ASSERT_FALSE(e.warnings.empty());
-    EXPECT_NE(e.warnings.back().find("not converged"), std::string::npos);
+    EXPECT_NE(e.warnings.back().english().find("not converged"), std::string::npos);
 }
 
 TEST(Reconstruct, refusesTheWrongModelsAndMissingFeatures)

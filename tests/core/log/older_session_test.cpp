@@ -18,6 +18,9 @@ namespace {
 
 const std::string kDemo = TERRATACT_SOURCE_DIR "/resources/sessions/demo.tts";  // of version 1
 const std::string kVersion2 = TERRATACT_SOURCE_DIR "/tests/core/log/session_of_version_2.sql";
+/// The same session in version 3, from before events and estimates held messages.
+const std::string kWithoutMessages =
+    TERRATACT_SOURCE_DIR "/tests/core/log/session_of_version_3.sql";
 
 /// The file as SQLite has it: what the operator read when it was recorded.
 std::vector<std::string> recordedEvents(const std::string& path)
@@ -53,11 +56,13 @@ SessionReader opened(const std::string& path)
 }
 
 struct OlderSession : testing::Test {
-    std::string version2()
+    std::string version2() { return sessionFrom(kVersion2, "version_2.tts"); }
+    std::string withoutMessages() { return sessionFrom(kWithoutMessages, "version_3.tts"); }
+    std::string sessionFrom(const std::string& statements, const std::string& name)
     {
-        std::string path = directory.file("version_2.tts");
+        std::string path = directory.file(name);
         std::ostringstream sql;
-        sql << std::ifstream(kVersion2).rdbuf();
+        sql << std::ifstream(statements).rdbuf();
         sqlite3* file = nullptr;
         sqlite3_open(path.c_str(), &file);
         EXPECT_EQ(sqlite3_exec(file, sql.str().c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
@@ -76,6 +81,22 @@ TEST_F(OlderSession, everyEventReadsAsItWasRecorded)
         EXPECT_GT(recorded.size(), 30U);
         EXPECT_EQ(readEvents(session), recorded) << path;
     }
+}
+
+TEST_F(OlderSession, withoutMessagesReadsTheSame)
+{
+    const SessionReader older = opened(version2()), session = opened(withoutMessages());
+    EXPECT_TRUE(session.damage().empty());
+    std::vector<std::string> events = readEvents(session);
+    std::erase_if(events, [](const auto& line) { return line.starts_with("session|merged|"); });
+    EXPECT_EQ(events, readEvents(older));
+    for (const EventRow& event : session.events()) EXPECT_TRUE(event.message.empty());
+    ASSERT_EQ(session.estimates().size(), 1U);
+    const TerrainEstimate& estimate = session.estimates()[0].estimate;
+    EXPECT_TRUE(estimate.contradicts);
+    EXPECT_EQ(estimate.warnings, older.estimates().at(0).estimate.warnings);
+    ASSERT_EQ(estimate.warnings.size(), 2U);
+    EXPECT_EQ(estimate.warnings[0], Message::verbatim("the chains have not converged"));
 }
 
 TEST_F(OlderSession, everyPhaseAndFailureIsRecognised)
@@ -117,7 +138,7 @@ TEST_F(OlderSession, theDemoShowsTheSamePhasesAndVerdicts)
     std::string phases;
     for (const EventRow& event : session.events())
         if (event.kind == EventKind::Phase)
-            phases += describe(moments.at(event.time).state.phase) + "; ";
+            phases += std::string(describe(moments.at(event.time).state.phase).english) + "; ";
     EXPECT_EQ(
         phases,
         "ready; halting the robot; pressing the front flippers down; arm probe proposed; arm is "
@@ -154,13 +175,18 @@ TEST_F(OlderSession, aNewSessionHoldsNamesAndMessages)
          .text = std::string(name(DisarmCause::Stop))});
     const Message message(TR_NOOP("core", "roll %1°: the ground is not the same left and right"),
                           fixed(-5.24, 1));
-    add({.kind = EventKind::Word, .text = message.english(), .message = message});
+    add(withText({.kind = EventKind::Word}, message));
+    add(withText({.kind = EventKind::Alarm, .subject = "halted", .number = 3.0},
+                 describe(Refusal::Busy)));
     ASSERT_TRUE(writer->seal());
     const SessionReader session = opened(path);
     EXPECT_EQ(session.events(), rows);
     EXPECT_EQ(readEvents(session)[0], "phase|exploration failed|the robot did not halt in time");
     EXPECT_EQ(readEvents(session)[1], "arming|disarmed|STOP is latched");
     EXPECT_EQ(rows[2].text, "roll -5.2°: the ground is not the same left and right");
+    EXPECT_EQ(messageOf(session.events()[2]), message);
+    EXPECT_EQ(messageOf(session.events()[3]), Message(describe(Refusal::Busy)));
+    EXPECT_EQ(messageOf(session.events()[0]), Message(describe(AtemFailure::HaltTimeout)));
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ TEST_F(Review, showsTheStateAtThatTime)
     const ReviewMoment gone = at(At::kForgotten + 0.1);
     EXPECT_FALSE(gone.estimate);
     EXPECT_FALSE(gone.scene);
-    EXPECT_EQ(gone.forgotten, "The robot has moved");
+    EXPECT_EQ(gone.forgotten.english(), "The robot has moved");
 }
 
 TEST_F(Review, showsTheAlarmsAtThatTime)
@@ -97,7 +97,7 @@ TEST_F(Review, showsTheAlarmsAtThatTime)
     record(2.0);
     EXPECT_TRUE(at(At::kAlarm - 0.1).alarms.empty());
     ASSERT_EQ(at(At::kAlarm + 0.1).alarms.size(), 1U);
-    EXPECT_EQ(at(At::kAlarm + 0.1).alarms[0].text, "frames are lost");
+    EXPECT_EQ(at(At::kAlarm + 0.1).alarms[0].text.english(), "frames are lost");
     EXPECT_EQ(at(At::kAlarm + 0.1).alarms[0].state, AlarmState::Unacknowledged);
     EXPECT_TRUE(at(At::kAlarmGone + 0.1).alarms.empty());
 }
@@ -184,9 +184,9 @@ TEST_F(Review, showsWhatWasOverridden)
         ASSERT_TRUE(writer->add(EventRow{
             .id = ++id, .time = sessionTimeOf(when), .kind = EventKind::Override, .text = text}));
     ASSERT_TRUE(writer->seal());
-    EXPECT_EQ(at(0.9).overridden, "");
-    EXPECT_EQ(at(1.9).overridden, "roll 9°");
-    EXPECT_EQ(at(2.1).overridden, "");
+    EXPECT_EQ(at(0.9).overridden.english(), "");
+    EXPECT_EQ(at(1.9).overridden.english(), "roll 9°");
+    EXPECT_EQ(at(2.1).overridden.english(), "");
 }
 
 TEST_F(Review, olderSessionsShowInterruptionsByTheirLink)

@@ -127,8 +127,9 @@ TEST_F(ForceSensor, refusesInvalidArguments)
 
 TEST(ElementState, hasWords)
 {
-    for (int i = 0; i < 4; ++i) EXPECT_FALSE(describe(static_cast<ElementState>(i)).empty());
-    EXPECT_THROW(static_cast<void>(describe(static_cast<ElementState>(4))), std::invalid_argument);
+    for (int i = 0; i < 4; ++i) EXPECT_STRNE(describe(static_cast<ElementState>(i)).english, "");
+    EXPECT_THROW(static_cast<void>(describe(static_cast<ElementState>(4)).english),
+                 std::invalid_argument);
 }
 
 }  // namespace

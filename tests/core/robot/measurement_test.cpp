@@ -29,11 +29,12 @@ TEST(Measurement, describesEveryActivityAndRefusalInWordsOfItsOwn)
 {
     std::set<std::string> words;
     for (int i = 0; i <= static_cast<int>(RobotActivity::Stopped); ++i)
-        words.insert(describe(static_cast<RobotActivity>(i)));
+        words.insert(describe(static_cast<RobotActivity>(i)).english);
     for (int i = 0; i <= static_cast<int>(Refusal::OutOfLimits); ++i)
-        words.insert(describe(static_cast<Refusal>(i)));
+        words.insert(describe(static_cast<Refusal>(i)).english);
     EXPECT_EQ(words.size(), 15U);
-    EXPECT_THROW(static_cast<void>(describe(static_cast<Refusal>(99))), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(describe(static_cast<Refusal>(99)).english),
+                 std::invalid_argument);
 }
 
 }  // namespace

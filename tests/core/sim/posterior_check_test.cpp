@@ -50,8 +50,9 @@ TEST(PosteriorCheck, tiltedGroundContradictsALevelPitch)
     EXPECT_TRUE(e.contradicts);
     ASSERT_EQ(e.warnings.size(), 1U);
     EXPECT_TRUE(sayContradiction(e.warnings));
-    EXPECT_NE(e.warnings[0].find("pitch +0° measured, +17° on its ground"), std::string::npos)
-        << e.warnings[0];
+    EXPECT_NE(e.warnings[0].english().find("pitch +0° measured, +17° on its ground"),
+              std::string::npos)
+        << e.warnings[0].english();
 }
 
 TEST(PosteriorCheck, oneDrawThatAgreesIsEnough)

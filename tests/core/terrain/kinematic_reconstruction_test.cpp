@@ -77,8 +77,8 @@ TEST(Contact, aboveTheRobotsOwnBodyIsNamed)
     // The flippers are folded back over the tracks: their contacts cannot be ground.
     const auto r = reconstructContacts(absolem(), feeling({0, 0, 0, 0, 0, 8}, 2.6), 2.0, true);
     ASSERT_EQ(r.warnings.size(), 1U);
-    EXPECT_NE(r.warnings[0].find("above the robot's own lower edge"), std::string::npos)
-        << r.warnings[0];
+    EXPECT_NE(r.warnings[0].english().find("above the robot's own lower edge"), std::string::npos)
+        << r.warnings[0].english();
 }
 
 TEST(Contact, onAStepsEdgeIsWhereTheSimulatorTouchesIt)

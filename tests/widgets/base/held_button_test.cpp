@@ -182,8 +182,8 @@ TEST(DrivePadTest, drivesWhileHeldAndHaltsWhenLetGo)
     QTest::mouseRelease(pad.forwardButton(), Qt::LeftButton);
     QTest::mousePress(pad.backButton(), Qt::LeftButton);
     EXPECT_EQ(said, (QList<int>{1, 0, -1}));
-    pad.setPreconditions({{Precondition::Level::Met, "telemetry is live"},
-                          {Precondition::Level::Missing, "STOP is latched"}});
+    pad.setPreconditions({{Precondition::Level::Met, Message::verbatim("telemetry is live")},
+                          {Precondition::Level::Missing, Message::verbatim("STOP is latched")}});
     EXPECT_EQ(said, (QList<int>{1, 0, -1, 0})) << "blocked while held is let go";
     EXPECT_TRUE(pad.forwardButton()->toolTip().endsWith("✔ telemetry is live\n✘ STOP is latched"));
     QTest::mousePress(pad.forwardButton(), Qt::LeftButton);

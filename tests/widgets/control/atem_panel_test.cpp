@@ -59,7 +59,7 @@ TEST_F(Atem, saysTheStateAndItsTime)
 
 TEST_F(Atem, followingPanelHasNoCommandButtons)
 {
-    panel.setPreconditions({{Level::Missing, "can0 is receive-only"}});
+    panel.setPreconditions({{Level::Missing, Message::verbatim("can0 is receive-only")}});
     panel.setState({.phase = AtemPhase::Probing, .followed = true}, std::nullopt);
     EXPECT_TRUE(shows("Following: flippers pressed, arm is probing"));
     EXPECT_FALSE(panel.requestButton()->isEnabled());
@@ -76,7 +76,8 @@ TEST_F(Atem, followingPanelHasNoCommandButtons)
 
 TEST_F(Atem, requestsWhenNothingIsMissing)
 {
-    panel.setPreconditions({{Level::Met, "telemetry is live"}, {Level::Overridden, "roll 7°"}});
+    panel.setPreconditions({{Level::Met, Message::verbatim("telemetry is live")},
+                            {Level::Overridden, Message::verbatim("roll 7°")}});
     QTest::mouseClick(panel.requestButton(), Qt::LeftButton);
     EXPECT_EQ(said, QStringList{"request"});
     EXPECT_TRUE(shows(QStringLiteral("✔")) && shows("!") && shows("roll 7° (overridden)"));
@@ -84,27 +85,29 @@ TEST_F(Atem, requestsWhenNothingIsMissing)
 
 TEST_F(Atem, doubtfulPreconditionsNeedAnOverride)
 {
-    panel.setPreconditions({{Level::Met, "telemetry is live"}});
+    panel.setPreconditions({{Level::Met, Message::verbatim("telemetry is live")}});
     EXPECT_FALSE(panel.overrideButton()->isVisible()) << "there is nothing to override";
-    panel.setPreconditions({{Level::Met, "telemetry is live"}, {Level::Doubtful, "roll 7°"}});
+    panel.setPreconditions({{Level::Met, Message::verbatim("telemetry is live")},
+                            {Level::Doubtful, Message::verbatim("roll 7°")}});
     EXPECT_FALSE(panel.requestButton()->isEnabled());
     EXPECT_TRUE(panel.requestButton()->toolTip().contains("roll 7°"));
     QSignalSpy wanted(&panel, &AtemPanel::overrideWanted);
     QTest::mouseClick(panel.overrideButton(), Qt::LeftButton);
     EXPECT_EQ(wanted.size(), 1);
-    panel.setPreconditions({{Level::Missing, "no telemetry"}, {Level::Doubtful, "roll 7°"}});
+    panel.setPreconditions({{Level::Missing, Message::verbatim("no telemetry")},
+                            {Level::Doubtful, Message::verbatim("roll 7°")}});
     EXPECT_FALSE(panel.overrideButton()->isVisible()) << "what is missing cannot be overridden";
 }
 
 TEST_F(Atem, refusesWithTheReasonWhileSomethingIsMissing)
 {
-    panel.setPreconditions(
-        {{Level::Met, "telemetry is live"}, {Level::Missing, "the model is being loaded"}});
+    panel.setPreconditions({{Level::Met, Message::verbatim("telemetry is live")},
+                            {Level::Missing, Message::verbatim("the model is being loaded")}});
     QTest::mouseClick(panel.requestButton(), Qt::LeftButton);
     EXPECT_TRUE(said.isEmpty());
     EXPECT_TRUE(panel.requestButton()->toolTip().contains("the model is being loaded"));
     EXPECT_TRUE(shows(QStringLiteral("✘")));
-    panel.setPreconditions({{Level::Met, "telemetry is live"}});
+    panel.setPreconditions({{Level::Met, Message::verbatim("telemetry is live")}});
     EXPECT_TRUE(panel.requestButton()->isEnabled());
     EXPECT_FALSE(shows("the model is being loaded"));
 }
@@ -112,13 +115,15 @@ TEST_F(Atem, refusesWithTheReasonWhileSomethingIsMissing)
 TEST_F(Atem, isReadyOnlyIfEveryPreconditionIsMet)
 {
     panel.setState({}, std::nullopt);
-    panel.setPreconditions({{Level::Met, "telemetry is live"}, {Level::Overridden, "roll 7°"}});
+    panel.setPreconditions({{Level::Met, Message::verbatim("telemetry is live")},
+                            {Level::Overridden, Message::verbatim("roll 7°")}});
     EXPECT_TRUE(shows("Ready"));
-    panel.setPreconditions({{Level::Missing, "not armed"}, {Level::Doubtful, "roll 7°"}});
+    panel.setPreconditions({{Level::Missing, Message::verbatim("not armed")},
+                            {Level::Doubtful, Message::verbatim("roll 7°")}});
     EXPECT_TRUE(shows("Not ready") && !shows("Ready"));
     panel.setState({}, std::nullopt);
     EXPECT_TRUE(shows("Not ready"));
-    panel.setPreconditions({{Level::Doubtful, "roll 7°"}});
+    panel.setPreconditions({{Level::Doubtful, Message::verbatim("roll 7°")}});
     EXPECT_TRUE(shows("Not ready: doubtful"));
     panel.setState({.phase = AtemPhase::Presenting}, std::nullopt);
     EXPECT_TRUE(shows("Estimate stands"));
@@ -129,7 +134,7 @@ TEST_F(Atem, isReadyOnlyIfEveryPreconditionIsMet)
 
 TEST_F(Atem, anExplorationCanBeAbortedButNotRequestedAgain)
 {
-    panel.setPreconditions({{Level::Met, "telemetry is live"}});
+    panel.setPreconditions({{Level::Met, Message::verbatim("telemetry is live")}});
     panel.setState({.phase = AtemPhase::Probing}, PhaseTime{PhaseTime::Kind::Expected, 80.0});
     EXPECT_FALSE(panel.requestButton()->isEnabled());
     EXPECT_FALSE(panel.requestButton()->toolTip().isEmpty());
@@ -139,11 +144,11 @@ TEST_F(Atem, anExplorationCanBeAbortedButNotRequestedAgain)
 
 TEST_F(Atem, preconditionsOfEveryCommandCanBeLookedUp)
 {
-    panel.setPreconditions({{Level::Met, "the model is ready"}});
-    panel.setNeeds(Commanded::Drive,
-                   {{Level::Met, "telemetry is live"}, {Level::Missing, "not armed"}});
-    panel.setNeeds(Commanded::Probe, {{Level::Missing, "no probe is proposed"}});
-    panel.setNeeds(Commanded::ReleaseStop, {{Level::Doubtful, "not confirmed"}});
+    panel.setPreconditions({{Level::Met, Message::verbatim("the model is ready")}});
+    panel.setNeeds(Commanded::Drive, {{Level::Met, Message::verbatim("telemetry is live")},
+                                      {Level::Missing, Message::verbatim("not armed")}});
+    panel.setNeeds(Commanded::Probe, {{Level::Missing, Message::verbatim("no probe is proposed")}});
+    panel.setNeeds(Commanded::ReleaseStop, {{Level::Doubtful, Message::verbatim("not confirmed")}});
     EXPECT_TRUE(shows("the model is ready"));
     EXPECT_FALSE(shows("needs:")) << "nobody has asked";
 
@@ -166,7 +171,7 @@ TEST_F(Atem, preconditionsOfEveryCommandCanBeLookedUp)
     menu->actions()[1]->trigger();
     EXPECT_EQ(panel.listed(), Commanded::Drive);
     EXPECT_TRUE(panel.requestButton()->isEnabled()) << "the buttons go by their own needs";
-    panel.setNeeds(Commanded::Drive, {{Level::Met, "the robot is armed"}});
+    panel.setNeeds(Commanded::Drive, {{Level::Met, Message::verbatim("the robot is armed")}});
     EXPECT_TRUE(shows("the robot is armed")) << "the list is live";
     panel.setState({.phase = AtemPhase::Halting}, std::nullopt);
     EXPECT_EQ(panel.listed(), Commanded::Explore) << "what comes next is not hidden for long";
@@ -174,10 +179,11 @@ TEST_F(Atem, preconditionsOfEveryCommandCanBeLookedUp)
 
 TEST_F(Atem, listsWhatTheNextCommandNeeds)
 {
-    panel.setPreconditions({{Level::Met, "the model is ready"}});
-    panel.setNeeds(Commanded::Probe,
-                   {{Level::Met, "telemetry is live"}, {Level::Missing, "not armed"}});
-    panel.setNeeds(Commanded::ReleaseStop, {{Level::Met, "the robot reports stopped"}});
+    panel.setPreconditions({{Level::Met, Message::verbatim("the model is ready")}});
+    panel.setNeeds(Commanded::Probe, {{Level::Met, Message::verbatim("telemetry is live")},
+                                      {Level::Missing, Message::verbatim("not armed")}});
+    panel.setNeeds(Commanded::ReleaseStop,
+                   {{Level::Met, Message::verbatim("the robot reports stopped")}});
     panel.setState({.phase = AtemPhase::ProposingProbe}, std::nullopt);
     EXPECT_TRUE(shows("Approving a probe needs:") && shows("not armed"));
     EXPECT_FALSE(shows("telemetry is live")) << "the room is the question's";

@@ -67,9 +67,10 @@ TEST_F(Probe, saysWhereWhatAndForHowMuch)
 
 TEST_F(Probe, voidProposalSaysWhyAndCannotBeApproved)
 {
-    const QList<Precondition> met{{Precondition::Level::Met, "as then"}};
-    const QList<Precondition> changed{{Precondition::Level::Met, "the link is good"},
-                                      {Precondition::Level::Missing, "the model has changed"}};
+    const QList<Precondition> met{{Precondition::Level::Met, Message::verbatim("as then")}};
+    const QList<Precondition> changed{
+        {Precondition::Level::Met, Message::verbatim("the link is good")},
+        {Precondition::Level::Missing, Message::verbatim("the model has changed")}};
     for (const bool narrow : {false, true}) {
         card.setNarrow(narrow);
         ASSERT_NO_FATAL_FAILURE(ask(kProposal));

@@ -348,7 +348,7 @@ TEST_F(Strip, saysWhichBudgetEndedTheDrawing)
 TEST_F(Strip, noWarningIsSwallowed)
 {
     TerrainEstimate e = stepEstimate();
-    e.warnings = {"roll 8.1°", "contact above the body"};
+    e.warnings = {Message::verbatim("roll 8.1°"), Message::verbatim("contact above the body")};
     strip.setEstimate(e, 0.1);
     EXPECT_TRUE(strip.warningText().contains(QStringLiteral("roll 8.1°")));
     EXPECT_TRUE(strip.warningText().contains("contact above the body"));

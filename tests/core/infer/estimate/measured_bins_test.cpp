@@ -41,8 +41,9 @@ struct Bench : testing::Test {
 
 bool warns(const MeasuredBins& measured, std::string_view words)
 {
-    return std::any_of(measured.warnings.begin(), measured.warnings.end(),
-                       [words](const std::string& w) { return w.find(words) != w.npos; });
+    return std::any_of(
+        measured.warnings.begin(), measured.warnings.end(),
+        [words](const Message& w) { return w.english().find(words) != std::string::npos; });
 }
 
 using MeasuredBinsTest = Bench;

@@ -56,7 +56,7 @@ TEST(MissingSensors, everyMethodEstimatesAndNamesThem)
         const TerrainEstimate e = estimate(bench().scenes[3], method, kDead4 | kNoCurrents);
         EXPECT_EQ(e.settings.method, method);
         EXPECT_EQ(e.missing, usesForces(method) ? kDead4 | kNoCurrents : MissingFeatures{});
-        const std::vector<std::string> said = missingSentences(method, e.missing);
+        const std::vector<Message> said = missingSentences(method, e.missing);
         ASSERT_GE(e.warnings.size(), said.size());
         EXPECT_TRUE(std::equal(said.begin(), said.end(), e.warnings.begin())) << name(method);
     }

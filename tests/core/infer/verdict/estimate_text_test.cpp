@@ -22,10 +22,11 @@ TEST(HiddenByBands, saysHowLikelyAStepIsAndWhereTwoHeightsAre)
 {
     const auto sentences = hiddenByBands(perhapsAStep());
     ASSERT_EQ(sentences.size(), 3U);
-    EXPECT_EQ(sentences[0],
+    EXPECT_EQ(sentences[0].english(),
               "a step ahead of more than 100 mm: probability 0.30 ± 0.05, likeliest between "
               "+0.5 and +0.6 m (0.30)");
-    EXPECT_EQ(sentences[1], "two heights are likely at +0.6 m: +0.00 m (70 %) or +0.20 m (30 %)");
+    EXPECT_EQ(sentences[1].english(),
+              "two heights are likely at +0.6 m: +0.00 m (70 %) or +0.20 m (30 %)");
 }
 
 TEST(HiddenByBands, hasALimitAndNothingToSayWithoutDraws)
@@ -33,8 +34,9 @@ TEST(HiddenByBands, hasALimitAndNothingToSayWithoutDraws)
     TerrainEstimate certain = perhapsAStep();
     certain.ess.fill(1000.0);
     certain.draws.resize(1000, certain.draws.back());
-    EXPECT_NE(hiddenByBands(certain, 0.25)[0].find("probability 0.00 ± < 0.01, likeliest"),
-              std::string::npos)
+    EXPECT_NE(
+        hiddenByBands(certain, 0.25)[0].english().find("probability 0.00 ± < 0.01, likeliest"),
+        std::string::npos)
         << "no number of draws makes it certain";
     EXPECT_TRUE(hiddenByBands(TerrainEstimate{}).empty());
 }

@@ -240,7 +240,7 @@ TEST_F(Track, endsWithAReasonBeyondItsLimits)
     for (const NoGhost why :
          {NoGhost::NoOdometry, NoGhost::TooFar, NoGhost::TooUncertain, NoGhost::Tilted,
           NoGhost::Turned, NoGhost::TelemetryGap, NoGhost::NothingLeft})
-        EXPECT_TRUE(words.insert(describe(why)).second);
+        EXPECT_TRUE(words.insert(describe(why).english).second);
 }
 
 TEST_F(Track, staysEndedWhenTheRobotComesBack)
