@@ -95,8 +95,8 @@ TEST(SensorWatch, IsSilentForAnHourOfHealthyTelemetry)
             SensedLine sensed = line.sensed();
             sensed.measurement.time += from;
             watch.add(sensed);
-            ASSERT_TRUE(watch.standing().empty())
-                << describe(watch.standing().front()) << " at " << sensed.measurement.time;
+            ASSERT_TRUE(watch.standing().empty()) << describe(watch.standing().front()).english()
+                                                  << " at " << sensed.measurement.time;
         }
         seconds += lines.back().measurement.time;
         from += lines.back().measurement.time + 2.0;  // another robot, another ground
@@ -117,7 +117,7 @@ TEST(SensorWatch, IsSilentOverTheShippedSession)
             ++lines;
             watch.add(SensedLine{.measurement = *line, .sides = sideForces(listener.forces())});
             ASSERT_TRUE(watch.standing().empty())
-                << describe(watch.standing().front()) << " at " << line->time;
+                << describe(watch.standing().front()).english() << " at " << line->time;
         }
     EXPECT_GT(lines, 1000);
 }
@@ -131,7 +131,7 @@ TEST(SensorWatch, NamesTheSensorAndTheKind)
     SensorSuspicion later = watched.first.front();
     later.amount = 12.0;
     later.way = 0.6;
-    EXPECT_EQ(describe(later),
+    EXPECT_EQ(describe(later).english(),
               "pitch angle: not changed for 12 s while the robot drove 0.6 m, stuck?");
 }
 

@@ -120,12 +120,12 @@ TEST(Dbc, hasTheWordsOfTheCore)
     const auto& activity = message("RobotStatus").signal("Activity");
     EXPECT_EQ(activity.words.size(), 6U);
     for (const auto& [raw, word] : activity.words)
-        EXPECT_EQ(word, describe(static_cast<RobotActivity>(raw)));
+        EXPECT_EQ(word, describe(static_cast<RobotActivity>(raw)).english);
     EXPECT_EQ(activity.most, static_cast<double>(activity.words.rbegin()->first));
     const auto& refusal = message("RobotStatus").signal("Refusal");
     EXPECT_EQ(refusal.words.size(), 9U);
     for (const auto& [raw, word] : refusal.words)
-        EXPECT_EQ(word, describe(static_cast<Refusal>(raw)));
+        EXPECT_EQ(word, describe(static_cast<Refusal>(raw)).english);
     EXPECT_EQ(refusal.most, static_cast<double>(refusal.words.rbegin()->first));
     EXPECT_EQ(message("ProbeBin").signal("Bin").most, kBins - 1);
     EXPECT_EQ(message("ArmResult").signal("Bin").most, kBins - 1);
