@@ -19,6 +19,8 @@
 #include <optional>
 #include <system_error>
 
+#include "core/base/system_message.h"
+
 namespace terratact {
 namespace {
 
@@ -26,7 +28,7 @@ constexpr std::size_t kBatch = 64;  // frames per system call
 
 Error errorOf(int code)
 {
-    return {std::generic_category().message(code), code};
+    return {systemMessage(code), code};
 }
 
 Error errorOf(int code, const std::string& interface, Message what)
@@ -226,7 +228,7 @@ Message whyNoSocket(int code)
         return TR_NOOP("core", "this process may not open CAN sockets: a sandbox or container "
                                "forbids it, start it outside (or: sudo setcap cap_net_raw+ep "
                                "PROGRAM)");
-    default: return {TR_NOOP("core", "no socket: %1"), std::generic_category().message(code)};
+    default: return {TR_NOOP("core", "no socket: %1"), systemMessage(code)};
     }
 }
 

@@ -17,6 +17,7 @@
 #include <optional>
 #include <set>
 
+#include "core/base/system_message.h"
 #include "core/base/text.h"
 
 namespace terratact {
@@ -215,7 +216,7 @@ Error gpioRefused(int code, const GpioFound& found, const std::vector<GpioLineIn
     const std::string chip = chipName(found.chip, found.label);
     if (code != EBUSY)
         return {
-            Message(TR_NOOP("core", "%1: the lines were refused: %2"), chip, std::strerror(code)),
+            Message(TR_NOOP("core", "%1: the lines were refused: %2"), chip, systemMessage(code)),
             code};
     for (const auto& places : {found.inputs, found.outputs})
         for (const GpioPlace& place : places) {
@@ -237,10 +238,9 @@ Error gpioRefused(int code, const GpioFound& found, const std::vector<GpioLineIn
 
 Error gpioForbidden(const std::string& path, int code)
 {
-    const std::string cause = fmt::format("{}: {}", path, std::strerror(code));
+    const Message cause = Message::joined(Message::verbatim(path), systemMessage(code));
     struct ::stat status {};
-    if (code != EACCES || ::stat(path.c_str(), &status) != 0)
-        return {Message::verbatim(cause), code};
+    if (code != EACCES || ::stat(path.c_str(), &status) != 0) return {cause, code};
     const bool groupMay = (status.st_mode & (S_IRGRP | S_IWGRP)) == (S_IRGRP | S_IWGRP);
     if (groupMay && status.st_gid != 0)
         return {
@@ -265,7 +265,7 @@ Error gpioFailed(const GpioFound& found, SourceText action, int code)
                                         "removed"),
                         chip),
                 code};
-    Message cause = Message::joined(action, Message::verbatim(std::strerror(code)));
+    Message cause = Message::joined(action, systemMessage(code));
     return {Message::joined(Message::verbatim(chip), std::move(cause)), code};
 }
 

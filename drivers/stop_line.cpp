@@ -7,8 +7,9 @@
 #include <cerrno>
 #include <cstddef>
 #include <string_view>
-#include <system_error>
 #include <utility>
+
+#include "core/base/system_message.h"
 
 namespace terratact {
 namespace {
@@ -43,7 +44,7 @@ Address addressOf(const std::string& name)
 Error lastError(const std::string& name)
 {
     const int code = errno;
-    return {name + ": " + std::generic_category().message(code), code};
+    return {Message::joined(Message::verbatim(name), systemMessage(code)), code};
 }
 
 Result<PosixFd> boundTo(const std::string& name)

@@ -2,7 +2,7 @@
 # violations. -D ROOT=<tree> checks another tree. The rules of includes:
 #   core     a room includes itself and rooms before it in core_rooms; no Qt; no Linux headers except in
 #   learn/kernels/huge_pages.cpp
-#   drivers  core/base/result.h and core/{wire,robot,sim,log}, text, the bins, the panel; no Qt
+#   drivers  core/base/{message,result,system_message}.h and core/{wire,robot,sim,log}, text, the bins, the panel; no Qt
 #   app/display  core values that an operator reads, Qt Core; the only room of app that widgets include
 #   widgets  a room includes itself and rooms before it in widgets_rooms; app/display; core values that they draw, Qt, Qwt
 #   app      all five; a room includes itself and rooms before it in app_rooms; no Qt up to cli;
@@ -32,7 +32,7 @@ set(qt "^<(Q[A-Za-z]|q[a-z0-9_]+\\.h>)")
 set(qt_core_only "^app/(display|mission)/")
 set(qt_core "^<Q(CoreApplication|ElapsedTimer|FileInfo|List|Object|RegularExpression|String|StringList|Thread|tGlobal)>")
 set(linux "^<(linux/|sys/(socket|ioctl|epoll|eventfd|timerfd|un|mman)\\.h|net/|netinet/|arpa/|poll\\.h|gpiod)")
-set(drivers_core "^core/(base/(message|result|text|poll)\\.h|(wire|robot|sim|log)/.+|terrain/bins\\.h|atem/panel(_file)?\\.h)$")
+set(drivers_core "^core/(base/(message|result|system_message|text|poll)\\.h|(wire|robot|sim|log)/.+|terrain/bins\\.h|atem/panel(_file)?\\.h)$")
 set(widgets_core "^core/(limits|base/(message|text)|robot/(attitude|command|force_drift|measurement)|terrain/(bins|outline)|infer/estimate/(estimate|provenance|touch|settings|variant)|infer/verdict/(bimodality|ghost|obstacle|verdict)|wire/frame_trouble|atem/[a-z_]+)\\.h$")
 
 set(blocking "(QMessageBox|QInputDialog|QErrorMessage|QProgressDialog|QWizard|QFileDialog::get|QColorDialog::get|QFontDialog::get|QMenu::exec[(]|[Dd]ialog[A-Za-z0-9_]*([.]|->)open[(]|setModal|setWindowModality|(Application|Window)Modal|QEventLoop|([.]|->)exec[(])")

@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <cerrno>
-#include <system_error>
 #include <utility>
 
+#include "core/base/system_message.h"
 #include "core/base/text.h"
 
 namespace terratact {
@@ -127,7 +127,7 @@ CanController controllerFrom(std::string_view linkDetails)
 
 CanFinding socketFinding(int socketError)
 {
-    const std::string reason = std::generic_category().message(socketError);
+    const Message reason = systemMessage(socketError);
     switch (socketError) {
     case 0: return {Level::Fine, TR_NOOP("core", "the kernel has CAN and this user may use it")};
     case EAFNOSUPPORT:

@@ -11,6 +11,7 @@
 #include "app/runtime/resources.h"
 #include "app/shell/console_setup.h"
 #include "core/learn/data/scene_file.h"
+#include "core/store/file_read.h"
 
 namespace terratact {
 namespace {
@@ -71,7 +72,7 @@ Result<int> openScenes(Application& application, const ConsoleOptions& options)
 {
     auto file = readScenes(options.replay);
     if (!file) return file.error();
-    if (file->scenes.empty()) return Error{options.replay + ": has no scenes"};
+    if (file->scenes.empty()) return fileError(options.replay, TR_NOOP("core", "has no scenes"));
     LoadedPreferences loaded = preferencesFor(options);
     const auto robot = robotFor(options, loaded);
     if (!robot) return robot.error();

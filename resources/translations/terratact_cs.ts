@@ -3862,6 +3862,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>what was sent before has not left yet</source>
         <translation>co bylo odesláno dříve, ještě neodešlo</translation>
     </message>
+    <message>
+        <source>has no scenes</source>
+        <translation>nemá žádné scény</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -3862,6 +3862,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>what was sent before has not left yet</source>
         <translation>was vorher gesendet wurde, ist noch nicht weg</translation>
     </message>
+    <message>
+        <source>has no scenes</source>
+        <translation>hat keine Szenen</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -16,6 +16,8 @@
 #include "app/mission/robot_text.h"
 #include "app/pages/terrain_page.h"
 #include "app/runtime/resources.h"
+#include "core/base/system_message.h"
+#include "core/store/file_read.h"
 #include "tests/app/console/screens.h"
 #include "tests/support/gui.h"
 #include "widgets/base/held_button.h"
@@ -125,7 +127,10 @@ TEST_F(Screens, start)
 {
     inEveryLanguage([&] {
         open({.model = []() -> Result<LoadedModel> {
-            return Error{"models/mine.ttm: cannot be opened: No such file or directory", 2};
+            return fileError(
+                "models/mine.ttm",
+                Message::joined(TR_NOOP("core", "cannot be opened"), systemMessage(ENOENT)),
+                ENOENT);
         }});
         ASSERT_TRUE(eventually([&] { return console->exploration().linkAlive(); }));
         picture("no_model",

@@ -23,6 +23,7 @@
 #include "core/learn/model/model_file.h"
 #include "core/log/session_reader.h"
 #include "core/robot/robot_model.h"
+#include "core/store/file_read.h"
 #include "core/wire/dbc/dbc_file.h"
 #include "core/wire/log_reader.h"
 #include "drivers/log_replay.h"
@@ -541,7 +542,7 @@ TEST(Refusals, ofLogs)
                              dir.write("untimed.log", "  vcan0  044   [1]  2A\n")})
         refusals.add(LogReplay::open(path, {}));
     refusals.add(LogReplay::open(dir.file("two.log"), {.interface = "can7"}));
-    refusals.add(Message::verbatim("my.csv: has no scenes"));
+    refusals.add(fileError("my.csv", TR_NOOP("core", "has no scenes")).message);
     EXPECT_GE(refusals.size(), 24U);
     refusals.expectTranslated();
 }
