@@ -36,7 +36,7 @@ using Said = std::vector<std::string>;
 
 TEST_F(Watching, isSilentUntilTheFirstTelemetryAndUpWithIt)
 {
-    EXPECT_EQ(describe(watch.poll({.now = 1.0})).english, "no telemetry yet");
+    EXPECT_STREQ(describe(watch.poll({.now = 1.0})).english, "no telemetry yet");
     poll(true);
     EXPECT_EQ(watch.account(), (LinkAccount{.standing = LinkStanding::Up, .alive = true}));
 }
@@ -103,8 +103,8 @@ TEST_F(Watching, endOfALogIsNoLoss)
 {
     pass(1.0, true);
     pass(0.5, false);
-    EXPECT_EQ(describe(watch.poll({.now = now, .age = 0.5, .ended = true})).english,
-              "end of the log");
+    EXPECT_STREQ(describe(watch.poll({.now = now, .age = 0.5, .ended = true})).english,
+                 "end of the log");
     EXPECT_EQ(watch.account().gaps, 0);
 }
 
