@@ -88,6 +88,7 @@ Message suspicionMessage(const std::vector<SensorSuspicion>& suspicions)
         troubles[suspicion.trouble] = describeTrouble(suspicion);
     }
     std::vector<Message> sentences;
+    sentences.reserve(sensors.size());
     for (auto& [trouble, names] : sensors)
         sentences.push_back(
             Message::joined(Message::listed(std::move(names), ", "), troubles[trouble]));

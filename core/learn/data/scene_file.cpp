@@ -184,6 +184,7 @@ Result<Scene> readScene(CsvReader& csv, const Layout& layout)
 std::string header()
 {
     std::vector<CsvValue> fields;
+    fields.reserve(kSlots);
     for (int slot = 0; slot < kSlots; ++slot) fields.emplace_back(slotName(slot));
     return csvLine(fields);
 }

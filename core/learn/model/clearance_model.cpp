@@ -65,6 +65,7 @@ std::vector<double> sharesOfPlaces(const std::vector<int>& places)
     std::map<int, double> rows;
     for (const int place : places) rows[place] += 1.0;
     std::vector<double> shares;
+    shares.reserve(places.size());
     for (const int place : places) shares.push_back(1.0 / rows[place]);
     return shares;
 }
@@ -248,7 +249,7 @@ std::vector<int> ClearanceModel::nearest(const Eigen::VectorXd& squaredDistance,
     while (true) {
         const auto end = rows.begin() + std::min<std::ptrdiff_t>(sorted, std::ssize(rows));
         std::partial_sort(rows.begin(), end, rows.end(), before);
-        const std::vector<int> chosen = onePerPlace({rows.begin(), end}, places_, kNeighbours);
+        std::vector<int> chosen = onePerPlace({rows.begin(), end}, places_, kNeighbours);
         if (std::ssize(chosen) == kNeighbours || end == rows.end()) return chosen;
         sorted *= 2;
     }
