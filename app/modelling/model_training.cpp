@@ -14,6 +14,7 @@
 #include "core/infer/sampling/watch.h"
 #include "core/learn/data/scene_file.h"
 #include "core/learn/model/clearance_conditionals.h"
+#include "core/learn/model/clearance_model.h"
 #include "core/learn/model/clearance_training.h"
 #include "core/learn/model/training.h"
 #include "core/store/file_read.h"
