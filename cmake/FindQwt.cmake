@@ -18,7 +18,7 @@ int main()
 # Tests the header and library found with these find_path/find_library arguments.
 function(_qwt_try where)
   find_path(Qwt_INCLUDE_DIR qwt_global.h NO_CACHE
-    PATH_SUFFIXES qwt-qt6 qt6/qwt qwt6-qt6 qwt6 qwt x86_64-linux-gnu/qt6/qwt ${ARGN})
+    PATH_SUFFIXES qwt-qt6 qt6/qwt qwt6-qt6 qwt6 qwt ${CMAKE_LIBRARY_ARCHITECTURE}/qt6/qwt ${ARGN})
   find_library(Qwt_LIBRARY NAMES qwt-qt6 qwt6-qt6 qwt NO_CACHE ${ARGN})
   if(NOT Qwt_INCLUDE_DIR OR NOT Qwt_LIBRARY)
     return()
