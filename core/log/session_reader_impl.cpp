@@ -112,7 +112,7 @@ void SessionReader::Impl::judge(const Part& part)
     }
 }
 
-/// Calls take(select, batch) for the rows of a table after lastRow up to the end of the part.
+/// Calls visit(select, batch) for the rows of a table after lastRow up to the end of the part.
 /// Returns the last row's id.
 template <class Take>
 std::int64_t SessionReader::Impl::forRows(std::size_t table, const Part& part, Take visit)

@@ -46,7 +46,7 @@ public:
     /// valid status. Throws std::invalid_argument unless `now` is finite.
     std::optional<Measurement> receive(const CanFrame& frame, double now);
 
-    /// Judges a frame without using it: one that this console sent itself. Throws as take() does.
+    /// Judges a frame without using it: one that this console sent itself. Throws as receive() does.
     const JudgedFrame& judge(const CanFrame& frame, double now);
     /// Returns the verdict on the last frame.
     const JudgedFrame& judged() const { return judged_; }
