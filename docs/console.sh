@@ -37,7 +37,7 @@ cat >docs/console.md <<END
 Made by \`docs/console.sh $build $seconds\` on $(nproc) processors, $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1).
 Limits:
 
-- With 9,000 frames a second that are recorded, and estimates all the time, 99 of 100 events wait at most 16 ms, and all at most 100 ms.
+- The console records 9,000 frames a second and estimates all the time. Then 99 of 100 events wait at most 16 ms, and all at most 100 ms.
 - Telemetry at 20 Hz without an estimate takes less than 10 % of a core.
 - The console uses less than 150 MB.
 - Nine of ten estimates appear within 50 ms of their scene, by the default method and by a sampling one.

@@ -36,12 +36,12 @@ scores() {
 }
 
 say '# Evaluation' '' \
-  'Every number below was printed by the command above it; the whole page by' '' \
+  'The command above each number printed it. This command made the whole page,' '' \
   "    docs/evaluate.sh path/to/terratact $(basename "$profiles") [INDEX.csv COLUMN]" '' \
   'with the shipped model, which was trained on simulated drives over generated ground alone' \
   '(`resources/models/make_default.sh`). Brackets are 95 % bootstrap intervals over whole drives.' \
   'median\* is the median over bins -0.3 to 0.5. The baselines are fitted on the same training scenes.' \
-  'Milliseconds are the wall’s beside whatever else the machine does; what methods cost is measured in [tradeoff.md](tradeoff.md).'
+  'Milliseconds are wall-clock time on a machine that does other work, too. [tradeoff.md](tradeoff.md) measures the cost of the methods.'
 
 say '' '## Real terrain' '' \
   'Drives over profiles cut from scans that had no part in training or in any choice of a constant.'
@@ -57,12 +57,12 @@ show evaluate --data unseen.csv --methods pafc,clearance,joint,local --seed 1 --
 
 say '' '## Missing sensors' '' \
   'The same scenes, real and generated, where currents or forces were not measured (core/README.md).' \
-  'One array alone, left or right, is no case of its own: its forces stand for the mean of both.' \
-  'How the processes are made without them was chosen with a look at these scans, too: the real rows are no untouched numbers.'
+  'A single array, left or right, is no separate case: its forces replace the mean of both.' \
+  'These scans were used to choose how the processes without them are made. The real rows are therefore no independent test.'
 show evaluate --missing --data real.csv --methods local --seed 1 --out lacking
 show evaluate --missing --data unseen.csv --methods local --seed 1 --out lacking
 say '' 'Three in ten training drives are on soft ground, into which the robot sinks. Without forces, no reading tells soft from firm ground.' \
-  'The bands then hold for the mix of both: they cover more of the truth on firm ground, and less on soft ground. The mix of the training:'
+  'The bands then hold for the mix of both. They cover more of the truth on firm ground, and less on soft ground. The mix of the training:'
 show simulate --terrain varied --count 1500 --exact-truth --soft-drives 0.3 --seed 3 --out mixed.csv
 show evaluate --missing --data mixed.csv --methods local --seed 1 --out lacking
 say '' 'Soft ground alone:'

@@ -63,8 +63,8 @@ show "tests/core/infer/same_draws_test.py --native" /usr/bin/python3 -B tests/co
 cat >docs/extremes.md <<END
 # At the extremes
 
-Every case answers right or refuses with a text; none ends in a NaN or hangs.  \`ctest --preset headless -L extremes\` runs
-them all; \`docs/extremes.sh $build\` made this page, with the long forms and what they said, at the end.
+Every case gives a right answer or refuses with a text; none ends in a NaN or hangs.  \`ctest --preset headless -L extremes\` runs
+all cases. \`docs/extremes.sh $build\` made this page. The long forms and their output are at the end.
 
 | what | tests | long form |
 |---|---|---|
@@ -72,44 +72,51 @@ them all; \`docs/extremes.sh $build\` made this page, with the long forms and wh
 | Gaussian processes against long double: exact ones, sparse ones (presets \`fast\` and \`balanced\`), both in single precision, too | \`tests/core/learn/gp/gaussian_process_extremes_test.cpp\`, \`sparse_process_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.gp.gaussian_process_extremes_test --gtest_filter='*Sizes*'\` |
 | surface processes (method \`local\`) against long double | \`tests/core/learn/gp/projected_process_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.gp.projected_process_test --gtest_filter='*ofAModelsSize'\` |
 | the likelihood and its gradient against long double | \`tests/core/learn/gp/likelihood_test.cpp\` | |
-| estimates by all methods, cancelled at every question, work between two questions | \`tests/core/infer/estimate_extremes_test.cpp\` | \`build/headless/tests/terratact-bench --benchmark_filter=cancelWaits\` (milliseconds on this machine) |
+| estimates by all methods, cancelled at every poll, work between two polls | \`tests/core/infer/estimate_extremes_test.cpp\` | \`build/headless/tests/terratact-bench --benchmark_filter=cancelWaits\` (milliseconds on this machine) |
 | robots and ground, also at every end of the ranges of pitch and flippers | \`tests/core/sim/geometry_extremes_test.cpp\` | \`RC_PARAMS="seed=2 max_success=100000"\` before the test |
 | same seed, same bytes | \`tests/core/infer/same_draws_test.py\` | \`python3 tests/core/infer/same_draws_test.py\` (four builds), \`--native\` (AVX kernels), \`--programs\` (what is built) |
 | R-hat and ESS as the R package posterior | \`tests/core/infer/sampling/convergence_test.cpp\` | \`Rscript tests/data/make_posterior_reference.R\` writes the reference anew |
 
-What a truncated normal draw costs: \`build/headless/tests/terratact-bench --benchmark_filter=draws\`.
+The cost of a truncated normal draw: \`build/headless/tests/terratact-bench --benchmark_filter=draws\`.
 
 **Same bytes.** The same seed gives the same draws, states and estimate with g++ and clang++, at every optimisation and
-with any number of threads, as long as the processor picks the same kernels (SSE4, AVX2 or AVX-512) and the same
-variants of the C library's functions, and OpenBLAS runs in one thread, as both programs set it.
+with any number of threads. This needs the same kernels (SSE4, AVX2 or AVX-512) and the same variants of the C library's
+functions. OpenBLAS must run in one thread, as both programs set it.
 
-**Singular models.** Where the covariance of the training rows is singular to working precision, a jitter of 1e-10 to
-1e-6 of its diagonal is added and kept with the process (a model's file has hyper-parameters and rows, from which the same jitter
-comes again); an estimate that used it says so among its warnings, \`terratact train\` when it ends. A model that
-this does not mend is refused. What is accepted is right to 1e-14 over the reciprocal condition number, at most 1e-2: a
-variance of the prior's, a mean of the most that its terms could add up to, which is about the largest output where
-outputs vary as smoothly as the length scales say (\`core/learn/gp/gaussian_process.h\`). Gaussian processes take differences of inputs
-before they scale them, so rows 1e-8 apart are told apart at length scales of 1e-8. A sparse process has a jitter of up to 1e-9 where the noise is less than that of the signal, and
-the same condition. The surface processes of \`local\` and \`joint\` always have a jitter of 1e-6
-(\`core/learn/gp/projected_process.h\`) and are refused by the same condition when they are trained.
+**Singular models.** The covariance of the training rows may be singular to working precision. Then a jitter of 1e-10 to
+1e-6 of its diagonal is added and kept with the process. A model's file has hyper-parameters and rows; the same jitter follows
+from them. An estimate that used it has a warning, and \`terratact train\` prints one when it ends. A model that this does not
+mend is refused. The relative error of an accepted model is 1e-14 over the reciprocal condition number, at most 1e-2. For a
+variance, it is relative to that of the prior. For a mean, it is relative to the largest sum of its terms. That sum is
+about the largest output where outputs are as smooth as the length scales (\`core/learn/gp/gaussian_process.h\`). Gaussian
+processes subtract inputs before they scale them, so length scales of 1e-8 separate rows that are 1e-8 apart. A
+sparse process has a jitter of up to 1e-9 where the noise is less than that of the signal, and the same condition. The
+surface processes of \`local\` and \`joint\` always have a jitter of 1e-6 (\`core/learn/gp/projected_process.h\`). The same
+condition refuses them in training.
 
-**Chains that stand still.** R-hat of draws that are all the same is undefined.  Such an estimate has not converged,
-and says so, unless the height is the bin's ceiling, which holds the draws there (\`core/infer/sampling/convergence.h\`).
+**Constant chains.** R-hat of equal draws is undefined.  Such an estimate has not converged and has a warning. The exception
+is a height at the bin's ceiling, which holds the draws there (\`core/infer/sampling/convergence.h\`).
 
-**Cancelling.** An estimate asks whether it is still wanted at least once per bin of a sweep, and in between every
-twenty million multiplications of a factorisation (\`core/learn/gp/cholesky.h\`), every 34 million of a sweep's sums of
-squares, every million numbers read, and every 65536 draws, comparisons of a sort or the like (\`core/base/poll.h\`). So do
-a thread that waits for another one to factorise the same bin (every 5 ms), closed forms while they draw, the advice
-where to probe, and training within every evaluation of a likelihood. Reading a model does not ask. What cannot ask is the system, when it gives memory (in pages of 2 MiB for
-factors, \`core/learn/kernels/huge_pages.h\`; training asks before each) or takes it back: a virtual machine whose host has to find the memory first may stand still for
-as long as the table's last lines say, and longer where several such waits lie between two questions.  The factor of 5600 rows takes
-120 such pages; a million draws take 88 MB. With memory that the process keeps (\`MALLOC_TRIM_THRESHOLD_=8000000000
-MALLOC_MMAP_THRESHOLD_=4000000000\` before the command) the waits of a million draws are those of arithmetic.
+**Cancelling.** An estimate polls for cancellation at least once per bin of a sweep (\`core/base/poll.h\`). It also polls
 
-## What the long forms said
+- every twenty million multiplications of a factorisation (\`core/learn/gp/cholesky.h\`),
+- every 34 million of a sweep's sums of squares,
+- every million numbers read,
+- every 65536 draws or comparisons of a sort.
 
-$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1).  *first*: an estimate with a model that has not been used before, whose Gaussian processes
-are factorised on the way; *later*: one after it.  Milliseconds of the processor between two questions.
+A thread that waits for another one to factorise the same bin polls every 5 ms. Closed forms poll while they draw, and the
+choice of a probe polls, too. Training polls within every evaluation of a likelihood. Reading a model does not poll.
+
+The system cannot poll while it gives memory or takes it back. Factors use pages of 2 MiB (\`core/learn/kernels/huge_pages.h\`);
+training polls before each. On a virtual machine the host may have to find the memory first. The last lines of the table show
+how long that takes; several such waits may lie between two polls. The factor of 5600 rows takes 120 such pages; a million
+draws take 88 MB. A process may keep its memory (\`MALLOC_TRIM_THRESHOLD_=8000000000 MALLOC_MMAP_THRESHOLD_=4000000000\` before
+the command). Then the waits of a million draws are those of arithmetic.
+
+## Output of the long forms
+
+$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1).  *first*: the first estimate with a model, which factorises its Gaussian processes;
+*later*: an estimate after it.  Milliseconds of the processor between two polls.
 
 \`\`\`
 $(cat "$ran")

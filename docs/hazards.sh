@@ -12,9 +12,9 @@ trap 'rm -f "$page"' EXIT
 {
   echo '# The verdict before hazards'
   echo
-  echo 'Simulated drives, a scene every 0.1 m, towards drops, gaps, pits, ditches, ramps that end, walls and lips of 0.15 to 2 m'
-  echo '(`core/sim/hazard_terrain.h`). No model is trained on them. The ground before and after them is level, or has the'
-  echo 'roughness of ISO 8608 class A or C. It is hard, or soft with a layer of 12 to 28 mm. Made by `docs/hazards.sh`:'
+  echo 'A simulated robot drives towards hazards of 0.15 to 2 m, with a scene every 0.1 m. The hazards are drops, gaps, pits, ditches,'
+  echo 'ramps that end, walls and lips (`core/sim/hazard_terrain.h`). No model is trained on them. The ground before and after a hazard is'
+  echo 'level, or has the roughness of ISO 8608 class A or C. It is hard, or soft with a layer of 12 to 28 mm. `docs/hazards.sh` made this page:'
   echo
   echo "    terratact hazards --drives $drives --rates $rates"
   echo
@@ -22,10 +22,10 @@ trap 'rm -f "$page"' EXIT
   "$terratact" hazards --drives "$drives" --rates "$rates"
   echo '```'
   echo
-  echo 'What remains at the default rate are gaps whose far edge lies within 0.02 m of the pivot, where the first element loses less load than its'
-  echo 'noise, falls that begin within the last 0.02 m before the horizon, and slots of less than 0.05 m.'
+  echo 'Three hazards remain at the default rate. One is a gap whose far edge lies within 0.02 m of the pivot: there the first element loses less'
+  echo 'load than its noise. The others are falls that begin within the last 0.02 m before the horizon, and slots of less than 0.05 m.'
   echo
-  echo 'On hard rough ground the robot rests on single points (*press* is 0 there). Between them nothing is felt, and the readings seldom tell flat'
-  echo 'ground from a gap that the flippers span: CLEAR needs a probe or a lower rate, and a lower rate costs what the tables show.'
+  echo 'On hard rough ground the robot rests on single points (*press* is 0 there). Between them nothing is felt. The readings seldom distinguish'
+  echo 'flat ground from a gap that the flippers span. CLEAR needs a probe or a lower rate. The tables show what a lower rate costs.'
 } >"$page"
 cp "$page" hazards.md

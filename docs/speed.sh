@@ -14,14 +14,14 @@ tests/bench/training.sh "$build" >"$training"
 cat >docs/speed.md <<END
 # What sampling and training cost
 
-Made by \`docs/speed.sh $build $rounds\`, which runs \`tests/bench/run.sh $build $rounds\`: the sampler and the same work
-in NumPy and SciPy (\`tests/bench/peer_numpy.py\`) in turns, on one thread, in processor time.  NumPy has the fastest kernels that
-its OpenBLAS offers for this processor, which Debian 12's does not always find by itself (\`tests/bench/peer_blas.py\`).
-Take ratios: times are of this machine and this hour, and other programs on its cores change what the caches hold: the
-more, the larger the ratios to NumPy, which needs more of them.  Load average before and after: $before, $(cut -d' ' -f1 /proc/loadavg).
+\`docs/speed.sh $build $rounds\` made this page; it runs \`tests/bench/run.sh $build $rounds\`.  That runs the sampler and the same work in NumPy
+and SciPy (\`tests/bench/peer_numpy.py\`) in turns, on one thread, in processor time.  NumPy has the fastest kernels that its
+OpenBLAS offers for this processor.  Debian 12's does not always find them by itself (\`tests/bench/peer_blas.py\`).
+Compare ratios, because times depend on the machine and the hour.  Other programs on its cores change what the caches hold.
+NumPy needs more of the caches, so more load makes the ratios to NumPy larger.  Load average before and after: $before, $(cut -d' ' -f1 /proc/loadavg).
 
 A *chain-sweep* draws nine unknown bins of one chain once, from processes of 1400 rows.  *Scenes of an evaluation* have
-their own known bins, 20 sweeps per chain, and everything around them: what \`evaluate\` and \`reconstruct\` do.
+their own known bins and 20 sweeps per chain.  They include all the work of \`evaluate\` and \`reconstruct\`.
 *rows*: 16 chains through so many inducing rows; \`fast\`, \`balanced\` and \`accurate\` are the presets.
 
 \`\`\`
@@ -30,43 +30,43 @@ $(cat "$table")
 
 ## Many scenes
 
-Every scene asks the same eleven Gaussian processes.  Its own are only the weights of what is known and which inputs
-move; both are in the covariances, computed for eight columns at a time.  The packed factor \`L⁻¹\` is common, so the chains
-of several scenes, 64 columns together, go through it in one pass (\`EstimateBatch\`, \`core/infer/estimate_batch.h\`): it is read
-from memory once for all, and the columns of two scenes fill a group of eight that either would leave half empty.  A scene that
-knows a bin takes no part there; one that has converged leaves, and the next enters.  Every estimate is that of the scene alone,
-bit for bit, on any number of processors (\`tests/core/infer/estimate_batch_test.cpp\`, \`tests/cli/commands_test.py\`).
+Every scene uses the same eleven Gaussian processes.  Scenes differ only in the weights of what is known and in which inputs
+move.  Both are in the covariances, computed for eight columns at a time.  The packed factor \`L⁻¹\` is common.  The chains
+of several scenes, 64 columns together, therefore go through it in one pass (\`EstimateBatch\`, \`core/infer/estimate_batch.h\`).
+The factor is read from memory once for all.  The columns of two scenes fill a group of eight that either would leave half
+empty.  A scene that knows a bin is left out there.  A scene that has converged leaves, and the next enters.  Every estimate
+is that of the scene alone, bit for bit, on any number of processors (\`tests/core/infer/estimate_batch_test.cpp\`, \`tests/cli/commands_test.py\`).
 
-The gain is large with few chains, where groups are not full.  It is none, within what the table varies from run to run,
-where groups are full and factors fit the caches without it (inducing rows, the presets fast and balanced): such scenes stay
-alone.  So do those with a random scan, where each scene has its own order of bins, and those with a limit of seconds, which
-is of a scene that has its thread alone.
+The gain is large with few chains, where groups are not full.  There is none,
+within the variation of the table, where groups are full and factors fit the caches without it.  That holds for inducing rows,
+the presets fast and balanced: such scenes stay alone.  Scenes with a random scan stay alone, because each has its own order
+of bins.  Scenes with a limit of seconds stay alone, too, because the limit is that of a thread with one scene.
 
 ## What a sweep saves, and what limits the rest
 
-Most training rows say little that others do not: given well chosen ones, what is left of a row's variance is next to
-nothing of the noise.  In single precision a variance therefore goes through the rows that leave no other more than
-1e-4 of the noise's variance, and all others together no more than 1 % (\`core/learn/gp/sparse_process.h\`), chosen when a process is first used; the table says how many of
-the products are left.  A mean goes through all rows, in double.  What comes of it is compared with
-all rows where a process is first used, and not used where a variance is off by more than 0.2 % at sixteen probes.  How far variances of the
-shipped model are off, from likely to absurd states, is printed by
+Most training rows add little to others: given well chosen rows, the remaining variance of a row is far below the noise.
+In single precision a variance therefore goes through selected rows (\`core/learn/gp/sparse_process.h\`).  They leave no other
+row more than 1e-4 of the noise's variance, and all others together no more than 1 %.  They are chosen when a process is first
+used; the table shows how many of the products are left.  A mean goes through all rows, in double.  The result is compared with
+all rows where a process is first used.  It is not used where a variance is off by more than 0.2 % at sixteen probes.  This
+command prints how far variances of the shipped model are off, from likely to absurd states:
 \`build/headless/tests/core.learn.model.bin_models_test --gtest_filter='*SinglePrecision*'\`.  In double nothing is left out.
 
-*quadratic form*: as measured with one bin's factor of all rows, which the nearest caches keep in part; *rest*: what nine bins'
-factors cost more by coming from farther away and being smaller, standardising, and keeping draws.
+*quadratic form*: measured with one bin's factor of all rows, which the nearest caches keep in part.  *rest*: the extra cost
+of nine bins' factors, which are smaller and come from farther away, of standardising, and of keeping draws.
 
-A peer that works in double computes twice as many vectors for the same numbers, and whole squares where a triangle would do;
-what it makes of the peak in double says how much of a ratio is that.  One scene makes as many sweeps in NumPy as here, so its
-ratio is that of chain-sweeps, less what summarising costs.
-AVX2 against AVX-512 is bounded by the ratio of their peaks, as long as both are as near to their own.
+A peer in double computes twice as many vectors for the same numbers, and whole squares where a triangle would do.  Its share
+of the peak in double shows how much of a ratio that is.  One scene makes as many sweeps in NumPy as here.  Its ratio is that
+of chain-sweeps, less the cost of summarising.  AVX2 against AVX-512 is bounded by the ratio of their peaks, if both reach the
+same share.
 
 ## Training
 
 By \`tests/bench/training.sh $build\`, on generated scenes.  *train*: hyper-parameters of the paper's 22 processes, on two
-cores.  *growth*: one evaluation of likelihood and gradient, and the memory that the program came to need, in doubles and in
-multiples of the rows' square.  *sparse*: one bin's process; hyper-parameters are searched for on some rows or on all, then the process is made
-of all rows (\`through\` as many) or through inducing rows, and predicts 5000 unseen scenes.  \`terratact train\` searches on all
-rows, with up to 30 such evaluations, unless it is told \`--inducing\`: then on 1400.  *sparse-bins*: the error through so many rows as a share of that through all, of every bin.
+cores.  *growth*: one evaluation of likelihood and gradient, and the largest memory of the program.  The memory is in doubles and in
+multiples of the rows' square.  *sparse*: one bin's process.  Hyper-parameters are searched for on some rows or on all.  Then
+the process is made of all rows (\`through\` as many) or through inducing rows, and predicts 5000 unseen scenes.  \`terratact
+train\` searches on all rows, with up to 30 such evaluations; with \`--inducing\`, on 1400.  *sparse-bins*: the error through so many rows as a share of that through all, of every bin.
 
 \`\`\`
 $(cat "$training")

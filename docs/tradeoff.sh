@@ -18,12 +18,12 @@ show() {
 }
 
 say '# Time and accuracy' '' \
-  'Made by `docs/tradeoff.sh build/release/app/terratact`; the scenes are generated, so that anybody can repeat it.' \
-  "Processor: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1), one core.  Times are the processor's, median over the scenes; take ratios.  What a model makes once, when it is first used, is no part of them." '' \
-  'The distance from a long run of the same method tells what fewer draws, single precision or fewer inducing rows cost;' \
-  'the error against the truth tells whether it matters.  A method may be certain and wrong: compare both.' \
-  'The presets `fast`, `balanced` and `accurate` (`--quality`, and the console’s menu) are points of the table, and measured as the program runs them: they end once the chains have converged.' \
-  '`pafac` is two estimates, one to choose where the arm probes, and one with what it found: the time is of the second.'
+  '`docs/tradeoff.sh build/release/app/terratact` made this page from generated scenes, so anybody can repeat it.' \
+  "Processor: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1), one core.  Times are medians of processor time over the scenes; compare ratios.  They exclude the factors that a model computes on first use." '' \
+  'The distance from a long run of the same method shows the cost of fewer draws, single precision or fewer inducing rows.' \
+  'The error against the truth shows whether it matters.  A method may be certain and wrong: compare both.' \
+  'The presets `fast`, `balanced` and `accurate` (`--quality`, and the console’s menu) are points of the table.  They are measured as the program runs them: they end once the chains have converged.' \
+  '`pafac` makes two estimates: one to choose where the arm probes, and one with its reading. The time is of the second.'
 show simulate --terrain varied --count 8 --exact-truth --seed 2 --out scenes.csv
 show tradeoff --data scenes.csv --seed 1 --out tradeoff
 say '' '![Time and accuracy](tradeoff.svg)'

@@ -332,7 +332,7 @@ TEST_F(Soak, keepsUpWithAFullBusWhileItEstimatesAndRecords)
                 100.0 * (busy.seconds - estimating) / elapsed, busy.estimates.load(), megabytes,
                 mostMemory());
     const RecordingState recorded = recorder->state();
-    std::printf("recorded: %lld frames, %lld found no room, %.1f MB\n",
+    std::printf("recorded: %lld frames, %lld dropped, %.1f MB\n",
                 static_cast<long long>(recorded.frames), static_cast<long long>(recorded.missing),
                 static_cast<double>(recorded.bytes) / 1e6);
     EXPECT_EQ(recorded.trouble.english(), "");
