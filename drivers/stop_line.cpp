@@ -2,10 +2,12 @@
 
 #include <sys/socket.h>
 #include <sys/un.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <cstddef>
+#include <cstring>
 #include <string_view>
 #include <utility>
 
@@ -51,20 +53,43 @@ Result<PosixFd> boundTo(const std::string& name)
 {
     PosixFd socket(::socket(AF_UNIX, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
     if (!socket) return lastError(name);
+    const int on = 1;
+    if (::setsockopt(socket.get(), SOL_SOCKET, SO_PASSCRED, &on, sizeof on) != 0)
+        return lastError(name);
     const Address address = addressOf(name);
     if (::bind(socket.get(), address.get(), address.size) != 0) return lastError(name);
     return socket;
+}
+
+/// Returns true if the kernel names this user or root as the sender.
+bool isFromUser(msghdr& message)
+{
+    const cmsghdr* const header = CMSG_FIRSTHDR(&message);
+    if (!header || header->cmsg_level != SOL_SOCKET || header->cmsg_type != SCM_CREDENTIALS)
+        return false;
+    ucred sender{};
+    std::memcpy(&sender, CMSG_DATA(header), sizeof sender);
+    return sender.uid == 0 || sender.uid == ::geteuid();
 }
 
 /// Reads one datagram. Returns false if there is none. from: address of its sender.
 bool read(int socket, std::string_view wanted, bool& isWanted, Address& from)
 {
     std::array<char, 64> text{};
-    from.size = sizeof from.content;
-    const ssize_t count = ::recvfrom(socket, text.data(), text.size(), 0,
-                                     reinterpret_cast<sockaddr*>(&from.content), &from.size);
+    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(ucred))> sender{};
+    iovec part{.iov_base = text.data(), .iov_len = text.size()};
+    msghdr message{};
+    message.msg_name = &from.content;
+    message.msg_namelen = sizeof from.content;
+    message.msg_iov = &part;
+    message.msg_iovlen = 1;
+    message.msg_control = sender.data();
+    message.msg_controllen = sender.size();
+    const ssize_t count = ::recvmsg(socket, &message, MSG_CMSG_CLOEXEC);
     if (count < 0) return false;
-    isWanted = std::string_view(text.data(), static_cast<std::size_t>(count)) == wanted;
+    from.size = message.msg_namelen;
+    isWanted = isFromUser(message)
+            && std::string_view(text.data(), static_cast<std::size_t>(count)) == wanted;
     return true;
 }
 

@@ -8,8 +8,9 @@
 namespace terratact {
 
 /// STOP from one program of this computer to another: a datagram over a Unix socket in the abstract
-/// namespace. The socket leaves no file and disappears with its listener. All that anybody can do
-/// with it is stop a robot.
+/// namespace. The socket leaves no file and disappears with its listener. Such a socket has no
+/// permissions, so each end asks the kernel for the sender's user: only datagrams of the same user
+/// or of root count.
 
 /// The receiving end, which stops the robot.
 class StopLine {

@@ -1,13 +1,13 @@
 #include "app/console/demo.h"
 
 #include <QApplication>
-#include <QPixmap>
-#include <QSaveFile>
 #include <cstdio>
 #include <utility>
 
 #include "app/console/main_window.h"
+#include "app/display/translated.h"
 #include "app/runtime/print_text.h"
+#include "app/shell/window_picture.h"
 
 namespace terratact {
 namespace {
@@ -93,10 +93,8 @@ void ScreenshotDemo::arm()
 /// Returns an error text; empty: the picture was saved.
 QString ScreenshotDemo::save()
 {
-    QSaveFile file(file_);
-    if (file.open(QIODevice::WriteOnly) && window_.grab().save(&file, "PNG") && file.commit())
-        return {};
-    return tr("%1: cannot be written: %2").arg(file_, file.errorString());
+    const Status saved = saveWindow(window_, file_.toStdString());
+    return saved ? QString() : translated(saved.error().message);
 }
 
 void ScreenshotDemo::finish()

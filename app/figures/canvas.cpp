@@ -75,6 +75,16 @@ cairo_status_t renderPdf(std::string& bytes, int width, int height,
     return cairo_surface_status(surface.get());
 }
 
+/// Returns false if no font is installed. Cairo then draws letters of its own, which lack the minus sign.
+bool fontExists()
+{
+    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1), cairo_surface_destroy);
+    const Context context(cairo_create(surface.get()), cairo_destroy);
+    cairo_select_font_face(context.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                           CAIRO_FONT_WEIGHT_NORMAL);
+    return cairo_scaled_font_get_type(cairo_get_scaled_font(context.get())) != CAIRO_FONT_TYPE_USER;
+}
+
 /// Removes the last character of a UTF-8 text.
 void dropLast(std::string& text)
 {
@@ -251,6 +261,10 @@ Status writePicture(const std::string& path, int width, int height,
                       : path.ends_with(".pdf") ? renderPdf
                                                : nullptr;
     if (!render) return Error{path + ": a figure's file ends in .png, .svg or .pdf"};
+    if (!fontExists())
+        return Error{path
+                     + ": cannot be drawn: no font is installed, so no text could be read; "
+                       "install one, such as fonts-dejavu-core"};
     std::string bytes;
     const cairo_status_t status = render(bytes, width, height, draw);
     if (status != CAIRO_STATUS_SUCCESS)

@@ -48,7 +48,7 @@ Status trainInto(const std::string& path, const TrainingPlan& plan, const Traini
     if (watch.cancelled()) throw Cancelled{};
     if (Status nothing = nothingAt(path); !nothing) return nothing;
     const QString directory = QFileInfo(QString::fromStdString(path)).path();
-    if (Status made = makeDirectory(directory.toStdString()); !made) return made;
+    if (Status made = makeDirectory(directory.toStdString(), Access::Owner); !made) return made;
     scenes = static_cast<int>(model->heights.rows());
     if (Status written = writeModel(path, *model); !written) return written;
     return writeNewCard(path, *model, plan.data);

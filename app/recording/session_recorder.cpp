@@ -245,7 +245,7 @@ Status SessionRecorder::begin()
     if (options_.folder.empty())
         return Error{
             TR_NOOP("core", "there is no home folder to record in: --sessions names another")};
-    if (Status made = makeDirectory(options_.folder, FolderAccess::Owner); !made) return made;
+    if (Status made = makeDirectory(options_.folder, Access::Owner); !made) return made;
     if (const auto left = freeBytes(options_.folder); left && *left < options_.leastFree)
         return Error{Message(TR_NOOP("core", "%1: the disk is full: only %2 MB are free, %3 MB are "
                                              "left alone; recording goes on when there is room"),

@@ -10,6 +10,7 @@
 #include "app/review/scenes_window.h"
 #include "app/runtime/resources.h"
 #include "app/shell/console_setup.h"
+#include "app/shell/window_picture.h"
 #include "core/learn/data/scene_file.h"
 #include "core/store/file_read.h"
 
@@ -23,17 +24,17 @@ Result<int> untilClosed(ConsoleWindow& window, const ConsoleOptions& options,
 {
     showWindow(window, options);
     if (!options.isPicture()) return QApplication::exec();
-    bool unsaved = false;
+    Status saved = Done{};
     QTimer look;
     QObject::connect(&look, &QTimer::timeout, &window, [&] {
         if (!isReady()) return;
         look.stop();
-        unsaved = !window.grab().save(QString::fromStdString(options.screenshot), "PNG");
+        saved = saveWindow(window, options.screenshot);
         QApplication::exit();
     });
     look.start(kReadyPeriod);
     const int code = QApplication::exec();
-    if (unsaved) return Error{options.screenshot + ": cannot be written"};
+    if (!saved) return saved.error();
     return code;
 }
 

@@ -54,7 +54,7 @@ Status writeNotes(const std::string& session, const std::vector<ReviewNote>& not
         text += csvLine(std::array{
             QByteArray::number(note.time, 'g', QLocale::FloatingPointShortest).toStdString(),
             note.text});
-    return writeFileAtomically(notesPath(session), text);
+    return writeFileAtomically(notesPath(session), text, Access::Owner);
 }
 
 }  // namespace terratact

@@ -89,7 +89,9 @@ public:
                 return fileError(output.name, "is the same file as " + other.name
                                                   + ", and both are written: name another file");
         files_.push_back(output);
-        return isStandardOutput(path) || isStream(path) ? Status(Done{}) : checkReplaceable(path);
+        if (isStandardOutput(path)) return Done{};
+        if (isStream(path)) return checkLinks(path);
+        return checkReplaceable(path);
     }
 
     const std::vector<Identity>& files() const { return files_; }

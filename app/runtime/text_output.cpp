@@ -1,11 +1,12 @@
 #include "app/runtime/text_output.h"
 
+#include <ext/stdio_filebuf.h>
+#include <fcntl.h>
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <fstream>
 #include <iostream>
 #include <system_error>
 #include <utility>
@@ -13,6 +14,27 @@
 #include "core/store/file_read.h"
 
 namespace terratact {
+namespace {
+
+/// Writes to a descriptor and closes it.
+class DescriptorStream final : public std::ostream {
+public:
+    explicit DescriptorStream(int descriptor)
+        : std::ostream(nullptr), buffer_(descriptor, std::ios::out | std::ios::binary)
+    {
+        rdbuf(&buffer_);
+    }
+    /// A failure sets badbit.
+    void close()
+    {
+        if (!buffer_.close()) setstate(std::ios::badbit);
+    }
+
+private:
+    __gnu_cxx::stdio_filebuf<char> buffer_;
+};
+
+}  // namespace
 
 bool isStandardOutput(std::string_view path)
 {
@@ -44,24 +66,25 @@ Result<TextOutput> TextOutput::begin(const std::string& path)
         return TextOutput("the standard output", std::nullopt,
                           std::make_unique<std::ostream>(std::cout.rdbuf()));
     std::optional<NewFile> file;
-    if (!isStream(path)) {
+    if (isStream(path)) {
+        if (Status direct = checkLinks(path); !direct) return direct.error();
+    } else {
         Result<NewFile> begun = NewFile::begin(path);
         if (!begun) return begun.error();
         file = *std::move(begun);
     }
-    errno = 0;
-    auto stream =
-        std::make_unique<std::ofstream>(file ? file->temporaryPath() : path, std::ios::binary);
-    if (!*stream)
+    const int descriptor =
+        file ? file->openTemporary() : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0)
         return fileError(path, "cannot be written: " + std::generic_category().message(errno),
                          errno);
-    return TextOutput(path, std::move(file), std::move(stream));
+    return TextOutput(path, std::move(file), std::make_unique<DescriptorStream>(descriptor));
 }
 
 Status TextOutput::commit()
 {
     stream_->flush();
-    if (auto* const opened = dynamic_cast<std::ofstream*>(stream_.get())) opened->close();
+    if (auto* const opened = dynamic_cast<DescriptorStream*>(stream_.get())) opened->close();
     if (!*stream_) return fileError(path_, "cannot be written: is the disk full?");
     return file_ ? file_->commit() : Status(Done{});
 }

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <QFontInfo>
 #include <QIcon>
 #include <QScreen>
 #include <QSocketNotifier>
@@ -13,6 +14,7 @@
 #include "app/display/translated.h"
 #include "app/shell/console_window.h"
 #include "app/shell/language.h"
+#include "app/shell/qt_messages.h"
 #include "app/shell/text_sheet.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/theme.h"
@@ -52,6 +54,12 @@ void setSize(ConsoleWindow& window, const ConsoleOptions& options, const QByteAr
     if (options.isPicture()) window.setRoom(window.size());
 }
 
+/// Returns false if no font is installed. Qt then draws a box for every letter.
+bool lettersExist()
+{
+    return !QFontInfo(QApplication::font()).family().isEmpty();
+}
+
 }  // namespace
 
 Status Application::start(const Preferences& preferences, bool pictures)
@@ -60,7 +68,14 @@ Status Application::start(const Preferences& preferences, bool pictures)
     if (!std::getenv("QT_QPA_PLATFORM") && !std::getenv("DISPLAY")
         && !std::getenv("WAYLAND_DISPLAY"))
         return Error{"no display: set DISPLAY, or use --screenshot FILE"};
-    if (!application_) application_.emplace(argc_, argv_);
+    if (!application_) {
+        printQtMessages();
+        application_.emplace(argc_, argv_);
+        windowsCanOpen();
+    }
+    if (!lettersExist())
+        return Error{TR_NOOP("Application", "no font is installed, so no text could be read: "
+                                            "install one, such as fonts-dejavu-core")};
     QApplication::setApplicationName(QStringLiteral("terratact-console"));
     QApplication::setApplicationDisplayName(QStringLiteral("Terratact"));
     QApplication::setApplicationVersion(QStringLiteral(TERRATACT_VERSION));

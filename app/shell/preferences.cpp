@@ -1,7 +1,6 @@
 #include "app/shell/preferences.h"
 
 #include <QCoreApplication>
-#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QSettings>
@@ -15,6 +14,7 @@
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "core/base/named.h"
+#include "core/store/file_write.h"
 
 namespace terratact {
 namespace {
@@ -316,7 +316,11 @@ QString changesOf(const Preferences& before, const Preferences& now)
 std::optional<Message> savePreferences(const QString& path, const Preferences& preferences)
 {
     if (path.isEmpty()) return std::nullopt;
-    QDir().mkpath(QFileInfo(path).path());
+    Status allowed = makeDirectory(QFileInfo(path).path().toStdString(), Access::Owner);
+    if (allowed) allowed = checkLinks(path.toStdString());
+    if (!allowed)
+        return Message(TR_NOOP("Preferences", "Preferences: %1; nothing is saved"),
+                       allowed.error().message);
     QSettings file(path, QSettings::IniFormat);
     file.setValue(kSchemaKey, QString::number(kPreferencesSchema));
     visit(Writer{[&file](const char* key, const QString& text) {

@@ -94,6 +94,33 @@ bool isRecording(const std::string& path)
     return kind == ContentKind::Session || kind == ContentKind::Journal;
 }
 
+/// Returns true for the names of open files, which are links of the kernel: /dev/stdout, /dev/fd/3.
+bool isKernelName(const std::string& path)
+{
+    return path.starts_with("/dev/") || path.starts_with("/proc/self/fd/");
+}
+
+bool isLink(const std::string& path, struct stat& found)
+{
+    return ::lstat(path.c_str(), &found) == 0 && S_ISLNK(found.st_mode);
+}
+
+/// Checks every part of a directory's path.
+Status checkDirectoryLinks(const std::string& path)
+{
+    std::filesystem::path at;
+    for (const std::filesystem::path& part : std::filesystem::path(path)) {
+        at /= part;
+        struct stat found {};
+        if (isLink(at.string(), found) && found.st_uid != 0 && found.st_uid != ::geteuid())
+            return Error{Message(TR_NOOP("core", "%1: nothing is written here: %2 is a symbolic "
+                                                 "link of another user; name the folder itself"),
+                                 path, at.string()),
+                         ELOOP};
+    }
+    return Done{};
+}
+
 std::string directoryOf(const std::string& path)
 {
     const std::string parent = std::filesystem::path(path).parent_path().string();
@@ -128,8 +155,23 @@ NewFile::~NewFile()
     discard();
 }
 
+Status checkLinks(const std::string& path)
+{
+    if (isKernelName(path)) return Done{};
+    struct stat found {};
+    if (!isLink(path, found)) return checkDirectoryLinks(directoryOf(path));
+    std::error_code none;
+    const std::string target = std::filesystem::read_symlink(path, none).string();
+    return cannotWrite(path,
+                       Message(TR_NOOP("core", "it is a symbolic link to %1, and nothing is "
+                                               "written through a link: name the file itself"),
+                               target),
+                       ELOOP);
+}
+
 Status checkReplaceable(const std::string& path)
 {
+    if (Status direct = checkLinks(path); !direct) return direct;
     struct stat old {};
     if (::stat(path.c_str(), &old) != 0) return Done{};
     if (S_ISDIR(old.st_mode)) return cannotWrite(path, EISDIR);
@@ -148,7 +190,7 @@ Status checkReplaceable(const std::string& path)
     return Done{};
 }
 
-Result<NewFile> NewFile::begin(const std::string& path)
+Result<NewFile> NewFile::begin(const std::string& path, Access access)
 {
     if (const Status allowed = checkReplaceable(path); !allowed) return allowed.error();
     struct stat old {};
@@ -158,11 +200,19 @@ Result<NewFile> NewFile::begin(const std::string& path)
     if (none) return cannotWrite(path, none.value());
 
     std::string temporary;
-    const Descriptor file(createBeside(target, 0666, temporary));
+    constexpr mode_t kOwner = S_IRUSR | S_IWUSR;
+    const bool owners = access == Access::Owner;
+    const Descriptor file(createBeside(target, exists || owners ? kOwner : 0666, temporary));
     if (file.fd() < 0) return cannotWrite(path, errno);
     NewFile created(path, target, temporary);
-    if (exists && ::fchmod(file.fd(), old.st_mode & 07777) != 0) return cannotWrite(path, errno);
+    const mode_t mode = owners ? kOwner : old.st_mode & 07777;
+    if ((exists || owners) && ::fchmod(file.fd(), mode) != 0) return cannotWrite(path, errno);
     return created;
+}
+
+int NewFile::openTemporary() const
+{
+    return ::open(temporary_.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
 }
 
 Status NewFile::commit()
@@ -185,17 +235,19 @@ void NewFile::discard() noexcept
     temporary_.clear();
 }
 
-Status makeDirectory(const std::string& path, FolderAccess access)
+Status makeDirectory(const std::string& path, Access access)
 {
+    if (Status direct = checkDirectoryLinks(path); !direct) return direct;
     std::error_code failed;
-    if (access == FolderAccess::Owner) {
+    if (access == Access::Owner) {
         std::vector<std::string> missing;
         for (std::filesystem::path at = path; !at.empty() && !std::filesystem::exists(at, failed);
              at = at.parent_path())
             missing.push_back(at.string());
         std::reverse(missing.begin(), missing.end());
         for (const std::string& at : missing)
-            (void)::mkdir(at.c_str(), S_IRWXU);  // if it fails, the next step fails too
+            if (::mkdir(at.c_str(), S_IRWXU) == 0)   // if it fails, the next step fails too
+                (void)::chmod(at.c_str(), S_IRWXU);  // the umask may have taken away more
     }
     std::filesystem::create_directories(path, failed);
     if (failed)
@@ -205,11 +257,11 @@ Status makeDirectory(const std::string& path, FolderAccess access)
     return Done{};
 }
 
-Status writeFileAtomically(const std::string& path, std::string_view content)
+Status writeFileAtomically(const std::string& path, std::string_view content, Access access)
 {
-    Result<NewFile> file = NewFile::begin(path);
+    Result<NewFile> file = NewFile::begin(path, access);
     if (!file) return file.error();
-    Descriptor out(::open(file->temporaryPath().c_str(), O_WRONLY | O_CLOEXEC));
+    Descriptor out(file->openTemporary());
     if (out.fd() < 0) return cannotWrite(path, errno);
     if (const int code = writeAll(out.fd(), content)) return cannotWrite(path, code);
     if (!out.close()) return cannotWrite(path, errno);

@@ -7,7 +7,17 @@
 
 namespace terratact {
 
+/// Permissions of what is created: as the umask allows, or for its owner alone whatever the umask.
+enum class Access { Everybody, Owner };
+
+/// Returns Done if an output path leads through no symbolic link of somebody else. The output itself
+/// must not be a link at all, so that nothing is written through it. A folder above it may be a link
+/// of this user or of root. Names below /dev and /proc/self/fd are links of the kernel and pass.
+/// Errors name the link.
+Status checkLinks(const std::string& path);
+
 /// Returns Done if a new file may replace the one at `path`, or if there is none. Errors name it:
+///   - checkLinks() refuses it.
 ///   - It is a directory, a device or a pipe.
 ///   - It is write-protected, by its mode for this user, or for everybody (which includes root).
 ///   - It is a recorded session or its journal, by content or by name (*.tts): a recording is never
@@ -20,9 +30,9 @@ Status checkReplaceable(const std::string& path);
 class NewFile {
 public:
     /// Creates the empty temporary file. Errors name the file: its directory does not exist or is
-    /// not writable, or checkReplaceable() refuses the file at `path`. A symbolic link at `path` is
-    /// followed. The permissions of an existing file are kept.
-    static Result<NewFile> begin(const std::string& path);
+    /// not writable, or checkReplaceable() refuses the file at `path`. The permissions of an existing
+    /// file are kept, unless `access` is Owner.
+    static Result<NewFile> begin(const std::string& path, Access access = Access::Everybody);
 
     NewFile(NewFile&& other) noexcept;
     NewFile& operator=(NewFile&& other) noexcept;
@@ -33,6 +43,10 @@ public:
     /// Returns the path to write to. Close the file before commit().
     const std::string& temporaryPath() const { return temporary_; }
 
+    /// Opens the temporary file for writing; it follows no link that somebody has put there since.
+    /// Returns a descriptor that the caller closes, or -1 and sets errno.
+    int openTemporary() const;
+
     /// Flushes the content to the disk and renames it to its final name.
     Status commit();
 
@@ -42,17 +56,16 @@ private:
     void discard() noexcept;
 
     std::string path_;       ///< as the caller named it
-    std::string target_;     ///< path with links followed
+    std::string target_;     ///< path; for a name of the kernel the file that it means
     std::string temporary_;  ///< empty once committed
 };
 
-enum class FolderAccess { Everybody, Owner };
-
-/// Creates a directory and its parents; does nothing if it exists. Errors name it. access:
-/// permissions of the created directories; Everybody: as the umask allows.
-Status makeDirectory(const std::string& path, FolderAccess access = FolderAccess::Everybody);
+/// Creates a directory and its parents; does nothing if it exists. Errors name it: also where a part
+/// of the path is a symbolic link that belongs neither to this user nor to root.
+Status makeDirectory(const std::string& path, Access access = Access::Everybody);
 
 /// Writes `content` to `path` as NewFile does.
-Status writeFileAtomically(const std::string& path, std::string_view content);
+Status writeFileAtomically(const std::string& path, std::string_view content,
+                           Access access = Access::Everybody);
 
 }  // namespace terratact

@@ -232,6 +232,7 @@ void SqliteFile::makeEmpty(const std::string& path)
         throw SqliteError(errno == EEXIST ? Message(TR_NOOP("core", "is there already"))
                                           : Message(TR_NOOP("core", "cannot be created: %1"),
                                                     systemMessage(errno)));
+    (void)::fchmod(made, S_IRUSR | S_IWUSR);  // the umask may have taken away more
     ::close(made);
 }
 

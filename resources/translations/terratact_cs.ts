@@ -38,6 +38,10 @@
         <source>Terratact could not start</source>
         <translation>Terratact nemohl začít</translation>
     </message>
+    <message>
+        <source>no font is installed, so no text could be read: install one, such as fonts-dejavu-core</source>
+        <translation>není nainstalováno žádné písmo, takže by nešlo přečíst žádný text: nainstalujte některé, například fonts-dejavu-core</translation>
+    </message>
 </context>
 <context>
     <name>BusWords</name>
@@ -557,6 +561,10 @@
     <message>
         <source>Preferences: %1 cannot be read; the shipped model is used</source>
         <translation>Nastavení: %1 nelze přečíst; použije se dodaný model</translation>
+    </message>
+    <message>
+        <source>Preferences: %1; nothing is saved</source>
+        <translation>Nastavení: %1; nic se neukládá</translation>
     </message>
 </context>
 <context>
@@ -3866,6 +3874,14 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>has no scenes</source>
         <translation>nemá žádné scény</translation>
     </message>
+    <message>
+        <source>%1: nothing is written here: %2 is a symbolic link of another user; name the folder itself</source>
+        <translation>%1: sem se nic nezapíše: %2 je symbolický odkaz jiného uživatele; uveďte přímo složku</translation>
+    </message>
+    <message>
+        <source>it is a symbolic link to %1, and nothing is written through a link: name the file itself</source>
+        <translation>je to symbolický odkaz na %1 a přes odkaz se nic nezapisuje: uveďte přímo soubor</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -6900,10 +6916,6 @@ F1</translation>
     <message>
         <source>the demonstration took too long</source>
         <translation>ukázka trvala příliš dlouho</translation>
-    </message>
-    <message>
-        <source>%1: cannot be written: %2</source>
-        <translation>%1: nelze zapsat: %2</translation>
     </message>
     <message>
         <source>%1 shows the window at that time</source>

@@ -38,6 +38,10 @@
         <source>Terratact could not start</source>
         <translation>Terratact konnte nicht starten</translation>
     </message>
+    <message>
+        <source>no font is installed, so no text could be read: install one, such as fonts-dejavu-core</source>
+        <translation>es ist keine Schrift installiert, also wäre kein Text lesbar: installieren Sie eine, etwa fonts-dejavu-core</translation>
+    </message>
 </context>
 <context>
     <name>BusWords</name>
@@ -557,6 +561,10 @@
     <message>
         <source>Preferences: %1 cannot be read; the shipped model is used</source>
         <translation>Einstellungen: %1 ist nicht lesbar; das mitgelieferte Modell wird verwendet</translation>
+    </message>
+    <message>
+        <source>Preferences: %1; nothing is saved</source>
+        <translation>Einstellungen: %1; nichts wird gespeichert</translation>
     </message>
 </context>
 <context>
@@ -3866,6 +3874,14 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>has no scenes</source>
         <translation>hat keine Szenen</translation>
     </message>
+    <message>
+        <source>%1: nothing is written here: %2 is a symbolic link of another user; name the folder itself</source>
+        <translation>%1: hierher wird nichts geschrieben: %2 ist ein symbolischer Link eines anderen Benutzers; nennen Sie den Ordner selbst</translation>
+    </message>
+    <message>
+        <source>it is a symbolic link to %1, and nothing is written through a link: name the file itself</source>
+        <translation>es ist ein symbolischer Link auf %1, und durch einen Link wird nichts geschrieben: nennen Sie die Datei selbst</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -6900,10 +6916,6 @@ F1</translation>
     <message>
         <source>the demonstration took too long</source>
         <translation>die Vorführung dauerte zu lange</translation>
-    </message>
-    <message>
-        <source>%1: cannot be written: %2</source>
-        <translation>%1: kann nicht geschrieben werden: %2</translation>
     </message>
     <message>
         <source>%1 shows the window at that time</source>

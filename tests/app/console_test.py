@@ -100,6 +100,52 @@ class Console(unittest.TestCase):
                 self.started(folder, until=lambda: bad.exists() if garbage else time.monotonic() > begun + 2)
                 self.assertEqual(bad.exists(), garbage)
 
+    def said_in_one_line(self, done, words):
+        """Checks a refusal: exit code 1, one line of the program, no core dump."""
+        lines = [line for line in done.stderr.splitlines() if "XDG_RUNTIME_DIR" not in line]
+        self.assertEqual((done.returncode, len(lines)), (1, 1), done.stderr)
+        self.assertRegex(lines[0], f"^terratact-console: .*{words}")
+
+    def test_a_display_that_does_not_exist_is_one_line(self):
+        self.said_in_one_line(run(DISPLAY=":9999"), "no window can be opened: could not connect to display :9999")
+        self.said_in_one_line(run(DISPLAY=":9999", QT_QPA_PLATFORM="no\x1b[8msuch"),
+                              'no window can be opened: .*"no\\?\\[8msuch"')
+
+    def test_without_fonts_it_opens_no_window(self):
+        with tempfile.TemporaryDirectory() as folder:
+            config, picture = pathlib.Path(folder) / "fonts.conf", pathlib.Path(folder) / "x.png"
+            config.write_text("<?xml version='1.0'?><fontconfig></fontconfig>")
+            done = run("--screenshot", str(picture), FONTCONFIG_FILE=str(config))
+            self.said_in_one_line(done, "no font is installed")
+            self.assertFalse(picture.exists())
+
+    def test_little_memory_is_one_line(self):
+        for megabytes in (200, 500):
+            done = subprocess.run(["bash", "-c", f"ulimit -v {1000 * megabytes}; exec \"$@\"", "-", CONSOLE, "--screenshot",
+                                   "/dev/null"], env={**os.environ, "QT_QPA_PLATFORM": "offscreen"}, text=True,
+                                  capture_output=True, timeout=300, check=False)
+            self.said_in_one_line(done, "needs 700 MB of memory; .* ulimit -v")
+
+    def test_a_picture_is_written_through_no_link(self):
+        demo = os.path.join(os.environ["TERRATACT_SOURCE_DIR"], "resources", "sessions", "demo.tts")
+        with tempfile.TemporaryDirectory() as folder:
+            victim, link = pathlib.Path(folder) / "victim", pathlib.Path(folder) / "x.png"
+            victim.write_text("mine")
+            link.symlink_to(victim)
+            self.said_in_one_line(run(demo, "--screenshot", str(link)), "x.png: cannot be written: it is a symbolic link")
+            self.assertEqual(victim.read_text(), "mine")
+
+    def test_it_starts_without_a_home_folder(self):
+        demo = os.path.join(os.environ["TERRATACT_SOURCE_DIR"], "resources", "sessions", "demo.tts")
+        with tempfile.TemporaryDirectory() as folder:
+            for home in ({}, {"HOME": ""}, {"HOME": "/dev/null"}, {"HOME": "relative"},
+                         {"XDG_CONFIG_HOME": "/proc", "XDG_STATE_HOME": "/proc", "XDG_DATA_HOME": "/proc"}):
+                picture = os.path.join(folder, "x.png")
+                done = subprocess.run([CONSOLE, demo, "--screenshot", picture], capture_output=True, timeout=300,
+                                      env={"PATH": os.environ["PATH"], **home}, check=False)
+                self.assertEqual(done.returncode, 0, (home, done.stderr))
+                os.remove(picture)
+
     def test_a_picture_that_cannot_be_written_is_named(self):
         done = run("--screenshot", "/nowhere/x.png")
         self.assertEqual(done.returncode, 1)

@@ -1,6 +1,7 @@
 #include "drivers/stop_line.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -34,6 +35,36 @@ TEST(StopLine, isReceivedAndAnswered)
     ASSERT_TRUE(line->consume());
     ASSERT_TRUE(caller->press(someName()));
     EXPECT_FALSE(caller->isTaken()) << "that answer was to the press before";
+}
+
+/// Runs `work` in a child process of the user nobody; returns its result, or -1 without the right to do so.
+int asNobody(int (*work)())
+{
+    constexpr uid_t kNobody = 65534;
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(::setuid(kNobody) == 0 ? work() : 255);
+    int status = 0;
+    if (child < 0 || ::waitpid(child, &status, 0) != child || !WIFEXITED(status)) return -1;
+    return WEXITSTATUS(status) == 255 ? -1 : WEXITSTATUS(status);
+}
+
+std::string listenerName;
+
+TEST(StopLine, ofAnotherUserIsNotHeard)
+{
+    listenerName = someName();
+    auto line = StopLine::listen(listenerName);
+    ASSERT_TRUE(line) << line.error().text;
+    const int sent = asNobody([] {
+        auto caller = StopCaller::open();
+        return caller && caller->press(listenerName) ? 0 : 1;
+    });
+    if (sent < 0) GTEST_SKIP() << "only root may act as another user";
+    ASSERT_EQ(sent, 0) << "it was sent";
+    EXPECT_FALSE(line->consume());
+    auto caller = StopCaller::open();
+    ASSERT_TRUE(caller && caller->press(listenerName));
+    EXPECT_TRUE(line->consume()) << "the same user is heard";
 }
 
 TEST(StopLine, missingListenerIsAnError)

@@ -75,6 +75,26 @@ TEST_F(PreferencesFile, givesBackEveryValue)
         << "a second save replaces the first";
 }
 
+TEST_F(PreferencesFile, isNotSavedThroughASymbolicLink)
+{
+    const std::string victim = directory.write("victim", "mine");
+    std::filesystem::create_directories(directory.file("terratact"));
+    std::filesystem::create_symlink(victim, path().toStdString());
+    const auto trouble = savePreferences(path(), unlikeTheDefaults());
+    ASSERT_TRUE(trouble);
+    EXPECT_NE(trouble->english().find("it is a symbolic link to " + victim), std::string::npos)
+        << trouble->english();
+    EXPECT_EQ(contentOf(victim), "mine");
+}
+
+TEST_F(PreferencesFile, isInAFolderForItsUserAlone)
+{
+    EXPECT_FALSE(savePreferences(path(), kDefaults));
+    struct stat folder {};
+    ASSERT_EQ(::stat(directory.file("terratact").c_str(), &folder), 0);
+    EXPECT_EQ(folder.st_mode & 07777U, 0700U);
+}
+
 TEST(PreferencesRecord, namesEveryKeyThatChangesAndNoOther)
 {
     Preferences now = kDefaults;

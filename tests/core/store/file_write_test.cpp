@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
@@ -39,14 +40,69 @@ TEST(WriteFileAtomically, replacesAFileAndKeepsItsPermissions)
     EXPECT_EQ(now.st_mode & 07777U, 0640U);
 }
 
-TEST(WriteFileAtomically, followsASymbolicLink)
+TEST(WriteFileAtomically, writesThroughNoSymbolicLink)
 {
     const TemporaryDirectory dir;
-    const std::string path = dir.write("real.csv", "old");
-    std::filesystem::create_symlink(path, dir.file("link.csv"));
-    ASSERT_TRUE(writeFileAtomically(dir.file("link.csv"), "new"));
-    EXPECT_TRUE(std::filesystem::is_symlink(dir.file("link.csv")));
-    EXPECT_EQ(contentOf(path), "new");
+    const std::string path = dir.write("real.csv", "old"), link = dir.file("link.csv");
+    for (const std::string& target : {path, dir.file("none.csv"), std::string("/dev/null")}) {
+        std::filesystem::remove(link);
+        std::filesystem::create_symlink(target, link);
+        EXPECT_TRUE(refused(writeFileAtomically(link, "new"), link,
+                            {"it is a symbolic link to " + target, "name the file itself"}));
+        EXPECT_EQ(std::filesystem::read_symlink(link), target);
+    }
+    EXPECT_EQ(contentOf(path), "old");
+    EXPECT_EQ(dir.entries(), (Names{"link.csv", "real.csv"}));
+}
+
+TEST(WriteFileAtomically, writesInAFolderThatIsItsUsersOwnLink)
+{
+    const TemporaryDirectory dir;
+    ASSERT_TRUE(makeDirectory(dir.file("disk")));
+    const std::string link = dir.file("link");
+    std::filesystem::create_directory_symlink(dir.file("disk"), link);
+    EXPECT_TRUE(writeFileAtomically(link + "/out.csv", "new"));
+    EXPECT_EQ(contentOf(dir.file("disk/out.csv")), "new");
+    EXPECT_TRUE(makeDirectory(link + "/below/"));
+    constexpr uid_t kNobody = 65534;
+    if (::lchown(link.c_str(), kNobody, kNobody) != 0) GTEST_SKIP() << "only root gives files away";
+    EXPECT_TRUE(refused(writeFileAtomically(link + "/other.csv", "x"), link,
+                        {"a symbolic link of another user"}));
+    const std::string run = link + "/run";
+    EXPECT_TRUE(refused(makeDirectory(run), run, {"a symbolic link of another user"}));
+    EXPECT_FALSE(std::filesystem::exists(dir.file("disk/run")));
+}
+
+TEST(WriteFileAtomically, writesNoTemporaryThroughALink)
+{
+    const TemporaryDirectory dir;
+    const std::string path = dir.write("mine.txt", "old");
+    std::filesystem::create_symlink(path, dir.file("out.csv.tmp0"));
+    ASSERT_TRUE(writeFileAtomically(dir.file("out.csv"), "new"));
+    Result<NewFile> file = NewFile::begin(dir.file("out.csv"));
+    ASSERT_TRUE(file);
+    std::filesystem::remove(file->temporaryPath());
+    std::filesystem::create_symlink(path, file->temporaryPath());
+    EXPECT_LT(file->openTemporary(), 0) << "somebody has exchanged it since";
+    EXPECT_EQ(contentOf(path), "old");
+}
+
+TEST(WriteFileAtomically, forItsOwnerHeedsNoUmask)
+{
+    const TemporaryDirectory dir;
+    for (const mode_t mask : {0000U, 0022U, 0777U}) {
+        const mode_t before = ::umask(mask);
+        const std::string folder = dir.file("folder" + std::to_string(mask) + "/inner");
+        const Status made = makeDirectory(folder, Access::Owner);
+        const Status written = writeFileAtomically(folder + "/out.csv", "x", Access::Owner);
+        ::umask(before);
+        ASSERT_TRUE(made && written) << mask;
+        struct stat at {};
+        ASSERT_EQ(::stat(folder.c_str(), &at), 0);
+        EXPECT_EQ(at.st_mode & 07777U, 0700U) << mask;
+        ASSERT_EQ(::stat((folder + "/out.csv").c_str(), &at), 0);
+        EXPECT_EQ(at.st_mode & 07777U, 0600U) << mask;
+    }
 }
 
 TEST(WriteFileAtomically, writesBesideALeftoverOfAnInterruptedOne)
