@@ -73,7 +73,7 @@ public:
     virtual const GpioFound& found() const = 0;
 
     /// Returns edges of the inputs, waiting at most `patience` for the first. The kernel keeps few
-    /// edges of a burst, and not always the last. Edges tell that an input changed; levels()
+    /// edges of a burst, and not always the last. Edges show that an input changed; levels()
     /// returns its value.
     virtual Result<GpioEdges> readEdges(std::chrono::milliseconds patience) = 0;
 
@@ -84,10 +84,10 @@ public:
     virtual Status set(std::size_t output, bool active) = 0;
 };
 
-/// Requests the lines; outputs start inactive. Errors say what is missing and how to repair it: no
-/// such chip (with the list of chips), no such line, a line that another program holds, no
-/// permission. gpio_lines_v1.cpp defines it for libgpiod 1.x, gpio_lines_v2.cpp for 2.x; a program
-/// links one of them.
+/// Requests the lines; outputs start inactive. Errors name what is missing and how to repair it.
+/// Causes: no such chip (with the list of chips), no such line, a line that another program holds,
+/// no permission. gpio_lines_v1.cpp defines it for libgpiod 1.x, gpio_lines_v2.cpp for 2.x; a
+/// program links one of them.
 Result<std::unique_ptr<GpioLines>> openGpioLines(const GpioRequest& request);
 
 }  // namespace terratact

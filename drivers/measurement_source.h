@@ -12,7 +12,7 @@
 
 namespace terratact {
 
-/// A measurement, and the true terrain if the source knows it, as only a simulation does.
+/// A measurement, and the true terrain, which only a simulation has.
 struct Sample {
     Measurement measurement;
     std::optional<Heights> truth;
@@ -32,8 +32,8 @@ public:
     /// Returns the next sample; empty if none came within `patience`.
     virtual Result<std::optional<Sample>> next(std::chrono::milliseconds patience) = 0;
 
-    /// Sends a command. An Error says why it could not be sent; Measurement::refusal reports a
-    /// refusal by the robot.
+    /// Sends a command. An Error gives the reason why it could not be sent; Measurement::refusal
+    /// reports a refusal by the robot.
     virtual Status send(const Command& command) = 0;
 };
 

@@ -182,7 +182,7 @@ Status SocketCan::connect()
     return Done{};
 }
 
-/// Checks the interface when it is due. A socket alone does not tell that the interface is up
+/// Checks the interface when it is due. A socket alone does not show that the interface is up
 /// again, or that another one has its name.
 void SocketCan::poll()
 {

@@ -18,7 +18,7 @@ namespace terratact {
 /// Role of a file in a command, see CommandFiles.
 enum class FileRole { Input, Output, Update };
 
-/// The whole command line. It knows the files that each command reads and writes.
+/// The whole command line, with the files that each command reads and writes.
 class CommandLine : public CLI::App {
 public:
     using CLI::App::App;

@@ -24,7 +24,7 @@ void addHeld(KeyTable& keys, QList<QKeyCombination> of, const QString& meaning, 
         {std::move(of), meaning, [button] { button->hold(); }, [button] { button->letGoSoon(); }});
 }
 
-/// Adds a hold-to-run drive key (dead-man control) that says why if it has no effect.
+/// Adds a hold-to-run drive key (dead-man control). Without effect, it shows the reason.
 void addDriveKey(KeyTable& keys, QList<QKeyCombination> of, const QString& meaning,
                  HeldButton* button, MainWindow& window)
 {

@@ -10,8 +10,8 @@ namespace terratact {
 class MainWindow;
 
 /// Plays the operator of the simulated robot: it arms, drives to the step and explores. Then it saves a picture of the
-/// window with the first estimate. Without a step it explores where it stands and says so on stderr. It ends the event
-/// loop with 0. On failure it ends with 1, prints a sentence on stderr and saves a picture if it can.
+/// window with the first estimate. Without a step it explores at its place and prints a notice on stderr. It ends the
+/// event loop with 0. On failure it ends with 1, prints a sentence on stderr and saves a picture if it can.
 class ScreenshotDemo final : public QObject {
     Q_OBJECT
 public:

@@ -92,7 +92,7 @@ void LinkStatus::showBus(const CanView& view, double now)
     busShownAt_ = now;
     busShown_ = view.bus;
     const BusLoad load = link_->tap().load();
-    // For a log, the state only tells whether it continues.
+    // For a log, the state only shows whether it continues.
     const bool isLog = link_->mode() == CanSource::Mode::Replay;
     const bool isOurs = link_->bitrate().nominal;  // the simulated robot of this program
     QStringList parts{isLog ? tr("log") : isOurs ? tr("bus") : format::shownName(link_->busName())};

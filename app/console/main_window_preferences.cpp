@@ -1,4 +1,4 @@
-// What changes with the preferences, and when the window may be built anew.
+// Effects of changed preferences, and when the window may be rebuilt.
 #include "app/console/alarms_page.h"
 #include "app/console/main_window.h"
 #include "app/console/settings_page.h"

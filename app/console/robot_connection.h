@@ -29,8 +29,8 @@ struct RobotConnection {
     LogReplay* replay = nullptr;  ///< replay of the source, if it is a log
 };
 
-/// Connects to the bus or log of the command line, else to the simulated robot. Every frame goes to the recorder, which
-/// may be null.
+/// Connects to the bus or log of the command line, else to the simulated robot. The recorder receives every frame,
+/// which may be null.
 Result<RobotConnection> connectRobot(const RobotModel& robot, const ConsoleOptions& options,
                                      const std::shared_ptr<SessionRecorder>& recorder);
 

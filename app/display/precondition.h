@@ -10,7 +10,7 @@
 
 namespace terratact {
 
-/// One precondition of a command and its reason in words.
+/// One precondition of a command and the text of its reason.
 struct Precondition {
     /// Shown as ✔ (Met), ! (Overridden by the operator), ! (Doubtful: override first) and ✘ (Missing: no override).
     enum class Level : std::uint8_t { Met, Overridden, Doubtful, Missing };

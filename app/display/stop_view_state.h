@@ -17,7 +17,7 @@ struct StopViewState {
     };
     State state = State::Ready;
     double seconds = 0.0;  ///< [s] since the request, in Sent and NotSent
-    QString why{};         ///< reason in words, in NotSent and NoEffect
+    QString why{};         ///< text of the reason, in NotSent and NoEffect
 };
 
 }  // namespace terratact

@@ -21,8 +21,8 @@ struct SessionReport {
 };
 
 /// Returns the report of a scene; scene 0 is the last estimated one. Reads the whole session to check its hash chain.
-/// Errors name the file: no such scene, or no estimate of it. progress(share of the batches) cancels by returning
-/// false, which is an Error.
+/// Errors name the file: no such scene, or a scene without an estimate. progress(share of the batches) cancels by
+/// returning false, which is an Error.
 Result<SessionReport> reportOf(SessionReader& session, std::int64_t scene,
                                const std::function<bool(double)>& progress = {});
 

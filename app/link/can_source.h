@@ -113,7 +113,7 @@ private:
 /// A precondition of arming about the link.
 struct LinkNeed {
     bool met = false;
-    Message text;  ///< says that it is met, or why not
+    Message text;  ///< text of the condition: met, or the reason why not
 };
 std::vector<LinkNeed> armingNeeds(const CanView& view);
 

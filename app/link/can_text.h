@@ -56,7 +56,7 @@ bool isNotMeasured(const std::vector<NamedValue>& values);
 /// Returns "Pitch 0.2100 rad, Roll -0.0500 rad".
 std::string wordsOf(const std::vector<NamedValue>& values);
 
-/// Returns the content of a frame, or its bytes if it was not decoded. Returns an empty text for a sound frame without
+/// Returns the content of a frame, or its bytes if it was not decoded. Returns an empty text for a valid frame without
 /// content.
 std::string contentText(const CanFrame& frame, const FrameWords& words);
 

@@ -176,8 +176,8 @@ void ConsoleAlarms::lookAtBus(const CanView& bus, const AlarmViewState& viewStat
     lookAtArming(bus.link.arming);
 }
 
-/// An unwanted disarming stays an alarm until the operator arms again. Otherwise the stopped robot would look as if it
-/// was told to stop.
+/// An unwanted disarming stays an alarm until the operator arms again. Otherwise the stop would pass for one that the
+/// operator requested.
 void ConsoleAlarms::lookAtArming(const ArmingState& arming)
 {
     const bool isArmed = arming.phase == ArmingPhase::Armed;
@@ -201,7 +201,7 @@ void ConsoleAlarms::lookAtSensors(const ElementForces& forces)
           Severity::Caution, kFlutter);
 }
 
-/// A suspicion stays an alarm while a verdict is withheld because of it, and then names what was suspected.
+/// A suspicion stays an alarm while it withholds a verdict, and then names what was suspected.
 void ConsoleAlarms::lookAtSuspicions(const AlarmViewState& viewState)
 {
     if (!viewState.suspicions.empty()) suspected_ = suspicionMessage(viewState.suspicions);

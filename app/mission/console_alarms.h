@@ -38,7 +38,7 @@ struct AlarmViewState {
 /// …".
 Message suspicionMessage(const std::vector<SensorSuspicion>& suspicions);
 
-/// Derives alarms from the console's state and makes them sound. A cause must be absent for a while before its alarm
+/// Derives alarms from the console's state and plays their sound. A cause must be absent for a while before its alarm
 /// can return. A cause that occurs occasionally on a working bus must persist before it becomes an alarm. GUI thread
 /// only.
 class ConsoleAlarms final : public QObject {

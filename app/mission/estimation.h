@@ -82,7 +82,7 @@ public:
     /// Returns true if telemetry was missing so long since scene() that the robot may have moved. Only a new scene
     /// resets it.
     bool hadTelemetryGap() const { return hadTelemetryGap_; }
-    /// Returns true if a sensor was suspected while the robot stood at scene().
+    /// Returns true if a sensor was suspected while the robot was at scene().
     bool wasSuspected() const { return wasSuspected_; }
     /// Returns true if the pitch was suspected. It places the bins, and the arm with them.
     bool wasPitchSuspected() const { return wasPitchSuspected_; }

@@ -144,7 +144,7 @@ void Exploration::stopFrom(const Message& where)
 {
     if (following()) {
         emit stoppedNothing(following_->why());
-        return;  // nothing is stopped, so the display must not say so
+        return;  // nothing is stopped, so the display must not show a stop
     }
     emit decided("stop", where);
     if (stopViewState().state != StopViewState::State::Sent

@@ -28,12 +28,12 @@ public:
         bool mayExplore = false;         ///< the window's button would start an exploration
         std::optional<quint64> shown{};  ///< proposal that is visible to the operator
         bool covered = false;            ///< the proposal is hidden only by another window
-        bool mayAsk = true;              ///< a proposal may sound
+        bool mayAsk = true;              ///< a proposal may use the buzzer
     };
     /// Polls the panel. An approval needs its contact held for kApproveHold while the proposal stays visible. A press
     /// from before the proposal does not count.
     void tick(double now, const ViewState& viewState);
-    void buzz();  ///< sounds once, with a sound of the console
+    void buzz();  ///< starts the buzzer once, with a sound of the console
 
     /// Returns true if the panel was read recently; an armed robot requires it (dead-man condition).
     bool answers(double now) const;

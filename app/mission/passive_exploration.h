@@ -18,7 +18,7 @@ public:
     PassiveExploration(Message why, Estimation& estimation, const AtemLimits& limits);
 
     const Message& why() const { return why_; }
-    /// Advances `state` by one tick. in: what this console knows itself (now, linkLost, aborted, estimateReady,
+    /// Advances `state` by one tick. in: what this console can determine itself (now, linkLost, aborted, estimateReady,
     /// estimateFailed). Everything else comes from telemetry.
     void tick(AtemState& state, FollowInput in, const Received& latest);
 

@@ -18,7 +18,7 @@ namespace terratact {
 class Preconditions {
 public:
     static Precondition telemetry(bool alive, bool logEnded);
-    /// heard: telemetry is fresh. Without it, no condition that only the robot knows counts as met.
+    /// Without fresh telemetry, no condition that depends on the robot counts as met.
     static Precondition stop(bool latched, bool releasing,  ///< releasing: not yet confirmed
                              bool telemetryFresh);
     static Precondition groundNotKnown();  ///< ground and the robot's pose on it are unknown

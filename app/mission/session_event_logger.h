@@ -31,7 +31,7 @@ public:
     /// Records a marker of the operator.
     void mark(const QString& note);
 
-    /// A line of the list of events, in words.
+    /// A line of the list of events, as text.
     void word(const Message& text, EventSeverity severity);
 
     RecordingState state() const { return recorder_->state(); }

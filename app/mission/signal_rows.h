@@ -12,7 +12,7 @@
 
 namespace terratact {
 
-/// Returns the rows of the signal table: signals and commands of the robot, DBC signals, then unknown kinds. protocol:
+/// Returns the rows of the signal table: signals and commands of the robot, DBC signals, unknown kinds. protocol:
 /// result of readProtocolDbc(), which explains the robot's signals. If it is empty, the rows have no explanations.
 std::vector<SignalRow> signalRows(const std::vector<TappedFrame>& frames,
                                   std::span<const DbcMessage> protocol = {});

@@ -91,7 +91,7 @@ struct NamedFindings {
 };
 
 /// Merges parts into the findings of one run over all scenes; measured times are added. Errors name a file and what was
-/// expected: not a part, part of another evaluation, a part given twice, a missing part. out: the file to be written,
+/// expected. Causes: no part, a part of another evaluation, a duplicate or missing part. out: the file to be written,
 /// for messages.
 Result<Findings> mergeFindings(std::span<const NamedFindings> parts, const std::string& out);
 

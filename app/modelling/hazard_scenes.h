@@ -37,8 +37,8 @@ struct HazardScene {
     std::vector<double> contacts;  ///< x of every contact force [m], DEM frame, ascending
 };
 
-/// Drives once over random ground (core/sim/hazard_terrain.h) and returns a scene every 0.1 m, from 1 m before the
-/// earliest hazard to 0.5 m behind the latest. Without a hazard, the ground has its roughness alone.
+/// Drives once over random ground (core/sim/hazard_terrain.h) and returns a scene every 0.1 m. The scenes reach from 1
+/// m before the earliest hazard to 0.5 m behind the latest. Without a hazard, the ground has its roughness alone.
 std::vector<HazardScene> driveTowards(const RobotModel& robot, const HazardGround& ground,
                                       std::optional<Hazard> hazard, PressStyle style,
                                       std::mt19937_64& rng);
@@ -46,14 +46,14 @@ std::vector<HazardScene> driveTowards(const RobotModel& robot, const HazardGroun
 /// True heights of flat ground lie within this distance of a straight line [m].
 inline constexpr double kFlatWithin = 0.02;
 
-/// Returns true if the true ground from the first bin to lastBin is flat: it has no step above stepLimit [m], and its
+/// Returns true if the true ground from the first bin to lastBin is flat. It has no step above stepLimit [m], and its
 /// bins lie within kFlatWithin of the line through the two outer ones.
 bool isFlatTo(const Heights& truth, double stepLimit, int lastBin);
 
 /// A robot that presses leaves no longer stretch without a contact force [m].
 inline constexpr double kLongestUnpressed = 0.05;
 
-/// Returns true if the robot presses on all the ground from bin kFirstAhead to lastBin: no stretch of it longer than
+/// Returns true if the robot presses on all the ground from bin kFirstAhead to lastBin. No stretch longer than
 /// kLongestUnpressed is without a contact.
 bool isPressedTo(const std::vector<double>& contacts, int lastBin);
 

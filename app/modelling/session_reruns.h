@@ -73,8 +73,8 @@ public:
     };
     SessionReruns(Options options, Hooks hooks);
 
-    /// Recomputes the estimates of one session file. Errors name the file: it cannot be read, an estimate's model is
-    /// not found, or the requested estimate does not exist. Throws Cancelled.
+    /// Recomputes the estimates of one session file. Errors name the file: it is unreadable, a model is not found, or
+    /// the requested estimate does not exist. Throws Cancelled.
     Status add(const std::string& file);
 
     /// Returns the reruns in the order of files and estimates.

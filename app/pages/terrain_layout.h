@@ -20,7 +20,7 @@ class ProbeCard;
 class TerrainProfileView;
 class VerdictStrip;
 
-/// Arranges the parts of a TerrainPage. Verdict and terrain stand at the left, the decisions beside them; forces, robot
+/// Arranges the parts of a TerrainPage. Verdict and terrain are at the left, the decisions beside them; forces, robot
 /// and events stand below. Cards leave the page if they do not fit.
 class TerrainLayout final : public QObject {
     Q_OBJECT

@@ -30,7 +30,7 @@ class EventList;
 class TerrainProfileView;
 class VerdictStrip;
 
-/// An estimate to draw; null: none. The page draws it anew only if its revision changes.
+/// An estimate to draw; null: none. The page redraws it only if its revision changes.
 struct DrawnEstimate {
     const TerrainEstimate* estimate = nullptr;
     std::uint64_t revision = 0;
@@ -62,7 +62,7 @@ struct TerrainViewState {
     std::optional<double> forcesAge{};                ///< [s] age of the oldest force; empty: `age`
     /// If set, the peaks come from these forces instead of earlier calls.
     const std::vector<TimedForces>* forcesBefore = nullptr;
-    const std::optional<Heights>* truth = nullptr;  ///< true terrain, if the source knows it
+    const std::optional<Heights>* truth = nullptr;  ///< true terrain, if the source has it
 
     const Measurement* scene = nullptr;  ///< the captured scene
     const std::optional<Heights>* sceneTruth = nullptr;

@@ -24,7 +24,7 @@ std::optional<ExportFormat> exportFormatFromName(std::string_view text);
 /// Returns the format for a file ending: .log, .asc, .csv, .mcap.
 std::optional<ExportFormat> exportFormatOf(const std::string& path);
 
-/// Kinds of exported rows. Signals are decoded values of sound frames (resources/dbc/terratact.dbc), and of frames
+/// Kinds of exported rows. Signals are decoded values of valid frames (resources/dbc/terratact.dbc), and of frames
 /// described by DBC files.
 enum class ExportKind : std::uint8_t { Frames, Signals, Estimates, Events };
 std::optional<ExportKind> exportKindFromName(std::string_view text);

@@ -44,9 +44,8 @@ struct RetentionLimits {
 ///
 /// A session's end is the later of its recorded end and its file's last write. One of them may be 1970 after a flat
 /// clock battery. A session with an impossible time is never deleted: before 2020, or more than a day after `now`.
-/// Nothing is deleted if `now` is before 2020 or no limit is set. Files that are not sessions, not closed, or reached
-/// through a symbolic link are never deleted.
-/// now: [ns] since 1970. goesOn: called before each file; false cancels.
+/// Nothing is deleted if `now` is before 2020 or no limit is set. Files that are no closed sessions, or are reached
+/// through a symbolic link, are never deleted. now: [ns] since 1970. goesOn: called before each file; false cancels.
 std::vector<Message> applyRetention(
     const std::vector<std::string>& paths, const RetentionLimits& limits, std::int64_t now,
     const std::function<bool()>& goesOn = [] { return true; });

@@ -41,8 +41,8 @@ struct SessionRescue {
 };
 
 /// Closes a session whose program died. If it is damaged, lacks its journal or is read-only, its undamaged rows are
-/// copied to a new session; the old file stays unchanged. out: the new session; empty: NAME-recovered.tts beside it.
-/// Errors: the session is in use, is a symbolic link, or nothing of it is whole; `out` exists or cannot be made.
+/// copied to a new session. The old file stays unchanged. out: the new session; empty: NAME-recovered.tts beside it.
+/// Errors: the session is in use, is a symbolic link, or contains no valid part; `out` exists or cannot be made.
 Result<SessionRescue> rescueSession(const std::string& path, const std::string& out);
 
 }  // namespace terratact

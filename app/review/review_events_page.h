@@ -14,7 +14,7 @@ namespace terratact {
 class ReviewEvents;
 struct ReviewMoment;
 
-/// All events of a session with their times. Choosing a row goes to its time.
+/// All events of a session with their times. Choosing a row shows its time.
 class ReviewEventsPage final : public Page {
     Q_OBJECT
 public:

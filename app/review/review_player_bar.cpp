@@ -256,7 +256,7 @@ void ReviewPlayerBar::pause()
     showPlayer();
 }
 
-/// Pauses, and goes to `time` if it is given.
+/// Pauses, and shows `time` if it is given.
 void ReviewPlayerBar::pauseAt(std::optional<SessionTime> time)
 {
     pause();

@@ -241,7 +241,7 @@ void ReviewWindow::showTerrain()
     forbidCommands();
 }
 
-/// Disables all commands; the panel says why.
+/// Disables all commands; the panel gives the reason.
 void ReviewWindow::forbidCommands()
 {
     ProbeCard* const probe = terrain_->probeCard();

@@ -9,8 +9,8 @@ namespace terratact {
 
 using Paths = std::vector<std::string>;
 
-/// The files of a command: those its arguments name, and those found or written beside them. "-" is standard input
-/// among inputs and standard output among outputs.
+/// The files of a command: those its arguments name, and those found or written beside them. "-" is standard input or
+/// standard output.
 struct CommandFiles {
     Paths inputs;  ///< files read
     /// Files that belong to an input: the card of a model, the notes and the journal of a session.

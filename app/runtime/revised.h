@@ -6,7 +6,7 @@
 
 namespace terratact {
 
-/// An optional value whose changes are counted. Whoever shows the value keeps its revision instead of a copy: the same
+/// An optional value whose changes are counted. A view keeps the revision instead of a copy of the value. The same
 /// revision of the same object is the same value.
 template <class T>
 class Revised {

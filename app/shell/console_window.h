@@ -83,7 +83,7 @@ protected:
     void addHelpKeys();  ///< F1 and ? show the key sheet, Ctrl+F1 the about text
 
     /// Adds STOP to a window without a robot. Button and key stop the robot of the console that opened the window, and
-    /// a banner reports the result. Without such a console there is no button, and the key says so.
+    /// a banner reports the result. Without such a console there is no button, and the key shows a notice.
     void addRemoteStop();
 
     /// Applies the theme. wanted: font scale [%].

@@ -20,8 +20,8 @@ struct FileWish {
 };
 
 /// Shows a file dialog without blocking any window. It leaves the console's header free, so that STOP can be clicked.
-/// If a dialog with this title is open, it comes to the front instead. `chosen` is called once with the path; never if
-/// the dialog is cancelled or the parent is destroyed.
+/// If a dialog with this title is open, it is raised instead. `chosen` is called once with the path; never if the
+/// dialog is cancelled or the parent is destroyed.
 void askForFile(QWidget& parent, const FileWish& wish,
                 std::function<void(const QString& path)> chosen);
 

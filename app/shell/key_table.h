@@ -25,7 +25,7 @@ public:
         /// Active in every window of the program including dialogs, with any modifier.
         bool everywhere = false;
         bool repeats = false;  ///< acts repeatedly while held
-        /// If it returns false, the key goes to the focused widget.
+        /// If it returns false, the focused widget receives the key.
         std::function<bool()> applies = {};
     };
     void addGroup(const QString& name);

@@ -27,7 +27,7 @@ public:
     explicit RemoteStop(QObject* parent = nullptr);
 
     bool exists() const { return !line_.empty(); }  ///< a console has opened this program
-    /// Sends STOP. said() reports the result at once, and again when the console has taken it or not.
+    /// Sends STOP. said() reports the result at once, and again when the console has received it or is gone.
     void press();
 
     static constexpr int kAnswers = 500;  ///< [ms] time limit for the console's answer

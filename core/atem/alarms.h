@@ -72,7 +72,7 @@ public:
 
     /// Returns true if the alarm must sound now, and counts it as sounded. A new critical alarm
     /// sounds at once, an unacknowledged one every kSoundPeriod. A returned or acknowledged alarm
-    /// never sounds. An alarm whose cause comes and goes is new once in kSoundPeriod.
+    /// never sounds. An alarm whose cause keeps returning is new once in kSoundPeriod.
     bool consumeSound(double now);
 
     /// Returns the alarms: the most urgent first, then the critical ones, then the newest.

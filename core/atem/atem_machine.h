@@ -99,11 +99,9 @@ struct AtemLimits {
 };
 
 /// Computes one tick of Algorithm 1 with faults and time limits. It has no clock, no I/O and no
-/// threads.
-/// Priorities within a tick: stop before abort, abort before faults, a fault before success, a late
-/// success before the time limit. A late approval counts as a refusal, and so does an approval
-/// together with a refusal.
-/// Throws std::invalid_argument unless in.now is finite.
+/// threads. Priorities within a tick: stop, abort, faults, success, time limit. A late approval
+/// counts as a refusal, and so does an approval together with a refusal. Throws
+/// std::invalid_argument unless in.now is finite.
 AtemState nextState(const AtemState& now, const AtemInput& in, const AtemLimits& limits);
 
 /// Returns the time at which the current phase expires [s on the input's clock]; empty if it does

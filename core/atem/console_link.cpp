@@ -23,7 +23,7 @@ bool isMotion(const Command& command)
         || std::holds_alternative<AdvanceCommand>(command);
 }
 
-constexpr std::uint16_t kAnyChallenge = 1;  // stands for an answer of the robot
+constexpr std::uint16_t kAnyChallenge = 1;  // replaces an answer of the robot
 
 double orNever(std::optional<double> age)
 {
@@ -36,7 +36,7 @@ bool isDue(const std::optional<double>& last, double period, double now)
     return !last || now - *last >= period - 1e-3 || now < *last;
 }
 
-// Returns true if the robot must be told that this console has disarmed.
+// Returns true if the console must send Disarm to the robot.
 bool mustTellRobot(const ArmingState& before, const ArmingState& after)
 {
     const bool was = before.phase == ArmingPhase::Armed || before.phase == ArmingPhase::Requested;

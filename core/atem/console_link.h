@@ -66,14 +66,15 @@ public:
     /// Approves one probe at `now`. The approval ends with the next probe, halt, stop or abort.
     void approve(int bin, double now);
 
-    /// Result of send(): the command waits for a new challenge, because an earlier safe command
-    /// made the robot void the old one. tick() sends it with the next answer. It is dropped if
+    /// Result of send(): the command waits for a new challenge. An earlier safe command made the
+    /// robot void the old one. tick() sends the command with the next answer. It is dropped if
     /// another command comes, or if no answer comes within kWaits.
     struct Waits {};
 
-    /// Returns the frame of a command, or the reason why the gate refuses it. tick() repeats a
-    /// drive until another command comes. Stop stays latched until ReleaseStop is sent, or is
-    /// refused because a robot over a good link is not stopped. wantArming() arms; send() does not.
+    /// Returns the frame of a command, or the reason of a refusal. tick() repeats a drive until
+    /// another command comes. Stop stays latched until ReleaseStop is sent. It also ends if
+    /// ReleaseStop is refused because a robot over a good link is not stopped. wantArming() arms;
+    /// send() does not.
     std::variant<CanFrame, GateRefusal, Waits> send(const Command& command, double now);
 
     /// Returns the frames that are due. Must be called at least every 20 ms.

@@ -16,7 +16,7 @@ public:
     /// [rad] of a front flipper, which rises before the tracks move.
     static constexpr double kTurn = 0.02;
 
-    /// Reads the newest telemetry. Returns true once for each drive that stands for kStandsFor.
+    /// Reads the newest telemetry. Returns true once for each drive without motion for kStandsFor.
     /// Always false without odometry.
     bool poll(const Measurement& m, double now)
     {

@@ -8,7 +8,7 @@
 
 namespace terratact {
 
-/// Events since the last tick, as a receive-only console sees them.
+/// Events since the last tick, as a receive-only console receives them.
 struct FollowInput {
     double now = 0.0;                                ///< [s] any monotonic clock
     RobotActivity activity = RobotActivity::Halted;  ///< from the newest telemetry
@@ -22,7 +22,7 @@ struct FollowInput {
     bool estimateFailed = false;
 };
 
-/// Algorithm 1 as another console commands it, seen through telemetry alone. The phases are the
+/// Algorithm 1 as another console commands it, observed through telemetry alone. The phases are the
 /// same, with AtemState::followed. This console asks nothing, approves nothing, and does not wait
 /// for the robot.
 ///

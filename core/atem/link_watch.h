@@ -12,7 +12,7 @@ enum class LinkStanding : std::uint8_t {
     Silent,  ///< no telemetry has come yet
     Up,
     Lost,      ///< no telemetry, or it has only just come back
-    Unsteady,  ///< telemetry comes and goes
+    Unsteady,  ///< telemetry has repeated gaps
     Ended,     ///< the log has ended
 };
 

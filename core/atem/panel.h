@@ -72,12 +72,12 @@ struct PanelInput {
     /// Levels of the contacts, read after the edges; empty if the panel cannot be read.
     std::optional<PerContact<bool>> closed;
     /// True if an edge occurred since the last reading, or may have occurred. Edges can get lost,
-    /// so only the levels say how a burst ended.
+    /// so only the levels show how a burst ended.
     PerContact<bool> disturbed;
 };
 
 struct PanelLimits {
-    double settle = 0.03;  ///< [s] a contact must be undisturbed before it is believed
+    double settle = 0.03;  ///< [s] a contact must be undisturbed before it counts
     double stuck = 600.0;  ///< [s] longest press
 };
 
@@ -92,7 +92,7 @@ struct LampState {
     bool link = false;     ///< the robot's telemetry is fresh
     bool armed = false;    ///< the robot may move on this console's command
     bool probing = false;  ///< an exploration runs: flippers or arm may move automatically
-    bool buzzer = false;   ///< sounds: the operator must look at the console now
+    bool buzzer = false;   ///< on: the operator must look at the console now
     bool operator==(const LampState&) const = default;
 };
 inline constexpr std::size_t kPanelOutputs = 4;

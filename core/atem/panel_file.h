@@ -9,7 +9,7 @@
 
 namespace terratact {
 
-/// Line of the panel's GPIO chip, by name, or by offset if the file says so.
+/// Line of the panel's GPIO chip, by name, or by offset if the file has one.
 struct PanelLine {
     std::string name;                ///< empty if there is an offset
     std::optional<unsigned> offset;  ///< position on the chip
@@ -49,8 +49,8 @@ struct PanelConfig {
     bool operator==(const PanelConfig&) const = default;
 };
 
-/// Reads a panel file. Errors name the file, the line and the key: it cannot be read, is not TOML,
-/// lacks a key, has an unknown key, or uses a line twice.
+/// Reads a panel file. Errors name the file, the line and the key. Causes: unreadable, no TOML, a
+/// missing or unknown key, a line used twice.
 Result<PanelConfig> readPanelFile(const std::string& path);
 
 /// Reads the same from a text; errors call it `name`.

@@ -6,7 +6,8 @@ namespace terratact {
 
 namespace {
 
-/// Returns true if two different lines in a row say so; `since` keeps the count of the first.
+/// Returns true if two different lines in a row differ from the pose; `since` keeps the count of
+/// the first.
 bool confirmed(bool says, std::uint64_t count, std::uint64_t& since)
 {
     if (!says)

@@ -6,7 +6,7 @@
 
 namespace terratact {
 
-/// Detects that the robot has left the pose of a scene: it drives, its attitude or a flipper has
+/// Detects that the robot has left the pose of a scene. It drives, its attitude or a flipper has
 /// changed, or its tracks have moved. The result stays true.
 class PoseWatch {
 public:

@@ -41,14 +41,14 @@ Uncertainty uncertainty(const TerrainEstimate& estimate, double stepLimit, int f
 ///   H(w) = −p log p − (1 − p) log(1 − p),   p = Σ_d w_d [h^d has a step within firstBin … 10],
 ///   gain = V(1/n) − mean_z V(w(z)), and the same for H.
 /// The mean is over 48 evenly spaced quantiles of the expected readings: each draw's height plus
-/// noise of armSd. The noise is a golden-ratio sequence, so that nothing is random.
-/// The denominator makes V unbiased for bins that are independent of b. H is too small by about
-/// 1/2m nat, with m = 1/Σ w² the draws that a reading leaves: about 0.002 for 1000 draws of 0.2 m
-/// sd. A bin with equal draws gains nothing. Monte-Carlo error may make a gain slightly negative.
-/// armSd, stepLimit: [m]. Throws std::invalid_argument unless armSd > 0, stepLimit ≥ 0, both
-/// finite, 0 ≤ firstBin < 10, and there are draws.
-/// Source: self-normalised importance sampling, Owen, "Monte Carlo theory, methods and examples"
-/// (2013) ch. 9; expected gain of an experiment, Lindley, Ann. Math. Stat. 27 (1956).
+/// noise of armSd. The noise is a golden-ratio sequence, so that nothing is random. The denominator
+/// makes V unbiased for bins that are independent of b. H is too small by about 1/2m nat; m = 1/Σ
+/// w² is the effective number of draws after a reading. The error is about 0.002 for 1000 draws of
+/// 0.2 m sd. A bin with equal draws gains nothing. Monte-Carlo error may make a gain slightly
+/// negative. armSd, stepLimit: [m]. Throws std::invalid_argument unless armSd > 0, stepLimit ≥ 0,
+/// both finite, 0 ≤ firstBin < 10, and there are draws. Source: self-normalised importance
+/// sampling, Owen, "Monte Carlo theory, methods and examples" (2013) ch. 9; expected gain of an
+/// experiment, Lindley, Ann. Math. Stat. 27 (1956).
 std::vector<ProbeGain> probeGains(const TerrainEstimate& estimate, const RobotModel& robot,
                                   double armSd, double stepLimit, int firstBin = 0,
                                   const Poll& poll = {});

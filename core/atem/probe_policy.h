@@ -15,7 +15,7 @@ namespace terratact {
 enum class ProbePolicy : std::uint8_t {
     Variance,      ///< chooseProbe(): any sd above the probe threshold, as in the paper
     VarianceOpen,  ///< the same, but only while the verdict is CANNOT TELL
-    Question       ///< the bin expected to say most about the verdict, while it is CANNOT TELL
+    Question  ///< the bin with the largest expected gain for the verdict, while it is CANNOT TELL
 };
 inline constexpr std::array kProbePolicies{ProbePolicy::Variance, ProbePolicy::VarianceOpen,
                                            ProbePolicy::Question};
@@ -28,7 +28,7 @@ enum class NoProbe : std::uint8_t {
     None,     ///< a probe is offered
     Certain,  ///< no bin in reach has an sd above the probe threshold Settings::probeAbove
     Decided,  ///< the verdict is certain without the arm
-    NoGain    ///< no bin in reach is expected to say anything about the verdict
+    NoGain    ///< no bin in reach has an expected gain for the verdict
 };
 
 struct ProbeOffer {

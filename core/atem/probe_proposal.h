@@ -28,7 +28,7 @@ struct ProbeProposal {
     double seconds = 45.0;            ///< [s] expected duration of the probe
     double stepLimit = 0.1;           ///< [m] step height that counts as an obstacle
     double bitsBefore = 0.0;          ///< [bit] entropy of "is there a step ahead?" now
-    std::optional<ProbeWorth> worth;  ///< worth of this bin; empty: the method cannot tell
+    std::optional<ProbeWorth> worth;  ///< worth of this bin; empty: the method cannot compute it
     std::vector<ProbeWorth> others;   ///< other bins the operator may choose, best first
     StepVerdict answer = StepVerdict::CannotTell;  ///< verdict of the estimate without the probe
 

@@ -16,15 +16,15 @@ namespace terratact {
 /// It points to literals.
 struct SourceText {
     const char* context = "";
-    const char* english = "";  ///< empty: nothing to say
+    const char* english = "";  ///< empty: no message
 };
 
 /// Marks a sentence for the translators; resources/translations/update.sh finds it.
 #define TR_NOOP(context, english) (terratact::SourceText{context, english})
 
 /// Message to the operator: a sentence and its arguments, formatted where it is shown. core formats
-/// it in English (english()); the console translates the source text (app/display/translated.h).
-/// An argument is a message too. A number or a name has no context and is not translated.
+/// it in English (english()). The console translates the source text (app/display/translated.h). An
+/// argument is a message too. A number or a name has no context and is not translated.
 struct Message {
     Message() = default;
     Message(SourceText text) : context(text.context), source(text.english) {}

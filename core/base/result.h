@@ -8,14 +8,14 @@
 
 namespace terratact {
 
-/// Failure of a file, a bus or a model: one sentence for a person that names the thing, the place
-/// and the cause. A wrong argument is not an Error: it throws std::invalid_argument.
+/// Failure of a file, a bus or a model. Its one sentence names the object, the place and the cause.
+/// A wrong argument is not an Error: it throws std::invalid_argument.
 struct Error {
     Error(Message said, int number = 0)
         : text(said.english()), code(number), message(std::move(said))
     {
     }
-    /// In English alone, as the command line speaks.
+    /// The text in English, as the command line prints it.
     Error(std::string english, int number = 0)
         : text(english), code(number), message(Message::verbatim(std::move(english)))
     {

@@ -4,7 +4,7 @@
 
 namespace terratact {
 
-/// What the operating system says of an error number, for translation where it is a usual one.
+/// The operating system's text of an error number; usual ones can be translated.
 Message systemMessage(int code);
 
 }  // namespace terratact

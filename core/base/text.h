@@ -57,12 +57,12 @@ constexpr bool isControl(char c)
 /// changes the reading direction.
 bool isReadableName(std::string_view text);
 
-/// Returns a piece of a file for a message: in quotes, cut after 40 characters, a tab as "<tab>",
-/// other unprintable characters as '?'.
+/// Returns a part of a file for a message, in quotes and cut after 40 characters. A tab becomes
+/// "<tab>", another unprintable character '?'.
 std::string shown(std::string_view text);
 
-/// Returns a text of a file for a terminal: one line that moves no cursor, changes no colour and
-/// hides nothing. Characters that isReadableName() refuses become '?', and so do bytes that are not
+/// Returns a text of a file for a terminal. The line moves no cursor, changes no colour and hides
+/// nothing. Characters that isReadableName() refuses become '?', and so do bytes that are not
 /// UTF-8.
 std::string printable(std::string_view text);
 

@@ -41,8 +41,8 @@ public:
 std::vector<std::unique_ptr<Baseline>> fitBaselines(const RobotModel& robot, const ModelData& model,
                                                     const ForEach& forEach);
 
-/// Returns a forecast as an estimate: height = mean, a Gaussian band, `draws` joint draws with
-/// independent bins, and the ceilings of the robot's body. s: throws as Baseline::forecast.
+/// Returns a forecast as an estimate. height = mean, the band is Gaussian, and `draws` joint draws
+/// have independent bins. Ceilings are those of the robot's body. s: throws as Baseline::forecast.
 TerrainEstimate baselineEstimate(const Baseline& baseline, const RobotModel& robot,
                                  const Proprioception& s, std::uint64_t seed, int draws = 200);
 

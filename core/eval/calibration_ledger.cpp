@@ -10,7 +10,7 @@ namespace terratact {
 namespace {
 
 constexpr auto kCalibrationNames =
-    namesOf<Calibration>("too few", "too narrow", "honest", "too wide");
+    namesOf<Calibration>("too few", "too narrow", "calibrated", "too wide");
 
 constexpr double kWilson = 1.959963984540054;  // Φ⁻¹(0.975)
 constexpr double kPromised = 0.80;             // nominal coverage of the shown bands
@@ -35,7 +35,7 @@ Calibration verdictOf(std::size_t n, const Coverage& in80)
     if (n < kMinEntries) return Calibration::TooFew;
     if (in80.high < kPromised) return Calibration::TooNarrow;
     if (in80.low > kPromised) return Calibration::TooWide;
-    return Calibration::Honest;
+    return Calibration::Calibrated;
 }
 
 }  // namespace

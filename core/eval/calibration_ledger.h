@@ -36,12 +36,12 @@ Coverage wilson(std::size_t k, std::size_t n);
 /// Calibration of the 80 % bands: whether they hold 80 % of the measurements. The Wilson interval
 /// decides, once there are kMinEntries. A calibrated forecaster gets another verdict by chance in 4
 /// to 7 %.
-enum class Calibration : std::uint8_t { TooFew, TooNarrow, Honest, TooWide };
+enum class Calibration : std::uint8_t { TooFew, TooNarrow, Calibrated, TooWide };
 
 /// Least number of entries: with fewer, not even n hits of n would exclude 80 % (n > 4 c²).
 inline constexpr std::size_t kMinEntries = 16;
 
-/// Returns "too few", "too narrow", "honest" or "too wide".
+/// Returns "too few", "too narrow", "calibrated" or "too wide".
 std::string_view name(Calibration calibration);
 
 /// Summary of a ledger; zero means and open intervals if n is 0.

@@ -22,7 +22,7 @@ struct ContactResidual {
 /// Returns one residual per bin that the kinematic reconstruction fixes
 /// (core/terrain/kinematic_reconstruction.h) and whose truth is known, in the scenes' order.
 /// Contacts in one bin are one height there. A contact is a point, but the truth is the mean of 0.1
-/// m: the residual holds sensor noise and that difference. threshold: [N]. Throws
+/// m. The residual holds sensor noise and that difference. threshold: [N]. Throws
 /// std::invalid_argument unless threshold ≥ 0.
 std::vector<ContactResidual> contactResiduals(const RobotModel& robot,
                                               std::span<const Scene> scenes, double threshold,

@@ -28,7 +28,7 @@ using Classes = std::map<std::string, std::string>;
 inline constexpr std::size_t kMaxClassRows = 200'000;  ///< rows of an index file
 
 /// Reads the columns `row` and `column` of a CSV index (core/store/csv_reader.h). Errors name the
-/// file, the line and the cause: those of CsvReader, a missing column, a row that appears twice,
+/// file, the line and the cause. Causes: those of CsvReader, a missing column, a duplicate row,
 /// more than kMaxClassRows rows.
 Result<Classes> readClasses(const std::string& path, const std::string& column);
 

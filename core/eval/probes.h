@@ -50,9 +50,9 @@ bool hasTruthAhead(const Scene& scene);
 
 /// Probes a scene. It ends if every sd is below the limit, or after limits.most probes. It also
 /// ends if the rule names no bin, a bin that was read before, or one without truth. A reading is
-/// the truth plus N(0, armSd²) by seed, sceneIndex and bin: it is the same for every rule. first:
-/// the estimate without a reading. Throws std::invalid_argument unless hasTruthAhead(scene), armSd
-/// > 0, sdLimit > 0, most ≥ 1.
+/// the truth plus N(0, armSd²). It depends on seed, sceneIndex and bin only, so it is the same for
+/// every rule. first: the estimate without a reading. Throws std::invalid_argument unless
+/// hasTruthAhead(scene), armSd > 0, sdLimit > 0, most ≥ 1.
 ProbeTrial tryProbes(std::size_t sceneIndex, const Scene& scene, const TerrainEstimate& first,
                      const ProbeEstimator& estimate, const ProbeRule& rule,
                      const ProbeLimits& limits);

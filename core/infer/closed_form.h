@@ -26,16 +26,15 @@ GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::Ve
                                     unsigned covered, Method method);
 
 /// Estimates one scene in closed form, without a Markov chain. Contacts (with the model's bias and
-/// sd) and arm readings are measurements (measured_bins.h). Each conditions the
-/// mixture exactly in the surface coordinate y (core/learn/model/clearance.h). Its error in y is
-/// the change of y when the ground lies one sd lower. A measurement more than two standard
-/// deviations from every component first collapses the mixture into one Gaussian.
-/// poll: called at the start and while draws are made.
-/// TerrainEstimate::height is the median. There are settings.draws joint draws, at most
-/// kEnoughDraws with settings.stopEarly. rhat is 1 and ess is the number of draws.
-/// Throws std::invalid_argument for a method other than Joint and Local, and for settings out of
-/// range. It also throws if s lacks a feature that model.without() does not name, or if the
-/// estimate is not finite.
+/// sd) and arm readings are measurements (measured_bins.h). Each conditions the mixture exactly in
+/// the surface coordinate y (core/learn/model/clearance.h). Its error in y is the change of y when
+/// the ground lies one sd lower. If a measurement is more than two standard deviations from every
+/// component, the mixture first becomes one Gaussian. poll: called at the start and while draws are
+/// made. TerrainEstimate::height is the median. There are settings.draws joint draws, at most
+/// kEnoughDraws with settings.stopEarly. rhat is 1 and ess is the number of draws. Throws
+/// std::invalid_argument for a method other than Joint and Local, and for settings out of range. It
+/// also throws if s lacks a feature that model.without() does not name, or if the estimate is not
+/// finite.
 TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const ArmReading> arm,
                                       const RobotModel& robot, const ClearanceModel& model,
                                       const Settings& settings, const Poll& poll = {});

@@ -11,8 +11,8 @@
 
 namespace terratact {
 
-/// Return what an event of kind Phase or Arming says. Empty for another kind, and for an unknown
-/// name.
+/// Return the enumerator that an event of kind Phase or Arming holds. Empty for another kind, and
+/// for an unknown name.
 std::optional<AtemPhase> phaseOf(const EventRow& event);
 std::optional<AtemFailure> failureOf(const EventRow& event);
 std::optional<ArmingPhase> armingOf(const EventRow& event);

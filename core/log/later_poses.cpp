@@ -10,7 +10,7 @@
 namespace terratact {
 namespace {
 
-/// Gives bins that only the training set speaks for a ceiling, because a ghost has no such bins.
+/// Gives a ceiling to bins that rest on the training set alone, because a ghost has no such bins.
 /// Their bands are shown, so they must be judged too.
 TerrainEstimate withPriorOnlyBins(TerrainEstimate estimate)
 {

@@ -25,8 +25,8 @@ struct LaterPose {
 };
 
 /// Follows each estimate along the session's telemetry (infer/verdict/ghost_track.h). Returns its
-/// position at all later scenes that it reaches, in their order. Bins that only the training set
-/// speaks for are moved as well. Frames after an estimate has ended are not read. Throws
+/// position at all later scenes that it reaches, in their order. Bins that rest on the training set
+/// alone are moved, too. Frames after an estimate has ended are not read. Throws
 /// std::invalid_argument for a scene that does not exist.
 std::vector<LaterPose> laterPoses(SessionReader& session, const RobotModel& robot,
                                   std::span<const EstimateOfScene> estimates);

@@ -45,7 +45,7 @@ public:
     std::set<std::uint32_t> leavesOf(std::uint32_t root);
 
     std::uint64_t bytes() const { return fileBytes_ + journalBytes_; }
-    /// True without a journal if the file is shorter than its header says.
+    /// True without a journal if the file is shorter than the size in its header.
     bool isCut() const { return isCut_; }
 
 private:

@@ -145,7 +145,7 @@ private:
         for (TableShape& table : tables_)
             if (fits(row, table)) fitting.push_back(&table);
         if (fitting.empty()) return;
-        // Two tables have the same columns: only the tree of pages tells them apart.
+        // Two tables have the same columns: only the tree of pages distinguishes them.
         const auto owns = [&](TableShape* table) { return leaves(*table).contains(row.page); };
         const auto owner = fitting.size() == 1 ? fitting.begin()
                                                : std::find_if(fitting.begin(), fitting.end(), owns);

@@ -13,8 +13,9 @@ namespace terratact {
 // refuse any other schema.
 
 inline constexpr std::int64_t kSessionVersion = 3;
-/// Version 1 does not record how a bin was touched; all its forces and currents count as measured. Versions 1 and 2
-/// hold phases, failures and causes of disarming in words (core/log/recorded_words.h), and no messages.
+/// Version 1 does not record how a bin was touched; all its forces and currents count as measured.
+/// Versions 1 and 2 hold phases, failures and causes of disarming as English texts
+/// (core/log/recorded_words.h), and no messages.
 inline constexpr std::int64_t kFirstSessionVersion = 1;
 
 struct SchemaEntry {

@@ -80,7 +80,7 @@ struct RobotModel {
 
     /// Returns true if the arm can touch the ground at the bin's centre. Throws
     /// std::invalid_argument unless 0 ≤ bin ≤ 10. Defined in core/terrain/arm_reach.cpp, because
-    /// only core/terrain knows the bins.
+    /// only core/terrain defines the bins.
     bool armReaches(int bin) const;
 };
 

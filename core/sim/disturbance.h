@@ -10,7 +10,7 @@
 
 namespace terratact {
 
-/// Disturbance of the simulated world that the estimator does not know of, for robustness tests.
+/// Disturbance of the simulated world that the estimator does not model, for robustness tests.
 ///   ImuNoise      pitch noise of 1° instead of 0.5°
 ///   ForcesHigh    every force reads 25 % high; ForcesLow: 25 % low
 ///   DeadElement   element 4 always reads 0

@@ -32,8 +32,8 @@ TerrainProfile randomVariedTerrain(std::mt19937_64& rng);
 /// (1/0.25 − 1/10). Source: ISO 8608:2016, annex C.
 TerrainProfile isoRoughness(double gn0, double length, std::mt19937_64& rng);
 
-/// Returns the terrain as an elevation map with cells of `cell` [m] shows it: cell means at the
-/// cells' centres, joined by straight lines. It is half a cell shorter at both ends.
+/// Returns the terrain as in an elevation map with cells of `cell` [m]. Straight lines join the
+/// cell means at the cells' centres. It is half a cell shorter at both ends.
 TerrainProfile asElevationMap(const TerrainProfile& terrain, double cell);
 
 }  // namespace terratact

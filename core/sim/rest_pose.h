@@ -51,8 +51,8 @@ struct RestPose {
     std::size_t terrainPoints = 0;
 };
 
-/// Constants of ground and solver. A spring stands at every point of the terrain's line, sampled at
-/// `spacing`. Between two springs a part of radius r sinks spacing²/8r deeper (0.1 mm for the
+/// Constants of ground and solver. Every point of the terrain's line, sampled at `spacing`, has a
+/// spring. Between two springs a part of radius r sinks spacing²/8r deeper (0.1 mm for the
 /// flippers' tip). The skin absorbs that, so that the body stays above the ground.
 struct GroundOptions {
     double spacing = 0.005;  ///< [m]

@@ -135,8 +135,8 @@ Sensor ofOtherAxle(Sensor sensor)
     return sensorAt(angle + ((indexOf(sensor) - angle) ^ 2U));
 }
 
-/// Returns the readings that a fault of the sensor changes: a mean force if no side is known, else
-/// its sides.
+/// Returns the readings that a fault of the sensor changes. These are a mean force if no side is
+/// known, else its sides.
 std::vector<Sensor> readingsWith(Sensor sensor, const SensedLine& line)
 {
     if (kindOf(sensor) != SensorKind::Force) return {sensor};

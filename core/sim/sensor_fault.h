@@ -86,7 +86,7 @@ private:
 
 /// Converts scenes without telemetry between them to those of a robot with the fault. It applies
 /// FaultySensors to the scene with left equal to right. Late changes the front flippers only,
-/// because only they moved just before a scene: they were higher by `amount` seconds of their
+/// because only they moved just before a scene. They were higher by `amount` seconds of their
 /// speed.
 class FaultyScenes {
 public:

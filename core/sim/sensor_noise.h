@@ -29,8 +29,8 @@ Proprioception noisy(const Proprioception& exact, const SensorNoise& noise, doub
                      std::mt19937_64& rng);
 
 /// Returns the forces of both sides for means of measurement.force, on ground that loads both sides
-/// alike: the mean plus and minus a difference with the noise of a mean. An element on one side only
-/// reads the mean. Elements that the robot lacks or that are missing are empty.
+/// alike. Each is the mean plus or minus a difference with the noise of a mean. An element on one
+/// side only reads the mean. Elements that the robot lacks or that are missing are empty.
 SideForces sidesOf(const Measurement& measurement, const SensorNoise& noise,
                    const RobotModel& robot, std::mt19937_64& rng);
 

@@ -14,8 +14,8 @@
 
 namespace terratact {
 
-/// Line of telemetry. The first line of a press has the true heights, because a console makes a
-/// scene of it.
+/// Line of telemetry. The first line of a press has the true heights, because a console captures it
+/// as a scene.
 struct WatchedLine {
     Measurement measurement;
     std::optional<Heights> truth{};

@@ -10,8 +10,8 @@
 
 namespace terratact {
 
-/// Reads a CSV file record by record, as spreadsheets, R, NumPy and programs of several countries
-/// write it.
+/// Reads a CSV file record by record. It takes what spreadsheets, R, NumPy and programs of several
+/// countries write.
 ///   fields   Commas, semicolons or tabs separate them. The first line decides which, or a line "sep=;"
 ///            above it. Quotes follow RFC 4180 and may contain separators, doubled quotes and line ends.
 ///            Blanks around a field do not belong to it.
@@ -73,8 +73,7 @@ public:
     bool isNumber(std::size_t field) const;
 
     /// Returns the field as a finite number. `what` names it in the error. Errors: it is missing,
-    /// is no number, is not finite, or mixes decimal commas and decimal points with an earlier
-    /// line.
+    /// no number, not finite, or has another decimal mark than an earlier line.
     Result<double> number(std::size_t field, std::string_view what);
 
     /// Returns "file: line 7: cause".

@@ -25,7 +25,7 @@ Status checkLinks(const std::string& path);
 Status checkReplaceable(const std::string& path);
 
 /// Atomic replacement of a file. The content is written under a temporary name in the same
-/// directory. commit() renames it, so that readers see the old file, or none, or the whole new one.
+/// directory. commit() renames it, so readers find the old file, or none, or the whole new one.
 /// Without commit() the temporary file is removed.
 class NewFile {
 public:

@@ -268,7 +268,7 @@ void SqliteFile::journal()
     checkSqlite(sqlite3_db_config(file_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr),
                 file_.get());
     run("PRAGMA journal_size_limit = 67108864");
-    // a failing checkpoint would look like a failing commit; see checkpoint()
+    // a failing checkpoint would be reported as a failing commit; see checkpoint()
     run("PRAGMA wal_autocheckpoint = 0");
 }
 

@@ -1,4 +1,4 @@
-// This function is defined here and not in core/robot, because only core/terrain knows the bins.
+// This function is defined here and not in core/robot, because only core/terrain defines the bins.
 #include <stdexcept>
 
 #include "core/robot/robot_model.h"

@@ -92,8 +92,8 @@ std::variant<AbsolemFrame, AbsolemVerdict> interpreted(const CanFrame& frame, bo
 }
 
 // Returns 1 if the tip rises with the counts of the flipper's encoder, −1 if it falls. All joints
-// turn about the axis to the left: with the angle a front flipper's tip goes down and a rear one's
-// goes up. The motors on the left are mounted mirrored.
+// turn about the axis to the left: with the angle a front flipper's tip moves down and a rear one's
+// up. The motors on the left are mounted mirrored.
 std::optional<double> upwards(AbsolemNode node)
 {
     switch (node) {
@@ -279,7 +279,7 @@ AbsolemVerdict AbsolemListener::keep(const AbsolemFrame& reply, double now)
     const bool isEmergency = reply.command == kInput && reply.index == kEmergencyInput;
     if (reply.command == kCurrent && reply.index == 0)
         return keepCurrent(state_, reply,
-                           now);  // used whatever the type bit says, as the robot does
+                           now);  // the type bit is ignored, as the robot does
     const bool isKept =
         isEmergency
         || (reply.index == 0

@@ -11,7 +11,7 @@
 
 namespace terratact {
 
-// CAN bus of a real Absolem (NIFTi, TRADR): 500 kbit/s, seven Elmo SimplIQ drives. They speak the
+// CAN bus of a real Absolem (NIFTi, TRADR): 500 kbit/s, seven Elmo SimplIQ drives. They use the
 // "binary interpreter" on PDO2 of CANopen, and the robot's computer polls them at 20 Hz. The bus is
 // only read, never written.
 //

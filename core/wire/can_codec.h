@@ -131,8 +131,8 @@ class SensorLineReader {
 public:
     /// Adds a frame. Returns the line that it completes. A frame with another counter drops the
     /// unfinished line. A repeated frame replaces the first one; other kinds of frames are ignored.
-    /// A line needs every frame except Odometry, which some robots do not send: it belongs to the
-    /// line if it comes before the last frame.
+    /// A line needs every frame except Odometry, which some robots do not send. Odometry belongs to
+    /// the line if it comes before the last frame.
     std::optional<SensorLine> add(const Unpacked& content);
 
     std::uint64_t unfinished() const { return unfinished_; }  ///< number of dropped lines

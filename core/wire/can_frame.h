@@ -11,7 +11,7 @@ namespace terratact {
 inline constexpr std::size_t kClassicBytes = 8;  ///< most data bytes of a classic frame
 inline constexpr std::size_t kFdBytes = 64;      ///< most data bytes of a CAN FD frame
 
-/// A frame as a CAN controller delivers it; drivers know the socket's own layout.
+/// A frame as a CAN controller delivers it; drivers convert the socket's own layout.
 struct CanFrame {
     std::uint32_t id = 0;  ///< without flags: 11 bits, or 29 if `extended`
     bool extended = false;

@@ -21,14 +21,15 @@ namespace terratact {
 // Skipped are lines that begin with #, candump's texts below an error frame (-e), and its
 // characters beside the bytes (-a). Swapped or binary bytes (-S, -i) and colours (-c) are refused.
 
-/// Returns the frame of one line, given without its line end. Errors say what was expected where.
+/// Returns the frame of one line, given without its line end. Errors name what was expected and
+/// where.
 Result<LoggedFrame> frameFromCandump(std::string_view line);
 
-/// Returns a line of the compact dialect, without its line end, for every version of can-utils and
-/// python-can: six digits after the point, no direction.
-/// Throws std::invalid_argument if there is no such line. The time may be negative or not finite,
-/// or the interface name empty, longer than 15 bytes or with blanks. The identifier may exceed its
-/// bits, the length be impossible for its kind, data bytes be unknown, or the frame have two kinds.
+/// Returns a line of the compact dialect, without its line end. Every version of can-utils and
+/// python-can reads it: six digits after the point, no direction. Throws std::invalid_argument if
+/// there is no such line. The time may be negative or not finite, or the interface name empty,
+/// longer than 15 bytes or with blanks. The identifier may exceed its bits, or the length be
+/// impossible for its kind. Data bytes may be unknown, or the frame have two kinds.
 std::string candumpLine(double time, std::string_view interface, const CanFrame& frame);
 
 }  // namespace terratact

@@ -16,7 +16,7 @@ struct JudgedFrame {
     std::optional<FrameFault> fault{};  ///< reason that it has no content
     Unpacked content{};                 ///< valid without fault
     FrameCheck check = FrameCheck::Ok;  ///< result of the E2E counter check, without fault
-    /// [s] since the previous frame of its kind; empty before the first sound one.
+    /// [s] since the previous frame of its kind; empty before the first valid one.
     std::optional<double> silence{};
 
     /// Returns true if the frame may be used; only such frames have values.

@@ -8,7 +8,7 @@
 namespace terratact {
 
 /// Continuous clock from the times of a log. They jump where the recording machine's clock was set:
-/// back, or forward by more than kMaxSilence (a machine without a battery clock starts in 1970).
+/// back, or forward by more than kMaxSilence. A machine without a battery clock starts in 1970.
 /// Frames of different interfaces may come up to kDisorder out of order, frames of one interface up
 /// to kJitter.
 class LogClock {

@@ -21,7 +21,7 @@ public:
     virtual std::string_view name() const = 0;
 
     /// Reads a line, given without its line end. Returns empty for a line without a frame (a
-    /// heading, a comment, an event). Errors say what was expected where.
+    /// heading, a comment, an event). Errors name what was expected and where.
     virtual Result<std::optional<LoggedFrame>> parse(std::string_view line) = 0;
 
     std::uint64_t dropped() const { return dropped_; }    ///< frames that the log reports as lost
@@ -38,7 +38,7 @@ protected:
     Message remark_;
 };
 
-std::unique_ptr<LogFormat> candumpFormat();  ///< core/wire/candump_log.h says what it reads
+std::unique_ptr<LogFormat> candumpFormat();  ///< core/wire/candump_log.h lists what it reads
 std::unique_ptr<LogFormat> ascFormat();      ///< core/wire/asc_log.cpp
 std::unique_ptr<LogFormat> trcFormat();      ///< core/wire/trc_log.cpp
 /// core/wire/csv_log.cpp. heading: its first line, or a GVRET line without a heading.
@@ -53,11 +53,11 @@ std::vector<std::string_view> logCsvFields(std::string_view line, char separator
 std::string logCsvName(std::string_view field);
 
 /// Returns the format of a log by its first line that is not blank; null: the line fits several
-/// formats (a comment). Errors name what the file is instead, and which program makes a readable
-/// log of it.
+/// formats (a comment). Errors name what the file is instead, and which program converts it to a
+/// readable log.
 Result<std::unique_ptr<LogFormat>> formatOfLine(std::string_view line);
 
-/// Returns what a binary file is, and which program makes a log of it. Empty: it may be a log.
+/// Returns what a binary file is, and which program converts it to a log. Empty: it may be a log.
 Message binaryKindOf(std::string_view begin);
 
 }  // namespace terratact

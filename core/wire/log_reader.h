@@ -21,7 +21,7 @@ namespace terratact {
 /// name. The log may be packed by gzip, begin with a byte order mark, be UTF-16, or be endless (a
 /// pipe). One line and two blocks are held in memory.
 ///
-/// A truncated last line ends the log, and a remark says so.
+/// A truncated last line ends the log and adds a remark.
 class LogReader {
 public:
     static constexpr std::size_t kMaxLineLength = 1000;  ///< bytes
@@ -34,8 +34,8 @@ public:
     LogReader(std::string name, LogBytes::Source source);
 
     /// Returns the next frame; empty after the last. Errors name file and line of a line that is
-    /// too long or no frame. For a file that is no readable log, they name the program that makes
-    /// one of it.
+    /// too long or no frame. For a file that is no readable log, they name the program that
+    /// converts it.
     Result<std::optional<LoggedFrame>> next();
 
     std::uint64_t line() const { return line_; }  ///< line of the last frame; the first line is 1
@@ -52,9 +52,9 @@ public:
     std::uint64_t stepsBack() const { return steps_; }  ///< number of frames with a stepBack()
     bool isTorn() const { return isTorn_; }
 
-    /// Returns the remarks since the last call, each a sentence that names file and line: clock
-    /// steps (the first kMaxSteps), a truncated end, lines without a frame. They are complete after
-    /// the last frame.
+    /// Returns the remarks since the last call, each a sentence that names file and line. Subjects:
+    /// clock steps (the first kMaxSteps), a truncated end, lines without a frame. They are complete
+    /// after the last frame.
     std::vector<Message> consumeRemarks();
     static constexpr std::uint64_t kMaxSteps = 5;
 

@@ -50,7 +50,7 @@ std::size_t bytesOfCode(unsigned code);
 /// checked.
 Status setFrameByte(CanFrame& frame, std::size_t i, std::string_view digits, int base = 16);
 
-/// Sets the identifier, which must have 11 or 29 bits, as `frame.extended` says.
+/// Sets the identifier, which must have 29 bits if `frame.extended`, else 11.
 Status setFrameId(CanFrame& frame, std::string_view digits, int base = 16);
 
 /// Returns "can0" for bus 1 of a program that counts from 1.

@@ -81,7 +81,7 @@ double voltageOf(double force, double bias, const RobotModel& robot)
     return std::clamp(voltage, c.openBelow, c.shortAbove);
 }
 
-/// Returns the odometry. Empty also for a way beyond its signal, whose end would look like a
+/// Returns the odometry. Empty also for a way beyond its signal, whose limit would pass for a
 /// standing robot.
 std::optional<SensorLine::Odometry> odometryOf(const Measurement& m)
 {

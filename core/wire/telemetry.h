@@ -20,10 +20,11 @@ struct ElementForces {
     bool operator==(const ElementForces&) const = default;
 };
 
-/// Converts the voltages of a line to forces: the only place where a received voltage becomes a force, once per line.
+/// Converts the voltages of a line to forces. A received voltage becomes a force only here, once
+/// per line.
 ElementForces elementForces(const SensorLine& line, const RobotModel& robot);
 
-/// Returns the forces of the elements that are sound or saturated.
+/// Returns the forces of the elements that are valid or saturated.
 SideForces sideForces(const ElementForces& elements);
 
 /// Converts a line of sensors, its elementForces() and its status to a Measurement. A force is the mean of left and

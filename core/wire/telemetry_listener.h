@@ -37,7 +37,8 @@ struct TelemetryCounters {
 /// arrival time of the frame [s]. A clock that runs backwards is a lost link, see E2eReceiver.
 ///
 /// A frame counts if every bit is valid and its counter follows the last one of its kind. Refused
-/// frames are counted. This class cannot tell live telemetry from a recording: see Freshness.
+/// frames are counted. This class cannot distinguish live telemetry from a recording: see
+/// Freshness.
 class TelemetryListener {
 public:
     explicit TelemetryListener(RobotModel robot);
@@ -51,8 +52,8 @@ public:
     /// Returns the verdict on the last frame.
     const JudgedFrame& judged() const { return judged_; }
 
-    /// Returns the last valid RobotStatus, however old; link() and age() tell whether to rely on
-    /// it.
+    /// Returns the last valid RobotStatus, however old. link() and age() show whether it is
+    /// current.
     const std::optional<RobotStatus>& status() const { return status_; }
 
     /// Return the link and age of one kind of frame. Throw std::invalid_argument for a kind that a

@@ -117,7 +117,7 @@ inline QStringList readableTexts(const QWidget& window)
     return texts;
 }
 
-/// The tips of buttons while enabled and while disabled; a disabled button must say why.
+/// The tips of buttons while enabled and while disabled; the tip of a disabled button must give the reason.
 class TipsOfButtons {
 public:
     /// Records the tips of the visible buttons.

@@ -25,7 +25,7 @@ public slots:
     void hold();
     void letGo();
     /// Releases after 40 ms unless hold() comes first. Some X servers repeat a held key as release and press, which
-    /// looks like the operator's own release.
+    /// passes for the operator's own release.
     void letGoSoon();
 
 signals:

@@ -6,9 +6,9 @@ class QFormLayout;
 
 namespace terratact {
 
-/// A label that shows plain text only. QLabel interprets text that looks like HTML and loads the files it names. Text
-/// from an untrusted file could then block the window or imitate a verdict. Every label of the console is a PlainLabel,
-/// except the key sheet, whose HTML is the program's own.
+/// A label that shows plain text only. QLabel would interpret text like HTML and load the files it names. Text from an
+/// untrusted file could then block the window or imitate a verdict. Every label of the console is a PlainLabel, except
+/// the key sheet, whose HTML is the program's own.
 class PlainLabel : public QLabel {
     Q_OBJECT
 public:

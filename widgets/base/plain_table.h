@@ -11,8 +11,8 @@ namespace terratact {
 /// Returns true for events that follow a change of the font size.
 bool changesLetters(const QEvent& event);
 
-/// Returns the width [px] of a column that fits its heading and each of the texts. letters: font metrics of the table
-/// or of its parent, which may know a new font earlier.
+/// Returns the width [px] of a column that fits its heading and all texts. letters: font metrics of the table or of its
+/// parent, which may have a new font earlier.
 int columnWidthFor(const QTableView& table, const QFontMetrics& letters, int column,
                    const QStringList& texts);
 

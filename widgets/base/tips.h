@@ -9,10 +9,10 @@ class QWidget;
 
 namespace terratact {
 
-/// Returns a wrapping tip that shows the text literally, because text from a file may look like HTML.
+/// Returns a wrapping tip that shows the text literally, because text from a file may contain HTML.
 QString plainTip(const QString& text);
 
-// All tips are set by these functions, which show the text literally. Text that does not look like HTML is stored
+// All tips are set by these functions, which show the text literally. Text that Qt does not take for HTML is stored
 // unchanged.
 void setTip(QWidget& widget, const QString& text);
 void setTip(QAction& action, const QString& text);

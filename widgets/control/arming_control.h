@@ -21,7 +21,7 @@ public:
 
     /// Arming is possible unless a precondition is Missing; the tip lists all preconditions.
     void setState(const ArmingState& state, const QList<Precondition>& preconditions);
-    /// The source accepts no commands because it is receive-only or a replay; `why` says which.
+    /// The source accepts no commands because it is receive-only or a replay; `why` gives the reason.
     void setListening(const QString& why);
 
     QPushButton* armButton() const { return arm_; }

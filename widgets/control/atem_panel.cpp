@@ -263,7 +263,7 @@ void AtemPanel::offerCommands()
     }
 }
 
-/// Returns the preconditions that were set, preceded by those this panel knows itself.
+/// Returns the preconditions that were set, preceded by those of this panel.
 QList<Precondition> AtemPanel::needsNow(Commanded command) const
 {
     QList<Precondition> needs = needs_[indexOf(command)];

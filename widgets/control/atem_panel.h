@@ -44,7 +44,7 @@ public:
     /// Tells whether an estimate is on the screen that can be cleared, in any state.
     void setResultStands(bool stands);
 
-    /// Sets the bin for which the operator may now request a probe, and its expected gain in words; empty: none. Its
+    /// Sets the bin for which the operator may now request a probe, and the text of its expected gain; empty: none. Its
     /// button replaces the one that clears the estimate.
     void setProbeToAsk(std::optional<int> bin, const QString& gain);
 

@@ -22,7 +22,7 @@ class ScrollColumn;
 
 /// The card that proposes a probe: the bin, its expected height, the gain, the cost, alternatives and the approval
 /// expiry. Approving takes a 1.5 s hold while the proposal stays shown(); refusing takes a click; no answer means no.
-/// If the estimate already has a verdict, the card says so and highlights not probing. If no probe is proposed, the
+/// If the estimate already has a verdict, the card shows it and highlights not probing. If no probe is proposed, the
 /// card shows the same facts read-only, and why.
 class ProbeCard final : public Card {
     Q_OBJECT
@@ -32,7 +32,7 @@ public:
     void setProposal(const ProbeProposal& proposal);
     void setTimeLeft(double seconds);
     /// Sets the preconditions of approving, shown as its tip. A Missing one makes the proposal void: it cannot be
-    /// approved, and the card says why.
+    /// approved, and the card gives the reason.
     void setPreconditions(const QList<Precondition>& preconditions);
     /// Shows that the arm has been probing `bin` for `elapsed` of about `expected` seconds.
     void setProbing(int bin, double elapsed, double expected);

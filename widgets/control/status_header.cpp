@@ -22,7 +22,7 @@ namespace {
 
 // [px]; the gap keeps other controls away from STOP
 constexpr int kBetween = 8, kBetweenLines = 6, kBeforeStop = 20;
-constexpr int kSourceLetters = 24;  // enough letters to tell sources apart
+constexpr int kSourceLetters = 24;  // enough letters to distinguish sources
 
 /// Returns the minimum width [px] of the items that are not hidden.
 int widthOf(const QList<QWidget*>& row)

@@ -12,7 +12,7 @@ namespace terratact {
 struct TerrainEstimate;
 
 /// The line above the terrain. It has one sentence about the estimate, how it was made, and the progress of a running
-/// one with Cancel. Warnings stand in a label of their own, which the page places below.
+/// one with Cancel. Warnings have a label of their own, which the page places below.
 class EstimateStrip final : public QWidget {
     Q_OBJECT
 public:

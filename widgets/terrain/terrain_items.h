@@ -22,7 +22,7 @@ QFont sized(QFont font, int pixels, bool bold = false);
 /// Returns styled text for a plot.
 QwtText inked(const QString& words, const QColor& colour, const QFont& font);
 
-/// A line in metres; the legend shows a piece of it.
+/// A line in metres; the legend shows a sample.
 class LineItem final : public QwtPlotShapeItem {
 public:
     using QwtPlotShapeItem::QwtPlotShapeItem;

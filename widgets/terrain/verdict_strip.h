@@ -17,7 +17,7 @@ class VerdictStrip final : public QFrame {
 public:
     explicit VerdictStrip(QWidget* parent = nullptr);
 
-    /// probe: expected gain of a probe in words; empty: none is proposed. The verdict must be for limit().
+    /// probe: text of the expected gain of a probe; empty: none is proposed. The verdict must be for limit().
     void setVerdict(const Verdict& verdict, const QString& probe = {});
     void setNothing(const QString& why);  ///< there is no estimate, so there is no verdict
     void setLimit(double metres);         ///< clamped to kMinLimit … kGreatestLimit

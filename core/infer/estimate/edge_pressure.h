@@ -25,8 +25,7 @@ inline constexpr double kOtherElementSd = 3.0;
 /// The tip sinks in where element 6 reads this many sd more than the others predict.
 inline constexpr double kTipSinksSd = 1.0;
 
-/// A saturated element 1 says nothing where the others predict more than this multiple of
-/// saturation.
+/// A saturated element 1 is ignored where the others predict more than this multiple of saturation.
 inline constexpr double kMaxSaturation = 2.0;
 
 /// Pressure along the lower edge of the front flippers, fitted to six force elements. A flipper is
@@ -34,7 +33,7 @@ inline constexpr double kMaxSaturation = 2.0;
 /// linear:
 ///   p(u) = a + b u,   u = 0 at the pivot end of the edge, 1 at the tip.
 /// The elements share the load like the supports of a beam: element e reads ∫ w_e(u) p(u) du. w_e
-/// falls linearly from 1 at its own place to 0 at its neighbours' places. Elements 1 and 6 carry
+/// is 1 at its own place and falls linearly to 0 at its neighbours' places. Elements 1 and 6 carry
 /// all load beyond them. a and b are the weighted least squares over the loaded elements below
 /// saturation. On soft ground the tip's circle sinks in, too, and adds to element 6. An element 6
 /// that exceeds the others' prediction by kTipSinksSd is therefore not part of the fit.

@@ -38,8 +38,8 @@ std::string_view name(Ending ending);
 /// where the robot does not cover part of the bin.
 struct TerrainEstimate {
     Heights mean{}, sd{}, q10{}, q90{};
-    /// The one height to show [m]: the mean for the paper's four methods, the median for the other
-    /// methods, whose distributions are skewed.
+    /// The one height to show [m]: the mean for the paper's four methods, else the median.
+    /// Distributions of the other methods are skewed.
     Heights height{};
     Heights ceiling{};
     std::array<Origin, kBins> origin{};
@@ -67,7 +67,7 @@ struct TerrainEstimate {
     bool operator==(const TerrainEstimate&) const = default;
 
     /// Returns true if the bin was sampled and no part of the robot covers it: only the training
-    /// set speaks for it.
+    /// set supports it.
     bool priorOnly(int bin) const
     {
         const auto i = static_cast<std::size_t>(bin);

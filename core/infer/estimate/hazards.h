@@ -5,7 +5,7 @@
 
 namespace terratact {
 
-/// Size of a hazard that nobody has felt [m].
+/// Size of a hazard in a bin that is not felt [m].
 inline constexpr double kSmallestHazard = 0.15;
 inline constexpr double kLargestHazard = 2.0;
 

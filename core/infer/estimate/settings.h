@@ -17,9 +17,9 @@ inline constexpr int kMaxBurnIn = 10'000'000;
 /// known within 0.8 % (one sd).
 inline constexpr int kEnoughDraws = 4000;
 
-/// Default hazard rate per bin that nobody has felt. It equals the risk that Clear accepts
-/// (kClearBelow in verdict.h): CLEAR needs every bin felt up to the front flippers' reach.
-/// `terratact evaluate --hazards` prints the results of other rates.
+/// Default hazard rate per bin that is not felt. It equals the risk that Clear accepts (kClearBelow
+/// in verdict.h): CLEAR needs every bin felt up to the front flippers' reach. `terratact evaluate
+/// --hazards` prints the results of other rates.
 inline constexpr double kHazardRate = 0.05;
 
 /// Every setting of an estimate besides scene, robot and model.

@@ -55,7 +55,7 @@ inline constexpr double kPressedWithin = 0.015;
 /// On level ground it is 0 m at a pitch of 0, and 0.01 m at a pitch of 0.07 rad.
 inline constexpr double kUnsensedWithin = 0.01;
 
-/// Touch of every bin as the force elements of the front flippers tell it.
+/// Touch of every bin according to the force elements of the front flippers.
 struct PressedBins {
     /// Felt, FeltInPart, Bounded or NotFelt; behind the front pivot: Bounded or NotFelt.
     TouchMap touch{};
@@ -70,16 +70,16 @@ struct PressedBins {
 ///   - From the last element behind the bin to the first one ahead, each carries its share of load.
 ///   - All loads together fit even ground, with a pressure above 0 at both borders of the bin.
 /// A bin is FeltInPart if some element within it carries load. An element that is not measured
-/// counts as loaded if both neighbours are.
-/// Three hollows are not detected. The first is a gap of about 0.02 m under the pivot's end:
-/// element 1 changes by less than its noise. The second is a gap of up to 0.04 m before a saturated
-/// element 1. The third is a slot of less than 0.05 m. docs/hazards.md says how often they occur.
-/// ceiling: of this pose [m], +infinity where the bin is not covered.
+/// counts as loaded if both neighbours are. Three hollows are not detected. The first is a gap of
+/// about 0.02 m under the pivot's end: element 1 changes by less than its noise. The second is a
+/// gap of up to 0.04 m before a saturated element 1. The third is a slot of less than 0.05 m.
+/// docs/hazards.md shows how often they occur. ceiling: of this pose [m], +infinity where the bin
+/// is not covered.
 PressedBins pressedBins(const RobotModel& robot, const Proprioception& s, const Heights& ceiling);
 
 /// Writes estimate.touch and estimate.feltTo. The arm's bins are Felt. A bin behind the front pivot
-/// is Felt if ceiling − q10 ≤ kPressedWithin: the estimate's posterior says that the tracks carry
-/// the robot there.
+/// is Felt if ceiling − q10 ≤ kPressedWithin: by the estimate's posterior, the tracks carry the
+/// robot there.
 void writeTouch(TerrainEstimate& estimate, const PressedBins& pressed);
 
 }  // namespace terratact

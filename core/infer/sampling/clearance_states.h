@@ -44,8 +44,8 @@ private:
 /// Returns a height z with its sd as a measurement of the state. An open bin is exact: the state is
 /// the height. A covered bin uses the delta method:
 ///   m = log(c + δ), √v = sd / (c + δ),  c = max(ceiling − z, 0)
-/// A height measured at the ceiling therefore says little about y while sd is above δ.
-/// Throws std::invalid_argument unless z is finite and sd > 0.
+/// A height measured at the ceiling therefore adds little to y while sd is above δ. Throws
+/// std::invalid_argument unless z is finite and sd > 0.
 Normal measuredState(double z, double sd, double ceiling);
 
 }  // namespace terratact

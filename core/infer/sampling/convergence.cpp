@@ -143,8 +143,8 @@ double splitRhat(const Eigen::MatrixXd& z, const Poll& poll)
     return std::min(std::sqrt((between / within + n - 1.0) / n), kRhatNever);
 }
 
-/// Returns the mean autocovariance of the chains at one lag (divisor n, every chain about its own
-/// mean). centred: n × m.
+/// Returns the mean autocovariance of the chains at one lag. The divisor is n; every chain is about
+/// its own mean. centred: n × m.
 double autocovariance(const Eigen::MatrixXd& centred, Index lag, PolledWork& work)
 {
     const Index rest = centred.rows() - lag;

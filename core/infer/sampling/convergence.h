@@ -14,8 +14,8 @@ inline constexpr double kRhatNever = 1e6;
 /// Convergence diagnostics of draws. Ranks are computed once, when first needed.
 ///
 /// R-hat and ESS are undefined if all draws are equal, and the R package posterior then returns NA.
-/// Stuck chains look the same as chains of a certain quantity. A bound that no draw can pass tells
-/// them apart: draws that all lie at the bound have converged, all other constant draws have not.
+/// Stuck chains cannot be distinguished from chains of a certain quantity, unless no draw can pass
+/// a bound. Draws that all lie at that bound have converged; all other constant draws have not.
 /// Such draws are the point mass of CeilingRule::Clamp. They also occur at a ceiling so far below
 /// the mean that one deviation there is less than a rounding.
 class RankedDraws {
@@ -35,18 +35,18 @@ public:
     /// The result is the larger R-hat of the draws and of |draws − median|, as in `rhat()` of
     /// posterior.
     ///
-    /// Cases that `rhat()` leaves undefined: fewer than four draws per chain give kRhatNever, and
-    /// so do half chains that are all constant. All draws at the bound give 1. If only the folded
-    /// draws are all equal (two heights in turn), the draws alone decide.
-    /// Source: Vehtari, Gelman, Simpson, Carpenter, Bürkner, Bayesian Analysis 16 (2021).
+    /// Two cases that `rhat()` leaves undefined give kRhatNever: fewer than four draws per chain,
+    /// and half chains that are all constant. All draws at the bound give 1. If only the folded
+    /// draws are all equal (two heights in turn), the draws alone decide. Source: Vehtari, Gelman,
+    /// Simpson, Carpenter, Bürkner, Bayesian Analysis 16 (2021).
     double rhat();
 
     /// Returns the bulk effective sample size of the same normal scores, as `ess_bulk()` of
     /// posterior. It is S / τ, at most S log₁₀ S. τ comes from Geyer's initial monotone sequence
     /// over the mean autocovariance of the half chains.
     ///
-    /// Cases that `ess_bulk()` leaves undefined: half chains that are all constant, and fewer than
-    /// six draws per chain, give the number of chains. All draws at the bound give the number of
+    /// Two cases that `ess_bulk()` leaves undefined give the number of chains: fewer than six draws
+    /// per chain, and half chains that are all constant. All draws at the bound give the number of
     /// draws.
     double ess();
 

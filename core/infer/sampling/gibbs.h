@@ -56,12 +56,11 @@ struct GibbsDraws {
 
 /// Samples as in section 4.3 of the paper. Chains start at random (Conditionals::start, with the
 /// ceiling applied). Sweeps then draw every unknown bin in the order of `scan`, with the ceilings
-/// applied by `rule`.
-/// Each chain has its own random numbers. Its draws depend on its number and the seed only: not on
-/// the number of chains, and not on the threads of watch.sideBySide.
-/// The conditionals are trained one by one and need not belong to one joint distribution (a
-/// dependency network). The result may therefore depend on the scan order.
-/// Sampling ends after keptPerChain kept sweeps (Ending::Sweeps), or earlier:
+/// applied by `rule`. Each chain has its own random numbers. Its draws depend on its number and the
+/// seed only. The number of chains and the threads of watch.sideBySide have no effect. The
+/// conditionals are trained one by one and need not belong to one joint distribution (a dependency
+/// network). The result may therefore depend on the scan order. Sampling ends after keptPerChain
+/// kept sweeps (Ending::Sweeps), or earlier:
 ///   - Ending::Converged, with stopEarly: the heights of every bin have R-hat ≤ kRhatLimit and
 ///     ESS ≥ kEssLimit. Checks come after 25, 38, 57 … sweeps and after the last kept sweep.
 ///     These numbers do not depend on the machine, so the same seed gives the same draws.

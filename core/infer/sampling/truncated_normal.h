@@ -31,13 +31,12 @@ inline constexpr int kMaxProposals = 1000;
 double drawBelow(double ceiling, double mean, double sigma, std::mt19937_64& rng);
 
 /// Draws from the normal distribution cut off on both sides: p(h) ∝ exp(-(h - mean)² / 2σ²) for
-/// floor ≤ h ≤ ceiling.
-/// floor may be −infinity, which equals drawBelow. ceiling may be +infinity. floor = ceiling
-/// returns that value.
-/// The mirrored problem (−ceiling, −floor, −mean) gives the negative of the same draw. The
-/// exception is bounds equally far from the mean in double, such as two infinite ones: both
-/// problems are then drawn from the same side, and only the distribution is mirrored.
-/// Throws std::invalid_argument as drawBelow, and unless floor ≤ ceiling, floor < +infinity.
+/// floor ≤ h ≤ ceiling. floor may be −infinity, which equals drawBelow. ceiling may be +infinity.
+/// floor = ceiling returns that value. The mirrored problem (−ceiling, −floor, −mean) gives the
+/// negative of the same draw. The exception is bounds equally far from the mean in double, such as
+/// two infinite ones. Both problems are then drawn from the same side, and only the distribution is
+/// mirrored. Throws std::invalid_argument as drawBelow, and unless floor ≤ ceiling, floor <
+/// +infinity.
 double drawBetween(double floor, double ceiling, double mean, double sigma, std::mt19937_64& rng);
 
 /// Draws the same from any source of 64 random bits.

@@ -12,7 +12,7 @@ namespace terratact {
 struct Watch {
     std::function<bool()> cancelled;             ///< returns true to end the work with Cancelled
     std::function<void(double share)> progress;  ///< share: 0 … 1
-    /// The calling thread asks this between sweeps, or every few sweeps where parts run in
+    /// The calling thread calls this between sweeps, or every few sweeps where parts run in
     /// parallel. true ends sampling with the draws so far.
     std::function<bool()> outOfTime;
     /// Runs independent parts in parallel; empty: one after the other.

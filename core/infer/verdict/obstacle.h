@@ -20,11 +20,10 @@ struct StepProbability {
 ///   p = #{d : max |h_j − h_i| > limit over 0 < j − i ≤ kStepBins} / n,
 ///   monteCarloSd = √(p (1 − p) / n_eff)
 /// limit: [m]. effectiveDraws: n_eff, the number of independent draws that hold as much
-/// information.
-/// If p is 0 or 1, the sd uses (k + 1)/(n_eff + 2) with k = 0 or n_eff for p: no finite number of
-/// draws gives certainty. Source: Laplace's rule of succession.
-/// Throws std::invalid_argument for no draws, and for a limit below 0 or not finite. It also throws
-/// unless 1 ≤ effectiveDraws ≤ draws.size() and 0 ≤ firstBin < lastBin ≤ 10.
+/// information. If p is 0 or 1, the sd uses (k + 1)/(n_eff + 2) with k = 0 or n_eff for p. No
+/// finite number of draws gives certainty. Source: Laplace's rule of succession. Throws
+/// std::invalid_argument for no draws, and for a limit below 0 or not finite. It also throws unless
+/// 1 ≤ effectiveDraws ≤ draws.size() and 0 ≤ firstBin < lastBin ≤ 10.
 StepProbability stepProbability(const std::vector<Heights>& draws, double limit, int firstBin,
                                 int lastBin, double effectiveDraws);
 

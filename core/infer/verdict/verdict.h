@@ -86,7 +86,7 @@ std::string describeUnfelt(const Verdict& verdict);
 std::string describeStepVerdict(const Verdict& verdict);
 
 /// Returns true if a bin ahead is bounded or not felt. Where the touch is not recorded: if only the
-/// training set speaks for the bin (TerrainEstimate::priorOnly). bin: 0 … 10.
+/// training set supports the bin (TerrainEstimate::priorOnly). bin: 0 … 10.
 bool isUnfeltAhead(const TerrainEstimate& estimate, int bin);
 
 /// Returns Verdict::horizon; empty if nothing ahead is felt, or the touch is not recorded.

@@ -27,7 +27,7 @@ bool isHeader(const CsvReader& csv)
     return true;
 }
 
-/// Returns true if one of more than two columns has the name of a point's column: the lines are
+/// Returns true if one of more than two columns has the name of a point's column. The lines are
 /// then no heights.
 bool namesMoreThanPoints(const CsvReader& csv)
 {
@@ -65,8 +65,8 @@ Status checkHeight(const CsvReader& csv, double height, double first)
                      + " (is it in mm?)");
 }
 
-/// Detects heights with decimal commas that look like separators: all fields are integers. "0,05"
-/// then reads as 0 and 5.
+/// Detects heights whose decimal commas may be separators: all fields are integers. "0,05" then
+/// reads as 0 and 5.
 class DecimalCommas {
 public:
     void add(const CsvReader& csv)

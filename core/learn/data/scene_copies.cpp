@@ -53,7 +53,7 @@ bool isRewritten(const Key& a, const Key& b)
 
 using HeightKey = std::array<double, kBins>;
 
-/// Features and heights of a scene, which tell its place.
+/// Features and heights of a scene, which determine its place.
 struct PlaceKey {
     Key features{};
     HeightKey heights{};

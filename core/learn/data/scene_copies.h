@@ -13,7 +13,7 @@ namespace terratact {
 
 /// Scenes sorted for training. An exact copy adds no information and is left out. A near copy
 /// measures a place again: it is a training row, but no second place. A likelihood, or a residual
-/// without one row alone, would count it as a second place, and σ_n and the bands would shrink.
+/// without one row alone, would count it as a second place. σ_n and the bands would then shrink.
 struct SceneCopies {
     std::vector<const Scene*> kept;     ///< first scene of each place, in order
     std::vector<const Scene*> repeats;  ///< near copies of a kept scene (isNearCopy), in order
@@ -25,9 +25,9 @@ struct SceneCopies {
 /// Removes copies. scenes: complete ones.
 SceneCopies withoutCopies(const std::vector<const Scene*>& scenes);
 
-/// Returns the place of each row: the number of the first row that it repeats by the rule of
-/// isNearCopy, or its own number. Rows are compared with first rows of places only. features: U ×
-/// 11, heights: U × 11, as in ModelData. Throws std::invalid_argument if sizes disagree.
+/// Returns the place of each row: the number of the first row that it repeats (isNearCopy), or its
+/// own. Rows are compared with first rows of places only. features: U × 11, heights: U × 11, as in
+/// ModelData. Throws std::invalid_argument if sizes disagree.
 std::vector<int> placesOf(const Eigen::MatrixXd& features, const Eigen::MatrixXd& heights);
 
 /// Returns true if one pose on one ground can explain both scenes. Every feature differs by at most

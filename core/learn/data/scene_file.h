@@ -26,18 +26,18 @@ struct SceneFile {
 /// The h columns may be missing. An empty field, NaN, NA and so on mean unknown, which currents,
 /// forces and heights may be. Unknown columns are ignored with a notice; a last line without its
 /// line end is also noticed. A line of units below the header is skipped if the units are right.
-/// Errors name file, line and cause: missing, duplicate or misspelt columns, wrong numbers, other
-/// units, a wrong number of fields, an empty file. Infinity is refused, and NaN where a value must
-/// be known. Limits are ±5 m for heights, ±π for angles, 0 … 1000 N for forces and ±100 A for
-/// currents. More than kMaxScenes scenes are refused, and so is what CsvReader refuses.
-/// The file is read once, so that it may be a pipe.
+/// Errors name file, line and cause. Causes: missing, duplicate or misspelt columns, wrong numbers,
+/// other units, a wrong number of fields, an empty file. Infinity is refused, and NaN where a value
+/// must be known. Limits are ±5 m for heights, ±π for angles, 0 … 1000 N for forces and ±100 A for
+/// currents. More than kMaxScenes scenes are refused, and so is what CsvReader refuses. The file is
+/// read once, so that it may be a pipe.
 Result<SceneFile> readScenes(const std::string& path);
 
 /// Reads scenes from an open CSV, as readScenes().
 Result<SceneFile> readScenes(CsvReader csv);
 
-/// Reads scenes, and drops those without any known height; a notice says how many. It is an error
-/// if none is left.
+/// Reads scenes, and drops those without any known height; a notice has their number. It is an
+/// error if none is left.
 Result<SceneFile> readScenesWithTruth(const std::string& path);
 
 /// Returns scenes in the same format. Numbers are the shortest that read back equal. Throws

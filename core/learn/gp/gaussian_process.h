@@ -38,14 +38,13 @@ inline constexpr double kSingleVarianceError = 1e-2;
 /// Williams 2006, ch. 2):
 ///   K = k(X, X) + σ_n² I = L Lᵀ,  α = K⁻¹ y
 ///   mean = ȳ + k★ᵀ α,  variance = σ_f² + σ_n² − |L⁻¹ k★|²     (eq. 2.25, 2.26; of the height, not of f)
-/// K may be singular to working precision, by repeated rows without noise or length scales beyond
-/// the data. K + jitter (σ_f² + σ_n²) I then replaces it, with the least sufficient jitter of
-/// 1e-10, 1e-9 … 1e-6.
-/// The error of the mean is at most meanErrorBound(). The error of the variance in double precision
-/// is at most errorBound() of σ_f² + σ_n². The variance is at least σ_n² and kMinVariance (σ_f² +
-/// σ_n²).
-/// The object is immutable and may be shared between threads. The inverse factor for variances is
-/// made at the first prediction in a precision (InverseFactor).
+/// K may be singular to working precision. Causes are repeated rows without noise, and length
+/// scales beyond the data. K + jitter (σ_f² + σ_n²) I then replaces it, with the least sufficient
+/// jitter of 1e-10, 1e-9 … 1e-6. The error of the mean is at most meanErrorBound(). The error of
+/// the variance in double precision is at most errorBound() of σ_f² + σ_n². The variance is at
+/// least σ_n² and kMinVariance (σ_f² + σ_n²). The object is immutable and may be shared between
+/// threads. The inverse factor for variances is made at the first prediction in a precision
+/// (InverseFactor).
 class GaussianProcess {
 public:
     /// X: U × d standardised inputs. y: U outputs, centred. outputMean: ȳ, added to every
@@ -79,15 +78,15 @@ public:
     double errorBound() const { return errorBoundAt(rcond_); }
 
     /// Returns errorBound() of σ_f² Σ |α_u|, the largest possible sum of the mean's terms. That is
-    /// about max |y| for outputs as smooth as the length scales say, and many times that for
-    /// others. The rounding error of ȳ is not included.
+    /// about max |y| for outputs as smooth as the length scales, and many times that for others.
+    /// The rounding error of ȳ is not included.
     double meanErrorBound() const { return errorBound() * largestMean_; }
 
     /// Returns InverseFactor::Single::error of this process [m²].
     double singleError(const Poll& poll = {}) const { return inverse_->single(poll).error; }
 
-    /// Returns the number of rows that a variance in single precision passes through: all rows, or
-    /// those that explain the others (ReducedVariance). A mean passes through all rows.
+    /// Returns the number of rows for a variance in single precision: all, or those that explain
+    /// the others (ReducedVariance). A mean passes through all rows.
     int varianceRows(const Poll& poll = {}) const { return inverse_->single(poll).kept; }
 
     /// Returns the precision that a request for `wanted` gets. Single needs a singleError of at

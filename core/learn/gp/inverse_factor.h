@@ -67,7 +67,7 @@ public:
 
     /// R = Lᵀ, upper triangle; the lower one is not read. `again` makes the same R again, because R
     /// is released when panels are packed. reduce: makes a ReducedInverse from R, one call at a
-    /// time; may be empty, and may throw what its poll throws.
+    /// time. It may be empty, and may throw what its poll throws.
     InverseFactor(Eigen::MatrixXd R, Again again, Reduce reduce = {});
 
     /// Packs the given F of a sparse process. Single precision is compared with |F k|² in double

@@ -18,9 +18,9 @@ struct ScenePrediction;
 class SceneConditional {
 public:
     /// x: d standardised inputs. moving: indices of inputs that are given for each prediction.
-    /// precision: of the variance, if usable() grants it; the mean is double, and the same in both
-    /// except for rounding. poll: as usable().
-    /// Throws std::invalid_argument for another size, or a value of x that is not finite.
+    /// precision: of the variance, if usable() grants it. The mean is double, and equal in both
+    /// except for rounding. poll: as usable(). Throws std::invalid_argument for another size, or a
+    /// value of x that is not finite.
     SceneConditional(const GaussianProcess& gp, const Eigen::VectorXd& x, std::vector<int> moving,
                      Precision precision, const Poll& poll = {},
                      const CovarianceKernels& kernels = covarianceKernels());

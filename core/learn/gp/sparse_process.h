@@ -49,15 +49,14 @@ struct ReducedVariance {
 inline constexpr double kUnexplainedOfNoise = 1e-4;
 
 /// Largest eigenvalue of k(X, X) − V Vᵀ (InducingRows) as a share of σ_n²: what the remaining rows
-/// may still say together. Many rows that each say little may all say the same. The relative error
-/// of a predicted variance is about this share at most.
+/// may still explain together. Many rows that each explain little may all explain the same. The
+/// relative error of a predicted variance is about this share at most.
 inline constexpr double kLeftTogether = 1e-2;
 
-/// Returns nothing if it needs no row or more than 92 % of the rows, or if half as many explain too
-/// little. It also returns nothing if the remaining rows say more than kLeftTogether, or if σ_n² is
-/// below 1e-4 σ_f².
-/// X, hyper: of a GaussianProcess. Cost: n m² + m³ + (n − m)² m multiplications. Memory: 0.92 n²
-/// doubles, n m of them used, and (n − m) n more or 4 m².
+/// Returns nothing if it needs no row, more than 92 % of the rows, or if half as many explain too
+/// little. It also returns nothing if the remaining rows explain more than kLeftTogether, or if
+/// σ_n² is below 1e-4 σ_f². X, hyper: of a GaussianProcess. Cost: n m² + m³ + (n − m)² m
+/// multiplications. Memory: 0.92 n² doubles, n m of them used, and (n − m) n more or 4 m².
 std::optional<ReducedVariance> reducedVariance(const Eigen::MatrixXd& X,
                                                const Hyperparameters& hyper, const Poll& poll = {});
 

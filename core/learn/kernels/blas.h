@@ -7,9 +7,9 @@
 
 namespace terratact {
 
-/// Serialises OpenBLAS where memory is limited (core/base/memory_limit.h): one thread at a time may
-/// call it, and the first call ensures that OpenBLAS gets its buffer. OpenBLAS asks for 128 MB for
-/// each calling thread, and retries for ever if that is refused. Without a memory limit this does
+/// Serialises OpenBLAS where memory is limited (core/base/memory_limit.h). One thread at a time may
+/// call it. The first call ensures that OpenBLAS gets its buffer. OpenBLAS asks for 128 MB for each
+/// calling thread, and retries for ever if that is refused. Without a memory limit this does
 /// nothing.
 class BlasTurn {
 public:

@@ -30,8 +30,8 @@ public:
     double* row(int panel, int u);
     const double* row(int panel, int u) const;
 
-    /// Results of the inversion: log det A, yᵀ A⁻¹ y, and the least and largest diagonal entry of
-    /// the Cholesky factor. The square of their quotient is never below A's reciprocal condition
+    /// Results of the inversion: log det A, yᵀ A⁻¹ y, least and largest diagonal entry of the
+    /// Cholesky factor. The square of their quotient is never below A's reciprocal condition
     /// number.
     struct Factors {
         double logDeterminant = 0.0;

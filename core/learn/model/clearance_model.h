@@ -20,7 +20,7 @@ Eigen::VectorXd surfaceFeatures(const Eigen::VectorXd& features);
 Eigen::VectorXd standardisedFeatures(const Eigen::VectorXd& mean, const Eigen::VectorXd& sd,
                                      const Eigen::VectorXd& features, MissingFeatures without = {});
 
-/// Returns a bit mask: bit i is set if ceiling i is finite, so that the robot is above bin i.
+/// Returns a bit mask. Bit i is set if ceiling i is finite: the robot is above bin i.
 unsigned coveredBins(const Heights& ceiling);
 
 constexpr bool isCovered(unsigned mask, int bin)
@@ -32,7 +32,7 @@ constexpr bool isCovered(unsigned mask, int bin)
 std::vector<int> rowsOf(const std::vector<unsigned>& coveredBins, int bin, bool covered);
 
 /// Returns the place of each training row: the number of the first row that it repeats
-/// (scene_copies.h), or its own number. Without repeats in the model, each row has its own.
+/// (scene_copies.h), or its own. Without repeats in the model, each row has its own.
 std::vector<int> placesOf(const ModelData& model);
 
 /// Returns at most kInducing of the rows, evenly spread.
@@ -84,7 +84,7 @@ public:
     double contactSd() const { return contactSd_; }
 
     /// Returns w_d, and the distance of a model's noveltyScale; used by training. If features are
-    /// left out, a process counts in w_d by its rows: one with few rows may have an unusual length
+    /// left out, a process counts in w_d by its rows, because few rows may give an unusual length
     /// scale.
     static Eigen::VectorXd metric(const ClearanceData& data, MissingFeatures without = {});
     static double noveltyScale(const ModelData& model, const Poll& poll = {},

@@ -49,9 +49,9 @@ void store(ModelData& model, const TrainedSurface& trained, int bin, bool covere
 
 /// Completes the clearance part once all bins are stored; without: as in ClearanceModel. It
 /// computes the scale of novelty, and the bias and sd of a contact as a measurement of its bin.
-/// Forces already speak through s. A contact therefore counts by what its height z adds to the
-/// bin's leave-one-out prediction m. Over the training scenes with an isolated contact, least
-/// squares fits
+/// Forces already act through s. A contact therefore counts by what its height z adds to the bin's
+/// leave-one-out prediction m. Over the training scenes with an isolated contact, least squares
+/// fits
 ///   h − m = a + b (z − m),   |z − m| ≤ 0.1 m.
 /// A measurement of z + a / b with variance Var(h − m) (1 − b) / b has exactly that gain b. sd is
 /// kept within 5 mm … 10 m. It is 10 m, without weight, if contacts add nothing (b ≤ 0).

@@ -24,9 +24,8 @@ struct CardScores {
     bool operator==(const CardScores&) const = default;
 };
 
-/// Model card: facts about a model that its file does not hold, because they do not affect
-/// predictions or are known later. It is a file beside the model, whose bytes and hash do not
-/// change.
+/// Model card: facts about a model that its file does not hold. They do not affect predictions, or
+/// are known later. It is a file beside the model, whose bytes and hash do not change.
 struct ModelCard {
     std::string model;               ///< contentHash() of its model
     std::string trained;             ///< "2026-11-22T07:05:00Z"; empty: unknown
@@ -40,9 +39,9 @@ inline constexpr std::size_t kMaxCardScores = 32;
 /// Returns "models/default.card.toml" for "models/default.ttm".
 std::string cardPath(const std::string& modelPath);
 
-/// Reads the card beside a model; empty if there is none. Errors name the card and the cause: it is
-/// no TOML, has a missing, unknown or duplicate key, or an invalid date, hash, method or number. It
-/// may also have more than kMaxCardScores scores, or belong to a model with another content than
+/// Reads the card beside a model; empty if there is none. Errors name the card and the cause.
+/// Causes: no TOML, a missing, unknown or duplicate key, an invalid date, hash, method or number.
+/// It may also have more than kMaxCardScores scores, or belong to a model with another content than
 /// `contentHash`.
 Result<std::optional<ModelCard>> readModelCard(const std::string& modelPath,
                                                const std::string& contentHash);
@@ -58,8 +57,8 @@ Status writeModelCard(const std::string& modelPath, const ModelCard& card);
 /// beyond kMaxCardScores.
 void addScores(ModelCard& card, CardScores scores);
 
-/// Returns a text from a user, such as a file name, in the form of a card: at most 100 printable
-/// ASCII characters, others as '?'; "unnamed" for an empty text.
+/// Returns a text from a user, such as a file name, in the form of a card. It has at most 100
+/// printable ASCII characters; others become '?'. An empty text becomes "unnamed".
 std::string cardWords(std::string_view words);
 
 /// Statistics of a model's training ground.

@@ -42,9 +42,9 @@ Status writeModelPart(const std::string& path, const ModelPart& part);
 Result<ModelPart> readModelPart(const std::string& path);
 
 /// Returns the model that one run over all bins would have written to `out`, with the same content
-/// hash. Errors name a file and what was expected: no part; a part of another training (other rows,
-/// seed, command or robot); a bin in two parts, or in none. robot: of the training; robotHash: of
-/// its file.
+/// hash. Errors name a file and what was expected. Causes: no part; a part of another training
+/// (other rows, seed, command or robot); a bin in two parts, or in none. robot: of the training;
+/// robotHash: of its file.
 Result<ModelData> mergeModelParts(std::span<const NamedModelPart> parts, const RobotModel& robot,
                                   const std::string& robotHash, const std::string& out);
 

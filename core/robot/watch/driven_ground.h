@@ -9,7 +9,7 @@
 
 namespace terratact {
 
-/// Smoothed mean current of the rear flippers, which tells whether they carry a load.
+/// Smoothed mean current of the rear flippers; it shows whether they carry a load.
 class RearLoad {
 public:
     static constexpr double kLoaded = 0.4;  ///< [A] per motor
@@ -29,7 +29,7 @@ double supportAngle(const RobotModel& robot, double rear);
 /// Returns x of the robot's centre of mass in its own frame [m], with the flippers' masses at their pivots.
 double centreOfMass(const RobotModel& robot);
 
-/// Upper bound of the ground that the tracks have passed over. No ground is higher than the lowest
+/// Upper bound of the ground under the path of the tracks. No ground is higher than the lowest
 /// position of the tracks above it, and most high spots have carried them. The frame is along
 /// gravity and begins with the first line. Dead reckoning moves the robot by a way ds of the tracks
 /// along its line of rest,
@@ -54,8 +54,8 @@ public:
     bool hasMoved() const { return moved_; }  ///< true if the robot moved forward at the last line
     double smoothPitch() const { return pitch_; }  ///< [rad]
     double way() const { return way_; }            ///< [m] since the first line
-    /// Returns the x [m] from which the tracks have passed over the ground from end to end. Behind
-    /// it, only their first pose bounds the ground, and hollows under it are unknown.
+    /// Returns the x [m] from which the tracks have touched the ground over their full length.
+    /// Behind it, only their first pose bounds the ground, and hollows under it are unknown.
     double passedFrom() const { return passedFrom_; }
     /// Returns the highest possible ground at x [m]; empty where the tracks have not been.
     std::optional<double> highestAt(double x) const;

@@ -11,7 +11,7 @@ namespace terratact {
 
 /// Detects a pitch with the wrong sign. Flippers that press down lift the nose; when they come up
 /// again while the tracks rest, the nose sinks. Each such change z of pitch, in units of its noise
-/// and cut off at ±kCut, goes into
+/// and limited to ±kCut, updates
 ///   S ← max(0, S − z).
 /// z of a rising flipper has its sign reversed. S is a one-sided CUSUM (Page 1954) that suspects
 /// the sign above kLimit. On simulated drives z has a mean of about +1.5, and one in a hundred is

@@ -33,7 +33,7 @@ public:
     void add(const Measurement& line);
     /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
-    /// Returns the sensors that the last press has shown to be sound.
+    /// Returns the sensors that passed the checks of the last press.
     const std::vector<Sensor>& cleared() const { return cleared_; }
     static bool judges(SensorTrouble trouble);
     void reset();

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kFirstLines = 3;
 constexpr int kLeastSettled = 3;
-constexpr double kNoise = 0.2;   // [A] in which currents agree all the same
+constexpr double kNoise = 0.2;   // [A] within which currents agree
 constexpr double kRaised = 0.3;  // [rad] both front flippers, at least
 constexpr int kRaisedLines = 50;
 constexpr double kHardlyFree = 0.1;  // share of the raised lines

@@ -42,7 +42,7 @@ public:
     void add(const SensedLine& line);
     /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
-    /// Returns true if later presses speak against the suspicion.
+    /// Returns true if later presses contradict the suspicion.
     bool isCleared(const SensorSuspicion& suspicion) const;
     void reset();
 
@@ -61,7 +61,7 @@ private:
         Mean early, settled;
         bool wasJudged = false;
     };
-    /// Number of presses that speak for a fault, less those that speak against it.
+    /// Number of presses that support a fault, less those that contradict it.
     struct Count {
         std::array<double, kForceElements> left{}, right{};
     };

@@ -11,7 +11,7 @@ constexpr double kSpeed = 1.5;      // [m/s]
 constexpr double kSideShare = 0.4;  // of a force of one side, whose noise no mean reduces
 constexpr double kJump = 0.3;       // [m] a robot that tips over an edge rolls less at once
 constexpr double kMaxGap = 0.2;     // [s] between lines that are neighbours
-constexpr double kAnew = 0.05;      // [m] odometry of a robot that began anew
+constexpr double kAnew = 0.05;      // [m] odometry of a robot that restarted
 
 double spikeLimit(SensorKind kind)
 {

@@ -63,8 +63,8 @@ struct DbcMessage {
     const DbcSignal& signal(const std::string& signalName) const;
 };
 
-/// Returns the part of a 29-bit identifier that names a J1939 parameter group: without priority,
-/// source address and destination, if it has one.
+/// Returns the part of a 29-bit identifier that names a J1939 parameter group. It is without
+/// priority, source address and any destination.
 std::uint32_t parameterGroupOf(std::uint32_t id);
 
 /// Returns the bits of a signal in a frame, whatever a multiplexor selects. Empty if the frame is

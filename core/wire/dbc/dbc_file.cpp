@@ -53,7 +53,7 @@ private:
             return fileError(file_.path,
                              TR_NOOP("core", "describes no message: expected lines that "
                                              "begin with BO_; is it a DBC file?"));
-        // Without the file's name, which stands in front.
+        // Without the file's name, which precedes it.
         const Message& first = file_.warnings.front().arguments.back();
         return fileError(
             file_.path,

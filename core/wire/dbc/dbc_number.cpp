@@ -21,7 +21,7 @@ constexpr double kMaxOffset = 1e30;      // largest offset in those decimals
 constexpr double kLargestInFull = 1e25;  // larger numbers are easier to read with an exponent
 
 /// Returns the number of decimals that show every step of a scale. For an infinite decimal
-/// fraction, it returns enough to tell the steps apart.
+/// fraction, it returns enough digits to separate the steps.
 int digitsOf(double scale)
 {
     constexpr int kMaxDigits = 6;

@@ -13,7 +13,7 @@ namespace terratact {
 bool isDbcKeyword(std::string_view word);
 
 /// Scanner that splits a DBC file into words, numbers and texts. It keeps the first unexpected
-/// token as failure(), and finds nothing more until recover(). It skips blanks, line ends and
+/// token as failure(), and returns no more tokens until recover(). It skips blanks, line ends and
 /// comments (//) before each token.
 class DbcScanner {
 public:

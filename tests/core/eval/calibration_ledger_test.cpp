@@ -41,7 +41,7 @@ CalibrationLedger ledgerOf(double claimedSd, int n, unsigned seed)
     return ledger;
 }
 
-TEST(CalibrationLedger, callsACalibratedForecasterHonest)
+TEST(CalibrationLedger, acceptsACalibratedForecaster)
 {
     const CalibrationLedger ledger = ledgerOf(kSd, 1000, 1);
     const LedgerSummary s = ledger.summary();
@@ -63,7 +63,7 @@ TEST(CalibrationLedger, seldomMisjudgesACalibratedForecaster)
     // 200 ledgers.
     int wronged = 0;
     for (unsigned seed = 1; seed <= 200; ++seed)
-        wronged += ledgerOf(kSd, 40, seed).summary().verdict != Calibration::Honest ? 1 : 0;
+        wronged += ledgerOf(kSd, 40, seed).summary().verdict != Calibration::Calibrated ? 1 : 0;
     EXPECT_LE(wronged, 29);
 }
 
