@@ -61,7 +61,7 @@ say '' '## Missing sensors' '' \
   'These scans were used to choose how the processes without them are made. The real rows are therefore no independent test.'
 show evaluate --missing --data real.csv --methods local --seed 1 --out lacking
 show evaluate --missing --data unseen.csv --methods local --seed 1 --out lacking
-say '' 'Three in ten training drives are on soft ground, into which the robot sinks. Without forces, no reading tells soft from firm ground.' \
+say '' 'Three in ten training drives are on soft ground, into which the robot sinks. Without forces, no reading distinguishes soft from firm ground.' \
   'The bands then hold for the mix of both. They cover more of the truth on firm ground, and less on soft ground. The mix of the training:'
 show simulate --terrain varied --count 1500 --exact-truth --soft-drives 0.3 --seed 3 --out mixed.csv
 show evaluate --missing --data mixed.csv --methods local --seed 1 --out lacking

@@ -48,14 +48,14 @@ cancelling() {
            if ($1 > most) most = $1; if ($2 > most) most = $2 }
          END { printf "%-24s %10.1f; limit 20\n", "most", most }'
   sed -n 's/^touchesOfFreshPages.* 128_KiB_ms=\([^ ]*\) 2_MiB_ms=\([^ ]*\).*/\2 \1/p' "$waits" |
-    awk '{ printf "%-24s %10.1f; the system'"'"'s own work, in which nothing can be asked\n", "2 MiB never written to", $1
-           printf "%-24s %10.1f; so is this, in pages of 4 KiB\n", "128 KiB, likewise", $2 }'
+    awk '{ printf "%-24s %10.1f; the system'"'"'s own work, which cannot poll\n", "2 MiB never written to", $1
+           printf "%-24s %10.1f; so is this, in pages of 4 KiB\n", "128 KiB never written to", $2 }'
 }
 
 show "ctest --test-dir $build -L extremes" tests
 show "TERRATACT_DRAWS=1000000000 truncated_normal_test --gtest_filter='*EveryOneOfManyDraws'" draws
 show "terratact-bench --benchmark_filter=^draws" per_draw
-show "TERRATACT_ROWS=5600 gaussian_process_extremes_test --gtest_filter='$many'; TERRATACT_ROWS=5600 projected_process_test, likewise" rows
+show "TERRATACT_ROWS=5600 gaussian_process_extremes_test --gtest_filter='$many'; TERRATACT_ROWS=5600 projected_process_test (same filter)" rows
 show "terratact-bench --benchmark_filter='touchesOfFreshPages|cancelWaits'" cancelling
 show "tests/core/infer/same_draws_test.py" /usr/bin/python3 -B tests/core/infer/same_draws_test.py
 show "tests/core/infer/same_draws_test.py --native" /usr/bin/python3 -B tests/core/infer/same_draws_test.py --native
