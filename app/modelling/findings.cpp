@@ -115,11 +115,14 @@ void addRuns(const Findings& from, Findings& into)
 /// Appends the errors grouped by run, in the order of a single evaluation.
 void addErrors(const std::vector<const Findings*>& parts, Findings& into)
 {
-    std::vector<std::size_t> nextError(parts.size(), 0), nextStep(parts.size(), 0);
+    struct Next {
+        std::size_t error = 0, step = 0;
+    };
+    std::vector<Next> next(parts.size());
     for (const MethodRun& run : into.runs)
         for (std::size_t p = 0; p < parts.size(); ++p) {
-            moveOfLabel(run.label, parts[p]->errors, nextError[p], into.errors);
-            moveOfLabel(run.label, parts[p]->steps, nextStep[p], into.steps);
+            moveOfLabel(run.label, parts[p]->errors, next[p].error, into.errors);
+            moveOfLabel(run.label, parts[p]->steps, next[p].step, into.steps);
         }
 }
 

@@ -287,7 +287,7 @@ Timeline timelineOf(const SessionReader& session, const Surveyed& surveyed,
 
 QDateTime wallClock(const SessionReader& session, SessionTime time)
 {
-    return QDateTime::fromMSecsSinceEpoch(wallTimeOf(session.start(), time) / 1'000'000, Qt::UTC);
+    return QDateTime::fromMSecsSinceEpoch(wallTimeOf(session.start(), time) / 1'000'000).toUTC();
 }
 
 QList<double> timesOf(const TimelineLane& lane)

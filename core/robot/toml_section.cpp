@@ -32,7 +32,7 @@ double tomlNumber(const toml::node& node, const std::string& key, TomlRange rang
                               tomlLine(node), key, value, range.least, range.most)};
 }
 
-const toml::array& tomlArray(const toml::node& node, const std::string& key, std::size_t least,
+const toml::array& tomlArray(const toml::node& node, std::string_view key, std::size_t least,
                              std::size_t most)
 {
     const toml::array* const array = node.as_array();

@@ -30,7 +30,7 @@ struct TomlRange {
 
 // These throw TomlRefused.
 double tomlNumber(const toml::node& node, const std::string& key, TomlRange range);
-const toml::array& tomlArray(const toml::node& node, const std::string& key, std::size_t least,
+const toml::array& tomlArray(const toml::node& node, std::string_view key, std::size_t least,
                              std::size_t most);
 Message tomlLine(const toml::node& node);  ///< "line 7"
 

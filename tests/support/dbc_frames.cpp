@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "core/wire/e2e.h"
 
@@ -19,11 +20,11 @@ const DbcMessage& message(FrameKind kind)
     return dbc().at(static_cast<std::size_t>(kind));
 }
 
-const DbcMessage& message(const std::string& name)
+const DbcMessage& message(std::string_view name)
 {
     for (const DbcMessage& m : dbc())
         if (m.name == name) return m;
-    throw std::out_of_range(name);
+    throw std::out_of_range(std::string(name));
 }
 
 bool isSigned(const DbcSignal& s)

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/wire/can_codec.h"
@@ -13,7 +13,7 @@ namespace terratact {
 /// Return the messages of resources/dbc/terratact.dbc.
 const std::vector<DbcMessage>& dbc();
 const DbcMessage& message(FrameKind kind);
-const DbcMessage& message(const std::string& name);
+const DbcMessage& message(std::string_view name);
 
 bool isSigned(const DbcSignal& s);
 std::int64_t rawOf(double value, const DbcSignal& s);

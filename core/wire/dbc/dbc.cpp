@@ -92,11 +92,12 @@ double DbcMessage::period() const
     return found == attributes.end() ? 0.0 : std::max(0.0, 1e-3 * found->second);
 }
 
-const DbcSignal& DbcMessage::signal(const std::string& signalName) const
+const DbcSignal& DbcMessage::signal(std::string_view signalName) const
 {
     const auto found = std::find_if(payload.begin(), payload.end(),
                                     [&](const DbcSignal& s) { return s.name == signalName; });
-    if (found == payload.end()) throw std::out_of_range(name + " has no signal " + signalName);
+    if (found == payload.end())
+        throw std::out_of_range(name + " has no signal " + std::string(signalName));
     return *found;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/wire/can_frame.h"
@@ -60,7 +61,7 @@ struct DbcMessage {
     /// file.
     double period() const;
     /// Returns the signal of that name. Throws std::out_of_range if there is none.
-    const DbcSignal& signal(const std::string& signalName) const;
+    const DbcSignal& signal(std::string_view signalName) const;
 };
 
 /// Returns the part of a 29-bit identifier that names a J1939 parameter group. It is without

@@ -205,8 +205,8 @@ TEST(Codec, takesRandomContentThroughTheWire)
         const Unpacked got = contentOf(frame);
         for (std::size_t s = 0; s < signals.size(); ++s) {
             ASSERT_NEAR(got.values[s], sent.values[s], 0.5001 * signals[s].scale);
-            ASSERT_NEAR(physical(frame, message(kind).signal(std::string(signals[s].name))),
-                        got.values[s], 1e-9);
+            ASSERT_NEAR(physical(frame, message(kind).signal(signals[s].name)), got.values[s],
+                        1e-9);
         }
         ASSERT_EQ(pack(got), frame);
     }
