@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # Installs missing packages of the named groups; prints nothing if none is missing:
-#   cmake/setup.sh [core] [gui] [test] [tidy] [package] [kernel]
+#   cmake/setup.sh [core] [gui] [test] [tidy] [package] [publish] [kernel]
 #   core  compiler and libraries of the core, the drivers and the command line
 #   gui   Qt 6, and Qwt for Qt 6: the system's, else built into .deps/qwt
 #   test  libraries and tools of the tests      tidy  clang, clang-tidy, clang-format
-#   package  tools to make and check the Debian package: cmake/package_check.sh
+#   package  tools to make a Debian package
+#   publish  tools to test packages on clean systems and to make an apt repository: cmake/packages.sh
 #   kernel  tools to build and run the kernel of tests/kernel/; libgpiod 2 in .deps/libgpiod2
 # Packages are installed by apt (with sudo if needed); the system's apt sources are not changed.
 set -euo pipefail
@@ -28,9 +29,10 @@ declare -A packages=(
   [test]="libgtest-dev librapidcheck-dev libbenchmark-dev python3 python3-numpy python3-scipy
           python3-can can-utils sqlite3 parallel xvfb xauth xdotool
           appstream desktop-file-utils man-db groff-base dpkg-dev file"
-  [tidy]="clang clang-tidy clang-format libclang-rt-14-dev lld git"
-  [package]="dpkg-dev file debootstrap debian-archive-keyring lintian"
-  [kernel]="linux-source-6.1 gcc make flex bison bc libelf-dev xz-utils iproute2 can-utils gpiod libgpiod-dev"
+  [tidy]="clang clang-tidy clang-format lld git"
+  [package]="dpkg-dev file gzip"
+  [publish]="debootstrap debian-archive-keyring lintian reprepro gnupg"
+  [kernel]="linux-source gcc make flex bison bc libelf-dev xz-utils iproute2 can-utils gpiod libgpiod-dev"
 )
 
 fail() {
@@ -123,18 +125,29 @@ build_gpiod() {
     make -j"$(nproc)" && make install
 }
 
+# Some releases have these parts in a package of their own, or name the package after the version of the compiler.
+install_by_release() {
+  if [[ " $* " == *" gui "* ]] && ! compgen -G '/usr/lib/*/qt6/plugins/iconengines/libqsvgicon.so' >/dev/null; then
+    install_packages qt6-svg-plugins  # the icons; on Debian 12 a part of libqt6svg6
+  fi
+  if [[ " $* " == *" tidy "* ]]; then
+    install_packages "libclang-rt-$(clang++ -dumpversion | cut -d . -f 1)-dev"  # libraries of the sanitizers
+  fi
+}
+
 [ -w . ] || fail "cannot write to $PWD"
 mkdir -p .deps
 exec 9>.deps/lock
 flock 9
 wanted=()
 for group in "$@"; do
-  [ -n "${packages[$group]:-}" ] || fail "unknown group '$group' (core, gui, test, tidy, package, kernel)"
+  [ -n "${packages[$group]:-}" ] || fail "unknown group '$group' (core, gui, test, tidy, package, publish, kernel)"
   # shellcheck disable=SC2206
   wanted+=(${packages[$group]})
 done
 : >"$log"
 install_packages "${wanted[@]}"
+install_by_release "$@"
 if [[ " $* " == *" gui "* ]] && [ ! -e "$qwt_prefix/complete" ] && [ -n "$(missing libqwt-qt6-dev)" ]; then
   if [ -n "$(apt-cache madison libqwt-qt6-dev 2>/dev/null)" ]; then
     install_packages libqwt-qt6-dev

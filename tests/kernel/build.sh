@@ -4,7 +4,7 @@
 # kernel installs what is missing).
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-source=/usr/src/linux-source-6.1.tar.xz
+source=$(printf '%s\n' /usr/src/linux-source-*.tar.xz | sort -V | tail -n 1)  # the newest: 6.1 of Debian 12, 6.12 of 13
 config=$PWD/tests/kernel/uml.config
 kernel=$PWD/.deps/kernel
 log=$kernel/build.log
@@ -30,8 +30,8 @@ check_config() {
 # the host's size is used.
 fit_registers() {
   sed -i 's/HOST_FP_SIZE, 2696/HOST_FP_SIZE, 16384/' arch/x86/um/user-offsets.c &&
-    sed -i -e 's/^int have_xstate_support;/&\nstatic unsigned long xstate_size = FP_SIZE * sizeof(unsigned long);/' \
-      -e 's/iov_len = FP_SIZE \* sizeof(unsigned long)/iov_len = xstate_size/' \
+    sed -i -E -e 's/^(static )?int have_xstate_support;/&\nstatic unsigned long xstate_size = FP_SIZE * sizeof(unsigned long);/' \
+      -e 's/iov_len = FP_SIZE \* sizeof\(unsigned long\)/iov_len = xstate_size/' \
       -e 's/^\t\thave_xstate_support = 1;/\t\thave_xstate_support = 1, xstate_size = iov.iov_len;/' \
       arch/x86/um/os-Linux/registers.c &&
     grep -q 16384 arch/x86/um/user-offsets.c &&
@@ -60,7 +60,7 @@ mkdir -p "$kernel"
 exec 9>"$kernel/lock"
 flock 9
 if [ -x "$kernel/linux" ] && [ "$(cat "$kernel/key" 2>/dev/null)" = "$key" ]; then exit 0; fi
-[ -e "$source" ] || cannot "$source is missing; cmake/setup.sh kernel installs it"
+[ -e "$source" ] || cannot "the kernel source $source is missing; cmake/setup.sh kernel installs it"
 for tool in make gcc flex bison bc xz strip ip; do
   command -v "$tool" >/dev/null || cannot "$tool is missing; cmake/setup.sh kernel installs it"
 done
