@@ -10,6 +10,7 @@ endif()
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/resources ${PROJECT_BINARY_DIR}/share/terratact SYMBOLIC)
 
+set(TERRATACT_HOMEPAGE "${PROJECT_HOMEPAGE_URL}" CACHE STRING "Where the package's sources and answers are found")
 set(_resources ${PROJECT_SOURCE_DIR}/resources)
 set(_docs ${PROJECT_SOURCE_DIR}/docs)
 set(_programs terratact)
@@ -29,7 +30,7 @@ list(TRANSFORM _programs REPLACE "(.+)" "${_docs}/man/\\1.1" OUTPUT_VARIABLE _pa
 install(FILES ${_pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES
   ${_docs}/can.md ${_docs}/can_absolem.log ${_docs}/can_demo.log ${_docs}/can_payload.dbc ${_docs}/can_payload.log ${_docs}/clusters.md ${_docs}/evaluation.md
-  ${_docs}/extremes.md ${_docs}/faults.md ${_docs}/fig8.svg ${_docs}/fig9.svg ${_docs}/ghost.md ${_docs}/link.md ${_docs}/manual.md ${_docs}/panel.md
+  ${_docs}/extremes.md ${_docs}/faults.md ${_docs}/fig8.svg ${_docs}/fig9.svg ${_docs}/ghost.md ${_docs}/hazards.md ${_docs}/link.md ${_docs}/manual.md ${_docs}/panel.md
   ${_docs}/cli.md ${_docs}/files.md ${_docs}/sessions.md
   ${_docs}/console.png ${_docs}/pit.svg ${_docs}/tradeoff.md ${_docs}/tradeoff.svg
   ${_resources}/desktop/changelog ${_resources}/desktop/copyright
@@ -45,7 +46,10 @@ endforeach()
 if(TERRATACT_GUI)
   set(_id org.terratact.console)
   install(FILES ${_resources}/desktop/${_id}.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
-  install(FILES ${_resources}/desktop/${_id}.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
+  file(READ ${_resources}/desktop/${_id}.metainfo.xml _metainfo)
+  string(REPLACE "${PROJECT_HOMEPAGE_URL}" "${TERRATACT_HOMEPAGE}" _metainfo "${_metainfo}")
+  file(WRITE ${PROJECT_BINARY_DIR}/${_id}.metainfo.xml "${_metainfo}")
+  install(FILES ${PROJECT_BINARY_DIR}/${_id}.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
   install(FILES ${_resources}/desktop/${_id}.mime.xml RENAME ${_id}.xml
     DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
   install(FILES ${_resources}/desktop/${_id}.svg
@@ -71,9 +75,28 @@ with a simulated robot, a trained model, and tools for the robot's CAN bus.")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian_files.cmake)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_HOMEPAGE ${TERRATACT_HOMEPAGE})
+
+# The version of a package has the release it was built on: 0.2.0~deb12. It comes before that of Debian 13, so that apt
+# takes the new release's package after an upgrade of the system.
+set(TERRATACT_PACKAGE_VERSION "" CACHE STRING "Version without the release; empty: what cmake/version.sh prints")
+set(_version ${TERRATACT_PACKAGE_VERSION})
+if(NOT _version)
+  execute_process(COMMAND ${PROJECT_SOURCE_DIR}/cmake/version.sh
+    OUTPUT_VARIABLE _version OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+endif()
+cmake_host_system_information(RESULT _system QUERY DISTRIB_INFO)
+string(REPLACE "debian" "deb" _distribution "${_system_ID}")
+set(CPACK_PACKAGE_VERSION ${_version}~${_distribution}${_system_VERSION_ID})
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
+# Qt loads the icons' plugin at run time. Debian 13 has it in a package of its own, Debian 12 in libqt6svg6.
+set(_icons)
+file(GLOB _found /var/lib/dpkg/info/qt6-svg-plugins*.list)
+if(TERRATACT_GUI AND _found)
+  set(_icons ", qt6-svg-plugins")
+endif()
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)   # versions of this release's libraries; Qwt is linked statically
-set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)   # figures and console show text, and no library depends on a font
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "fonts-dejavu-core${_icons}")   # figures and console show text, and no library depends on a font
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "can-utils, gpiod")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS iproute2)   # `terratact can check` names its commands
 if(TERRATACT_GUI)

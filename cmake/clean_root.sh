@@ -1,0 +1,47 @@
+# Functions for scripts that work in a minimal Debian of a release, made by debootstrap (from $MIRROR, if set) and deleted
+# at the end. A script that sources this file needs root, and sets `log` first. If $STEPS names a file, each step adds
+# a line to it: release, step, seconds.
+
+[ "$(id -u)" = 0 ] || { echo "$(basename "$0"): needs root, for debootstrap and chroot" >&2; exit 1; }
+release=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
+root=
+
+# step WORDS COMMAND...: prints the step and runs it; on failure it prints the end of the log and exits.
+step() {
+  local words=$1 start=$SECONDS
+  shift
+  echo "== $words" | tee -a "$log"
+  "$@" >>"$log" 2>&1 || { tail -n 20 "$log" >&2; echo "FAILED: $words (all of it in $log)" >&2; exit 1; }
+  [ -z "${STEPS:-}" ] || printf '%s\t%s\t%s\n' "$release" "$words" $((SECONDS - start)) >>"$STEPS"
+}
+
+remove_root() {
+  [ -n "$root" ] || return 0
+  ! mountpoint -q "$root/proc" || umount "$root/proc"
+  ! mountpoint -q "$root/root/.cache/ccache" || umount "$root/root/.cache/ccache"
+  rm -rf --one-file-system "$root"
+  root=
+}
+trap remove_root EXIT
+
+# make_root: makes the minimal Debian of $release in $root, with a user.
+make_root() {
+  root=$(mktemp -d /var/tmp/terratact-root.XXXXXX)
+  chmod 755 "$root"
+  # shellcheck disable=SC2086
+  step "minimal Debian $release" debootstrap --variant=minbase "$release" "$root" ${MIRROR:-}
+  mount -t proc proc "$root/proc"
+  install -d -o 1000 -g 1000 "$root/home/operator"
+}
+
+# Runs a command in the root.
+inside() {
+  chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
+    ${http_proxy:+http_proxy="$http_proxy"} "$@"
+}
+
+# Runs a command in the root as a user with only a home folder and the offscreen display.
+as_user() {
+  inside setpriv --reuid=1000 --regid=1000 --clear-groups env HOME=/home/operator QT_QPA_PLATFORM=offscreen \
+    sh -c 'cd && exec "$@"' sh "$@"
+}

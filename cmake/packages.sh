@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# Builds the Debian package of each release in a clean root of that release, and tests it in another; needs root and a
+# network:
+#   cmake/packages.sh [bookworm] [trixie]      without names: both
+# Packages are built from the committed files. For each release build/packages/RELEASE has the package, a log of the
+# build, and what package_check.sh leaves. build/packages/SHA256SUMS lists the packages, table.txt the steps with seconds.
+# Names and addresses in the packages: $HOMEPAGE and $MAINTAINER ("Name <address>"), if set. If $CCACHE_DIR is set, the
+# compilers in the roots keep their results there.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+out=$PWD/build/packages
+log=/dev/null
+. cmake/clean_root.sh
+[ $# != 0 ] || set -- bookworm trixie
+cmake/setup.sh publish
+version=$(cmake/version.sh)
+mkdir -p "$out"
+export STEPS=$out/steps.tsv
+: >"$STEPS"
+
+# In the root: makes the package from the sources in /root/terratact.
+build_inside() {
+  local options=(-D TERRATACT_PACKAGE_VERSION="$version" ${HOMEPAGE:+-D TERRATACT_HOMEPAGE="$HOMEPAGE"}
+    ${MAINTAINER:+-D CPACK_PACKAGE_CONTACT="$MAINTAINER"})
+  inside env ${CCACHE_DIR:+CMAKE_CXX_COMPILER_LAUNCHER=ccache} ${CMAKE_BUILD_PARALLEL_LEVEL:+CMAKE_BUILD_PARALLEL_LEVEL="$CMAKE_BUILD_PARALLEL_LEVEL"} \
+    sh -c 'cd /root/terratact && cmake --preset package "$@" && cmake --build --preset package' sh "${options[@]}"
+}
+
+make_package() {
+  log=$out/$release/build.log
+  rm -rf "${out:?}/$release"
+  mkdir -p "$out/$release"
+  make_root
+  mkdir "$root/root/terratact"
+  git archive HEAD | tar -x -C "$root/root/terratact"
+  if [ -n "${CCACHE_DIR:-}" ]; then
+    mkdir -p "$CCACHE_DIR" "$root/root/.cache/ccache"
+    mount --bind "$CCACHE_DIR" "$root/root/.cache/ccache"
+  fi
+  step "apt-get update" inside apt-get -q update
+  [ -z "${CCACHE_DIR:-}" ] || step "ccache" inside apt-get -q -y install --no-install-recommends ccache
+  step "setup.sh core gui package" inside /root/terratact/cmake/setup.sh core gui package
+  step "build" build_inside
+  step "cpack" inside sh -c 'cd /root/terratact/build/package && cpack -G DEB'
+  cp "$root"/root/terratact/build/package/terratact_*.deb "$out/$release/"
+  remove_root
+}
+
+for release; do
+  echo "-- $release"
+  make_package
+  cmake/package_check.sh "$out/$release"/terratact_*.deb "$release"
+done
+(cd "$out" && sha256sum -- */terratact_*.deb >SHA256SUMS)
+{
+  awk -F '\t' '{ printf "%-10s %-32s %6d s\n", $1, $2, $3 }' "$STEPS"
+  cat "$out/SHA256SUMS"
+} | tee "$out/table.txt"
