@@ -16,10 +16,6 @@ fail() {
 }
 
 case $keys/ in "$folder"/*) fail "the key would be served: KEYS must not be inside $folder" ;; esac
-for tool in gpg reprepro dpkg-deb; do
-  command -v $tool >/dev/null || fail "$tool is missing; cmake/setup.sh publish installs it"
-done
-
 # Prints the release that a package was built on.
 release_of() {
   local version
@@ -29,26 +25,29 @@ release_of() {
   echo "${releases[${BASH_REMATCH[1]}]}"
 }
 for package; do release_of "$package" >/dev/null; done
+for tool in gpg gpgconf reprepro; do
+  command -v $tool >/dev/null || fail "$tool is missing; cmake/setup.sh publish installs it"
+done
 
 export GNUPGHOME=$keys
 mkdir -p -m 700 "$keys"
+trap 'gpgconf --kill gpg-agent' EXIT
 mkdir -p "$folder"
 name="Terratact packages"
 [ -n "$(gpg --batch --list-secret-keys --with-colons "$name" 2>/dev/null)" ] ||
   gpg --batch --quiet --passphrase '' --quick-generate-key "$name" rsa3072 sign never
-gpg --batch --yes --export --output "$folder/terratact.gpg" "$name"
+gpg --batch --quiet --yes --export --output "$folder/terratact.gpg" "$name"
 
 # The configuration and the database of reprepro are not served.
 mkdir -p "$keys/conf"
+key=$(gpg --batch --list-secret-keys --with-colons "$name" | awk -F : '$1 == "fpr" { print $10; exit }')
 for release in "${releases[@]}"; do
   printf '%s\n' "Origin: Terratact" "Label: Terratact" "Codename: $release" "Architectures: amd64 arm64" \
-    "Components: main" "SignWith: $(gpg --batch --list-secret-keys --with-colons "$name" | awk -F : '$1 == "fpr" { print $10; exit }')" ""
+    "Components: main" "SignWith: $key" ""
 done >"$keys/conf/distributions"
-for package; do
-  reprepro --silent --confdir "$keys/conf" --dbdir "$keys/db" --outdir "$folder" --export silent-never \
-    includedeb "$(release_of "$package")" "$package"
-done
-reprepro --silent --confdir "$keys/conf" --dbdir "$keys/db" --outdir "$folder" export
+repository=(reprepro --silent --confdir "$keys/conf" --dbdir "$keys/db" --outdir "$folder")
+for package; do "${repository[@]}" --export silent-never includedeb "$(release_of "$package")" "$package"; done
+"${repository[@]}" export
 
 cat >"$folder/README" <<END
 URL=file://$folder    # or where a web server serves this folder
@@ -58,6 +57,4 @@ sudo apt-get update && sudo apt-get install terratact
 
 RELEASE is ${releases[12]} on Debian 12, ${releases[13]} on Debian 13.
 END
-for release in "${releases[@]}"; do
-  reprepro --confdir "$keys/conf" --dbdir "$keys/db" --outdir "$folder" list "$release"
-done
+for release in "${releases[@]}"; do "${repository[@]}" list "$release"; done

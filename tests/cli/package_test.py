@@ -177,6 +177,29 @@ class Version(unittest.TestCase):
         self.assertIn("the tag is v0.9.0, but CMakeLists.txt says 0.2.0", self.version(code=1))
 
 
+@unittest.skipUnless(shutil.which("dpkg-deb"), "dpkg is not installed")
+class Repository(unittest.TestCase):
+    """What cmake/apt_repository.sh refuses. cmake/apt_repository_check.sh tests what it makes on a clean system."""
+
+    def refused(self, version, keys):
+        with tempfile.TemporaryDirectory() as folder:
+            control = pathlib.Path(folder, "files/DEBIAN/control")
+            control.parent.mkdir(parents=True)
+            control.write_text(f"Package: terratact\nVersion: {version}\nArchitecture: all\nMaintainer: x <x@y.invalid>\n"
+                               "Description: x\n")
+            output("dpkg-deb", "-b", f"{folder}/files", f"{folder}/x.deb")
+            told = output(pathlib.Path(SOURCE, "cmake/apt_repository.sh"), f"{folder}/{keys}", f"{folder}/served",
+                          f"{folder}/x.deb", code=1)
+            self.assertFalse(pathlib.Path(folder, "served").exists())
+            return told
+
+    def test_a_package_of_no_known_release_is_refused(self):
+        self.assertIn("expected one that ends in ~deb12 or ~deb13", self.refused("0.2.0", "keys"))
+
+    def test_a_key_that_would_be_served_is_refused(self):
+        self.assertIn("the key would be served", self.refused("0.2.0~deb12", "served/keys"))
+
+
 @unittest.skipIf(MISSING, f"not installed: {', '.join(MISSING)}")
 class Package(unittest.TestCase):
     @classmethod
