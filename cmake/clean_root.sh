@@ -1,5 +1,5 @@
-# Functions for scripts that work in a minimal Debian of a release, made by debootstrap (from $MIRROR, if set) and deleted
-# at the end. A script that sources this file needs root, and sets `log` first. If $STEPS names a file, each step adds
+# Functions for scripts that work in a minimal Debian of a release, deleted at the end. debootstrap makes it, from $MIRROR
+# and with the options $DEBOOTSTRAP, if set. A script that sources this file needs root, and sets `log` first. If $STEPS names a file, each step adds
 # a line to it: release, step, seconds.
 
 [ "$(id -u)" = 0 ] || { echo "$(basename "$0"): needs root, for debootstrap and chroot" >&2; exit 1; }
@@ -26,10 +26,12 @@ trap remove_root EXIT
 
 # make_root: makes the minimal Debian of $release in $root, with a user.
 make_root() {
+  local script=
+  [ -e "/usr/share/debootstrap/scripts/$release" ] || script=gutsy  # of every Ubuntu
   root=$(mktemp -d /var/tmp/terratact-root.XXXXXX)
   chmod 755 "$root"
   # shellcheck disable=SC2086
-  step "minimal Debian $release" debootstrap --variant=minbase "$release" "$root" ${MIRROR:-}
+  step "minimal $release" debootstrap --variant=minbase ${DEBOOTSTRAP:-} "$release" "$root" ${MIRROR:-} $script
   mount -t proc proc "$root/proc"
   install -d -o 1000 -g 1000 "$root/home/operator"
 }
@@ -44,4 +46,15 @@ inside() {
 as_user() {
   inside setpriv --reuid=1000 --regid=1000 --clear-groups env HOME=/home/operator QT_QPA_PLATFORM=offscreen \
     sh -c 'cd && exec "$@"' sh "$@"
+}
+
+# try_programs FOLDER: a user runs both programs of the folder; an empty name means those that the shell finds.
+# Pictures of the exploration and of the console are left in $out.
+try_programs() {
+  step "terratact --version" as_user "$1"terratact --version
+  step "terratact demo" as_user "$1"terratact demo --out demo
+  step "terratact-console --version" as_user "$1"terratact-console --version
+  step "terratact-console --screenshot" as_user "$1"terratact-console --screenshot console.png
+  cp "$root"/home/operator/console.png "$out/check.png"
+  cp "$root"/home/operator/demo/second.png "$out/check_demo.png"
 }

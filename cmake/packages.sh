@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Builds the Debian package of each release in a clean root of that release, and tests it in another; needs root and a
-# network:
+# Builds the Debian package of each release in a clean root of that release, and tests it and an apt repository of it in
+# others; needs root and a network:
 #   cmake/packages.sh [bookworm] [trixie]      without names: both
 # Packages are built from the committed files. For each release build/packages/RELEASE has the package, a log of the
-# build, and what package_check.sh leaves. build/packages/SHA256SUMS lists the packages, table.txt the steps with seconds.
+# build, and what package_check.sh and apt_repository_check.sh leave. build/packages/SHA256SUMS lists the packages, table.txt the steps with seconds.
 # Names and addresses in the packages: $HOMEPAGE and $MAINTAINER ("Name <address>"), if set. If $CCACHE_DIR is set, the
 # compilers in the roots keep their results there.
 set -euo pipefail
@@ -50,6 +50,7 @@ for release; do
   echo "-- $release"
   make_package
   cmake/package_check.sh "$out/$release"/terratact_*.deb "$release"
+  cmake/apt_repository_check.sh "$out/$release"/terratact_*.deb "$release"
 done
 (cd "$out" && sha256sum -- */terratact_*.deb >SHA256SUMS)
 {
