@@ -17,8 +17,10 @@ step() {
 
 remove_root() {
   [ -n "$root" ] || return 0
-  ! mountpoint -q "$root/proc" || umount "$root/proc"
-  ! mountpoint -q "$root/root/.cache/ccache" || umount "$root/root/.cache/ccache"
+  local folder
+  for folder in proc dev root/.cache/ccache; do
+    ! mountpoint -q "$root/$folder" || umount "$root/$folder"
+  done
   rm -rf --one-file-system "$root"
   root=
 }
@@ -36,10 +38,23 @@ make_root() {
   install -d -o 1000 -g 1000 "$root/home/operator"
 }
 
+# copy_sources: copies the committed files to /root/terratact of the root. If $CCACHE_DIR is set, compilers in the root keep
+# their results there.
+copy_sources() {
+  mkdir "$root/root/terratact"
+  git archive HEAD | tar -x -C "$root/root/terratact"
+  step "apt-get update" inside apt-get -q update
+  [ -n "${CCACHE_DIR:-}" ] || return 0
+  mkdir -p "$CCACHE_DIR" "$root/root/.cache/ccache"
+  mount --bind "$CCACHE_DIR" "$root/root/.cache/ccache"
+  step "ccache" inside apt-get -q -y install --no-install-recommends ccache
+}
+
 # Runs a command in the root.
 inside() {
   chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
-    ${http_proxy:+http_proxy="$http_proxy"} "$@"
+    ${http_proxy:+http_proxy="$http_proxy"} ${CCACHE_DIR:+CMAKE_CXX_COMPILER_LAUNCHER=ccache} \
+    ${CMAKE_BUILD_PARALLEL_LEVEL:+CMAKE_BUILD_PARALLEL_LEVEL="$CMAKE_BUILD_PARALLEL_LEVEL"} "$@"
 }
 
 # Runs a command in the root as a user with only a home folder and the offscreen display.
@@ -58,3 +73,6 @@ try_programs() {
   cp "$root"/home/operator/console.png "$out/check.png"
   cp "$root"/home/operator/demo/second.png "$out/check_demo.png"
 }
+
+# steps_table: prints the steps of $STEPS as a table.
+steps_table() { awk -F '\t' '{ printf "%-10s %-40s %6d s\n", $1, $2, $3 }' "$STEPS"; }

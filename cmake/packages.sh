@@ -3,9 +3,9 @@
 # others; needs root and a network:
 #   cmake/packages.sh [bookworm] [trixie]      without names: both
 # Packages are built from the committed files. For each release build/packages/RELEASE has the package, a log of the
-# build, and what package_check.sh and apt_repository_check.sh leave. build/packages/SHA256SUMS lists the packages, table.txt the steps with seconds.
-# Names and addresses in the packages: $HOMEPAGE and $MAINTAINER ("Name <address>"), if set. If $CCACHE_DIR is set, the
-# compilers in the roots keep their results there.
+# build, and what package_check.sh and apt_repository_check.sh leave. build/packages has table.txt, the steps with their
+# seconds, and SHA256SUMS. Names in the packages: $HOMEPAGE and $MAINTAINER ("Name <address>"), if set. If $CCACHE_DIR is
+# set, compilers keep their results there.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 out=$PWD/build/packages
@@ -22,8 +22,7 @@ export STEPS=$out/steps.tsv
 build_inside() {
   local options=(-D TERRATACT_PACKAGE_VERSION="$version" ${HOMEPAGE:+-D TERRATACT_HOMEPAGE="$HOMEPAGE"}
     ${MAINTAINER:+-D CPACK_PACKAGE_CONTACT="$MAINTAINER"})
-  inside env ${CCACHE_DIR:+CMAKE_CXX_COMPILER_LAUNCHER=ccache} ${CMAKE_BUILD_PARALLEL_LEVEL:+CMAKE_BUILD_PARALLEL_LEVEL="$CMAKE_BUILD_PARALLEL_LEVEL"} \
-    sh -c 'cd /root/terratact && cmake --preset package "$@" && cmake --build --preset package' sh "${options[@]}"
+  inside sh -c 'cd /root/terratact && cmake --preset package "$@" && cmake --build --preset package' sh "${options[@]}"
 }
 
 make_package() {
@@ -31,14 +30,7 @@ make_package() {
   rm -rf "${out:?}/$release"
   mkdir -p "$out/$release"
   make_root
-  mkdir "$root/root/terratact"
-  git archive HEAD | tar -x -C "$root/root/terratact"
-  if [ -n "${CCACHE_DIR:-}" ]; then
-    mkdir -p "$CCACHE_DIR" "$root/root/.cache/ccache"
-    mount --bind "$CCACHE_DIR" "$root/root/.cache/ccache"
-  fi
-  step "apt-get update" inside apt-get -q update
-  [ -z "${CCACHE_DIR:-}" ] || step "ccache" inside apt-get -q -y install --no-install-recommends ccache
+  copy_sources
   step "setup.sh core gui package" inside /root/terratact/cmake/setup.sh core gui package
   step "build" build_inside
   step "cpack" inside sh -c 'cd /root/terratact/build/package && cpack -G DEB'
@@ -53,7 +45,4 @@ for release; do
   cmake/apt_repository_check.sh "$out/$release"/terratact_*.deb "$release"
 done
 (cd "$out" && sha256sum -- */terratact_*.deb >SHA256SUMS)
-{
-  awk -F '\t' '{ printf "%-10s %-32s %6d s\n", $1, $2, $3 }' "$STEPS"
-  cat "$out/SHA256SUMS"
-} | tee "$out/table.txt"
+{ steps_table && cat "$out/SHA256SUMS"; } | tee "$out/table.txt"

@@ -23,14 +23,14 @@ def page_of(program):
 
 class Option:
     """An option as in --help: its default, and its choices; "" and () if it has none. CLI11 2.3 writes a default as
-    "=1", CLI11 2.4 as " [1] "."""
+    "=1", CLI11 2.4 as " [1] "; " in [1 - 3]" is a range."""
 
     def __init__(self, head, text):
         self.takes_value = bool(re.match(r"\S+ [A-Z]", head)) and not re.match(r"\S+ (Needs|Excludes):", head)
         head = re.sub(r" (REQUIRED|Needs:.*|Excludes:.*|\.\.\.)", "", head).rstrip()
         choices = re.search(r":\{?([\w-]+(?:[|,][\w-]+)+)\}?", head)
         self.choices = tuple(re.split("[|,]", choices[1])) if choices else ()
-        default = re.search(r"=(.*)$| \[(.*)\]$", head) or re.search(r"\(default:? ([\w.-]+)", text)
+        default = re.search(r"=(.*)$|(?<! in) \[([^][]*)\]$", head) or re.search(r"\(default:? ([\w.-]+)", text)
         self.default = next(filter(None, default.groups()), "") if default else ""
 
 
