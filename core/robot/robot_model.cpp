@@ -128,18 +128,66 @@ void readForceCalibration(TomlSection& section, const RobotModel& robot,
         section.number("short_above_v", {calibration.openBelow, calibration.supply});
 }
 
-void readForceElements(TomlSection& section, RobotModel& robot)
+std::array<double, kForceElements> edgeSharesOf(TomlSection& section)
 {
     const std::string key = section.path("edge_share");
     const toml::node& node = section.node("edge_share");
-    const toml::array& shares = tomlArray(node, key, kForceElements, kForceElements);
-    for (std::size_t i = 0; i < robot.elementShare.size(); ++i) {
-        robot.elementShare[i] = tomlNumber(shares[i], key, kShare);
-        if (i > 0 && robot.elementShare[i] <= robot.elementShare[i - 1])
+    const toml::array& array = tomlArray(node, key, kForceElements, kForceElements);
+    std::array<double, kForceElements> shares{};
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        shares[i] = tomlNumber(array[i], key, kShare);
+        if (i > 0 && shares[i] <= shares[i - 1])
             throw TomlRefused{Message(TR_NOOP("core", "%1: %2 does not increase from pivot to tip"),
                                       tomlLine(node), key)};
     }
-    robot.forceSaturation = section.number("saturation_n", kPositive);
+    return shares;
+}
+
+/// Reads [lateral]. Parts that overlap are refused.
+LateralGeometry lateralOf(TomlSection& section)
+{
+    constexpr double kTouch = 1e-3;  // [m] rounding of the file's numbers
+    LateralGeometry lateral;
+    lateral.trackWidth = section.number("track_width_m", kLength);
+    lateral.trackY = section.number("track_y_m", {0.5 * lateral.trackWidth, kLength.most});
+    lateral.flipperWidth = section.number("flipper_width_m", kLength);
+    lateral.flipperY = section.number("flipper_y_m", {0.5 * lateral.flipperWidth, kLength.most});
+    lateral.bodyComY = section.number("body_com_y_m", {-lateral.trackY, lateral.trackY});
+    const double room = std::abs(lateral.flipperY - lateral.trackY);
+    const double widths = 0.5 * (lateral.trackWidth + lateral.flipperWidth);
+    const double needed = std::round(widths * 1e6) / 1e6;
+    if (room < needed - kTouch)
+        throw TomlRefused{Message(
+            TR_NOOP("core", "%1: %2 is %3, expected at least %4 m from track_y_m: flipper and "
+                            "track overlap"),
+            tomlLine(section.node("flipper_y_m")), section.path("flipper_y_m"), lateral.flipperY,
+            needed)};
+    return lateral;
+}
+
+TrackDifferential differentialOf(TomlSection& section)
+{
+    return {.locked = section.choice("state", {"locked", "free"}) == 0,
+            .limit = section.number("limit_rad", {0.001, 1.5})};
+}
+
+/// Reads the optional tables about left and right.
+void readSides(TomlSection& file, RobotModel& robot)
+{
+    if (file.has("lateral"))
+        file.section("lateral", [&](TomlSection& s) {
+            robot.lateral = lateralOf(s);
+            robot.halfWidth = robot.lateral.trackY + 0.5 * robot.lateral.trackWidth;
+        });
+    if (file.has("track_differential"))
+        file.section("track_differential",
+                     [&](TomlSection& s) { robot.differential = differentialOf(s); });
+    if (file.has("rear_force_elements"))
+        file.section("rear_force_elements",
+                     [&](TomlSection& s) { robot.rearElementShare = edgeSharesOf(s); });
+    if (file.has("tip_over"))
+        file.section("tip_over",
+                     [&](TomlSection& s) { robot.halfWidth = s.number("half_width_m", kLength); });
 }
 
 /// Marks the elements. Each must be free in `taken`.
@@ -239,7 +287,10 @@ RobotModel robotOf(TomlSection& file)
     file.section("body", [&](TomlSection& s) { readBody(s, robot); });
     file.section("front_flipper", [&](TomlSection& s) { readFlipper(s, robot.front); });
     file.section("rear_flipper", [&](TomlSection& s) { readFlipper(s, robot.rear); });
-    file.section("force_elements", [&](TomlSection& s) { readForceElements(s, robot); });
+    file.section("force_elements", [&](TomlSection& s) {
+        robot.elementShare = edgeSharesOf(s);
+        robot.forceSaturation = s.number("saturation_n", kPositive);
+    });
     file.section("force_calibration",
                  [&](TomlSection& s) { readForceCalibration(s, robot, robot.forceCalibration); });
     readForceArrays(file, robot);
@@ -257,9 +308,7 @@ RobotModel robotOf(TomlSection& file)
         robot.travelledSdShare = s.number("travelled_sd_share", kShare);
         robot.pitchSd = s.number("pitch_sd_rad", kAngleSd);
     });
-    if (file.has("tip_over"))
-        file.section("tip_over",
-                     [&](TomlSection& s) { robot.halfWidth = s.number("half_width_m", kLength); });
+    readSides(file, robot);
     return robot;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,25 @@ struct FlipperGeometry {
     double edgeLength() const;
 };
 
+/// Distances from the robot's middle plane [m]: the left part is at +y, the right one at −y.
+struct LateralGeometry {
+    double trackY = 0.1985;       ///< middle of a track
+    double trackWidth = 0.097;    ///< of a track
+    double flipperY = 0.272;      ///< middle of a flipper, front and rear alike
+    double flipperWidth = 0.050;  ///< of a flipper
+    double bodyComY = 0.0;        ///< centre of mass of the body, left positive
+    bool operator==(const LateralGeometry&) const = default;
+};
+
+/// Joint between the tracks. Each track with its flippers turns about the base's y axis against the
+/// body: the left one by +angle, nose up, and the right one by −angle. A locked differential has the
+/// angle 0. An unlocked one turns freely within ±limit, and the robot measures its angle.
+struct TrackDifferential {
+    bool locked = true;
+    double limit = 0.7;  ///< [rad]
+    bool operator==(const TrackDifferential&) const = default;
+};
+
 /// Tracked robot with front and rear flippers, as resources/robots/*.toml describe it. Base frame:
 /// x forward, z up, origin midway between the tracks, `baseHeight` above flat ground.
 struct RobotModel {
@@ -56,6 +76,8 @@ struct RobotModel {
     /// Positions of the elements on the front flippers' lower edge, from its pivot end (0) to its
     /// tip end (1). Element 6 is last.
     std::array<double, kForceElements> elementShare{};
+    /// Positions of the elements of the rear flippers' arrays; empty: the rear flippers have none.
+    std::optional<std::array<double, kForceElements>> rearElementShare{};
     double forceSaturation = 0.0;  ///< largest reading of an element [N]
     /// Force arrays in display order. An element of a side belongs to at most one array. Of the two
     /// elements with the same number, at least one belongs to an array: otherwise every estimate would
@@ -71,6 +93,9 @@ struct RobotModel {
     /// Sd of a travelled distance as a share of that distance: the tracks slip.
     double travelledSdShare = 0.0;
     double pitchSd = 0.0;  ///< [rad] sd of the IMU's pitch
+
+    LateralGeometry lateral;
+    TrackDifferential differential;
 
     /// Distance from the middle to the outer edge of a track [m], for tipping over sideways
     /// (core/robot/attitude.h).
@@ -95,9 +120,17 @@ inline constexpr std::size_t kMaxForceArrayNameLength = 6;  ///< [bytes]
 ///   side = "left"          # or "right": the side whose six elements the link carries
 ///   elements = [1, 2, 3]   # a subset of them, 1 at the pivot and 6 at the tip
 /// Without these tables there are two arrays: all left elements and all right elements. There may
-/// be one table
+/// be one table each of
+///   [lateral]              # left and right; Absolem's numbers without the table
+///   track_y_m, track_width_m, flipper_y_m, flipper_width_m, body_com_y_m
+///   [track_differential]   # locked without the table
+///   state = "locked"       # or "free": it turns, and the robot measures its angle
+///   limit_rad = 0.7
+///   [rear_force_elements]  # without the table the rear flippers have none
+///   edge_share             # as in [force_elements]
 ///   [tip_over]
-///   half_width_m = 0.25    # from the middle to the outer edge of a track; 0.25 without the table
+///   half_width_m = 0.25    # from the middle to the outer edge of a track. Without the table it
+///                          # follows from [lateral]; it is 0.25 if that is absent too.
 /// Errors name the file, the line, the key and what was expected. Files over 64 KiB, or nested
 /// deeper than 16 levels, are refused before they are parsed.
 Result<RobotModel> readRobotModel(const std::string& path);

@@ -3882,6 +3882,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>it is a symbolic link to %1, and nothing is written through a link: name the file itself</source>
         <translation>je to symbolický odkaz na %1 a přes odkaz se nic nezapisuje: uveďte přímo soubor</translation>
     </message>
+    <message>
+        <source>%1: %2 is %3, expected at least %4 m from track_y_m: flipper and track overlap</source>
+        <translation>%1: %2 je %3, očekává se aspoň %4 m od track_y_m: flipper a pás se překrývají</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -3882,6 +3882,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>it is a symbolic link to %1, and nothing is written through a link: name the file itself</source>
         <translation>es ist ein symbolischer Link auf %1, und durch einen Link wird nichts geschrieben: nennen Sie die Datei selbst</translation>
     </message>
+    <message>
+        <source>%1: %2 is %3, expected at least %4 m from track_y_m: flipper and track overlap</source>
+        <translation>%1: %2 ist %3, erwartet werden mindestens %4 m Abstand von track_y_m: Flipper und Kette überlappen sich</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

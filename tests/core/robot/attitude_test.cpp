@@ -69,7 +69,7 @@ TEST(Attitude, IsRedNearTippingOverWhateverTheOperatorWants)
 
 TEST(Attitude, TakesTheWidthOfTheRobotFile)
 {
-    EXPECT_EQ(absolem().halfWidth, 0.25);
+    EXPECT_DOUBLE_EQ(absolem().halfWidth, 0.1985 + 0.097 / 2.0);
     RobotModel narrow = absolem();
     narrow.halfWidth = 0.05;
     EXPECT_EQ(attitudeOf(tilted(0.0, 12.0), narrow, {}).roll, AttitudeLevel::Red);

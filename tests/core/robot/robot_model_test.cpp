@@ -168,7 +168,7 @@ TEST_F(RobotFile, everyKeyIsRequiredAndNoOtherAllowed)
             << section << key;
         ++keys;
     }
-    EXPECT_EQ(keys, 39);
+    EXPECT_EQ(keys, 46);
     EXPECT_TRUE(refusesChange("[arm]", "[arms]", {"arm is missing"}));
     EXPECT_TRUE(refuses(absolem + "\n[laser]\n", {"'laser' is not a known key"}));
 }
@@ -267,28 +267,89 @@ TEST_F(RobotFile, refusesForceArraysThatTheLinkCannotCarry)
 {
     const std::string all = "1, 2, 3, 4, 5, 6", left = arrayTable("L", "left", all);
     EXPECT_TRUE(refuses(absolem + arrayTable("L", "rear_left", all),
-                        {"line 102", "force_array.side is 'rear_left'", "\"left\" or \"right\""}));
+                        {"line 115", "force_array.side is 'rear_left'", "\"left\" or \"right\""}));
     EXPECT_TRUE(refuses(absolem + arrayTable("L", "left", "1, 2, 3, 4, 5, 6, 7"),
-                        {"line 103", "force_array.elements is not an array of 1 to 6"}));
+                        {"line 116", "force_array.elements is not an array of 1 to 6"}));
     EXPECT_TRUE(refuses(absolem + arrayTable("L", "left", "1, 7"),
-                        {"line 103", "force_array.elements is 7", "from 1 to 6"}));
+                        {"line 116", "force_array.elements is 7", "from 1 to 6"}));
     EXPECT_TRUE(refuses(absolem + arrayTable("L", "left", "1, 2.5"), {"2.5", "whole numbers"}));
     EXPECT_TRUE(refuses(absolem + left + arrayTable("again", "left", "3"),
-                        {"line 108", "element 3 of that side again", "one array for each"}));
+                        {"line 121", "element 3 of that side again", "one array for each"}));
     EXPECT_TRUE(refuses(absolem + left + arrayTable("L", "right", all),
-                        {"line 106", "force_array.name is 'L' again", "a name of its own"}));
+                        {"line 119", "force_array.name is 'L' again", "a name of its own"}));
     EXPECT_TRUE(refuses(absolem + arrayTable("L", "left", "1, 2, 4, 5, 6")
                             + arrayTable("R", "right", "1, 2"),
-                        {"line 100", "no force_array has element 3", "each of 1 to 6"}));
+                        {"line 113", "no force_array has element 3", "each of 1 to 6"}));
     std::string five;
     for (const char* element : {"1", "2", "3", "4", "5, 6"})
         five += arrayTable("L", "left", element);
-    EXPECT_TRUE(refuses(absolem + five, {"line 120", "more than the 4 expected"}));
+    EXPECT_TRUE(refuses(absolem + five, {"line 133", "more than the 4 expected"}));
     EXPECT_TRUE(refuses(absolem + arrayTable("a long name", "left", all),
-                        {"line 101", "force_array.name is 'a long name'", "at most 6"}));
+                        {"line 114", "force_array.name is 'a long name'", "at most 6"}));
     EXPECT_TRUE(refuses(absolem + "\n[force_array]\nname = \"L\"\n",
-                        {"line 100", "expected [[force_array]]"}));
-    EXPECT_TRUE(refuses(absolem + left + "colour = 7\n", {"line 104", "'force_array.colour'"}));
+                        {"line 113", "expected [[force_array]]"}));
+    EXPECT_TRUE(refuses(absolem + left + "colour = 7\n", {"line 117", "'force_array.colour'"}));
+}
+
+TEST_F(RobotFile, readsLeftAndRight)
+{
+    const auto shipped = read(absolem);
+    ASSERT_TRUE(shipped);
+    EXPECT_EQ(shipped->lateral, (LateralGeometry{0.1985, 0.097, 0.272, 0.050, 0.0}));
+    EXPECT_EQ(shipped->differential, (TrackDifferential{true, 0.7}));
+    EXPECT_DOUBLE_EQ(shipped->halfWidth, 0.247);  // 0.494 m over the tracks
+    EXPECT_FALSE(shipped->rearElementShare);
+
+    const auto other =
+        read(replaced(replaced(replaced(absolem, "flipper_y_m = 0.272", "flipper_y_m = 0.1"),
+                               "body_com_y_m = 0.0", "body_com_y_m = -0.02"),
+                      "state = \"locked\"", "state = \"free\""));
+    ASSERT_TRUE(other) << other.error().text;
+    EXPECT_EQ(other->lateral.flipperY, 0.1);  // flippers between the tracks
+    EXPECT_EQ(other->lateral.bodyComY, -0.02);
+    EXPECT_FALSE(other->differential.locked);
+}
+
+TEST_F(RobotFile, withoutSidesHasTheStatedDefaults)
+{
+    const std::string old = absolem.substr(0, absolem.find("# Left and right"));
+    const auto robot = read(old);
+    ASSERT_TRUE(robot) << robot.error().text;
+    EXPECT_EQ(robot->lateral, LateralGeometry{});
+    EXPECT_EQ(robot->differential, TrackDifferential{});
+    EXPECT_EQ(robot->halfWidth, 0.25);
+    const auto wide = read(absolem + "\n[tip_over]\nhalf_width_m = 0.3\n");
+    ASSERT_TRUE(wide);
+    EXPECT_EQ(wide->halfWidth, 0.3);
+}
+
+TEST_F(RobotFile, readsRearForceElements)
+{
+    const std::string table =
+        "\n[rear_force_elements]\nedge_share = [0.1, 0.2, 0.4, 0.6, 0.8, 1.0]\n";
+    const auto robot = read(absolem + table);
+    ASSERT_TRUE(robot) << robot.error().text;
+    EXPECT_EQ(robot->rearElementShare, (std::array{0.1, 0.2, 0.4, 0.6, 0.8, 1.0}));
+    EXPECT_TRUE(refuses(absolem + replaced(table, "0.2", "0.1"),
+                        {"line 114", "rear_force_elements.edge_share does not increase"}));
+    EXPECT_TRUE(refuses(absolem + "\n[rear_force_elements]\n",
+                        {"rear_force_elements.edge_share is missing"}));
+}
+
+TEST_F(RobotFile, refusesSidesThatCannotBe)
+{
+    EXPECT_TRUE(refusesChange("flipper_y_m = 0.272", "flipper_y_m = 0.2",
+                              {"line 104", "lateral.flipper_y_m is 0.2", "at least 0.0735 m",
+                               "flipper and track overlap"}));
+    EXPECT_TRUE(refusesChange("track_y_m = 0.1985", "track_y_m = 0.04",
+                              {"line 102", "lateral.track_y_m is 0.04", "from 0.0485"}));
+    EXPECT_TRUE(refusesChange("body_com_y_m = 0.0", "body_com_y_m = 0.3",
+                              {"line 106", "lateral.body_com_y_m is 0.3", "to 0.1985"}));
+    EXPECT_TRUE(refusesChange(
+        "state = \"locked\"", "state = \"open\"",
+        {"line 110", "track_differential.state is 'open'", "\"locked\" or \"free\""}));
+    EXPECT_TRUE(refusesChange("limit_rad = 0.7", "limit_rad = 7",
+                              {"line 111", "track_differential.limit_rad is 7"}));
 }
 
 TEST_F(RobotFile, takesWholeNumbersForNumbers)
