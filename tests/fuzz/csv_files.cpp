@@ -1,10 +1,11 @@
 // Fuzzes the other CSV files. The first byte selects: p a profile's points or heights, b its heights as blocks, a arm
-// readings, c an index of classes.
+// readings, c an index of classes, l lines of a ground.
 #include <cmath>
 #include <cstdint>
 
 #include "core/base/text.h"
 #include "core/eval/groups.h"
+#include "core/learn/data/ground_file.h"
 #include "core/learn/data/probe_file.h"
 #include "core/learn/data/profile_file.h"
 #include "core/store/csv_text.h"
@@ -43,6 +44,17 @@ void readProfiles(CsvReader csv, bool blocks)
     for (const TerrainProfile& profile : file->profiles) promiseProfile(profile);
 }
 
+void readLines(CsvReader csv)
+{
+    const Result<GroundFile> file = readGrounds(std::move(csv), 0.05, false);
+    if (!file) return promiseRefusal(file.error(), "f");
+    promise(!file->grounds.empty(), "a file holds a ground");
+    for (const GroundLines& ground : file->grounds) {
+        promise(ground.begin() <= ground.end(), "a ground's lines have a common range");
+        for (const GroundLine& line : ground.lines()) promiseProfile(line.profile);
+    }
+}
+
 void readArm(CsvReader csv)
 {
     const Result<std::vector<ProbeReading>> readings = readProbeReadings(std::move(csv));
@@ -72,6 +84,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     if (data[0] == 'a')
         readArm(*std::move(csv));
+    else if (data[0] == 'l')
+        readLines(*std::move(csv));
     else
         ::readProfiles(*std::move(csv), data[0] == 'b');
     return 0;

@@ -5,13 +5,13 @@
 #include <stdexcept>
 
 #include "core/base/text.h"
+#include "core/learn/data/profile_form.h"
 #include "core/store/file_read.h"
 
 namespace terratact {
 namespace {
 
-constexpr double kMaxHeight = 5.0;  ///< largest distance from the profile's first height [m]
-constexpr double kMaxX = 1000.0;    ///< [m]
+constexpr double kMaxX = 1000.0;  ///< [m]
 
 bool isHeader(const CsvReader& csv)
 {
@@ -42,27 +42,6 @@ bool namesPoints(const CsvReader& csv)
 {
     const auto& names = csv.fields();
     return (names[0] == "x" && names[1] == "z") || (names[0] == "x_m" && names[1] == "z_m");
-}
-
-/// Returns the numbers of a line.
-Result<std::vector<double>> numbers(CsvReader& csv)
-{
-    std::vector<double> values;
-    for (std::size_t i = 0; i < csv.fields().size(); ++i) {
-        const Result<double> value = csv.number(i, "field " + std::to_string(i + 1));
-        if (!value) return value.error();
-        values.push_back(*value);
-    }
-    return values;
-}
-
-/// Returns Done if a height is plausible beside the profile's first.
-Status checkHeight(const CsvReader& csv, double height, double first)
-{
-    if (std::abs(height - first) <= kMaxHeight) return Done{};
-    return csv.error("the height " + numberText(height)
-                     + " is more than 5 m from the profile's first, " + numberText(first)
-                     + " (is it in mm?)");
 }
 
 /// Detects heights whose decimal commas may be separators: all fields are integers. "0,05" then
@@ -192,7 +171,7 @@ Result<ProfileFile> readLines(CsvReader& csv, Reader reader)
         if (count > kMaxProfileNumbers)
             return csv.error("goes beyond the " + std::to_string(kMaxProfileNumbers)
                              + " numbers allowed in a file");
-        const Result<std::vector<double>> line = numbers(csv);
+        const Result<std::vector<double>> line = numbersOf(csv, 0, csv.fields().size());
         if (!line) return line.error();
         if (const Status status = reader.add(csv, *line); !status) return status.error();
         const Result<bool> more = csv.next();
@@ -201,7 +180,64 @@ Result<ProfileFile> readLines(CsvReader& csv, Reader reader)
     }
 }
 
+/// Checks a header that is the current record, and goes to the next one. Returns its number of fields.
+Result<std::size_t> readHeader(CsvReader& csv)
+{
+    csv.useAsHeader(std::vector<std::string>(csv.fields().size(), "m"));
+    const std::size_t headed = csv.fields().size();
+    if (namesMoreThanPoints(csv))
+        return csv.error("is a header of " + std::to_string(headed)
+                         + " columns: a profile has the two columns x_m,z_m alone");
+    if (headed == 2 && !namesPoints(csv))
+        return csv.error("is a header of two columns other than x,z or x_m,z_m");
+    if (headed == 1)
+        return csv.error("is a header of one column: a profile has points x,z, or its heights "
+                         "in one line");
+    const Result<bool> more = csv.next();
+    if (!more) return more.error();
+    if (!*more) return csv.error("is a header, and no profile follows it");
+    return headed;
+}
+
 }  // namespace
+
+bool namesLines(const CsvReader& csv)
+{
+    return std::ranges::find(csv.fields(), "y_m") != csv.fields().end();
+}
+
+Result<std::vector<double>> numbersOf(CsvReader& csv, std::size_t begin, std::size_t end)
+{
+    std::vector<double> values;
+    for (std::size_t i = begin; i < end; ++i) {
+        const Result<double> value = csv.number(i, "field " + std::to_string(i + 1));
+        if (!value) return value.error();
+        values.push_back(*value);
+    }
+    return values;
+}
+
+Status checkHeight(const CsvReader& csv, double height, double first)
+{
+    constexpr double kMaxHeight = 5.0;  // [m] largest distance from the profile's first height
+    if (std::abs(height - first) <= kMaxHeight) return Done{};
+    return csv.error("the height " + numberText(height)
+                     + " is more than 5 m from the profile's first, " + numberText(first)
+                     + " (is it in mm?)");
+}
+
+Result<ProfileFile> readProfilesFromHere(CsvReader csv, double step, bool blocks)
+{
+    std::size_t headed = 0;  // fields of the header
+    if (isHeader(csv)) {
+        const Result<std::size_t> fields = readHeader(csv);
+        if (!fields) return fields.error();
+        headed = *fields;
+    }
+    const std::size_t fields = headed != 0 ? headed : csv.fields().size();
+    if (fields == 2) return readLines(csv, PointReader(headed != 0));
+    return readLines(csv, HeightReader(step, blocks));
+}
 
 Result<ProfileFile> readProfiles(const std::string& path, double step, bool blocks)
 {
@@ -215,26 +251,9 @@ Result<ProfileFile> readProfiles(CsvReader csv, double step, bool blocks)
     if (!(step > 0.0) || !std::isfinite(step))
         throw std::invalid_argument("readProfiles: step is not above 0");
     if (const Result<bool> first = csv.next(); !first) return first.error();
-
-    std::size_t headed = 0;  // fields of the header
-    if (isHeader(csv)) {
-        csv.useAsHeader(std::vector<std::string>(csv.fields().size(), "m"));
-        headed = csv.fields().size();
-        if (namesMoreThanPoints(csv))
-            return csv.error("is a header of " + std::to_string(headed)
-                             + " columns: a profile has the two columns x_m,z_m alone");
-        if (headed == 2 && !namesPoints(csv))
-            return csv.error("is a header of two columns other than x,z or x_m,z_m");
-        if (headed == 1)
-            return csv.error("is a header of one column: a profile has points x,z, or its heights "
-                             "in one line");
-        const Result<bool> more = csv.next();
-        if (!more) return more.error();
-        if (!*more) return csv.error("is a header, and no profile follows it");
-    }
-    const std::size_t fields = headed != 0 ? headed : csv.fields().size();
-    if (fields == 2) return readLines(csv, PointReader(headed != 0));
-    return readLines(csv, HeightReader(step, blocks));
+    if (namesLines(csv))
+        return csv.error("has a column y_m: this command takes profiles of one plane, without y");
+    return readProfilesFromHere(std::move(csv), step, blocks);
 }
 
 }  // namespace terratact

@@ -1,0 +1,171 @@
+#include "core/learn/data/ground_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/learn/data/profile_form.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kMaxY = 2.0;                        // [m]
+constexpr double kMinStep = 0.001, kMaxStep = 10.0;  // [m]
+
+/// Positions of the columns of a file of lines.
+struct LineColumns {
+    std::size_t y = 0, heights = 0;
+    std::optional<std::size_t> ground, step;
+};
+
+Result<LineColumns> lineColumns(const CsvReader& csv)
+{
+    std::size_t count = csv.fields().size();
+    while (count > 1 && csv.fields()[count - 1].empty()) --count;
+    LineColumns columns;
+    std::optional<std::size_t> y;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::string_view name = csv.fields()[i];
+        std::optional<std::size_t>* const place = name == "y_m"    ? &y
+                                                : name == "pair"   ? &columns.ground
+                                                : name == "step_m" ? &columns.step
+                                                                   : nullptr;
+        if (!place) continue;
+        if (*place) return csv.error("has the column " + std::string(name) + " twice");
+        *place = i;
+    }
+    columns.y = *y;
+    columns.heights = count - 1;
+    if (csv.fields()[columns.heights] != "heights_m")
+        return csv.error("is a header with y_m and without heights_m as its last column");
+    return columns;
+}
+
+/// Collects lines to grounds.
+class LineCollector {
+public:
+    LineCollector(LineColumns columns, double step, bool blocks)
+        : columns_(columns), step_(step), blocks_(blocks)
+    {
+    }
+
+    Status add(CsvReader& csv)
+    {
+        if (csv.fields().size() <= columns_.heights)
+            return csv.error("has no heights, expected them from field "
+                             + std::to_string(columns_.heights + 1) + " on");
+        const std::string name(columns_.ground ? csv.fields()[*columns_.ground] : "");
+        if (name != name_)
+            if (const Status status = finishGround(csv); !status) return status;
+        name_ = name;
+        const Result<double> y = numberIn(csv, columns_.y, "y_m", -kMaxY, kMaxY);
+        if (!y) return y.error();
+        const auto sameY = [&](const GroundLine& line) { return line.y == *y; };
+        if (std::ranges::any_of(lines_, sameY))
+            return csv.error("y_m is " + numberText(*y) + " again in the same ground");
+        const Result<double> step = columns_.step
+                                      ? numberIn(csv, *columns_.step, "step_m", kMinStep, kMaxStep)
+                                      : Result<double>(step_);
+        if (!step) return step.error();
+        Result<std::vector<double>> heights = heightsOf(csv);
+        if (!heights) return heights.error();
+        lines_.push_back({*y, TerrainProfile::fromSamples(*heights, *step, blocks_)});
+        return Done{};
+    }
+
+    Result<GroundFile> finish(const CsvReader& csv)
+    {
+        if (const Status status = finishGround(csv); !status) return status.error();
+        if (file_.grounds.empty()) return csv.error("is a header, and no line follows it");
+        return std::move(file_);
+    }
+
+private:
+    static Result<double> numberIn(CsvReader& csv, std::size_t field, std::string_view what,
+                                   double least, double most)
+    {
+        Result<double> value = csv.number(field, what);
+        if (value && !(*value >= least && *value <= most))
+            return csv.error(std::string(what) + " is " + numberText(*value) + ", expected "
+                             + numberText(least) + " to " + numberText(most));
+        return value;
+    }
+
+    Result<std::vector<double>> heightsOf(CsvReader& csv)
+    {
+        std::size_t end = csv.fields().size();
+        while (end > columns_.heights && csv.isMissing(end - 1)) --end;
+        Result<std::vector<double>> heights = numbersOf(csv, columns_.heights, end);
+        if (!heights) return heights;
+        count_ += heights->size();
+        if (count_ > kMaxProfileNumbers)
+            return csv.error("goes beyond the " + std::to_string(kMaxProfileNumbers)
+                             + " numbers allowed in a file");
+        if (heights->size() < 2)
+            return csv.error("has fewer than the two heights that a line needs");
+        for (const double height : *heights)
+            if (Status status = checkHeight(csv, height, heights->front()); !status)
+                return status.error();
+        return heights;
+    }
+
+    Status finishGround(const CsvReader& csv)
+    {
+        if (lines_.empty()) return Done{};
+        if (!finished_.insert(name_).second)
+            return csv.error("the lines of pair " + shown(name_) + " are not together");
+        file_.grounds.emplace_back(std::exchange(lines_, {}));
+        return Done{};
+    }
+
+    LineColumns columns_;
+    double step_;
+    bool blocks_;
+    std::string name_;
+    std::set<std::string> finished_;
+    std::vector<GroundLine> lines_;  ///< of the ground that is being read
+    std::size_t count_ = 0;          ///< numbers of the whole file
+    GroundFile file_;
+};
+
+Result<GroundFile> readGroundLines(CsvReader csv, double step, bool blocks)
+{
+    const Result<LineColumns> columns = lineColumns(csv);
+    if (!columns) return columns.error();
+    LineCollector collector(*columns, step, blocks);
+    for (;;) {
+        const Result<bool> more = csv.next();
+        if (!more) return more.error();
+        if (!*more) return collector.finish(csv);
+        if (const Status status = collector.add(csv); !status) return status.error();
+    }
+}
+
+}  // namespace
+
+Result<GroundFile> readGrounds(const std::string& path, double step, bool blocks)
+{
+    Result<CsvReader> csv = CsvReader::open(path);
+    if (!csv) return csv.error();
+    return readGrounds(*std::move(csv), step, blocks);
+}
+
+Result<GroundFile> readGrounds(CsvReader csv, double step, bool blocks)
+{
+    if (!(step > 0.0) || !std::isfinite(step))
+        throw std::invalid_argument("readGrounds: step is not above 0");
+    if (const Result<bool> first = csv.next(); !first) return first.error();
+    if (namesLines(csv)) return readGroundLines(std::move(csv), step, blocks);
+    Result<ProfileFile> file = readProfilesFromHere(std::move(csv), step, blocks);
+    if (!file) return file.error();
+    GroundFile grounds;
+    for (TerrainProfile& profile : file->profiles) grounds.grounds.emplace_back(std::move(profile));
+    return grounds;
+}
+
+}  // namespace terratact

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/store/csv_reader.h"
+#include "core/terrain/ground_lines.h"
+
+namespace terratact {
+
+struct GroundFile {
+    std::vector<GroundLines> grounds;  ///< at least one
+};
+
+/// Reads ground from CSV (core/store/csv_reader.h), heights in metres, z up. A file without a
+/// column y_m is read as readProfiles() reads it (core/learn/data/profile_file.h); each profile is
+/// then equal under every part of the robot. A header with these columns, in any order but for the
+/// last, begins a file of lines:
+///   pair       name of the ground. Consecutive lines of the same name belong to one ground. Without
+///              this column all lines belong to one ground.
+///   y_m        distance of the line from the robot's middle, left positive
+///   step_m     distance of the heights of this line; `step` without this column
+///   heights_m  last: the heights at equal steps, as many as there are. The first is at x = 0.
+/// Other columns are ignored. `blocks` is that of TerrainProfile::fromSamples.
+///
+/// Errors name file, line and cause: a missing or double column, a line without two heights, two
+/// lines of a ground with the same y, |y| beyond 2 m, steps beyond 0.001 … 10 m, and what
+/// readProfiles() refuses. Throws std::invalid_argument unless step is finite and above 0.
+Result<GroundFile> readGrounds(const std::string& path, double step, bool blocks);
+
+/// Reads the same from an open CSV.
+Result<GroundFile> readGrounds(CsvReader csv, double step, bool blocks);
+
+}  // namespace terratact

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+namespace terratact {
+
+/// Returns the path of a file of real ground in the folder TERRATACT_TERRAIN; empty if that
+/// environment variable is not set. Tests then skip.
+inline std::optional<std::string> realGround(const std::string& file)
+{
+    const char* const folder = std::getenv("TERRATACT_TERRAIN");
+    if (!folder) return std::nullopt;
+    return std::string(folder) + "/" + file;
+}
+
+}  // namespace terratact
