@@ -70,21 +70,34 @@ Pose poseInDem(const RobotModel& robot, double pitch, double front, double rear)
     return {.base = {-imu.x, -imu.z}, .pitch = pitch, .front = front, .rear = rear};
 }
 
+double turnSign(const FlipperGeometry& flipper)
+{
+    return flipper.pivot.x >= 0.0 ? 1.0 : -1.0;
+}
+
 Vec2 flipperAxis(const FlipperGeometry& flipper, double angle)
 {
     const double elevation = angle - flipper.taper();
-    const double forward = flipper.pivot.x >= 0.0 ? 1.0 : -1.0;
-    return {forward * std::cos(elevation), std::sin(elevation)};
+    return {turnSign(flipper) * std::cos(elevation), std::sin(elevation)};
+}
+
+TaperedHull trackAt(const RobotModel& robot, const Pose& pose)
+{
+    const double half = 0.5 * robot.trackAxle;
+    return moved(
+        {{-half, robot.trackZ}, {half, robot.trackZ}, robot.trackRadius, robot.trackRadius}, pose);
+}
+
+TaperedHull flipperAt(const FlipperGeometry& flipper, double angle, const Pose& pose)
+{
+    return moved(flipperHull(flipper, angle), pose);
 }
 
 RobotShape shapeAt(const RobotModel& robot, const Pose& pose)
 {
-    const double half = 0.5 * robot.trackAxle;
-    const TaperedHull track{
-        {-half, robot.trackZ}, {half, robot.trackZ}, robot.trackRadius, robot.trackRadius};
-    RobotShape shape{.track = moved(track, pose),
-                     .front = moved(flipperHull(robot.front, pose.front), pose),
-                     .rear = moved(flipperHull(robot.rear, pose.rear), pose),
+    RobotShape shape{.track = trackAt(robot, pose),
+                     .front = flipperAt(robot.front, pose.front, pose),
+                     .rear = flipperAt(robot.rear, pose.rear, pose),
                      .body = robot.body};
     for (auto& polygon : shape.body)
         for (Vec2& p : polygon) p = toWorld(pose, p);
@@ -140,14 +153,19 @@ double lowerEnvelope(const RobotShape& shape, double x)
 
 // The lower edge is the tangent whose outward normal is the flipper's axis turned by −(90° − taper):
 // at joint angle 0 the edge lies along x and its normal points straight down.
+Vec2 edgePoint(const FlipperGeometry& flipper, double angle, const Pose& pose, double share)
+{
+    const double turn = turnSign(flipper);
+    const Vec2 along = rotated({turn, 0.0}, turn * angle);
+    const Vec2 down = rotated({0.0, -1.0}, turn * angle);
+    const double s = share * flipper.edgeLength();
+    return toWorld(pose, {flipper.pivot.x + flipper.pivotRadius * down.x + s * along.x,
+                          flipper.pivot.z + flipper.pivotRadius * down.z + s * along.z});
+}
+
 Vec2 elementPosition(const RobotModel& robot, const Pose& pose, double share)
 {
-    const FlipperGeometry& f = robot.front;
-    const Vec2 along = rotated({1.0, 0.0}, pose.front);
-    const Vec2 down = rotated({0.0, -1.0}, pose.front);
-    const double s = share * f.edgeLength();
-    return toWorld(pose, {f.pivot.x + f.pivotRadius * down.x + s * along.x,
-                          f.pivot.z + f.pivotRadius * down.z + s * along.z});
+    return edgePoint(robot.front, pose.front, pose, share);
 }
 
 }  // namespace terratact

@@ -42,6 +42,10 @@ struct RobotShape {
 };
 RobotShape shapeAt(const RobotModel& robot, const Pose& pose);
 
+/// Return single parts of shapeAt().
+TaperedHull trackAt(const RobotModel& robot, const Pose& pose);
+TaperedHull flipperAt(const FlipperGeometry& flipper, double angle, const Pose& pose);
+
 /// Returns the largest distance [m] of any point of the robot from its base origin, for any flipper
 /// angles.
 double reachOf(const RobotModel& robot);
@@ -52,6 +56,13 @@ double lowerBoundary(const std::vector<Vec2>& polygon, double x);
 
 /// Returns the lower envelope of the whole robot: the least of the parts' lower boundaries.
 double lowerEnvelope(const RobotShape& shape, double x);
+
+/// Returns the sign of a tip-up rotation as a rotation x → z: front positive, rear mirrored.
+double turnSign(const FlipperGeometry& flipper);
+
+/// Returns a point on a flipper's lower edge at this joint angle, pose's frame. share: from the
+/// pivot end (0) to the tip end (1).
+Vec2 edgePoint(const FlipperGeometry& flipper, double angle, const Pose& pose, double share);
 
 /// Returns a point on the front flippers' lower edge, pose's frame. share: from the pivot end (0)
 /// to the tip end (1), such as RobotModel::elementShare.

@@ -6,20 +6,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/sim/edge_forces.h"
+#include "core/sim/newton_descent.h"
+#include "core/sim/rest_search.h"
 #include "core/sim/skin_contact.h"
 
 namespace terratact {
 
 namespace {
-
-constexpr double kGravity = 9.81;    // [m/s²]
-constexpr double kMinReach = 0.75;   // [m] of ground that is searched on either side of the base
-constexpr double kMaxPitch = 1.2;    // [rad]
-constexpr double kMaxFlipper = 2.5;  // [rad] beyond it a flipper lies on the robot
-constexpr int kSoftIterations = 60;
-constexpr int kFinalIterations = 300;
-constexpr int kHalvings = 14;       // most halvings of a step that does not descend far enough
-constexpr double kSettled = 1e-11;  // [J] a Newton step with a smaller gain ends the search
 
 /// Order of the degrees of freedom in gradients: base height, pitch, front, rear.
 enum Freedom { kZ, kPitch, kFront, kRear, kFreedoms };
@@ -35,18 +29,6 @@ double dot(Vec2 a, Vec2 b)
 Vec2 spin(Vec2 point, Vec2 centre)
 {
     return {-(point.z - centre.z), point.x - centre.x};
-}
-
-double torqueOf(const FlipperDrive& drive)
-{
-    const auto* press = std::get_if<PressTorque>(&drive);
-    return press ? press->torque : 0.0;
-}
-
-/// Returns the sign of a tip-up rotation as a rotation x → z: front positive, rear mirrored.
-double turnSign(const FlipperGeometry& flipper)
-{
-    return flipper.pivot.x >= 0.0 ? 1.0 : -1.0;
 }
 
 /// Potential energy of one robot on one stretch of ground, with its gradient and contacts.
@@ -94,7 +76,7 @@ private:
     static std::vector<Vec2> lineUnder(const RobotModel& robot, const TerrainProfile& terrain,
                                        double x, const GroundOptions& ground)
     {
-        const double reach = std::max(kMinReach, reachOf(robot) + ground.skin);
+        const double reach = searchReach(robot, ground);
         return terrain.sampled(x - reach, x + reach, ground.spacing);
     }
 
@@ -127,11 +109,9 @@ private:
         const Vec2 rearPivot = toWorld(pose, robot_.rear.pivot);
         double energy = 0.0;
         const auto add = [&](GroundContact::Part kind, Vec2 point, const Penetration& hit) {
-            const double firmDepth = std::max(0.0, hit.depth - ground_.softLayer);
-            const double firm = stiffness * firmDepth;
-            const double soft = ground_.softStiffness * hit.depth;
-            const double force = firm + soft;
-            energy += 0.5 * firm * firmDepth + 0.5 * soft * hit.depth;
+            const SkinSpring spring = skinSpring(hit.depth, stiffness, ground_);
+            const double force = spring.force;
+            energy += spring.energy;
             // The part's boundary moves outwards with n·v, and the depth changes by the same
             // amount.
             g[kZ] += force * hit.normal.z;
@@ -146,12 +126,8 @@ private:
                     {kind, point, {-force * hit.normal.x, -force * hit.normal.z}, hit.depth});
         };
         const auto touch = [&](GroundContact::Part kind, const auto& part) {
-            const auto before = [](Vec2 p, double x) { return p.x < x; };
-            const auto first = std::lower_bound(line_.begin(), line_.end(), part.xBegin(), before);
-            auto p = first;
-            for (; p != line_.end() && p->x <= part.xEnd(); ++p)
-                if (const auto hit = part.penetration(*p)) add(kind, *p, *hit);
-            looks_ += static_cast<std::size_t>(p - first);
+            looks_ +=
+                forEachHit(line_, part, [&](Vec2 p, const Penetration& hit) { add(kind, p, hit); });
         };
         touch(GroundContact::Part::Track, SkinHull(shape.track, ground_.skin));
         touch(GroundContact::Part::Front, SkinHull(shape.front, ground_.skin));
@@ -169,43 +145,32 @@ private:
     mutable std::size_t looks_;
 };
 
-Pose moved(Pose pose, const Gradient& step)
-{
-    pose.base.z += step[kZ];
-    pose.pitch += step[kPitch];
-    pose.front += step[kFront];
-    pose.rear += step[kRear];
-    return pose;
-}
-
-/// Newton's method on the free coordinates. The Hessian is the difference of analytic gradients.
-/// Its eigenvalues are replaced by their magnitude and kept away from 0, so that every step
-/// descends.
-class Descent {
+/// The plane's problem for NewtonDescent. The Hessian is the difference of analytic gradients.
+class PlaneProblem {
 public:
-    Descent(const Potential& potential, bool frontFree, bool rearFree)
+    using State = Pose;
+    using Vector = Gradient;
+    struct Derivatives {
+        Gradient gradient;  ///< 0 for the coordinates that are not free
+    };
+
+    PlaneProblem(const Potential& potential, bool frontFree, bool rearFree)
         : potential_(potential), free_{1.0, 1.0, frontFree ? 1.0 : 0.0, rearFree ? 1.0 : 0.0}
     {
     }
 
-    int iterations() const { return iterations_; }
-
-    void run(Pose& pose, double stiffness, int iterations)
+    double energy(const Pose& pose, double stiffness, Derivatives& derivatives) const
     {
         Gradient g;
-        double energy = potential_(pose, stiffness, &g, nullptr);
-        for (int k = 0; k < iterations; ++k, ++iterations_) {
-            g = g.cwiseProduct(free_);
-            const Gradient step = newtonStep(pose, g, stiffness);
-            if (-g.dot(step) < kSettled) return;
-            if (!lineSearch(pose, energy, g, step, stiffness)) return;
-        }
+        const double energy = potential_(pose, stiffness, &g, nullptr);
+        derivatives.gradient = g.cwiseProduct(free_);
+        return energy;
     }
 
-private:
-    Gradient newtonStep(const Pose& pose, const Gradient& g, double stiffness) const
+    Gradient step(const Pose& pose, double stiffness, const Derivatives& derivatives) const
     {
         constexpr double kDelta = 1e-7;
+        const Gradient& g = derivatives.gradient;
         Hessian h = Hessian::Zero();
         for (int i = 0; i < kFreedoms; ++i) {
             if (free_[i] == 0.0) continue;
@@ -214,62 +179,27 @@ private:
             h.col(i) = (shifted.cwiseProduct(free_) - g) / kDelta;
         }
         const Hessian symmetric = 0.5 * (h + h.transpose());
-        const Eigen::SelfAdjointEigenSolver<Hessian> eigen(symmetric);
-        const Gradient curvature = eigen.eigenvalues().cwiseAbs().cwiseMax(1.0);
-        Gradient step = -(eigen.eigenvectors()
-                          * (eigen.eigenvectors().transpose() * g).cwiseQuotient(curvature));
-        step = step.cwiseProduct(free_);
+        const Gradient step = newtonStep(symmetric, g).cwiseProduct(free_);
         const double longest =
             std::max(std::abs(step[kZ]) / 0.02, step.tail<3>().cwiseAbs().maxCoeff() / 0.1);
         return longest > 1.0 ? Gradient(step / longest) : step;
     }
 
-    bool lineSearch(Pose& pose, double& energy, Gradient& g, const Gradient& step,
-                    double stiffness) const
+    static Pose moved(Pose pose, const Gradient& step)
     {
-        double share = 1.0;
-        for (int halving = 0; halving < kHalvings; ++halving, share *= 0.5) {
-            const Pose candidate = moved(pose, share * step);
-            Gradient next;
-            const double e = potential_(candidate, stiffness, &next, nullptr);
-            if (e <= energy + 1e-4 * share * g.dot(step)) {
-                pose = candidate;
-                energy = e;
-                g = next;
-                return true;
-            }
-        }
-        return false;
+        pose.base.z += step[kZ];
+        pose.pitch += step[kPitch];
+        pose.front += step[kFront];
+        pose.rear += step[kRear];
+        return pose;
     }
 
+    static bool isLost(const Pose&) { return false; }
+
+private:
     const Potential& potential_;
     Gradient free_;
-    int iterations_ = 0;
 };
-
-double startAngle(const FlipperDrive& drive)
-{
-    if (const auto* hold = std::get_if<HoldAngle>(&drive)) return hold->angle;
-    return std::get<PressTorque>(drive).startAngle;
-}
-
-bool isFinite(const FlipperDrive& drive)
-{
-    return std::isfinite(startAngle(drive)) && std::isfinite(torqueOf(drive));
-}
-
-bool isPressed(const FlipperDrive& drive)
-{
-    return std::holds_alternative<PressTorque>(drive);
-}
-
-/// Returns true for a flipper that is held where it lies on the robot.
-bool isFolded(const FlipperDrive& drive)
-{
-    return !isPressed(drive) && std::abs(startAngle(drive)) > kMaxFlipper;
-}
-
-enum class Start { Above, Here };
 
 /// Lowers the robot from above `pose` onto the ground with growing contact stiffness, or continues
 /// from there.
@@ -278,13 +208,10 @@ RestPose settle(const RobotModel& robot, const TerrainProfile& terrain, Pose pos
                 Start start)
 {
     const Potential potential(robot, terrain, pose.base.x, front, rear, ground);
-    Descent descent(potential, isPressed(front), isPressed(rear));
-    if (start == Start::Above) {
-        pose.base.z = potential.clearHeight(pose);
-        descent.run(pose, ground.stiffness / 300.0, kSoftIterations);
-        descent.run(pose, ground.stiffness / 20.0, kSoftIterations);
-    }
-    descent.run(pose, ground.stiffness, kFinalIterations);
+    const PlaneProblem problem(potential, isPressed(front), isPressed(rear));
+    NewtonDescent descent(problem, ground.settled);
+    if (start == Start::Above) pose.base.z = potential.clearHeight(pose);
+    lower(descent, pose, ground.stiffness, start);
 
     RestPose rest;
     rest.pose = pose;
@@ -317,14 +244,8 @@ RestPose yielded(const RobotModel& robot, const TerrainProfile& terrain, const R
                  const GroundOptions& ground)
 {
     const double limit = 2.0 * robot.maxFlipperTorque;
-    const auto sustained = [limit](const FlipperDrive& drive, double torque) {
-        const bool overloaded = !isPressed(drive) && std::abs(torque) > limit;
-        return overloaded
-                 ? FlipperDrive{PressTorque{std::copysign(limit, torque), startAngle(drive)}}
-                 : drive;
-    };
-    const FlipperDrive front = sustained(rest.front, rest.frontTorque);
-    const FlipperDrive rear = sustained(rest.rear, rest.rearTorque);
+    const FlipperDrive front = sustained(rest.front, rest.frontTorque, limit);
+    const FlipperDrive rear = sustained(rest.rear, rest.rearTorque, limit);
     if (isPressed(front) == isPressed(rest.front) && isPressed(rear) == isPressed(rest.rear))
         return rest;
     RestPose after = settle(robot, terrain, rest.pose, front, rear, ground, Start::Here);
@@ -357,7 +278,8 @@ Result<RestPose> restPose(const RobotModel& robot, const TerrainProfile& terrain
     for (int axle = 0; axle < 2; ++axle)
         rest = yielded(robot, terrain, rest, ground);  // one axle may overload the other
     if (!std::isfinite(rest.energy)) return Error{"no rest pose: the search diverges", 0};
-    if (std::abs(rest.pose.pitch) > kMaxPitch) return Error{"no rest pose: the robot tips over", 0};
+    if (std::abs(rest.pose.pitch) > kMaxRestPitch)
+        return Error{"no rest pose: the robot tips over", 0};
     if (isFolded(rest.front) || isFolded(rest.rear))
         return Error{"no rest pose: a flipper turned beyond 143 degrees lies on the robot", 0};
     if (std::max(std::abs(rest.pose.front), std::abs(rest.pose.rear)) > kMaxFlipper)
@@ -367,30 +289,8 @@ Result<RestPose> restPose(const RobotModel& robot, const TerrainProfile& terrain
 
 std::array<double, kForceElements> elementForces(const RobotModel& robot, const RestPose& rest)
 {
-    std::array<double, kForceElements> force{};
-    const Vec2 start = elementPosition(robot, rest.pose, 0.0);
-    const Vec2 along = rotated({1.0, 0.0}, rest.pose.pitch + rest.pose.front);
-    const Vec2 up = rotated({0.0, 1.0}, rest.pose.pitch + rest.pose.front);
-    const double length = robot.front.edgeLength();
-    for (const GroundContact& c : rest.contacts) {
-        if (c.part != GroundContact::Part::Front) continue;
-        const double share = dot({c.point.x - start.x, c.point.z - start.z}, along) / length;
-        const double normal = 0.5 * std::max(0.0, dot(c.force, up));
-        if (share < 0.0) continue;
-        std::size_t e = 0;
-        while (e < kForceElements && robot.elementShare[e] < share) ++e;
-        if (e == 0) {
-            force.front() += normal;
-        } else if (e == kForceElements) {
-            force.back() += normal;
-        } else {
-            const double t = (share - robot.elementShare[e - 1])
-                           / (robot.elementShare[e] - robot.elementShare[e - 1]);
-            force[e - 1] += (1.0 - t) * normal;
-            force[e] += t * normal;
-        }
-    }
-    return force;
+    return edgeForces({robot.front, rest.pose.front, rest.pose}, robot.elementShare, rest.contacts,
+                      GroundContact::Part::Front, 0.5);
 }
 
 Proprioception exactReadings(const RobotModel& robot, const RestPose& rest)

@@ -2,40 +2,17 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
-#include <variant>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/robot/kinematics.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
+#include "core/sim/flipper_drive.h"
+#include "core/sim/ground_contact.h"
 #include "core/terrain/terrain_profile.h"
 
 namespace terratact {
-
-/// Flippers of an axle held at an angle. A load beyond the motors' torque still moves them.
-struct HoldAngle {
-    double angle = 0.0;  ///< [rad]
-};
-/// Flippers of an axle pressed by a torque until something holds them, or until kLowestFlipper.
-struct PressTorque {
-    double torque = 0.0;      ///< [N m] both flippers together, pressing down positive
-    double startAngle = 1.0;  ///< start of the descent [rad]
-};
-using FlipperDrive = std::variant<HoldAngle, PressTorque>;
-
-/// Pressed flippers that find no ground are stopped and held here [rad].
-inline constexpr double kLowestFlipper = -1.2;
-
-/// Contact force between ground and robot.
-struct GroundContact {
-    enum class Part { Track, Front, Rear, Body };
-    Part part = Part::Track;
-    Vec2 point;          ///< terrain's frame [m]
-    Vec2 force;          ///< on the robot [N]
-    double depth = 0.0;  ///< compression of the skin [m]
-};
 
 struct RestPose {
     Pose pose;  ///< base in the terrain's frame
@@ -49,18 +26,6 @@ struct RestPose {
     int iterations = 0;
     /// Number of ground points that were sampled or compared with a part.
     std::size_t terrainPoints = 0;
-};
-
-/// Constants of ground and solver. Every point of the terrain's line, sampled at `spacing`, has a
-/// spring. Between two springs a part of radius r sinks spacing²/8r deeper (0.1 mm for the
-/// flippers' tip). The skin absorbs that, so that the body stays above the ground.
-struct GroundOptions {
-    double spacing = 0.005;  ///< [m]
-    double skin = 2e-4;      ///< [m] thickness of the compressible skin around the robot
-    double stiffness = 5e6;  ///< [N/m] per point
-    /// Depth of soft ground on firm ground [m]; less than the least radius of the robot's parts.
-    double softLayer = 0.0;
-    double softStiffness = 0.0;  ///< stiffness of the soft layer, per point [N/m]
 };
 
 /// Returns the potential energy of a pose [J]: weight, flipper torques (τ·angle) and the compressed

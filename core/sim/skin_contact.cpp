@@ -25,7 +25,7 @@ std::optional<Penetration> inCircle(Vec2 centre, double radius, Vec2 q)
     if (length2 >= radius * radius) return std::nullopt;
     const double length = std::sqrt(length2);
     const Vec2 normal = length > 0.0 ? Vec2{r.x / length, r.z / length} : Vec2{0.0, -1.0};
-    return Penetration{normal, radius - length};
+    return Penetration{normal, radius - length, length};
 }
 
 }  // namespace
@@ -59,7 +59,8 @@ std::optional<Penetration> SkinHull::penetration(Vec2 p) const
     const double side = across < 0.0 ? -1.0 : 1.0;
     return Penetration{
         {sine_ * axis_.x - side * cosine_ * axis_.z, sine_ * axis_.z + side * cosine_ * axis_.x},
-        depth};
+        depth,
+        0.0};
 }
 
 SkinPolygon::SkinPolygon(const std::vector<Vec2>& polygon, double skin)
@@ -87,10 +88,10 @@ SkinPolygon::SkinPolygon(const std::vector<Vec2>& polygon, double skin)
 std::optional<Penetration> SkinPolygon::penetration(Vec2 p) const
 {
     if (p.z < zBegin_ || edges_.empty()) return std::nullopt;
-    Penetration nearest{{}, std::numeric_limits<double>::infinity()};
+    Penetration nearest{{}, std::numeric_limits<double>::infinity(), 0.0};
     for (const Edge& edge : edges_) {
         const double depth = skin_ - dot(edge.normal, minus(p, edge.corner));
-        if (depth < nearest.depth) nearest = {edge.normal, depth};
+        if (depth < nearest.depth) nearest = {edge.normal, depth, 0.0};
     }
     if (nearest.depth <= 0.0) return std::nullopt;
     return nearest;

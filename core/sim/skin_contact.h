@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -11,6 +13,8 @@ namespace terratact {
 struct Penetration {
     Vec2 normal;         ///< unit vector out of the part at the nearest point of its boundary
     double depth = 0.0;  ///< distance to that point, > 0 [m]
+    /// Distance from p to the centre of the boundary's circle [m]; 0 on a straight side.
+    double toCentre = 0.0;
 };
 
 /// Part of the robot with a skin [m], prepared for many queries. If one circle contains the other,
@@ -54,5 +58,18 @@ private:
     double skin_;
     double xBegin_, xEnd_, zBegin_;
 };
+
+/// Calls hit(point, penetration) for every point of a line along x that lies inside of the part.
+/// Returns how many points it compared with the part.
+template <class Part, class Hit>
+std::size_t forEachHit(const std::vector<Vec2>& line, const Part& part, Hit hit)
+{
+    const auto before = [](Vec2 p, double x) { return p.x < x; };
+    const auto first = std::lower_bound(line.begin(), line.end(), part.xBegin(), before);
+    auto p = first;
+    for (; p != line.end() && p->x <= part.xEnd(); ++p)
+        if (const auto found = part.penetration(*p)) hit(*p, *found);
+    return static_cast<std::size_t>(p - first);
+}
 
 }  // namespace terratact
