@@ -84,6 +84,16 @@ private:
     double startPitch_;
 };
 
+std::vector<double> stopsBetween(double begin, double end, double spacing)
+{
+    const double first = begin + kBehind;
+    const double last = end - kAhead;
+    if (last < first) return {begin - binCentre(0)};
+    std::vector<double> stops;
+    for (int k = 0; first + spacing * k <= last; ++k) stops.push_back(first + spacing * k);
+    return stops;
+}
+
 }  // namespace
 
 DriveStyle randomDriveStyle(std::mt19937_64& rng)
@@ -104,12 +114,12 @@ GroundOptions randomSoftGround(std::mt19937_64& rng)
 
 std::vector<double> stopsOver(const TerrainProfile& terrain, double spacing)
 {
-    const double first = terrain.begin() + kBehind;
-    const double last = terrain.end() - kAhead;
-    if (last < first) return {terrain.begin() - binCentre(0)};
-    std::vector<double> stops;
-    for (int k = 0; first + spacing * k <= last; ++k) stops.push_back(first + spacing * k);
-    return stops;
+    return stopsBetween(terrain.begin(), terrain.end(), spacing);
+}
+
+std::vector<double> stopsOver(const GroundLines& terrain, double spacing)
+{
+    return stopsBetween(terrain.begin(), terrain.end(), spacing);
 }
 
 std::vector<Scene> driveOver(const RobotModel& robot, const TerrainProfile& terrain,

@@ -9,6 +9,7 @@
 #include "core/robot/robot_model.h"
 #include "core/sim/rest_pose.h"
 #include "core/sim/sensor_noise.h"
+#include "core/terrain/ground_lines.h"
 #include "core/terrain/terrain_profile.h"
 
 namespace terratact {
@@ -43,6 +44,8 @@ GroundOptions randomSoftGround(std::mt19937_64& rng);
 /// every `spacing`, while the robot and its bins stay over the terrain. A terrain that is too short
 /// gives one position, with bin −0.3 on its first point.
 std::vector<double> stopsOver(const TerrainProfile& terrain, double spacing);
+/// Returns the same over the x that all lines of a ground cover.
+std::vector<double> stopsOver(const GroundLines& terrain, double spacing);
 
 /// Drives over the stops in order and measures a scene at each. The front flippers are pressed down
 /// from above, and the robot rests, after sliding if conditions.slide allows it. Sensors are read

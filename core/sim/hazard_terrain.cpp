@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "core/base/named.h"
+#include "core/sim/random_draw.h"
+#include "core/sim/random_ground.h"
 #include "core/sim/random_terrain.h"
 #include "core/sim/terrain_path.h"
 #include "core/sim/terrain_shapes.h"
@@ -15,51 +17,56 @@ namespace {
 constexpr auto kHazardNames =
     namesOf<Hazard>("drop", "gap", "pit", "ditch", "ramp-drop", "wall", "lip");
 
-double between(std::mt19937_64& rng, double low, double high)
-{
-    return std::uniform_real_distribution<double>(low, high)(rng);
-}
-
-double logBetween(std::mt19937_64& rng, double low, double high)
-{
-    return low * std::exp(between(rng, 0.0, std::log(high / low)));
-}
-
 void addDitch(TerrainPath& path, double depth, std::mt19937_64& rng)
 {
-    const double down = between(rng, 0.52, 1.22);
-    const double up = between(rng, 0.52, 1.22);
+    const double down = uniform(rng, 0.52, 1.22);
+    const double up = uniform(rng, 0.52, 1.22);
     path.rise(depth / std::tan(down), -depth);
-    path.level(between(rng, 0.0, 0.4));
+    path.level(uniform(rng, 0.0, 0.4));
     path.rise(depth / std::tan(up), depth);
 }
 
 void addHazardShape(TerrainPath& path, Hazard hazard, std::mt19937_64& rng)
 {
-    const double size = logBetween(rng, kShallowestHazard, kDeepestHazard);
+    const double size = logUniform(rng, kShallowestHazard, kDeepestHazard);
     switch (hazard) {
     case Hazard::Drop: return path.face(-size);
     case Hazard::Wall: return path.face(size);
     case Hazard::Ditch: return addDitch(path, size, rng);
     case Hazard::Gap:
         path.face(-size);
-        path.level(logBetween(rng, 0.15, 1.2));
+        path.level(logUniform(rng, 0.15, 1.2));
         return path.face(size);
     case Hazard::Pit:
         path.face(-size);
-        path.level(between(rng, 0.2, 1.2));
-        return path.face(size + between(rng, -0.3, 0.3));
+        path.level(uniform(rng, 0.2, 1.2));
+        return path.face(size + uniform(rng, -0.3, 0.3));
     case Hazard::RampDrop:
-        path.slope(between(rng, 0.2, 0.8), between(rng, 0.05, 0.35));
+        path.slope(uniform(rng, 0.2, 0.8), uniform(rng, 0.05, 0.35));
         return path.face(-size);
     case Hazard::Lip: {
-        const double lip = between(rng, 0.03, 0.12);
+        const double lip = uniform(rng, 0.03, 0.12);
         path.face(lip);
-        path.level(between(rng, 0.05, 0.15));
+        path.level(uniform(rng, 0.05, 0.15));
         return path.face(-size - lip);
     }
     }
     throw std::invalid_argument("addHazardShape: no such Hazard");
+}
+
+void checkRoughness(double roughness)
+{
+    if (!(roughness >= 0.0) || !std::isfinite(roughness))
+        throw std::invalid_argument("randomHazardTerrain: the roughness must be 0 m³ or more");
+}
+
+/// Returns level ground, the hazard, and level ground.
+TerrainProfile hazardShape(Hazard hazard, std::mt19937_64& rng)
+{
+    TerrainPath path;
+    path.level(uniform(rng, kHazardBegin, kHazardEnd));
+    addHazardShape(path, hazard, rng);
+    return std::move(path).finish(kRandomTerrainLength);
 }
 
 }  // namespace
@@ -76,14 +83,26 @@ std::optional<Hazard> hazardFromName(std::string_view text)
 
 TerrainProfile randomHazardTerrain(Hazard hazard, double roughness, std::mt19937_64& rng)
 {
-    if (!(roughness >= 0.0) || !std::isfinite(roughness))
-        throw std::invalid_argument("randomHazardTerrain: the roughness must be 0 m³ or more");
-    TerrainPath path;
-    path.level(between(rng, kHazardBegin, kHazardEnd));
-    addHazardShape(path, hazard, rng);
-    TerrainProfile ground = std::move(path).finish(kRandomTerrainLength);
+    checkRoughness(roughness);
+    TerrainProfile ground = hazardShape(hazard, rng);
     if (roughness == 0.0) return ground;
     return sum(ground, isoRoughness(roughness, kRandomTerrainLength, rng));
+}
+
+GroundLines randomHazardGround(Hazard hazard, HazardSide side, double roughness,
+                               const std::vector<double>& ys, std::mt19937_64& rng)
+{
+    checkRoughness(roughness);
+    const TerrainProfile shape = hazardShape(hazard, rng);
+    const TerrainProfile level = flatTerrain(kRandomTerrainLength);
+    std::vector<GroundLine> lines;
+    for (const double y : ys) {
+        const bool has = side == HazardSide::Both || (side == HazardSide::Left) == (y > 0.0);
+        lines.push_back({y, has ? shape : level});
+    }
+    if (roughness > 0.0)
+        addRoughness(lines, roughness, uniform(rng, kLeastCorrelation, kMostCorrelation), rng);
+    return GroundLines(std::move(lines));
 }
 
 }  // namespace terratact

@@ -5,7 +5,9 @@
 #include <optional>
 #include <random>
 #include <string_view>
+#include <vector>
 
+#include "core/terrain/ground_lines.h"
 #include "core/terrain/terrain_profile.h"
 
 namespace terratact {
@@ -39,5 +41,14 @@ inline constexpr double kHazardEnd = 3.0;
 /// ground up to kRandomTerrainLength (core/sim/random_terrain.h).
 ///   roughness: G(n₀) [m³] of isoRoughness() added everywhere; 0: exactly level ground.
 TerrainProfile randomHazardTerrain(Hazard hazard, double roughness, std::mt19937_64& rng);
+
+/// Sides of a robot on which a hazard lies.
+enum class HazardSide : std::uint8_t { Left, Right, Both };
+
+/// Returns randomHazardTerrain() under two tracks, with a line at each y of `ys`. A hazard on one side
+/// ends at y = 0, and the other side is level. Roughness is correlated between the lines
+/// (core/sim/random_ground.h).
+GroundLines randomHazardGround(Hazard hazard, HazardSide side, double roughness,
+                               const std::vector<double>& ys, std::mt19937_64& rng);
 
 }  // namespace terratact

@@ -6,37 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/sim/random_draw.h"
 #include "core/sim/terrain_path.h"
 #include "core/sim/terrain_shapes.h"
 
 namespace terratact {
 
 namespace {
-
-double uniform(std::mt19937_64& rng, double low, double high)
-{
-    return std::uniform_real_distribution<double>(low, high)(rng);
-}
-
-int whole(std::mt19937_64& rng, int low, int high)
-{
-    return std::uniform_int_distribution<int>(low, high)(rng);
-}
-
-bool chance(std::mt19937_64& rng, double probability)
-{
-    return uniform(rng, 0.0, 1.0) < probability;
-}
-
-// Each random draw is a statement of its own. The evaluation order of operands is the compiler's
-// choice, but the same seed must give the same ground.
-
-/// Returns a value of that size, up or down.
-double eitherWay(std::mt19937_64& rng, double low, double high)
-{
-    const double size = uniform(rng, low, high);
-    return chance(rng, 0.5) ? size : -size;
-}
 
 void addStep(TerrainPath& path, std::mt19937_64& rng)
 {
@@ -74,18 +50,10 @@ void addBlock(TerrainPath& path, double sign, Range heights, Range widths, std::
     path.face(-height * (chance(rng, 0.7) ? 1.0 : uniform(rng, 0.3, 1.3)));
 }
 
-/// Adds half a wave up or down: a log, a mound, a furrow.
 void addHump(TerrainPath& path, std::mt19937_64& rng)
 {
-    constexpr int kPosts = 16;
     const double height = eitherWay(rng, 0.03, 0.25);
-    const double width = uniform(rng, 0.2, 1.2);
-    double before = 0.0;
-    for (int k = 1; k <= kPosts; ++k) {
-        const double now = height * std::sin(std::numbers::pi * k / kPosts);
-        path.rise(width / kPosts, now - before);
-        before = now;
-    }
+    path.hump(uniform(rng, 0.2, 1.2), height);
 }
 
 void addFeature(TerrainPath& path, std::mt19937_64& rng)
@@ -123,18 +91,6 @@ TerrainProfile builtGround(std::mt19937_64& rng)
     return std::move(path).stretched(stretch);
 }
 
-/// Returns the roughness of an ISO 8608 class, 0 for A; a fraction lies between two classes.
-double classRoughness(double roughnessClass)
-{
-    return 16e-6 * std::pow(4.0, roughnessClass);
-}
-
-TerrainProfile roughness(double fromClass, double toClass, std::mt19937_64& rng)
-{
-    return isoRoughness(classRoughness(uniform(rng, fromClass, toClass)), kRandomTerrainLength,
-                        rng);
-}
-
 TerrainProfile naturalGround(std::mt19937_64& rng)
 {
     TerrainPath path;
@@ -146,7 +102,7 @@ TerrainProfile naturalGround(std::mt19937_64& rng)
             path.face(eitherWay(rng, 0.03, 0.25));
         path.level(uniform(rng, 0.2, 2.5));
     }
-    return sum(std::move(path).finish(kRandomTerrainLength), roughness(3.0, 6.0, rng));
+    return sum(std::move(path).finish(kRandomTerrainLength), randomRoughness(3.0, 6.0, rng));
 }
 
 TerrainProfile stepField(std::mt19937_64& rng)
@@ -169,15 +125,26 @@ TerrainProfile someGround(std::mt19937_64& rng)
     const double kind = uniform(rng, 0.0, 1.0);
     if (kind < 0.50) {
         const TerrainProfile built = builtGround(rng);
-        return sum(built, roughness(0.0, 4.0, rng));
+        return sum(built, randomRoughness(0.0, 4.0, rng));
     }
     if (kind < 0.75) return naturalGround(rng);
     if (kind < 0.85) return stepField(rng);
     const TerrainProfile built = builtGround(rng);
-    return sum(built, roughness(3.0, 6.0, rng));
+    return sum(built, randomRoughness(3.0, 6.0, rng));
 }
 
 }  // namespace
+
+double classRoughness(double roughnessClass)
+{
+    return 16e-6 * std::pow(4.0, roughnessClass);
+}
+
+TerrainProfile randomRoughness(double fromClass, double toClass, std::mt19937_64& rng)
+{
+    return isoRoughness(classRoughness(uniform(rng, fromClass, toClass)), kRandomTerrainLength,
+                        rng);
+}
 
 TerrainProfile randomBoxTerrain(std::mt19937_64& rng)
 {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,18 @@ public:
     void level(double length) { rise(length, 0.0); }
     void face(double height) { rise(0.0, height); }
     void slope(double length, double angle) { rise(length, length * std::tan(angle)); }
+
+    /// Adds half a wave up or down: a log, a mound, a furrow.
+    void hump(double width, double height)
+    {
+        constexpr int kPosts = 16;
+        double before = 0.0;
+        for (int k = 1; k <= kPosts; ++k) {
+            const double now = height * std::sin(std::numbers::pi * k / kPosts);
+            rise(width / kPosts, now - before);
+            before = now;
+        }
+    }
 
     /// Returns the profile, with level ground up to `length`.
     TerrainProfile finish(double length) &&
