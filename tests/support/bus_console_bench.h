@@ -117,7 +117,8 @@ struct BusConsole : testing::Test, RobotOnBench {
                                         ModelLoader loader) const
     {
         CanSource::Options source{.mode = mode,
-                                  .link = {.gate = {.operatorAge = operatorAge}},
+                                  .link = {.gate = {.operatorAge = operatorAge,
+                                                    .operatorPause = std::max(1.0, operatorAge)}},
                                   .waits = mode == CanSource::Mode::Replay};
         if (recording) source.received = [to = recording](auto frames) { to->add(frames); };
         MainWindow::Options options = linked(std::move(end), std::move(source));
@@ -239,8 +240,9 @@ struct BusConsole : testing::Test, RobotOnBench {
         return gui::eventually([&] { return window->exploration().state().phase == phase; }, 60000);
     }
 
-    double operatorAge =
-        1.0;  // [s] dead-man timeout, instead of 0.1: only tests that freeze the window need the short one
+    /// [s] dead-man timeout, also at rest. On a busy machine the window may paint for longer than the real 0.1 s and
+    /// 1 s, which core/atem tests with a simulated clock. Only tests that freeze the window need the real ones.
+    double operatorAge = 60.0;
     std::shared_ptr<SessionRecorder> recording{};  // used by consoles that are opened later
     std::unique_ptr<MainWindow> window;
 };

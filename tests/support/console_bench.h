@@ -161,8 +161,7 @@ struct Console : testing::Test {
                                        + std::to_string(screen.size.width());
                 EXPECT_GE(lookInForce().fontScale, std::min(wanted, screen.largest)) << what;
                 EXPECT_EQ(window->preferences().current().fontScale, wanted);
-                (void)gui::eventually([&] { return gui::cramped(*window).empty(); },
-                                      1000);  // waits for the layout
+                (void)gui::eventually([&] { return gui::cramped(*window).empty(); });
                 EXPECT_EQ(gui::cramped(*window), std::vector<std::string>()) << what;
                 EXPECT_EQ(window->size(), screen.size) << what;
                 const QPushButton& stop = *window->header()->stopButton();

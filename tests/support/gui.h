@@ -225,7 +225,7 @@ inline std::vector<std::string> cutText(const QWidget& window)
 /// Returns the cut texts that remain after the layout has settled.
 inline std::vector<std::string> cutWhenSettled(const QWidget& window)
 {
-    (void)eventually([&] { return cutText(window).empty(); }, 2000);
+    (void)eventually([&] { return cutText(window).empty(); });
     return cutText(window);
 }
 
@@ -300,7 +300,7 @@ inline std::vector<std::string> overlaps(const QWidget& window)
 /// Returns the overlaps that remain after the layout has settled.
 inline std::vector<std::string> overlapsWhenSettled(const QWidget& window)
 {
-    (void)eventually([&] { return overlaps(window).empty(); }, 2000);
+    (void)eventually([&] { return overlaps(window).empty(); });
     return overlaps(window);
 }
 

@@ -194,7 +194,7 @@ TEST_F(Console, stopWorksByKeyAndByMouseWhileAMenuIsOpen)
                 QTest::keyClick(&menu, *key);
             else
                 clickStop();
-            EXPECT_TRUE(eventually([&] { return stops > 0; }, 2000))
+            EXPECT_TRUE(eventually([&] { return stops > 0; }))
                 << button->accessibleName().toStdString() << (key ? ", key" : ", mouse");
             EXPECT_EQ(stopsPressed(), 1);
             menu.hide();

@@ -196,13 +196,15 @@ TEST_F(Console, noUserActionBlocksForLong)
                                    QTest::keyClick(sheet, Qt::Key_F1);
                            }});
     }
-    constexpr int kRounds =
-        3;  // The minimum counts, because other load lengthens processor time, too.
-    for (int round = 0; round < kRounds; ++round)
+    // The minimum counts, because other programs lengthen processor time, too: they take the caches.
+    constexpr int kMaxRounds = 30;
+    constexpr double kLimit = 50.0;  // [ms]
+    const auto isSlow = [](const Action& action) { return action.took >= kLimit; };
+    for (int round = 0; round < kMaxRounds && std::ranges::any_of(actions, isSlow); ++round)
         for (Action& action : actions) action.took = std::min(action.took, longestOf(action.act));
     for (const Action& action : actions) {
         std::printf("%-12s %6.1f ms\n", action.name.c_str(), action.took);
-        EXPECT_LT(action.took, 50.0) << action.name;
+        EXPECT_LT(action.took, kLimit) << action.name;
     }
 }
 

@@ -40,7 +40,7 @@ TEST_F(Console, everyPageShowsTheApprovalExpiryOfAProposal)
         const std::string where = std::to_string(page);
         EXPECT_TRUE(eventually(tells)) << where;
         EXPECT_TRUE(terrain.text().contains(QRegularExpression("arm\\? [0-9]:[0-9]{2}"))) << where;
-        EXPECT_TRUE(eventually([&] { return gui::cramped(*window).empty(); }, 2000)) << where;
+        EXPECT_TRUE(eventually([&] { return gui::cramped(*window).empty(); })) << where;
         EXPECT_EQ(window->rail()->width(), wide) << where;
     }
     QTest::keyClick(window.get(), Qt::Key_F3);

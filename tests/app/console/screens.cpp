@@ -291,7 +291,7 @@ void Screens::poll(std::string_view name, const QStringList& says, QWidget* abov
     EXPECT_FALSE(says.isEmpty()) << name << ": what does it show?";
     (void)eventually([&] { return unsaid().isEmpty(); }, 15000);
     QTest::qWait(kSettles);
-    (void)eventually([&] { return untidy().empty(); }, 3000);  // a busy machine lays out late
+    (void)eventually([&] { return untidy().empty(); });  // a busy machine lays out late
     for (const QString& text : unsaid())
         ADD_FAILURE() << name << " does not say: " << text.toStdString();
     for (const std::string& text : untidy()) ADD_FAILURE() << "in " << name << ": " << text;
@@ -371,7 +371,10 @@ void Screens::open(const Setting& setting)
         CanSource::Options{
             .mode = setting.mode,
             .name = transmits ? "SIMULATED ROBOT" : "",
-            .link = {.gate = {.statusAge = 3.0, .answerAge = 3.0, .operatorAge = 3.0}},
+            .link = {.gate = {.statusAge = 3.0,
+                              .answerAge = 3.0,
+                              .operatorAge = 60.0,
+                              .operatorPause = 60.0}},
             .truth = [this] { return robot->truth(); },
             .bitrate = 500e3,
             .received = [recorder](std::span<const BusFrame> frames) { recorder->add(frames); }});

@@ -392,8 +392,7 @@ TEST_F(Screens, probe)
         ASSERT_TRUE(
             eventually([&] { return exploration.estimation().second().has_value(); }, 60000));
         console->terrain()->inspect(8);
-        ASSERT_TRUE(
-            eventually([&] { return console->findChild<BinInspector*>()->isVisible(); }, 5000));
+        ASSERT_TRUE(eventually([&] { return console->findChild<BinInspector*>()->isVisible(); }));
         picture("draws_second_method_and_a_bin_up_close",
                 console->findChild<BinInspector*>()->lines() << question);
         console->terrain()->inspect(std::nullopt);

@@ -145,7 +145,7 @@ struct Windows : testing::Test {
                     EXPECT_TRUE(wasStopped()) << name << ", by " << by << ", " << key;
                 }
                 if (focus) QTest::keyClick(focus, Qt::Key_Escape);
-                EXPECT_TRUE(eventually([&] { return !other || !other->isVisible(); }, 5000))
+                EXPECT_TRUE(eventually([&] { return !other || !other->isVisible(); }))
                     << name << ", by " << by << ": Esc closes it";
                 if (other) other->hide();
             }

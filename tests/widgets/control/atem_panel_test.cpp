@@ -193,7 +193,7 @@ TEST_F(Atem, listsWhatTheNextCommandNeeds)
     EXPECT_TRUE(shows("Releasing STOP needs:") && shows("reports stopped"));
     panel.setNarrow(true);
     panel.setFixedWidth(300);
-    EXPECT_TRUE(gui::eventually([&] { return gui::cutText(panel).empty(); }, 2000));
+    EXPECT_TRUE(gui::eventually([&] { return gui::cutText(panel).empty(); }));
     panel.forbidCommands();
     EXPECT_FALSE(panel.needsButton()->isVisible());
 }

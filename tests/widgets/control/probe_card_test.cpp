@@ -122,7 +122,7 @@ TEST_F(Probe, narrowCardShowsAllFactsInFewerWords)
         EXPECT_TRUE(text.contains(QString::fromUtf8(words))) << words << " in\n"
                                                              << text.toStdString();
     EXPECT_EQ(card.otherButton(0)->text(), "1: 0.7 m");
-    EXPECT_TRUE(gui::eventually([&] { return gui::cramped(card).empty(); }, 2000));
+    EXPECT_TRUE(gui::eventually([&] { return gui::cramped(card).empty(); }));
     for (const std::string& trouble : gui::cramped(card)) ADD_FAILURE() << trouble;
 }
 
@@ -133,7 +133,7 @@ TEST_F(Probe, fitsWithoutScrollingInA1280x720Window)
     card.setFixedSize(404, 273);
     for (const ProbeProposal& proposal : {kProposal, decided}) {
         card.setProposal(proposal);
-        EXPECT_TRUE(gui::eventually([&] { return gui::cramped(card).empty(); }, 1000));
+        EXPECT_TRUE(gui::eventually([&] { return gui::cramped(card).empty(); }));
         for (const std::string& trouble : gui::cramped(card)) ADD_FAILURE() << trouble;
     }
 }
@@ -200,7 +200,7 @@ TEST_F(Probe, showsTheFactsReadOnlyWithoutAProposal)
             EXPECT_TRUE(text.contains(QString::fromUtf8(words))) << words << " in\n"
                                                                  << text.toStdString();
         EXPECT_FALSE(text.contains("left")) << "no question runs out";
-        EXPECT_TRUE(gui::eventually([&] { return gui::cramped(card).empty(); }, 2000));
+        EXPECT_TRUE(gui::eventually([&] { return gui::cramped(card).empty(); }));
         for (const std::string& trouble : gui::cramped(card)) ADD_FAILURE() << trouble;
     }
     for (const QPushButton* button : card.findChildren<QPushButton*>())
