@@ -36,6 +36,9 @@ Result<SceneFile> readScenes(const std::string& path);
 /// Reads scenes from an open CSV, as readScenes().
 Result<SceneFile> readScenes(CsvReader csv);
 
+/// Reads scenes from a CSV whose current record is the header.
+Result<SceneFile> readScenesFromHere(CsvReader csv);
+
 /// Reads scenes, and drops those without any known height; a notice has their number. It is an
 /// error if none is left.
 Result<SceneFile> readScenesWithTruth(const std::string& path);

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/message.h"
+#include "core/base/result.h"
+#include "core/learn/data/columns.h"
+#include "core/store/csv_reader.h"
+
+namespace terratact {
+
+// Rows of every kind of scenes file: a run, a time and numbers.
+
+/// Numbers of a scenes file, after the columns run and t_s.
+struct SceneColumns {
+    std::vector<Column> columns;
+    std::size_t neverEmpty = 0;  ///< the first columns have a number in every row
+    std::size_t required = 0;  ///< the first columns must be in the file, the others may be missing
+    std::vector<std::string_view> heightPrefixes;  ///< before the number in a height column: "h_"
+    std::string_view heightColumns;                ///< names of the height columns, for an error
+};
+
+struct SceneRow {
+    std::string run;
+    double time = 0.0;                          ///< [s]
+    std::vector<std::optional<double>> values;  ///< in the order of SceneColumns
+};
+
+/// Reads rows from a CSV whose current record is the header, and calls `add` for each. Returns
+/// notices, such as unknown columns that were ignored. Errors are those of readScenes()
+/// (core/learn/data/scene_file.h). The row belongs to the reader and is overwritten after `add`.
+Result<std::vector<Message>> readSceneRows(CsvReader& csv, const SceneColumns& columns,
+                                           const std::function<void(SceneRow&)>& add);
+
+/// Returns the header of the file.
+std::string sceneHeader(const SceneColumns& columns);
+
+/// Returns a row as a line. Numbers are the shortest that read back equal. Throws
+/// std::invalid_argument for what the reader would refuse.
+std::string sceneLine(const SceneColumns& columns, const SceneRow& row);
+
+}  // namespace terratact
