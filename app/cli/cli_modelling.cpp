@@ -84,11 +84,16 @@ void addSimulate(CLI::App& app, Job& job)
     c->add_option("--soft-drives", o->softDrives,
                   "Share of the drives over ground into which the robot sinks (default 0)")
         ->check(CLI::Range(0.0, 1.0));
+    CLI::Option* const tracks =
+        c->add_flag("--tracks", o->tracks,
+                    "Scenes of left and right: ground under two tracks; a file may have lines "
+                    "with y_m");
     const auto disturbed = std::make_shared<std::variant<Disturbance, SensorFault>>();
     addParsed(*c, "--disturb", *disturbed, disturbedFrom, kDisturbWords,
               fmt::format("is none of {}, nor {}", kDisturbWords, sensorFaultSyntax()),
               "What the estimator does not know of (default none): of the world, or of sensors "
-              "that lie (stuck:pitch, late:front; FAULTS in the manual page)");
+              "that lie (stuck:pitch, late:front; FAULTS in the manual page)")
+        ->excludes(tracks);
     c->callback([o, disturbed, &job] {
         if (const auto* known = std::get_if<Disturbance>(disturbed.get())) o->disturbance = *known;
         if (const auto* fault = std::get_if<SensorFault>(disturbed.get())) o->sensorFault = *fault;

@@ -6,16 +6,22 @@
 #include <memory>
 #include <numeric>
 #include <random>
+#include <type_traits>
 
 #include "app/cli/commands.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/text_output.h"
+#include "core/learn/data/ground_file.h"
 #include "core/learn/data/profile_file.h"
 #include "core/learn/data/scene_file.h"
+#include "core/learn/data/two_track_scene_file.h"
 #include "core/sim/drive.h"
 #include "core/sim/hazard_terrain.h"
+#include "core/sim/random_draw.h"
+#include "core/sim/random_ground.h"
 #include "core/sim/random_terrain.h"
 #include "core/sim/terrain_shapes.h"
+#include "core/sim/two_track_drive.h"
 
 namespace terratact {
 
@@ -49,7 +55,9 @@ DriveConditions nextConditions(const SimulateOptions& options, const RobotModel&
 {
     SensorNoise noise;
     if (options.exactTruth) noise.height = 0.0;
-    DriveConditions conditions = disturbedDrive(noise, robot.forceSaturation, options.disturbance);
+    DriveConditions conditions{.noise = noise};
+    if (!options.tracks)
+        conditions = disturbedDrive(noise, robot.forceSaturation, options.disturbance);
     if (options.softDrives > 0.0
         && std::uniform_real_distribution<double>(0.0, 1.0)(rng) < options.softDrives)
         conditions.ground = randomSoftGround(rng);
@@ -58,20 +66,27 @@ DriveConditions nextConditions(const SimulateOptions& options, const RobotModel&
     return conditions;
 }
 
+template <class AnyScene>
 struct Recording {
-    std::vector<Scene> scenes;
+    std::vector<AnyScene> scenes;
     int skipped = 0;
 };
 
+/// Kind of a drive's scenes: of one plane over profiles, of two tracks over ground lines.
+template <class Ground>
+using SceneOver = std::conditional_t<std::is_same_v<Ground, GroundLines>, TwoTrackScene, Scene>;
+
 /// Makes `runs` drives over random ground; stops are spread evenly so that `count` scenes result.
-Recording drivePreset(const RobotModel& robot, const SimulateOptions& options, int runs, int count,
-                      const std::function<TerrainProfile(std::mt19937_64&)>& ground,
-                      const std::function<DriveStyle(std::mt19937_64&)>& style)
+template <class Ground>
+Recording<SceneOver<Ground>> drivePreset(const RobotModel& robot, const SimulateOptions& options,
+                                         int runs, int count,
+                                         const std::function<Ground(std::mt19937_64&)>& ground,
+                                         const std::function<DriveStyle(std::mt19937_64&)>& style)
 {
     std::mt19937_64 rng(options.seed);
-    Recording recording;
+    Recording<SceneOver<Ground>> recording;
     for (int run = 0; run < runs; ++run) {
-        const TerrainProfile terrain = ground(rng);
+        const Ground terrain = ground(rng);
         const int stops = (count * (run + 1)) / runs - (count * run) / runs;
         const std::vector<double> all = stopsOver(terrain, 0.01);
         std::vector<double> chosen;
@@ -90,8 +105,9 @@ Recording drivePreset(const RobotModel& robot, const SimulateOptions& options, i
 }
 
 /// Makes every stop over every profile, or `count` of them at random.
-Recording driveProfiles(const RobotModel& robot, const SimulateOptions& options,
-                        const std::vector<TerrainProfile>& profiles)
+template <class Ground>
+Recording<SceneOver<Ground>> driveProfiles(const RobotModel& robot, const SimulateOptions& options,
+                                           const std::vector<Ground>& profiles)
 {
     std::vector<std::vector<double>> stops;
     std::vector<std::size_t> owner;
@@ -107,7 +123,7 @@ Recording driveProfiles(const RobotModel& robot, const SimulateOptions& options,
         order.resize(static_cast<std::size_t>(options.count));
         std::sort(order.begin(), order.end());
     }
-    Recording recording;
+    Recording<SceneOver<Ground>> recording;
     std::size_t firstOfProfile = 0;
     auto next = order.begin();
     for (std::size_t p = 0; p < profiles.size(); ++p) {
@@ -124,39 +140,105 @@ Recording driveProfiles(const RobotModel& robot, const SimulateOptions& options,
     return recording;
 }
 
-/// Returns a random hazard on level ground, or on roughness of ISO 8608 classes A to D.
-TerrainProfile anyHazard(std::mt19937_64& rng)
+Hazard anyHazard(std::mt19937_64& rng)
 {
     std::uniform_int_distribution<std::size_t> kind(0, kHazards.size() - 1);
-    const Hazard hazard = kHazards.at(kind(rng));
-    const double roughnessClass = std::uniform_real_distribution<double>(-1.0, 3.0)(rng);
-    const double roughness = roughnessClass < 0.0 ? 0.0 : 16e-6 * std::pow(4.0, roughnessClass);
-    return randomHazardTerrain(hazard, roughness, rng);
+    return kHazards.at(kind(rng));
 }
 
-Result<Recording> drive(const RobotModel& robot, const SimulateOptions& options)
+/// Returns 0 for level ground, or the roughness of an ISO 8608 class A to D.
+double anyRoughness(std::mt19937_64& rng)
 {
-    const int count = options.count > 0 ? options.count : kPresetScenes;
-    if (options.terrain == "boxes") {
-        const auto style = [](std::mt19937_64& rng) {
-            return DriveStyle{std::uniform_real_distribution<double>(0.05, 0.45)(rng),
-                              DriveStyle{}.pressTorque};
-        };
-        return drivePreset(robot, options, kBoxRuns, count, randomBoxTerrain, style);
-    }
-    if (options.terrain == "varied") {
-        constexpr int kScenesPerRun = 8;
-        const int runs = std::max(1, count / kScenesPerRun);
-        return drivePreset(robot, options, runs, count, randomVariedTerrain, randomDriveStyle);
-    }
+    const double roughnessClass = std::uniform_real_distribution<double>(-1.0, 3.0)(rng);
+    return roughnessClass < 0.0 ? 0.0 : classRoughness(roughnessClass);
+}
+
+DriveStyle boxStyle(std::mt19937_64& rng)
+{
+    return {std::uniform_real_distribution<double>(0.05, 0.45)(rng), DriveStyle{}.pressTorque};
+}
+
+constexpr int kVariedScenesPerRun = 8, kHazardScenesPerRun = 16;
+
+/// Returns how many scenes of a preset are wanted.
+int scenesOf(const SimulateOptions& options)
+{
+    return options.count > 0 ? options.count : kPresetScenes;
+}
+
+Result<Recording<Scene>> driveOnPlane(const RobotModel& robot, const SimulateOptions& options)
+{
+    using Ground = std::function<TerrainProfile(std::mt19937_64&)>;
+    const int count = scenesOf(options);
+    if (options.terrain == "boxes")
+        return drivePreset(robot, options, kBoxRuns, count, Ground(randomBoxTerrain), boxStyle);
+    if (options.terrain == "varied")
+        return drivePreset(robot, options, std::max(1, count / kVariedScenesPerRun), count,
+                           Ground(randomVariedTerrain), randomDriveStyle);
     if (options.terrain == "hazards") {
-        constexpr int kScenesPerRun = 16;
-        const int runs = std::max(1, count / kScenesPerRun);
-        return drivePreset(robot, options, runs, count, anyHazard, randomDriveStyle);
+        const Ground ground = [](std::mt19937_64& rng) {
+            const Hazard hazard = anyHazard(rng);
+            return randomHazardTerrain(hazard, anyRoughness(rng), rng);
+        };
+        return drivePreset(robot, options, std::max(1, count / kHazardScenesPerRun), count, ground,
+                           randomDriveStyle);
     }
     const auto file = readProfiles(options.terrain, options.step, options.blocks);
     if (!file) return file.error();
     return driveProfiles(robot, options, file->profiles);
+}
+
+Result<Recording<TwoTrackScene>> driveOnTracks(const RobotModel& robot,
+                                               const SimulateOptions& options)
+{
+    using Ground = std::function<GroundLines(std::mt19937_64&)>;
+    const int count = scenesOf(options);
+    const std::vector<double> ys = groundYs(robot);
+    if (options.terrain == "boxes") {
+        const Ground ground = [](std::mt19937_64& rng) {
+            return GroundLines(randomBoxTerrain(rng));
+        };
+        return drivePreset(robot, options, kBoxRuns, count, ground, boxStyle);
+    }
+    if (options.terrain == "varied") {
+        const Ground ground = [&](std::mt19937_64& rng) {
+            const GroundKind kind = randomGroundKind(rng);
+            return randomGround(kind, ys, rng);
+        };
+        return drivePreset(robot, options, std::max(1, count / kVariedScenesPerRun), count, ground,
+                           randomDriveStyle);
+    }
+    if (options.terrain == "hazards") {
+        const Ground ground = [&](std::mt19937_64& rng) {
+            const Hazard hazard = anyHazard(rng);
+            const auto side = static_cast<HazardSide>(whole(rng, 0, 2));
+            return randomHazardGround(hazard, side, anyRoughness(rng), ys, rng);
+        };
+        return drivePreset(robot, options, std::max(1, count / kHazardScenesPerRun), count, ground,
+                           randomDriveStyle);
+    }
+    const auto file = readGrounds(options.terrain, options.step, options.blocks);
+    if (!file) return file.error();
+    return driveProfiles(robot, options, file->grounds);
+}
+
+/// Writes a recording that `text` makes to a file, and says so.
+template <class AnyScene>
+Status writeRecording(const Result<Recording<AnyScene>>& recording, const SimulateOptions& options,
+                      std::string (*text)(const std::vector<AnyScene>&))
+{
+    if (!recording) return recording.error();
+    if (recording->scenes.empty())
+        return Error{
+            fmt::format("{}: the robot finds no rest pose anywhere on it", options.terrain), 0};
+    if (Status written = writeText(options.out, text(recording->scenes)); !written) return written;
+    std::FILE* const messages = messagesBeside(options.out);
+    printText(messages, "{} scenes over {} written to {}", recording->scenes.size(),
+              options.terrain, options.out);
+    if (recording->skipped > 0)
+        printText(messages, " ({} stops left out: no rest pose)", recording->skipped);
+    printText(messages, "\n");
+    return Done{};
 }
 
 }  // namespace
@@ -165,20 +247,10 @@ Status simulate(const SimulateOptions& options)
 {
     const auto robot = readRobotModel(options.robot);
     if (!robot) return robot.error();
-    const auto recording = drive(disturbed(*robot, options.disturbance), options);
-    if (!recording) return recording.error();
-    if (recording->scenes.empty())
-        return Error{
-            fmt::format("{}: the robot finds no rest pose anywhere on it", options.terrain), 0};
-    if (Status written = writeText(options.out, scenesText(recording->scenes)); !written)
-        return written;
-    std::FILE* const messages = messagesBeside(options.out);
-    printText(messages, "{} scenes over {} written to {}", recording->scenes.size(),
-              options.terrain, options.out);
-    if (recording->skipped > 0)
-        printText(messages, " ({} stops left out: no rest pose)", recording->skipped);
-    printText(messages, "\n");
-    return Done{};
+    if (options.tracks)
+        return writeRecording(driveOnTracks(*robot, options), options, twoTrackScenesText);
+    return writeRecording(driveOnPlane(disturbed(*robot, options.disturbance), options), options,
+                          scenesText);
 }
 
 }  // namespace terratact

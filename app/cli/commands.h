@@ -18,7 +18,8 @@ namespace terratact {
 
 struct SimulateOptions {
     std::string robot;
-    std::string terrain = "boxes";  ///< "boxes", "varied", "hazards", or a profile file
+    std::string terrain =
+        "boxes";  ///< "boxes", "varied", "hazards", or a file of profiles or lines
     std::string out;
     std::uint64_t seed = 1;
     int count = 0;        ///< number of scenes; 0: 1400 for presets, every stop of a file
@@ -28,6 +29,8 @@ struct SimulateOptions {
     Disturbance disturbance = Disturbance::None;
     std::optional<SensorFault> sensorFault{};  ///< acts on every drive from its start
     double softDrives = 0.0;                   ///< share of drives over soft ground
+    /// Scenes of two tracks on ground lines; without disturbance and sensor fault.
+    bool tracks = false;
 };
 Status simulate(const SimulateOptions& options);
 

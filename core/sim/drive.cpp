@@ -11,15 +11,7 @@ namespace {
 constexpr double kBehind =
     0.65;  // [m] of terrain behind the first base; it is level before its begin
 constexpr double kAhead = 0.80;      // [m] largest distance of the last bin's end ahead
-constexpr double kSpeed = 0.3;       // [m/s]
 constexpr double kSlideStep = 0.01;  // [m]
-
-OptionalHeights known(const Heights& heights)
-{
-    OptionalHeights result;
-    for (std::size_t i = 0; i < heights.size(); ++i) result[i] = heights[i];
-    return result;
-}
 
 /// One stop of a drive: the robot's rest pose on the terrain.
 class Stop {
@@ -96,6 +88,13 @@ std::vector<double> stopsBetween(double begin, double end, double spacing)
 
 }  // namespace
 
+OptionalHeights known(const Heights& heights)
+{
+    OptionalHeights result;
+    for (std::size_t i = 0; i < heights.size(); ++i) result[i] = heights[i];
+    return result;
+}
+
 DriveStyle randomDriveStyle(std::mt19937_64& rng)
 {
     const double rear = std::uniform_real_distribution<double>(-0.26, 0.70)(rng);
@@ -137,7 +136,7 @@ std::vector<Scene> driveOver(const RobotModel& robot, const TerrainProfile& terr
             continue;
         }
         scene->run = run;
-        scene->time = (x - stops.front()) / kSpeed;
+        scene->time = (x - stops.front()) / kDriveSpeed;
         scenes.push_back(*std::move(scene));
     }
     return scenes;

@@ -14,6 +14,11 @@
 
 namespace terratact {
 
+inline constexpr double kDriveSpeed = 0.3;  ///< [m/s] between the stops of a drive
+
+/// Returns heights of which all are known.
+OptionalHeights known(const Heights& heights);
+
 /// Flipper settings of one drive.
 struct DriveStyle {
     double rearAngle = 0.2;     ///< [rad] held

@@ -22,6 +22,16 @@ double withNoise(double x, double sd, std::mt19937_64& rng)
     return x + sd * standard(rng);
 }
 
+void addForceNoise(std::array<std::optional<double>, kForceElements>& forces,
+                   const SensorNoise& noise, double saturation, std::mt19937_64& rng)
+{
+    for (std::optional<double>& force : forces) {
+        if (!force) continue;
+        const double sd = std::hypot(noise.forceShare * *force, noise.forceFloor);
+        force = std::clamp(withNoise(*force, sd, rng), 0.0, saturation);
+    }
+}
+
 }  // namespace
 
 Proprioception noisy(const Proprioception& exact, const SensorNoise& noise, double saturation,
@@ -35,11 +45,23 @@ Proprioception noisy(const Proprioception& exact, const SensorNoise& noise, doub
     s.rear = withNoise(s.rear, noise.flipperAngle, rng);
     if (s.frontCurrent) s.frontCurrent = withNoise(*s.frontCurrent, noise.current, rng);
     if (s.rearCurrent) s.rearCurrent = withNoise(*s.rearCurrent, noise.current, rng);
-    for (std::optional<double>& force : s.force) {
-        if (!force) continue;
-        const double sd = std::hypot(noise.forceShare * *force, noise.forceFloor);
-        force = std::clamp(withNoise(*force, sd, rng), 0.0, saturation);
-    }
+    addForceNoise(s.force, noise, saturation, rng);
+    return s;
+}
+
+TwoTrackReadings noisy(const TwoTrackReadings& exact, const SensorNoise& noise, double saturation,
+                       std::mt19937_64& rng)
+{
+    check(noise);
+    if (!(saturation > 0.0)) throw std::invalid_argument("noisy: saturation is not above 0");
+    TwoTrackReadings s = exact;
+    s.pitch = withNoise(s.pitch, noise.pitch, rng);
+    s.roll = withNoise(s.roll, noise.pitch, rng);
+    for (double& angle : s.flippers) angle = withNoise(angle, noise.flipperAngle, rng);
+    if (s.differential) s.differential = withNoise(*s.differential, noise.flipperAngle, rng);
+    for (std::optional<double>& current : s.currents)
+        if (current) current = withNoise(*current, noise.current, rng);
+    for (auto& forces : s.forces) addForceNoise(forces, noise, saturation, rng);
     return s;
 }
 

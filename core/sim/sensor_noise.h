@@ -5,6 +5,7 @@
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
 #include "core/robot/sensed_line.h"
+#include "core/robot/two_tracks.h"
 #include "core/terrain/bins.h"
 
 namespace terratact {
@@ -27,6 +28,11 @@ struct SensorNoise {
 /// Throws std::invalid_argument for a negative standard deviation or saturation ≤ 0.
 Proprioception noisy(const Proprioception& exact, const SensorNoise& noise, double saturation,
                      std::mt19937_64& rng);
+
+/// Returns the same for readings of both sides. Roll has the noise of pitch, and the differential that
+/// of a flipper's angle.
+TwoTrackReadings noisy(const TwoTrackReadings& exact, const SensorNoise& noise, double saturation,
+                       std::mt19937_64& rng);
 
 /// Returns the forces of both sides for means of measurement.force, on ground that loads both sides
 /// alike. Each is the mean plus or minus a difference with the noise of a mean. An element on one

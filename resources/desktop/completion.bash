@@ -55,7 +55,7 @@ _terratact_buses() {
 _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
-    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | *:--probes | *:--missing | *:--lamps | *:--watch | \
+    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | *:--probes | *:--missing | *:--lamps | *:--watch | \
       *:--summary | *:--transmit | *:--safe-mode | *:--errors-in-window | *:--no-record | *:--measured | *:--all | *:--card | \
       "model show:--csv") return 1 ;;
     *:--robot | *:--panel) _terratact_files toml ;;
@@ -106,7 +106,7 @@ _terratact_options() {
   case $1 in
     console) echo --version --model --robot --terrain --fault --can --transmit --replay --interface --at --speed --panel --dbc --seed \
       --screenshot --size --theme --layout --font-scale --language --safe-mode --sessions --no-record --errors-in-window ;;
-    simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --disturb ;;
+    simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --tracks --disturb ;;
     train) echo --robot --data --out --seed --scanner-sd --conditional-rows --bins --inducing ;;
     reconstruct) echo --robot --model --data --out --method "$estimates" ;;
     evaluate) echo --robot --model --data --out --methods --step-limit --card --shard --classes --class-column --probes --missing \
