@@ -48,7 +48,7 @@ pack() {
   local name=terratact-$1-x86_64
   mv "$root/bundle" "$root/$name"
   rm -f "$out/$name.tar.xz"
-  tar -C "$root" --sort=name --owner=0 --group=0 -cJf "$out/$name.tar.xz" "$name"
+  XZ_OPT="-2 -T0" tar -C "$root" --sort=name --owner=0 --group=0 -cJf "$out/$name.tar.xz" "$name"
   (cd "$out" && sha256sum "$name.tar.xz" >SHA256SUMS)
 }
 

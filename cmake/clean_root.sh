@@ -18,7 +18,7 @@ step() {
 remove_root() {
   [ -n "$root" ] || return 0
   local folder
-  for folder in proc dev root/.cache/ccache; do
+  for folder in proc dev sys root/.cache/ccache; do
     ! mountpoint -q "$root/$folder" || umount "$root/$folder"
   done
   rm -rf --one-file-system "$root"

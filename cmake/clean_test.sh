@@ -21,6 +21,7 @@ for release; do
   : >"$log"
   make_root
   mount --bind /dev "$root/dev"
+  mount -t sysfs sysfs "$root/sys"
   copy_sources
   step "./run.sh --headless" inside /root/terratact/run.sh --headless
   step "./test.sh" inside /root/terratact/test.sh
