@@ -17,7 +17,7 @@ constexpr double kFirstBackOff = 0.1,
 constexpr double kLookEvery = 0.1;         // [s] between checks of a present one
 constexpr double kFullCounts = 0.5;        // [s] for which a full queue is remembered
 constexpr double kPauseAfterError = 0.01;  // [s] so that no error causes a busy loop
-constexpr double kFrameInBuffer = 768.0;   // [B] that the kernel charges for a frame
+constexpr double kFrameInBuffer = 896.0;   // [B] that Linux 6.12 charges for a frame; 6.1: 768
 constexpr double kFullBus = 9009.0;        // [1/s] frames of 8 bytes at 1 Mbit/s
 
 template <class Clock>
