@@ -5,9 +5,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/learn/data/ground_file.h"
 #include "core/sim/random_ground.h"
 #include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
+#include "tests/support/real_ground.h"
 
 namespace terratact {
 namespace {
@@ -54,6 +56,27 @@ TEST(TwoTrackDrive, readsRollWithNoise)
     const auto count = static_cast<double>(scenes.size());
     EXPECT_NEAR(sum / count, std::asin(0.1), 0.003);
     EXPECT_NEAR(std::sqrt(squares / count), SensorNoise{}.pitch, 0.0015);
+}
+
+TEST(TwoTrackDrive, restsOnRealGround)
+{
+    const auto path = realGround("track_pairs.csv");
+    if (!path) GTEST_SKIP() << "TERRATACT_TERRAIN names no folder";
+    const auto file = readGrounds(*path, 0.1, false);
+    ASSERT_TRUE(file) << file.error().text;
+    const RobotModel robot = absolem();
+    std::mt19937_64 rng(4);
+    int skipped = 0, rested = 0, rolled = 0;
+    for (std::size_t k = 0; k < file->grounds.size(); k += 8) {
+        const GroundLines& ground = file->grounds[k];
+        const auto scenes = driveOver(robot, ground, stopsOver(ground, 0.4), "1",
+                                      randomDriveStyle(rng), {}, rng, skipped);
+        for (const TwoTrackScene& scene : scenes) rolled += std::abs(scene.s.roll) > 0.1;
+        rested += static_cast<int>(scenes.size());
+    }
+    EXPECT_GT(rested, 200);
+    EXPECT_LT(skipped, rested / 10);
+    EXPECT_GT(rolled, rested / 6);  // a plane's robot does not roll
 }
 
 TEST(TwoTrackDrive, refusesConditionsItDoesNotKnow)
