@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/cli/session_commands.h"
+#include "app/recording/session_merge.h"
 #include "tests/support/session_files.h"
 #include "tests/support/sessions.h"
 
@@ -34,7 +34,7 @@ TEST_F(SessionFiles, rotatedFilesMergeWithoutDuplicateRows)
         ASSERT_TRUE(writer.add(again));
     });
     const std::string out = directory.file("whole.tts");
-    const Status merged = mergeSessions({.files = {second, first}, .out = out});
+    const auto merged = mergeSessionFiles({second, first}, out);
     ASSERT_TRUE(merged) << merged.error().text;
     auto reader = *SessionReader::open(out);
     EXPECT_TRUE(reader.verify().damage.empty());
