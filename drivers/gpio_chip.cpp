@@ -85,7 +85,7 @@ Message lineNames(const std::vector<GpioLineInfo>& lines)
     std::vector<std::string> names;
     for (const GpioLineInfo& line : lines)
         if (!line.name.empty()) names.push_back(line.name);
-    if (names.empty()) return TR_NOOP("core", "its lines have no names: say offset instead");
+    if (names.empty()) return TR_NOOP("core", "its lines have no names: give offset instead");
     const bool more = names.size() > kMax;
     if (more) names.resize(kMax);
     return {more ? TR_NOOP("core", "it has %1 and more") : TR_NOOP("core", "it has %1"),
@@ -102,7 +102,7 @@ Result<GpioPlace> placeByName(const std::string& name, const GpioChip& chip,
                              chipName(chip.name, chip.label), shown(name), lineNames(lines)),
                      ENOENT};
     if (std::find_if(found + 1, lines.end(), isIt) != lines.end())
-        return Error{Message(TR_NOOP("core", "%1 has several lines named %2: say offset instead"),
+        return Error{Message(TR_NOOP("core", "%1 has several lines named %2: give offset instead"),
                              chipName(chip.name, chip.label), shown(name)),
                      EINVAL};
     return GpioPlace{static_cast<unsigned>(found - lines.begin()), name};
@@ -175,12 +175,14 @@ Result<GpioChip> chooseGpioChip(const std::vector<GpioChip>& chips, const std::s
     }
     if (found->error != 0) return gpioForbidden(found->path, found->error);
     if (std::find_if(found + 1, chips.end(), isIt) != chips.end())
-        return Error{Message(isNamed ? TR_NOOP("core", "several GPIO chips named %1: there is %2; "
-                                                       "say the chip's name instead")
-                                     : TR_NOOP("core", "several GPIO chips labelled %1: there "
-                                                       "is %2; say the chip's name instead"),
-                             wanted, listed(chips)),
-                     EINVAL};
+        return Error{
+            Message(isNamed ? TR_NOOP(
+                        "core",
+                        "several GPIO chips named %1: there is %2; give the chip's name instead")
+                            : TR_NOOP("core", "several GPIO chips labelled %1: there is %2; give "
+                                              "the chip's name instead"),
+                    wanted, listed(chips)),
+            EINVAL};
     return *found;
 }
 

@@ -183,7 +183,7 @@ void addEvaluate(CLI::App& app, Job& job, const Words& words)
                 "Simulate probes chosen by largest sd, by expected variance and by the step "
                 "question");
     c->add_flag("--missing", o->missing,
-                "Print instead what the methods err where currents or forces were not measured")
+                "Only print the errors of the methods without currents or forces")
         ->excludes(card);
     addSettings(*c, o->settings, o->seconds);
     c->callback([o, methods, &job, words] {
@@ -244,7 +244,7 @@ void addMerge(CLI::App& app, Job& job)
 void addTradeoff(CLI::App& app, Job& job)
 {
     auto* c = app.add_subcommand(
-        "tradeoff", "What sweeps, chains, precision, inducing rows and presets cost and err");
+        "tradeoff", "Time and error of sweeps, chains, precision, inducing rows and presets");
     const auto o = std::make_shared<TradeoffOptions>();
     const auto methods = std::make_shared<std::vector<std::string>>();
     addRobot(*c, o->robot);

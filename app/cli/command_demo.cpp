@@ -124,7 +124,7 @@ Status demo(const DemoOptions& options)
     printText("SIMULATED ROBOT, method {}, seed {}\n", name(options.settings.method),
               options.settings.seed);
     if (Status s = driveToStep(robot); !s) return s;
-    printText("{:6.1f} s  driven blind up to a step nobody has seen; ATEM: halted, pressing the "
+    printText("{:6.1f} s  driven blind up to an unseen step; ATEM: halted, pressing the "
               "flippers\n",
               robot.measure().time);
     if (Status s = pressFlippers(robot); !s) return s;

@@ -16,12 +16,12 @@ constexpr double kMinSd = 0.5e-4;  ///< [m] resolution of the robot file's four 
 std::string whyNoSd(const ProbeAccuracy& accuracy)
 {
     if (accuracy.repeated.freedom > 0 && accuracy.repeated.sd < kMinSd)
-        return "all readings of a place are the same: are they rounded, or copied? nothing tells "
-               "the sd";
+        return "all readings of a place are the same: are they rounded, or copied? The sd "
+               "is unknown";
     if (accuracy.fromTruth.n > 1)
         return "every reading differs from its truth by the same: are they rounded, or copied? "
-               "nothing tells the sd";
-    return "no place is read twice and no truth is known: nothing tells the sd";
+               "The sd is unknown";
+    return "no place is read twice and no truth is known: the sd is unknown";
 }
 
 }  // namespace

@@ -216,8 +216,9 @@ Status exportSession(const SessionExportOptions& options)
 {
     const auto format = options.format ? options.format : exportFormatOf(options.out);
     if (!format)
-        return fileError(options.out, "ends in none of .log, .asc, .csv, .mcap: --format says what "
-                                      "it is to be");
+        return fileError(options.out,
+                         "ends in none of .log, .asc, .csv, .mcap: choose a format with "
+                         "--format");
     auto session = SessionReader::open(options.file);
     if (!session) return session.error();
     const bool holdsSignals = *format == ExportFormat::Csv || *format == ExportFormat::Mcap;

@@ -74,7 +74,7 @@ private:
             if (Status begun = begin(log, logged); !begun) return begun;
         if (logged.interface != interface_)
             return log.error(Message::verbatim(
-                fmt::format("is of {}, the log began with {}: --interface says which is wanted",
+                fmt::format("is of {}, the log began with {}: choose one with --interface",
                             logged.interface, interface_)));
         last_ = sessionTimeOf(log.elapsed() - begin_);
         if (Status told = logSteps(); !told) return told;
@@ -94,12 +94,13 @@ private:
             return;
         }
         const double step = *log.stepBack();
-        steps_.emplace_back(step < 0.0
-                                ? TR_NOOP("core", "at line %1 the log's clock was set forward by "
-                                                  "%2 s; the session goes on evenly")
-                                : TR_NOOP("core", "at line %1 the log's clock was set back by "
-                                                  "%2 s; the session goes on evenly"),
-                            log.line(), fixed(std::abs(step), 6));
+        steps_.emplace_back(
+            step < 0.0 ? TR_NOOP(
+                "core",
+                "at line %1 the log's clock was set forward by %2 s; the session continues evenly")
+                       : TR_NOOP("core", "at line %1 the log's clock was set back by %2 s; the "
+                                         "session continues evenly"),
+            log.line(), fixed(std::abs(step), 6));
     }
 
     EventRow event(EventKind kind, std::string subject, Message text = {})

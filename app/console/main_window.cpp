@@ -396,9 +396,8 @@ void MainWindow::defineKeys()
     addExplorationKeys(keys, *this, profileMenu_->draws());
     if (replayBar_) replayBar_->addKeys(keys);
 
-    setKeysNote(
-        tr("In the window of a review the same keys move in time, and no robot: A, B, M, P, K, "
-           "1 to 8, Space, Page Up and Down, Up and Down mean something else there."));
+    setKeysNote(tr("In a review, these keys move in time and no robot: A, B, M, P, K, 1 to 8, "
+                   "Space, Page Up and Down, Up and Down."));
     keys.addGroup(tr("View"));
     addViewKeys(keys, *preferences_);
     keys.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the previous one"), {}});

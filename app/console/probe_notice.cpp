@@ -59,7 +59,7 @@ void ProbeNotice::show(const AtemState& state, const std::optional<PhaseTime>& t
                   asks && !isVoid);
     QString text;
     if (asks && isVoid)
-        text = tr("The question for a probe is void: F2 says why");
+        text = tr("The proposed probe is void: F2 shows the reason");
     else if (asks)
         text =
             (covered

@@ -236,8 +236,8 @@ void SettingsPage::buildEstimate(QFormLayout* form)
                         tr("Weaker forces count as noise"), &Preferences::forceThreshold);
     probes_ = choice(
         form, tr("The arm is offered"),
-        {tr("where the terrain is uncertain"), tr("there, unless the verdict stands"),
-         tr("where it tells about the verdict")},
+        {tr("where the terrain is uncertain"), tr("there, unless the verdict is decided"),
+         tr("where it helps the verdict")},
         tr("Uncertain: by the variance, as in the paper. About the verdict: by the entropy of the "
            "step question, and only while it is open"),
         [](const Preferences& p) { return indexOf(kProbePolicies, p.probes); },

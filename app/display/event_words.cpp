@@ -6,8 +6,8 @@
 namespace terratact {
 namespace {
 
-// Names that events of a session hold: each is shown as the operator reads it. core/atem/arming.cpp marks those of
-// arming.
+// Names that events of a session hold, and the only place where they become shown text. core/atem/arming.cpp marks
+// those of arming.
 [[maybe_unused]] constexpr const char* kEventNames[] = {
     // What the link did, and what the operator decided.
     QT_TRANSLATE_NOOP("event", "up"),
@@ -48,6 +48,8 @@ namespace {
     QT_TRANSLATE_NOOP("event", "dropped"),
     QT_TRANSLATE_NOOP("event", "checksum"),
     QT_TRANSLATE_NOOP("event", "sensors"),
+    QT_TRANSLATE_NOOP("event", "sensor-fault"),
+    QT_TRANSLATE_NOOP("event", "attitude"),
     QT_TRANSLATE_NOOP("event", "model"),
     QT_TRANSLATE_NOOP("event", "panel"),
     QT_TRANSLATE_NOOP("event", "exploration"),

@@ -91,8 +91,8 @@ void addState(std::vector<CanFinding>& findings, const CanInterfaceFacts& facts)
     if (facts.sendQueue && *facts.sendQueue > kLongQueue && !facts.isVirtual)
         findings.push_back(
             {Level::Warning,
-             Message(TR_NOOP("core", "its send queue holds %1 frames: with nobody to acknowledge "
-                                     "them, other programs' frames grow old in it"),
+             Message(TR_NOOP("core", "its send queue holds %1 frames: without acknowledgement, "
+                                     "other programs' frames wait in it too long"),
                      *facts.sendQueue),
              command(fmt::format("sudo ip link set {} txqueuelen 10", facts.name))});
 }

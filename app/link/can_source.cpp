@@ -202,7 +202,7 @@ std::vector<LinkNeed> armingNeeds(const CanView& view)
                  TR_NOOP("core", "STOP is latched: release it first")),
             need(view.link.goodFor >= ArmingLimits{}.linkGood, TR_NOOP("core", "the link is good"),
                  TR_NOOP("core", "The link must be good for a second")),
-            need(!robot || !robot->armed, TR_NOOP("core", "nobody else has armed the robot"),
+            need(!robot || !robot->armed, TR_NOOP("core", "no other console has armed the robot"),
                  describe(DisarmCause::AlreadyArmed))};
 }
 

@@ -45,7 +45,7 @@ std::optional<Message> Exploration::wordsOf(NoProbe why) const
                        verbatim(format::number(estimation_.estimate()->settings.probeAbove, 2)));
     case NoProbe::Decided:
         return Message(TR_NOOP("terratact::Exploration",
-                               "No probe offered, by the settings: %1 stands without the arm"),
+                               "No probe offered, by the settings: %1 is decided without the arm"),
                        describe(estimation_.verdict()->stepVerdict));
     case NoProbe::NoGain:
         return TR_NOOP("terratact::Exploration",

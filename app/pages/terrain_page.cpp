@@ -82,7 +82,7 @@ QString whyNoProbe(const TerrainViewState& viewState)
             return TerrainPage::tr("The proposal was not answered in time and counts as refused.");
         if (!viewState.whyNotOffered.isEmpty()) return viewState.whyNotOffered;
         if (viewState.estimate && !viewState.proposal)
-            return TerrainPage::tr("No probe: the estimate stands without the arm.");
+            return TerrainPage::tr("No probe: the estimate is certain without the arm.");
     }
     if (showsWorth(viewState)) return TerrainPage::tr("No probe is proposed. A probe would give:");
     return TerrainPage::tr(

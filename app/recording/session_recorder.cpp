@@ -248,7 +248,7 @@ Status SessionRecorder::begin()
     if (Status made = makeDirectory(options_.folder, Access::Owner); !made) return made;
     if (const auto left = freeBytes(options_.folder); left && *left < options_.leastFree)
         return Error{Message(TR_NOOP("core", "%1: the disk is full: only %2 MB are free, %3 MB are "
-                                             "left alone; recording goes on when there is room"),
+                                             "kept free; recording continues when there is space"),
                              options_.folder, *left >> 20U, options_.leastFree >> 20U)};
     const std::string path = freeName(options_.folder, wallNow());
     auto writer = SessionWriter::create(path, options_.start);
@@ -302,14 +302,14 @@ Status SessionRecorder::write()
     });
     if (!added) return added;
     if (batch_.missingFrames + batch_.missingRows == 0) return Done{};
-    return writer_->add(withText(
-        {.time = batch_.missingSince,
-         .kind = EventKind::Gap,
-         .subject = "missing",
-         .number = static_cast<double>(batch_.missingFrames)},
-        {TR_NOOP("core", "%1 frames and %2 other rows are not here: there was no room while the "
-                         "disk was slow or full, or they could not be written"),
-         batch_.missingFrames, batch_.missingRows}));
+    return writer_->add(
+        withText({.time = batch_.missingSince,
+                  .kind = EventKind::Gap,
+                  .subject = "missing",
+                  .number = static_cast<double>(batch_.missingFrames)},
+                 {TR_NOOP("core", "%1 frames and %2 other rows were dropped: the disk was slow or "
+                                  "full, or they could not be written"),
+                  batch_.missingFrames, batch_.missingRows}));
 }
 
 void SessionRecorder::remember()
@@ -346,9 +346,9 @@ void SessionRecorder::measure()
     if (left && *left < options_.leastFree) {
         seal(TR_NOOP("core", "the disk is full"));
         const std::scoped_lock lock(mutex_);
-        state_.trouble =
-            Message(TR_NOOP("core", "%1: the disk is full; recording goes on when there is room"),
-                    options_.folder);
+        state_.trouble = Message(
+            TR_NOOP("core", "%1: the disk is full; recording continues when there is space"),
+            options_.folder);
     } else if (bytes > options_.mostBytes || writer_->batches() + 1 >= options_.mostBatches) {
         seal(TR_NOOP("core", "the file is large enough"));
         nextTry_ = 0.0;

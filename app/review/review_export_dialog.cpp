@@ -302,7 +302,7 @@ void ReviewExportDialog::showViewState()
     const From from = chosen(*what_).from;
     moment_->setText(from != From::Report   ? tr("this time, %1").arg(timeWords(viewState_.now))
                      : viewState_.scene > 0 ? tr("scene %1").arg(viewState_.scene)
-                                            : tr("no estimate stands at this time"));
+                                            : tr("there is no estimate at this time"));
     moment_->setVisible(from != From::Rows);
     showPayload();
     nameFile();
@@ -332,7 +332,7 @@ std::optional<QString> ReviewExportDialog::whyNotExport() const
 {
     if (job_) return tr("A file is being written");
     if (chosen(*what_).from == From::Report && viewState_.scene == 0)
-        return tr("No estimate stands at this time");
+        return tr("There is no estimate at this time");
     if (path_->text().trimmed().isEmpty()) return tr("Name the file first");
     return std::nullopt;
 }

@@ -112,7 +112,7 @@ void ReviewWindow::addPages(QStringList models)
         this);
     addScrolledPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The scene of this time as a table"));
     events_ = new ReviewEventsPage(session_, this);
-    addScrolledPage(events_, tr("Events"), Qt::Key_F4, tr("Everything the session tells of"));
+    addScrolledPage(events_, tr("Events"), Qt::Key_F4, tr("All events of the session"));
     robotPage_ = new QScrollArea(this);  // in large fonts the content scrolls
     robotPage_->setFrameShape(QFrame::NoFrame);
     robotPage_->setWidgetResizable(true);
@@ -358,10 +358,9 @@ void ReviewWindow::defineKeys()
     keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_E)}, tr("export to a file"), [this] {
                   exportShown();
               }});
-    setKeysNote(
-        tr("In the console itself the same keys command: A explores, B asks for a probe, M arms, "
-           "Space approves a probe, Up and Down drive, Page Up and Down change the limit, P shows "
-           "what a command needs, K marks, 1 to 3 ask for another bin."));
+    setKeysNote(tr("In the console the same keys send commands. A explores, B asks for a probe, M "
+                   "arms, Space approves a probe. Up and Down drive, Page Up and Down change the "
+                   "limit. P shows what a command needs, K marks, 1 to 3 ask for another bin."));
     addHelpKeys();
     addRemoteStop();
 

@@ -34,10 +34,9 @@ QString aboutHtml()
 {
     QStringList paragraphs{
         QCoreApplication::translate(
-            "About",
-            "The operator's console of a tracked rescue robot. Where cameras see nothing, it "
-            "estimates the terrain from what body, flippers and arm feel, and says how sure that "
-            "is."),
+            "About", "The operator's console of a tracked rescue robot. Where cameras see nothing, "
+                     "it estimates the terrain from what body, flippers and arm feel. Bands show "
+                     "how certain each height is."),
         QCoreApplication::translate("About",
                                     "Copyright %1 Terratact contributors. MIT licence: free to "
                                     "use, to change and to pass on; without any warranty.")

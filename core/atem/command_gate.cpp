@@ -181,7 +181,7 @@ SourceText describe(GateRefusal refusal)
     case Busy: return TR_NOOP("core", "the robot is busy");
     case NotPressed: return TR_NOOP("core", "the front flippers are not pressed to the ground");
     case OverLimit: return TR_NOOP("core", "the value is over its limit");
-    case NotApproved: return TR_NOOP("core", "nobody has approved the probe");
+    case NotApproved: return TR_NOOP("core", "the probe is not approved");
     case ApprovalExpired: return TR_NOOP("core", "the approval is too old");
     case OtherBin: return TR_NOOP("core", "another bin was approved");
     }

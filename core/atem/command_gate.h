@@ -32,7 +32,7 @@ enum class GateRefusal : std::uint8_t {
     Busy,  ///< the robot must first end its present action
     NotPressed,
     OverLimit,
-    NotApproved,      ///< nobody has approved the probe
+    NotApproved,      ///< the probe is not approved
     ApprovalExpired,  ///< the approval is too old
     OtherBin,         ///< the approval is for another bin
 };

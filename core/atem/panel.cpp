@@ -97,17 +97,19 @@ Message buttonTrouble(PanelContact button, ButtonPhase phase)
     case ButtonPhase::Released:
     case ButtonPhase::Pressed: return {};
     case ButtonPhase::HeldAtStart:
-        return {TR_NOOP("core",
-                        "the panel's button %1 was held when the panel came up: it counts as not "
-                        "pressed until it is let go; if nobody holds it, its contact sticks or "
-                        "its wires touch"),
-                name(button)};
+        return {
+            TR_NOOP(
+                "core",
+                "the panel's button %1 was held when the panel came up. It counts as not pressed "
+                "until it is released. If it is not held, its contact sticks or its wires touch"),
+            name(button)};
     case ButtonPhase::Stuck:
-        return {TR_NOOP("core",
-                        "the panel's button %1 has been held for longer than anybody presses: it "
-                        "counts as not pressed until it is let go; if nobody holds it, its "
-                        "contact sticks or its wires touch"),
-                name(button)};
+        return {
+            TR_NOOP(
+                "core",
+                "the panel's button %1 has been held for too long. It counts as not pressed until "
+                "it is released. If it is not held, its contact sticks or its wires touch"),
+            name(button)};
     }
     throw std::invalid_argument("buttonTrouble: no such phase");
 }

@@ -18,9 +18,9 @@ public:
     {
         PanelLine line;
         if (section.has("line") == section.has("offset"))
-            throw TomlRefused{Message(
-                TR_NOOP("core", "%1 must say the line's name, or offset its position: one of both"),
-                section.path("line"))};
+            throw TomlRefused{
+                Message(TR_NOOP("core", "%1 must have the line's name or its offset, not both"),
+                        section.path("line"))};
         if (section.has("line"))
             line.name = section.text("line");
         else
@@ -48,7 +48,7 @@ private:
 void readChip(TomlSection& section, PanelConfig& panel)
 {
     if (section.has("label") == section.has("name"))
-        throw TomlRefused{TR_NOOP("core", "chip must say its label, or its name: one of both")};
+        throw TomlRefused{TR_NOOP("core", "chip must have a label or a name, not both")};
     if (section.has("label"))
         panel.chipLabel = section.text("label");
     else

@@ -33,8 +33,7 @@ Result<SessionRecovery> recoverSession(const std::string& path, bool evenAlone)
             return fileError(
                 path, TR_NOOP("core", "its journal is not beside it: both files belong together"));
         if (!evenAlone && SqliteFile::journalIsDamaged(path))
-            return fileError(path,
-                             TR_NOOP("core", "its journal is damaged: nothing of it can be read"));
+            return fileError(path, TR_NOOP("core", "its journal is damaged and cannot be read"));
         SqliteFile file = SqliteFile::reopenLog(path);
         requireSessionSchema(file);
         if (!file.leaveJournal()) return SessionRecovery::InUse;

@@ -101,14 +101,14 @@ StoredStart readSessionStart(SqliteFile& file)
     const auto keys = metaOf({});
     for (std::size_t i = 0; i < keys.size(); ++i) {
         require(select.step() && select.text(0) == keys[i].first,
-                Message(TR_NOOP("core", "does not say its %1"), keys[i].first));
+                Message(TR_NOOP("core", "lacks the entry %1"), keys[i].first));
         values[i] = select.text(1);
         require(values[i].size() <= kMaxMetaBytes,
-                Message(TR_NOOP("core", "says too much of its %1"), keys[i].first));
+                Message(TR_NOOP("core", "has too long an entry %1"), keys[i].first));
     }
-    require(!select.step(), TR_NOOP("core", "says more of its start than a session does"));
+    require(!select.step(), TR_NOOP("core", "has unknown entries about its start"));
     require(values[5] == "yes" || values[5] == "no",
-            TR_NOOP("core", "does not say whether it could transmit"));
+            TR_NOOP("core", "lacks the entry whether it could transmit"));
     StoredStart stored{{.wallTime = wallTimeFrom(values[6]),
                         .program = values[1],
                         .source = values[4],

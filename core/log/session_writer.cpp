@@ -373,7 +373,7 @@ Status SessionWriter::seal()
         impl_->broken = true;
         if (!impl_->file.leaveJournal())
             throw SqliteError(
-                TR_NOOP("core", "is read by somebody, so its journal stays beside it"));
+                TR_NOOP("core", "is open in another program, so its journal stays beside it"));
     });
 }
 

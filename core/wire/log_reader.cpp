@@ -173,8 +173,7 @@ std::optional<LoggedFrame> LogReader::end()
                 .message);
     }
     if (bytes_.isFollowed())
-        remark(TR_NOOP("core",
-                       "bytes that are not gzip stand behind the packed log and are left out"));
+        remark(TR_NOOP("core", "bytes behind the packed log are not gzip and are left out"));
     if (steps_ > kMaxSteps)
         remarks_.push_back(
             fileError(name_, Message(TR_NOOP("core", "the clock is set %1 more times"),
@@ -238,8 +237,7 @@ Result<std::optional<LoggedFrame>> LogReader::frameOf(Line line)
     // Only candump's compact lines do not state their length.
     const bool mayBeCut = text_.find('#') != std::string::npos && format_->name() == "candump";
     if (taken && *taken && line == Line::Unended && mayBeCut)
-        remark(
-            TR_NOOP("core", "has no line end: it is read as it stands, and may have been longer"));
+        remark(TR_NOOP("core", "has no line end: it is read, but may be truncated"));
     if (taken && !*taken && line == Line::Unended && format_->passedOver() > passed)
         tear(TR_NOOP("core", "has no line end and holds no frame: it may be torn"));
     if (taken) return taken;

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes default.card.toml: when and on what ground the shipped model was trained, and what its methods err on
+# Makes default.card.toml: when and on what ground the shipped model was trained, and the errors of its methods on
 # generated ground of another seed.  Needs the repository's history.  Minutes on two cores.
 # Usage: resources/models/make_card.sh path/to/terratact
 set -eu

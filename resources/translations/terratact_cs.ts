@@ -8,8 +8,8 @@
         <translation>Částečně založeno na práci projektu Qwt (http://qwt.sf.net).</translation>
     </message>
     <message>
-        <source>The operator&apos;s console of a tracked rescue robot. Where cameras see nothing, it estimates the terrain from what body, flippers and arm feel, and says how sure that is.</source>
-        <translation>Konzole operátora pásového záchranného robota. Kde kamery nic nevidí, odhaduje terén z toho, co cítí tělo, flippery a rameno, a říká, jak jisté to je.</translation>
+        <source>The operator&apos;s console of a tracked rescue robot. Where cameras see nothing, it estimates the terrain from what body, flippers and arm feel. Bands show how certain each height is.</source>
+        <translation>Konzole operátora pásového záchranného robota. Kde kamery nic nevidí, odhaduje terén z toho, co cítí tělo, flippery a rameno. Pásma ukazují, jak jistá je každá výška.</translation>
     </message>
     <message>
         <source>Copyright %1 Terratact contributors. MIT licence: free to use, to change and to pass on; without any warranty.</source>
@@ -645,8 +645,8 @@
         <translation>rameno: neplatí</translation>
     </message>
     <message>
-        <source>The question for a probe is void: F2 says why</source>
-        <translation>Otázka na sondu neplatí: F2 řekne proč</translation>
+        <source>The proposed probe is void: F2 shows the reason</source>
+        <translation>Navržená sonda neplatí: F2 ukáže důvod</translation>
     </message>
 </context>
 <context>
@@ -1235,8 +1235,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>hodnota překračuje mez</translation>
     </message>
     <message>
-        <source>nobody has approved the probe</source>
-        <translation>sondu nikdo neschválil</translation>
+        <source>the probe is not approved</source>
+        <translation>sonda není schválena</translation>
     </message>
     <message>
         <source>the approval is too old</source>
@@ -1415,8 +1415,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>spojení je dobré</translation>
     </message>
     <message>
-        <source>nobody else has armed the robot</source>
-        <translation>nikdo jiný robota neaktivoval</translation>
+        <source>no other console has armed the robot</source>
+        <translation>žádná jiná konzole robota neaktivovala</translation>
     </message>
     <message>
         <source>telemetry was missing for a while, in which the robot may have moved</source>
@@ -1583,15 +1583,15 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>žádný čip GPIO s označením %1: je tu %2</translation>
     </message>
     <message>
-        <source>several GPIO chips named %1: there is %2; say the chip&apos;s name instead</source>
+        <source>several GPIO chips named %1: there is %2; give the chip&apos;s name instead</source>
         <translation>několik čipů GPIO jménem %1: je tu %2; uveďte místo toho jméno čipu</translation>
     </message>
     <message>
-        <source>several GPIO chips labelled %1: there is %2; say the chip&apos;s name instead</source>
+        <source>several GPIO chips labelled %1: there is %2; give the chip&apos;s name instead</source>
         <translation>několik čipů GPIO s označením %1: je tu %2; uveďte místo toho jméno čipu</translation>
     </message>
     <message>
-        <source>%1 has several lines named %2: say offset instead</source>
+        <source>%1 has several lines named %2: give offset instead</source>
         <translation>%1 má několik linek jménem %2: uveďte místo toho offset</translation>
     </message>
     <message>
@@ -1599,12 +1599,12 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>%1 panelu neposlouchá: %2</translation>
     </message>
     <message>
-        <source>the panel&apos;s button %1 was held when the panel came up: it counts as not pressed until it is let go; if nobody holds it, its contact sticks or its wires touch</source>
-        <translation>tlačítko %1 na panelu bylo drženo, když panel naběhl: počítá se jako nestisknuté, dokud se neuvolní; nikdo-li je nedrží, vázne jeho kontakt, nebo se dotýkají jeho vodiče</translation>
+        <source>the panel&apos;s button %1 was held when the panel came up. It counts as not pressed until it is released. If it is not held, its contact sticks or its wires touch</source>
+        <translation>tlačítko %1 na panelu bylo drženo, když panel naběhl. Počítá se jako nestisknuté, dokud se neuvolní. Není-li drženo, vázne jeho kontakt, nebo se dotýkají jeho vodiče</translation>
     </message>
     <message>
-        <source>the panel&apos;s button %1 has been held for longer than anybody presses: it counts as not pressed until it is let go; if nobody holds it, its contact sticks or its wires touch</source>
-        <translation>tlačítko %1 na panelu je drženo déle, než kdo tiskne: počítá se jako nestisknuté, dokud se neuvolní; nikdo-li je nedrží, vázne jeho kontakt, nebo se dotýkají jeho vodiče</translation>
+        <source>the panel&apos;s button %1 has been held for too long. It counts as not pressed until it is released. If it is not held, its contact sticks or its wires touch</source>
+        <translation>tlačítko %1 na panelu je drženo příliš dlouho. Počítá se jako nestisknuté, dokud se neuvolní. Není-li drženo, vázne jeho kontakt, nebo se dotýkají jeho vodiče</translation>
     </message>
     <message>
         <source>line %1 of %2 is asked for twice</source>
@@ -1663,11 +1663,11 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>chybí klíč %1</translation>
     </message>
     <message>
-        <source>is a model of other features: %1 stands where %2 is expected</source>
+        <source>is a model of other features: it has %1 where %2 is expected</source>
         <translation>je model jiných příznaků: stojí tu %1, očekává se %2</translation>
     </message>
     <message>
-        <source>is a model of other bins: %1 stands where %2 is expected</source>
+        <source>is a model of other bins: it has %1 where %2 is expected</source>
         <translation>je model jiných bodů: stojí tu %1, očekává se %2</translation>
     </message>
     <message>
@@ -1787,8 +1787,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>jeho tabulka length_scale není v pořadí vstupů</translation>
     </message>
     <message>
-        <source>chip must say its label, or its name: one of both</source>
-        <translation>chip musí uvést label, nebo name: jedno z obou</translation>
+        <source>chip must have a label or a name, not both</source>
+        <translation>chip musí mít label, nebo name, ne obojí</translation>
     </message>
     <message>
         <source>has more than %1 fields</source>
@@ -1835,12 +1835,12 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>jeho tabulky nejsou tabulky relace</translation>
     </message>
     <message>
-        <source>says more of its start than a session does</source>
-        <translation>říká o svém začátku více než relace</translation>
+        <source>has unknown entries about its start</source>
+        <translation>má neznámé údaje o svém začátku</translation>
     </message>
     <message>
-        <source>does not say whether it could transmit</source>
-        <translation>neříká, zda mohla vysílat</translation>
+        <source>lacks the entry whether it could transmit</source>
+        <translation>chybí údaj, zda mohla vysílat</translation>
     </message>
     <message>
         <source>has draws that are not whole</source>
@@ -2151,8 +2151,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>rámce ztracené při pořizování záznamu</translation>
     </message>
     <message>
-        <source>%1 frames and %2 other rows are not here: there was no room while the disk was slow or full, or they could not be written</source>
-        <translation>chybí %1 rámců a %2 jiných řádků: nebylo pro ně místo, dokud byl disk pomalý nebo plný, nebo je nešlo zapsat</translation>
+        <source>%1 frames and %2 other rows were dropped: the disk was slow or full, or they could not be written</source>
+        <translation>%1 rámců a %2 jiných řádků bylo zahozeno: disk byl pomalý nebo plný, nebo je nešlo zapsat</translation>
     </message>
     <message>
         <source>no scene has a known height (columns h_-0.3_m … h_+0.7_m)</source>
@@ -2167,8 +2167,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>%1 je %2, mimo rozsah od %3 do %4 %5 (%6)</translation>
     </message>
     <message>
-        <source>%1 must say the line&apos;s name, or offset its position: one of both</source>
-        <translation>%1 musí uvést jméno linky, nebo offset její polohu: jedno z obou</translation>
+        <source>%1 must have the line&apos;s name or its offset, not both</source>
+        <translation>%1 musí mít jméno linky, nebo její offset, ne obojí</translation>
     </message>
     <message>
         <source>%1 names a line that the file has used before</source>
@@ -2219,8 +2219,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>hodnota nesprávného typu v %1</translation>
     </message>
     <message>
-        <source>does not say its %1</source>
-        <translation>neuvádí %1</translation>
+        <source>lacks the entry %1</source>
+        <translation>chybí údaj %1</translation>
     </message>
     <message>
         <source>the session&apos;s model %1 (%2…) is not there</source>
@@ -2595,11 +2595,11 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>je soubor DBC, který čte --dbc; očekává se záznam provozu na CAN</translation>
     </message>
     <message>
-        <source>at line %1 the log&apos;s clock was set back by %2 s; the session goes on evenly</source>
+        <source>at line %1 the log&apos;s clock was set back by %2 s; the session continues evenly</source>
         <translation>na řádku %1 byly hodiny záznamu vráceny o %2 s; relace pokračuje rovnoměrně</translation>
     </message>
     <message>
-        <source>at line %1 the log&apos;s clock was set forward by %2 s; the session goes on evenly</source>
+        <source>at line %1 the log&apos;s clock was set forward by %2 s; the session continues evenly</source>
         <translation>na řádku %1 byly hodiny záznamu posunuty vpřed o %2 s; relace pokračuje rovnoměrně</translation>
     </message>
     <message>
@@ -2675,8 +2675,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>je %1; očekává se záznam jako text: can_logconvert z python-can jej vytvoří</translation>
     </message>
     <message>
-        <source>%1 sessions of %2 MB are beyond the limits that you have set; none is deleted until the page of the settings says that they may be</source>
-        <translation>%1 relací o %2 MB překračuje meze, které jste nastavili; žádná se nesmaže, dokud to stránka nastavení nedovolí</translation>
+        <source>%1 sessions of %2 MB are beyond the limits that you have set; none is deleted until you allow it on page Settings</source>
+        <translation>%1 relací o %2 MB překračuje meze, které jste nastavili; žádná se nesmaže, dokud to nepovolíte na stránce Nastavení</translation>
     </message>
     <message>
         <source>there is no home folder to record in: --sessions names another</source>
@@ -2719,8 +2719,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>její nastavení žádá %1 průchodů k ponechání a %2 k zahození a počítá se jich nejvýše %3</translation>
     </message>
     <message>
-        <source>says too much of its %1</source>
-        <translation>říká příliš mnoho o položce %1</translation>
+        <source>has too long an entry %1</source>
+        <translation>má příliš dlouhý údaj %1</translation>
     </message>
     <message>
         <source>its journal %1 is not beside it: what was recorded after that is in there; both files belong together</source>
@@ -2911,7 +2911,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>neodpovídá témuž terénu přejetému oběma směry, posunutá nula?</translation>
     </message>
     <message>
-        <source>a sensor may lie, see the alarms</source>
+        <source>a sensor may be wrong, see the alarms</source>
         <translation>snímač možná neměří správně, viz poplachy</translation>
     </message>
     <message>
@@ -3103,12 +3103,12 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>záznam do něj skončil</translation>
     </message>
     <message>
-        <source>is read by somebody, so its journal stays beside it</source>
-        <translation>někdo ho čte, jeho žurnál proto zůstává vedle něj</translation>
+        <source>is open in another program, so its journal stays beside it</source>
+        <translation>je otevřen v jiném programu, jeho žurnál proto zůstává vedle něj</translation>
     </message>
     <message>
-        <source>its journal is damaged: nothing of it can be read</source>
-        <translation>jeho žurnál je poškozený: nelze z něj nic přečíst</translation>
+        <source>its journal is damaged and cannot be read</source>
+        <translation>jeho žurnál je poškozený a nelze ho přečíst</translation>
     </message>
     <message>
         <source>%1: %2 holds a polygon that is not convex</source>
@@ -3355,8 +3355,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>tolik bajtů v base 64, kolik říká dlc</translation>
     </message>
     <message>
-        <source>%1; what it says is left out</source>
-        <translation>%1; co říká, je vynecháno</translation>
+        <source>%1; this entry is left out</source>
+        <translation>%1; tato položka je vynechána</translation>
     </message>
     <message>
         <source>line %1: expected %2, found %3</source>
@@ -3403,7 +3403,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>komprimovaný záznam je utržený před prvním řádkem</translation>
     </message>
     <message>
-        <source>bytes that are not gzip stand behind the packed log and are left out</source>
+        <source>bytes behind the packed log are not gzip and are left out</source>
         <translation>za komprimovaným záznamem jsou bajty, které nejsou gzip, a jsou vynechány</translation>
     </message>
     <message>
@@ -3435,8 +3435,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>o %1 s dříve než předchozí řádek: byly hodiny přestaveny?</translation>
     </message>
     <message>
-        <source>has no line end: it is read as it stands, and may have been longer</source>
-        <translation>nemá konec řádku: čte se, jak je, a mohl být delší</translation>
+        <source>has no line end: it is read, but may be truncated</source>
+        <translation>nemá konec řádku: čte se, ale může být useknutý</translation>
     </message>
     <message>
         <source>has no line end and holds no frame: it may be torn</source>
@@ -3615,7 +3615,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>pravá síla 6</translation>
     </message>
     <message>
-        <source>%1: the disk is full; recording goes on when there is room</source>
+        <source>%1: the disk is full; recording continues when there is space</source>
         <translation>%1: disk je plný; záznam pokračuje, jakmile bude místo</translation>
     </message>
     <message>
@@ -3675,7 +3675,7 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>nepřipojeno: %1</translation>
     </message>
     <message>
-        <source>its lines have no names: say offset instead</source>
+        <source>its lines have no names: give offset instead</source>
         <translation>jeho linky nemají jména: uveďte místo toho offset</translation>
     </message>
     <message>
@@ -3791,8 +3791,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>je vypnuté</translation>
     </message>
     <message>
-        <source>its send queue holds %1 frames: with nobody to acknowledge them, other programs&apos; frames grow old in it</source>
-        <translation>jeho odesílací fronta pojme %1 rámců: když je nikdo nepotvrzuje, rámce jiných programů v ní stárnou</translation>
+        <source>its send queue holds %1 frames: without acknowledgement, other programs&apos; frames wait in it too long</source>
+        <translation>jeho odesílací fronta pojme %1 rámců: bez potvrzení v ní rámce jiných programů čekají příliš dlouho</translation>
     </message>
     <message>
         <source>the receive buffer may be as large as it has to</source>
@@ -3851,8 +3851,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>nahrávání bylo vypnuto</translation>
     </message>
     <message>
-        <source>%1: the disk is full: only %2 MB are free, %3 MB are left alone; recording goes on when there is room</source>
-        <translation>%1: disk je plný: volných je jen %2 MB, %3 MB zůstává nedotčeno; nahrává se dál, až bude místo</translation>
+        <source>%1: the disk is full: only %2 MB are free, %3 MB are kept free; recording continues when there is space</source>
+        <translation>%1: disk je plný: volných je jen %2 MB, %3 MB se nechává volných; nahrává se dál, až bude místo</translation>
     </message>
     <message>
         <source>the file is large enough</source>
@@ -4068,6 +4068,14 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>restore</source>
         <translation>vrátit</translation>
+    </message>
+    <message>
+        <source>sensor-fault</source>
+        <translation>porucha snímače</translation>
+    </message>
+    <message>
+        <source>attitude</source>
+        <translation>náklon</translation>
     </message>
 </context>
 <context>
@@ -5092,8 +5100,8 @@ F1</translation>
         <translation>Nenabízí se: žádný bod v dosahu není méně jistý než ± %1 m</translation>
     </message>
     <message>
-        <source>No probe offered, by the settings: %1 stands without the arm</source>
-        <translation>Nenabízí se podle nastavení: %1 platí i bez ramene</translation>
+        <source>No probe offered, by the settings: %1 is decided without the arm</source>
+        <translation>Nenabízí se podle nastavení: %1 je rozhodnuto i bez ramene</translation>
     </message>
     <message>
         <source>No probe offered, by the settings: no bin in reach informs about the step</source>
@@ -5449,8 +5457,8 @@ F1</translation>
         <translation>o sondu se nežádá: nejdřív ukažte na úsek</translation>
     </message>
     <message>
-        <source>In the window of a review the same keys move in time, and no robot: A, B, M, P, K, 1 to 8, Space, Page Up and Down, Up and Down mean something else there.</source>
-        <translation>V okně prohlížení tytéž klávesy posouvají čas, ne robota: A, B, M, P, K, 1 až 8, mezerník, Page Up a Down, šipky nahoru a dolů tam znamenají něco jiného.</translation>
+        <source>In a review, these keys move in time and no robot: A, B, M, P, K, 1 to 8, Space, Page Up and Down, Up and Down.</source>
+        <translation>V prohlížení tyto klávesy posouvají čas, ne robota: A, B, M, P, K, 1 až 8, mezerník, Page Up a Down, šipky nahoru a dolů.</translation>
     </message>
 </context>
 <context>
@@ -5815,7 +5823,7 @@ F1</translation>
         <translation>%1 platí: sonda dá větší jistotu.</translation>
     </message>
     <message>
-        <source>Do not probe: 0 s, %1 stands (N)</source>
+        <source>Do not probe: 0 s, keep %1 (N)</source>
         <translation>Bez sondy: 0 s, %1 platí (N)</translation>
     </message>
     <message>
@@ -5961,8 +5969,8 @@ F1</translation>
         <translation>Bajty</translation>
     </message>
     <message>
-        <source>What it says</source>
-        <translation>Co říká</translation>
+        <source>Content</source>
+        <translation>Obsah</translation>
     </message>
     <message>
         <source>%1 (from here)</source>
@@ -6249,8 +6257,8 @@ F1</translation>
         <translation>scéna %1</translation>
     </message>
     <message>
-        <source>no estimate stands at this time</source>
-        <translation>v tomto čase neplatí žádný odhad</translation>
+        <source>there is no estimate at this time</source>
+        <translation>v tomto čase není žádný odhad</translation>
     </message>
     <message>
         <source>Replace the file</source>
@@ -6289,8 +6297,8 @@ F1</translation>
         <translation>Zapisuje se soubor</translation>
     </message>
     <message>
-        <source>No estimate stands at this time</source>
-        <translation>V tomto čase neplatí žádný odhad</translation>
+        <source>There is no estimate at this time</source>
+        <translation>V tomto čase není žádný odhad</translation>
     </message>
     <message>
         <source>Name the file first</source>
@@ -6641,8 +6649,8 @@ F1</translation>
         <translation>Události</translation>
     </message>
     <message>
-        <source>Everything the session tells of</source>
-        <translation>Vše, co relace obsahuje</translation>
+        <source>All events of the session</source>
+        <translation>Všechny události relace</translation>
     </message>
     <message>
         <source>Robot</source>
@@ -6757,8 +6765,8 @@ F1</translation>
         <translation>po novém spuštění</translation>
     </message>
     <message>
-        <source>In the console itself the same keys command: A explores, B asks for a probe, M arms, Space approves a probe, Up and Down drive, Page Up and Down change the limit, P shows what a command needs, K marks, 1 to 3 ask for another bin.</source>
-        <translation>V samotné konzoli tytéž klávesy velí: A zkoumá, B žádá o sondu, M aktivuje, mezerník schvaluje sondu, šipky nahoru a dolů jedou, Page Up a Down mění mez, P ukáže, co povel potřebuje, K značí, 1 až 3 žádají o jiný úsek.</translation>
+        <source>In the console the same keys send commands. A explores, B asks for a probe, M arms, Space approves a probe. Up and Down drive, Page Up and Down change the limit. P shows what a command needs, K marks, 1 to 3 ask for another bin.</source>
+        <translation>V konzoli tytéž klávesy vysílají povely. A zkoumá, B žádá o sondu, M aktivuje, mezerník schvaluje sondu. Šipky nahoru a dolů jedou, Page Up a Down mění mez. P ukáže, co povel potřebuje, K značí, 1 až 3 žádají o jiný úsek.</translation>
     </message>
     <message>
         <source>Signals</source>
@@ -7200,11 +7208,11 @@ F1</translation>
         <translation>kde je terén nejistý</translation>
     </message>
     <message>
-        <source>there, unless the verdict stands</source>
-        <translation>tam, pokud výrok neplatí</translation>
+        <source>there, unless the verdict is decided</source>
+        <translation>tam, pokud výrok není rozhodnut</translation>
     </message>
     <message>
-        <source>where it tells about the verdict</source>
+        <source>where it helps the verdict</source>
         <translation>kde pomůže výroku</translation>
     </message>
     <message>
@@ -7615,8 +7623,8 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>Návrh zůstal bez odpovědi, což znamená ne.</translation>
     </message>
     <message>
-        <source>No probe: the estimate stands without the arm.</source>
-        <translation>Bez sondy: odhad platí i bez ramene.</translation>
+        <source>No probe: the estimate is certain without the arm.</source>
+        <translation>Bez sondy: odhad je jistý i bez ramene.</translation>
     </message>
     <message>
         <source>No probe is proposed. After an exploration the arm is offered where the terrain stays uncertain.</source>
@@ -8422,7 +8430,7 @@ vpředu</translation>
         <translation>do %1 m</translation>
     </message>
     <message>
-        <source>a sensor may lie</source>
+        <source>a sensor may be wrong</source>
         <translation>snímač možná neměří správně</translation>
     </message>
     <message>

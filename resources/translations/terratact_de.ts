@@ -8,8 +8,8 @@
         <translation>Beruht zum Teil auf der Arbeit des Qwt-Projekts (http://qwt.sf.net).</translation>
     </message>
     <message>
-        <source>The operator&apos;s console of a tracked rescue robot. Where cameras see nothing, it estimates the terrain from what body, flippers and arm feel, and says how sure that is.</source>
-        <translation>Die Bedienkonsole eines Rettungsroboters auf Ketten. Wo Kameras nichts sehen, schätzt sie das Gelände aus dem, was Rumpf, Flipper und Arm spüren, und sagt, wie sicher das ist.</translation>
+        <source>The operator&apos;s console of a tracked rescue robot. Where cameras see nothing, it estimates the terrain from what body, flippers and arm feel. Bands show how certain each height is.</source>
+        <translation>Die Bedienkonsole eines Rettungsroboters auf Ketten. Wo Kameras nichts sehen, schätzt sie das Gelände aus dem, was Rumpf, Flipper und Arm spüren. Bänder zeigen, wie sicher jede Höhe ist.</translation>
     </message>
     <message>
         <source>Copyright %1 Terratact contributors. MIT licence: free to use, to change and to pass on; without any warranty.</source>
@@ -645,8 +645,8 @@
         <translation>Arm: ungültig</translation>
     </message>
     <message>
-        <source>The question for a probe is void: F2 says why</source>
-        <translation>Die Frage nach der Probe ist ungültig: F2 sagt, warum</translation>
+        <source>The proposed probe is void: F2 shows the reason</source>
+        <translation>Die vorgeschlagene Sondierung ist ungültig: F2 zeigt den Grund</translation>
     </message>
 </context>
 <context>
@@ -1235,8 +1235,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>der Wert liegt über seiner Grenze</translation>
     </message>
     <message>
-        <source>nobody has approved the probe</source>
-        <translation>niemand hat die Sondierung genehmigt</translation>
+        <source>the probe is not approved</source>
+        <translation>die Sondierung ist nicht genehmigt</translation>
     </message>
     <message>
         <source>the approval is too old</source>
@@ -1415,8 +1415,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>die Verbindung ist gut</translation>
     </message>
     <message>
-        <source>nobody else has armed the robot</source>
-        <translation>niemand sonst hat den Roboter freigegeben</translation>
+        <source>no other console has armed the robot</source>
+        <translation>keine andere Konsole hat den Roboter freigegeben</translation>
     </message>
     <message>
         <source>telemetry was missing for a while, in which the robot may have moved</source>
@@ -1583,15 +1583,15 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>kein GPIO-Chip mit der Bezeichnung %1: es gibt %2</translation>
     </message>
     <message>
-        <source>several GPIO chips named %1: there is %2; say the chip&apos;s name instead</source>
+        <source>several GPIO chips named %1: there is %2; give the chip&apos;s name instead</source>
         <translation>mehrere GPIO-Chips namens %1: es gibt %2; bitte statt dessen den Namen des Chips angeben</translation>
     </message>
     <message>
-        <source>several GPIO chips labelled %1: there is %2; say the chip&apos;s name instead</source>
+        <source>several GPIO chips labelled %1: there is %2; give the chip&apos;s name instead</source>
         <translation>mehrere GPIO-Chips mit der Bezeichnung %1: es gibt %2; bitte statt dessen den Namen des Chips angeben</translation>
     </message>
     <message>
-        <source>%1 has several lines named %2: say offset instead</source>
+        <source>%1 has several lines named %2: give offset instead</source>
         <translation>%1 hat mehrere Leitungen namens %2: bitte statt dessen offset angeben</translation>
     </message>
     <message>
@@ -1599,12 +1599,12 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>%1 des Pults gehorcht nicht: %2</translation>
     </message>
     <message>
-        <source>the panel&apos;s button %1 was held when the panel came up: it counts as not pressed until it is let go; if nobody holds it, its contact sticks or its wires touch</source>
-        <translation>der Knopf %1 des Pults war gedrückt, als das Pult hochkam: er gilt als nicht gedrückt, bis er losgelassen wird; hält ihn niemand, klemmt sein Kontakt oder seine Drähte berühren sich</translation>
+        <source>the panel&apos;s button %1 was held when the panel came up. It counts as not pressed until it is released. If it is not held, its contact sticks or its wires touch</source>
+        <translation>der Knopf %1 des Pults war gedrückt, als das Pult hochkam. Er gilt als nicht gedrückt, bis er losgelassen wird. Ist er nicht gedrückt, klemmt sein Kontakt oder seine Drähte berühren sich</translation>
     </message>
     <message>
-        <source>the panel&apos;s button %1 has been held for longer than anybody presses: it counts as not pressed until it is let go; if nobody holds it, its contact sticks or its wires touch</source>
-        <translation>der Knopf %1 des Pults ist länger gedrückt, als jemand drückt: er gilt als nicht gedrückt, bis er losgelassen wird; hält ihn niemand, klemmt sein Kontakt oder seine Drähte berühren sich</translation>
+        <source>the panel&apos;s button %1 has been held for too long. It counts as not pressed until it is released. If it is not held, its contact sticks or its wires touch</source>
+        <translation>der Knopf %1 des Pults ist zu lange gedrückt. Er gilt als nicht gedrückt, bis er losgelassen wird. Ist er nicht gedrückt, klemmt sein Kontakt oder seine Drähte berühren sich</translation>
     </message>
     <message>
         <source>line %1 of %2 is asked for twice</source>
@@ -1663,11 +1663,11 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>der Schlüssel %1 fehlt</translation>
     </message>
     <message>
-        <source>is a model of other features: %1 stands where %2 is expected</source>
+        <source>is a model of other features: it has %1 where %2 is expected</source>
         <translation>ist ein Modell anderer Merkmale: hier steht %1, erwartet wird %2</translation>
     </message>
     <message>
-        <source>is a model of other bins: %1 stands where %2 is expected</source>
+        <source>is a model of other bins: it has %1 where %2 is expected</source>
         <translation>ist ein Modell anderer Felder: hier steht %1, erwartet wird %2</translation>
     </message>
     <message>
@@ -1787,8 +1787,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>seine Tabelle length_scale hat nicht die Reihenfolge der Eingänge</translation>
     </message>
     <message>
-        <source>chip must say its label, or its name: one of both</source>
-        <translation>chip muss label oder name angeben: eines von beiden</translation>
+        <source>chip must have a label or a name, not both</source>
+        <translation>chip muss label oder name haben, nicht beides</translation>
     </message>
     <message>
         <source>has more than %1 fields</source>
@@ -1835,12 +1835,12 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ihre Tabellen sind nicht die einer Sitzung</translation>
     </message>
     <message>
-        <source>says more of its start than a session does</source>
-        <translation>sagt mehr über ihren Beginn als eine Sitzung</translation>
+        <source>has unknown entries about its start</source>
+        <translation>hat unbekannte Einträge über ihren Beginn</translation>
     </message>
     <message>
-        <source>does not say whether it could transmit</source>
-        <translation>sagt nicht, ob sie senden konnte</translation>
+        <source>lacks the entry whether it could transmit</source>
+        <translation>ihr fehlt der Eintrag, ob sie senden konnte</translation>
     </message>
     <message>
         <source>has draws that are not whole</source>
@@ -2151,8 +2151,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>Rahmen, die beim Aufzeichnen des Logs verloren gingen</translation>
     </message>
     <message>
-        <source>%1 frames and %2 other rows are not here: there was no room while the disk was slow or full, or they could not be written</source>
-        <translation>%1 Rahmen und %2 andere Zeilen fehlen: es war kein Platz, solange der Datenträger langsam oder voll war, oder sie ließen sich nicht schreiben</translation>
+        <source>%1 frames and %2 other rows were dropped: the disk was slow or full, or they could not be written</source>
+        <translation>%1 Rahmen und %2 andere Zeilen gingen verloren: der Datenträger war langsam oder voll, oder sie ließen sich nicht schreiben</translation>
     </message>
     <message>
         <source>no scene has a known height (columns h_-0.3_m … h_+0.7_m)</source>
@@ -2167,8 +2167,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>%1 ist %2, außerhalb des Bereichs von %3 bis %4 %5 (%6)</translation>
     </message>
     <message>
-        <source>%1 must say the line&apos;s name, or offset its position: one of both</source>
-        <translation>%1 muss den Namen der Leitung angeben, oder offset ihre Stelle: eines von beiden</translation>
+        <source>%1 must have the line&apos;s name or its offset, not both</source>
+        <translation>%1 muss den Namen der Leitung oder ihr offset haben, nicht beides</translation>
     </message>
     <message>
         <source>%1 names a line that the file has used before</source>
@@ -2219,8 +2219,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ein Wert vom falschen Typ in %1</translation>
     </message>
     <message>
-        <source>does not say its %1</source>
-        <translation>nennt nicht: %1</translation>
+        <source>lacks the entry %1</source>
+        <translation>ihr fehlt der Eintrag %1</translation>
     </message>
     <message>
         <source>the session&apos;s model %1 (%2…) is not there</source>
@@ -2595,11 +2595,11 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ist eine DBC-Datei, die --dbc liest; erwartet wird ein Log von CAN-Verkehr</translation>
     </message>
     <message>
-        <source>at line %1 the log&apos;s clock was set back by %2 s; the session goes on evenly</source>
+        <source>at line %1 the log&apos;s clock was set back by %2 s; the session continues evenly</source>
         <translation>in Zeile %1 wurde die Uhr des Logs um %2 s zurückgestellt; die Sitzung geht gleichmäßig weiter</translation>
     </message>
     <message>
-        <source>at line %1 the log&apos;s clock was set forward by %2 s; the session goes on evenly</source>
+        <source>at line %1 the log&apos;s clock was set forward by %2 s; the session continues evenly</source>
         <translation>in Zeile %1 wurde die Uhr des Logs um %2 s vorgestellt; die Sitzung geht gleichmäßig weiter</translation>
     </message>
     <message>
@@ -2675,8 +2675,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ist %1; erwartet wird ein Log als Text: can_logconvert von python-can macht eines daraus</translation>
     </message>
     <message>
-        <source>%1 sessions of %2 MB are beyond the limits that you have set; none is deleted until the page of the settings says that they may be</source>
-        <translation>%1 Sitzungen mit %2 MB liegen jenseits der eingestellten Grenzen; keine wird gelöscht, bis die Seite der Einstellungen es erlaubt</translation>
+        <source>%1 sessions of %2 MB are beyond the limits that you have set; none is deleted until you allow it on page Settings</source>
+        <translation>%1 Sitzungen mit %2 MB liegen jenseits der eingestellten Grenzen; keine wird gelöscht, bis Sie es auf der Seite Einstellungen erlauben</translation>
     </message>
     <message>
         <source>there is no home folder to record in: --sessions names another</source>
@@ -2719,8 +2719,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ihre Einstellungen verlangen %1 behaltene und %2 verworfene Durchläufe, und höchstens %3 werden gerechnet</translation>
     </message>
     <message>
-        <source>says too much of its %1</source>
-        <translation>sagt zu viel über %1</translation>
+        <source>has too long an entry %1</source>
+        <translation>hat einen zu langen Eintrag %1</translation>
     </message>
     <message>
         <source>its journal %1 is not beside it: what was recorded after that is in there; both files belong together</source>
@@ -2911,7 +2911,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>passt nicht zum selben Boden in beiden Richtungen, Nullpunkt verschoben?</translation>
     </message>
     <message>
-        <source>a sensor may lie, see the alarms</source>
+        <source>a sensor may be wrong, see the alarms</source>
         <translation>ein Sensor misst vielleicht falsch, siehe Alarme</translation>
     </message>
     <message>
@@ -3103,12 +3103,12 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>die Aufzeichnung darin ist beendet</translation>
     </message>
     <message>
-        <source>is read by somebody, so its journal stays beside it</source>
-        <translation>wird von jemandem gelesen, daher bleibt ihr Journal daneben</translation>
+        <source>is open in another program, so its journal stays beside it</source>
+        <translation>ist in einem anderen Programm geöffnet, daher bleibt ihr Journal daneben</translation>
     </message>
     <message>
-        <source>its journal is damaged: nothing of it can be read</source>
-        <translation>ihr Journal ist beschädigt: nichts davon ist lesbar</translation>
+        <source>its journal is damaged and cannot be read</source>
+        <translation>ihr Journal ist beschädigt und nicht lesbar</translation>
     </message>
     <message>
         <source>%1: %2 holds a polygon that is not convex</source>
@@ -3355,8 +3355,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>so viele Bytes in Base 64, wie dlc sagt</translation>
     </message>
     <message>
-        <source>%1; what it says is left out</source>
-        <translation>%1; was dort steht, ist ausgelassen</translation>
+        <source>%1; this entry is left out</source>
+        <translation>%1; dieser Eintrag ist ausgelassen</translation>
     </message>
     <message>
         <source>line %1: expected %2, found %3</source>
@@ -3403,7 +3403,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>das gepackte Protokoll ist vor seiner ersten Zeile abgerissen</translation>
     </message>
     <message>
-        <source>bytes that are not gzip stand behind the packed log and are left out</source>
+        <source>bytes behind the packed log are not gzip and are left out</source>
         <translation>hinter dem gepackten Protokoll stehen Bytes, die kein gzip sind; sie sind ausgelassen</translation>
     </message>
     <message>
@@ -3435,8 +3435,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>%1 s früher als die Zeile davor: wurde die Uhr gestellt?</translation>
     </message>
     <message>
-        <source>has no line end: it is read as it stands, and may have been longer</source>
-        <translation>hat kein Zeilenende: sie wird gelesen, wie sie dasteht, und war vielleicht länger</translation>
+        <source>has no line end: it is read, but may be truncated</source>
+        <translation>hat kein Zeilenende: sie wird gelesen, ist aber vielleicht abgeschnitten</translation>
     </message>
     <message>
         <source>has no line end and holds no frame: it may be torn</source>
@@ -3615,7 +3615,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>rechte Kraft 6</translation>
     </message>
     <message>
-        <source>%1: the disk is full; recording goes on when there is room</source>
+        <source>%1: the disk is full; recording continues when there is space</source>
         <translation>%1: der Datenträger ist voll; die Aufnahme geht weiter, sobald Platz ist</translation>
     </message>
     <message>
@@ -3675,7 +3675,7 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>nicht gebunden: %1</translation>
     </message>
     <message>
-        <source>its lines have no names: say offset instead</source>
+        <source>its lines have no names: give offset instead</source>
         <translation>seine Leitungen haben keine Namen: bitte statt dessen offset angeben</translation>
     </message>
     <message>
@@ -3791,8 +3791,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>sie ist abgeschaltet</translation>
     </message>
     <message>
-        <source>its send queue holds %1 frames: with nobody to acknowledge them, other programs&apos; frames grow old in it</source>
-        <translation>ihre Sendewarteschlange fasst %1 Rahmen: wenn niemand sie bestätigt, veralten darin die Rahmen anderer Programme</translation>
+        <source>its send queue holds %1 frames: without acknowledgement, other programs&apos; frames wait in it too long</source>
+        <translation>ihre Sendewarteschlange fasst %1 Rahmen: ohne Bestätigung warten darin die Rahmen anderer Programme zu lange</translation>
     </message>
     <message>
         <source>the receive buffer may be as large as it has to</source>
@@ -3851,8 +3851,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>die Aufzeichnung wurde abgeschaltet</translation>
     </message>
     <message>
-        <source>%1: the disk is full: only %2 MB are free, %3 MB are left alone; recording goes on when there is room</source>
-        <translation>%1: die Platte ist voll: nur %2 MB sind frei, %3 MB bleiben unberührt; aufgezeichnet wird wieder, sobald Platz ist</translation>
+        <source>%1: the disk is full: only %2 MB are free, %3 MB are kept free; recording continues when there is space</source>
+        <translation>%1: die Platte ist voll: nur %2 MB sind frei, %3 MB bleiben frei; aufgezeichnet wird wieder, sobald Platz ist</translation>
     </message>
     <message>
         <source>the file is large enough</source>
@@ -4068,6 +4068,14 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>restore</source>
         <translation>zurückholen</translation>
+    </message>
+    <message>
+        <source>sensor-fault</source>
+        <translation>Sensorfehler</translation>
+    </message>
+    <message>
+        <source>attitude</source>
+        <translation>Lage</translation>
     </message>
 </context>
 <context>
@@ -5092,8 +5100,8 @@ F1</translation>
         <translation>Nicht angeboten: kein Feld in Reichweite ist unsicherer als ± %1 m</translation>
     </message>
     <message>
-        <source>No probe offered, by the settings: %1 stands without the arm</source>
-        <translation>Nach den Einstellungen nicht angeboten: %1 steht ohne den Arm</translation>
+        <source>No probe offered, by the settings: %1 is decided without the arm</source>
+        <translation>Nach den Einstellungen nicht angeboten: %1 ist ohne den Arm entschieden</translation>
     </message>
     <message>
         <source>No probe offered, by the settings: no bin in reach informs about the step</source>
@@ -5449,8 +5457,8 @@ F1</translation>
         <translation>es wird nicht nach einer Sondierung gefragt: zuerst auf einen Abschnitt zeigen</translation>
     </message>
     <message>
-        <source>In the window of a review the same keys move in time, and no robot: A, B, M, P, K, 1 to 8, Space, Page Up and Down, Up and Down mean something else there.</source>
-        <translation>Im Fenster einer Durchsicht bewegen dieselben Tasten die Zeit und keinen Roboter: A, B, M, P, K, 1 bis 8, Leertaste, Bild auf und ab, Pfeil auf und ab bedeuten dort etwas anderes.</translation>
+        <source>In a review, these keys move in time and no robot: A, B, M, P, K, 1 to 8, Space, Page Up and Down, Up and Down.</source>
+        <translation>In einer Durchsicht bewegen diese Tasten die Zeit und keinen Roboter: A, B, M, P, K, 1 bis 8, Leertaste, Bild auf und ab, Pfeil auf und ab.</translation>
     </message>
 </context>
 <context>
@@ -5815,7 +5823,7 @@ F1</translation>
         <translation>%1 steht: eine Sonde macht es sicherer.</translation>
     </message>
     <message>
-        <source>Do not probe: 0 s, %1 stands (N)</source>
+        <source>Do not probe: 0 s, keep %1 (N)</source>
         <translation>Nicht sondieren: 0 s, %1 bleibt (N)</translation>
     </message>
     <message>
@@ -5961,8 +5969,8 @@ F1</translation>
         <translation>Bytes</translation>
     </message>
     <message>
-        <source>What it says</source>
-        <translation>Was es sagt</translation>
+        <source>Content</source>
+        <translation>Inhalt</translation>
     </message>
     <message>
         <source>%1 (from here)</source>
@@ -6249,8 +6257,8 @@ F1</translation>
         <translation>Szene %1</translation>
     </message>
     <message>
-        <source>no estimate stands at this time</source>
-        <translation>zu dieser Zeit gilt keine Schätzung</translation>
+        <source>there is no estimate at this time</source>
+        <translation>zu dieser Zeit gibt es keine Schätzung</translation>
     </message>
     <message>
         <source>Replace the file</source>
@@ -6289,8 +6297,8 @@ F1</translation>
         <translation>Eine Datei wird geschrieben</translation>
     </message>
     <message>
-        <source>No estimate stands at this time</source>
-        <translation>Zu dieser Zeit gilt keine Schätzung</translation>
+        <source>There is no estimate at this time</source>
+        <translation>Zu dieser Zeit gibt es keine Schätzung</translation>
     </message>
     <message>
         <source>Name the file first</source>
@@ -6641,8 +6649,8 @@ F1</translation>
         <translation>Ereignisse</translation>
     </message>
     <message>
-        <source>Everything the session tells of</source>
-        <translation>Alles, wovon die Sitzung berichtet</translation>
+        <source>All events of the session</source>
+        <translation>Alle Ereignisse der Sitzung</translation>
     </message>
     <message>
         <source>Robot</source>
@@ -6757,8 +6765,8 @@ F1</translation>
         <translation>ab dem nächsten Start</translation>
     </message>
     <message>
-        <source>In the console itself the same keys command: A explores, B asks for a probe, M arms, Space approves a probe, Up and Down drive, Page Up and Down change the limit, P shows what a command needs, K marks, 1 to 3 ask for another bin.</source>
-        <translation>In der Konsole selbst befehlen dieselben Tasten: A erkundet, B fragt nach einer Sondierung, M gibt frei, Leertaste genehmigt eine Sondierung, Pfeil auf und ab fahren, Bild auf und ab ändern die Grenze, P zeigt, was ein Befehl braucht, K markiert, 1 bis 3 fragen nach einem anderen Abschnitt.</translation>
+        <source>In the console the same keys send commands. A explores, B asks for a probe, M arms, Space approves a probe. Up and Down drive, Page Up and Down change the limit. P shows what a command needs, K marks, 1 to 3 ask for another bin.</source>
+        <translation>In der Konsole senden dieselben Tasten Befehle. A erkundet, B fragt nach einer Sondierung, M gibt frei, Leertaste genehmigt eine Sondierung. Pfeil auf und ab fahren, Bild auf und ab ändern die Grenze. P zeigt, was ein Befehl braucht, K markiert, 1 bis 3 fragen nach einem anderen Abschnitt.</translation>
     </message>
     <message>
         <source>Signals</source>
@@ -7200,11 +7208,11 @@ F1</translation>
         <translation>wo das Gelände unsicher ist</translation>
     </message>
     <message>
-        <source>there, unless the verdict stands</source>
-        <translation>dort, außer das Urteil steht</translation>
+        <source>there, unless the verdict is decided</source>
+        <translation>dort, außer das Urteil ist entschieden</translation>
     </message>
     <message>
-        <source>where it tells about the verdict</source>
+        <source>where it helps the verdict</source>
         <translation>wo es dem Urteil hilft</translation>
     </message>
     <message>
@@ -7615,8 +7623,8 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Der Vorschlag blieb ohne Antwort, das heißt nein.</translation>
     </message>
     <message>
-        <source>No probe: the estimate stands without the arm.</source>
-        <translation>Keine Sondierung: die Schätzung gilt ohne den Arm.</translation>
+        <source>No probe: the estimate is certain without the arm.</source>
+        <translation>Keine Sondierung: die Schätzung ist ohne den Arm sicher.</translation>
     </message>
     <message>
         <source>No probe is proposed. After an exploration the arm is offered where the terrain stays uncertain.</source>
@@ -8422,7 +8430,7 @@ voraus</translation>
         <translation>bis %1 m</translation>
     </message>
     <message>
-        <source>a sensor may lie</source>
+        <source>a sensor may be wrong</source>
         <translation>ein Sensor misst vielleicht falsch</translation>
     </message>
     <message>

@@ -82,7 +82,7 @@ class Console(unittest.TestCase):
                 since = len(operator.phases())
                 operator.presses("n")
                 operator.until(lambda: "refuse" in operator.decisions(), what="a refusal")
-                operator.until(lambda: self.came(STANDS, since), what="an estimate that stands without the arm")
+                operator.until(lambda: self.came(STANDS, since), what="an estimate that is certain without the arm")
 
                 self.explores()
                 since = len(operator.phases())

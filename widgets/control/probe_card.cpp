@@ -333,7 +333,7 @@ void ProbeCard::showAnswer()
                                : tr("Already %1; a probe only refines the profile."))
                               .arg(answer));
     refuse_->setText(narrow_   ? tr("Do not probe (N)")
-                     : decided ? tr("Do not probe: 0 s, %1 stands (N)").arg(answer)
+                     : decided ? tr("Do not probe: 0 s, keep %1 (N)").arg(answer)
                                : tr("Do not probe: 0 s, the estimate stays (N)"));
     const QString role = decided ? QStringLiteral("primary") : QString();
     if (refuse_->property("role").toString() == role) return;

@@ -83,7 +83,7 @@ public:
         if (orientation != Qt::Horizontal) return {};
         const QString names[kTraceColumns]{RawTrace::tr("Number"), RawTrace::tr("Time [s]"),
                                            RawTrace::tr("Id"),     RawTrace::tr("Frame"),
-                                           RawTrace::tr("Bytes"),  RawTrace::tr("What it says")};
+                                           RawTrace::tr("Bytes"),  RawTrace::tr("Content")};
         if (role == Qt::DisplayRole) return names[section];
         if (role == Qt::TextAlignmentRole) return alignment(section);
         return {};

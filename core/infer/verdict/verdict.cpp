@@ -137,7 +137,8 @@ SourceText describe(WithholdReason reason)
         return TR_NOOP("core", "the robot rolls, left and right ground differ");
     case WithholdReason::Asymmetry:
         return TR_NOOP("core", "the flippers differ, left and right ground differ");
-    case WithholdReason::SensorFault: return TR_NOOP("core", "a sensor may lie, see the alarms");
+    case WithholdReason::SensorFault:
+        return TR_NOOP("core", "a sensor may be wrong, see the alarms");
     case WithholdReason::Contradiction:
         return TR_NOOP("core", "the estimate contradicts the readings");
     }

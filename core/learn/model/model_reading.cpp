@@ -131,7 +131,7 @@ void requireInput(bool holds, const std::string& found, const std::string& expec
 {
     require(holds, [&] {
         return Message(
-            TR_NOOP("core", "is a model of other features: %1 stands where %2 is expected"),
+            TR_NOOP("core", "is a model of other features: it has %1 where %2 is expected"),
             shown(found), expected);
     });
 }
@@ -169,7 +169,7 @@ void readBins(SqliteFile& file, BinModelData& data, const BinSet& bins)
                     && row.text(1) == heightColumns()[i].name,
                 [&] {
                     return Message(
-                        TR_NOOP("core", "is a model of other bins: %1 stands where %2 is expected"),
+                        TR_NOOP("core", "is a model of other bins: it has %1 where %2 is expected"),
                         shown(row.text(1)), heightColumns()[i].name);
                 });
         data.bins[i].signalSd = row.real(2);

@@ -34,8 +34,7 @@ public:
             if (keyword != "SG_") messages_.endMessage();
             section(keyword, place.line);
             if (scan_.failure().empty()) continue;
-            warnings_.add(
-                Message(TR_NOOP("core", "%1; what it says is left out"), scan_.failure()));
+            warnings_.add(Message(TR_NOOP("core", "%1; this entry is left out"), scan_.failure()));
             scan_.recover(place);
         }
         messages_.endMessage();

@@ -48,7 +48,7 @@ TEST_F(Console, everyPageShowsTheApprovalExpiryOfAProposal)
     if (const QString folder = qEnvironmentVariable("TERRATACT_PICTURES"); !folder.isEmpty())
         window->grab().save(folder + "/probe-asked-on-another-page.png");
     window->preferences().change([](Preferences& p) { p.forceThreshold += 0.5; });
-    EXPECT_TRUE(eventually([&] { return says("question for a probe is void: F2 says why"); }));
+    EXPECT_TRUE(eventually([&] { return says("proposed probe is void: F2 shows the reason"); }));
     EXPECT_FALSE(tells());
     EXPECT_TRUE(terrain.text().contains("arm: void")) << terrain.text().toStdString();
     EXPECT_EQ(window->rail()->width(), wide);

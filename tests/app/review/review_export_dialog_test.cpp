@@ -70,10 +70,10 @@ TEST_F(ExportOf, whatIsShownIsWrittenByTheSameDialog)
     EXPECT_NE(written("report.html").find("Scene 1 of review.tts"), std::string::npos);
     window->goTo(0.0);
     choose("Report", ".html", "none.html");
-    EXPECT_FALSE(window->exportDialog()->exportButton()->isEnabled()) << "no estimate stands";
+    EXPECT_FALSE(window->exportDialog()->exportButton()->isEnabled()) << "there is no estimate";
 }
 
-TEST_F(ExportOf, aDisabledButtonSaysWhy)
+TEST_F(ExportOf, aDisabledButtonShowsTheReason)
 {
     {
         auto writer = robotSession(path.toStdString(), 60.0, 850.0);
@@ -91,7 +91,7 @@ TEST_F(ExportOf, aDisabledButtonSaysWhy)
     choose("Report", ".html", "report.html");
     ReviewExportDialog& dialog = *window->exportDialog();
     tips.poll(dialog);
-    EXPECT_EQ(dialog.exportButton()->toolTip(), "No estimate stands at this time");
+    EXPECT_EQ(dialog.exportButton()->toolTip(), "There is no estimate at this time");
     choose("Frames, signals", ".mcap", "");
     dialog.pathEdit()->clear();
     tips.poll(dialog);
@@ -108,7 +108,7 @@ TEST_F(ExportOf, aDisabledButtonSaysWhy)
         EXPECT_TRUE(tips.compared().contains(name)) << name;
 }
 
-TEST_F(ExportOf, aFileThatIsThereIsReplacedOnlyByAButtonThatSaysSo)
+TEST_F(ExportOf, replacingAFileNeedsTheReplaceButton)
 {
     record();
     open();

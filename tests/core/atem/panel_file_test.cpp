@@ -64,7 +64,7 @@ TEST_F(PanelFile, mayNameTheChipAndPlaceALineByItsOffset)
     EXPECT_EQ(panel->inputs[PanelContact::Stop].line, (PanelLine{"", 1023U}));
 }
 
-TEST_F(PanelFile, saysHowEachLineIsWired)
+TEST_F(PanelFile, describesTheWiringOfEachLine)
 {
     std::string content = changed(R"("GPIO19", closes_to = "ground", resistor = "internal")",
                                   R"("GPIO19", closes_to = "supply", resistor = "external")");
@@ -91,9 +91,9 @@ TEST_F(PanelFile, refusesWhatItDoesNotUnderstand)
     EXPECT_TRUE(refuses("\"internal\" }", "true }", {"inputs.atem.resistor"}));
     EXPECT_TRUE(refuses("\"high\" }", "\"on\" }", {"outputs.link_lamp.lit_when", "\"low\""}));
     EXPECT_TRUE(refuses("line = \"GPIO5\"", "line = \"\"", {"inputs.atem.line", "1 to 100"}));
-    EXPECT_TRUE(refuses("line = \"GPIO5\", ", "", {"inputs.atem.line", "one of both"}));
-    EXPECT_TRUE(refuses("line = \"GPIO5\"", "line = \"GPIO5\", offset = 5", {"one of both"}));
-    EXPECT_TRUE(refuses("label = ", "name = \"gpiochip0\"\nlabel = ", {"chip", "one of both"}));
+    EXPECT_TRUE(refuses("line = \"GPIO5\", ", "", {"inputs.atem.line", "not both"}));
+    EXPECT_TRUE(refuses("line = \"GPIO5\"", "line = \"GPIO5\", offset = 5", {"not both"}));
+    EXPECT_TRUE(refuses("label = ", "name = \"gpiochip0\"\nlabel = ", {"chip", "not both"}));
     EXPECT_TRUE(refuses("[chip]", "[chip]\n[chips]", {"chip"}));
     EXPECT_TRUE(refuses("[inputs]", "[[inputs]]", {"inputs is not a table"}));
 }
