@@ -66,6 +66,11 @@ REPLACEMENTS = [
 ]
 
 
+def tests_of(test):
+    """Returns the files of a test: those of the gate are in two files."""
+    return [f"tests/{test}"] + (["tests/core/atem/command_gate_frames_test"] if test.endswith("/command_gate_test") else [])
+
+
 def run(command, **options):
     return subprocess.run(command, capture_output=True, text=True, **options)
 
@@ -98,7 +103,7 @@ def link(parts, program):
 def coverage():
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
-        tests = [f"tests/{n}_test" for n in GATE]
+        tests = [test for n in GATE for test in tests_of(f"{n}_test")]
         parts = objects(GATE, folder, ["-O0", "--coverage"]) + objects(BESIDE + tests, folder, ["-O1"])
         link(parts, folder / "tests")
         if run([str(folder / "tests")], cwd=folder).returncode != 0:
@@ -186,7 +191,7 @@ def mutate(name):
     unexpected = []
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
-        parts = objects([f"tests/{test}", *beside], folder, ["-O1"])
+        parts = objects([*tests_of(test), *beside], folder, ["-O1"])
         if trial(folder, "sound", text, parts, test) != "survived":
             sys.exit(f"{name}: the tests fail without a mutant")
         with concurrent.futures.ThreadPoolExecutor(jobs()) as pool:

@@ -40,7 +40,7 @@ class Console(unittest.TestCase):
             self.assertEqual(done.returncode, 2, arguments)
             self.assertTrue(done.stderr, arguments)
 
-    def test_without_a_display_it_says_so(self):
+    def test_without_a_display_it_names_the_cause(self):
         done = run()
         self.assertEqual(done.returncode, 1)
         self.assertIn("no display", done.stderr)

@@ -123,7 +123,7 @@ class Decode(Logs):
         self.assertIn("ok after 0.550 s of silence", out)
         self.assertRegex(out, r"Attitude +30 +[0-9.]+ +0.550 ")
 
-    def test_interfaces_are_kept_apart(self):
+    def test_interfaces_are_separated(self):
         both = session(4) + session(4).replace("can0", "can1")
         out = self.decode(both)
         self.assertEqual(out.count(f" in {self.log}"), 2)
@@ -182,7 +182,7 @@ class Decode(Logs):
                     self.assertEqual(done.returncode, 0, done.stderr)
                     self.assertIn(b"33 frames", done.stdout)
 
-    def test_what_a_log_is_told_of_other_kinds(self):
+    def test_logs_of_other_kinds_are_named(self):
         self.log.write_bytes(b"LOGG" + bytes(200))
         self.assertIn("is a binary log of Vector (.blf); expected", complaint("can", "decode", self.log))
 
@@ -391,7 +391,7 @@ class Check(unittest.TestCase):
 
 
 class Help(unittest.TestCase):
-    def test_every_command_explains_itself(self):
+    def test_every_command_prints_its_help(self):
         for command in ((), ("decode",), ("monitor",), ("check",)):
             self.assertIn("--help", run("can", *command, "--help"))
         for arguments in ((), ("decode",), ("decode", "x", "--protocol", "can"), ("monitor",), ("check",)):

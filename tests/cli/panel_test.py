@@ -11,7 +11,7 @@ CHIPS = list(pathlib.Path("/dev").glob("gpiochip*"))
 
 
 class Panel(unittest.TestCase):
-    def test_it_explains_itself(self):
+    def test_help_is_printed(self):
         self.assertIn("check", run("panel", "--help"))
         self.assertIn("--watch", run("panel", "check", "--help"))
 

@@ -62,7 +62,7 @@ struct SocketPair : testing::Test {
     std::array<BusFrame, 100> frames{};
 };
 
-TEST_F(SocketPair, aFrameOfEachKindArrivesAsWhatItIs)
+TEST_F(SocketPair, everyKindOfFrameArrivesUnchanged)
 {
     put(classic(0x123, 2, {0xde, 0xad, 0xbe}));
     put(classic(0x123 | CAN_EFF_FLAG, 0));

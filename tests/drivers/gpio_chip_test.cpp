@@ -68,7 +68,7 @@ TEST(GpioChips, withTheSameLabelAreToBeNamed)
     EXPECT_TRUE(chooseGpioChip(chips, "", "gpiochip1"));
 }
 
-TEST(GpioChips, thatMayNotBeOpenedAreNotPassedOver)
+TEST(GpioChips, withoutPermissionAreReported)
 {
     std::vector<GpioChip> chips = kChips;
     chips.push_back({"/nowhere/gpiochip2", "gpiochip2", "", 0, EACCES});
@@ -129,7 +129,7 @@ TEST(GpioLinePlaces, refuseWhatIsAmbiguousOrBeyondTheChip)
         says(placeGpioLines(request, kChips[1], kLines).error(), ENOENT, {"no line 6", "0 to 5"}));
 }
 
-TEST(GpioWords, sayWhoHoldsALine)
+TEST(GpioWords, nameTheHolderOfALine)
 {
     const auto found = placeGpioLines(asking("atem", "approve"), kChips[1], kLines);
     ASSERT_TRUE(found);
@@ -142,7 +142,7 @@ TEST(GpioWords, sayWhoHoldsALine)
     EXPECT_TRUE(says(gpioRefused(ENXIO, *nobodys, kLines), ENXIO, {"refused"}));
 }
 
-TEST(GpioWords, sayWhichCommandOpensADeviceFile)
+TEST(GpioWords, nameTheCommandThatOpensADeviceFile)
 {
     const TemporaryDirectory dir;
     const std::string path = dir.write("gpiochip0", "");
@@ -156,7 +156,7 @@ TEST(GpioWords, sayWhichCommandOpensADeviceFile)
     EXPECT_TRUE(says(gpioForbidden(path, EMFILE), EMFILE, {path, "Too many open files"}));
 }
 
-TEST(GpioWords, sayThatAChipIsGone)
+TEST(GpioWords, reportALostChip)
 {
     const GpioFound found{"/dev/gpiochip1", "gpiochip1", "expander", 8, {}, {}};
     EXPECT_TRUE(says(gpioFailed(found, TR_NOOP("core", "reading a level"), ENODEV), ENODEV,

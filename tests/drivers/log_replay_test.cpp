@@ -132,7 +132,7 @@ TEST_F(Replaying, neverRunsBackwardsAndNeverCatchesUpABackwardStep)
     EXPECT_NEAR(frames[0].time, 5001.0, 1e-9);
 }
 
-TEST_F(Replaying, saysWhereTheClockGoesBackAndTheEndIsTorn)
+TEST_F(Replaying, reportsClockStepsAndATruncatedEnd)
 {
     const auto bus = open("(1000.0) can0 001#\n(900.0) can0 002#\n(901.0) can0 00");
     ASSERT_TRUE(bus) << bus.error().text;
@@ -146,7 +146,7 @@ TEST_F(Replaying, saysWhereTheClockGoesBackAndTheEndIsTorn)
     EXPECT_EQ((*bus)->state(), BusState::Ended);
 }
 
-TEST_F(Replaying, shortensASilenceOfYearsAndSaysSo)
+TEST_F(Replaying, shortensASilenceOfYearsWithANotice)
 {
     const auto bus = open("(1000.0) can0 001#\n(1000.0) can1 001#\n(100001000.0) can0 002#\n"
                           "(100001050.0) can0 003#\n",
@@ -184,7 +184,7 @@ TEST_F(Replaying, frameTimeIsItsDueTimeEvenIfReadLate)
     EXPECT_EQ(frames[0].time, 5000.5);
 }
 
-TEST_F(Replaying, asksWhichInterfaceIsMeantWhereThereAreSeveral)
+TEST_F(Replaying, needsTheInterfaceIfThereAreSeveral)
 {
     const std::string log = "(1.0) can1 001#\n(1.1) can0 002#\n(1.5) can1 003#\n"
                             "DROPCOUNT: dropped 3 CAN frames on 'can0' socket (total drops 3)\n";
@@ -279,7 +279,7 @@ TEST_F(Replaying, goesToATimeAlsoBackFromItsEnd)
     EXPECT_EQ((*bus)->state(), BusState::Ended);
 }
 
-TEST_F(Replaying, repeatsWhereThatIsWanted)
+TEST_F(Replaying, repeatsOnRequest)
 {
     const auto bus = open(kThree);
     ASSERT_TRUE(bus);

@@ -87,7 +87,7 @@ TEST_F(TwoEnds, anInterfaceThatGoesDownLosesWhatWasQueued)
     EXPECT_TRUE(console->send(frameOfId(4)));
 }
 
-TEST_F(TwoEnds, countsFramesWithoutRoom)
+TEST_F(TwoEnds, countsDroppedFrames)
 {
     bus.dropNext(2);
     for (std::uint32_t id = 0; id < 3; ++id) bus.put(frameOfId(id), true);

@@ -194,7 +194,7 @@ TEST_F(Panel, hasNoLampsLitWhileItIsLost)
     EXPECT_EQ(poll(kLink).lamps, kDark);
 }
 
-TEST_F(Panel, thatWasNeverThereSaysWhy)
+TEST_F(Panel, thatWasNeverThereHasAReason)
 {
     chip.gone = true;
     EXPECT_EQ(poll().trouble.english(), "the panel is absent: no GPIO chip labelled fake");

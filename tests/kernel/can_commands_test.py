@@ -107,10 +107,10 @@ class OnARealBus(unittest.TestCase):
         subprocess.run(["cansend", "vcan0", "123#5A"], check=True)
         monitor.until("[1] 5A (unknown identifier)")
 
-    def test_a_monitor_ends_when_it_was_told_to(self):
+    def test_a_monitor_ends_at_its_limit(self):
         self.assertIn("vcan0 works", run("can", "monitor", "vcan0", "--seconds", 0.5))
 
-    def test_check_tells_absent_from_down_from_usable(self):
+    def test_check_separates_absent_down_and_usable(self):
         run("can", "check", "vcan0")
         ip("set", "vcan0", "down")
         try:

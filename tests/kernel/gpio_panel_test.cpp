@@ -116,7 +116,7 @@ TEST_F(GpioKernel, linesAreFoundByTheChipsNameAndTheirOffsets)
     EXPECT_EQ(open(panel)->found().inputs.at(3).name, "STOP");
 }
 
-TEST_F(GpioKernel, anEdgeSaysWhichInputWhichWayAndWhen)
+TEST_F(GpioKernel, anEdgeHasInputDirectionAndTime)
 {
     const auto lines = open();
     (void)edgesOf(*lines);
@@ -171,7 +171,7 @@ TEST_F(GpioKernel, aContactToTheSupplyIsActiveWhileHigh)
     EXPECT_TRUE(levelsOf(*lines)[kAtem]);
 }
 
-TEST_F(GpioKernel, outputsBeginDarkAndObey)
+TEST_F(GpioKernel, outputsStartInactiveAndFollow)
 {
     PanelConfig panel = config();
     panel.outputs[3].litWhenLow = true;
@@ -204,7 +204,7 @@ TEST_F(GpioKernel, edgesBeyondTheKernelsRoomAreLostButTheLevelIsRight)
     EXPECT_EQ(edgesOf(*lines).edges.size(), 1U) << "and goes on";
 }
 
-TEST_F(GpioKernel, aMissingChipIsAnsweredWithTheLabelsThereAre)
+TEST_F(GpioKernel, aMissingChipErrorListsTheLabels)
 {
     PanelConfig panel = config();
     panel.chipLabel = "elsewhere";
@@ -214,7 +214,7 @@ TEST_F(GpioKernel, aMissingChipIsAnsweredWithTheLabelsThereAre)
     EXPECT_NE(error.text.find(kLabel), std::string::npos) << error.text;
 }
 
-TEST_F(GpioKernel, aMissingLineIsAnsweredWithTheNamesThereAre)
+TEST_F(GpioKernel, aMissingLineErrorListsTheNames)
 {
     PanelConfig panel = config();
     panel.inputs[PanelContact::Stop].line.name = "HALT";
@@ -255,7 +255,7 @@ TEST_F(GpioKernel, aDeviceFileThatMayNotBeOpenedIsAnsweredWithTheCure)
     EXPECT_NE(error.text.find("usermod -aG gpio"), std::string::npos) << error.text;
 }
 
-TEST_F(GpioKernel, everyCallSaysThatTheChipIsGone)
+TEST_F(GpioKernel, everyCallReportsALostChip)
 {
     const auto lines = open();
     chip->unplug();

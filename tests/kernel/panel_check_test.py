@@ -100,7 +100,7 @@ class PanelCheck(unittest.TestCase):
         watch.until("all is well")
         self.assertEqual(watch.end(), 0)
 
-    def test_a_second_program_is_told_who_holds_the_panel(self):
+    def test_a_second_program_gets_the_holder_of_the_panel(self):
         watch = Running("panel", "check", self.file, "--watch")
         watch.until("watching")
         self.assertIn("'terratact' holds it", complaint("panel", "check", self.file))
@@ -109,7 +109,7 @@ class PanelCheck(unittest.TestCase):
 
     @unittest.skipUnless(all(folder.stat().st_mode & 0o1 for folder in pathlib.Path(CLI).absolute().parents),
                          "the sources are in a folder that other users may not enter")
-    def test_a_user_who_may_not_is_told_the_cure(self):
+    def test_a_user_without_permission_gets_the_remedy(self):
         self.file.chmod(0o644)
         pathlib.Path(self.folder.name).chmod(0o755)
         done = subprocess.run([CLI, "panel", "check", self.file], capture_output=True, text=True, user=65534)

@@ -398,7 +398,7 @@ TEST_F(RobotLink, stopOfThePanelReachesTheBus)
 }
 
 struct Faulty : RobotLink, testing::WithParamInterface<const char*> {};
-TEST_P(Faulty, robotIsSurvivedAndToldApart)
+TEST_P(Faulty, everyRobotFaultIsSurvivedAndIdentified)
 {
     const Process robot(robotCommand({"--speed", "10", "--fault", GetParam()}));
     Console console;

@@ -121,7 +121,7 @@ TEST_F(OnVcan, ownFramesComeBackAsEchoesAndOthersDoNot)
     EXPECT_EQ(peer.count(0.1), 1) << "the peer hears the frame, but not its own";
 }
 
-TEST_F(OnVcan, aFrameOfEachKindArrivesAsWhatItIs)
+TEST_F(OnVcan, everyKindOfFrameArrivesUnchanged)
 {
     shell("ip link set vcan0 down && ip link set vcan0 mtu 72 && ip link set vcan0 up");
     const auto bus = onto("vcan0");
@@ -170,7 +170,7 @@ TEST_F(OnVcan, anErrorFrameOfThisComputerIsAForgery)
 }
 
 // Frames over a pair of interfaces have no local sender, like those of a controller or another node.
-TEST(SocketCanOnAPair, theControllersErrorsAreBelieved)
+TEST(SocketCanOnAPair, theControllersErrorsAreUsed)
 {
     shell("ip link add vxcan0 type vxcan peer name vxcan1 && ip link set vxcan0 up && ip link set "
           "vxcan1 up");
@@ -233,7 +233,7 @@ TEST_F(OnVcan, twentyTimesDeletedAndMadeAgain)
     EXPECT_EQ(bus->counters().reopened, 20u);
 }
 
-TEST_F(OnVcan, anotherInterfaceOfTheSameNameIsNoticedEvenInAWink)
+TEST_F(OnVcan, aQuicklyReplacedInterfaceIsDetected)
 {
     const auto bus = onto("vcan0");
     shell("ip link del vcan0; ip link add dev vcan0 type vcan && ip link set vcan0 up");
@@ -246,7 +246,7 @@ TEST_F(OnVcan, anotherInterfaceOfTheSameNameIsNoticedEvenInAWink)
     EXPECT_EQ(bus->counters().reopened, 1u);
 }
 
-TEST_F(OnVcan, anInterfaceThatTookOverTheNameIsTheOneMeant)
+TEST_F(OnVcan, anInterfaceThatTookOverTheNameIsUsed)
 {
     const auto bus = onto("vcan0");
     shell("ip link add dev vcan8 type vcan; ip link set vcan0 down; ip link set vcan0 name vcan9; "
@@ -270,7 +270,7 @@ TEST_F(OnVcan, anInterfaceThatIsDownAtFirstIsWaitedFor)
     EXPECT_TRUE(reaches(*bus, BusState::Up));
 }
 
-TEST(SocketCanByName, saysWhichInterfacesAreNone)
+TEST(SocketCanByName, namesWhatIsNoCanInterface)
 {
     EXPECT_EQ(onto("can-not-there")->state(), BusState::Absent);
     const auto loopback = SocketCan::open({.interface = "lo"});
@@ -385,7 +385,7 @@ TEST_F(OnVcan, setDownAndUpAgainAStalledBusReplaysNothing)
     EXPECT_EQ(all(*bus).size(), 1u);
 }
 
-TEST_F(OnVcan, aFullQueueIsSaidAndNothingWaits)
+TEST_F(OnVcan, aFullQueueIsReportedWithoutWaiting)
 {
     const auto bus = opened({.interface = "vcan0", .transmit = true, .maxUnconfirmed = 0});
     const Peer robot("vcan0");

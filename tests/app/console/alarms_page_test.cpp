@@ -19,7 +19,7 @@
 namespace terratact {
 namespace {
 
-TEST(AlarmsPageTest, theSoundIsTriedWantedOrNot)
+TEST(AlarmsPageTest, theSoundTestPlaysEvenIfSoundIsOff)
 {
     int sounds = 0;
     ConsoleAlarms alarms(std::make_unique<CountingAlarmSound>(sounds));

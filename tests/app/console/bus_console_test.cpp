@@ -229,7 +229,7 @@ TEST_F(BusConsole, aSignalClosesTheWindowOfAnArmedRobotAtOnce)
     EXPECT_TRUE(eventually([&] { return arming() != ArmingPhase::Armed; }));
 }
 
-TEST_F(BusConsole, saysWhyTheRobotRefusedTheProbeInEveryLayout)
+TEST_F(BusConsole, showsWhyAProbeWasRefusedInEveryLayout)
 {
     open(CanSource::Mode::Transmit, RobotFault::RefuseProbe);
     window->preferences().change([](Preferences& p) { p.layout = Layout::Drive; });

@@ -89,7 +89,7 @@ TEST_F(Console, stopWorksByKeyFromADialogAndTakesAHoldToRelease)
     ASSERT_TRUE(robotIs(RobotActivity::Halted));
 }
 
-TEST_F(Console, stopActsWhateverElseIsHeldDown)
+TEST_F(Console, stopActsWhileOtherKeysAreHeld)
 {
     ScriptedSource* source = openScripted();
     for (const auto modifiers :
@@ -201,7 +201,7 @@ TEST_F(Console, stopWorksByKeyAndByMouseWhileAMenuIsOpen)
         }
 }
 
-TEST_F(Console, aDriveKeyWithoutEffectSaysWhy)
+TEST_F(Console, aDriveKeyWithoutEffectShowsTheReason)
 {
     open(fastRobot(robot, 2.1));
     ASSERT_TRUE(readyToExplore());
@@ -276,7 +276,7 @@ TEST_F(Console, coveredProposalCanBeRefusedButNotApproved)
     EXPECT_FALSE(window->exploration().state().probed);
 }
 
-TEST_F(Console, stopFromAWindowThatWasOpenedHereActsLikeItsOwn)
+TEST_F(Console, stopOfAnOpenedWindowActsLikeTheConsolesOwn)
 {
     openScripted();
     auto caller = StopCaller::open();
@@ -306,7 +306,7 @@ TEST_F(Console, drivingEndsWhenTheWindowLosesTheFocus)
     EXPECT_TRUE(robotIs(RobotActivity::Halted));
 }
 
-TEST_F(Console, drivingEndsWhereverTheKeyIsLetGo)
+TEST_F(Console, drivingEndsWhereverTheKeyIsReleased)
 {
     open(fastRobot(robot, 2.0));
     ASSERT_TRUE(readyToExplore());

@@ -113,7 +113,7 @@ TEST_F(BusConsole, disarmingWhileDrivingIsShownOnEveryPage)
     window.reset();
 }
 
-TEST_F(BusConsole, saysInTheHeaderHowTheBusIs)
+TEST_F(BusConsole, showsTheBusStateInTheHeader)
 {
     startQuickRobot();
     openOn(CanSource::Mode::Listen);

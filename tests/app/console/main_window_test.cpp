@@ -97,7 +97,7 @@ TEST_F(Console, aSecondMethodIsEstimatedBesideTheFirst)
     EXPECT_FALSE(window->exploration().estimation().second());
 }
 
-TEST_F(Console, theQualityMenuSaysWhatAPresetCostsAndSetsIt)
+TEST_F(Console, theQualityMenuShowsCostsAndSetsThePreset)
 {
     openScripted();
     const QString fast =

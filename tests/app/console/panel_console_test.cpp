@@ -154,7 +154,7 @@ TEST_F(PanelConsole, refusesByThePanel)
     EXPECT_FALSE(window->exploration().state().probed);
 }
 
-TEST_F(PanelConsole, lightsWhatIsSo)
+TEST_F(PanelConsole, lampsShowLinkArmingAndProbing)
 {
     openSimulated();
     ASSERT_TRUE(eventually([&] { return board.lit(0); })) << "link";
@@ -217,7 +217,7 @@ TEST_F(PanelConsole, stopThatIsPressedFromTheStartForbidsToDrive)
     EXPECT_TRUE(eventually([&] { return window->drivePad()->forwardButton()->isEnabled(); }));
 }
 
-TEST_F(PanelConsole, diagnosticsTellHowThePanelFares)
+TEST_F(PanelConsole, diagnosticsShowTheStateOfThePanel)
 {
     openSimulated();
     ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));
@@ -287,7 +287,7 @@ TEST_F(PanelConsole, aPanelThatDoesNotReturnStops)
     QTest::keyRelease(window.get(), Qt::Key_R);
 }
 
-TEST_F(PanelConsole, lossOfThePanelStopsAndSaysSoUntilItIsBack)
+TEST_F(PanelConsole, lossOfThePanelStopsAndIsShownUntilItIsBack)
 {
     openSimulated();
     ASSERT_TRUE(eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }));

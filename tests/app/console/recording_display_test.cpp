@@ -17,7 +17,7 @@ struct DisplayOfRecording : testing::Test {
     RecordingDisplay display{button, strip};
 };
 
-TEST_F(DisplayOfRecording, saysWhatIsRecordedAndDropped)
+TEST_F(DisplayOfRecording, showsRecordedAndDroppedFrames)
 {
     display.show({.recording = true,
                   .path = "/sessions/a.tts",

@@ -67,7 +67,7 @@ struct TheReplayBar : testing::Test {
     KeyTable keys;
 };
 
-TEST_F(TheReplayBar, pausesAndGoesOn)
+TEST_F(TheReplayBar, pausesAndContinues)
 {
     for (const bool byKey : {false, true}) {
         const auto toggle = [&] { byKey ? press(Qt::Key_Space) : bar->pauseButton()->click(); };

@@ -20,7 +20,7 @@
 #include "app/shell/language.h"
 #include "core/log/session_reader.h"
 #include "core/sim/terrain_shapes.h"
-#include "core/wire/frame_layout.h"
+#include "tests/app/console/screens_texts.h"
 #include "tests/support/arming.h"
 #include "tests/support/gui.h"
 #include "tests/support/sessions.h"
@@ -52,80 +52,6 @@ const Chapter& chapterOfThisTest()
     return *found;
 }
 
-/// Names of frames and signals, which are the same in every language.
-const QRegularExpression& namesOfTheBus()
-{
-    static const QRegularExpression kNames = [] {
-        QStringList names;
-        for (const FrameLayout& layout : frameLayouts()) {
-            names << format::text(layout.name);
-            for (const SignalLayout& signal : layout.payload) names << format::text(signal.name);
-        }
-        names.replaceInStrings(QRegularExpression("[0-9]+"), "#");
-        std::sort(names.begin(), names.end(),  // longest first
-                  [](const QString& a, const QString& b) { return a.size() > b.size(); });
-        return QRegularExpression(names.join('|'));
-    }();
-    return kNames;
-}
-
-/// Returns true if a text may equal the English one, because it has only names, units, files and shared words.
-bool isSameEverywhere(const std::string& text)
-{
-    static const QRegularExpression kNames(
-        "\\b(pa|pac|pafc|pafac|local|joint|clearance|Absolem|Terratact|SIMULATED ROBOT|"
-        "REPLAY|English|Deutsch|Eigen|Qwt|OpenBLAS.*|Linux.*|R-hat|ESS|AVX|rad|STOP|Token|"
-        "terratact (simulate|train) .*|[Mm]odel|[Pp]anel|[Rr]obot|Bus|Start|Status|Name|Training|"
-        "Signal|Rate|Bytes|REC|Export|Format)\\b|can#|"
-        "\\b(Ctrl|PgUp|PgDown|Home|End|Esc|Del)\\b|"  // key names of these languages
-        "/usr/share/doc/terratact/copyright|candump|Vector|Foxglove|Čeština|\\bbit\\b|UTC|/min\\b|"
-        "[^ ]*\\.(ttm|toml|csv|log|tts|png|svg|pdf|html|mcap|asc)\\b|"
-        // texts of the system and of substitute drivers
-        "/proc/terratact|no such chip");
-    static const QRegularExpression kWord("[A-Za-z]{3}");
-    QString rest = QString::fromStdString(text);
-    return !rest.remove(kNames).remove(namesOfTheBus()).contains(kWord);
-}
-
-/// Returns true for the first or last line of a tip that quotes a DBC file (plainTip()).
-bool isWordsOfAFile(const std::string& text)
-{
-    return text.starts_with("<p ") || text.ends_with("</p>");
-}
-
-/// Returns a text and the parts it is composed of.
-std::set<std::string> partsOf(const std::string& text)
-{
-    static const QRegularExpression kJoints(QStringLiteral(" · | — |: "));
-    std::set<std::string> parts{text};
-    for (const QString& part : QString::fromStdString(text).split(kJoints))
-        parts.insert(part.toStdString());
-    return parts;
-}
-
-/// Returns the pattern of a text with placeholders (%1).
-QRegularExpression patternOf(const QString& text)
-{
-    static const QRegularExpression kPlaces(QStringLiteral("\\\\%[1-9]"));
-    QString pattern = QRegularExpression::escape(text);
-    return QRegularExpression(pattern.replace(kPlaces, QStringLiteral(".*")),
-                              QRegularExpression::CaseInsensitiveOption
-                                  | QRegularExpression::DotMatchesEverythingOption);
-}
-
-/// Returns the entries of `says` that occur in none of the texts.
-QStringList missingIn(const QStringList& texts, const QStringList& says)
-{
-    QStringList missing;
-    for (const QString& text : says) {
-        const QRegularExpression pattern = patternOf(text);
-        const bool isThere =
-            std::ranges::any_of(texts, [&](const QString& read) { return read.contains(pattern); });
-        if (!isThere) missing << text;
-    }
-    return missing;
-}
-
 SimulatedRobot simulated(const RobotModel& model, const Screens::Setting& setting)
 {
     SimulatedRobot::Options options;
@@ -139,20 +65,6 @@ SimulatedRobot simulated(const RobotModel& model, const Screens::Setting& settin
 }
 
 }  // namespace
-
-QString pictureFile(std::string_view name)
-{
-    for (std::size_t c = 0; c < chapters().size(); ++c) {
-        const auto& pictures = chapters()[c].pictures;
-        const auto found = std::ranges::find(pictures, name);
-        if (found == pictures.end()) continue;
-        return QStringLiteral("%1-%2_%3")
-            .arg(c + 1, 2, 10, QLatin1Char('0'))
-            .arg(found - pictures.begin() + 1, 2, 10, QLatin1Char('0'))
-            .arg(format::text(name));
-    }
-    return {};
-}
 
 Screens::Screens() : chapter_(chapterOfThisTest())
 {

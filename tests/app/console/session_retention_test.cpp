@@ -18,7 +18,7 @@ namespace {
 
 using gui::eventually;
 
-TEST(SessionRetention, closesWhatADeadProgramLeftAndTellsIt)
+TEST(SessionRetention, closesAndReportsSessionsOfADeadProgram)
 {
     const TemporaryDirectory directory;
     const std::string folder = directory.file("sessions"), path = folder + "/dead.tts";

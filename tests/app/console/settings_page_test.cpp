@@ -181,7 +181,7 @@ TEST_F(SettingsInForce, theLookChangesAtOnceAndBackAgain)
     EXPECT_NE(theme().card, night);
 }
 
-TEST_F(SettingsInForce, aQualityTellsItsCostOrThatNobodyMeasuredIt)
+TEST_F(SettingsInForce, aQualityShowsItsCostOrThatNoneWasMeasured)
 {
     EXPECT_TRUE(eventually([&] { return page().qualityBox()->itemText(0).contains("0.5 ms"); }));
     EXPECT_TRUE(page().qualityBox()->itemText(0).contains("(exact)"));
@@ -218,7 +218,7 @@ TEST_F(SettingsInForce, aModelThatCannotBeLoadedLeavesTheOneInUse)
     EXPECT_TRUE(eventually([&] { return page().modelCard().contains("fake.ttm"); }));
 }
 
-TEST_F(SettingsInForce, anotherRobotBuildsTheWindowAnew)
+TEST_F(SettingsInForce, anotherRobotRebuildsTheWindow)
 {
     int wanted = 0;
     QObject::connect(window.get(), &MainWindow::reopenWanted, window.get(), [&] { ++wanted; });
@@ -226,7 +226,7 @@ TEST_F(SettingsInForce, anotherRobotBuildsTheWindowAnew)
     EXPECT_EQ(wanted, 1);
 }
 
-TEST_F(SettingsInForce, anotherLanguageLikewiseButNotWhileExploring)
+TEST_F(SettingsInForce, anotherLanguageRebuildsUnlessExploring)
 {
     int wanted = 0;
     QObject::connect(window.get(), &MainWindow::reopenWanted, window.get(), [&] { ++wanted; });
@@ -312,7 +312,7 @@ TEST_F(SettingsInForce, allBackToTheDefaultsAsksFirst)
     }));
 }
 
-TEST_F(SettingsInForce, aWindowThatIsBuiltAnewEndsWhatItHadSetInMotion)
+TEST_F(SettingsInForce, rebuildingTheWindowEndsItsMotion)
 {
     ASSERT_TRUE(eventually([&] { return !window->exploration().whyNotDriving(); }));
     window->exploration().drive(1);

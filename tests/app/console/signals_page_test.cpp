@@ -60,7 +60,7 @@ TEST(SignalTableWidget, hostileNumbersPaintQuickly)
     EXPECT_EQ(table.text(0, SignalTable::Age), "--");
 }
 
-TEST(Load, saysWhatItAssumesOrThatItIsNotKnown)
+TEST(Load, marksAnAssumedOrUnknownBitRate)
 {
     BusLoad load;
     load.fewestBits = 100'000.0;

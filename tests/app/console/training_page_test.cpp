@@ -262,7 +262,7 @@ TEST_F(TrainingConsole, closingInTheMiddleLeavesNoFile)
     EXPECT_EQ(written(), std::set<std::string>{});
 }
 
-TEST_F(TrainingConsole, saysTheLineOfAFileThatIsWrong)
+TEST_F(TrainingConsole, namesTheLineAtFaultInAFile)
 {
     std::string text = contentOf(files->file("learn.csv"));
     text.insert(text.find('\n') + 1, "1,");

@@ -184,7 +184,7 @@ struct Windows : testing::Test {
     int stops = 0;
 };
 
-TEST_F(Windows, aboutSaysWhatTheProgramIsAndWhoseWorkIsInIt)
+TEST_F(Windows, aboutNamesTheProgramAndItsAuthors)
 {
     const auto window = scripted();
     QTest::keyClick(window.get(), Qt::Key_F1, Qt::ControlModifier);

@@ -103,7 +103,7 @@ TEST_F(ProfileFigure, showsEveryKindOfBinInItsOwnColour)
     EXPECT_EQ(plain.count(kTruth), 0);
 }
 
-TEST_F(ProfileFigure, tellsKindsOfBinApartByPatternsThatAreTheScreens)
+TEST_F(ProfileFigure, usesThePatternsOfTheScreenForKindsOfBin)
 {
     const auto dashesOf = [](const FigureInput& input) {
         static const std::regex kDashes("stroke-dasharray[:=]\"?([0-9.]+(?:[, ]+[0-9.]+)*)");
@@ -195,7 +195,7 @@ TEST_F(ProfileFigure, isSvgByEndingAndRefusesUnknownEndings)
     EXPECT_EQ(directory_.entries(), std::set<std::string>{"profile.svg"});
 }
 
-TEST(ProfileTable, hasARowPerBinThatSaysItsKindAndError)
+TEST(ProfileTable, hasARowPerBinWithKindAndError)
 {
     FigureInput input = flatGround();
     TerrainEstimate& e = input.estimate;

@@ -28,7 +28,7 @@ TEST(FrameBitsOnTheBus, ofARemoteFrameAreThoseOfAnEmptyOne)
     EXPECT_EQ(bitsOf({.id = 1, .error = true, .length = 8}).most, 0);
 }
 
-TEST(CountingABus, keepsApartWhatSharesAnIdentifier)
+TEST(CountingABus, separatesKindsThatShareAnIdentifier)
 {
     BusStatistics statistics;
     const FrameWords words{.name = "Stop", .verdict = "ok"};
@@ -50,7 +50,7 @@ TEST(CountingABus, keepsApartWhatSharesAnIdentifier)
     EXPECT_EQ(statistics.mostBits(), 3U * 135 + 160 + 55);
 }
 
-TEST(CountingABus, isBoundedByTheKindsItTells)
+TEST(CountingABus, isBoundedByTheNumberOfKinds)
 {
     BusStatistics statistics;
     for (std::uint32_t id = 0; id < 5000; ++id)

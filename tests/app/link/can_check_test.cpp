@@ -66,7 +66,7 @@ TEST_F(Checking, findsNothingWrongWhereNothingIs)
     EXPECT_TRUE(of(Level::Warning).empty());
 }
 
-TEST_F(Checking, tellsAKernelWithoutCanFromAUserWithoutRights)
+TEST_F(Checking, distinguishesMissingCanFromMissingRights)
 {
     socketError = EAFNOSUPPORT;
     EXPECT_NE(finding(Level::Problem).cure.english().find("modprobe can_raw"), std::string::npos);
@@ -77,7 +77,7 @@ TEST_F(Checking, tellsAKernelWithoutCanFromAUserWithoutRights)
               std::string::npos);
 }
 
-TEST_F(Checking, namesTheInterfacesThatThereAre)
+TEST_F(Checking, listsTheExistingInterfaces)
 {
     facts.present = false;
     facts.others = {"can1", "vcan0"};
@@ -105,7 +105,7 @@ TEST_F(Checking, asksForABitRateAndForBeingUp)
     EXPECT_EQ(finding(Level::Problem).cure.english(), "sudo ip link set can0 up");
 }
 
-TEST_F(Checking, knowsBusOffAndManyErrors)
+TEST_F(Checking, reportsBusOffAndManyErrors)
 {
     controller.state = "BUS-OFF";
     EXPECT_EQ(finding(Level::Problem).cure.english(),

@@ -63,7 +63,7 @@ TEST_F(Monitoring, givesTheLoadWithoutStuffBitsAndWithTheMost)
     EXPECT_TRUE(says(text, "1000 frames, 7 dropped, 2 error frames"));
 }
 
-TEST_F(Monitoring, saysWhatIsWrongWithTheNewestFrame)
+TEST_F(Monitoring, showsTheFaultOfTheNewestFrame)
 {
     addHeartbeat(0.0);
     CanFrame damaged = robotHeartbeat(0x1234, 2);

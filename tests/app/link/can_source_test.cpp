@@ -125,7 +125,7 @@ TEST_F(Link, bringsTheTrueTerrainOfTheRobotsPose)
     EXPECT_TRUE(comes(robot.truth()));
 }
 
-TEST(CanSourceTruth, isAbsentWhereNobodyKnowsIt)
+TEST(CanSourceTruth, isAbsentWithoutASimulatedRobot)
 {
     MemoryBus bus{steadyNow};
     const RobotInProcess robot(bus, absolem(), robotBeforeAStep(), {});

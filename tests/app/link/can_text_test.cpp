@@ -35,7 +35,7 @@ TEST(CanText, bytesOfATruncatedFrameEndWithAnEllipsis)
               "[64] 00 00 00 00 00 00 00 00 …");
 }
 
-TEST(CanText, aSoundFrameHasItsValuesInTheirUnits)
+TEST(CanText, aValidFrameHasItsValuesInTheirUnits)
 {
     const auto reader = frameReader(CanProtocol::Terratact);
     const CanFrame frame = attitudeFrame(1);
@@ -49,7 +49,7 @@ TEST(CanText, aSoundFrameHasItsValuesInTheirUnits)
               "ok, but one or two before it are missing");
 }
 
-TEST(CanText, aFrameThatMeasuredNothingSaysSo)
+TEST(CanText, aFrameWithoutAMeasurementIsMarked)
 {
     const auto reader = frameReader(CanProtocol::Terratact);
     const FrameWords words = reader->read(attitudeFrame(1, 0.0), 0.0);
@@ -68,7 +68,7 @@ TEST(CanText, aDamagedFrameShowsItsBytesOnly)
     EXPECT_EQ(contentText(frame, words), bytesText(frame));
 }
 
-TEST(CanText, aDamagedStopSaysThatRobotsStop)
+TEST(CanText, aDamagedStopStillStopsRobots)
 {
     const auto reader = frameReader(CanProtocol::Terratact);
     CanFrame stop = frameOf(StopCommand{}, 1, 1);

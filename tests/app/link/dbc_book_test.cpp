@@ -126,7 +126,7 @@ TEST_F(Books, findParameterGroupsFromAnySource)
     EXPECT_EQ(reader->read(frame, 0.0).verdict, "CAN FD frame");
 }
 
-TEST_F(Books, sayWhatAFrameIsTooShortFor)
+TEST_F(Books, nameTheSignalsThatAShortFrameLacks)
 {
     ASSERT_TRUE(book.add(write("fd.dbc", "BO_ 1291 Fd: 64 X\n"
                                          " SG_ First : 0|16@1+ (1,0) [0|0] \"\" X\n"

@@ -20,7 +20,7 @@ ModelComparison compared(double before, double after)
     return c;
 }
 
-TEST(ComparisonTexts, sayWhichModelHasTheSmallerError)
+TEST(ComparisonTexts, nameTheModelWithTheSmallerError)
 {
     const QString better = ComparisonWords::sentence(compared(0.020, 0.018));
     EXPECT_TRUE(better.contains("10 % smaller on 300 scenes")) << better.toStdString();

@@ -45,7 +45,7 @@ struct Alarming : testing::Test {
     }
 };
 
-TEST_F(Alarming, aSoundRobotRaisesNoAlarm)
+TEST_F(Alarming, aRobotWithoutFaultsRaisesNoAlarm)
 {
     pass(20.0);
     EXPECT_TRUE(alarms.list().alarms().empty());
@@ -93,7 +93,7 @@ TEST_F(Alarming, alarmsForSteepPitchBeforeTheRobotTips)
     EXPECT_FALSE(stands("attitude"));
 }
 
-TEST_F(Alarming, saysWhyTheRobotHasHaltedByItself)
+TEST_F(Alarming, givesTheReasonOfTheRobotsOwnHalt)
 {
     viewState.measurement = Measurement{};
     viewState.measurement->activity = RobotActivity::Driving;
@@ -108,7 +108,7 @@ TEST_F(Alarming, saysWhyTheRobotHasHaltedByItself)
     EXPECT_FALSE(stands("halted"));
 }
 
-TEST_F(Alarming, aWantedHaltRaisesNoAlarm)
+TEST_F(Alarming, aRequestedHaltRaisesNoAlarm)
 {
     viewState.measurement = Measurement{};
     viewState.measurement->activity = RobotActivity::Driving;

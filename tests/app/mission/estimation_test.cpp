@@ -51,7 +51,7 @@ TEST_F(DrivingOn, leavesAGhostThatMovesWithTheTracksAndGoes)
         << "of the last estimate, not of the one before";
 }
 
-TEST_F(DrivingOn, leavesNoGhostWithoutOdometryAndSaysSo)
+TEST_F(DrivingOn, withoutOdometryLeavesNoGhostButAReason)
 {
     stand();
     driveBy(0.1);

@@ -230,7 +230,7 @@ TEST(Worker, aModelMayComeAfterOneThatFailed)
     EXPECT_EQ(heard.noModel.size(), 1);
 }
 
-TEST(Worker, tellsTheSamplerWhenItsTimeIsOutIfItHasALimit)
+TEST(Worker, endsSamplingAtTheTimeLimit)
 {
     std::atomic<int> limited = 0, ended = 0;
     EstimatorWorker worker([&] {

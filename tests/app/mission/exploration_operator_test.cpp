@@ -52,7 +52,7 @@ TEST_F(Bench, stopPressedElsewhereIsOneEventForEachPress)
     EXPECT_EQ(happened, 0) << "the robot has confirmed it before";
 }
 
-TEST_F(Bench, stopIsReleasedWhenTheRobotSaysSo)
+TEST_F(Bench, stopIsReleasedWhenTheRobotConfirms)
 {
     exploration->stop();
     telemetry.activity = RobotActivity::Stopped;

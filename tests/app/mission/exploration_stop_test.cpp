@@ -139,7 +139,7 @@ TEST_F(Outage, longerThanASecondWithholdsVerdictUntilNextPress)
     EXPECT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::Blocked);
 }
 
-TEST_F(Outage, withholdsTheVerdictThoughNobodyPolled)
+TEST_F(Outage, withholdsTheVerdictWithoutAPoll)
 {
     exploration->refuse(exploration->proposal()->id);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));

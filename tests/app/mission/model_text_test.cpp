@@ -34,7 +34,7 @@ CardScores scores(const std::string& dataHash, std::size_t trainingScenes = 0)
             .coverage = 0.79};
 }
 
-TEST(ModelTexts, sayWhatAModelWasTrainedOn)
+TEST(ModelTexts, nameTheTrainingDataOfAModel)
 {
     const QString card = ModelWords::card(facts());
     EXPECT_TRUE(card.startsWith("/models/mine.ttm\ntrained 2026-11-22; ground: drive.csv\n"))
@@ -43,7 +43,7 @@ TEST(ModelTexts, sayWhatAModelWasTrainedOn)
     EXPECT_TRUE(card.contains("never evaluated: its errors are unknown"));
 }
 
-TEST(ModelTexts, scoresOnTrainingScenesSaySo)
+TEST(ModelTexts, scoresOnTrainingScenesAreMarked)
 {
     ModelFacts some = facts();
     some.card.scores = {scores(std::string(64, 'e'))};

@@ -176,7 +176,7 @@ TEST_F(PassiveExplorationBench, trustsNothingFromBeforeALostLink)
         << "not a line from before";
 }
 
-TEST_F(PassiveExplorationBench, showsAStopOfSomebodyElse)
+TEST_F(PassiveExplorationBench, showsAStopOfAnotherConsole)
 {
     robotPresses();
     telemetry.activity = RobotActivity::Stopped;

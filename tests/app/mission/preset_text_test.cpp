@@ -12,7 +12,7 @@ const std::vector<PresetCost> kCosts{
     {Method::Local, QualityPreset::Fast, 250, 16, 16, 175, 0.5, 0.0, 25.0, 1.0},
     {Method::Pac, QualityPreset::Fast, 250, 16, 16, 175, 4.0, 11.3, 34.0, 0.13}};
 
-TEST(PresetTexts, sayTimeErrorAndConvergence)
+TEST(PresetTexts, showTimeErrorAndConvergence)
 {
     const QString line = presetLines(Method::Pac, kCosts).at(0);
     for (const char* part : {"fast: 4.0 ms", "± 11.3 mm", "mean error 34 mm", "13 % of scenes"})
@@ -28,7 +28,7 @@ TEST(PresetTexts, aClosedFormHasNoChains)
     EXPECT_FALSE(line.contains("converge")) << line.toStdString();
 }
 
-TEST(PresetTexts, sayWhichPresetsWereNotMeasured)
+TEST(PresetTexts, markPresetsThatWereNotMeasured)
 {
     for (const Method method : {Method::Local, Method::Pafc}) {
         const QStringList lines = presetLines(method, kCosts);

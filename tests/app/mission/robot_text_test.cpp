@@ -8,7 +8,7 @@
 namespace terratact {
 namespace {
 
-TEST(ActivityOfTheRobot, hasAShortTextOfItsOwn)
+TEST(ActivityOfTheRobot, hasADistinctShortText)
 {
     std::set<QString> texts;
     for (int i = 0; i <= static_cast<int>(RobotActivity::Stopped); ++i) {

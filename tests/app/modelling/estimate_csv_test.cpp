@@ -74,7 +74,7 @@ TEST_F(EstimateTable, stepsAndVerdictFollowFromTheDraws)
     EXPECT_NE(field(0, "verdict"), "");
 }
 
-TEST_F(EstimateTable, aSceneWithoutAnEstimateSaysWhy)
+TEST_F(EstimateTable, aSceneWithoutAnEstimateHasAReason)
 {
     result = {std::nullopt, "no ground fits: pitch, roll"};
     EXPECT_EQ(field(0, "mean_m"), "");

@@ -181,7 +181,7 @@ TEST(Steps, haveTheirScoreAndTheReliabilityOfEachClass)
     EXPECT_NE(table.find("0.4 - 0.5                   -\n"), std::string::npos);
 }
 
-TEST(Probes, sayWhatOneGainsAndHowManyAreNeeded)
+TEST(Probes, showTheGainOfOneAndTheNumberNeeded)
 {
     ProbeSummary p;
     p.label = std::string("pafc");
@@ -202,7 +202,7 @@ TEST(Probes, sayWhatOneGainsAndHowManyAreNeeded)
     EXPECT_NE(table.find("2.50      25 %\n"), std::string::npos) << table;
 }
 
-TEST(ClaimsText, saysTheVerdictAndWhatItRestsOn)
+TEST(ClaimsText, showsTheVerdictAndItsEvidence)
 {
     ClaimResult clear{.claim = kClaims[0], .verdict = ClaimVerdict::Holds, .n = 60, .runs = 12};
     clear.baseMedian = 0.010;

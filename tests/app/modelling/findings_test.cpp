@@ -55,7 +55,7 @@ TEST(MergeFindings, givesTheFindingsOfOneRun)
     }
 }
 
-TEST(MergeFindings, namesPartsThatAreMissingOrThereTwice)
+TEST(MergeFindings, namesMissingAndDuplicateParts)
 {
     EXPECT_TRUE(refused(mergeFindings({}, "out"), "out", {"no part"}));
     auto parts = partsOf(4);

@@ -26,7 +26,7 @@ std::string rowOf(const std::string& table, const std::string& section, const st
     return at == std::string::npos ? "" : table.substr(at + 1, table.find('\n', at + 1) - at - 1);
 }
 
-TEST(HazardTrials, totalsKeepPressStylesAndGroundsApart)
+TEST(HazardTrials, totalsSeparatePressStylesAndGrounds)
 {
     const std::vector<HazardLine> lines{lineOf("level", "none", PressStyle::Random, 20),
                                         lineOf("level", "drop", PressStyle::Random, 10),

@@ -122,7 +122,7 @@ TEST_F(Comparing, isCancelledBetweenScenes)
     EXPECT_EQ(shares, 2);
 }
 
-TEST_F(Comparing, saysWhatCannotBeCompared)
+TEST_F(Comparing, namesWhatCannotBeCompared)
 {
     std::vector<Scene> scenes = someScenes(1, 7);
     for (Scene& scene : scenes) scene.truth.fill(std::nullopt);
@@ -134,7 +134,7 @@ TEST_F(Comparing, saysWhatCannotBeCompared)
     EXPECT_TRUE(refused(compareModels(plan), plan.newModel, {}));
 }
 
-TEST_F(Comparing, knowsTheFileThatAModelLearntFrom)
+TEST_F(Comparing, detectsTheTrainingFileOfAModel)
 {
     const std::string data = files->file("learnt.csv");
     ASSERT_TRUE(writeScenes(data, someScenes(4, 1)));

@@ -15,7 +15,7 @@ int linesWith(const std::string& text, const std::string& part)
     return count;
 }
 
-TEST(ModelConditions, sayThatNothingIsSingular)
+TEST(ModelConditions, reportThatNothingIsSingular)
 {
     const std::string text = conditionsText(toyModel(), FeatureSet::Paf);
     EXPECT_EQ(text.find("least reciprocal condition number of the paf models: "), 0U) << text;
@@ -35,7 +35,7 @@ TEST(ModelConditions, nameTheJitterOfEverySingularBin)
     EXPECT_EQ(linesWith(text, "bin +0.4 m is singular"), 1) << text;
 }
 
-TEST(ModelConditions, sayWhyABinIsRefused)
+TEST(ModelConditions, giveTheReasonWhyABinIsRefused)
 {
     ModelData model = toyModel();
     model.pa.bins[4].signalSd = 1e200;  // its square is infinite

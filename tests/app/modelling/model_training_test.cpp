@@ -33,7 +33,7 @@ struct Training : testing::Test {
     TrainingPlan plan;
 };
 
-TEST_F(Training, tellsOfInducingRowsWhereThereAreManyScenes)
+TEST_F(Training, advisesInducingRowsForManyScenes)
 {
     const std::vector<Scene> few = someScenes(4, 1);
     std::vector<Scene> scenes;
@@ -62,7 +62,7 @@ TEST_F(Training, tellsOfInducingRowsWhereThereAreManyScenes)
     EXPECT_EQ(noticesOf(scenes).find("--inducing"), std::string::npos);
 }
 
-TEST_F(Training, saysWhenEachBinOfEachKindBeginsAndEnds)
+TEST_F(Training, reportsTheStartAndEndOfEachBin)
 {
     std::map<std::pair<TrainingKind, int>, int> begun, ended;
     double last = 0.0;

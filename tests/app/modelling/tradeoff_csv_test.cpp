@@ -63,7 +63,7 @@ TEST(PresetsCsv, shippedFileMatchesShippedModelAndPresets)
     EXPECT_EQ(measured.size(), kMethods.size() * kQualityPresets.size());
 }
 
-TEST(PresetsCsv, refusesWhatItIsNot)
+TEST(PresetsCsv, refusesOtherFiles)
 {
     const TemporaryDirectory directory;
     const std::string header = "model,method,quality,draws,chains,burn_in,inducing,ms,quantile_off_"

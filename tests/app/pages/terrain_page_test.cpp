@@ -19,7 +19,7 @@
 namespace terratact {
 namespace {
 
-TEST(TerrainPageAlone, saysNoTelemetryYoungerThanItMayBe)
+TEST(TerrainPageAlone, neverUnderstatesTheAgeOfTelemetry)
 {
     TerrainPage page(absolem());
     gui::showActive(page);
@@ -44,7 +44,7 @@ TEST(TerrainPageAlone, saysNoTelemetryYoungerThanItMayBe)
     EXPECT_EQ(says(1.27, false, 0.24), "1.3 s old") << "and it grows";
 }
 
-TEST(TerrainPageAlone, saysHowOldTheForcesAreThatItShowsNoMore)
+TEST(TerrainPageAlone, showsTheAgeOfForcesThatItHides)
 {
     TerrainPage page(absolem());
     gui::showActive(page);
@@ -74,7 +74,7 @@ TEST(TerrainPageAlone, saysHowOldTheForcesAreThatItShowsNoMore)
     EXPECT_EQ(page.forces()->numberText(0), "--");
 }
 
-TEST(TerrainPageAlone, saysThatFlippersMoveOnlyWhileTheyDo)
+TEST(TerrainPageAlone, showsMovingFlippersOnlyWhileTheyMove)
 {
     TerrainPage page(absolem());
     gui::showActive(page);

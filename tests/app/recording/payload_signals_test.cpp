@@ -43,7 +43,7 @@ TEST(PayloadSignalsOfARecording, areThoseOfMessagesThatOccur)
               "Wind.Speed [m/s]");
 }
 
-TEST(PayloadSignalsOfARecording, equalNamesAreToldApart)
+TEST(PayloadSignalsOfARecording, equalNamesAreDistinguished)
 {
     PayloadSignals payload(bookOf("BO_ 1280 Attitude: 1 P\n SG_ A : 0|8@1+ (1,0) [0|0] \"\" C\n"
                                   "BO_ 1281 Same: 1 P\n SG_ A : 0|8@1+ (1,0) [0|0] \"\" C\n"

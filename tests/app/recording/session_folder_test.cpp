@@ -74,7 +74,7 @@ TEST_F(SessionFolder, deletesNothingThatWasNotConfirmed)
     EXPECT_EQ(filesIn(folder).size(), 2U);
 }
 
-TEST_F(SessionFolder, keepsWhatItsClockCannotSayTheAgeOf)
+TEST_F(SessionFolder, keepsSessionsOfUnknownAge)
 {
     std::filesystem::create_directories(folder);
     const std::int64_t year1970 = 5 * kSecond, recent = kLater - 2 * kSecond;

@@ -103,7 +103,7 @@ TEST_F(Recorder, makesASealedFileOfEverything)
     EXPECT_FALSE(reader->verify().broken);
 }
 
-TEST_F(Recorder, countsWhatFindsNoRoom)
+TEST_F(Recorder, countsDroppedFrames)
 {
     options.mostFrames = 100;
     options.batch = 200ms;
@@ -288,7 +288,7 @@ TEST_F(Recorder, everyFileHasTheStateFromBeforeItsStart)
     EXPECT_TRUE(hasEvent(*SessionReader::open(files[1]), EventKind::Decision, "stop"));
 }
 
-TEST_F(Recorder, everyFileSaysWhatStoodWhenItBegan)
+TEST_F(Recorder, everyFileBeginsWithThePresentState)
 {
     {
         SessionRecorder recorder(options);
@@ -374,7 +374,7 @@ TEST_F(Recorder, writesForItsOwnerAlone)
         EXPECT_EQ(modeOf(folder + made), 0700U) << made;
 }
 
-TEST_F(Recorder, withoutAFolderSaysSo)
+TEST_F(Recorder, withoutAFolderReportsIt)
 {
     options.folder.clear();
     SessionRecorder recorder(options);

@@ -71,7 +71,7 @@ TEST_F(Drive, modelsAreFoundByTheirHash)
     EXPECT_NE(none.error().text.find(sha256OfFile(kRobot)->substr(0, 12)), std::string::npos);
 }
 
-TEST(Differences, tellsBitsApartThatCompareEqual)
+TEST(Differences, distinguishesBitsThatCompareEqual)
 {
     const TerrainEstimate zero = [] {
         TerrainEstimate e = stepEstimate();

@@ -34,7 +34,7 @@ namespace {
 using namespace gui;
 using At = RobotSessionTimes;
 
-TEST_F(ReviewOf, aSessionSaysThatItIsOneAndOffersNoCommand)
+TEST_F(ReviewOf, aSessionIsMarkedAndOffersNoCommand)
 {
     record();
     open();

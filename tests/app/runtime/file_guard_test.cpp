@@ -19,7 +19,7 @@ struct FileGuard : testing::Test {
     std::string out = directory.file("out.csv");
 };
 
-TEST_F(FileGuard, acceptsFilesThatAreApart)
+TEST_F(FileGuard, acceptsDifferentFiles)
 {
     EXPECT_TRUE(checkCommandFiles({{in}, {}, {out}, {}}));
 }

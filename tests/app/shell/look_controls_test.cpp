@@ -96,7 +96,7 @@ TEST_F(Look, everyControlHasANameAndASize)
     EXPECT_GE(parts, 30);
 }
 
-TEST_F(Look, aDisabledButtonSaysWhy)
+TEST_F(Look, aDisabledButtonShowsTheReason)
 {
     gui::TipsOfButtons tips;
     const auto lookEverywhere = [&] { eachPage([&] { tips.poll(*window); }); };

@@ -141,7 +141,7 @@ double leastDifference(const std::array<QColor, 4>& colours)
     return least;
 }
 
-TEST(Themes, originsOfABinStayApartForEveryEye)
+TEST(Themes, originsOfABinDifferInColourAndShape)
 {
     // A ΔE*ab of 2.3 is just noticeable. The red theme has no hues, so only shapes distinguish there.
     for (const ThemeName name : {ThemeName::Day, ThemeName::HighContrast}) {

@@ -160,5 +160,15 @@ TEST(Arming, hasWordsForEverything)
                  std::invalid_argument);
 }
 
+TEST(Arming, namesAreReadBack)
+{
+    for (int i = 0; i <= static_cast<int>(Phase::Armed); ++i)
+        EXPECT_EQ(armingPhaseFromName(name(static_cast<Phase>(i))), static_cast<Phase>(i));
+    for (int i = 0; i <= static_cast<int>(Cause::EpochChanged); ++i)
+        EXPECT_EQ(disarmCauseFromName(name(static_cast<Cause>(i))), static_cast<Cause>(i));
+    EXPECT_FALSE(armingPhaseFromName("armed already"));
+    EXPECT_FALSE(disarmCauseFromName(""));
+}
+
 }  // namespace
 }  // namespace terratact

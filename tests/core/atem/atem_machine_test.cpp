@@ -249,7 +249,7 @@ INSTANTIATE_TEST_SUITE_P(
             "abortOutranksFault", Probing, {.now = 99, .aborted = true, .linkAlive = false}, Idle}),
     [](const auto& row) { return row.param.name; });
 
-TEST(AtemMachine, stopEndsEveryPhaseWhateverElseHappens)
+TEST(AtemMachine, stopEndsEveryPhaseForAnyOtherInput)
 {
     for (const AtemPhase phase : kPhases) {
         const AtemInput in{

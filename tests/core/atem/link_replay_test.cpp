@@ -239,7 +239,7 @@ TEST_F(Replay, aConsoleThatStartsAgainDisarmsTheRobot)
     EXPECT_FALSE(robot.armed());
 }
 
-TEST_F(Replay, aRobotThatSomebodyElseArmedIsLeftAlone)
+TEST_F(Replay, aRobotArmedByAnotherConsoleIsNotDisarmed)
 {
     arm();
     ConsoleLink other(absolem(), {.seed = 2});

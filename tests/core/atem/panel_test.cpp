@@ -113,7 +113,7 @@ TEST(Panel, countsOnePressPerClosing)
     }
 }
 
-TEST(Panel, saysPressedInOneTickOnly)
+TEST(Panel, reportsAPressInOneTickOnly)
 {
     Panel panel = Panel().ready();
     int ticks = 0;
@@ -159,7 +159,7 @@ TEST(Panel, takesAGlitchOfAHeldButtonForNoNewPress)
     EXPECT_TRUE(panel.state.held(kApprove)) << "the same press goes on";
 }
 
-TEST(Panel, doesNotCountAButtonHeldAtStartUntilItIsLetGo)
+TEST(Panel, ignoresAButtonHeldAtStartUntilItIsReleased)
 {
     for (const PanelContact button : kPanelButtons) {
         Panel panel;
@@ -212,7 +212,7 @@ TEST(Panel, isStoppedWithoutPressesWhenItIsLost)
     EXPECT_EQ(panel.state.pressed, PerContact<bool>{});
 }
 
-TEST(Panel, startsAnewWhenItReturns)
+TEST(Panel, restartsWhenItReturns)
 {
     Panel panel = Panel().ready();
     panel.lose();

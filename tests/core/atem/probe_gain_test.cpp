@@ -179,7 +179,7 @@ TEST(BestProbe, isTheLargestGainAmongSampledBins)
     EXPECT_FALSE(bestProbe(e, robotWithArm(), kArmSd, kStep));
 }
 
-TEST(ProbeGains, refuseWhatMakesNoSense)
+TEST(ProbeGains, refuseInvalidArguments)
 {
     const TerrainEstimate e = gaussianEstimate(10, 7);
     const RobotModel robot = robotWithArm();

@@ -33,7 +33,7 @@ static_assert(kDisturbances.size() == enumerators<Disturbance>());
 static_assert(kHazards.size() == enumerators<Hazard>());
 static_assert(kRobotFaults.size() == enumerators<RobotFault>());
 
-TEST(Named, everyValueHasItsOwnName)
+TEST(Named, everyValueHasADistinctName)
 {
     std::set<std::string_view> names;
     for (const Fruit fruit : {Fruit::Apple, Fruit::Pear, Fruit::Plum}) {

@@ -87,7 +87,7 @@ TEST(ResidualStatistics, bothFindTheSdOfANormal)
     EXPECT_NEAR(s.robustSd, 0.02, 0.0008);
 }
 
-TEST(ContactSummary, keepsBinsApart)
+TEST(ContactSummary, separatesBins)
 {
     const std::vector<ContactResidual> residuals{{7, 0.01}, {7, 0.03}, {8, -0.04}};
     const ContactSummary summary = summariseContacts(residuals);

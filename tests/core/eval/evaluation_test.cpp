@@ -74,7 +74,7 @@ TEST(Statistics, useTheErrorsMagnitude)
     EXPECT_EQ(statistics({}).n, 0U);
 }
 
-TEST(Summaries, keepMethodsAndBinsApart)
+TEST(Summaries, separateMethodsAndBins)
 {
     const std::vector<BinError> errors{errorOf(0.05, "pafc", 3), errorOf(0.01, "pa", 3),
                                        errorOf(0.03, "pa", 10)};

@@ -44,7 +44,7 @@ TEST(ProbeAccuracy, intervalsHoldTheTruthIn95Percent)
     EXPECT_NEAR(held / static_cast<double>(kSets), 0.95, 0.04);
 }
 
-TEST(ProbeAccuracy, knowsTheBiasWhereTheTruthIsKnown)
+TEST(ProbeAccuracy, givesTheBiasWhereTheTruthIsKnown)
 {
     const ProbeAccuracy a = probeAccuracy(recording(200, 1, 0.02, -0.015, true, 2));
     EXPECT_EQ(a.repeated, SdEstimate{});

@@ -108,7 +108,7 @@ TEST(BrierSummaries, certainForecastsFallIntoTheOuterClasses)
     EXPECT_THROW(brierSummaries(world.forecasts, {}, 1), std::invalid_argument);
 }
 
-TEST(BrierSummaries, keepLabelsAndPlacesApart)
+TEST(BrierSummaries, separateLabelsAndPlaces)
 {
     World world;
     world.add(0.5, true);

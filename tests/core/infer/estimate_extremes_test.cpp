@@ -1,105 +1,21 @@
-// Estimates of extreme scenes: each is right or refused with a text, without NaN and without a
-// hang.
+// Estimates of extreme scenes by every method: each is right or refused with a text, without NaN and
+// without a hang.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <iostream>
 #include <limits>
 #include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "core/atem/arm_choice.h"
-#include "core/infer/closed_form.h"
 #include "core/infer/estimator.h"
-#include "core/infer/sampling/convergence.h"
-#include "core/infer/sampling/draw_summary.h"
-#include "core/infer/sampling/gibbs.h"
-#include "core/learn/gp/cholesky.h"
-#include "core/learn/gp/scene_conditional.h"
 #include "core/terrain/kinematic_reconstruction.h"
-#include "tests/support/counted_blas.h"
-#include "tests/support/random_model.h"
-#include "tests/support/toy_clearance.h"
-#include "tests/support/toy_model.h"
+#include "tests/core/infer/extreme_scenes.h"
 
 namespace terratact {
 namespace {
-
-const RobotModel& robot()
-{
-    static const RobotModel model = absolem();
-    return model;
-}
-
-/// Returns toyModel with hyper-parameters for the conditionals over clearances.
-ModelData modelFor(int runs, std::uint64_t seed)
-{
-    ModelData model = toyModel(runs, seed);
-    const auto data = plausibleConditionals(clearanceTraining(model, robot()));
-    for (int bin = 0; bin < kBins; ++bin) {
-        const auto i = static_cast<std::size_t>(bin);
-        model.clearance.conditionalOpen[i] = data.at(bin, Regime::Open).hyper;
-        model.clearance.conditionalCovered[i] = data.at(bin, Regime::Covered).hyper;
-    }
-    return model;
-}
-
-const ModelData& modelData()
-{
-    static const ModelData data = modelFor(12, 1);
-    return data;
-}
-
-const Models& models()
-{
-    static const Models toy(modelData(), robot());
-    return toy;
-}
-
-Scene someScene()
-{
-    static const Scene scene = someScenes(2, 99).front();
-    return scene;
-}
-
-std::vector<double> numbersOf(const TerrainEstimate& e)
-{
-    std::vector<double> all{e.novelty};
-    for (const Heights& h : {e.mean, e.sd, e.q10, e.q90, e.height, e.rhat, e.ess})
-        all.insert(all.end(), h.begin(), h.end());
-    for (const Heights& h : e.draws) all.insert(all.end(), h.begin(), h.end());
-    return all;
-}
-
-void expectSound(const TerrainEstimate& e, const std::string& what)
-{
-    for (const double x : numbersOf(e)) ASSERT_TRUE(std::isfinite(x)) << what;
-    for (std::size_t i = 0; i < kBins; ++i) {
-        EXPECT_LE(e.q10[i], e.q90[i]) << what << ", bin " << i;
-        EXPECT_GE(e.sd[i], 0.0) << what << ", bin " << i;
-        EXPECT_FALSE(std::isnan(e.ceiling[i])) << what << ", bin " << i;
-        if (usesCeiling(e.settings.method) && e.origin[i] == Origin::Sampled
-            && e.settings.ceiling != CeilingRule::None) {
-            EXPECT_LE(e.q90[i], e.ceiling[i]) << what << ", bin " << i;
-        }
-    }
-}
-
-struct Asked {
-    Scene scene = someScene();
-    std::vector<ArmReading> arm;
-    Settings settings;
-};
-
-TerrainEstimate estimateOf(const Asked& asked, const Watch& watch = {},
-                           const RobotModel& of = robot())
-{
-    return estimateTerrain(asked.scene.s, asked.arm, of, models(), asked.settings, watch);
-}
 
 /// Returns the robot with its IMU raised: robot and ground lie deeper in the DEM frame.
 RobotModel loweredBy(double metres)
@@ -160,7 +76,7 @@ TEST_P(EveryMethod, oneDrawOfOneChainNeverConverges)
     }
 }
 
-TEST_P(EveryMethod, answersContradictoryContactsAndSaysSo)
+TEST_P(EveryMethod, answersContradictoryContactsWithAWarning)
 {
     Asked odd = asked();
     odd.settings.contacts = ContactRule::Any;
@@ -325,251 +241,6 @@ TEST_P(EveryMethod, isCancelledAtEveryPollAndThenRepeatable)
     for (int last = 1; last <= all; last += std::max(1, all / 60))
         EXPECT_THROW((void)run(last), Cancelled) << last << " of " << all;
     EXPECT_EQ(run(-1), expected);
-}
-
-/// Returns the largest BLAS work of a computation between two polls.
-BlasWork longestGap(const std::function<void(const Poll&)>& compute)
-{
-    BlasWork last = blasWork();
-    BlasWork most;
-    const auto seen = [&] {
-        const BlasWork now = blasWork();
-        most.multiplications =
-            std::max(most.multiplications, now.multiplications - last.multiplications);
-        most.read = std::max(most.read, now.read - last.read);
-        last = now;
-    };
-    compute(seen);
-    seen();
-    return most;
-}
-
-TEST(Cancelling, largeModelPollsAfterBoundedWork)
-{
-    constexpr int kRows = 2500;
-    std::mt19937_64 rng(3);
-    std::normal_distribution<double> normal;
-    Eigen::MatrixXd X(kRows, 3);
-    for (double& x : X.reshaped()) x = normal(rng);
-    const Eigen::VectorXd y = X.col(0).array().sin();
-    const Hyperparameters hyper{Eigen::Vector3d::Ones(), 1.0, 0.1};
-    const BlasWork gap = longestGap([&](const Poll& poll) {
-        const GaussianProcess gp(X, y, hyper, 0.0, poll);
-        (void)SceneConditional(gp, Eigen::Vector3d::Zero(), {0}, Precision::Single, poll);
-        (void)SceneConditional(gp, Eigen::Vector3d::Zero(), {0}, Precision::Double, poll);
-        (void)GaussianProcess::sparse(X, y, 400, hyper, 0.0, poll)->usable(Precision::Single, poll);
-    });
-    EXPECT_LE(gap.multiplications, 1.3 * kMaxMultiplications);
-    EXPECT_GT(gap.multiplications, 0.1 * kMaxMultiplications);  // they are counted
-    const BlasWork solving = longestGap([&](const Poll& poll) {
-        const Eigen::MatrixXd R = Eigen::MatrixXd::Identity(3500, 3500);
-        Eigen::VectorXd x = R.col(0);
-        Eigen::MatrixXd several = R.leftCols(3);
-        solveWithFactor(R, x, poll);
-        multiplyTransposed(R, several, poll);
-        solveTransposed(R, several, poll);
-        (void)reciprocalCondition(R, 1.0, poll);
-    });
-    EXPECT_LE(solving.read, 1.1 * kMaxRead);
-}
-
-/// Returns the number of polls of a computation.
-int questions(const std::function<void(const Poll&)>& compute)
-{
-    int asked = 0;
-    compute([&] { ++asked; });
-    return asked;
-}
-
-TEST(Cancelling, pollsGrowWithTheNumberOfDraws)
-{
-    constexpr Eigen::Index kDraws = 300000;
-    const auto least = [](int unitsPerDraw) {
-        return static_cast<int>(unitsPerDraw * kDraws / PolledWork::kBetweenPolls);
-    };
-    std::mt19937_64 rng(3);
-    std::normal_distribution<double> normal;
-    GibbsDraws draws;
-    draws.bins = {9};
-    draws.draws = {Eigen::MatrixXd(kDraws / 100, 100)};
-    for (double& x : draws.draws[0].reshaped()) x = normal(rng);
-
-    EXPECT_GE(questions([&](const Poll& poll) { (void)RankedDraws(draws.draws[0], poll).rhat(); }),
-              least(2 * 14));  // sorts twice
-    EXPECT_GE(questions([&](const Poll& poll) { (void)RankedDraws(draws.draws[0], poll).ess(); }),
-              least(14));
-    TerrainEstimate estimate;
-    EXPECT_GE(questions([&](const Poll& poll) {
-                  summariseDraws(estimate, 9, draws.draws[0], Origin::Sampled, Centre::Mean, poll);
-              }),
-              least(3 * 14));
-    EXPECT_GE(questions([&](const Poll& poll) { conclude(estimate, draws, {}, poll); }), least(11));
-    EXPECT_GE(questions([&](const Poll& poll) { (void)finite(estimate, poll); }), least(11));
-    EXPECT_GE(questions([&](const Poll& poll) { (void)adviseProbe(estimate, robot(), 0.1, poll); }),
-              least(48 * 2));  // once for every reading
-    for (const Method method : {Method::Local, Method::Joint}) {
-        Asked many;
-        many.settings.method = method;
-        many.settings.draws = kDraws;
-        many.settings.stopEarly = false;
-        EXPECT_GE(questions([&](const Poll& poll) {
-                      Watch watch;
-                      watch.cancelled = [&] {
-                          poll();
-                          return false;
-                      };
-                      (void)estimateOf(many, watch);
-                  }),
-                  least(22 + 22 + 11));
-    }
-}
-
-GibbsProblem paperProblem(double ceiling, CeilingRule rule)
-{
-    GibbsProblem problem;
-    problem.s = features(FeatureSet::Paf, someScene().s);
-    problem.ceiling.fill(ceiling);
-    problem.rule = rule;
-    problem.chains = 4;
-    problem.burnIn = 3;
-    problem.keptPerChain = 25;
-    return problem;
-}
-
-TEST(Estimate, modelOfOneTrainingRowGivesAnEstimate)
-{
-    const ClearanceModel one(randomModel(1));
-    for (const Method method : {Method::Local, Method::Joint}) {
-        Settings settings;
-        settings.method = method;
-        const auto numbers =
-            numbersOf(reconstructClosedForm(someScene().s, {}, robot(), one, settings));
-        EXPECT_TRUE(std::all_of(numbers.begin(), numbers.end(), [](double v) {
-            return std::isfinite(v);
-        })) << name(method);
-    }
-}
-
-TEST(Estimate, aModelWhoseNumbersOverflowIsRefusedWithAText)
-{
-    ModelData model = randomModel(20);
-    for (SurfaceProcess& process : model.clearance.covered) process.mean = 1e9;  // sinh: infinite
-    const ClearanceModel wrong(model);
-    for (const Method method : {Method::Local, Method::Joint}) {
-        Settings settings;
-        settings.method = method;
-        EXPECT_THROW(
-            static_cast<void>(reconstructClosedForm(someScene().s, {}, robot(), wrong, settings)),
-            std::invalid_argument)
-            << name(method);
-    }
-}
-
-TEST(Sampler, keepsBelowCeilingsThatLieBelowEveryTrainingHeight)
-{
-    for (const double ceiling : {-0.9, -10.0, -1e6, -1e300}) {
-        const GibbsDraws draws =
-            sampleHeights(models().paf, paperProblem(ceiling, CeilingRule::Truncate));
-        ASSERT_EQ(draws.bins.size(), static_cast<std::size_t>(kBins));
-        for (const Eigen::MatrixXd& bin : draws.draws) {
-            EXPECT_TRUE(bin.allFinite()) << ceiling;
-            EXPECT_LE(bin.maxCoeff(), ceiling);
-        }
-    }
-}
-
-TEST(Sampler, chainsClampedFarBelowAreConstant)
-{
-    GibbsProblem problem = paperProblem(-10.0, CeilingRule::Clamp);
-    problem.keptPerChain = 2000;
-    problem.stopEarly = true;
-    const GibbsDraws draws = sampleHeights(models().paf, problem);
-    EXPECT_EQ(draws.ending, Ending::Converged);
-    for (const Eigen::MatrixXd& bin : draws.draws) {
-        EXPECT_EQ(bin.minCoeff(), -10.0);
-        EXPECT_EQ(bin.maxCoeff(), -10.0);
-        EXPECT_LT(bin.rows(), 2000);
-    }
-}
-
-/// Returns an estimate of one bin from these draws.
-TerrainEstimate concluded(const Eigen::MatrixXd& draws, double ceiling)
-{
-    TerrainEstimate estimate;
-    estimate.ceiling.fill(std::numeric_limits<double>::infinity());
-    estimate.ceiling[9] = ceiling;
-    const GibbsDraws drawn{{9}, {draws}, Ending::Sweeps};
-    summariseDraws(estimate, 9, draws, Origin::Sampled, Centre::Mean);
-    conclude(estimate, drawn, {});
-    return estimate;
-}
-
-TEST(Estimate, stuckChainsConvergeOnlyAtTheirCeiling)
-{
-    Eigen::MatrixXd draws = Eigen::MatrixXd::Constant(100, 8, -0.2);
-    const double none = std::numeric_limits<double>::infinity();
-    for (const double ceiling : {none, -0.1, -0.3}) {
-        const TerrainEstimate e = concluded(draws, ceiling);
-        EXPECT_FALSE(e.converged) << ceiling;
-        EXPECT_EQ(e.rhat[9], kRhatNever);
-        ASSERT_EQ(e.warnings.size(), 1U);
-        EXPECT_NE(e.warnings[0].english().find("not converged"), std::string::npos);
-    }
-    EXPECT_TRUE(concluded(draws, -0.2).converged);
-    EXPECT_TRUE(concluded(draws, -0.2).warnings.empty());
-    draws.col(5).setConstant(-0.25);
-    EXPECT_FALSE(concluded(draws, -0.2).converged);
-    EXPECT_FALSE(concluded(draws, none).converged);
-    const Eigen::MatrixXd many = draws.replicate(1, 100);  // 800 chains, as many effective draws
-    EXPECT_FALSE(concluded(many, -0.2).converged);
-}
-
-TEST(Settings, refuseValuesBeyondIntegerOrMemory)
-{
-    for (const Method method : {Method::Pafc, Method::Clearance, Method::Local, Method::Joint}) {
-        Asked odd;
-        odd.settings.method = method;
-        odd.settings.draws = std::numeric_limits<int>::max();
-        EXPECT_THROW((void)estimateOf(odd), std::invalid_argument);
-        if (isClosedForm(method)) continue;
-        for (int Settings::*number : {&Settings::chains, &Settings::burnIn}) {
-            odd.settings = {.method = method};
-            odd.settings.*number = std::numeric_limits<int>::max();
-            EXPECT_THROW((void)estimateOf(odd), std::invalid_argument);
-        }
-    }
-}
-
-TEST(Sampler, withoutAnyFreeBinIsEmpty)
-{
-    GibbsProblem problem = paperProblem(1.0, CeilingRule::Truncate);
-    problem.known = someScene().truth;
-    EXPECT_TRUE(sampleHeights(models().paf, problem).bins.empty());
-}
-
-TEST(Sampler, saysWhereAModelNeededAJitter)
-{
-    ModelData data = modelData();
-    data.paf.bins[4].noiseSd = 0.0;
-    data.paf.bins[4].lengthScale.setConstant(1e4);
-    const Models singular(data, robot());
-    Asked asked;
-    asked.settings.method = Method::Pafc;
-    asked.settings.contacts = ContactRule::None;
-    asked.settings.draws = 16;
-    for (const int inducing : {0, 20}) {
-        asked.settings.inducing = inducing;
-        const TerrainEstimate e =
-            estimateTerrain(asked.scene.s, {}, robot(), singular, asked.settings);
-        expectSound(e, "singular model");
-        EXPECT_EQ(std::count_if(e.warnings.begin(), e.warnings.end(),
-                                [](const Message& w) {
-                                    return w.english().find("model of bin +0.1 m is singular")
-                                        != std::string::npos;
-                                }),
-                  1)
-            << inducing;
-    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod, testing::ValuesIn(kMethods),

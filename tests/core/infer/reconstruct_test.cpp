@@ -121,7 +121,7 @@ TEST(Reconstruct, samplesNothingWhereEveryBinIsMeasured)
     for (std::size_t i = 0; i < kBins; ++i) EXPECT_EQ(e.mean[i], -0.3);
 }
 
-TEST(Reconstruct, saysHowItsSamplingEndedAndCountsItsDraws)
+TEST(Reconstruct, reportsHowSamplingEndedAndCountsDraws)
 {
     const ArmReading reading{4, -0.3, 0.03};
     Settings settings = quick(Method::Pa);
@@ -175,7 +175,7 @@ TEST(Reconstruct, throughInducingRowsComesCloseToTheTrainedModels)
     EXPECT_THROW((void)through(-1), std::invalid_argument);
 }
 
-TEST(Reconstruct, saysWhenTheChainsHaveNotConverged)
+TEST(Reconstruct, warnsIfTheChainsHaveNotConverged)
 {
     Settings settings = quick(Method::Pa);
     settings.draws = 16;

@@ -248,7 +248,7 @@ TEST_F(Review, readsTheSilenceFromADelayedLinkUpEvent)
     EXPECT_FALSE(at(3.1).unbroken) << "and known as soon as frames came again";
 }
 
-TEST_F(Review, showsNoFrameOfADamagedSpanAndSaysSo)
+TEST_F(Review, showsNoFrameOfADamagedSpanButANotice)
 {
     record(4.0);
     sqlite3* file = nullptr;

@@ -56,7 +56,7 @@ TEST(Attitude, IsJudgedByTheOperatorsLimits)
     EXPECT_EQ(attitudeOf(tilted(31.0, -21.0), absolem(), limits).roll, AttitudeLevel::Amber);
 }
 
-TEST(Attitude, IsRedNearTippingOverWhateverTheOperatorWants)
+TEST(Attitude, IsRedNearTippingOverForAnyLimits)
 {
     const AttitudeLimits wide{80.0 * kDegree, 80.0 * kDegree};
     EXPECT_EQ(attitudeOf(tilted(60.0, 0.0), absolem(), wide).pitch, AttitudeLevel::Red);

@@ -169,7 +169,7 @@ TEST(ForceDriftTest, skipsElementsWithoutAReading)
     EXPECT_THROW(drift.add(std::nan(""), forces), std::invalid_argument);
 }
 
-TEST(ForceDriftTest, beginsAnewWhenItsClockJumpsBack)
+TEST(ForceDriftTest, restartsWhenItsClockJumpsBack)
 {
     ForceDrift drift;
     addFor(drift, 100.0, 5.0, 0.4);

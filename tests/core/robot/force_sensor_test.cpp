@@ -76,7 +76,7 @@ TEST_F(ForceSensor, subtractsItsOwnBias)
     EXPECT_EQ(read(voltageAt(30e3), 5).force, 0.0) << "less than the bias is nothing";
 }
 
-TEST_F(ForceSensor, saysWhenItIsSaturatedOpenOrShort)
+TEST_F(ForceSensor, reportsSaturatedOpenAndShort)
 {
     EXPECT_EQ(read(voltageAt(250.0)),
               (ElementForce{19.7, ElementState::Saturated, 0.0, voltageAt(250.0)}));

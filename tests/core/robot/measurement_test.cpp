@@ -25,7 +25,7 @@ TEST(Measurement, becomesTheAverageOfLeftAndRight)
         EXPECT_EQ(s.force[i], 1.0 + static_cast<double>(i));
 }
 
-TEST(Measurement, describesEveryActivityAndRefusalInWordsOfItsOwn)
+TEST(Measurement, everyActivityAndRefusalHasADistinctText)
 {
     std::set<std::string> words;
     for (int i = 0; i <= static_cast<int>(RobotActivity::Stopped); ++i)

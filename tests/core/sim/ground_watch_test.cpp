@@ -61,7 +61,7 @@ TEST(SupportAngle, IsTheTangentToWheelAndTips)
     EXPECT_NEAR(shape.track.b.z - shape.track.rb, shape.rear.b.z - shape.rear.rb, 0.006);
 }
 
-TEST(DrivenGround, KnowsTheGroundThatTheTracksPassed)
+TEST(DrivenGround, BoundsTheGroundUnderThePathOfTheTracks)
 {
     const TerrainProfile flat({{0.0, 0.0}, {6.0, 0.0}});
     WatchedStyle style;
@@ -109,7 +109,7 @@ TEST(GroundWatch, SuspectsTheSignOfRearAngles)
     }
 }
 
-TEST(GroundWatch, SaysNothingOfRearAnglesNearTheTracks)
+TEST(GroundWatch, DoesNotJudgeRearAnglesNearTheTracks)
 {
     const auto drive = driveOverRough(0.15, false);
     for (const std::string_view fault : {"", "flipped:rear"})
@@ -165,7 +165,7 @@ TEST(ReturnWatch, SuspectsAPitchThatIsShifted)
     EXPECT_TRUE(shifted("drift:pitch:0.1"));
 }
 
-TEST(ReturnWatch, SaysNothingOfOneDirection)
+TEST(ReturnWatch, DoesNotJudgeOneDirectionAlone)
 {
     EXPECT_FALSE(suspects<ReturnWatch>(driveOverRough(0.5, false), "offset:pitch:0.07",
                                        Sensor::Pitch, SensorTrouble::BothWays));

@@ -61,7 +61,7 @@ TEST_P(TriedFaults, AreNoticedOrNamedInTheLimits)
 INSTANTIATE_TEST_SUITE_P(All, TriedFaults,
                          testing::ValuesIn(triedFaults().begin(), triedFaults().end()));
 
-TEST(FaultMatrix, IsNoticedOrSaysWhyNot)
+TEST(FaultMatrix, NoticesEachFaultOrGivesTheReason)
 {
     const auto cells = faultMatrix();
     EXPECT_EQ(cells.size(), 29 * matrixKinds().size());  // 2 + 4 + 4 + 6 + 12 + 1 sensors
@@ -152,7 +152,7 @@ TEST(SensorWatch, ClearsASensorThatRecovers)
     EXPECT_TRUE(watch.standing().empty());
 }
 
-TEST(SensorWatch, BeginsAnewWhenTimeGoesBack)
+TEST(SensorWatch, RestartsWhenTimeGoesBack)
 {
     SensorWatch watch(absolem());
     FaultySensors faulty(*sensorFaultFrom("stuck:pitch"), absolem(), 1);

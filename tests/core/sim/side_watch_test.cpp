@@ -118,7 +118,7 @@ SideForces all(double force)
     return sides;
 }
 
-TEST(SideWatch, SaysNothingWhereTheGroundMayDiffer)
+TEST(SideWatch, DoesNotJudgeWhereTheGroundMayDiffer)
 {
     SideForces dead = all(5.0);
     dead.left[2] = 0.0;

@@ -55,7 +55,7 @@ TEST(SimulatedRobot, reportsNoWayThatItsTracksDidNotRoll)
     }
 }
 
-TEST(SimulatedRobot, drivesWhenToldAndHaltsWhenTold)
+TEST(SimulatedRobot, drivesAndHaltsOnCommand)
 {
     SimulatedRobot robot = robotBefore(1.5);
     const double start = robot.rest().pose.base.x;
@@ -113,7 +113,7 @@ TEST(SimulatedRobot, reportsTheSameWayBackWithoutSlip)
     EXPECT_NEAR(*robot.measure().travelled, way - 0.9, 0.1);
 }
 
-TEST(SimulatedRobot, advancesByTheDistanceItIsTold)
+TEST(SimulatedRobot, advancesByTheCommandedDistance)
 {
     SimulatedRobot robot = robotBefore(1.5);
     const double start = robot.rest().pose.base.x;
@@ -137,7 +137,7 @@ TEST(SimulatedRobot, advancesByTheDistanceItIsTold)
     })) << "an advance that was halted is forgotten";
 }
 
-TEST(SimulatedRobot, bringsItsFlippersWhereItIsToldAtTheirSpeed)
+TEST(SimulatedRobot, movesItsFlippersToTheCommandAtTheirSpeed)
 {
     SimulatedRobot robot = robotBefore(1.5);
     robot.command(HoldFlippersCommand{0.3, 0.2});

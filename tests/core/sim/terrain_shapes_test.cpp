@@ -34,7 +34,7 @@ TEST(RoughTerrain, hasItsStandardDeviationAndCorrelation)
     EXPECT_NEAR(lagged / square, std::exp(-1.0), 0.03);
 }
 
-TEST(DemoTerrain, hasAStepWhereItSays)
+TEST(DemoTerrain, hasAStepAtTheStatedPlace)
 {
     const TerrainProfile t = demoTerrain();
     EXPECT_NEAR(t.heightAt(kDemoStep) - t.heightAt(kDemoStep - 1e-9), 0.24, 1e-6);

@@ -137,7 +137,7 @@ TEST(CsvReader, readsFiniteNumbersOnly)
             << i;
 }
 
-TEST(CsvReader, knowsWhatMeansNotMeasured)
+TEST(CsvReader, recognisesFieldsThatMeanNotMeasured)
 {
     Result<CsvReader> csv = atSecond("x,y\n,nan,NaN,NA,n/a,#N/A,NULL,None,1.#QNAN,0,-,no\n");
     ASSERT_TRUE(csv);

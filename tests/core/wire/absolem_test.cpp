@@ -262,7 +262,7 @@ TEST_F(OnAbsolemsBus, aLineOfSensorsHoldsWhatIsFreshOnBothSides)
     EXPECT_FALSE(sensorLineOf(state(), now, 0.25).frontCurrents);
 }
 
-TEST(AbsolemFrames, areTakenApartAsInTheManual)
+TEST(AbsolemFrames, areDecodedAsInTheManual)
 {
     // Examples of MAN-CAN301IG, chapter 9: AC=150000, the query of ET[992] and its reply,
     // CL[1]=1.0.

@@ -97,7 +97,7 @@ TEST(Dbc, hasEverySignalWhereTheCodecHasIt)
     });
 }
 
-TEST(Dbc, keepsEverySignalApartAndItsRangeWithinItsBits)
+TEST(Dbc, hasDisjointSignalsWithRangesThatFitTheirBits)
 {
     for (const DbcMessage& m : dbc()) {
         std::uint64_t taken = 0;

@@ -203,7 +203,7 @@ TEST(SensorLine, comesBackWholeOverEveryTurnOfTheCounter)
     EXPECT_EQ(reader.unfinished(), 0U);
 }
 
-TEST(SensorLine, saysWhatWasNotMeasured)
+TEST(SensorLine, marksWhatWasNotMeasured)
 {
     SensorLineReader reader;
     ASSERT_TRUE(read(reader, fullLine(), 1));

@@ -21,7 +21,7 @@ TEST(CanError, aFrameOfDataHasNoErrorInIt)
     EXPECT_THROW((void)describeError(CanFrame{}), std::invalid_argument);
 }
 
-TEST(CanError, saysWhatTheControllerMayStillDo)
+TEST(CanError, describesWhatTheControllerMayStillDo)
 {
     using enum ControllerState;
     struct Row {

@@ -116,7 +116,7 @@ TEST(Candump, readsTheLongDialectWithTimeAndWithout)
               (CanFrame{.id = 4, .error = true, .length = 8, .data = {0, 1}}));
 }
 
-TEST(Candump, saysWhatItExpected)
+TEST(Candump, errorsNameWhatWasExpected)
 {
     const auto says = [](std::string_view line, std::string_view part) {
         const std::string text = complaint(line);
@@ -258,7 +258,7 @@ TEST_F(CandumpFile, namesTheLineAtFault)
     EXPECT_FALSE(directory && directory->next());
 }
 
-TEST_F(CandumpFile, passesOverRemarksAndCountsDrops)
+TEST_F(CandumpFile, skipsCommentsAndCountsDrops)
 {
     const auto frames = read(" (1.5)  can0  20000004   [8]  00 04 00 00 00 00 60 00   ERRORFRAME\n"
                              "\tcontroller-problem{rx-error-warning}\n"

@@ -55,7 +55,7 @@ TEST_F(RobotEnd, armsOnlyForAConsoleThatHasBeenAliveForAWhile)
     EXPECT_TRUE(robot.armed());
 }
 
-TEST_F(RobotEnd, answersSoundHeartbeatsWithTheirToken)
+TEST_F(RobotEnd, answersValidHeartbeatsWithTheirToken)
 {
     const auto answer = robot.receive(consoleHeartbeat(99, 0), now);
     EXPECT_EQ(answer.verdict, Verdict::Heartbeat);
@@ -291,7 +291,7 @@ TEST_F(RobotEnd, deadManHaltsWithoutDriveFrames)
     EXPECT_EQ(robot.tick(now), Silence::None) << "a halt ends the drive";
 }
 
-TEST_F(RobotEnd, knowsFramesThatAreNoCommands)
+TEST_F(RobotEnd, recognisesFramesThatAreNoCommands)
 {
     EXPECT_EQ(robot.receive({.id = 0x123, .length = 8}, now).verdict, Verdict::NotACommand);
     EXPECT_EQ(robot.receive(frameOf(RobotStatus{}, 0), now).verdict, Verdict::NotACommand);

@@ -89,7 +89,7 @@ TEST(FrameValidator, framesOfOtherDevicesAreUnknown)
               FrameTrouble::Other);
 }
 
-TEST(FrameValidator, kindsHaveCountersOfTheirOwn)
+TEST(FrameValidator, eachKindHasItsOwnCounter)
 {
     FrameValidator validator;
     (void)validator.judge(attitude(1), 0.0);

@@ -1,4 +1,4 @@
-// Logs of CAN traffic in every readable format: their frames, clocks and truncated ends.
+// Logs of CAN traffic in every readable format: their clocks, packing, truncated ends and refusals.
 #include "core/wire/log_reader.h"
 
 #include <gtest/gtest.h>
@@ -8,51 +8,13 @@
 #include <random>
 #include <sstream>
 #include <string>
-#include <vector>
 
 #include "core/wire/candump_log.h"
+#include "tests/core/wire/logs.h"
 #include "tests/support/refusal.h"
 
 namespace terratact {
 namespace {
-
-using Bytes = std::vector<std::uint8_t>;
-
-CanFrame data(std::uint32_t id, const Bytes& bytes, bool extended = false)
-{
-    CanFrame frame{.id = id,
-                   .extended = extended,
-                   .fd = bytes.size() > 8,
-                   .length = static_cast<std::uint8_t>(bytes.size())};
-    std::copy(bytes.begin(), bytes.end(), frame.data.begin());
-    return frame;
-}
-
-struct Log {
-    std::vector<LoggedFrame> frames;
-    std::vector<double> elapsed;
-    std::vector<std::string> remarks;
-    std::string format, error;
-    bool isTorn = false;
-};
-
-Log read(const std::string& content)
-{
-    LogReader reader("a.log", std::make_unique<std::istringstream>(content));
-    Log log;
-    for (;;) {
-        const auto next = reader.next();
-        for (const Message& remark : reader.consumeRemarks())
-            log.remarks.push_back(remark.english());
-        if (!next) log.error = next.error().text;
-        if (!next || !*next) break;
-        log.frames.push_back(**next);
-        log.elapsed.push_back(reader.elapsed());
-    }
-    log.format = reader.format();
-    log.isTorn = reader.isTorn();
-    return log;
-}
 
 std::string packed(const std::string& text)
 {
@@ -69,8 +31,6 @@ std::string packed(const std::string& text)
     deflateEnd(&stream);
     return out;
 }
-
-const std::string kTwo = "(1000.000000) can0 500#DDFF01\n(1000.100000) can0 500#DDFF02\n";
 
 TEST(Logs, ofCandumpMayHaveCommentsAMarkAndDates)
 {
@@ -151,7 +111,7 @@ TEST(Logs, withATornEndGiveTheWholeLines)
         << "not at the end";
 }
 
-TEST(Logs, whoseClockGoesBackGoOnEvenly)
+TEST(Logs, withAClockStepBackContinueEvenly)
 {
     const Log log = read("(100000.00) can0 500#00\n(100000.05) can0 500#01\n"
                          "(96400.20) can0 500#02\n(96400.25) can0 500#03\n"
@@ -189,182 +149,6 @@ TEST(Logs, ofTimeDifferencesAreGuessed)
     for (int i = 0; i < 12; ++i)
         zero += " (000.0" + std::to_string(10 + i) + "000)  can0  500   [1]  00\n";
     EXPECT_TRUE(read(zero).remarks.empty()) << "candump -tz";
-}
-
-const std::string kAsc =
-    "date Thu Jan 01 00:16:40 1970\n"
-    "base hex  timestamps absolute\n"
-    "no internal events logged\n"
-    "// version 9.0.0\n"
-    "Begin Triggerblock Thu Jan 01 00:16:40 1970\n"
-    "   0.000000 Start of measurement\n"
-    "   0.015991 1  Statistic: D 0 R 0 XD 0 XR 0 E 0 O 0 B 0.00%\n"
-    "   0.100000 1  500             Rx   d 3 DD FF 01  Length = 0 BitCount = 0\n"
-    "   0.200000 2  18FEF1FEx       Tx   d 8 01 02 03 04 05 06 07 08\n"
-    "   0.300000 1  123             Rx   r Length = 1704000 BitCount = 145\n"
-    "   0.310000 1  123             Rx   r 4 Length = 1704000 BitCount = 145\n"
-    "   0.320000 1  123             TxRq d 1 00\n"
-    "   0.400000 2  ErrorFrame\n"
-    "   0.500000 CANFD   1 Rx        50B                                   1 0 a "
-    "16 00 01 02 03 04 05 06 07 08 09 0A 0B 0C 0D 0E 0F   130000  130     3000 0\n"
-    "   0.600000 CANFD   2 Tx   18FEF1FEx  Name_of_it   0 0 2  2 AA BB  0 0 3000 0\n"
-    "   0.700000 CANFD   2 Tx        7FF  0 0 2  2 AA BB  0 0 0 0\n"
-    "End TriggerBlock\n";
-
-TEST(Logs, ofVectorAreRead)
-{
-    const Log log = read(kAsc);
-    EXPECT_EQ(log.error, "");
-    EXPECT_EQ(log.format, "Vector .asc");
-    ASSERT_EQ(log.frames.size(), 8U);
-    const auto& f = log.frames;
-    EXPECT_EQ(f[0].frame, data(0x500, {0xDD, 0xFF, 1}));
-    EXPECT_EQ(f[0].interface, "can0");
-    EXPECT_EQ(f[0].direction, LogDirection::Received);
-    EXPECT_NEAR(std::fmod(*f[0].time, 1.0), 0.1, 1e-6);
-    EXPECT_EQ(f[1].frame, data(0x18FEF1FE, {1, 2, 3, 4, 5, 6, 7, 8}, true));
-    EXPECT_EQ(f[1].interface, "can1");
-    EXPECT_EQ(f[1].direction, LogDirection::Sent);
-    EXPECT_EQ(f[2].frame, (CanFrame{.id = 0x123, .remote = true}));
-    EXPECT_EQ(f[3].frame, (CanFrame{.id = 0x123, .remote = true, .length = 4}));
-    EXPECT_TRUE(f[4].frame.error);
-    EXPECT_EQ(f[5].frame, data(0x50B, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}));
-    CanFrame named = data(0x18FEF1FE, {0xAA, 0xBB}, true);
-    named.fd = true;
-    EXPECT_EQ(f[6].frame, named);
-    EXPECT_EQ(f[7].frame, data(0x7FF, {0xAA, 0xBB})) << "a classic frame, as its flags say";
-    EXPECT_NEAR(log.elapsed.back(), 0.6, 1e-6);
-    ASSERT_EQ(log.remarks.size(), 1U);
-    EXPECT_EQ(log.remarks[0],
-              "a.log: 2 lines hold no frame and are passed over, the first is line 7");
-}
-
-TEST(Logs, ofVectorMayCountOtherwise)
-{
-    const Log log = read("date Mit Okt 5 03:06:13.500 pm 2022\n"
-                         "base dec  timestamps relative\n"
-                         "0.1 1 1280 Rx d 2 221 255\n"
-                         "0.2 1 218x Rx d 1 9\n"
-                         "0.3 CAN 1 Status:chip status error active\n"
-                         "0.1 1 1 Rx d 0\n");
-    ASSERT_EQ(log.frames.size(), 3U) << log.error;
-    EXPECT_EQ(log.frames[0].frame, data(1280, {221, 255}));
-    EXPECT_EQ(log.frames[1].frame, data(218, {9}, true));
-    EXPECT_NEAR(*log.frames[0].time - 0.1, 1664982373.5, 86400.0);
-    EXPECT_NEAR(log.elapsed[2], 0.6, 1e-6) << "an event's time counts, too";
-    const Log trigger = read("date Mit Okt 5 03:06:13.500 pm 2022\nbase hex  timestamps absolute\n"
-                             "Begin TriggerBlock Wed Oct 5 04:06:13.500 pm 2022\n"
-                             "30.5 CANFD 3 Tx 50005x 0 1 5 0 140000 73 200050 7a60 46500250\n");
-    ASSERT_EQ(trigger.frames.size(), 1U) << trigger.error;
-    EXPECT_EQ(trigger.frames[0].frame,
-              (CanFrame{.id = 0x50005, .extended = true, .remote = true, .length = 5}));
-    EXPECT_NEAR(*trigger.frames[0].time - *log.frames[0].time, 3600.0 + 30.4, 1e-6);
-    const Log bare = read("0.1 1 500 Rx d 1 09\n");
-    ASSERT_EQ(bare.frames.size(), 1U) << bare.error;
-    EXPECT_EQ(bare.frames[0].time, 0.1) << "without a heading";
-    EXPECT_NE(read("date soon\n0.1 1 500 Rx d 1 09\n").remarks.at(0).find("line 1: the date"),
-              std::string::npos);
-}
-
-TEST(Logs, ofPeakAreRead)
-{
-    const std::vector<std::string> logs{
-        ";   Start time: 18.12.2021 14:28:07.062\n;---+--   ----+----  --+--  ----+---\n"
-        "     1)     100  0500  3  DD FF 01 \n"
-        "     2)     200  18FEF1FE  2  AA BB \n"
-        "     3)     300  0123  4  RTR\n"
-        "     4)     400  FFFFFFFF  4  00 00 00 08  BUSHEAVY\n",
-        ";$FILEVERSION=1.1\n;$STARTTIME=44548.6028595139\n"
-        "     1)     100.0  Rx     0500  3  DD FF 01 \n"
-        "     2)     200.0  Tx     18FEF1FE  2  AA BB \n"
-        "     3)     300.0  Rx     0123  4  RTR\n"
-        "     4)     400.0  Warng  FFFFFFFF  4  00 00 00 08  BUSHEAVY\n",
-        ";$FILEVERSION=1.3\n;$STARTTIME=44548.6028595139\n"
-        "     1)     100.000 1  Rx     0500 -  3    DD FF 01 \n"
-        "     2)     200.000 1  Tx     18FEF1FE -  2    AA BB \n"
-        "     3)     300.000 1  Rx     0123 -  4    RTR\n"
-        "     4)     400.000 1  Error  0008 -  4    00 00 00 08 \n",
-        ";$FILEVERSION=2.0\n;$STARTTIME=44548.6028595139\n;$COLUMNS=N,O,T,I,d,l,D\n"
-        "      1     100.000 DT     0500 Rx 3  DD FF 01 \n"
-        "      2     200.000 DT 18FEF1FE Tx 2  AA BB \n"
-        "      3     300.000 RR     0123 Rx 4  \n"
-        "      4     400.000 ST          Rx    00 00 00 08 \n",
-        ";$FILEVERSION=2.1\r\n;$STARTTIME=44548.6028595139\r\n;$COLUMNS=N,O,T,B,I,d,R,L,D\r\n"
-        "      1     100.000 DT 1      0500 Rx -  3    DD FF 01 \r\n"
-        "      2     200.000 DT 1  18FEF1FE Tx -  2    AA BB \r\n"
-        "      3     300.000 RR 1      0123 Rx -  4    \r\n"
-        "      4     400.000 ST 1       -   Rx -  4    00 00 00 08 \r\n"};
-    for (const std::string& text : logs) {
-        const Log log = read(text);
-        EXPECT_EQ(log.error, "") << text;
-        EXPECT_EQ(log.format, "PEAK .trc");
-        ASSERT_EQ(log.frames.size(), 3U) << text;
-        EXPECT_EQ(log.frames[0].frame, data(0x500, {0xDD, 0xFF, 1}));
-        EXPECT_EQ(log.frames[0].interface, "can0");
-        EXPECT_EQ(log.frames[1].frame, data(0x18FEF1FE, {0xAA, 0xBB}, true));
-        EXPECT_EQ(log.frames[2].frame, (CanFrame{.id = 0x123, .remote = true, .length = 4}));
-        EXPECT_NEAR(log.elapsed[2], 0.2, 1e-6);
-        EXPECT_NEAR(*log.frames[0].time, 1639837687.162, 1e-3);
-        ASSERT_EQ(log.remarks.size(), 1U);
-        EXPECT_NE(log.remarks[0].find("holds no frame and is passed over"), std::string::npos);
-    }
-}
-
-TEST(Logs, ofPeakVersion10StartAtTheirComment)
-{
-    const auto startOf = [](const std::string& start) {
-        return read(";##\n;   Start time: " + start + "\n;##\n     1)  100  0500  3  DD FF 01 \n");
-    };
-    Log log = startOf("24.09.2008 16:00:35.472.0");
-    ASSERT_EQ(log.frames.size(), 1U) << log.error;
-    EXPECT_NEAR(*log.frames[0].time, 1222272035.572, 1e-3);
-    EXPECT_TRUE(log.remarks.empty());
-    log = startOf("9/24/2008 4:00:35 PM");  // the order of day and month is ambiguous
-    ASSERT_EQ(log.frames.size(), 1U) << log.error;
-    EXPECT_NEAR(*log.frames[0].time, 0.1, 1e-6);
-    ASSERT_EQ(log.remarks.size(), 1U);
-    EXPECT_NE(log.remarks[0].find("the start time is not understood"), std::string::npos);
-}
-
-TEST(Logs, ofPeakHaveFramesOfCanFd)
-{
-    const Log log = read(";$FILEVERSION=2.1\n;$COLUMNS=N,O,T,B,I,d,R,L,D\n"
-                         "1 1.0 FD 2 0500 Rx - 9 00 01 02 03 04 05 06 07 08 09 0A 0B\n"
-                         "2 2.0 BI 2 0500 Rx - 2 00 01\n");
-    ASSERT_EQ(log.frames.size(), 2U) << log.error;
-    EXPECT_EQ(log.frames[0].frame, data(0x500, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}));
-    EXPECT_EQ(log.frames[0].interface, "can1");
-    EXPECT_TRUE(log.frames[1].frame.fd);
-}
-
-TEST(Logs, asCsvAreRead)
-{
-    const std::vector<std::string> logs{
-        "Time Stamp,ID,Extended,Bus,LEN,D1,D2,D3,D4,D5,D6,D7,D8\n"
-        "1000000,00000500,false,0,3,DD,FF,01,\n1100000,18FEF1FE,true,0,2,AA,BB,\n",
-        "Time Stamp,ID,Extended,Dir,Bus,LEN,D1,D2,D3,D4,D5,D6,D7,D8\r\n"
-        "1000000,00000500,false,Rx,0,3,DD,FF,01,,,,,\r\n1100000,18FEF1FE,true,Tx,0,2,AA,BB\r\n",
-        "1000000,00000500,false,0,3,DD,FF,01,\n1100000,18FEF1FE,true,0,2,AA,BB,\n",
-        "timestamp,arbitration_id,extended,remote,error,dlc,data\n"
-        "1.0,0x500,0,0,0,3,3f8B\n1.1,0x18fef1fe,1,0,0,2,qrs=\n",
-        "__time,id,extended,remote,error,fd,sent,local,length,data\n"
-        "1.000000000,1280,0,0,0,0,0,0,3,DDFF01\n1.100000000,419361278,1,0,0,0,1,0,2,AABB\n"};
-    for (const std::string& text : logs) {
-        const Log log = read(text);
-        EXPECT_EQ(log.error, "") << text;
-        ASSERT_EQ(log.frames.size(), 2U) << text;
-        EXPECT_EQ(log.frames[0].frame, data(0x500, {0xDD, 0xFF, 1})) << text;
-        EXPECT_EQ(log.frames[1].frame, data(0x18FEF1FE, {0xAA, 0xBB}, true)) << text;
-        EXPECT_EQ(log.frames[0].time, 1.0);
-        EXPECT_EQ(log.frames[0].interface, "can0");
-        EXPECT_NEAR(log.elapsed[1], 0.1, 1e-9);
-    }
-    std::string wide = "Time Stamp,ID,Extended,Dir,Bus,LEN,D1\n5,00000500,0,Rx,1,12";
-    for (int i = 0; i < 12; ++i) wide += ",0" + std::to_string(i % 10);
-    const Log fd = read(wide + ",\n");
-    ASSERT_EQ(fd.frames.size(), 1U) << fd.error;
-    EXPECT_EQ(fd.frames[0].frame, data(0x500, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 0, 1}));
-    EXPECT_EQ(fd.frames[0].interface, "can1");
 }
 
 TEST(Logs, nameTheLineAtFaultInEveryFormat)
@@ -493,7 +277,7 @@ TEST(Logs, reportOtherBytesBehindPackedOnes)
     EXPECT_EQ(torn.remarks[0], "a.log: the packed log is torn before its first line");
 }
 
-TEST(Logs, whoseClockJumpsOverYearsGoOnEvenly)
+TEST(Logs, withAClockStepOfYearsContinueEvenly)
 {
     const Log log = read("(0.5) can0 123#00\n(1790000000.5) can0 123#01\n"
                          "(1790000001.0) can0 123#02\n");
@@ -503,25 +287,6 @@ TEST(Logs, whoseClockJumpsOverYearsGoOnEvenly)
     ASSERT_EQ(log.remarks.size(), 1U);
     EXPECT_NE(log.remarks[0].find("line 2: 1790000000 s later"), std::string::npos)
         << log.remarks[0];
-}
-
-TEST(Logs, asCsvMayBeSavedByASpreadsheet)
-{
-    for (const char* const text :
-         {"Time Stamp;ID;Extended;Dir;Bus;LEN;D1;D2\n1000000;500;FALSE;Rx;0;2;DD;FF\n",
-          "\"Time Stamp\",\"ID\",\"Extended\",\"Dir\",\"Bus\",\"LEN\",\"D1\",\"D2\"\n"
-          "\"1000000\",\"500\",\"false\",\"Rx\",\"0\",\"2\",\"DD\",\"FF\"\n",
-          "time stamp, id, extended, dir, bus, len, d1, d2\n1000000, 500, false, Rx, 0, 2, DD, "
-          "FF\n",
-          "Time "
-          "Stamp\tID\tExtended\tDir\tBus\tLEN\tD1\tD2\n1000000\t500\t0\tRx\t0\t2\t0xDD\t0xFF\n"}) {
-        const Log log = read(text);
-        ASSERT_EQ(log.frames.size(), 1U) << text << log.error;
-        EXPECT_EQ(log.frames[0].frame, data(0x500, {0xDD, 0xFF})) << text;
-    }
-    for (const char* const text : {"ID,DLC,Data,Time\n", "1,2,3,4,5\n", "a;b;c;d\n"})
-        EXPECT_NE(read(text).error.find("is a table"), std::string::npos) << read(text).error;
-    EXPECT_EQ(read(" can0  123   [2]  2C 2C   ',,'\n").error, "");
 }
 
 }  // namespace

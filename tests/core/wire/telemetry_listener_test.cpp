@@ -79,7 +79,7 @@ TEST_F(Listening, makesAMeasurementOfEveryLine)
     EXPECT_EQ(listener.link(FrameKind::RobotStatus, now + 0.3), LinkState::Lost);
 }
 
-TEST_F(Listening, knowsNothingAtFirst)
+TEST_F(Listening, hasNoStateAtFirst)
 {
     EXPECT_EQ(link(), LinkState::Unknown);
     EXPECT_FALSE(listener.age(FrameKind::RobotStatus, now));

@@ -105,7 +105,7 @@ TEST_F(Wire, carriesAWholeMeasurement)
         EXPECT_NEAR(got->force[e], sent.force[e], 0.005 + 0.003 * sent.force[e]) << e;
 }
 
-TEST_F(Wire, passesOverTheElementsThatTheRobotLacks)
+TEST_F(Wire, skipsElementsThatTheRobotLacks)
 {
     RobotModel one = absolem();
     one.forceArrays.pop_back();  // the right one

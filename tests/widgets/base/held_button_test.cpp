@@ -88,7 +88,7 @@ TEST_F(Hold, aRingClosesAroundIt)
     EXPECT_FALSE(isLit(true));
 }
 
-TEST_F(Hold, leavingWithTheMouseLetsGo)
+TEST_F(Hold, leavingWithTheMouseReleasesIt)
 {
     button->setHoldTime(100000);
     QTest::mousePress(button, Qt::LeftButton);
@@ -124,7 +124,7 @@ TEST_F(Hold, aKeyThatRepeatsAsReleaseAndPressIsStillHeld)
     EXPECT_LE(begun, 2) << "one for the hold, one for the key that is still down after it";
 }
 
-TEST_F(Hold, losingTheFocusLetsGo)
+TEST_F(Hold, losingTheFocusReleasesIt)
 {
     button->setHoldTime(100000);
     button->setFocus();
@@ -134,7 +134,7 @@ TEST_F(Hold, losingTheFocusLetsGo)
     EXPECT_FALSE(button->isHeld());
 }
 
-TEST_F(Hold, beingHiddenOrDisabledLetsGo)
+TEST_F(Hold, hidingOrDisablingReleasesIt)
 {
     button->setHoldTime(100000);
     button->hold();
@@ -148,7 +148,7 @@ TEST_F(Hold, beingHiddenOrDisabledLetsGo)
     EXPECT_FALSE(button->isHeld()) << "what is hidden cannot be held";
 }
 
-TEST_F(Hold, anotherActiveWindowLetsGo)
+TEST_F(Hold, anotherActiveWindowReleasesIt)
 {
     button->setHoldTime(100000);
     other->setFocus();  // so that not the lost focus releases the button
@@ -169,7 +169,7 @@ TEST_F(Hold, aFrozenWindowHoldsNothing)
     EXPECT_EQ(confirmed, 0);
 }
 
-TEST(DrivePadTest, drivesWhileHeldAndHaltsWhenLetGo)
+TEST(DrivePadTest, drivesWhileHeldAndHaltsOnRelease)
 {
     DrivePad pad;
     gui::showActive(pad);

@@ -86,7 +86,7 @@ TEST_F(HostileTexts, anImageInATextIsNotLoaded)
     EXPECT_FALSE(isRead());
 }
 
-TEST_F(HostileTexts, aTipThatLooksLikeHtmlIsShownAsItIs)
+TEST_F(HostileTexts, aTipWithHtmlIsShownLiterally)
 {
     QWidget widget;
     setTip(widget, image());

@@ -34,7 +34,7 @@ struct Atem : testing::Test {
     QStringList said;
 };
 
-TEST_F(Atem, saysTheStateAndItsTime)
+TEST_F(Atem, showsTheStateAndItsTime)
 {
     using Kind = PhaseTime::Kind;
     panel.setState({.phase = AtemPhase::Pressing}, PhaseTime{Kind::Expected, 12.2});

@@ -53,7 +53,7 @@ struct Probe : testing::Test {
     QList<quint64> approved, refused;
 };
 
-TEST_F(Probe, saysWhereWhatAndForHowMuch)
+TEST_F(Probe, showsBinGainAndCost)
 {
     card.setProposal(kProposal);
     card.setTimeLeft(23.4);
@@ -65,7 +65,7 @@ TEST_F(Probe, saysWhereWhatAndForHowMuch)
     EXPECT_TRUE(card.approveButton()->text().contains("0.6 m"));
 }
 
-TEST_F(Probe, voidProposalSaysWhyAndCannotBeApproved)
+TEST_F(Probe, voidProposalShowsWhyAndCannotBeApproved)
 {
     const QList<Precondition> met{{Precondition::Level::Met, Message::verbatim("as then")}};
     const QList<Precondition> changed{
@@ -138,7 +138,7 @@ TEST_F(Probe, fitsWithoutScrollingInA1280x720Window)
     }
 }
 
-TEST_F(Probe, saysWhereTheVerdictIsAlreadyDecided)
+TEST_F(Probe, showsThatTheVerdictIsAlreadyDecided)
 {
     ProbeProposal decided = kProposal;
     decided.answer = StepVerdict::Blocked;
@@ -217,7 +217,7 @@ TEST_F(Probe, showsTheFactsReadOnlyWithoutAProposal)
     EXPECT_FALSE(allText().contains("bit"));
 }
 
-TEST_F(Probe, claimsNothingForAMethodThatKnowsNothing)
+TEST_F(Probe, showsNoGainForAMethodWithoutOne)
 {
     ProbeProposal plain = kProposal;
     plain.worth.reset();

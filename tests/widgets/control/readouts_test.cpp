@@ -260,7 +260,7 @@ struct Listener final : QObject {
     QStringList heard;
 };
 
-TEST(Spoken, aLabelSaysItsNameAndItsText)
+TEST(Spoken, aLabelGivesItsNameAndItsText)
 {
     applyLook(*qApp);
     RobotReadout readout;
@@ -320,7 +320,7 @@ struct Strip : testing::Test {
     EstimateStrip strip;
 };
 
-TEST_F(Strip, saysWhereTheEstimateIsWidest)
+TEST_F(Strip, namesTheLeastCertainBin)
 {
     strip.setEstimate(stepEstimate(), 0.62);
     EXPECT_EQ(strip.headline(), QStringLiteral("Uncertain at 0.6 m: ± 0.09 m"));
@@ -330,7 +330,7 @@ TEST_F(Strip, saysWhereTheEstimateIsWidest)
     EXPECT_TRUE(strip.headline().startsWith(QStringLiteral("Known to ± 0.02 m")));
 }
 
-TEST_F(Strip, saysWhichBudgetEndedTheDrawing)
+TEST_F(Strip, namesTheBudgetThatEndedSampling)
 {
     TerrainEstimate e = stepEstimate();
     e.ending = Ending::Time;
@@ -345,7 +345,7 @@ TEST_F(Strip, saysWhichBudgetEndedTheDrawing)
         tips, [](const QLabel* l) { return l->toolTip().endsWith("ended: converged"); }));
 }
 
-TEST_F(Strip, noWarningIsSwallowed)
+TEST_F(Strip, everyWarningIsShown)
 {
     TerrainEstimate e = stepEstimate();
     e.warnings = {Message::verbatim("roll 8.1°"), Message::verbatim("contact above the body")};

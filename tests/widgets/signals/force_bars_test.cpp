@@ -69,7 +69,7 @@ struct Forces : testing::Test {
     ForceBars bars;
 };
 
-TEST_F(Forces, eachBarSaysItsNumber)
+TEST_F(Forces, eachBarShowsItsNumber)
 {
     one({0.24, 0.0, 1.0, 2.5, 6.44, std::nullopt});
     EXPECT_EQ(bars.numberText(0), "0.2");
@@ -227,7 +227,7 @@ TEST_F(Forces, thePeakStandsForThreeSeconds)
     EXPECT_FALSE(bars.peak(4));
 }
 
-TEST_F(Forces, aSaturatedElementSaysNoExactNumber)
+TEST_F(Forces, aSaturatedElementShowsNoExactNumber)
 {
     ForceArray left = arrayOf({0.0, 0.0, 0.0, 0.0, 19.7, 0.0}, "L");
     left.elements[4].saturated = true;

@@ -59,7 +59,7 @@ TEST_F(TheTimeline, zoomKeepsTheTimeUnderTheMouseAndStaysInTheSession)
     EXPECT_LT(timeline.first(), timeline.last());
 }
 
-TEST_F(TheTimeline, aClickAndADragSayWhereToGo)
+TEST_F(TheTimeline, aClickAndADragChooseATime)
 {
     QSignalSpy seeks(&timeline, &SessionTimeline::seekWanted);
     const auto point = [&](double t) {
@@ -104,7 +104,7 @@ TEST_F(TheTimeline, followsThePlayheadWhereItWasInView)
     EXPECT_DOUBLE_EQ(timeline.first(), 80.0);
 }
 
-TEST_F(TheTimeline, saysWhatIsUnderThePointer)
+TEST_F(TheTimeline, describesWhatIsUnderThePointer)
 {
     const auto textAt = [&](double t, double y) {
         return timeline.textAt({timeline.pixelOf(t), y});

@@ -32,7 +32,7 @@ TEST(NumbersTable, hasARowPerBinFromTheRear)
     EXPECT_EQ(cell(table, 8, NumbersTable::Height), QStringLiteral("--"));
 }
 
-TEST(NumbersTable, knowsStepsAndTwoHeights)
+TEST(NumbersTable, showsStepsAndTwoHeights)
 {
     TerrainEstimate e = stepEstimate();
     for (int d = 0; d < 100; ++d) {

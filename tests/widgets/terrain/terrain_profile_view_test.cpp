@@ -167,7 +167,7 @@ TEST_F(TerrainView, drawsAndASecondMethodAreLayersOnDemand)
     EXPECT_EQ(painted(*view.canvas()), plain);
 }
 
-TEST_F(TerrainView, theGhostIsDashedInABandAndSaysHowFarItWasDriven)
+TEST_F(TerrainView, theGhostIsDashedInABandWithItsDistance)
 {
     view.clearEstimate("moved");
     const QImage without = painted(*view.canvas());
@@ -294,7 +294,7 @@ TEST_F(TerrainView, theTruthIsALevelLineOverEachBin)
     EXPECT_FALSE(red());
 }
 
-TEST_F(TerrainView, saysEachBinInWords)
+TEST_F(TerrainView, describesEachBinAsText)
 {
     view.setEstimate(stepEstimate());
     EXPECT_EQ(view.binText(8),

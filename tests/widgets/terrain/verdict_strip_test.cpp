@@ -108,7 +108,7 @@ TEST_F(Strip, theBadgeHasTheColoursOfItsAnswerInEveryTheme)
     applyLook(*qApp);
 }
 
-TEST_F(Strip, saysWhatIsMissingForAnAnswer)
+TEST_F(Strip, namesWhatIsMissingForAVerdict)
 {
     strip.setVerdict(verdict(StepVerdict::CannotTell, 0.95));
     EXPECT_TRUE(strip.reason().contains("undecided from 0.05 to 0.95, likeliest at"))
@@ -126,7 +126,7 @@ TEST_F(Strip, neverClaimsToBeWithoutError)
     EXPECT_EQ(strip.question(), QStringLiteral("P(step > 0.10 m ahead) = 0.01 ± 0.01"));
 }
 
-TEST_F(Strip, saysWhyAVerdictIsWithheld)
+TEST_F(Strip, givesTheReasonWhyAVerdictIsWithheld)
 {
     Verdict v = verdict(StepVerdict::CannotTell, 0.99);
     v.withheldFor = {WithholdReason::NotConverged, WithholdReason::Roll};

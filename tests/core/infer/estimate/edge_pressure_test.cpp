@@ -133,7 +133,7 @@ TEST(EdgePressure, saturatedElementIsNotShort)
     EXPECT_FALSE(EdgePressure(robotOnEdge(), steep, rear).hasItsShare(0)) << "63 N are expected";
 }
 
-TEST(EdgePressure, knowsTheNoiseOfTheSimulator)
+TEST(EdgePressure, usesTheNoiseOfTheSimulator)
 {
     EXPECT_DOUBLE_EQ(kForceSdShare, SensorNoise{}.forceShare);
     EXPECT_DOUBLE_EQ(kForceSdFloor, SensorNoise{}.forceFloor);

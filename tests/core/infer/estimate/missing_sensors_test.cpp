@@ -106,7 +106,7 @@ TEST(MissingSensors, aBatchEstimatesTheSame)
                                                  bench().robot, bench().models, settings));
 }
 
-TEST(MissingSensors, aCancelledTrainingBeginsAnew)
+TEST(MissingSensors, aCancelledTrainingRestarts)
 {
     const ReducedClearances reduced(bench().data, bench().robot);
     struct Enough {};

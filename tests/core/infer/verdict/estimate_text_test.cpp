@@ -18,7 +18,7 @@ TerrainEstimate perhapsAStep()
     return estimate;
 }
 
-TEST(HiddenByBands, saysHowLikelyAStepIsAndWhereTwoHeightsAre)
+TEST(HiddenByBands, showsStepProbabilityAndTwoHeights)
 {
     const auto sentences = hiddenByBands(perhapsAStep());
     ASSERT_EQ(sentences.size(), 3U);
@@ -29,7 +29,7 @@ TEST(HiddenByBands, saysHowLikelyAStepIsAndWhereTwoHeightsAre)
               "two heights are likely at +0.6 m: +0.00 m (70 %) or +0.20 m (30 %)");
 }
 
-TEST(HiddenByBands, hasALimitAndNothingToSayWithoutDraws)
+TEST(HiddenByBands, hasALimitAndIsEmptyWithoutDraws)
 {
     TerrainEstimate certain = perhapsAStep();
     certain.ess.fill(1000.0);

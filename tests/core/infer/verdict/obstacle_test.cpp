@@ -68,7 +68,7 @@ TEST(StepProbability, neverClaimsCertainty)
     EXPECT_GT(stepProbability(level, 0.1, 0, 10, 2.0).monteCarloSd, 0.3);
 }
 
-TEST(StepProbability, refusesWhatMakesNoSense)
+TEST(StepProbability, refusesInvalidArguments)
 {
     const std::vector<Heights> draws(3);
     EXPECT_THROW(stepProbability({}, 0.1, 0, 10, 1.0), std::invalid_argument);

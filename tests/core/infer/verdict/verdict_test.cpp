@@ -53,7 +53,7 @@ TEST(Verdict, namesTheLikeliestPairAhead)
     EXPECT_DOUBLE_EQ(verdictOf(e, Measurement{}, {}, 0.25).step.p, 0.0);
 }
 
-TEST(Verdict, saysWhichBinsAheadNobodyHasFelt)
+TEST(Verdict, namesTheBinsAheadThatAreNotFelt)
 {
     TerrainEstimate e = estimateWith(0);
     e.ceiling.fill(0.1);

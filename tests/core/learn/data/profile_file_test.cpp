@@ -147,7 +147,7 @@ TEST_F(ProfileFileTest, readsPointsAndHeightsAsSpreadsheetsWriteThem)
               read("0.00,0.02,0.05\n")->profiles.at(0).points());
 }
 
-TEST_F(ProfileFileTest, refusesHeightsThatLookLikeMillimetres)
+TEST_F(ProfileFileTest, refusesHeightsInMillimetres)
 {
     EXPECT_TRUE(read("100,105,95\n"));
     EXPECT_TRUE(refuses("0,0,0\n100,105.1,95\n", {"line 2", "105.1", "5 m", "mm"}));

@@ -117,7 +117,7 @@ TEST_F(SceneFileTest, everySceneSurvivesARoundTrip)
     EXPECT_EQ(dir.entries(), std::set<std::string>{"scenes.csv"});
 }
 
-TEST_F(SceneFileTest, everyColumnMeansWhatItsNameSays)
+TEST_F(SceneFileTest, everyColumnFillsTheFieldOfItsName)
 {
     const Result<SceneFile> read = this->read(kHeader + kScene);
     ASSERT_TRUE(read) << read.error().text;
@@ -306,7 +306,7 @@ TEST_F(SceneFileTest, refusesTornAndEmptyFiles)
         ASSERT_TRUE(refuses(whole.substr(0, size), {"line 3", "torn"})) << size;
 }
 
-TEST_F(SceneFileTest, readsALastLineWithoutItsEndAndSaysSo)
+TEST_F(SceneFileTest, readsALastLineWithoutItsEndWithANotice)
 {
     const std::string whole = kHeader + kScene + kScene;
     const Result<SceneFile> read = this->read(whole.substr(0, whole.size() - 1));
@@ -396,7 +396,7 @@ TEST_F(SceneFileTest, writesNothingThatItWouldNotRead)
     throwsFor(scene);
 }
 
-TEST_F(SceneFileTest, saysWhereItCouldNotWrite)
+TEST_F(SceneFileTest, namesTheFileThatItCouldNotWrite)
 {
     const std::string path = dir.file("none/out.csv");
     EXPECT_TRUE(refused(writeScenes(path, {sceneOf("r")}), path, {"cannot be written"}));

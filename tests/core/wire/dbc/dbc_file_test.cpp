@@ -53,7 +53,7 @@ TEST(DbcFiles, giveTheLongNames)
     EXPECT_EQ(m.payload.at(0).words.size(), 1U) << "the file goes on with the short one";
 }
 
-TEST(DbcFiles, sayWhichMessagesAreParameterGroups)
+TEST(DbcFiles, defineWhichMessagesAreParameterGroups)
 {
     const std::string message = "BO_ 2364540158 EEC1: 8 A\nBO_ 256 Standard: 8 A\n";
     const std::string kinds =
@@ -404,7 +404,7 @@ TEST(DbcFile, linesMayEndWithCrAlone)
     EXPECT_EQ(file->messages.at(0).payload.size(), 1U);
 }
 
-TEST(DbcFile, saysWhereTheCodePageIsAGuess)
+TEST(DbcFile, remarksWhereTheCodePageIsAGuess)
 {
     const auto warnings = [](const std::string& unit) {
         const auto file =

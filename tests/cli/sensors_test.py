@@ -1,0 +1,66 @@
+"""Tests the commands for sensors: readings of the arm, sensor faults in scenes, calibration of the force elements."""
+
+import pathlib
+import tempfile
+import unittest
+
+from support import SOURCE, complaint, rows, run
+
+
+class Sensors(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = pathlib.Path(self.folder.name)
+
+    def test_probes_gives_the_line_for_the_robot_file(self):
+        readings = self.path / "probes.csv"
+        readings.write_text("place,height_m,truth_m\na,0.10,\na,0.14,\nb,0.30,\nb,0.34,\n")
+        text = run("probes", "--data", readings)
+        self.assertIn("4 readings of 2 places", text)
+        self.assertIn("reading_sd_m = 0.0283", text)
+        readings.write_text("place,height_m,truth_m\na,0.10,\nb,0.14,\n")
+        self.assertIn("no place is read twice", complaint("probes", "--data", readings))
+
+    def test_simulate_can_add_sensor_faults(self):
+        sound, stuck = self.path / "sound.csv", self.path / "stuck.csv"
+        command = ("simulate", "--terrain", "boxes", "--count", 60, "--seed", 5)
+        run(*command, "--out", sound)
+        run(*command, "--disturb", "stuck:pitch", "--out", stuck)
+        first = {}
+        for row, true in zip(rows(stuck), rows(sound), strict=True):
+            self.assertEqual(row["pitch_rad"], first.setdefault(row["run"], true["pitch_rad"]))
+            self.assertEqual(row["front_rad"], true["front_rad"])
+        self.assertIn("KIND:SENSORS", complaint(*command, "--disturb", "stuck:nose", "--out", stuck, code=2))
+
+    def test_calibrate_prints_a_robot_file_section(self):
+        def volts(force):  # returns the voltage of an element of 9 kΩ at 1 N with a preload of 0.4 N
+            return 5e4 / (1e4 + 9000 / (force + 0.4) ** 0.9)
+
+        lines = [f"{side},{element},{force},{volts(force)}" for side in ("left", "right")
+                 for element in range(1, 7) for force in (0, 1, 2, 4, 8, 16)]
+        recording = self.path / "forces.csv"
+        recording.write_text("side,element,force_n,voltage_v\n" + "\n".join(lines) + "\n")
+        text = run("calibrate", "--data", recording)
+        self.assertIn("72 readings", text)
+        self.assertIn("median 0.000 N, worst 0.000 N", text)
+        section = text[text.index("[force_calibration]"):]
+        shipped = pathlib.Path(SOURCE, "resources/robots/absolem.toml").read_text()
+        before, rest = shipped.split("[force_calibration]")
+        robot = self.path / "mine.toml"
+        robot.write_text(before + section + "\n[flipper_drive]" + rest.split("[flipper_drive]")[1])
+        again = run("calibrate", "--data", recording, "--robot", robot)
+        self.assertEqual(again.splitlines()[1], text.splitlines()[1])
+
+        for line, cause in (("up,1,0,1.0", "'up', expected left or right"), ("left,7,0,1", "element is 7"),
+                            ("left,1.5,0,1", "element is 1.5"), ("left,1,-1,1", "force_n is negative"),
+                            ("left,1,0,nan", "voltage_v"), ("left,1,0", "has 3 fields"),
+                            ("left,1,0,0", "wire broken"), ("left,1,0,1", "left element 2 has no unloaded reading")):
+            recording.write_text(f"side,element,force_n,voltage_v\n{line}\n")
+            self.assertIn(cause, complaint("calibrate", "--data", recording))
+        recording.write_text("side,element\n")
+        self.assertIn("is not the header", complaint("calibrate", "--data", recording))
+
+
+if __name__ == "__main__":
+    unittest.main()
