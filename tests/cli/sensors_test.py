@@ -1,4 +1,4 @@
-"""Tests the commands for sensors: readings of the arm, sensor faults in scenes, calibration of the force elements."""
+"""Tests the commands for sensors: readings of the arm, sensor faults and both tracks in scenes, calibration."""
 
 import pathlib
 import tempfile
@@ -60,6 +60,25 @@ class Sensors(unittest.TestCase):
             self.assertIn(cause, complaint("calibrate", "--data", recording))
         recording.write_text("side,element\n")
         self.assertIn("is not the header", complaint("calibrate", "--data", recording))
+
+    def test_simulate_records_scenes_of_two_tracks(self):
+        out = self.path / "tracks.csv"
+        for terrain, least_roll in (("varied", 0.1), ("hazards", 0.0), ("boxes", 0.0)):
+            run("simulate", "--terrain", terrain, "--tracks", "--count", 32, "--seed", 2, "--out", out)
+            scenes = rows(out)
+            self.assertGreater(len(scenes), 15)
+            self.assertGreater(max(abs(float(scene["roll_rad"])) for scene in scenes), least_roll)
+            self.assertIn("front_right_force_6_n", scenes[0])
+            self.assertIn("right_h_+0.7_m", scenes[0])
+        lines = self.path / "lines.csv"
+        lines.write_text("y_m,heights_m\n0.2" + ",0.05" * 60 + "\n-0.2" + ",0" * 60 + "\n")
+        run("simulate", "--terrain", lines, "--tracks", "--exact-truth", "--out", out)
+        for scene in rows(out):
+            # 50 mm over 0.397 m between the tracks, or over 0.544 m between flippers that carry the robot
+            self.assertAlmostEqual(float(scene["roll_rad"]), 0.11, delta=0.06)
+            self.assertAlmostEqual(float(scene["left_h_+0.0_m"]) - float(scene["right_h_+0.0_m"]), 0.05, delta=1e-6)
+        self.assertIn("column y_m", complaint("simulate", "--terrain", lines, "--out", out))
+        complaint("simulate", "--terrain", "varied", "--tracks", "--disturb", "soft-ground", "--out", out, code=2)
 
 
 if __name__ == "__main__":
