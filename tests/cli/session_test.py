@@ -6,6 +6,7 @@ import sqlite3
 import subprocess
 import unittest
 import xml.dom.minidom
+import zlib
 
 from session_support import Session, change, frames_of, make, setUpModule, tearDownModule  # noqa: F401
 from support import CLI, SOURCE, complaint, rows, run
