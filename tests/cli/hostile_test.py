@@ -1,0 +1,157 @@
+"""Tests hostile files and folders: links that lead elsewhere, texts for the terminal, little memory."""
+
+import pathlib
+import re
+import stat
+import subprocess
+import tempfile
+import unittest
+
+from support import CLI, SOURCE, complaint, run
+
+DEMO = f"{SOURCE}/resources/sessions/demo.tts"
+FRAME = "(1793000000.000000) can0 123#00\n"
+ESCAPES = ("\x1b[2K", "\x1b]0;t\x07", "\u009b31m", "\u202egnol", "\u2066x", "\r", "\x07", "\n")
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        made = tempfile.TemporaryDirectory()
+        self.addCleanup(made.cleanup)
+        self.path = pathlib.Path(made.name)
+        self.scenes = self.path / "scenes.csv"
+        run("simulate", "--terrain", "varied", "--count", 2, "--seed", 5, "--out", self.scenes)
+
+    def written(self, name, content):
+        file = self.path / name
+        file.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return file
+
+
+class Links(Folder):
+    """Somebody has put a symbolic link where a command writes."""
+
+    def setUp(self):
+        super().setUp()
+        self.victim = self.written("victim", "mine")
+
+    def refused(self, link, *arguments):
+        link.parent.mkdir(exist_ok=True)
+        link.symlink_to(self.victim)
+        self.assertIn("it is a symbolic link to", complaint(*arguments))
+        self.assertEqual(self.victim.read_text(), "mine")
+        self.assertTrue(link.is_symlink())
+        link.unlink()
+
+    def test_no_command_writes_through_a_link(self):
+        log, out = self.written("a.log", FRAME), self.path / "out"
+        for ending, *arguments in (
+                ("csv", "simulate", "--terrain", "varied", "--count", 1),
+                ("csv", "reconstruct", "--data", self.scenes),
+                ("ttm", "train", "--data", self.scenes),
+                ("csv", "session", "export", DEMO, "--what", "events"),
+                ("mcap", "session", "export", DEMO),
+                ("csv", "session", "scenes", DEMO),
+                ("csv", "session", "what-if", DEMO),
+                ("pdf", "session", "report", DEMO),
+                ("html", "session", "report", DEMO)):
+            with self.subTest(arguments=arguments):
+                file = out.with_suffix("." + ending)
+                self.refused(file, *arguments, "--out", file)
+        self.refused(out, "can", "decode", log, "--csv", out)
+        for arguments in (("session", "recover", DEMO), ("session", "import", log), ("session", "merge", DEMO, DEMO)):
+            link = out.with_suffix(".tts")
+            link.symlink_to(self.path / "elsewhere.tts")
+            complaint(*arguments, "--out", link)
+            self.assertFalse((self.path / "elsewhere.tts").exists(), arguments)
+            link.unlink()
+
+    def test_no_file_of_a_folder_is_written_through_a_link(self):
+        run("evaluate", "--data", self.scenes, "--methods", "local", "--out", self.path / "names")
+        for name in sorted(file.name for file in (self.path / "names").iterdir()):
+            self.refused(self.path / "evaluation" / name, "evaluate", "--data", self.scenes, "--methods", "local", "--out",
+                         self.path / "evaluation")
+
+    def test_a_temporary_file_is_never_a_link(self):
+        out = self.path / "out.csv"
+        (self.path / "out.csv.tmp0").symlink_to(self.victim)
+        run("reconstruct", "--data", self.scenes, "--out", out)
+        self.assertEqual(self.victim.read_text(), "mine")
+        self.assertFalse(out.is_symlink())
+
+
+class Modes(Folder):
+    def test_recordings_are_for_their_owner_whatever_the_umask(self):
+        log = self.written("a.log", FRAME)
+        for mask in ("000", "022", "277"):
+            out = self.path / f"{mask}.tts"
+            subprocess.run(["bash", "-c", f'umask {mask}; exec "$@"', "-", CLI, "session", "import", log, "--out", out],
+                           check=True, stdout=subprocess.DEVNULL)
+            self.assertEqual(stat.S_IMODE(out.stat().st_mode), 0o600, mask)
+
+
+class Texts(Folder):
+    """Names and texts of files are printed without what moves a cursor, changes a colour or the reading direction."""
+
+    RAW = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069]")
+
+    def printed(self, *arguments):
+        done = subprocess.run([CLI, *map(str, arguments)], capture_output=True, timeout=100, stdin=subprocess.DEVNULL)
+        text = (done.stdout + done.stderr).decode(errors="replace")
+        self.assertIsNone(self.RAW.search(text), (arguments, ascii(text)))
+        return text
+
+    def test_names_of_files_are_printed_without_escapes(self):
+        for escape in ESCAPES:
+            name = f"a{escape}b"
+            missing, log = self.path / f"{name}.none", self.written(f"{name}.log", FRAME)
+            scenes = self.written(f"{name}.csv", self.scenes.read_bytes())
+            for arguments in (
+                    ("reconstruct", "--data", missing, "--out", self.path / "o.csv"), ("train", "--data", missing, "--out", missing),
+                    ("simulate", "--terrain", missing, "--out", missing), ("simulate", "--terrain", "varied", "--robot", missing),
+                    ("model", "show", missing), ("can", "decode", log), ("can", "decode", log, "--dbc", missing),
+                    ("can", "check", log), ("can", "check", missing), ("session", "info", missing), ("panel", "check", missing),
+                    ("probes", "--data", scenes), ("calibrate", "--data", scenes), ("contacts", "--data", scenes),
+                    ("reconstruct", "--data", scenes, "--out", self.path / f"{name}.out.csv"),
+                    ("session", "import", log, "--out", self.path / f"{name}.tts"), ("session", "info", self.path / f"{name}.tts"),
+                    (name,), ("reconstruct", f"--{name}"), ("evaluate", "--data", scenes, "--methods", name)):
+                self.printed(*arguments)
+
+    def test_texts_inside_files_are_printed_without_escapes(self):
+        plain = pathlib.Path(SOURCE, "resources/robots/absolem.toml").read_text()
+        for escape in ESCAPES:
+            quoted = escape.replace("\n", "").replace("\r", "")
+            dbc = self.written("d.dbc", f'VERSION "{escape}"\nBU_: Gas\nBO_ 291 Gas{quoted}: 8 Gas\n SG_ Oxygen : 0|8@1+ (1,0) '
+                               f'[0|0] "{escape}" X\nCM_ SG_ 291 Oxygen "{escape}";\nVAL_ 291 Oxygen 0 "{escape}" ;\n')
+            log = self.written("d.log", FRAME)
+            self.printed("can", "decode", log, "--dbc", dbc)
+            self.printed("can", "decode", log, "--dbc", dbc, "--summary")
+            self.printed("can", "check", self.written("i.log", f"(1793000000.000000) c{quoted}n 123#00\n"))
+            self.printed("can", "decode", self.path / "i.log")
+            header, *lines = self.scenes.read_text().splitlines()
+            run_name = self.written("r.csv", "\n".join([header] + [quoted + line for line in lines]) + "\n")
+            self.printed("reconstruct", "--data", run_name, "--out", self.path / "o.csv")
+            self.printed("contacts", "--data", run_name)
+            self.printed("contacts", "--data", self.written("h.csv", f"a{escape},b\n1,2\n"))
+            self.printed("probes", "--data", self.written("p.csv", f"place,height_m,truth_m\n{escape},0.1,0.2\n"))
+            robot = self.written("r.toml", plain.replace('name = "', f'name = "{quoted}'))
+            self.printed("simulate", "--terrain", "varied", "--count", 1, "--robot", robot, "--out", self.path / "o.csv")
+            self.printed("panel", "check", self.written("n.toml", f'chip = "{quoted}"\n"{quoted}" = 1\n'))
+
+
+class LittleMemory(Folder):
+    def test_each_limit_is_one_sentence(self):
+        for megabytes in (100, 200, 500, 1000):
+            for arguments in (("session", "info", DEMO), ("reconstruct", "--data", self.scenes, "--out", self.path / "o.csv"),
+                              ("evaluate", "--data", self.scenes, "--methods", "local", "--out", self.path / "e")):
+                done = subprocess.run(["bash", "-c", f'ulimit -c 0 -v {1000 * megabytes}; exec "$@"', "-", CLI, *arguments],
+                                      capture_output=True, text=True, timeout=300, check=False)
+                self.assertIn(done.returncode, (0, 1), (megabytes, arguments, done.stderr))
+                if done.returncode:
+                    last = done.stderr.splitlines()[-1]
+                    self.assertRegex(last, "^terratact: .*memory.*ulimit -v", (megabytes, arguments))
+                self.assertNotRegex(done.stderr, "bad_alloc|terminate")
+
+
+if __name__ == "__main__":
+    unittest.main()
