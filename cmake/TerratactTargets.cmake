@@ -4,6 +4,11 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
+# g++ collects garbage less often: a tenth less time for half a gigabyte of memory.
+if(TERRATACT_QUICK AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options(--param=ggc-min-heapsize=524288)
+endif()
+
 # terratact_find(<name> [version] [COMPONENTS c...] DEBIAN <package>...)
 # Calls find_package(); on failure it names the missing Debian package.
 macro(terratact_find name)
@@ -35,20 +40,36 @@ function(terratact_missing name)
     "which installs all that is missing.")
 endfunction()
 
-# terratact_library(<target> [APART source...])
+# terratact_library(<target> [PARTS "room room..."...] [APART source...])
 # Call after the target's sources are named. Its headers are also compiled alone (below). With CMAKE_UNITY_BUILD the
-# sources of a directory are compiled as one, which saves parsing headers. APART: sources that are joined separately,
-# because they define a name that another source of that directory defines, too. If the compiler reports a name defined
-# twice, add the source to APART or rename it. Sources with their own compile options are compiled alone anyway.
+# sources of a directory are compiled as one, which saves parsing headers and instantiating templates.
+#   PARTS: with TERRATACT_QUICK, sources of these rooms, and of the rooms in them, are joined. A part should compile in
+#   10 to 40 s, so that two processors are busy.
+#   APART: sources that are joined separately, because they define a name that another source of their part defines,
+#   too. If the compiler reports a name defined twice, rename it or add the source to APART.
+# Sources with their own compile options are compiled alone anyway.
 function(terratact_library target)
-  cmake_parse_arguments(library "" "" "APART" ${ARGN})
+  cmake_parse_arguments(library "" "" "PARTS;APART" ${ARGN})
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
   set_property(GLOBAL APPEND PROPERTY terratact_libraries ${target})
+  if(NOT TERRATACT_QUICK)
+    set(library_PARTS)
+  endif()
+  foreach(part IN LISTS library_PARTS)
+    string(REPLACE " " ";" rooms ${part})
+    foreach(room IN LISTS rooms)
+      set(part_of_${room} ${part})
+    endforeach()
+  endforeach()
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)
     cmake_path(ABSOLUTE_PATH source NORMALIZE OUTPUT_VARIABLE path)
     cmake_path(RELATIVE_PATH path BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
     cmake_path(GET path PARENT_PATH room)
+    string(REGEX REPLACE "/.*" "" outer "${room}")
+    if(part_of_${outer})
+      set(room ${part_of_${outer}})
+    endif()
     string(MAKE_C_IDENTIFIER "${target}_${room}" group)
     set_property(SOURCE "${source}" PROPERTY UNITY_GROUP ${group})
   endforeach()
@@ -57,8 +78,19 @@ function(terratact_library target)
   if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage -Wno-free-nonheap-object)
   endif()
-  list(TRANSFORM library_APART PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
-  set_property(SOURCE ${library_APART} PROPERTY UNITY_GROUP "${target}_apart")
+  if(library_APART)
+    list(TRANSFORM library_APART PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+    set_property(SOURCE ${library_APART} PROPERTY UNITY_GROUP "${target}_apart")
+  endif()
+endfunction()
+
+# terratact_optimise(<target> <level>)
+# With TERRATACT_QUICK, compiles a target that computes little with this level of optimisation. From -O3 to -O1 saves a
+# quarter of its compile time.
+function(terratact_optimise target level)
+  if(TERRATACT_QUICK)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O${level}>)
+  endif()
 endfunction()
 
 # Target tidy: runs clang-tidy with clang's warnings on every joined source, every source compiled alone, and every

@@ -15,11 +15,11 @@
 namespace terratact {
 namespace {
 
-std::atomic<bool> interrupted = false;
+std::atomic<bool> stopAsked = false;
 
 void interrupt(int)
 {
-    interrupted = true;
+    stopAsked = true;
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ Status runRobot(const RobotOptions& options)
     printText("simulated robot on {}; Ctrl+C ends it\n", options.can);
     const double began = steadyNow();
     return serveRobot(
-        **bus, robot, [&] { return !interrupted && steadyNow() < end; },
+        **bus, robot, [&] { return !stopAsked && steadyNow() < end; },
         [&](const std::string& what) {
             printText("{:8.2f} s  {}\n", steadyNow() - began, what);
             std::fflush(stdout);

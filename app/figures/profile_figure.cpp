@@ -85,11 +85,11 @@ public:
 private:
     void include(double x, double z)
     {
-        constexpr double kMargin = 0.05;
-        x0_ = std::min(x0_, x - kMargin);
-        x1_ = std::max(x1_, x + kMargin);
-        z0_ = std::min(z0_, z - kMargin);
-        z1_ = std::max(z1_, z + kMargin);
+        constexpr double kAround = 0.05;
+        x0_ = std::min(x0_, x - kAround);
+        x1_ = std::max(x1_, x + kAround);
+        z0_ = std::min(z0_, z - kAround);
+        z1_ = std::max(z1_, z + kAround);
     }
     void includeBars(const TerrainEstimate& e)
     {

@@ -23,7 +23,7 @@ namespace terratact {
 namespace {
 
 constexpr int kPageWidth = 1240, kPageHeight = 1754;  // A4 at 150 dots per inch
-constexpr double kMargin = 50.0, kLine = 24.0;
+constexpr double kPageMargin = 50.0, kLine = 24.0;
 
 double degrees(double radians)
 {
@@ -121,8 +121,8 @@ public:
         y_ = 62.0;
         write(report.title, {.colour = kFigureText, .size = 27.0, .bold = true}, 34.0);
         write(report.verdict, {.colour = kFigureText, .size = 20.0, .bold = true}, 28.0);
-        const double scale = (kPageWidth - 2.0 * kMargin) / kProfileWidth;
-        canvas_.place({kMargin, y_ - 18.0}, scale,
+        const double scale = (kPageWidth - 2.0 * kPageMargin) / kProfileWidth;
+        canvas_.place({kPageMargin, y_ - 18.0}, scale,
                       [&](Canvas& canvas) { drawProfile(canvas, report.figure); });
         y_ += scale * kProfileHeight;
         drawTable(report.table);
@@ -133,8 +133,9 @@ public:
 private:
     void write(const std::string& text, const TextStyle& style, double line)
     {
-        for (const std::string& part : canvas_.wrapped(text, kPageWidth - 2.0 * kMargin, style)) {
-            canvas_.text({kMargin, y_}, part, style);
+        for (const std::string& part :
+             canvas_.wrapped(text, kPageWidth - 2.0 * kPageMargin, style)) {
+            canvas_.text({kPageMargin, y_}, part, style);
             y_ += line;
         }
     }
@@ -142,14 +143,14 @@ private:
     void drawTable(const std::vector<std::vector<std::string>>& table)
     {
         const double column =
-            (kPageWidth - 2.0 * kMargin) / static_cast<double>(table.front().size());
+            (kPageWidth - 2.0 * kPageMargin) / static_cast<double>(table.front().size());
         for (std::size_t row = 0; row < table.size(); ++row) {
             const TextStyle style{.colour = row == 0 ? kFigureMuted : kFigureText,
                                   .size = 16.0,
                                   .bold = row == 0,
                                   .align = Align::Right};
             for (std::size_t k = 0; k < table[row].size(); ++k)
-                canvas_.text({kMargin + column * static_cast<double>(k + 1) - 8.0, y_},
+                canvas_.text({kPageMargin + column * static_cast<double>(k + 1) - 8.0, y_},
                              table[row][k], style);
             y_ += kLine - 1.0;
             if (row == 0) rule(y_ - 18.0);
@@ -160,7 +161,7 @@ private:
 
     void rule(double y)
     {
-        canvas_.line({kMargin, y}, {kPageWidth - kMargin, y}, {kFigureFrame, 1.0, {}});
+        canvas_.line({kPageMargin, y}, {kPageWidth - kPageMargin, y}, {kFigureFrame, 1.0, {}});
     }
 
     void drawFact(const std::string& what, const std::string& text)
@@ -168,10 +169,10 @@ private:
         constexpr double kColumn = 130.0;
         const TextStyle heading{.colour = kFigureMuted, .size = 16.0, .bold = true};
         const TextStyle style{.colour = kFigureText, .size = 16.0};
-        canvas_.text({kMargin, y_}, what, heading);
+        canvas_.text({kPageMargin, y_}, what, heading);
         for (const std::string& part :
-             canvas_.wrapped(text, kPageWidth - 2.0 * kMargin - kColumn, style)) {
-            canvas_.text({kMargin + kColumn, y_}, part, style);
+             canvas_.wrapped(text, kPageWidth - 2.0 * kPageMargin - kColumn, style)) {
+            canvas_.text({kPageMargin + kColumn, y_}, part, style);
             y_ += kLine - 1.0;
         }
     }
@@ -180,12 +181,12 @@ private:
     void drawEvents(const std::vector<std::string>& events)
     {
         const TextStyle style{.colour = kFigureText, .size = 16.0};
-        const double bottom = kPageHeight - kMargin;
+        const double bottom = kPageHeight - kPageMargin;
         y_ += 8.0;
         write(events.empty() ? "The operator decided nothing here" : "The operator",
               {.colour = kFigureMuted, .size = 16.0, .bold = true}, kLine);
         for (std::size_t k = 0; k < events.size(); ++k) {
-            const auto lines = canvas_.wrapped(events[k], kPageWidth - 2.0 * kMargin, style);
+            const auto lines = canvas_.wrapped(events[k], kPageWidth - 2.0 * kPageMargin, style);
             const double needed = kLine * static_cast<double>(lines.size());
             const double reserved = k + 1 < events.size() ? kLine : 0.0;
             if (y_ + needed + reserved > bottom) {

@@ -14,9 +14,9 @@
 namespace terratact {
 namespace {
 
-constexpr int kWidth = 1800, kHeight = 760;
-constexpr double kTop = 110.0, kBottom = 620.0, kPanelWidth = 760.0, kFirstLeft = 96.0,
-                 kSecondLeft = 990.0;
+constexpr int kTradeoffWidth = 1800, kTradeoffHeight = 760;
+constexpr double kTradeoffTop = 110.0, kTradeoffBottom = 620.0, kPanelWidth = 760.0,
+                 kFirstLeft = 96.0, kSecondLeft = 990.0;
 constexpr Colour kFront{0x16222e, 0.55};
 
 constexpr double kMin = 1e-9, kMax = 1e9;  // range of the scales
@@ -73,7 +73,8 @@ class Panel {
 public:
     Panel(Canvas& canvas, double left, Series series)
         : canvas_(canvas), left_(left), series_(std::move(series)),
-          x_(series_.cost, left, left + kPanelWidth), y_(series_.error, kBottom, kTop)
+          x_(series_.cost, left, left + kPanelWidth),
+          y_(series_.error, kTradeoffBottom, kTradeoffTop)
     {
     }
 
@@ -82,19 +83,20 @@ public:
         const TextStyle right{.colour = kFigureMuted, .size = 13.0, .align = Align::Right};
         const TextStyle centre{.colour = kFigureMuted, .size = 13.0, .align = Align::Centre};
         for (const double tick : x_.ticks()) {
-            canvas_.line({x_(tick), kTop}, {x_(tick), kBottom}, {kFigureGrid, 1.0, {}});
-            canvas_.text({x_(tick), kBottom + 20.0}, fmt::format("{:g}", tick), centre);
+            canvas_.line({x_(tick), kTradeoffTop}, {x_(tick), kTradeoffBottom},
+                         {kFigureGrid, 1.0, {}});
+            canvas_.text({x_(tick), kTradeoffBottom + 20.0}, fmt::format("{:g}", tick), centre);
         }
         for (const double tick : y_.ticks()) {
             canvas_.line({left_, y_(tick)}, {left_ + kPanelWidth, y_(tick)},
                          {kFigureGrid, 1.0, {}});
             canvas_.text({left_ - 8.0, y_(tick) + 5.0}, fmt::format("{:g}", tick), right);
         }
-        canvas_.text({left_, kTop - 14.0}, title,
+        canvas_.text({left_, kTradeoffTop - 14.0}, title,
                      {.colour = kFigureText, .size = 15.0, .bold = true});
-        canvas_.text({left_ + 0.5 * kPanelWidth, kBottom + 44.0}, "time per scene, one core [ms]",
-                     centre);
-        canvas_.text({left_ - 62.0, 0.5 * (kTop + kBottom)}, "[mm]", centre, true);
+        canvas_.text({left_ + 0.5 * kPanelWidth, kTradeoffBottom + 44.0},
+                     "time per scene, one core [ms]", centre);
+        canvas_.text({left_ - 62.0, 0.5 * (kTradeoffTop + kTradeoffBottom)}, "[mm]", centre, true);
     }
 
     /// Draws the front through the points on it.
@@ -169,7 +171,7 @@ void draw(Canvas& canvas, std::span<const TradePoint> points)
         entries.push_back({styleOf(method).words, [look = styleOf(method)](Canvas& c, Point at) {
                                drawMarker(c, look, at, 1.0);
                            }});
-    drawKey(canvas, {kFirstLeft, kBottom + 68.0}, kSecondLeft + kPanelWidth, entries);
+    drawKey(canvas, {kFirstLeft, kTradeoffBottom + 68.0}, kSecondLeft + kPanelWidth, entries);
 }
 
 }  // namespace
@@ -177,7 +179,8 @@ void draw(Canvas& canvas, std::span<const TradePoint> points)
 Status writeTradeoffFigure(const std::string& path, std::span<const TradePoint> points)
 {
     if (points.empty()) throw std::invalid_argument("writeTradeoffFigure: no points");
-    return writePicture(path, kWidth, kHeight, [&](Canvas& canvas) { draw(canvas, points); });
+    return writePicture(path, kTradeoffWidth, kTradeoffHeight,
+                        [&](Canvas& canvas) { draw(canvas, points); });
 }
 
 }  // namespace terratact

@@ -16,7 +16,7 @@ namespace terratact {
 namespace {
 
 // Columns of the file that estimateCsv() returns.
-constexpr std::size_t kTruth = 11;
+constexpr std::size_t kTruthColumn = 11;
 constexpr std::size_t kNote = 12;
 constexpr std::size_t kColumns = 23;
 
@@ -84,7 +84,7 @@ void addRows(std::string& csv, const Scene& scene, const std::string& note)
     for (std::size_t i = 0; i < kBins; ++i) {
         std::array<CsvValue, kColumns> fields{scene.run, scene.time,
                                               signedTenth(binCentre(static_cast<int>(i)))};
-        fields[kTruth] = scene.truth[i];
+        fields[kTruthColumn] = scene.truth[i];
         fields[kNote] = noteText(note);
         csv += csvLine(fields);
     }

@@ -16,7 +16,7 @@ namespace terratact {
 
 namespace {
 
-void check(const Settings& settings)
+void checkClearance(const Settings& settings)
 {
     if (settings.method != Method::Clearance)
         throw std::invalid_argument(
@@ -57,7 +57,7 @@ SceneSampling clearanceSampling(const Proprioception& s, std::span<const ArmRead
                                 const RobotModel& robot, const ClearanceConditionals& models,
                                 const Settings& settings, const Watch& watch)
 {
-    check(settings);
+    checkClearance(settings);
     SceneSampling sampling;
     TerrainEstimate& estimate = sampling.estimate;
     estimate.settings = settings;

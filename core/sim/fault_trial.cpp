@@ -13,7 +13,8 @@ constexpr std::string_view kTilt = "a tilt of the whole world agrees with every 
                                    "the robot comes back: compare on level ground";
 constexpr std::string_view kSmallAngle = "a few degrees are less than the ground under the tracks "
                                          "tells: lay the flippers flat on a floor";
-constexpr std::string_view kPasses = "the tracks must first pass ground that several presses felt";
+constexpr std::string_view kNeedsFeltGround =
+    "the tracks must first pass ground that several presses felt";
 constexpr std::string_view kTooLow =
     "an angle that is too small looks like hollow ground: lay the flippers flat on a floor";
 constexpr std::string_view kNearTracks =
@@ -77,7 +78,7 @@ constexpr std::array kTried{
     TriedFault{"full-scale:force-6", "element 6 saturated", ""},
     TriedFault{"offset:force-3:3", "element 3 +3 N", ""},
     TriedFault{"zero:force-6", "element 6 zero", kElement},
-    TriedFault{"swapped:forces", "forces in the reverse order", kPasses},
+    TriedFault{"swapped:forces", "forces in the reverse order", kNeedsFeltGround},
     TriedFault{"zero:left-forces", "left forces zero", ""},
     TriedFault{"swapped:left-forces", "left forces in the reverse order", ""},
     TriedFault{"zero:left-force-6", "left element 6 zero", ""},

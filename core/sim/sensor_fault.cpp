@@ -20,19 +20,19 @@ struct NamedKind {
     std::string_view name;
     FaultKind kind;
 };
-constexpr std::array kKinds{NamedKind{"stuck", FaultKind::Stuck},
-                            NamedKind{"stuck-at-scene", FaultKind::StuckAtScene},
-                            NamedKind{"zero", FaultKind::Zero},
-                            NamedKind{"offset", FaultKind::Offset},
-                            NamedKind{"drift", FaultKind::Drift},
-                            NamedKind{"spikes", FaultKind::Spikes},
-                            NamedKind{"scatter", FaultKind::Scatter},
-                            NamedKind{"flipped", FaultKind::Flipped},
-                            NamedKind{"swapped", FaultKind::Swapped},
-                            NamedKind{"swapped-axles", FaultKind::SwappedAxles},
-                            NamedKind{"late", FaultKind::Late},
-                            NamedKind{"out-of-range", FaultKind::OutOfRange},
-                            NamedKind{"full-scale", FaultKind::FullScale}};
+constexpr std::array kFaultNames{NamedKind{"stuck", FaultKind::Stuck},
+                                 NamedKind{"stuck-at-scene", FaultKind::StuckAtScene},
+                                 NamedKind{"zero", FaultKind::Zero},
+                                 NamedKind{"offset", FaultKind::Offset},
+                                 NamedKind{"drift", FaultKind::Drift},
+                                 NamedKind{"spikes", FaultKind::Spikes},
+                                 NamedKind{"scatter", FaultKind::Scatter},
+                                 NamedKind{"flipped", FaultKind::Flipped},
+                                 NamedKind{"swapped", FaultKind::Swapped},
+                                 NamedKind{"swapped-axles", FaultKind::SwappedAxles},
+                                 NamedKind{"late", FaultKind::Late},
+                                 NamedKind{"out-of-range", FaultKind::OutOfRange},
+                                 NamedKind{"full-scale", FaultKind::FullScale}};
 
 struct NamedSensors {
     std::string_view name;
@@ -172,7 +172,7 @@ std::optional<SensorFault> sensorFaultFrom(std::string_view text)
     const std::size_t first = text.find(':');
     if (first == std::string_view::npos) return std::nullopt;
     const std::size_t second = text.find(':', first + 1);
-    const auto* kind = find(text.substr(0, first), kKinds);
+    const auto* kind = find(text.substr(0, first), kFaultNames);
     const auto [name, firstForce] = withoutSide(
         text.substr(first + 1, second == std::string_view::npos ? second : second - first - 1));
     const auto* sensors = find(name, kSensorNames);
@@ -196,7 +196,7 @@ std::optional<SensorFault> sensorFaultFrom(std::string_view text)
 std::string sensorFaultSyntax()
 {
     std::string text = "KIND:SENSORS or KIND:SENSORS:AMOUNT, KIND one of";
-    for (const NamedKind& kind : kKinds) text += ' ' + std::string(kind.name);
+    for (const NamedKind& kind : kFaultNames) text += ' ' + std::string(kind.name);
     text += ", SENSORS one of";
     for (const NamedSensors& sensors : kSensorNames) text += ' ' + std::string(sensors.name);
     for (const std::string_view side : kSides)

@@ -8,7 +8,7 @@ namespace terratact {
 
 namespace {
 
-double dot(Vec2 a, Vec2 b)
+double dotProduct(Vec2 a, Vec2 b)
 {
     return a.x * b.x + a.z * b.z;
 }
@@ -21,7 +21,7 @@ Vec2 minus(Vec2 a, Vec2 b)
 std::optional<Penetration> inCircle(Vec2 centre, double radius, Vec2 q)
 {
     const Vec2 r = minus(q, centre);
-    const double length2 = dot(r, r);
+    const double length2 = dotProduct(r, r);
     if (length2 >= radius * radius) return std::nullopt;
     const double length = std::sqrt(length2);
     const Vec2 normal = length > 0.0 ? Vec2{r.x / length, r.z / length} : Vec2{0.0, -1.0};
@@ -49,7 +49,7 @@ std::optional<Penetration> SkinHull::penetration(Vec2 p) const
         return hull_.ra >= hull_.rb ? inCircle(hull_.a, hull_.ra, p)
                                     : inCircle(hull_.b, hull_.rb, p);
     const Vec2 r = minus(p, hull_.a);
-    const double along = dot(r, axis_);
+    const double along = dotProduct(r, axis_);
     const double across = r.z * axis_.x - r.x * axis_.z;
     const double onSide = cosine_ * along - sine_ * std::abs(across);
     if (onSide < 0.0) return inCircle(hull_.a, hull_.ra, p);
@@ -80,7 +80,7 @@ SkinPolygon::SkinPolygon(const std::vector<Vec2>& polygon, double skin)
         const double length = std::hypot(e.x, e.z);
         if (length == 0.0) continue;
         Vec2 normal{e.z / length, -e.x / length};
-        if (dot(normal, minus(centre, polygon[i])) > 0.0) normal = {-normal.x, -normal.z};
+        if (dotProduct(normal, minus(centre, polygon[i])) > 0.0) normal = {-normal.x, -normal.z};
         edges_.push_back({polygon[i], normal});
     }
 }
@@ -90,7 +90,7 @@ std::optional<Penetration> SkinPolygon::penetration(Vec2 p) const
     if (p.z < zBegin_ || edges_.empty()) return std::nullopt;
     Penetration nearest{{}, std::numeric_limits<double>::infinity(), 0.0};
     for (const Edge& edge : edges_) {
-        const double depth = skin_ - dot(edge.normal, minus(p, edge.corner));
+        const double depth = skin_ - dotProduct(edge.normal, minus(p, edge.corner));
         if (depth < nearest.depth) nearest = {edge.normal, depth, 0.0};
     }
     if (nearest.depth <= 0.0) return std::nullopt;

@@ -14,10 +14,10 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{64} * 1024 * 1024;
+constexpr std::size_t kMaxCsvBytes = std::size_t{64} * 1024 * 1024;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kLineEnds = "\r\n";
-constexpr char kEndOfDos = '\x1A';  // DOS ended a text file with this character
+constexpr char kEndOfDosText = '\x1A';  // DOS ended a text file with this character
 
 /// Returns why a kind of file cannot be read as CSV, and what to do; empty if nothing prevents it.
 Message refusalOf(ContentKind kind)
@@ -70,12 +70,12 @@ CsvReader::CsvReader(std::string name, std::string text)
       rest_(*text_)
 {
     if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
-    while (rest_.ends_with(kEndOfDos)) rest_.remove_suffix(1);
+    while (rest_.ends_with(kEndOfDosText)) rest_.remove_suffix(1);
 }
 
 Result<std::string> CsvReader::textOf(const std::string& path)
 {
-    return readFile(path, kMaxBytes);
+    return readFile(path, kMaxCsvBytes);
 }
 
 Result<CsvReader> CsvReader::open(const std::string& path)

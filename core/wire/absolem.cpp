@@ -20,8 +20,8 @@ constexpr double kMaxCounts = 1'000'000;  // modulus that the driver sets (XM)
 constexpr double kMaxCurrent = 50.0;      // [A] the drive's peak limit is 16 A
 constexpr std::uint16_t kEmergencyInput = 16;
 
-constexpr Mnemonic kPosition{'P', 'X'}, kCurrent{'I', 'Q'}, kStatus{'S', 'R'}, kFault{'M', 'F'},
-    kInput{'I', 'B'};
+constexpr Mnemonic kPositionReply{'P', 'X'}, kCurrent{'I', 'Q'}, kStatusReply{'S', 'R'},
+    kFaultReply{'M', 'F'}, kInput{'I', 'B'};
 // Further commands of the robot's driver, whose values are not kept.
 constexpr std::string_view kOthers =
     "PA SP JV VX BG AN EC MS UM CL PL UI MO AC DC EF ER GS HM HP KI KP PM "
@@ -280,18 +280,18 @@ AbsolemVerdict AbsolemListener::keep(const AbsolemFrame& reply, double now)
     if (reply.command == kCurrent && reply.index == 0)
         return keepCurrent(state_, reply,
                            now);  // the type bit is ignored, as the robot does
-    const bool isKept =
-        isEmergency
-        || (reply.index == 0
-            && (reply.command == kPosition || reply.command == kStatus || reply.command == kFault));
+    const bool isKept = isEmergency
+                     || (reply.index == 0
+                         && (reply.command == kPositionReply || reply.command == kStatusReply
+                             || reply.command == kFaultReply));
     if (!isKept)
         return isOneOfOthers(reply.command) ? AbsolemVerdict::Passed
                                             : AbsolemVerdict::UnknownCommand;
     if (reply.isFloat) return AbsolemVerdict::WrongType;
-    if (reply.command == kPosition) return keepAngle(state_, reply, now);
+    if (reply.command == kPositionReply) return keepAngle(state_, reply, now);
     if (isEmergency)
         state_.emergencyStop = {reply.bits != 0, now};
-    else if (reply.command == kStatus)
+    else if (reply.command == kStatusReply)
         drive.statusRegister = {reply.bits, now};
     else
         drive.motorFault = {reply.bits, now};

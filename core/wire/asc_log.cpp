@@ -116,9 +116,10 @@ private:
             if (const auto seconds = secondsOfDateLine(words.rest())) base_ = *seconds;
             return nothing();
         }
-        constexpr std::array kKnown{
+        constexpr std::array kKnownLines{
             "End", "end", "internal", "no", "comment:", "Start", "version", "Mode:", "Trigger"};
-        if (std::find(kKnown.begin(), kKnown.end(), first) == kKnown.end()) return passOver();
+        if (std::find(kKnownLines.begin(), kKnownLines.end(), first) == kKnownLines.end())
+            return passOver();
         return nothing();
     }
 

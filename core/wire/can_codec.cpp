@@ -13,7 +13,7 @@ namespace terratact {
 namespace {
 
 constexpr int kHeaderBits = 8 * static_cast<int>(kE2eHeader);
-constexpr std::uint8_t kLength = 8;
+constexpr std::uint8_t kFrameLength = 8;
 constexpr FrameKind kFirstSensor = FrameKind::Attitude;  // first of the frames that every line has
 constexpr std::size_t kNeededFrames = kSensorFrames - 1;
 
@@ -23,7 +23,7 @@ using Values = std::array<double, kMaxSignals>;
 std::uint64_t wordOf(const CanFrame& frame)
 {
     std::uint64_t word = 0;
-    for (std::size_t i = kLength; i > 0; --i) word = (word << 8U) | frame.data[i - 1];
+    for (std::size_t i = kFrameLength; i > 0; --i) word = (word << 8U) | frame.data[i - 1];
     return word;
 }
 
@@ -220,10 +220,10 @@ CanFrame pack(const Unpacked& content)
     std::uint64_t word = 0;
     for (std::size_t i = 0; i < layout.payload.size(); ++i)
         word |= bitsOf(content.values[i], layout.payload[i]);
-    CanFrame frame{.id = layout.id, .length = kLength};
-    for (std::size_t i = 0; i < kLength; ++i)
+    CanFrame frame{.id = layout.id, .length = kFrameLength};
+    for (std::size_t i = 0; i < kFrameLength; ++i)
         frame.data[i] = static_cast<std::uint8_t>(word >> (8U * static_cast<unsigned>(i)));
-    protect(std::span(frame.data).first(kLength), content.counter, layout.dataId);
+    protect(std::span(frame.data).first(kFrameLength), content.counter, layout.dataId);
     return frame;
 }
 
@@ -232,7 +232,7 @@ std::variant<Unpacked, FrameFault> unpack(const CanFrame& frame)
     if (!isClassicData(frame)) return FrameFault::NotClassicData;
     const std::optional<FrameKind> kind = kindOfId(frame.id);
     if (!kind) return FrameFault::UnknownId;
-    if (frame.length != kLength) return FrameFault::WrongLength;
+    if (frame.length != kFrameLength) return FrameFault::WrongLength;
     const FrameLayout& layout = layoutOf(*kind);
     if (!isIntact(bytesOf(frame), layout.dataId)) return FrameFault::WrongCrc;
 

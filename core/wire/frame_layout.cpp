@@ -7,8 +7,8 @@
 namespace terratact {
 namespace {
 
-constexpr double kTurn = 3.1416;  // [rad] half a turn, rounded to its scale
-constexpr double kHeld = 3.14;    // [rad] range of a held flipper, in 12 bits
+constexpr double kHalfTurn = 3.1416;  // [rad] half a turn, rounded to its scale
+constexpr double kHeld = 3.14;        // [rad] range of a held flipper, in 12 bits
 constexpr SignalLayout kEpoch{"Epoch", 24, 8, false, 1.0, 0.0, 255.0, ""};
 constexpr SignalLayout kToken{"Token", 24, 16, false, 1.0, 0.0, 65535.0, ""};
 constexpr SignalLayout kChallenge{"Challenge", 48, 16, false, 1.0, 0.0, 65535.0, ""};
@@ -18,7 +18,7 @@ constexpr SignalLayout flag(std::string_view name, int start)
     return {name, start, 1, false, 1.0, 0.0, 1.0, ""};
 }
 
-constexpr SignalLayout angle(std::string_view name, int start, double most = kTurn)
+constexpr SignalLayout angle(std::string_view name, int start, double most = kHalfTurn)
 {
     return {name, start, 16, true, 1e-4, -most, most, "rad"};
 }
@@ -49,15 +49,15 @@ constexpr SignalLayout kProbe[]{kEpoch, {"Bin", 32, 8, false, 1.0, 0.0, 10.0, ""
 constexpr SignalLayout kAdvance[]{
     kEpoch, {"Distance", 32, 16, false, 1e-4, 0.001, 0.1, "m"}, kChallenge};
 constexpr SignalLayout kOdometry[]{{"Travelled", 24, 24, true, 1e-3, -8388.607, 8388.607, "m"},
-                                   {"Turned", 48, 15, true, 2e-4, -kTurn, kTurn, "rad"},
+                                   {"Turned", 48, 15, true, 2e-4, -kHalfTurn, kHalfTurn, "rad"},
                                    flag("Measured", 63)};
-constexpr SignalLayout kStatus[]{{"Epoch", 24, 8, false, 1.0, 1.0, 255.0, ""},
-                                 {"Activity", 32, 4, false, 1.0, 0.0, 5.0, ""},
-                                 {"Refusal", 36, 4, false, 1.0, 0.0, 8.0, ""},
-                                 flag("Armed", 40),
-                                 flag("Exploring", 41),
-                                 {"LastCommand", 48, 8, false, 1.0, 0.0, 26.0, ""},
-                                 {"LastCounter", 56, 8, false, 1.0, 0.0, 255.0, ""}};
+constexpr SignalLayout kStatusSignals[]{{"Epoch", 24, 8, false, 1.0, 1.0, 255.0, ""},
+                                        {"Activity", 32, 4, false, 1.0, 0.0, 5.0, ""},
+                                        {"Refusal", 36, 4, false, 1.0, 0.0, 8.0, ""},
+                                        flag("Armed", 40),
+                                        flag("Exploring", 41),
+                                        {"LastCommand", 48, 8, false, 1.0, 0.0, 26.0, ""},
+                                        {"LastCounter", 56, 8, false, 1.0, 0.0, 255.0, ""}};
 constexpr SignalLayout kAttitude[]{angle("Pitch", 24, 1.6), angle("Roll", 40),
                                    flag("Measured", 56)};
 constexpr SignalLayout kAngles[]{angle("Left", 24), angle("Right", 40), flag("Measured", 56)};
@@ -88,7 +88,7 @@ constexpr std::array<FrameLayout, kFrameKinds> kLayouts{{
     {"Advance", 0x01A, 0x541A, true, 0.0, kAdvance},
     {"ConsoleHeartbeat", 0x01B, 0x541B, true, 0.1, kTokenAlone},
     {"Odometry", 0x01F, 0x541F, false, kLine, kOdometry},
-    {"RobotStatus", 0x020, 0x5420, false, kLine, kStatus},
+    {"RobotStatus", 0x020, 0x5420, false, kLine, kStatusSignals},
     {"RobotHeartbeat", 0x021, 0x5421, false, 0.0, kAnswer},
     {"Attitude", 0x022, 0x5422, false, kLine, kAttitude},
     {"FrontAngles", 0x023, 0x5423, false, kLine, kAngles},

@@ -219,8 +219,8 @@ Result<std::vector<double>> numbersOf(CsvReader& csv, std::size_t begin, std::si
 
 Status checkHeight(const CsvReader& csv, double height, double first)
 {
-    constexpr double kMaxHeight = 5.0;  // [m] largest distance from the profile's first height
-    if (std::abs(height - first) <= kMaxHeight) return Done{};
+    constexpr double kMaxRise = 5.0;  // [m] largest distance from the profile's first height
+    if (std::abs(height - first) <= kMaxRise) return Done{};
     return csv.error("the height " + numberText(height)
                      + " is more than 5 m from the profile's first, " + numberText(first)
                      + " (is it in mm?)");

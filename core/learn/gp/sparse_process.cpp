@@ -116,7 +116,7 @@ void forColumns(Eigen::Index columns, Eigen::Index each, const Poll& poll, Work 
 }
 
 /// Returns 1 + Vᵀ V, upper triangle.
-Eigen::MatrixXd onePlusGram(const Eigen::MatrixXd& V, const Poll& poll)
+Eigen::MatrixXd onePlusInnerGram(const Eigen::MatrixXd& V, const Poll& poll)
 {
     const int n = blasSize(V.rows());
     const int m = blasSize(V.cols());
@@ -211,7 +211,7 @@ Explained explain(Eigen::MatrixXd& V, double signal2, double noise2, const Poll&
     Explained explained{lambda.max(0.0) + noise2, {}, 0.0};
     const Eigen::ArrayXd scale = explained.lambda.rsqrt();
     forColumns(V.cols(), n, poll, [&](Eigen::Index k) { V.col(k).array() *= scale; });
-    explained.R = onePlusGram(V, poll);
+    explained.R = onePlusInnerGram(V, poll);
     const double norm = symmetricNorm(explained.R, poll);
     if (factorise(explained.R, poll))
         explained.rcond = reciprocalCondition(explained.R, norm, poll);

@@ -12,7 +12,7 @@ namespace terratact {
 
 namespace {
 
-std::size_t area(Eigen::Index a, Eigen::Index b)
+std::size_t blockArea(Eigen::Index a, Eigen::Index b)
 {
     return static_cast<std::size_t>(a) * static_cast<std::size_t>(b);
 }
@@ -38,9 +38,10 @@ Eigen::VectorXd covarianceColumn(const ScaledRows& rows, const Eigen::RowVectorX
 }
 
 CovarianceBlock::CovarianceBlock(const ScaledRows& rows, double signal2)
-    : d_(blasSize(rows.X.cols())), signal2_(signal2), rows_(area(rows.X.rows(), rows.X.cols())),
-      perLength_(area(rows.X.cols(), 1)), zeros_(area(rows.X.rows(), 1)),
-      z_(area(rows.X.cols(), kGroup)), block_(area(rows.X.rows(), kGroup)), unused_(kGroup)
+    : d_(blasSize(rows.X.cols())), signal2_(signal2),
+      rows_(blockArea(rows.X.rows(), rows.X.cols())), perLength_(blockArea(rows.X.cols(), 1)),
+      zeros_(blockArea(rows.X.rows(), 1)), z_(blockArea(rows.X.cols(), kGroup)),
+      block_(blockArea(rows.X.rows(), kGroup)), unused_(kGroup)
 {
     double* out = rows_.data();
     for (Eigen::Index u = 0; u < rows.X.rows(); ++u)

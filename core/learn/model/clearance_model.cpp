@@ -19,7 +19,7 @@ namespace terratact {
 namespace {
 
 constexpr Eigen::Index kNonForces = 5;  // pitch, two angles and two currents come before the forces
-constexpr double kForceScale = 3.0;     // [N]
+constexpr double kModelForceScale = 3.0;  // [N]
 constexpr int kNoveltyNeighbour = 10;
 constexpr double kNoveltyShare = 0.99;
 
@@ -100,7 +100,7 @@ Eigen::VectorXd surfaceFeatures(const Eigen::VectorXd& features)
 {
     Eigen::VectorXd x = features;
     for (Eigen::Index d = kNonForces; d < x.size(); ++d)
-        x[d] = std::log1p(std::max(x[d], 0.0) / kForceScale);
+        x[d] = std::log1p(std::max(x[d], 0.0) / kModelForceScale);
     return x;
 }
 

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kFirstLines = 3;
 constexpr int kLeastSettled = 3;
-constexpr double kNoise = 0.2;   // [A] within which currents agree
-constexpr double kRaised = 0.3;  // [rad] both front flippers, at least
+constexpr double kNoise = 0.2;       // [A] within which currents agree
+constexpr double kBothRaised = 0.3;  // [rad] both front flippers, at least
 constexpr int kRaisedLines = 50;
 constexpr double kHardlyFree = 0.1;  // share of the raised lines
 constexpr double kMinLate = 4.0;     // [N]
@@ -106,7 +106,7 @@ void SideWatch::follow(const SensedLine& line)
 void SideWatch::followRaised(const SensedLine& line)
 {
     const Measurement& m = line.measurement;
-    if (m.frontLeft < kRaised || m.frontRight < kRaised) return;
+    if (m.frontLeft < kBothRaised || m.frontRight < kBothRaised) return;
     raisedLines_ = std::min(raisedLines_ + 1, kRaisedLines);
     for (std::size_t e = 0; e < kForceElements; ++e) {
         const auto follow = [this](double& share, const std::optional<double>& force) {
