@@ -11,15 +11,11 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-qwt_version=6.3.0
-qwt_sha256=dcb085896c28aaec5518cbc08c0ee2b4e60ada7ac929d82639f6189851a6129a
-qwt_suites="forky sid"
 qwt_prefix=$PWD/.deps/qwt
-gpiod_version=2.2.1
-gpiod_sha256=0e948049c309b87c220fb24ee0d605d7cd5b72f22376e608470903fffa2d4b18
-gpiod_suites="trixie forky sid"
 gpiod_prefix=$PWD/.deps/libgpiod2
 log=$PWD/.deps/setup.log
+qmake=qmake6
+os_release=/etc/os-release
 
 declare -A packages=(
   [core]="g++ cmake ninja-build pkg-config libeigen3-dev libopenblas-dev liblapacke-dev libhwy-dev libnlopt-dev
@@ -65,58 +61,83 @@ install_packages() {
     fail "apt-get install failed: $(grep '^E:' "$log" | tail -n 1) (all of it in ${log#"$PWD"/})"
 }
 
-# Prints the mirror that this machine uses for its release.
-debian_mirror() {
-  local release
-  # shellcheck disable=SC1091
-  release=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
+# Sets what differs between Debian and Ubuntu: mirror (as this machine uses it), keyring, components, and the suites that
+# may hold a newer source. Ubuntu's mirrors of other architectures hold no sources.
+describe_archive() {
+  local id release
+  # shellcheck disable=SC1090,SC1091
+  read -r id release < <(. "$os_release" && echo "${ID:-} ${ID_LIKE:-} ${UBUNTU_CODENAME:-${VERSION_CODENAME:-none}}" |
+    awk '{ print (/ubuntu/ ? "ubuntu" : "debian"), $NF }')
   # shellcheck disable=SC2016
-  apt-get indextargets --format '$(RELEASE) $(REPO_URI)' 'Created-By: Packages' |
-    awk -v release="$release" '$1 == release || $1 ~ /^(old)*stable$/ { print $2; exit }'
+  mirror=$(apt-get indextargets --format '$(RELEASE) $(REPO_URI)' 'Created-By: Packages' |
+    awk -v release="$release" '$1 == release || $1 ~ /^(old)*stable$/ { print $2; exit }')
+  if [ "$id" = ubuntu ]; then
+    mirror=$(sed 's|//ports\.|//archive.|; s|/ubuntu-ports|/ubuntu|' <<<"$mirror")
+    keyring=/usr/share/keyrings/ubuntu-archive-keyring.gpg
+    components="main universe"
+    suites="$release devel"
+  else
+    keyring=/usr/share/keyrings/debian-archive-keyring.gpg
+    components=main
+    suites="$release trixie forky sid"
+  fi
+  [ -n "$mirror" ] || fail "found no mirror of $id $release in the apt sources"
+  [ -e "$keyring" ] || fail "the key of the archive is missing: install $(basename "$keyring" .gpg)"
 }
 
-# fetch_source PACKAGE VERSION SHA256 SUITES DIR: puts the source tarball into DIR. It comes from the first of the
-# suites that has this version, through a private set of apt lists.
+# fetch_source PACKAGE LEAST DIR: puts a source tarball of the major version of LEAST into DIR. It comes from the first
+# suite that has LEAST or newer, through a private set of apt lists. apt trusts only an index that the archive's key
+# signed, and checks the tarball by that index; nothing relaxes this, not even the machine's configuration.
 fetch_source() {
-  local package=$1 version=$2 sha256=$3 suites=$4 dir=$5 mirror suite
-  mirror=$(debian_mirror)
-  [ -n "$mirror" ] || fail "found no Debian mirror in the apt sources for the source of $package"
+  local package=$1 least=$2 dir=$3 suite version mirror keyring components suites
+  describe_archive
   mkdir -p "$dir"/lists/partial "$dir"/cache/archives/partial
   local apt=(env LC_ALL=C apt-get -q -o Dir::State::Lists="$dir/lists" -o Dir::Cache="$dir/cache"
     -o Dir::Etc::SourceList="$dir/sources.list" -o Dir::Etc::SourceParts=/dev/null
+    -o Acquire::AllowInsecureRepositories=false -o Acquire::AllowWeakRepositories=false
+    -o APT::Get::AllowUnauthenticated=false
     -o Acquire::Languages=none -o Acquire::Check-Valid-Until=false -o Debug::NoLocking=1)
   [ "$(id -u)" != 0 ] || apt+=(-o APT::Sandbox::User=root)
   for suite in $suites; do
-    echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $mirror $suite main" >"$dir/sources.list"
-    if "${apt[@]}" update && (cd "$dir" && "${apt[@]}" source --download-only --tar-only "$package") &&
-      echo "$sha256 $(echo "$dir/$package"_*.orig.tar.*)" | sha256sum --check; then
-      return 0
-    fi >>"$log" 2>&1
+    echo "deb-src [signed-by=$keyring] $mirror $suite $components" >"$dir/sources.list"
+    echo "$package from $suite" >>"$log"
+    if "${apt[@]}" update >>"$log" 2>&1 &&
+      (cd "$dir" && "${apt[@]}" source --download-only --tar-only "$package") >>"$log" 2>&1; then
+      version=$(echo "$dir/$package"_*.orig.tar.*)
+      version=${version#"$dir/$package"_} version=${version%%.orig.tar.*}
+      [ "${version%%.*}" != "${least%%.*}" ] || dpkg --compare-versions "$version" lt "$least" || return 0
+    fi
     rm -f "$dir/$package"_*
   done
-  fail "could not fetch the source of $package $version from the Debian mirror (see ${log#"$PWD"/})"
+  fail "no suite of the mirror ($suites) gave a signed source of $package ${least%%.*}, $least or newer (see ${log#"$PWD"/})"
 }
 
-# build_source NAME PACKAGE VERSION SHA256 SUITES PREFIX COMMAND: fetches and unpacks a source, and COMMAND builds and
-# installs it into PREFIX. PREFIX is then marked complete.
+# build_source NAME PACKAGE LEAST PREFIX COMMAND: fetches and unpacks a source, and COMMAND builds and installs it into
+# PREFIX. PREFIX is then marked complete. COMMAND may leave its reason to fail in the file ../reason.
 build_source() {
-  local name=$1 package=$2 version=$3 sha256=$4 suites=$5 prefix=$6 build=$7
+  local name=$1 package=$2 least=$3 prefix=$4 build=$5
   local dir=$prefix-build
-  echo "set-up: building $name $version, a minute or two"
+  echo "set-up: building $name, a minute or two"
   rm -rf "$dir" "$prefix"
   mkdir -p "$dir/source"
-  fetch_source "$package" "$version" "$sha256" "$suites" "$dir"
+  fetch_source "$package" "$least" "$dir"
   (tar -xf "$dir/$package"_*.orig.tar.* -C "$dir/source" --strip-components=1 && cd "$dir/source" && "$build") \
-    >>"$log" 2>&1 || fail "$name $version did not build (see ${log#"$PWD"/})"
+    >>"$log" 2>&1 || fail "$name did not build: $(cat "$dir/reason" 2>/dev/null || echo "see ${log#"$PWD"/}")"
   touch "$prefix/complete"
   rm -rf "$dir"
 }
 
+# Without this check a newer qwtconfig.pri would install into the system.
 build_qwt() {
   sed -i -E -e "s|^( *QWT_INSTALL_PREFIX *= ).*|\1$qwt_prefix|" \
     -e 's/^( *QWT_CONFIG *\+= *Qwt(Dll|Polar|Widgets|Designer|Examples|Playground|Tests|OpenGL))/#\1/' \
-    qwtconfig.pri &&
-    qmake6 && make -j"$(nproc)" && make install
+    qwtconfig.pri
+  if ! grep -qF "= $qwt_prefix" qwtconfig.pri || ! grep -qE '^ *QWT_CONFIG *\+= *QwtPlot' qwtconfig.pri ||
+    grep -qE '^ *QWT_CONFIG *\+= *Qwt(Dll|Designer|Examples)' qwtconfig.pri; then
+    echo "its qwtconfig.pri is not that of Qwt 6.3, so build_qwt in cmake/setup.sh must be adapted" >../reason
+    return 1
+  fi
+  "$qmake" && make -j"$(nproc)" && make install
 }
 
 # Only a library, linked into the tests.
@@ -152,9 +173,9 @@ if [[ " $* " == *" gui "* ]] && [ ! -e "$qwt_prefix/complete" ] && [ -n "$(missi
   if [ -n "$(apt-cache madison libqwt-qt6-dev 2>/dev/null)" ]; then
     install_packages libqwt-qt6-dev
   else
-    build_source Qwt qwt $qwt_version $qwt_sha256 "$qwt_suites" "$qwt_prefix" build_qwt
+    build_source Qwt qwt 6.2 "$qwt_prefix" build_qwt
   fi
 fi
 if [[ " $* " == *" kernel "* ]] && [ ! -e "$gpiod_prefix/complete" ]; then
-  build_source libgpiod libgpiod $gpiod_version $gpiod_sha256 "$gpiod_suites" "$gpiod_prefix" build_gpiod
+  build_source libgpiod libgpiod 2.0 "$gpiod_prefix" build_gpiod
 fi
