@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <system_error>
 #include <utility>
 
@@ -17,6 +18,10 @@ namespace terratact {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{16} * 1024;
+/// A log shrinks to a thirtieth at most: its times differ from line to line. gzip can shrink equal
+/// bytes to a thousandth, and such a small file would take minutes to read.
+constexpr std::uint64_t kMostGrowth = 200;
+constexpr std::uint64_t kSmall = std::uint64_t{64} << 20;  // [bytes] unpacked, whatever the growth
 
 /// Descriptor that its destructor closes, unless it is standard input.
 class LogFile {
@@ -53,7 +58,13 @@ struct LogBytes::Packed {
 
     z_stream stream{};
     std::array<char, 2 * kBlock> input{};  // begins with the bytes that begin() has read
+    std::uint64_t packedBytes = 0, unpackedBytes = 0;
     bool isReady = false, isWhole = false, isTorn = false, isFollowed = false;
+
+    bool growsTooMuch() const
+    {
+        return unpackedBytes > kSmall && unpackedBytes / kMostGrowth > packedBytes;
+    }
 };
 
 LogBytes::LogBytes(Source source) : source_(std::move(source)) {}
@@ -125,6 +136,7 @@ Status LogBytes::begin()
         std::copy(block_.begin(), block_.end(), packed_->input.begin());
         packed_->stream.next_in = reinterpret_cast<Bytef*>(packed_->input.data());
         packed_->stream.avail_in = static_cast<uInt>(block_.size());
+        packed_->packedBytes = block_.size();
         block_.clear();
         hasEnded_ = false;
     }
@@ -186,6 +198,7 @@ Result<std::size_t> LogBytes::unpack(std::span<char> room)
             if (!got) return got;
             p.stream.next_in = reinterpret_cast<Bytef*>(p.input.data());
             p.stream.avail_in = static_cast<uInt>(*got);
+            p.packedBytes += *got;
             p.isTorn = *got == 0 && !p.isWhole;
             if (*got == 0) break;
         }
@@ -201,7 +214,13 @@ Result<std::size_t> LogBytes::unpack(std::span<char> room)
             return Error{
                 TR_NOOP("core", "cannot be unpacked from here on: its packed bytes are damaged")};
     }
-    return room.size() - p.stream.avail_out;
+    const std::size_t unpacked = room.size() - p.stream.avail_out;
+    p.unpackedBytes += unpacked;
+    if (p.growsTooMuch())
+        return Error{Message(
+            TR_NOOP("core", "unpacks to more than %1 times its size, which no log of frames does"),
+            kMostGrowth)};
+    return unpacked;
 }
 
 }  // namespace terratact

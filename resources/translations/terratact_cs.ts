@@ -3886,6 +3886,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>%1: %2 is %3, expected at least %4 m from track_y_m: flipper and track overlap</source>
         <translation>%1: %2 je %3, očekává se aspoň %4 m od track_y_m: flipper a pás se překrývají</translation>
     </message>
+    <message>
+        <source>unpacks to more than %1 times its size, which no log of frames does</source>
+        <translation>se rozbalí na více než %1násobek své velikosti, což žádný záznam rámců nedělá</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -3886,6 +3886,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>%1: %2 is %3, expected at least %4 m from track_y_m: flipper and track overlap</source>
         <translation>%1: %2 ist %3, erwartet werden mindestens %4 m Abstand von track_y_m: Flipper und Kette überlappen sich</translation>
     </message>
+    <message>
+        <source>unpacks to more than %1 times its size, which no log of frames does</source>
+        <translation>wird beim Entpacken mehr als %1-mal so groß, was kein Protokoll von Frames wird</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

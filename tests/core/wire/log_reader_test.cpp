@@ -277,6 +277,16 @@ TEST(Logs, reportOtherBytesBehindPackedOnes)
     EXPECT_EQ(torn.remarks[0], "a.log: the packed log is torn before its first line");
 }
 
+TEST(Logs, ofFewBytesThatUnpackToVeryManyAreRefused)
+{
+    const std::string piece = packed(std::string(std::size_t{8} << 20, '\n'));
+    std::string bomb = packed(kTwo);
+    for (int i = 0; i < 9; ++i) bomb += piece;  // 72 MB
+    EXPECT_NE(read(bomb).error.find("more than 200 times its size"), std::string::npos)
+        << read(bomb).error;
+    EXPECT_EQ(read(packed(kTwo) + piece).frames.size(), 2U) << "8 MB are read in no time";
+}
+
 TEST(Logs, withAClockStepOfYearsContinueEvenly)
 {
     const Log log = read("(0.5) can0 123#00\n(1790000000.5) can0 123#01\n"
