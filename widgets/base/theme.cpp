@@ -33,6 +33,9 @@ QPalette paletteOf(const Theme& t)
     colours.setColor(QPalette::ButtonText, t.button.text);
     colours.setColor(QPalette::Highlight, t.primary.area);
     colours.setColor(QPalette::HighlightedText, t.primary.text);
+#if QT_VERSION >= QT_VERSION_CHECK(6, 6, 0)
+    colours.setColor(QPalette::Accent, t.primary.area);
+#endif
     colours.setColor(QPalette::Link, t.contact);
     colours.setColor(QPalette::ToolTipBase, t.tip);
     colours.setColor(QPalette::ToolTipText, t.text);
