@@ -44,6 +44,10 @@ QPalette paletteOf(const Theme& t)
     return colours;
 }
 
+/// Qt 6.4 restyles each widget once per ancestor when one style sheet replaces another. With later
+/// versions a widget that does not see the old sheet go keeps its text colours (seen with 6.8).
+constexpr bool kSheetIsDroppedFirst = QT_VERSION < QT_VERSION_CHECK(6, 5, 0);
+
 /// Removes the style sheet without notifying widgets. The next sheet notifies each widget once.
 void dropSheet(QApplication& application)
 {
@@ -102,8 +106,7 @@ void applyLook(QApplication& application, ThemeName name, int fontScale)
         QToolTip::setFont(font);
     }
     if (colours) QApplication::setPalette(paletteOf(current));
-    // Replacing a sheet restyles each widget once per ancestor (Qt 6.4). Setting the first sheet restyles it once.
-    if (!first) dropSheet(application);
+    if (!first && kSheetIsDroppedFirst) dropSheet(application);
     application.setStyleSheet(styleSheet(current));
 }
 
