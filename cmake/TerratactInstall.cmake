@@ -83,7 +83,11 @@ set(TERRATACT_PACKAGE_VERSION "" CACHE STRING "Version without the release; empt
 set(_version ${TERRATACT_PACKAGE_VERSION})
 if(NOT _version)
   execute_process(COMMAND ${PROJECT_SOURCE_DIR}/cmake/version.sh
-    OUTPUT_VARIABLE _version OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+    OUTPUT_VARIABLE _version OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE _failed)
+  if(_failed)  # a wrong tag must not stop a user's build; cmake/packages.sh stops there
+    message(WARNING "cmake/version.sh found no version, so a package would get ${PROJECT_VERSION}")
+    set(_version ${PROJECT_VERSION})
+  endif()
 endif()
 cmake_host_system_information(RESULT _system QUERY DISTRIB_INFO)
 string(REPLACE "debian" "deb" _distribution "${_system_ID}")

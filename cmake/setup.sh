@@ -158,6 +158,8 @@ install_by_release() {
 
 [ -w . ] || fail "cannot write to $PWD"
 mkdir -p .deps
+[ -w .deps ] && { [ ! -e .deps/lock ] || [ -w .deps/lock ]; } ||
+  fail "cannot write to .deps, made by another user: sudo chown -R $(id -un) .deps build"
 exec 9>.deps/lock
 flock 9
 wanted=()

@@ -37,7 +37,8 @@ constexpr bool allocatesAtStart()
 {
     constexpr std::string_view kVersion = OPENBLAS_VERSION;  // such as " OpenBLAS 0.3.29 "
     int patch = 0;
-    for (std::size_t i = kVersion.find("0.3.") + 4; kVersion[i] >= '0' && kVersion[i] <= '9'; ++i)
+    for (std::size_t i = kVersion.find("0.3.") + 4;
+         i < kVersion.size() && kVersion[i] >= '0' && kVersion[i] <= '9'; ++i)
         patch = 10 * patch + (kVersion[i] - '0');
     return kVersion.find("0.3.") == std::string_view::npos || patch > 21;
 }
@@ -45,7 +46,7 @@ constexpr bool allocatesAtStart()
 /// Ends the program with a sentence if OpenBLAS would wait for its buffer forever.
 void requireBuffer(const char* program)
 {
-    void* room = mmap(nullptr, kBuffer, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    void* room = mmap(nullptr, kBuffer, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (room != MAP_FAILED) {
         munmap(room, kBuffer);
         return;

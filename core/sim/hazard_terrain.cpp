@@ -41,9 +41,12 @@ void addHazardShape(TerrainPath& path, Hazard hazard, std::mt19937_64& rng)
         path.face(-size);
         path.level(uniform(rng, 0.2, 1.2));
         return path.face(size + uniform(rng, -0.3, 0.3));
-    case Hazard::RampDrop:
-        path.slope(uniform(rng, 0.2, 0.8), uniform(rng, 0.05, 0.35));
+    case Hazard::RampDrop: {
+        const double angle = uniform(rng, 0.05, 0.35);
+        const double length = uniform(rng, 0.2, 0.8);
+        path.slope(length, angle);
         return path.face(-size);
+    }
     case Hazard::Lip: {
         const double lip = uniform(rng, 0.03, 0.12);
         path.face(lip);

@@ -258,8 +258,8 @@ std::optional<TwoTrackRest> secondStableRoll(const RobotModel& robot, const Grou
                                              const PerFlipper<FlipperDrive>& drives,
                                              const TwoTrackRest& rest, const GroundOptions& ground)
 {
-    constexpr double kTilt = 0.12, kOther = 0.01;  // [rad]
-    for (const double tilt : {kTilt, -kTilt}) {
+    constexpr double kOtherStart = 0.12, kOther = 0.01;  // [rad]
+    for (const double tilt : {kOtherStart, -kOtherStart}) {
         auto other = restPose(robot, terrain, rest.pose.base.x, drives,
                               {rest.pose.pitch, rest.pose.roll + tilt}, ground);
         if (other && std::abs(other->pose.roll - rest.pose.roll) > kOther) return *std::move(other);

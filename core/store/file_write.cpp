@@ -97,7 +97,8 @@ bool isRecording(const std::string& path)
 /// Returns true for the names of open files, which are links of the kernel: /dev/stdout, /dev/fd/3.
 bool isKernelName(const std::string& path)
 {
-    return path.starts_with("/dev/") || path.starts_with("/proc/self/fd/");
+    return path == "/dev/stdout" || path == "/dev/stderr" || path.starts_with("/dev/fd/")
+        || path.starts_with("/proc/self/fd/");
 }
 
 bool isLink(const std::string& path, struct stat& found)

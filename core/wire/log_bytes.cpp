@@ -18,8 +18,8 @@ namespace terratact {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{16} * 1024;
-/// A log shrinks to a thirtieth at most: its times differ from line to line. gzip can shrink equal
-/// bytes to a thousandth, and such a small file would take minutes to read.
+/// A log with times shrinks to a twentieth. gzip shrinks equal bytes to a thousandth, and such a
+/// small file would take minutes to read.
 constexpr std::uint64_t kMostGrowth = 200;
 constexpr std::uint64_t kSmall = std::uint64_t{64} << 20;  // [bytes] unpacked, whatever the growth
 
@@ -217,9 +217,9 @@ Result<std::size_t> LogBytes::unpack(std::span<char> room)
     const std::size_t unpacked = room.size() - p.stream.avail_out;
     p.unpackedBytes += unpacked;
     if (p.growsTooMuch())
-        return Error{Message(
-            TR_NOOP("core", "unpacks to more than %1 times its size, which no log of frames does"),
-            kMostGrowth)};
+        return Error{Message(TR_NOOP("core", "unpacks to more than %1 times its size: if it is a "
+                                             "log, unpack it first (gzip -d)"),
+                             kMostGrowth)};
     return unpacked;
 }
 

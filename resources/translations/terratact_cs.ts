@@ -3887,8 +3887,8 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>%1: %2 je %3, očekává se aspoň %4 m od track_y_m: flipper a pás se překrývají</translation>
     </message>
     <message>
-        <source>unpacks to more than %1 times its size, which no log of frames does</source>
-        <translation>se rozbalí na více než %1násobek své velikosti, což žádný záznam rámců nedělá</translation>
+        <source>unpacks to more than %1 times its size: if it is a log, unpack it first (gzip -d)</source>
+        <translation>se rozbalí na více než %1násobek své velikosti: je-li to záznam, nejprve jej rozbalte (gzip -d)</translation>
     </message>
 </context>
 <context>

@@ -3887,8 +3887,8 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>%1: %2 ist %3, erwartet werden mindestens %4 m Abstand von track_y_m: Flipper und Kette überlappen sich</translation>
     </message>
     <message>
-        <source>unpacks to more than %1 times its size, which no log of frames does</source>
-        <translation>wird beim Entpacken mehr als %1-mal so groß, was kein Protokoll von Frames wird</translation>
+        <source>unpacks to more than %1 times its size: if it is a log, unpack it first (gzip -d)</source>
+        <translation>wird beim Entpacken mehr als %1-mal so groß: wenn es ein Protokoll ist, zuerst entpacken (gzip -d)</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kMaxY = 2.0;                        // [m]
 constexpr double kMinStep = 0.001, kMaxStep = 10.0;  // [m]
+constexpr double kMaxLength = 1000.0;                // [m] as of a profile of points
+constexpr std::size_t kMaxLines = 64;                // of one ground
 
 /// Positions of the columns of a file of lines.
 struct LineColumns {
@@ -68,12 +70,18 @@ public:
         const auto sameY = [&](const GroundLine& line) { return line.y == *y; };
         if (std::ranges::any_of(lines_, sameY))
             return csv.error("y_m is " + numberText(*y) + " again in the same ground");
+        if (lines_.size() == kMaxLines)
+            return csv.error("is one line more than the " + std::to_string(kMaxLines)
+                             + " of one ground");
         const Result<double> step = columns_.step
                                       ? numberIn(csv, *columns_.step, "step_m", kMinStep, kMaxStep)
                                       : Result<double>(step_);
         if (!step) return step.error();
         Result<std::vector<double>> heights = heightsOf(csv);
         if (!heights) return heights.error();
+        if (static_cast<double>(heights->size() - 1) * *step > kMaxLength)
+            return csv.error("is longer than " + numberText(kMaxLength)
+                             + " m: is step_m in metres?");
         lines_.push_back({*y, TerrainProfile::fromSamples(*heights, *step, blocks_)});
         return Done{};
     }

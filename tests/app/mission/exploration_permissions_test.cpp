@@ -36,10 +36,10 @@ TEST_F(Bench, reasonForNoProbeUsesTheCurrentStepLimit)
     exploration->setProbePolicy(ProbePolicy::VarianceOpen);
     press();
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    EXPECT_TRUE(mentions(exploration->whyNotOffered(), "BLOCKED stands"));
+    EXPECT_TRUE(mentions(exploration->whyNotOffered(), "BLOCKED is decided"));
     exploration->setStepLimit(0.3);  // higher than the step
     ASSERT_TRUE(settles());
-    EXPECT_TRUE(mentions(exploration->whyNotOffered(), "CLEAR stands"));
+    EXPECT_TRUE(mentions(exploration->whyNotOffered(), "CLEAR is decided"));
     tickInSilence(10);
     ASSERT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::CannotTell);
     EXPECT_TRUE(mentions(exploration->whyNotOffered(), "explore again"));

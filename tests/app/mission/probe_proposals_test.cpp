@@ -55,7 +55,7 @@ TEST_F(Bench, openPolicyProposesNoProbeForADecidedVerdict)
     press();
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
     EXPECT_FALSE(exploration->proposal());
-    EXPECT_TRUE(mentions(exploration->whyNotOffered(), "BLOCKED stands"));
+    EXPECT_TRUE(mentions(exploration->whyNotOffered(), "BLOCKED is decided"));
     EXPECT_TRUE(exploration->bestProbe()) << "it can still be read what it would buy";
     exploration->abort();
     ASSERT_TRUE(reaches(AtemPhase::Idle));
@@ -63,7 +63,7 @@ TEST_F(Bench, openPolicyProposesNoProbeForADecidedVerdict)
     exploration->setStepLimit(0.3);  // higher than the step: CLEAR
     press();
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    EXPECT_TRUE(mentions(exploration->whyNotOffered(), "CLEAR stands"));
+    EXPECT_TRUE(mentions(exploration->whyNotOffered(), "CLEAR is decided"));
 }
 
 TEST_F(Bench, aLimitChangedDuringAnEstimateDecidesWhatIsOffered)

@@ -352,7 +352,7 @@ TEST(PanelWords, nameEveryButtonsFault)
     for (const PanelContact c : kPanelButtons) {
         const std::string held = buttonTrouble(c, ButtonPhase::HeldAtStart).english();
         EXPECT_NE(held.find(name(c)), std::string::npos) << held;
-        EXPECT_NE(held.find("let go"), std::string::npos) << held;
+        EXPECT_NE(held.find("until it is released"), std::string::npos) << held;
         EXPECT_NE(buttonTrouble(c, ButtonPhase::Stuck).english(), held);
         for (const ButtonPhase fine :
              {ButtonPhase::Starting, ButtonPhase::Released, ButtonPhase::Pressed})

@@ -158,7 +158,7 @@ TEST_F(Probe, showsThatTheVerdictIsAlreadyDecided)
     }
     card.setNarrow(false);
     EXPECT_TRUE(allText().contains("a probe only refines the profile"));
-    EXPECT_TRUE(card.refuseButton()->text().contains("BLOCKED stands"));
+    EXPECT_TRUE(card.refuseButton()->text().contains("keep BLOCKED"));
 
     decided.worth->bitsAfter = -0.2;  // it would still have information
     card.setProposal(decided);

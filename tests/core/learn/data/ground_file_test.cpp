@@ -85,6 +85,9 @@ TEST_F(GroundFileTest, refusesLinesThatCannotBe)
     EXPECT_TRUE(refuses(head + "1,left,0,1\n", {"line 2", "y_m"}));
     EXPECT_TRUE(refuses(head + "1,198.5,0,1\n", {"line 2", "y_m is 198.5", "-2 to 2"}));
     EXPECT_TRUE(refuses(head + "1,0.2,0,1\n1,0.2,0,1\n", {"line 3", "y_m is 0.2 again"}));
+    std::string many = head;
+    for (int i = 0; i < 65; ++i) many += "1," + std::to_string(i * 0.01) + ",0,1\n";
+    EXPECT_TRUE(refuses(many, {"line 66", "one line more than the 64"}));
     EXPECT_TRUE(refuses(head + "1,0.2,0,1\n2,0.2,0,1\n1,-0.2,0,1\n",
                         {"lines of pair '1' are not together"}));
     EXPECT_TRUE(refuses("step_m,y_m,heights_m\n0,0.2,0,1\n", {"step_m is 0", "0.001 to 10"}));
