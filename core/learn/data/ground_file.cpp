@@ -63,7 +63,7 @@ public:
                              + std::to_string(columns_.heights + 1) + " on");
         const std::string name(columns_.ground ? csv.fields()[*columns_.ground] : "");
         if (name != name_)
-            if (const Status status = finishGround(csv); !status) return status;
+            if (Status status = finishGround(csv); !status) return status;
         name_ = name;
         const Result<double> y = numberIn(csv, columns_.y, "y_m", -kMaxY, kMaxY);
         if (!y) return y.error();

@@ -208,6 +208,7 @@ std::string sceneHeader(const SceneColumns& columns)
 {
     const Slots known(columns);
     std::vector<CsvValue> fields;
+    fields.reserve(static_cast<std::size_t>(known.count()));
     for (int slot = 0; slot < known.count(); ++slot) fields.emplace_back(known.name(slot));
     return csvLine(fields);
 }
