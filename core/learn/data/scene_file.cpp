@@ -28,7 +28,7 @@ const SceneColumns& planeColumns()
     return columns;
 }
 
-Scene sceneOf(SceneRow& row)
+Scene sceneOf(SceneFileRow& row)
 {
     FeatureValues features{};
     OptionalHeights truth{};
@@ -37,9 +37,9 @@ Scene sceneOf(SceneRow& row)
     return Scene{row.run, row.time, proprioception(features), truth};
 }
 
-SceneRow rowOf(const Scene& scene)
+SceneFileRow rowOf(const Scene& scene)
 {
-    SceneRow row{scene.run, scene.time, {}};
+    SceneFileRow row{scene.run, scene.time, {}};
     const FeatureValues features = featureValues(scene.s);
     row.values.assign(features.begin(), features.end());
     row.values.insert(row.values.end(), scene.truth.begin(), scene.truth.end());
@@ -70,7 +70,7 @@ Result<SceneFile> readScenesFromHere(CsvReader csv)
 {
     SceneFile file;
     auto notices = readSceneRows(csv, planeColumns(),
-                                 [&](SceneRow& row) { file.scenes.push_back(sceneOf(row)); });
+                                 [&](SceneFileRow& row) { file.scenes.push_back(sceneOf(row)); });
     if (!notices) return notices.error();
     file.notices = *std::move(notices);
     return file;

@@ -125,7 +125,7 @@ Result<Layout> layoutOf(CsvReader& csv, const Slots& known)
     return layout;
 }
 
-Status readRun(const CsvReader& csv, std::size_t field, SceneRow& row)
+Status readRun(const CsvReader& csv, std::size_t field, SceneFileRow& row)
 {
     const std::string_view text = csvText(csv.fields()[field]);
     if (text.empty()) return csv.error(Message(TR_NOOP("core", "%1 is empty"), "run"));
@@ -145,7 +145,7 @@ Status readRun(const CsvReader& csv, std::size_t field, SceneRow& row)
     return Done{};
 }
 
-Status readField(CsvReader& csv, std::size_t field, int slot, const Slots& known, SceneRow& row)
+Status readField(CsvReader& csv, std::size_t field, int slot, const Slots& known, SceneFileRow& row)
 {
     if (slot == kUnknown || (known.mayBeEmpty(slot) && csv.isMissing(field))) return Done{};
     if (slot == kRun) return readRun(csv, field, row);
@@ -159,7 +159,7 @@ Status readField(CsvReader& csv, std::size_t field, int slot, const Slots& known
     return Done{};
 }
 
-Status readRow(CsvReader& csv, const Layout& layout, const Slots& known, SceneRow& row)
+Status readRow(CsvReader& csv, const Layout& layout, const Slots& known, SceneFileRow& row)
 {
     std::ranges::fill(row.values, std::nullopt);
     for (std::size_t i = 0; i < layout.slots.size(); ++i)
@@ -179,12 +179,12 @@ std::string field(const std::optional<double>& value, int slot, const Slots& kno
 }  // namespace
 
 Result<std::vector<Message>> readSceneRows(CsvReader& csv, const SceneColumns& columns,
-                                           const std::function<void(SceneRow&)>& add)
+                                           const std::function<void(SceneFileRow&)>& add)
 {
     const Slots known(columns);
     Result<Layout> layout = layoutOf(csv, known);
     if (!layout) return layout.error();
-    SceneRow row;
+    SceneFileRow row;
     row.values.resize(columns.columns.size());
     std::size_t count = 0;
     for (;; ++count) {
@@ -213,7 +213,7 @@ std::string sceneHeader(const SceneColumns& columns)
     return csvLine(fields);
 }
 
-std::string sceneLine(const SceneColumns& columns, const SceneRow& row)
+std::string sceneLine(const SceneColumns& columns, const SceneFileRow& row)
 {
     const Slots known(columns);
     if (!isRunName(row.run))

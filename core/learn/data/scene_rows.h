@@ -24,7 +24,7 @@ struct SceneColumns {
     std::string_view heightColumns;                ///< names of the height columns, for an error
 };
 
-struct SceneRow {
+struct SceneFileRow {
     std::string run;
     double time = 0.0;                          ///< [s]
     std::vector<std::optional<double>> values;  ///< in the order of SceneColumns
@@ -34,13 +34,13 @@ struct SceneRow {
 /// notices, such as unknown columns that were ignored. Errors are those of readScenes()
 /// (core/learn/data/scene_file.h). The row belongs to the reader and is overwritten after `add`.
 Result<std::vector<Message>> readSceneRows(CsvReader& csv, const SceneColumns& columns,
-                                           const std::function<void(SceneRow&)>& add);
+                                           const std::function<void(SceneFileRow&)>& add);
 
 /// Returns the header of the file.
 std::string sceneHeader(const SceneColumns& columns);
 
 /// Returns a row as a line. Numbers are the shortest that read back equal. Throws
 /// std::invalid_argument for what the reader would refuse.
-std::string sceneLine(const SceneColumns& columns, const SceneRow& row);
+std::string sceneLine(const SceneColumns& columns, const SceneFileRow& row);
 
 }  // namespace terratact

@@ -82,7 +82,7 @@ From copyTo(Values& values, From from)
     return from;
 }
 
-TwoTrackScene twoTrackSceneOf(SceneRow& row)
+TwoTrackScene twoTrackSceneOf(SceneFileRow& row)
 {
     TwoTrackScene scene{.run = row.run, .time = row.time, .s = {}, .truth = {}};
     const auto begin = row.values.begin();
@@ -101,9 +101,9 @@ TwoTrackScene twoTrackSceneOf(SceneRow& row)
     return scene;
 }
 
-SceneRow twoTrackRowOf(const TwoTrackScene& scene)
+SceneFileRow twoTrackRowOf(const TwoTrackScene& scene)
 {
-    SceneRow row{scene.run, scene.time, {scene.s.pitch, scene.s.roll}};
+    SceneFileRow row{scene.run, scene.time, {scene.s.pitch, scene.s.roll}};
     const auto add = [&](const auto& values) {
         row.values.insert(row.values.end(), values.begin(), values.end());
     };
@@ -139,7 +139,7 @@ Result<TwoTrackSceneFile> readTwoTrackScenes(CsvReader csv)
         file.notices = std::move(plane->notices);
         return file;
     }
-    auto notices = readSceneRows(csv, twoTrackColumns(), [&](SceneRow& row) {
+    auto notices = readSceneRows(csv, twoTrackColumns(), [&](SceneFileRow& row) {
         file.scenes.push_back(twoTrackSceneOf(row));
     });
     if (!notices) return notices.error();
@@ -153,7 +153,7 @@ std::string twoTrackScenesText(const std::vector<TwoTrackScene>& scenes)
         throw std::invalid_argument("writeScenes: more than " + std::to_string(kMaxScenes)
                                     + " scenes, which is what a file may hold");
     SceneColumns columns = twoTrackColumns();
-    std::vector<SceneRow> rows;
+    std::vector<SceneFileRow> rows;
     rows.reserve(scenes.size());
     std::array<bool, kNumbers> used{};
     std::fill_n(used.begin(), columns.required, true);
@@ -168,7 +168,7 @@ std::string twoTrackScenesText(const std::vector<TwoTrackScene>& scenes)
     };
     withoutUnused(columns.columns);
     std::string content = sceneHeader(columns);
-    for (SceneRow& row : rows) {
+    for (SceneFileRow& row : rows) {
         withoutUnused(row.values);
         content += sceneLine(columns, row);
     }
