@@ -44,7 +44,8 @@ installed_is() { [ "$(inside dpkg-query -W -f '${Version}' terratact)" = "$1" ];
 
 change_repository() {
   sed -i 's/^Codename: .*/&x/' "$root/srv/terratact/dists/$release/InRelease"
-  ! update_strictly
+  ! update_strictly >"$work/refusal" 2>&1
+  grep -E 'BADSIG|signature' "$work/refusal"
 }
 
 step "package of a higher version" higher_version "$1"

@@ -4,7 +4,7 @@
 #   cmake/bundle.sh --check BUNDLE.tar.xz [RELEASE]     unpacks it in a clean root, and a user runs both programs
 # It runs where glibc is at least 2.36 (Debian 12). The system has these libraries of its own: glibc, libstdc++, OpenGL
 # (libGL, libEGL), which belongs to the graphics driver, and ALSA, which belongs to the sound server; and a font.
-# RELEASE is a release of Debian or, with MIRROR=http://archive.ubuntu.com/ubuntu DEBOOTSTRAP=--no-check-gpg, of Ubuntu.
+# RELEASE is a release of Debian or, with a mirror in MIRROR and DEBOOTSTRAP=--keyring=FILE, of Ubuntu.
 set -euo pipefail
 check=
 [ "${1:-}" != --check ] || { check=yes && shift; }
@@ -55,8 +55,10 @@ pack() {
 if [ -n "$check" ]; then
   release=${2:-trixie}
   make_root
+  sound=libasound2t64
+  inside apt-cache show $sound >/dev/null 2>&1 || sound=libasound2
   step "apt-get install what a desktop has" inside apt-get -q -y install --no-install-recommends \
-    libgl1 libegl1 libopengl0 libasound2t64 fonts-dejavu-core
+    libgl1 libegl1 libopengl0 $sound fonts-dejavu-core
   step "unpack" tar -C "$root/opt" -xf "$1" --transform 's|^[^/]*|terratact|'
   try_programs /opt/terratact/bin/
   echo "passed: $(basename "$1") runs on $release (log: $log)"

@@ -1,17 +1,21 @@
 # Functions for scripts that work in a minimal Debian of a release, deleted at the end. debootstrap makes it, from $MIRROR
-# and with the options $DEBOOTSTRAP, if set. A script that sources this file needs root, and sets `log` first. If $STEPS names a file, each step adds
-# a line to it: release, step, seconds.
+# and with the options $DEBOOTSTRAP, if set. A script that sources this file needs root, and sets `log` first. The tools
+# are installed if they are missing. If $STEPS names a file, each step adds a line to it: release, step, seconds.
 
 [ "$(id -u)" = 0 ] || { echo "$(basename "$0"): needs root, for debootstrap and chroot" >&2; exit 1; }
+cmake/setup.sh publish
 release=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
 root=
+sources=/usr/src/terratact  # in the root
 
-# step WORDS COMMAND...: prints the step and runs it; on failure it prints the end of the log and exits.
+# step WORDS COMMAND...: prints the step and runs it; on failure it prints the end of the log and exits. The command runs
+# in a process of its own, because bash ignores `set -e` in a function on the left of ||.
 step() {
   local words=$1 start=$SECONDS
   shift
   echo "== $words" | tee -a "$log"
-  "$@" >>"$log" 2>&1 || { tail -n 20 "$log" >&2; echo "FAILED: $words (all of it in $log)" >&2; exit 1; }
+  "$@" >>"$log" 2>&1 &
+  wait $! || { tail -n 20 "$log" >&2; echo "FAILED: $words (all of it in $log)" >&2; exit 1; }
   [ -z "${STEPS:-}" ] || printf '%s\t%s\t%s\n' "$release" "$words" $((SECONDS - start)) >>"$STEPS"
 }
 
@@ -19,17 +23,22 @@ remove_root() {
   [ -n "$root" ] || return 0
   local folder
   for folder in proc dev sys root/.cache/ccache; do
-    ! mountpoint -q "$root/$folder" || umount "$root/$folder"
+    ! mountpoint -q "$root/$folder" || umount "$root/$folder" ||
+      { echo "still in use, and left: $root/$folder" >&2; return 1; }
   done
   rm -rf --one-file-system "$root"
   root=
 }
 trap remove_root EXIT
 
-# make_root: makes the minimal Debian of $release in $root, with a user.
+# make_root: makes the minimal Debian of $release in $root, with a user. A release that debootstrap does not know is one
+# of Ubuntu, whose mirror must be named.
 make_root() {
   local script=
-  [ -e "/usr/share/debootstrap/scripts/$release" ] || script=gutsy  # of every Ubuntu
+  if [ ! -e "/usr/share/debootstrap/scripts/$release" ]; then
+    [ -n "${MIRROR:-}" ] || { echo "$release is no release of Debian; for one of Ubuntu set MIRROR" >&2; exit 1; }
+    script=gutsy
+  fi
   root=$(mktemp -d /var/tmp/terratact-root.XXXXXX)
   chmod 755 "$root"
   # shellcheck disable=SC2086
@@ -38,11 +47,11 @@ make_root() {
   install -d -o 1000 -g 1000 "$root/home/operator"
 }
 
-# copy_sources: copies the committed files to /root/terratact of the root. If $CCACHE_DIR is set, compilers in the root keep
-# their results there.
+# copy_sources: copies the committed files to $sources of the root. If $CCACHE_DIR is set, compilers in the root keep their
+# results there.
 copy_sources() {
-  mkdir "$root/root/terratact"
-  git archive HEAD | tar -x -C "$root/root/terratact"
+  mkdir "$root$sources"
+  git archive HEAD | tar -x -C "$root$sources"
   step "apt-get update" inside apt-get -q update
   [ -n "${CCACHE_DIR:-}" ] || return 0
   mkdir -p "$CCACHE_DIR" "$root/root/.cache/ccache"
@@ -72,6 +81,13 @@ try_programs() {
   step "terratact-console --screenshot" as_user "$1"terratact-console --screenshot console.png
   cp "$root"/home/operator/console.png "$out/check.png"
   cp "$root"/home/operator/demo/second.png "$out/check_demo.png"
+}
+
+# begin_table FOLDER: makes the folder, and a file $STEPS in it.
+begin_table() {
+  mkdir -p "$1"
+  export STEPS=$1/steps.tsv
+  : >"$STEPS"
 }
 
 # steps_table: prints the steps of $STEPS as a table.

@@ -10,10 +10,7 @@ out=$PWD/build/clean
 log=/dev/null
 . cmake/clean_root.sh
 [ $# != 0 ] || set -- bookworm trixie
-cmake/setup.sh publish
-mkdir -p "$out"
-export STEPS=$out/steps.tsv
-: >"$STEPS"
+begin_table "$out"
 
 for release; do
   echo "-- $release"
@@ -23,10 +20,10 @@ for release; do
   mount --bind /dev "$root/dev"
   mount -t sysfs sysfs "$root/sys"
   copy_sources
-  step "./run.sh --headless" inside /root/terratact/run.sh --headless
-  step "./test.sh" inside /root/terratact/test.sh
+  step "./run.sh --headless" inside $sources/run.sh --headless
+  step "./test.sh" inside $sources/test.sh
   tail -n 1 "$log"
-  grep 'warning:' "$root"/root/terratact/build/*.log && echo "the compiler warned" || true
+  grep 'warning:' "$root$sources"/build/*.log && echo "the compiler warned" || true
   remove_root
 done
 steps_table | tee "$out/table.txt"

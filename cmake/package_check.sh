@@ -13,7 +13,7 @@ out=$PWD/build/package
 log=$out/check.log
 . cmake/clean_root.sh
 release=${2:-$release}
-[ $# != 0 ] || cmake/setup.sh core gui package publish
+[ $# != 0 ] || cmake/setup.sh core gui package
 mkdir -p "$out"
 : >"$log"
 
@@ -29,6 +29,7 @@ nothing_left() {
 }
 
 if [ $# = 0 ]; then
+  cmake --preset package >"$log"  # the version may be another one since the last time
   cmake/build.sh package terratact terratact-console
   rm -f "$out"/terratact_*.deb
   step "cpack" cpack --config "$out/CPackConfig.cmake" -G DEB -B "$out"

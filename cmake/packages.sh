@@ -12,17 +12,14 @@ out=$PWD/build/packages
 log=/dev/null
 . cmake/clean_root.sh
 [ $# != 0 ] || set -- bookworm trixie
-cmake/setup.sh publish
 version=$(cmake/version.sh)
-mkdir -p "$out"
-export STEPS=$out/steps.tsv
-: >"$STEPS"
+begin_table "$out"
 
-# In the root: makes the package from the sources in /root/terratact.
+# In the root: makes the package from $sources.
 build_inside() {
   local options=(-D TERRATACT_PACKAGE_VERSION="$version" ${HOMEPAGE:+-D TERRATACT_HOMEPAGE="$HOMEPAGE"}
     ${MAINTAINER:+-D CPACK_PACKAGE_CONTACT="$MAINTAINER"})
-  inside sh -c 'cd /root/terratact && cmake --preset package "$@" && cmake --build --preset package' sh "${options[@]}"
+  inside sh -c 'cd $0 && cmake --preset package "$@" && cmake --build --preset package' $sources "${options[@]}"
 }
 
 make_package() {
@@ -31,10 +28,10 @@ make_package() {
   mkdir -p "$out/$release"
   make_root
   copy_sources
-  step "setup.sh core gui package" inside /root/terratact/cmake/setup.sh core gui package
+  step "setup.sh core gui package" inside $sources/cmake/setup.sh core gui package
   step "build" build_inside
-  step "cpack" inside sh -c 'cd /root/terratact/build/package && cpack -G DEB'
-  cp "$root"/root/terratact/build/package/terratact_*.deb "$out/$release/"
+  step "cpack" inside sh -c "cd $sources/build/package && cpack -G DEB"
+  cp "$root$sources"/build/package/terratact_*.deb "$out/$release/"
   remove_root
 }
 
