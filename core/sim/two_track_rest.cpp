@@ -134,23 +134,32 @@ public:
     TwoTrackRest run()
     {
         settle(Start::Above);
-        // A flipper that is held may let the other one of its axle lose the ground.
-        for (std::size_t k = 0; k < kFlippers && holdHanging(); ++k) settle(Start::Above);
-        if (isBeyondLimit()) {
-            rest_.differentialAtLimit = true;
-            rest_.pose.differential =
-                std::copysign(robot_.differential.limit, rest_.pose.differential);
-            settle(Start::Above);
-        }
+        keepWithinReach();
         // A flipper that gives way may overload another one.
-        for (std::size_t k = 0; k < kFlippers && yield(); ++k) settle(Start::Here);
+        for (std::size_t k = 0; k < kFlippers && yield(); ++k) {
+            settle(Start::Here);
+            keepWithinReach();
+        }
         return std::move(rest_);
     }
 
 private:
-    bool isBeyondLimit() const
+    /// Stops the differential at its limit, and holds flippers that hang, until nothing has moved
+    /// beyond its reach. A part that is stopped may let another one lose the ground.
+    void keepWithinReach()
     {
-        return std::abs(rest_.pose.differential) > robot_.differential.limit;
+        for (std::size_t k = 0; k <= kFlippers && (limitDifferential() || holdHanging()); ++k)
+            settle(Start::Above);
+    }
+
+    /// Stops a differential that turned too far. Returns true if it did.
+    bool limitDifferential()
+    {
+        const double limit = robot_.differential.limit;
+        if (std::abs(rest_.pose.differential) <= limit) return false;
+        rest_.differentialAtLimit = true;
+        rest_.pose.differential = std::copysign(limit, rest_.pose.differential);
+        return true;
     }
 
     void settle(Start start)
@@ -180,12 +189,14 @@ private:
         rest_.terrainPoints += potential.looks();
     }
 
-    /// Holds pressed flippers that found no ground. Returns true if there was one.
+    /// Holds pressed flippers that found no ground. One that gave way is not pressed by choice, and
+    /// falls. Returns true if there was one.
     bool holdHanging()
     {
         bool any = false;
         for (std::size_t i = 0; i < kFlippers; ++i) {
-            if (!isPressed(rest_.drives[i]) || rest_.pose.flippers[i] >= kLowestFlipper) continue;
+            if (!isPressed(rest_.drives[i]) || rest_.gaveWay[i]) continue;
+            if (rest_.pose.flippers[i] >= kLowestFlipper) continue;
             rest_.drives[i] = HoldAngle{kLowestFlipper};
             rest_.pose.flippers[i] = kLowestFlipper;
             rest_.hangs[i] = any = true;

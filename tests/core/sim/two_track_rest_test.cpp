@@ -376,6 +376,31 @@ TEST(TwoTrackRest, withAFreeDifferentialKeepsBothTracksOnTheGround)
     EXPECT_DOUBLE_EQ(limited->pose.differential, 0.1);
 }
 
+TEST(TwoTrackRest, neverTurnsTheDifferentialBeyondItsLimit)
+{
+    RobotModel robot = absolem();
+    robot.differential.locked = false;
+    robot.differential.limit = 0.03;
+    robot.maxFlipperTorque = 12.0;  // so that flippers give way often
+    std::mt19937_64 rng(8);
+    int atLimit = 0, gaveWay = 0;
+    for (int go = 0; go < 300; ++go) {
+        const GroundLines ground = someGround(rng);
+        const auto rest = restPose(robot, ground, placeOn(ground, rng), kDrives);
+        if (!rest) continue;
+        const double differential = std::abs(rest->pose.differential);
+        EXPECT_LE(differential, robot.differential.limit) << go;
+        EXPECT_EQ(rest->differentialAtLimit, differential == robot.differential.limit) << go;
+        for (std::size_t i = 0; i < kFlippers; ++i)
+            if (isPressed(rest->drives[i]) && !rest->gaveWay[i])
+                EXPECT_GE(rest->pose.flippers[i], kLowestFlipper) << go;
+        atLimit += rest->differentialAtLimit;
+        gaveWay += std::ranges::count(rest->gaveWay, true) > 0;
+    }
+    EXPECT_GT(atLimit, 50);
+    EXPECT_GT(gaveWay, 20);
+}
+
 TEST(TwoTrackRest, readsTheForcesOfTheArraysThatExist)
 {
     RobotModel robot = absolem();
