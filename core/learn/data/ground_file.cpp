@@ -116,9 +116,9 @@ private:
                              + " numbers allowed in a file");
         if (heights->size() < 2)
             return csv.error("has fewer than the two heights that a line needs");
+        if (lines_.empty()) first_ = heights->front();
         for (const double height : *heights)
-            if (Status status = checkHeight(csv, height, heights->front()); !status)
-                return status.error();
+            if (Status status = checkHeight(csv, height, first_); !status) return status.error();
         return heights;
     }
 
@@ -137,6 +137,7 @@ private:
     std::string name_;
     std::set<std::string> finished_;
     std::vector<GroundLine> lines_;  ///< of the ground that is being read
+    double first_ = 0.0;             ///< first height of that ground [m]
     std::size_t count_ = 0;          ///< numbers of the whole file
     GroundFile file_;
 };

@@ -82,6 +82,8 @@ TEST_F(GroundFileTest, refusesLinesThatCannotBe)
     EXPECT_TRUE(refuses(head + "1,0.2,0.5\n", {"line 2", "fewer than the two heights"}));
     EXPECT_TRUE(refuses(head + "1,0.2,0,nan,0\n", {"line 2", "field 4"}));
     EXPECT_TRUE(refuses(head + "1,0.2,0,6\n", {"line 2", "more than 5 m", "in mm?"}));
+    EXPECT_TRUE(refuses(head + "1,0.2,0,1\n1,-0.2,-20,-20\n", {"line 3", "more than 5 m"}));
+    EXPECT_TRUE(refuses(head + "1,0.2,1e7,1e7\n", {"line 2", "more than 1000 km from 0"}));
     EXPECT_TRUE(refuses(head + "1,left,0,1\n", {"line 2", "y_m"}));
     EXPECT_TRUE(refuses(head + "1,198.5,0,1\n", {"line 2", "y_m is 198.5", "-2 to 2"}));
     EXPECT_TRUE(refuses(head + "1,0.2,0,1\n1,0.2,0,1\n", {"line 3", "y_m is 0.2 again"}));
