@@ -32,6 +32,7 @@ done
 export GNUPGHOME=$keys
 mkdir -p -m 700 "$keys"
 trap 'gpgconf --kill gpg-agent' EXIT
+umask 022  # what is served, everybody reads
 mkdir -p "$folder"
 name="Terratact packages"
 [ -n "$(gpg --batch --list-secret-keys --with-colons "$name" 2>/dev/null)" ] ||
@@ -46,15 +47,21 @@ for release in "${releases[@]}"; do
     "Components: main" "SignWith: $key" ""
 done >"$keys/conf/distributions"
 repository=(reprepro --silent --confdir "$keys/conf" --dbdir "$keys/db" --outdir "$folder")
-for package; do "${repository[@]}" --export silent-never includedeb "$(release_of "$package")" "$package"; done
+status=0
+for package; do
+  "${repository[@]}" --export silent-never includedeb "$(release_of "$package")" "$package" && continue
+  echo "apt_repository.sh: $package was not added: another file of this version may be there; tag a new version" >&2
+  status=1
+done
 "${repository[@]}" export
 
 cat >"$folder/README" <<END
 URL=file://$folder    # or where a web server serves this folder
-sudo install -m 644 $folder/terratact.gpg /usr/share/keyrings/terratact.gpg
+wget -qO- \$URL/terratact.gpg | sudo tee /usr/share/keyrings/terratact.gpg >/dev/null    # a folder: cp instead
 echo "deb [signed-by=/usr/share/keyrings/terratact.gpg] \$URL RELEASE main" | sudo tee /etc/apt/sources.list.d/terratact.list
 sudo apt-get update && sudo apt-get install terratact
 
 RELEASE is ${releases[12]} on Debian 12, ${releases[13]} on Debian 13.
 END
 for release in "${releases[@]}"; do "${repository[@]}" list "$release"; done
+exit $status

@@ -17,13 +17,14 @@ fail() {
   exit 1
 }
 
-# CMake's own re-runs do not read presets, and a build made for a few targets lacks the tests.
+# CMake's own re-runs do not read presets, and a build made for a few targets lacks the tests. --fresh: if a preset names
+# another compiler, CMake keeps nothing else of it in an old cache.
 without_tests=()
 [ $# = 0 ] || without_tests=(-D TERRATACT_TESTS=OFF)
 if [ ! "$dir/build.ninja" -nt CMakePresets.json ] ||
   { [ $# = 0 ] && grep -q '^TERRATACT_TESTS:.*=OFF' "$dir/CMakeCache.txt"; }; then
   echo "building preset $preset (the first time takes minutes)"
-  cmake --preset "$preset" "${without_tests[@]}" >"$log" 2>&1 || fail "configuring"
+  cmake --preset "$preset" --fresh "${without_tests[@]}" >"$log" 2>&1 || fail "configuring"
 fi
 build=(--preset "$preset")
 [ $# = 0 ] || build=("$dir" --target "$@")

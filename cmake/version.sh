@@ -9,7 +9,10 @@ cd "$(dirname "$0")/.."
 version=$(sed -n 's/^project(Terratact VERSION \([0-9.]*\) .*/\1/p' CMakeLists.txt)
 [ -n "$version" ] || { echo "version.sh: CMakeLists.txt names no version" >&2; exit 1; }
 told=
-[ ! -e .git ] || told=$(git describe --tags --long --match 'v[0-9]*' 2>/dev/null || true)
+if [ -e .git ]; then
+  git rev-parse HEAD >/dev/null || { echo "version.sh: git does not read this repository: see above" >&2; exit 1; }
+  told=$(git describe --tags --long --match 'v[0-9]*' 2>/dev/null || true)
+fi
 if [[ "$told" =~ ^v(.*)-([0-9]+)-(g[0-9a-f]+)$ ]]; then
   tag=${BASH_REMATCH[1]} commits=${BASH_REMATCH[2]} commit=${BASH_REMATCH[3]}
   if [ "$commits" = 0 ] && [ "$tag" != "$version" ]; then
