@@ -15,6 +15,12 @@ void check(const SensorNoise& noise)
             throw std::invalid_argument("noisy: a standard deviation is negative or not finite");
 }
 
+void check(const SensorNoise& noise, double saturation)
+{
+    check(noise);
+    if (!(saturation > 0.0)) throw std::invalid_argument("noisy: saturation is not above 0");
+}
+
 /// Returns x plus Gaussian noise of that sd; x itself if sd is 0.
 double withNoise(double x, double sd, std::mt19937_64& rng)
 {
@@ -37,8 +43,7 @@ void addForceNoise(std::array<std::optional<double>, kForceElements>& forces,
 Proprioception noisy(const Proprioception& exact, const SensorNoise& noise, double saturation,
                      std::mt19937_64& rng)
 {
-    check(noise);
-    if (!(saturation > 0.0)) throw std::invalid_argument("noisy: saturation is not above 0");
+    check(noise, saturation);
     Proprioception s = exact;
     s.pitch = withNoise(s.pitch, noise.pitch, rng);
     s.front = withNoise(s.front, noise.flipperAngle, rng);
@@ -52,8 +57,7 @@ Proprioception noisy(const Proprioception& exact, const SensorNoise& noise, doub
 TwoTrackReadings noisy(const TwoTrackReadings& exact, const SensorNoise& noise, double saturation,
                        std::mt19937_64& rng)
 {
-    check(noise);
-    if (!(saturation > 0.0)) throw std::invalid_argument("noisy: saturation is not above 0");
+    check(noise, saturation);
     TwoTrackReadings s = exact;
     s.pitch = withNoise(s.pitch, noise.pitch, rng);
     s.roll = withNoise(s.roll, noise.pitch, rng);

@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 import unittest
 
-from support import CLI, SOURCE, complaint, rows, run
+from support import CLI, SOURCE, Folder, complaint, rows, run
 
 DEMO = f"{SOURCE}/resources/sessions/demo.tts"
 MODEL = f"{SOURCE}/resources/models/default.ttm"
@@ -25,11 +25,9 @@ def shell(command, code=0):
     return done
 
 
-class Folder(unittest.TestCase):
+class Scenes(Folder):
     def setUp(self):
-        made = tempfile.TemporaryDirectory()
-        self.addCleanup(made.cleanup)
-        self.path = pathlib.Path(made.name)
+        super().setUp()
         self.scenes = self.path / "scenes.csv"
         self.scenes.write_bytes(SCENES)
 
@@ -45,7 +43,7 @@ def setUpModule():
         SCENES = out.read_bytes()
 
 
-class Overwriting(Folder):
+class Overwriting(Scenes):
     def refused(self, file, *arguments, says=REFUSED):
         before = file.read_bytes()
         self.assertIn(says, complaint(*arguments))
@@ -162,7 +160,7 @@ class Overwriting(Folder):
             self.assertEqual(bare, [], source.name)
 
 
-class Pipes(Folder):
+class Pipes(Scenes):
     def test_scenes_and_estimates_go_through_pipes(self):
         out = self.path / "est.csv"
         run("reconstruct", "--data", self.scenes, "--out", out)
@@ -202,7 +200,7 @@ class Pipes(Folder):
         self.assertIn("several passes", complaint("session", "report", DEMO, "--out", "/dev/stdout", code=2))
 
 
-class FullDisks(Folder):
+class FullDisks(Scenes):
     def test_every_command_notices_a_full_standard_output(self):
         for command in ("--help", "--version", f"session info {DEMO}", f"session verify {DEMO}", f"model show {MODEL}",
                         f"model show {MODEL} --csv", f"session what-if {DEMO}", f"session recover {self.copy(DEMO, 'r.tts')}",
@@ -214,7 +212,7 @@ class FullDisks(Folder):
         self.assertIn("disk full", complaint("simulate", "--terrain", "varied", "--count", 1, "--out", "/dev/full"))
 
 
-class Ranges(Folder):
+class Ranges(Scenes):
     def test_an_export_of_nothing_is_an_error(self):
         out = self.path / "a.csv"
         export = ("session", "export", DEMO, "--out", out)
@@ -227,7 +225,7 @@ class Ranges(Folder):
         self.assertIn("is a directory", complaint("session", "info", self.path))
 
 
-class Csv(Folder):
+class Csv(Scenes):
     def estimated(self, content):
         """Returns the estimates of the scenes in a file with this content."""
         data, out = self.path / "data.csv", self.path / "est.csv"

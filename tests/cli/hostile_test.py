@@ -4,21 +4,18 @@ import pathlib
 import re
 import stat
 import subprocess
-import tempfile
 import unittest
 
-from support import CLI, SOURCE, complaint, run
+from support import CLI, SOURCE, Folder, complaint, run
 
 DEMO = f"{SOURCE}/resources/sessions/demo.tts"
 FRAME = "(1793000000.000000) can0 123#00\n"
 ESCAPES = ("\x1b[2K", "\x1b]0;t\x07", "\u009b31m", "\u202egnol", "\u2066x", "\r", "\x07", "\n")
 
 
-class Folder(unittest.TestCase):
+class Scenes(Folder):
     def setUp(self):
-        made = tempfile.TemporaryDirectory()
-        self.addCleanup(made.cleanup)
-        self.path = pathlib.Path(made.name)
+        super().setUp()
         self.scenes = self.path / "scenes.csv"
         run("simulate", "--terrain", "varied", "--count", 2, "--seed", 5, "--out", self.scenes)
 
@@ -28,7 +25,7 @@ class Folder(unittest.TestCase):
         return file
 
 
-class Links(Folder):
+class Links(Scenes):
     """Somebody has put a symbolic link where a command writes."""
 
     def setUp(self):
@@ -80,7 +77,7 @@ class Links(Folder):
         self.assertFalse(out.is_symlink())
 
 
-class Modes(Folder):
+class Modes(Scenes):
     def test_recordings_are_for_their_owner_whatever_the_umask(self):
         log = self.written("a.log", FRAME)
         for mask in ("000", "022", "277"):
@@ -90,7 +87,7 @@ class Modes(Folder):
             self.assertEqual(stat.S_IMODE(out.stat().st_mode), 0o600, mask)
 
 
-class Texts(Folder):
+class Texts(Scenes):
     """Names and texts of files are printed without what moves a cursor, changes a colour or the reading direction."""
 
     RAW = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069]")
@@ -139,7 +136,7 @@ class Texts(Folder):
             self.printed("panel", "check", self.written("n.toml", f'chip = "{quoted}"\n"{quoted}" = 1\n'))
 
 
-class LittleMemory(Folder):
+class LittleMemory(Scenes):
     def test_each_limit_is_one_sentence(self):
         roomy = subprocess.run(["bash", "-c", 'ulimit -v 1000000; exec "$@"', "-", CLI, "--version"], capture_output=True,
                                timeout=300, check=False)

@@ -2,9 +2,12 @@
 
 import csv
 import os
+import pathlib
 import queue
 import subprocess
+import tempfile
 import threading
+import unittest
 
 CLI = os.environ["TERRATACT_CLI"]
 SOURCE = os.environ["TERRATACT_SOURCE_DIR"]
@@ -22,6 +25,15 @@ def complaint(*arguments, code=1):
     done = subprocess.run([CLI, *map(str, arguments)], capture_output=True, text=True, timeout=500)
     assert done.returncode == code, f"{arguments}: exit {done.returncode}\n{done.stdout}\n{done.stderr}"
     return done.stderr
+
+
+class Folder(unittest.TestCase):
+    """Tests with a folder of their own, self.path."""
+
+    def setUp(self):
+        made = tempfile.TemporaryDirectory()
+        self.addCleanup(made.cleanup)
+        self.path = pathlib.Path(made.name)
 
 
 def rows(path):
