@@ -29,7 +29,6 @@ void handle(QtMsgType type, const QMessageLogContext& /*context*/, const QString
         std::fflush(stderr);
         std::_Exit(1);
     }
-    if (type == QtDebugMsg) return;
     if (heldBack)
         *heldBack << text;
     else

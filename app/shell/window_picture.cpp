@@ -4,6 +4,7 @@
 #include <QPixmap>
 #include <QWidget>
 
+#include "core/store/file_read.h"
 #include "core/store/file_write.h"
 
 namespace terratact {
@@ -12,7 +13,9 @@ Status saveWindow(QWidget& window, const std::string& path)
 {
     QBuffer png;
     png.open(QIODevice::WriteOnly);
-    window.grab().save(&png, "PNG");
+    if (!window.grab().save(&png, "PNG"))
+        return fileError(
+            path, TR_NOOP("core", "the window's picture could not be made: end other programs"));
     return writeFileAtomically(path, png.data().toStdString());
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -31,6 +32,12 @@ struct ForceCalibration {
 };
 
 enum class Side : std::uint8_t { Left, Right };
+
+/// Returns the place of a side in an array of both.
+constexpr std::size_t indexOf(Side side)
+{
+    return static_cast<std::size_t>(side);
+}
 
 /// Row of force elements under the front flippers: a subset of one side's six elements.
 struct ForceArrayLayout {

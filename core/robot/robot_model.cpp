@@ -221,7 +221,7 @@ ForceArrayLayout forceArrayOf(TomlSection& section,
                                   tomlLine(section.node("name")), section.path("name"),
                                   shown(array.name), kMaxForceArrayNameLength)};
     array.side = section.choice("side", {"left", "right"}) == 0 ? Side::Left : Side::Right;
-    readElements(section, array, taken[array.side == Side::Left ? 0 : 1]);
+    readElements(section, array, taken[indexOf(array.side)]);
     return array;
 }
 

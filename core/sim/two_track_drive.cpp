@@ -29,7 +29,7 @@ std::vector<TwoTrackScene> driveOver(const RobotModel& robot, const GroundLines&
             .s = noisy(exactReadings(robot, *rest), conditions.noise, robot.forceSaturation, rng),
             .truth = {}};
         for (const Side side : {Side::Left, Side::Right})
-            scene.truth[side == Side::Left ? 0 : 1] =
+            scene.truth[indexOf(side)] =
                 known(noisy(sideHeights(terrain, robot, side, imu), conditions.noise, rng));
         scenes.push_back(std::move(scene));
     }

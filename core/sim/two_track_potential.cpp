@@ -26,11 +26,6 @@ bool mayTouch(const std::vector<Vec2>& polygon, double skin, const std::vector<V
     return false;
 }
 
-std::size_t placeOf(Side side)
-{
-    return side == Side::Left ? 0 : 1;
-}
-
 const FlipperGeometry& geometryOf(const RobotModel& robot, Flipper flipper)
 {
     return flipper == Flipper::FrontLeft || flipper == Flipper::FrontRight ? robot.front
@@ -102,9 +97,9 @@ TwoTrackPotential::TwoTrackPotential(const RobotModel& robot, const GroundLines&
         const double sign = signOf(side);
         const TerrainProfile& track = terrain.under(sign * robot.lateral.trackY);
         const TerrainProfile& flipper = terrain.under(sign * robot.lateral.flipperY);
-        std::vector<Vec2>& trackLine = lines_[placeOf(side)];
+        std::vector<Vec2>& trackLine = lines_[indexOf(side)];
         trackLine = track.sampled(x - reach, x + reach, ground.spacing);
-        lines_[2 + placeOf(side)] =
+        lines_[2 + indexOf(side)] =
             &flipper == &track ? trackLine : flipper.sampled(x - reach, x + reach, ground.spacing);
     }
     for (const auto& line : lines_) looks_ += line.size();
@@ -112,12 +107,12 @@ TwoTrackPotential::TwoTrackPotential(const RobotModel& robot, const GroundLines&
 
 const std::vector<Vec2>& TwoTrackPotential::trackLine(Side side) const
 {
-    return lines_[placeOf(side)];
+    return lines_[indexOf(side)];
 }
 
 const std::vector<Vec2>& TwoTrackPotential::flipperLine(Side side) const
 {
-    return lines_[2 + placeOf(side)];
+    return lines_[2 + indexOf(side)];
 }
 
 double TwoTrackPotential::operator()(const TwoTrackPose& pose, double stiffness,
@@ -127,7 +122,7 @@ double TwoTrackPotential::operator()(const TwoTrackPose& pose, double stiffness,
     double energy = bodyWeight(pose, sum);
     for (const Side side : {Side::Left, Side::Right}) {
         const SideSum part =
-            oneSide(pose, side, 0.5 * stiffness, contacts ? &(*contacts)[placeOf(side)] : nullptr);
+            oneSide(pose, side, 0.5 * stiffness, contacts ? &(*contacts)[indexOf(side)] : nullptr);
         energy += part.energy;
         if (derivatives) part.addTo(sum, signOf(side));
     }

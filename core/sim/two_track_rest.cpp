@@ -289,7 +289,7 @@ TwoTrackReadings exactReadings(const RobotModel& robot, const TwoTrackRest& rest
         readings.currents[i] = rest.torques[i] / robot.torquePerAmpere;
     for (const Side side : {Side::Left, Side::Right}) {
         const Pose plane = sidePose(robot, rest.pose, side, robot.lateral.flipperY);
-        const auto& contacts = rest.contacts[side == Side::Left ? 0 : 1];
+        const auto& contacts = rest.contacts[indexOf(side)];
         const auto read = [&](Flipper flipper, const FlipperEdge& edge, const auto& shares,
                               GroundContact::Part part, auto has) {
             const auto forces = edgeForces(edge, shares, contacts, part, 1.0);

@@ -12,8 +12,8 @@ enum class Access { Everybody, Owner };
 
 /// Returns Done if an output path leads through no symbolic link of somebody else. The output itself
 /// must not be a link at all, so that nothing is written through it. A folder above it may be a link
-/// of this user or of root. Names below /dev and /proc/self/fd are links of the kernel and pass.
-/// Errors name the link.
+/// of this user or of root. /dev/stdout, /dev/stderr and names below /dev/fd and /proc/self/fd are
+/// links of the kernel and pass. Errors name the link.
 Status checkLinks(const std::string& path);
 
 /// Returns Done if a new file may replace the one at `path`, or if there is none. Errors name it:

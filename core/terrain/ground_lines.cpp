@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/robot/two_tracks.h"
+
 namespace terratact {
 
 GroundLines::GroundLines(TerrainProfile everywhere) : lines_{{0.0, std::move(everywhere)}} {}
@@ -59,7 +61,7 @@ GroundLines GroundLines::mirrored() const
 
 Heights sideHeights(const GroundLines& terrain, const RobotModel& robot, Side side, Vec2 imu)
 {
-    const double sign = side == Side::Left ? 1.0 : -1.0;
+    const double sign = signOf(side);
     Heights heights = binHeights(terrain.under(sign * robot.lateral.trackY), imu);
     const Heights ahead = binHeights(terrain.under(sign * robot.lateral.flipperY), imu);
     std::copy(ahead.begin() + kFirstFlipperBin, ahead.end(), heights.begin() + kFirstFlipperBin);

@@ -3890,6 +3890,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>unpacks to more than %1 times its size: if it is a log, unpack it first (gzip -d)</source>
         <translation>se rozbalí na více než %1násobek své velikosti: je-li to záznam, nejprve jej rozbalte (gzip -d)</translation>
     </message>
+    <message>
+        <source>the window&apos;s picture could not be made: end other programs</source>
+        <translation>obrázek okna se nepodařilo vytvořit: ukončete jiné programy</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -3890,6 +3890,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>unpacks to more than %1 times its size: if it is a log, unpack it first (gzip -d)</source>
         <translation>wird beim Entpacken mehr als %1-mal so groß: wenn es ein Protokoll ist, zuerst entpacken (gzip -d)</translation>
     </message>
+    <message>
+        <source>the window&apos;s picture could not be made: end other programs</source>
+        <translation>das Bild des Fensters konnte nicht erstellt werden: andere Programme beenden</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
