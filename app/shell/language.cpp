@@ -5,15 +5,11 @@
 #include <QLocale>
 #include <QTranslator>
 
-#if TERRATACT_TRANSLATIONS
 // Q_INIT_RESOURCE must be used outside any namespace; it loads the resources of a static library.
 static void initTranslations()
 {
     Q_INIT_RESOURCE(translations);
 }
-#else
-static void initTranslations() {}
-#endif
 
 namespace terratact {
 namespace {

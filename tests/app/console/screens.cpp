@@ -96,8 +96,7 @@ void Screens::inEveryLanguage(const std::function<void()>& tour)
     const std::string only = qEnvironmentVariable("TERRATACT_LANGUAGE").toStdString();
     for (const char* language : kLanguages) {
         if ((!only.empty() && language != only) || HasFailure()) continue;
-        if (installLanguage(*qApp, language) != QLatin1String(language))
-            GTEST_SKIP() << "built without translations";
+        ASSERT_EQ(installLanguage(*qApp, language), QLatin1String(language));
         const testing::ScopedTrace trace(__FILE__, __LINE__, language);
         language_ = language;
         said.clear();

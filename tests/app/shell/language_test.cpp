@@ -21,8 +21,7 @@ TEST_F(Look, noLanguageCutsText)
 {
     for (const char* language : {"en", "cs", "de"}) {
         window.reset();
-        if (installLanguage(*qApp, language) != QLatin1String(language))
-            GTEST_SKIP() << "built without translations";
+        ASSERT_EQ(installLanguage(*qApp, language), QLatin1String(language));
         open();
         explore();
         for (const QSize size : {QSize(1280, 720), QSize(1440, 900), window->minimumSize()}) {

@@ -54,8 +54,7 @@ TEST_F(Look, preferenceErrorsUseTheCurrentLanguage)
         return all;
     };
     const QStringList english = sentences();
-    if (installLanguage(*qApp, store.current().language) != "cs")
-        GTEST_SKIP() << "built without translations";
+    ASSERT_EQ(installLanguage(*qApp, store.current().language), "cs");
     const QStringList czech = sentences();
     installLanguage(*qApp, "en");
     ASSERT_EQ(czech.size(), 2);
