@@ -219,9 +219,8 @@ Result<std::vector<double>> numbersOf(CsvReader& csv, std::size_t begin, std::si
 
 Status checkHeight(const CsvReader& csv, double height, double first)
 {
-    constexpr double kMaxRise = 5.0;    // [m] largest distance from the profile's first height
-    constexpr double kMaxHeight = 1e6;  // [m] as of a TerrainProfile
-    if (std::abs(height) > kMaxHeight)
+    constexpr double kMaxRise = 5.0;  // [m] largest distance from the profile's first height
+    if (std::abs(height) > kFarthest)
         return csv.error("the height " + numberText(height)
                          + " is more than 1000 km from 0: is it a height in metres?");
     if (std::abs(height - first) <= kMaxRise) return Done{};
