@@ -14,6 +14,8 @@ import subprocess
 import sys
 import tempfile
 
+from cost import Cost
+
 ROW_TABLES = ("settings", "model", "scene", "scene_truth", "estimate", "reading", "estimate_bin", "proposal",
               "proposal_offer", "event")
 ESCAPE = "\x1b[2K\rholds      yes\x1b[8m"
@@ -316,28 +318,9 @@ def make_all(folder, rows, drive, large):
     ]
 
 
-# Linux counts the memory of the starting process for the new program, so this small process starts it.
-STARTER = """import os, sys, time
-began = time.monotonic()
-program = os.posix_spawnp(sys.argv[2], sys.argv[2:], os.environ)
-_, status, usage = os.wait4(program, 0)
-with open(sys.argv[1], "w") as out:
-    print(os.waitstatus_to_exitcode(status), time.monotonic() - began, usage.ru_maxrss / 1024, file=out)
-"""
-
-
-class Run:
-    """Runs a command. Returns its exit status (137: killed after most_seconds), output, seconds and peak megabytes."""
-
-    def __init__(self, program, command, file, out, most_seconds=120):
-        arguments = ["timeout", "-s", "KILL", str(most_seconds), program, "session", command, str(file)]
-        if command in ("export", "recover"):
-            arguments += ["--out", str(out)]
-        with tempfile.NamedTemporaryFile() as facts:
-            self.said = subprocess.run([sys.executable, "-S", "-c", STARTER, facts.name, *arguments], check=True,
-                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL).stdout
-            code, seconds, megabytes = pathlib.Path(facts.name).read_text().split()
-        self.code, self.seconds, self.megabytes = int(code), float(seconds), float(megabytes)
+def cost(program, command, file, out):
+    """Returns the cost of a session command; `out` is for those that write."""
+    return Cost(program, "session", command, file, *(("--out", out) if command in ("export", "recover") else ()))
 
 
 def main():
@@ -348,15 +331,14 @@ def main():
         for kind in ("rows", "drive"):
             subprocess.run([make, kind, folder / f"{kind}.tts"], check=True)
         files = make_all(folder, folder / "rows.tts", folder / "drive.tts", large)
-        print(f"{'file':<34} {'bytes':>9} {'command':<8} {'status':>6} {'time [s]':>8} {'peak [MB]':>9}  last words")
+        print(f"{'file':<34} {'bytes':>9} {'command':<8} {'status':>6} {'CPU [s]':>8} {'peak [MB]':>9}  last words")
         for title, file, commands in files:
             for command in commands:
                 out = folder / ("out.csv" if command == "export" else "out.tts")
                 out.unlink(missing_ok=True)
-                run = Run(program, command, file, out)
-                last = run.said.decode(errors="replace").splitlines()[-1:] or [""]
+                run = cost(program, command, file, out)
                 print(f"{title:<34} {file.stat().st_size:>9} {command:<8} {run.code:>6} {run.seconds:>8.2f} "
-                      f"{run.megabytes:>9.0f}  {ascii(last[0].replace(name + '/', ''))[1:-1][:90]}", flush=True)
+                      f"{run.megabytes:>9.0f}  {run.last_words(name)}", flush=True)
 
 
 if __name__ == "__main__":

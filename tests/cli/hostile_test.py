@@ -6,7 +6,7 @@ import stat
 import subprocess
 import unittest
 
-from support import CLI, SOURCE, Folder, complaint, run
+from support import CLI, SOURCE, Folder, complaint, needs_no_sanitizer, run
 
 DEMO = f"{SOURCE}/resources/sessions/demo.tts"
 FRAME = "(1793000000.000000) can0 123#00\n"
@@ -138,10 +138,7 @@ class Texts(Scenes):
 
 class LittleMemory(Scenes):
     def test_each_limit_is_one_sentence(self):
-        roomy = subprocess.run(["bash", "-c", 'ulimit -v 1000000; exec "$@"', "-", CLI, "--version"], capture_output=True,
-                               timeout=300, check=False)
-        if roomy.returncode != 0:
-            self.skipTest("a sanitizer needs the address space")
+        needs_no_sanitizer(self)
         for megabytes in (100, 200, 500, 1000):
             for arguments in (("session", "info", DEMO), ("reconstruct", "--data", self.scenes, "--out", self.path / "o.csv"),
                               ("evaluate", "--data", self.scenes, "--methods", "local", "--out", self.path / "e")):

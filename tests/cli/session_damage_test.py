@@ -14,6 +14,7 @@ import time
 import unittest
 
 import hostile_files
+from cost import Cost
 from support import CLI, SOURCE, complaint, run
 
 MAKE = sys.argv.pop(1)
@@ -249,7 +250,7 @@ class Hostile(Damaged):
         for command in commands:
             out = self.path / ("out.csv" if command == "export" else "out.tts")
             out.unlink(missing_ok=True)
-            done = hostile_files.Run(CLI, command, path, out)
+            done = hostile_files.cost(CLI, command, path, out)
             self.assertIn(done.code, codes, (command, done.said))
             self.assertLess(done.seconds, self.MOST_SECONDS, command)
             self.assertLess(done.megabytes, self.MOST_MEGABYTES, command)
@@ -340,14 +341,11 @@ class HostileParts(Damaged):
     MOST_SECONDS, MOST_MEGABYTES = 20.0, 120.0
 
     def refused(self, *arguments):
-        program = ["timeout", "-s", "KILL", "60", CLI, *map(str, arguments)]
-        with tempfile.NamedTemporaryFile() as facts:
-            said = subprocess.run([sys.executable, "-S", "-c", hostile_files.STARTER, facts.name, *program], check=True,
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT).stdout.decode()
-            code, seconds, megabytes = pathlib.Path(facts.name).read_text().split()
-        self.assertEqual(code, "1", said)
-        self.assertLess(float(seconds), self.MOST_SECONDS)
-        self.assertLess(float(megabytes), self.MOST_MEGABYTES)
+        done = Cost(CLI, *arguments)
+        said = done.said.decode()
+        self.assertEqual(done.code, 1, said)
+        self.assertLess(done.seconds, self.MOST_SECONDS)
+        self.assertLess(done.megabytes, self.MOST_MEGABYTES)
         return said
 
     def test_models_whose_rows_share_pages_are_refused(self):

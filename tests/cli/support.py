@@ -27,6 +27,14 @@ def complaint(*arguments, code=1):
     return done.stderr
 
 
+def needs_no_sanitizer(test):
+    """Skips a test of little memory if the program was built with a sanitizer."""
+    done = subprocess.run(["bash", "-c", 'ulimit -v 1000000; exec "$@"', "-", CLI, "--version"], capture_output=True,
+                          timeout=300, check=False)
+    if done.returncode != 0:
+        test.skipTest("a sanitizer needs the address space")
+
+
 class Folder(unittest.TestCase):
     """Tests with a folder of their own, self.path."""
 

@@ -1,0 +1,142 @@
+"""Text files that attack their readers: each makes much of one thing that the reader has to keep or to search.
+
+all_readers() yields (title, file, arguments of terratact) for files of about `size` bytes.
+"""
+
+import gzip
+import pathlib
+import subprocess
+
+FRAME = "(1793000000.000000) can0 123#00\n"
+DBC = 'VERSION ""\nBU_: Gas\n'
+MESSAGE = DBC + "BO_ 291 M: 8 Gas\n"
+SIGNAL = ' SG_ S : 0|8@1+ (1,0) [0|0] "" X\n'
+
+
+def lines(size, line):
+    """Returns text of about `size` bytes. line(i): the text of line i."""
+    return "".join(line(i) for i in range(size // len(line(size // 50))))
+
+
+def scene_files(size, scenes):
+    header, row, *_ = scenes.splitlines()
+    return {
+        "one long line": header[:10] + "x" * size,
+        "many columns": lines(size, lambda i: f"c{i},") + "\n",
+        "one column many times": "pitch_rad," * (size // 10) + "\n",
+        "an open quote": header + '\n"' + "x\n" * (size // 2),
+        "empty lines": header + "\n" * size,
+        "comments": "#\n" * (size // 2) + header + "\n" + row,
+        "many scenes": header + "\n" + lines(size, lambda i: row + "\n"),
+        "zeros": b"\0" * size,
+        "gzip of one letter": gzip.compress(b"x" * 100 * size, 1),
+    }
+
+
+def profiles(size):
+    return {
+        "many points": "x_m,z_m\n" + lines(size, lambda i: f"{i * 1e-3:.3f},0\n"),
+        "one long line": "x_m,z_m" + "x" * size,
+        "one place": "x_m,z_m\n" + "0,0\n" * (size // 4),
+        "tiny steps": "x_m,z_m\n" + lines(size, lambda i: f"{i}e-300,1e300\n"),
+        "many columns": "x_m," + lines(size, lambda i: f"z{i}_m,") + "\n",
+    }
+
+
+def grounds(size):
+    header = "pair,step_m,y_m,heights_m\n"
+    return {
+        "many heights": header + "a,0.1,0.2," + "0,1," * (size // 4) + "0\na,0.1,-0.2,0,0\n",
+        "many grounds": header + lines(size, lambda i: f"p{i},0.1,0.2,0,0\np{i},0.1,-0.2,0,0\n"),
+        "many lines": header + lines(size, lambda i: f"a,0.1,{i * 1e-7:.7f},0,0\n"),
+    }
+
+
+def logs(size):
+    return {
+        "many.log": lines(size, lambda i: FRAME),
+        "identifiers.log": lines(size, lambda i: f"(1793000000.{i % 1000000:06d}) can0 {i:08X}#00\n"),
+        "interfaces.log": lines(size, lambda i: f"(1793000000.{i % 1000000:06d}) can{i} 123#00\n"),
+        "line.log": FRAME + "(" * size,
+        "blank.log.gz": gzip.compress(FRAME.encode() + b"\n" * 200 * size, 1),
+        "line.log.gz": gzip.compress(b"(" * 200 * size, 1),
+        "identifiers.asc": "date Mon Jan 1 00:00:00 2024\nbase hex timestamps absolute\n"
+                           + lines(size, lambda i: f"{i * 1e-6:.6f} {i % 250 + 1} {i:X}x Rx d 1 00\n"),
+        "identifiers.trc": ";$FILEVERSION=2.1\n;$STARTTIME=45000\n;$COLUMNS=N,O,T,I,d,l,D\n"
+                           + lines(size, lambda i: f"{i} {i * .1:.3f} DT {i:08X} Rx 1 00\n"),
+        "identifiers.csv": "Time Stamp,ID,Extended,Dir,Bus,LEN,D1,D2,D3,D4,D5,D6,D7,D8\n"
+                           + lines(size, lambda i: f"{i},{i:08X},true,Rx,0,1,00,,,,,,,\n"),
+    }
+
+
+def dbc_files(size):
+    return {
+        "many messages": DBC + lines(size, lambda i: f"BO_ {i + 1} M{i}: 8 Gas\n" + SIGNAL),
+        "many signals": MESSAGE + lines(size, lambda i: f' SG_ S{i} : 0|8@1+ (1,0) [0|0] "" X\n'),
+        "many comments": MESSAGE + SIGNAL + 'CM_ SG_ 291 S "c";\n' * (size // 20),
+        "many values": MESSAGE + SIGNAL + "VAL_ 291 S " + lines(size, lambda i: f'{i} "a" ') + ";\n",
+        "an open string": DBC + 'CM_ "' + "x" * size,
+        "one long name": DBC + "BO_ 291 " + "M" * size + ": 8 Gas\n",
+        "many attributes": DBC + lines(size, lambda i: f'BA_DEF_ BO_ "a{i}" STRING ;\nBA_ "a{i}" BO_ 291 "x";\n'),
+        "many multiplexed signals": MESSAGE + ' SG_ X M : 0|8@1+ (1,0) [0|0] "" X\n'
+                                    + lines(size, lambda i: f' SG_ S{i} m{i} : 8|8@1+ (1,0) [0|0] "" X\n'),
+    }
+
+
+def toml_files(size, robot):
+    return {
+        "nested arrays": "a=" + "[" * size,
+        "nested tables": "[" + ".".join("a" * (size // 2)) + "]\n",
+        "many keys": robot + "\n[x]\n" + lines(size, lambda i: f"k{i}=1\n"),
+        "many dotted keys": lines(size, lambda i: f"a.b{i}.c=1\n"),
+        "one long string": robot + '\ns="' + "x" * size + '"\n',
+        "one long array": "a=[" + "1," * (size // 2) + "]\n",
+    }
+
+
+def all_readers(folder, size, program, source):
+    """Makes the files in the folder. program: terratact. source: the source tree."""
+
+    def written(name, content):
+        path = folder / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    scenes, out = folder / "few.csv", folder / "out"
+    subprocess.run([program, "simulate", "--terrain", "varied", "--count", "3", "--seed", "5", "--out", scenes], check=True,
+                   stdout=subprocess.DEVNULL)
+    for title, content in scene_files(size, scenes.read_text()).items():
+        path = written("s.csv", content)
+        yield f"scenes: {title}", path, ("contacts", "--data", path)
+    for title, content in profiles(size).items():
+        path = written("p.csv", content)
+        yield f"profile: {title}", path, ("simulate", "--terrain", path, "--count", "1", "--out", out)
+    for title, content in grounds(size).items():
+        path = written("g.csv", content)
+        yield f"ground: {title}", path, ("simulate", "--tracks", "--terrain", path, "--count", "1", "--out", out)
+    path = written("probes.csv", "place,height_m,truth_m\n" + lines(size, lambda i: f"p{i},0.1,0.1\n"))
+    yield "probes: many places", path, ("probes", "--data", path)
+    path = written("c.csv", "side,element,force_n,voltage_v\n" + lines(size, lambda i: "left,1,10,1.5\n"))
+    yield "calibration: many rows", path, ("calibrate", "--data", path)
+    path = written("classes.csv", "row,class\n" + lines(size, lambda i: f"{i + 1},c{i}\n"))
+    yield "classes: many", path, ("evaluate", "--data", scenes, "--classes", path, "--methods", "local", "--out", out)
+    for name, content in logs(size).items():
+        path = written(name, content)
+        yield f"log: {name}", path, ("can", "decode", path, "--summary")
+        yield f"log to a session: {name}", path, ("session", "import", path, "--out", folder / f"{name}.tts")
+    log = written("small.log", FRAME)
+    for title, content in dbc_files(size).items():
+        path = written("d.dbc", content)
+        yield f"DBC: {title}", path, ("can", "decode", log, "--summary", "--dbc", path)
+    robot = pathlib.Path(source, "resources/robots/absolem.toml").read_text()
+    small = toml_files(65_000 - len(robot.encode()), robot)  # of at most 64 KiB
+    for title, content in {**small, "too large": robot + "#" * size}.items():
+        path = written("r.toml", content)
+        yield f"robot: {title}", path, ("simulate", "--terrain", "varied", "--count", "1", "--robot", path, "--out", out)
+        yield f"panel: {title}", path, ("panel", "check", path)
+    model = written("m.ttm", pathlib.Path(source, "resources/models/default.ttm").read_bytes())
+    for title, content in toml_files(size, "").items():
+        yield f"card: {title}", written("m.card.toml", content), ("model", "show", model)
+    session = written("n.tts", pathlib.Path(source, "resources/sessions/demo.tts").read_bytes())
+    path = written("n.tts.notes.csv", "t_s,note\n" + "1,x\n" * (size // 4))
+    yield "notes: many", path, ("session", "info", session)
