@@ -73,7 +73,7 @@ all cases. \`docs/extremes.sh $build\` made this page. The long forms and their 
 | surface processes (method \`local\`) against long double | \`tests/core/learn/gp/projected_process_test.cpp\` | \`TERRATACT_ROWS=5600 build/headless/tests/core.learn.gp.projected_process_test --gtest_filter='*ofAModelsSize'\` |
 | the likelihood and its gradient against long double | \`tests/core/learn/gp/likelihood_test.cpp\` | |
 | estimates by all methods, cancelled at every poll, work between two polls | \`tests/core/infer/estimate_extremes_test.cpp\` | \`build/headless/tests/terratact-bench --benchmark_filter=cancelWaits\` (milliseconds on this machine) |
-| robots and ground, also at every end of the ranges of pitch and flippers | \`tests/core/sim/geometry_extremes_test.cpp\` | \`RC_PARAMS="seed=2 max_success=100000"\` before the test |
+| robots and ground, also at every end of the ranges of pitch and flippers | \`tests/core/sim/rest/geometry_extremes_test.cpp\` | \`RC_PARAMS="seed=2 max_success=100000"\` before the test |
 | same seed, same bytes | \`tests/core/infer/same_draws_test.py\` | \`python3 tests/core/infer/same_draws_test.py\` (four builds), \`--native\` (AVX kernels), \`--programs\` (what is built) |
 | R-hat and ESS as the R package posterior | \`tests/core/infer/sampling/convergence_test.cpp\` | \`Rscript tests/data/make_posterior_reference.R\` writes the reference anew |
 

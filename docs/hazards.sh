@@ -13,7 +13,7 @@ trap 'rm -f "$page"' EXIT
   echo '# The verdict before hazards'
   echo
   echo 'A simulated robot drives towards hazards of 0.15 to 2 m, with a scene every 0.1 m. The hazards are drops, gaps, pits, ditches,'
-  echo 'ramps that end, walls and lips (`core/sim/hazard_terrain.h`). No model is trained on them. The ground before and after a hazard is'
+  echo 'ramps that end, walls and lips (`core/sim/ground/hazard_terrain.h`). No model is trained on them. The ground before and after a hazard is'
   echo 'level, or has the roughness of ISO 8608 class A or C. It is hard, or soft with a layer of 12 to 28 mm. `docs/hazards.sh` made this page:'
   echo
   echo "    terratact hazards --drives $drives --rates $rates"

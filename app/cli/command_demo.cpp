@@ -14,8 +14,8 @@
 #include "app/runtime/time_budget.h"
 #include "core/atem/arm_choice.h"
 #include "core/infer/verdict/estimate_text.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "core/sim/simulated_robot.h"
-#include "core/sim/terrain_shapes.h"
 #include "core/store/file_write.h"
 #include "core/terrain/body_ceiling.h"
 

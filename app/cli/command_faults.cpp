@@ -16,7 +16,7 @@
 #include "core/learn/data/profile_file.h"
 #include "core/sim/fault_matrix.h"
 #include "core/sim/fault_trial.h"
-#include "core/sim/random_terrain.h"
+#include "core/sim/ground/random_terrain.h"
 #include "core/sim/watched_drive.h"
 
 namespace terratact {

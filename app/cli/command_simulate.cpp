@@ -16,11 +16,11 @@
 #include "core/learn/data/scene_file.h"
 #include "core/learn/data/two_track_scene_file.h"
 #include "core/sim/drive.h"
-#include "core/sim/hazard_terrain.h"
-#include "core/sim/random_draw.h"
-#include "core/sim/random_ground.h"
-#include "core/sim/random_terrain.h"
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/hazard_terrain.h"
+#include "core/sim/ground/random_draw.h"
+#include "core/sim/ground/random_ground.h"
+#include "core/sim/ground/random_terrain.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "core/sim/two_track_drive.h"
 
 namespace terratact {

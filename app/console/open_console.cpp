@@ -16,7 +16,7 @@
 #include "app/recording/session_folder.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/resources.h"
-#include "app/shell/console_setup.h"
+#include "app/start/console_setup.h"
 
 namespace terratact {
 namespace {

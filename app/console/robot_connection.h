@@ -5,7 +5,7 @@
 #include "app/link/can_source.h"
 #include "app/link/robot_in_process.h"
 #include "app/recording/session_recorder.h"
-#include "app/shell/console_options.h"
+#include "app/start/console_options.h"
 #include "core/base/result.h"
 #include "core/robot/robot_model.h"
 #include "drivers/log_replay.h"

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "core/learn/data/profile_file.h"
-#include "core/sim/random_terrain.h"
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/random_terrain.h"
+#include "core/sim/ground/terrain_shapes.h"
 
 namespace terratact {
 

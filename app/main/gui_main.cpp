@@ -9,8 +9,8 @@
 #include "app/review/open_recorded.h"
 #include "app/runtime/big_blocks.h"
 #include "app/runtime/print_text.h"
-#include "app/shell/console_setup.h"
 #include "app/shell/open_file.h"
+#include "app/start/console_setup.h"
 #include "core/base/memory_limit.h"
 
 namespace terratact {

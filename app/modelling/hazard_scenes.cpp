@@ -7,8 +7,8 @@
 
 #include "core/robot/kinematics.h"
 #include "core/sim/drive.h"
-#include "core/sim/random_terrain.h"
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/random_terrain.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "core/terrain/step.h"
 
 namespace terratact {

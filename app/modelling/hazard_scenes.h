@@ -9,7 +9,7 @@
 
 #include "core/learn/data/scene.h"
 #include "core/robot/robot_model.h"
-#include "core/sim/hazard_terrain.h"
+#include "core/sim/ground/hazard_terrain.h"
 #include "core/terrain/bins.h"
 
 namespace terratact {
@@ -37,7 +37,7 @@ struct HazardScene {
     std::vector<double> contacts;  ///< x of every contact force [m], DEM frame, ascending
 };
 
-/// Drives once over random ground (core/sim/hazard_terrain.h) and returns a scene every 0.1 m. The scenes reach from 1
+/// Drives once over random ground (core/sim/ground/hazard_terrain.h) and returns a scene every 0.1 m. The scenes reach from 1
 /// m before the earliest hazard to 0.5 m behind the latest. Without a hazard, the ground has its roughness alone.
 std::vector<HazardScene> driveTowards(const RobotModel& robot, const HazardGround& ground,
                                       std::optional<Hazard> hazard, PressStyle style,

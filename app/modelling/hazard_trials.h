@@ -46,7 +46,7 @@ struct HazardLine {
     VerdictCounts counts;
 };
 
-/// Drives the simulated robot over ground outside the training data (core/sim/hazard_terrain.h). Every 0.1 m it
+/// Drives the simulated robot over ground outside the training data (core/sim/ground/hazard_terrain.h). Every 0.1 m it
 /// estimates a scene, checks the estimate against the readings and judges its verdict. The grounds are kHazardGrounds. Rows are ordered by press style, ground,
 /// hazard and rate; the console's press is tried with the last rate alone.
 std::vector<HazardLine> tryHazards(const EstimatorBundle& bundle, const HazardTrial& trial);

@@ -9,8 +9,8 @@
 #include "app/review/review_window.h"
 #include "app/review/scenes_window.h"
 #include "app/runtime/resources.h"
-#include "app/shell/console_setup.h"
 #include "app/shell/window_picture.h"
+#include "app/start/console_setup.h"
 #include "core/learn/data/scene_file.h"
 #include "core/store/file_read.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/shell/application.h"
-#include "app/shell/console_options.h"
+#include "app/start/application.h"
+#include "app/start/console_options.h"
 #include "core/base/result.h"
 
 namespace terratact {

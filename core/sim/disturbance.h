@@ -18,7 +18,7 @@ namespace terratact {
 ///                 sees. It lies above the robot's lower edge, so that the ceiling does not hold.
 ///   LightRobot    every mass 20 % less; HeavyRobot: 20 % more
 ///   FrictionFree  nothing holds x: the robot slides up to 5 cm towards less energy before it is measured.
-///                 Contacts always carry normal forces only (core/sim/rest_pose.h).
+///                 Contacts always carry normal forces only (core/sim/rest/rest_pose.h).
 enum class Disturbance : std::uint8_t {
     None,
     ImuNoise,

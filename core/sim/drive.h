@@ -7,7 +7,7 @@
 
 #include "core/learn/data/scene.h"
 #include "core/robot/robot_model.h"
-#include "core/sim/rest_pose.h"
+#include "core/sim/rest/rest_pose.h"
 #include "core/sim/sensor_noise.h"
 #include "core/terrain/ground_lines.h"
 #include "core/terrain/terrain_profile.h"

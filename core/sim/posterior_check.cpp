@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/infer/estimate/contradiction.h"
-#include "core/sim/rest_pose.h"
+#include "core/sim/rest/rest_pose.h"
 
 namespace terratact {
 namespace {

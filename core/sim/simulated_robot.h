@@ -7,14 +7,14 @@
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
 #include "core/robot/sensed_line.h"
-#include "core/sim/rest_pose.h"
+#include "core/sim/rest/rest_pose.h"
 #include "core/sim/sensor_noise.h"
 #include "core/terrain/terrain_profile.h"
 
 namespace terratact {
 
 /// Robot on a TerrainProfile that obeys commands, in time steps from outside. It is quasi-static:
-/// at every step it is at rest (core/sim/rest_pose.h). Not thread-safe.
+/// at every step it is at rest (core/sim/rest/rest_pose.h). Not thread-safe.
 class SimulatedRobot {
 public:
     struct Options {

@@ -6,7 +6,7 @@
 
 #include "core/learn/data/two_track_scene.h"
 #include "core/sim/drive.h"
-#include "core/sim/two_track_rest.h"
+#include "core/sim/rest/two_track_rest.h"
 #include "core/terrain/ground_lines.h"
 
 namespace terratact {

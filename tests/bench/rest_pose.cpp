@@ -1,9 +1,9 @@
 // Measures the simulator's cost per pose.
 #include <benchmark/benchmark.h>
 
-#include "core/sim/random_ground.h"
-#include "core/sim/rest_pose.h"
-#include "core/sim/two_track_rest.h"
+#include "core/sim/ground/random_ground.h"
+#include "core/sim/rest/rest_pose.h"
+#include "core/sim/rest/two_track_rest.h"
 #include "tests/support/toy_model.h"
 
 namespace terratact {

@@ -23,7 +23,7 @@
 #include "core/atem/arm_choice.h"
 #include "core/infer/estimator.h"
 #include "core/learn/model/model_file.h"
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "drivers/socketcan.h"
 #include "tests/kernel/support.h"
 #include "tests/support/absolem.h"

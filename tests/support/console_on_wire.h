@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/atem/console_link.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "core/sim/robot_on_bus.h"
-#include "core/sim/terrain_shapes.h"
 #include "tests/support/absolem.h"
 
 namespace terratact {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/console/main_window.h"
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"

@@ -12,8 +12,8 @@
 #include "core/infer/estimator.h"
 #include "core/learn/model/model_file.h"
 #include "core/log/session_writer.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "core/sim/robot_on_bus.h"
-#include "core/sim/terrain_shapes.h"
 #include "core/store/file_read.h"
 #include "core/store/sha256.h"
 

@@ -6,8 +6,8 @@
 
 #include "core/atem/arming.h"
 #include "core/atem/atem_machine.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "core/sim/robot_on_bus.h"
-#include "core/sim/terrain_shapes.h"
 #include "core/store/file_read.h"
 #include "tests/support/absolem.h"
 #include "tests/support/sessions.h"

@@ -7,7 +7,7 @@
 #include "core/learn/model/clearance_training.h"
 #include "core/learn/model/training.h"
 #include "core/sim/drive.h"
-#include "core/sim/random_terrain.h"
+#include "core/sim/ground/random_terrain.h"
 #include "tests/support/absolem.h"
 
 namespace terratact {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/display/format.h"
-#include "app/shell/language.h"
+#include "app/start/language.h"
 #include "tests/support/console_bench.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"

@@ -15,7 +15,7 @@
 #include "app/runtime/resources.h"
 #include "app/runtime/steady_now.h"
 #include "core/learn/model/model_file.h"
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "tests/support/console_bench.h"
 #include "tests/support/gui.h"
 #include "tests/support/loop_beat.h"

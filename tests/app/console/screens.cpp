@@ -17,9 +17,9 @@
 
 #include "app/display/format.h"
 #include "app/runtime/resources.h"
-#include "app/shell/language.h"
+#include "app/start/language.h"
 #include "core/log/session_reader.h"
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "tests/app/console/screens_texts.h"
 #include "tests/support/arming.h"
 #include "tests/support/gui.h"

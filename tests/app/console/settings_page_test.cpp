@@ -16,7 +16,7 @@
 #include "app/console/main_window.h"
 #include "core/learn/model/model_file.h"
 #include "core/log/session_reader.h"
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"

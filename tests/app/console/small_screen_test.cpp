@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/shell/language.h"
+#include "app/start/language.h"
 #include "tests/support/bus_console_bench.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/terrain/verdict_strip.h"

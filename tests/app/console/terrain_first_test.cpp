@@ -5,8 +5,8 @@
 #include <string>
 
 #include "app/console/main_window.h"
-#include "app/shell/language.h"
-#include "core/sim/terrain_shapes.h"
+#include "app/start/language.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"

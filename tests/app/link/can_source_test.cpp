@@ -7,7 +7,7 @@
 
 #include "app/link/robot_in_process.h"
 #include "app/runtime/steady_now.h"
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "tests/support/absolem.h"
 
 namespace terratact {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "core/wire/can_codec.h"
 #include "drivers/memory_bus.h"
 #include "tests/support/absolem.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "tests/support/refusal.h"
 #include "tests/support/temporary_directory.h"
 

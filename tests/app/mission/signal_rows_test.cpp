@@ -6,7 +6,7 @@
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/link/dbc_book.h"
-#include "app/shell/language.h"
+#include "app/start/language.h"
 #include "tests/support/temporary_directory.h"
 #include "widgets/signals/signal_table.h"
 

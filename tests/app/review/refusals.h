@@ -13,7 +13,7 @@
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
-#include "app/shell/language.h"
+#include "app/start/language.h"
 #include "core/base/message.h"
 #include "core/base/result.h"
 

@@ -9,7 +9,7 @@
 #include "app/display/translated.h"
 #include "app/review/review_window.h"
 #include "app/review/scenes_window.h"
-#include "app/shell/language.h"
+#include "app/start/language.h"
 #include "core/infer/verdict/verdict.h"
 #include "core/log/event_text.h"
 #include "core/log/session_rows.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/display/format.h"
-#include "app/shell/language.h"
+#include "app/start/language.h"
 #include "tests/support/bus_console_bench.h"
 #include "tests/support/review_bench.h"
 #include "widgets/base/navigation_rail.h"

@@ -5,7 +5,7 @@
 
 #include "app/console/main_window.h"
 #include "app/display/translated.h"
-#include "app/shell/language.h"
+#include "app/start/language.h"
 #include "core/store/file_read.h"
 #include "tests/support/gui.h"
 #include "tests/support/look_bench.h"

@@ -9,7 +9,7 @@
 #include "core/infer/estimate/touch.h"
 #include "core/infer/estimate/variant.h"
 #include "core/sim/disturbance.h"
-#include "core/sim/hazard_terrain.h"
+#include "core/sim/ground/hazard_terrain.h"
 #include "core/sim/robot_on_bus.h"
 
 namespace terratact {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "core/sim/drive.h"
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "core/terrain/kinematic_reconstruction.h"
 #include "tests/support/absolem.h"
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "core/sim/random_terrain.h"
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/random_terrain.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "core/terrain/body_ceiling.h"
 #include "tests/support/absolem.h"
 

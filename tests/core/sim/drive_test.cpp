@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "tests/support/absolem.h"
 
 namespace terratact {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/infer/estimate/contradiction.h"
-#include "core/sim/rest_pose.h"
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/terrain_shapes.h"
+#include "core/sim/rest/rest_pose.h"
 
 namespace terratact {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/robot/robot_model.h"
 #include "core/sim/fault_matrix.h"
 #include "core/sim/fault_trial.h"
-#include "core/sim/random_terrain.h"
+#include "core/sim/ground/random_terrain.h"
 #include "core/sim/sensor_fault.h"
 #include "core/sim/watched_drive.h"
 #include "core/wire/telemetry_listener.h"

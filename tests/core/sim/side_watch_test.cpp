@@ -9,7 +9,7 @@
 
 #include "core/robot/robot_model.h"
 #include "core/robot/watch/sensor_watch.h"
-#include "core/sim/random_terrain.h"
+#include "core/sim/ground/random_terrain.h"
 #include "core/sim/sensor_fault.h"
 #include "core/sim/watched_drive.h"
 

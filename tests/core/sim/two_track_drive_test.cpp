@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "core/learn/data/ground_file.h"
-#include "core/sim/random_ground.h"
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/random_ground.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "tests/support/absolem.h"
 #include "tests/support/real_ground.h"
 

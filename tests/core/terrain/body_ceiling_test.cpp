@@ -7,9 +7,9 @@
 
 #include "core/robot/kinematics.h"
 #include "core/sim/drive.h"
-#include "core/sim/random_terrain.h"
-#include "core/sim/rest_pose.h"
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/random_terrain.h"
+#include "core/sim/ground/terrain_shapes.h"
+#include "core/sim/rest/rest_pose.h"
 #include "tests/support/absolem.h"
 
 namespace terratact {

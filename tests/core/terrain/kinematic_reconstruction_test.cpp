@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "core/robot/kinematics.h"
-#include "core/sim/rest_pose.h"
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/terrain_shapes.h"
+#include "core/sim/rest/rest_pose.h"
 #include "tests/support/absolem.h"
 
 namespace terratact {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/sim/random_terrain.h"
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/random_terrain.h"
+#include "core/sim/ground/terrain_shapes.h"
 
 namespace terratact {
 namespace {

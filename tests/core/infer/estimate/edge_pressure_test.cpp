@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "core/infer/estimate/touch.h"
-#include "core/sim/rest_pose.h"
+#include "core/sim/ground/terrain_path.h"
+#include "core/sim/ground/terrain_shapes.h"
+#include "core/sim/rest/rest_pose.h"
 #include "core/sim/sensor_noise.h"
-#include "core/sim/terrain_path.h"
-#include "core/sim/terrain_shapes.h"
 #include "core/terrain/body_ceiling.h"
 
 namespace terratact {
