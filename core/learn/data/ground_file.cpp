@@ -43,9 +43,29 @@ Result<LineColumns> lineColumns(const CsvReader& csv)
     }
     columns.y = *y;
     columns.heights = count - 1;
+    const auto heights = std::ranges::find(csv.fields(), "heights_m") - csv.fields().begin();
     if (csv.fields()[columns.heights] != "heights_m")
         return csv.error("is a header with y_m and without heights_m as its last column");
+    if (static_cast<std::size_t>(heights) != columns.heights)
+        return csv.error("has the column heights_m twice");
     return columns;
+}
+
+/// Returns true for a record without a line of ground: of empty fields, or a remark.
+bool isNoLine(const CsvReader& csv, const LineColumns& columns)
+{
+    const auto isEmpty = [](std::string_view field) { return field.empty(); };
+    if (std::ranges::all_of(csv.fields(), isEmpty)) return true;
+    return csv.fields().front().starts_with('#')
+        && (csv.fields().size() <= columns.heights || !csv.isNumber(columns.y));
+}
+
+/// Returns true if the record below the header gives the unit of y instead of a number.
+bool givesUnits(const CsvReader& csv, const LineColumns& columns)
+{
+    if (csv.fields().size() <= columns.y) return false;
+    const std::string_view y = csv.fields()[columns.y];
+    return y == "m" || y == "[m]" || y == "(m)";
 }
 
 /// Collects lines to grounds.
@@ -61,10 +81,7 @@ public:
         if (csv.fields().size() <= columns_.heights)
             return csv.error("has no heights, expected them from field "
                              + std::to_string(columns_.heights + 1) + " on");
-        const std::string name(columns_.ground ? csv.fields()[*columns_.ground] : "");
-        if (name != name_)
-            if (Status status = finishGround(csv); !status) return status;
-        name_ = name;
+        if (Status status = begin(csv); !status) return status;
         const Result<double> y = numberIn(csv, columns_.y, "y_m", -kMaxY, kMaxY);
         if (!y) return y.error();
         const auto sameY = [&](const GroundLine& line) { return line.y == *y; };
@@ -88,7 +105,7 @@ public:
 
     Result<GroundFile> finish(const CsvReader& csv)
     {
-        if (const Status status = finishGround(csv); !status) return status.error();
+        finishGround();
         if (file_.grounds.empty()) return csv.error("is a header, and no line follows it");
         return std::move(file_);
     }
@@ -107,7 +124,7 @@ private:
     Result<std::vector<double>> heightsOf(CsvReader& csv)
     {
         std::size_t end = csv.fields().size();
-        while (end > columns_.heights && csv.isMissing(end - 1)) --end;
+        while (end > columns_.heights && csv.fields()[end - 1].empty()) --end;
         Result<std::vector<double>> heights = numbersOf(csv, columns_.heights, end);
         if (!heights) return heights;
         count_ += heights->size();
@@ -122,13 +139,23 @@ private:
         return heights;
     }
 
-    Status finishGround(const CsvReader& csv)
+    /// Finishes the ground before if this line begins another.
+    Status begin(const CsvReader& csv)
     {
-        if (lines_.empty()) return Done{};
-        if (!finished_.insert(name_).second)
-            return csv.error("the lines of pair " + shown(name_) + " are not together");
-        file_.grounds.emplace_back(std::exchange(lines_, {}));
+        const std::string name(columns_.ground ? csv.fields()[*columns_.ground] : "");
+        if (name != name_) finishGround();
+        if (finished_.contains(name))
+            return csv.error("is of pair " + shown(name)
+                             + ", whose lines do not stand together: others precede it");
+        name_ = name;
         return Done{};
+    }
+
+    void finishGround()
+    {
+        if (lines_.empty()) return;
+        finished_.insert(name_);
+        file_.grounds.emplace_back(std::exchange(lines_, {}));
     }
 
     LineColumns columns_;
@@ -147,10 +174,12 @@ Result<GroundFile> readGroundLines(CsvReader csv, double step, bool blocks)
     const Result<LineColumns> columns = lineColumns(csv);
     if (!columns) return columns.error();
     LineCollector collector(*columns, step, blocks);
-    for (;;) {
+    for (bool unitsMayFollow = true;;) {
         const Result<bool> more = csv.next();
         if (!more) return more.error();
         if (!*more) return collector.finish(csv);
+        if (isNoLine(csv, *columns)) continue;
+        if (std::exchange(unitsMayFollow, false) && givesUnits(csv, *columns)) continue;
         if (const Status status = collector.add(csv); !status) return status.error();
     }
 }

@@ -22,10 +22,12 @@ struct GroundFile {
 ///   y_m        distance of the line from the robot's middle, left positive
 ///   step_m     distance of the heights of this line; `step` without this column
 ///   heights_m  last: the heights at equal steps, as many as there are. The first is at x = 0.
-/// Other columns are ignored. `blocks` is that of TerrainProfile::fromSamples.
+/// Other columns are ignored, and so are lines of empty fields, lines that begin with # and have no
+/// y, and a line of units below the header. `blocks` is that of TerrainProfile::fromSamples.
 ///
-/// Errors name file, line and cause: a missing or double column, a line without two heights, two
-/// lines of a ground with the same y, |y| beyond 2 m, steps beyond 0.001 … 10 m, and what
+/// Errors name file, line and cause: a missing or double column, a line without two heights or
+/// with one that is no number, two lines of a ground with the same y, lines that do not stand
+/// together, |y| beyond 2 m, steps beyond 0.001 … 10 m, and what
 /// readProfiles() refuses. Throws std::invalid_argument unless step is finite and above 0.
 Result<GroundFile> readGrounds(const std::string& path, double step, bool blocks);
 

@@ -56,6 +56,16 @@ TEST_F(GroundFileTest, readsSeveralGroundsByTheirPair)
     EXPECT_TRUE(file->grounds[1].isOnePlane());
 }
 
+TEST_F(GroundFileTest, skipsRemarksUnitsAndEmptyRecords)
+{
+    const auto file = read("pair,y_m,heights_m\n-,[m],m\n#1, a remark\n1,0.2,0,0.1\n,,,\n"
+                           "#2,0.2,0,0.3\n");
+    ASSERT_TRUE(file) << file.error().text;
+    ASSERT_EQ(file->grounds.size(), 2U);  // '#2' is a name
+    EXPECT_EQ(file->grounds[0].under(0.2).points(), pointsOf({0, 0.1}, 0.1));
+    EXPECT_TRUE(refuses("y_m,heights_m\nmm,mm\n", {"line 2", "y_m is not a number: 'mm'"}));
+}
+
 TEST_F(GroundFileTest, readsTheFormsOfAPlaneAsEqualLines)
 {
     for (const std::string text : {"x_m,z_m\n0,0\n1,0\n1,0.2\n3,0.2\n", "0,0.1,0.2\n0,0,0,0.1\n",
@@ -91,7 +101,9 @@ TEST_F(GroundFileTest, refusesLinesThatCannotBe)
     for (int i = 0; i < 65; ++i) many += "1," + std::to_string(i * 0.01) + ",0,1\n";
     EXPECT_TRUE(refuses(many, {"line 66", "one line more than the 64"}));
     EXPECT_TRUE(refuses(head + "1,0.2,0,1\n2,0.2,0,1\n1,-0.2,0,1\n",
-                        {"lines of pair '1' are not together"}));
+                        {"line 4", "is of pair '1'", "do not stand together"}));
+    EXPECT_TRUE(refuses(head + "1,0.2,0,1,nan\n", {"line 2", "field 5 is not measured"}));
+    EXPECT_TRUE(refuses("heights_m,y_m,heights_m\n", {"line 1", "the column heights_m twice"}));
     EXPECT_TRUE(refuses("step_m,y_m,heights_m\n0,0.2,0,1\n", {"step_m is 0", "0.001 to 10"}));
     EXPECT_THROW((void)read(head, 0.0), std::invalid_argument);
 }
