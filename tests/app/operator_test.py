@@ -48,13 +48,15 @@ class Console(unittest.TestCase):
             operator.until(lambda: len(operator.phases()) > since, 2)
         return since
 
+    def comes_before_failed(self, phase, since, what):
+        """Waits for the phase. Returns false if the exploration fails first, because the window froze."""
+        self.operator.until(lambda: self.came(phase, since) or self.came("failed", since), what=what)
+        return self.came(phase, since)
+
     def explores(self):
         """Explores until a probe is proposed."""
-        while True:
-            since = self.begins_to_explore()
-            self.operator.until(lambda: self.came(PROPOSED, since) or self.came("failed", since), what="a proposal")
-            if self.came(PROPOSED, since):
-                break
+        while not self.comes_before_failed(PROPOSED, self.begins_to_explore(), "a proposal"):
+            pass
         self.operator.until(lambda: self.screen.middle_of(APPROVE), what="a button to approve")
 
     def ends_well(self):
@@ -104,9 +106,10 @@ class Console(unittest.TestCase):
         self.begins_to_explore()
         operator.presses("Escape")
         operator.until(lambda: operator.events("phase")[-1][1] in ("idle", "failed"), what="the end of it")
-        self.explores()
-        since = len(operator.phases())
-        operator.until(lambda: self.came(STANDS, since), what="a proposal that expires")
+        while True:
+            self.explores()
+            if self.comes_before_failed(STANDS, len(operator.phases()), "a proposal that expires"):
+                break
         self.assertNotIn("approve", operator.decisions())
         self.ends_well()
 

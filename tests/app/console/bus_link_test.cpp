@@ -17,7 +17,7 @@
 #include "core/log/review_ghost.h"
 #include "core/log/review_moment.h"
 #include "core/log/session_reader.h"
-#include "core/sim/terrain_shapes.h"
+#include "core/sim/ground/terrain_shapes.h"
 #include "drivers/log_replay.h"
 #include "tests/support/bus_console_bench.h"
 #include "tests/support/gui.h"
@@ -319,7 +319,8 @@ TEST_F(BusConsole, aLogHasAnEndAndNoLostLink)
         EXPECT_FALSE((label->text() + label->toolTip()).contains("does not exist"));
     QTest::keyClick(window.get(), Qt::Key_F2);
     EXPECT_TRUE(says("Following"));
-    EXPECT_TRUE(window->exploration().estimation().estimate());
+    const Estimation& estimation = window->exploration().estimation();
+    EXPECT_TRUE(eventually([&] { return estimation.estimate().has_value(); }));
     EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     picture("end-of-the-log");
 }
