@@ -43,10 +43,12 @@ if(NOT EXISTS "${Qwt_LIBRARY}")
   unset(Qwt_LIBRARY CACHE)
   _qwt_try(system)
 endif()
-if(NOT Qwt_LIBRARY)
-  _qwt_try(private PATHS ${PROJECT_SOURCE_DIR}/.deps/qwt/include ${PROJECT_SOURCE_DIR}/.deps/qwt/lib
-    NO_DEFAULT_PATH)
-endif()
+foreach(_name IN ITEMS qwt qwt-${CMAKE_LIBRARY_ARCHITECTURE})  # the second in a cross build
+  if(NOT Qwt_LIBRARY)
+    set(_prefix ${PROJECT_SOURCE_DIR}/.deps/${_name})
+    _qwt_try(${_name} PATHS ${_prefix}/include ${_prefix}/lib NO_DEFAULT_PATH)
+  endif()
+endforeach()
 
 if(Qwt_INCLUDE_DIR)
   file(STRINGS ${Qwt_INCLUDE_DIR}/qwt_global.h _qwt_version REGEX "QWT_VERSION_STR")

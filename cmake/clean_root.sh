@@ -1,4 +1,4 @@
-# Functions for scripts that work in a minimal Debian of a release, deleted at the end. debootstrap makes it, from $MIRROR
+# Functions for scripts that work in a minimal Debian of a release, deleted at the end unless its folder is named. debootstrap makes it, from $MIRROR
 # and with the options $DEBOOTSTRAP, if set. A script that sources this file needs root, and sets `log` first. The tools
 # are installed if they are missing. If $STEPS names a file, each step adds a line to it: release, step, seconds.
 
@@ -6,6 +6,8 @@
 cmake/setup.sh publish
 release=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
 root=
+keep=
+emulator=  # runs the programs of another architecture
 sources=/usr/src/terratact  # in the root
 
 # step WORDS COMMAND...: prints the step and runs it; on failure it prints the end of the log and exits. The command runs
@@ -26,36 +28,41 @@ remove_root() {
     ! mountpoint -q "$root/$folder" || umount "$root/$folder" ||
       { echo "still in use, and left: $root/$folder" >&2; return 1; }
   done
-  rm -rf --one-file-system "$root"
+  [ -n "$keep" ] || rm -rf --one-file-system "$root"
   root=
 }
 trap remove_root EXIT
 
-# make_root: makes the minimal Debian of $release in $root, with a user. A release that debootstrap does not know is one
-# of Ubuntu, whose mirror must be named.
+# make_root [FOLDER]: makes the minimal Debian of $release in $root, with a user. With FOLDER it is made there, and used
+# again the next time. A release that debootstrap does not know is one of Ubuntu, whose mirror must be named.
 make_root() {
   local script=
   if [ ! -e "/usr/share/debootstrap/scripts/$release" ]; then
     [ -n "${MIRROR:-}" ] || { echo "$release is no release of Debian; for one of Ubuntu set MIRROR" >&2; exit 1; }
     script=gutsy
   fi
-  root=$(mktemp -d /var/tmp/terratact-root.XXXXXX)
+  keep=${1:-}
+  root=${keep:-$(mktemp -d /var/tmp/terratact-root.XXXXXX)}
+  mkdir -p "$root"
   chmod 755 "$root"
-  # shellcheck disable=SC2086
-  step "minimal $release" debootstrap --variant=minbase ${DEBOOTSTRAP:-} "$release" "$root" ${MIRROR:-} $script
-  mount -t proc proc "$root/proc"
+  if [ ! -e "$root/etc/debian_version" ] || [ -e "$root/debootstrap" ]; then
+    # shellcheck disable=SC2086
+    step "minimal $release" debootstrap --variant=minbase ${DEBOOTSTRAP:-} "$release" "$root" ${MIRROR:-} $script
+  fi
+  mountpoint -q "$root/proc" || mount -t proc proc "$root/proc"
   install -d -o 1000 -g 1000 "$root/home/operator"
 }
 
-# copy_sources: copies the committed files to $sources of the root. If $CCACHE_DIR is set, compilers in the root keep their
-# results there.
+# copy_sources: copies the committed files to $sources of the root; of an earlier copy only .deps stays. If $CCACHE_DIR is
+# set, compilers in the root keep their results there.
 copy_sources() {
-  mkdir "$root$sources"
+  mkdir -p "$root$sources"
+  find "$root$sources" -mindepth 1 -maxdepth 1 ! -name .deps -exec rm -rf {} +
   git archive HEAD | tar -x -C "$root$sources"
   step "apt-get update" inside apt-get -q update
   [ -n "${CCACHE_DIR:-}" ] || return 0
   mkdir -p "$CCACHE_DIR" "$root/root/.cache/ccache"
-  mount --bind "$CCACHE_DIR" "$root/root/.cache/ccache"
+  mountpoint -q "$root/root/.cache/ccache" || mount --bind "$CCACHE_DIR" "$root/root/.cache/ccache"
   step "ccache" inside apt-get -q -y install --no-install-recommends ccache
 }
 
@@ -69,7 +76,7 @@ inside() {
 # Runs a command in the root as a user with only a home folder and the offscreen display.
 as_user() {
   inside setpriv --reuid=1000 --regid=1000 --clear-groups env HOME=/home/operator QT_QPA_PLATFORM=offscreen \
-    sh -c 'cd && exec "$@"' sh "$@"
+    sh -c 'cd && exec "$@"' sh ${emulator:+"$emulator"} "$@"
 }
 
 # try_programs FOLDER: a user runs both programs of the folder; an empty name means those that the shell finds.

@@ -1,16 +1,21 @@
 #!/usr/bin/env bash
 # Installs missing packages of the named groups; prints nothing if none is missing:
-#   cmake/setup.sh [core] [gui] [test] [tidy] [package] [publish] [kernel]
+#   cmake/setup.sh [--arch ARCHITECTURE] [core] [gui] [unit] [test] [tidy] [package] [publish] [kernel]
 #   core  compiler and libraries of the core, the drivers and the command line
 #   gui   Qt 6, and Qwt for Qt 6: the system's, else built into .deps/qwt
-#   test  libraries and tools of the tests      tidy  clang, clang-tidy, clang-format
+#   unit  libraries of the tests of the core    test  libraries and tools of all tests
+#   tidy  clang, clang-tidy, clang-format
 #   package  tools to make a Debian package
 #   publish  tools to test packages on clean systems and to make an apt repository: cmake/packages.sh
 #   kernel  tools to build and run the kernel of tests/kernel/; libgpiod 2 in .deps/libgpiod2
 # Packages are installed by apt (with sudo if needed); the system's apt sources are not changed.
+# --arch arm64: the compiler and the libraries are those for arm64, for a cross build (cmake/arm64.sh). The other tools
+# are this machine's. It is for the groups core, gui, unit and package.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+arch=          # empty: this machine's
+multiarch='*'  # the folder of its libraries in /usr/lib
 qwt_prefix=$PWD/.deps/qwt
 gpiod_prefix=$PWD/.deps/libgpiod2
 log=$PWD/.deps/setup.log
@@ -22,6 +27,7 @@ declare -A packages=(
           libboost-math-dev libsqlite3-dev libsodium-dev zlib1g-dev libtomlplusplus-dev libcli11-dev libfmt-dev
           libcairo2-dev libgpiod-dev fonts-dejavu-core"
   [gui]="qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools qt6-wayland qmake6 libgl-dev libasound2-dev make bzip2 fonts-dejavu-core"
+  [unit]="libgtest-dev librapidcheck-dev python3"
   [test]="libgtest-dev librapidcheck-dev libbenchmark-dev python3 python3-numpy python3-scipy
           python3-can can-utils sqlite3 parallel xvfb xauth xdotool
           appstream desktop-file-utils man-db groff-base dpkg-dev file"
@@ -36,11 +42,42 @@ fail() {
   exit 1
 }
 
-# Prints the given packages that are not installed.
+# Prints the given packages that are not installed. An architecture is only in the names of other architectures' packages.
 missing() {
   comm -23 <(printf '%s\n' "$@" | sort -u) \
-    <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null |
-      sed -n 's/^installed //p' | sort -u)
+    <(dpkg-query -W -f '${db:Status-Status} ${Package}:${Architecture}\n' "$@" 2>/dev/null |
+      sed -n "s/^installed //p" | sed -E "s/:(all|$(dpkg --print-architecture))$//" | sort -u)
+}
+
+# Prints the names of the given packages for a cross build to $arch. The libraries are those of $arch, unless a package
+# is for every architecture. Qt's moc, rcc and lrelease come with this machine's packages.
+for_arch() {
+  local name
+  for name; do
+    case $name in
+    g++) printf '%s\n' "crossbuild-essential-$arch" qemu-user-static ;;
+    qt6-base-dev | qt6-tools-dev) printf '%s\n' "$name" "$name:$arch" ;;
+    lib*-dev | qt6-*-dev | zlib1g-dev | qmake6)
+      if apt-cache show --no-all-versions "$name" 2>/dev/null | grep '^Architecture: all' >/dev/null; then
+        echo "$name"
+      else
+        echo "$name:$arch"
+      fi ;;
+    *) echo "$name" ;;
+    esac
+  done
+}
+
+# set_arch ARCHITECTURE: sets what differs in a cross build.
+set_arch() {
+  arch=$1
+  [ -n "$arch" ] || fail "--arch needs an architecture, such as arm64"
+  dpkg --print-foreign-architectures | grep -qxF -- "$arch" ||
+    fail "apt does not know the architecture '$arch'; as root run: dpkg --add-architecture $arch && apt-get update"
+  install_packages dpkg-dev
+  multiarch=$(dpkg-architecture -a "$arch" -q DEB_HOST_MULTIARCH 2>>"$log")
+  qwt_prefix=$PWD/.deps/qwt-$multiarch
+  qmake=$multiarch-qmake6
 }
 
 as_root() {
@@ -137,7 +174,8 @@ build_qwt() {
     echo "its qwtconfig.pri is not that of Qwt 6.3, so build_qwt in cmake/setup.sh must be adapted" >../reason
     return 1
   fi
-  "$qmake" && make -j"$(nproc)" && make install
+  # Of another architecture, Debian 12's qmake does not find moc.
+  "$qmake" "QT_TOOL.moc.binary=$(qmake6 -query QT_HOST_LIBEXECS)/moc" && make -j"$(nproc)" && make install
 }
 
 # Only a library, linked into the tests.
@@ -148,8 +186,8 @@ build_gpiod() {
 
 # Some releases have these parts in a package of their own, or name the package after the version of the compiler.
 install_by_release() {
-  if [[ " $* " == *" gui "* ]] && ! compgen -G '/usr/lib/*/qt6/plugins/iconengines/libqsvgicon.so' >/dev/null; then
-    install_packages qt6-svg-plugins  # the icons; on Debian 12 a part of libqt6svg6
+  if [[ " $* " == *" gui "* ]] && ! compgen -G "/usr/lib/$multiarch/qt6/plugins/iconengines/libqsvgicon.so" >/dev/null; then
+    install_packages "qt6-svg-plugins${arch:+:$arch}"  # the icons; on Debian 12 a part of libqt6svg6
   fi
   if [[ " $* " == *" tidy "* ]]; then
     install_packages "libclang-rt-$(clang++ -dumpversion | cut -d . -f 1)-dev"  # libraries of the sanitizers
@@ -162,18 +200,24 @@ mkdir -p .deps
   fail "cannot write to .deps, made by another user: sudo chown -R $(id -un) .deps build"
 exec 9>.deps/lock
 flock 9
+: >"$log"
+if [ "${1:-}" = --arch ]; then
+  set_arch "${2:-}"
+  shift 2
+fi
 wanted=()
 for group in "$@"; do
-  [ -n "${packages[$group]:-}" ] || fail "unknown group '$group' (core, gui, test, tidy, package, publish, kernel)"
+  [ -n "${packages[$group]:-}" ] || fail "unknown group '$group' (core, gui, unit, test, tidy, package, publish, kernel)"
   # shellcheck disable=SC2206
   wanted+=(${packages[$group]})
 done
-: >"$log"
+[ -z "$arch" ] || mapfile -t wanted < <(for_arch "${wanted[@]}")
 install_packages "${wanted[@]}"
 install_by_release "$@"
-if [[ " $* " == *" gui "* ]] && [ ! -e "$qwt_prefix/complete" ] && [ -n "$(missing libqwt-qt6-dev)" ]; then
-  if [ -n "$(apt-cache madison libqwt-qt6-dev 2>/dev/null)" ]; then
-    install_packages libqwt-qt6-dev
+qwt=libqwt-qt6-dev${arch:+:$arch}
+if [[ " $* " == *" gui "* ]] && [ ! -e "$qwt_prefix/complete" ] && [ -n "$(missing "$qwt")" ]; then
+  if [ -n "$(apt-cache madison "$qwt" 2>/dev/null)" ]; then
+    install_packages "$qwt"
   else
     build_source Qwt qwt 6.2 "$qwt_prefix" build_qwt
   fi
