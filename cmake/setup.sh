@@ -27,7 +27,7 @@ declare -A packages=(
           libboost-math-dev libsqlite3-dev libsodium-dev zlib1g-dev libtomlplusplus-dev libcli11-dev libfmt-dev
           libcairo2-dev libgpiod-dev fonts-dejavu-core"
   [gui]="qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools qt6-wayland qmake6 libgl-dev libasound2-dev make bzip2 fonts-dejavu-core"
-  [unit]="libgtest-dev librapidcheck-dev python3"
+  [unit]="libgtest-dev librapidcheck-dev libbenchmark-dev python3"
   [test]="libgtest-dev librapidcheck-dev libbenchmark-dev python3 python3-numpy python3-scipy
           python3-can can-utils sqlite3 parallel xvfb xauth xdotool
           appstream desktop-file-utils man-db groff-base dpkg-dev file"
