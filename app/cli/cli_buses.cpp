@@ -52,8 +52,9 @@ void addRobotOnBus(CLI::App& app, Job& job)
     const auto o = std::make_shared<RobotOptions>();
     addRobot(*c, o->robot);
     c->add_option("--can", o->can, "Interface, such as vcan0")->required();
-    addTerrain(*c, o->terrain,
-               "File with a profile, or 'varied' for random ground (default: the demo's)");
+    addTerrain(
+        *c, o->terrain,
+        "CSV of a profile or ground lines, or 'varied' for random ground (default: the demo's)");
     c->add_option(
          "--fault", o->fault,
          "What goes wrong: silence, stuck-imu, dead-element, refuse-probe, slow-arm, reboot, or "

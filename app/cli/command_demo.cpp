@@ -52,7 +52,7 @@ Status driveToStep(SimulatedRobot& robot)
 {
     robot.command(DriveCommand{0.3});
     if (!waitFor(robot, [&](const Measurement&) {
-            return robot.rest().pose.base.x >= kDemoStep - kStopBefore;
+            return robot.pose().base.x >= kDemoStep - kStopBefore;
         }))
         return refused(robot, "reach the step");
     robot.command(HaltCommand{});

@@ -43,7 +43,7 @@ Status runRobot(const RobotOptions& options)
     SimulatedRobot::Options simulation;
     simulation.startX = ground->start;
     simulation.seed = options.seed;
-    RobotOnBus robot(*model, SimulatedRobot(*model, ground->profile, simulation), *onBus);
+    RobotOnBus robot(*model, SimulatedRobot(*model, ground->lines, simulation), *onBus);
     std::signal(SIGINT, interrupt);
     std::signal(SIGTERM, interrupt);
     const double end = options.seconds > 0.0 ? steadyNow() + options.seconds : HUGE_VAL;

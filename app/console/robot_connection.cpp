@@ -40,7 +40,7 @@ Result<std::unique_ptr<BuiltInRobot>> builtInRobot(const RobotModel& model,
     SimulatedRobot::Options simulation;
     simulation.startX = ground->start;
     simulation.seed = options.seed;
-    return std::make_unique<BuiltInRobot>(model, SimulatedRobot(model, ground->profile, simulation),
+    return std::make_unique<BuiltInRobot>(model, SimulatedRobot(model, ground->lines, simulation),
                                           *onBus);
 }
 

@@ -4,8 +4,6 @@
 #include <exception>
 #include <utility>
 
-#include "core/wire/telemetry.h"
-
 namespace terratact {
 
 using namespace std::chrono_literals;
@@ -53,9 +51,7 @@ Acquisition::Acquisition(MeasurementSource& source, std::function<void()> receiv
 void Acquisition::receive(const Sample& sample)
 {
     const SteadyTime now = std::chrono::steady_clock::now();
-    if (sensors_)
-        sensors_->add(
-            SensedLine{.measurement = sample.measurement, .sides = sideForces(sample.forces)});
+    if (sensors_) sensors_->add(sample.measurement);
     {
         const std::scoped_lock lock(mutex_);
         latest_ = received(latest_, sample, {now, sleeplessNow()});

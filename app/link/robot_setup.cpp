@@ -6,7 +6,7 @@
 #include <random>
 #include <string_view>
 
-#include "core/learn/data/profile_file.h"
+#include "core/learn/data/ground_file.h"
 #include "core/sim/ground/random_terrain.h"
 #include "core/sim/ground/terrain_shapes.h"
 
@@ -15,15 +15,16 @@ namespace terratact {
 Result<RobotGround> robotGround(const std::string& terrain, std::uint64_t seed)
 {
     constexpr double kRoomBehind = 0.7;  // [m] room for the rear flippers
-    if (terrain.empty()) return RobotGround{demoTerrain(), kDemoStep - 1.1};
+    if (terrain.empty()) return RobotGround{GroundLines(demoTerrain()), kDemoStep - 1.1};
     if (terrain == "varied") {
         std::mt19937_64 rng(seed);
         const TerrainProfile varied = randomVariedTerrain(rng);
-        return RobotGround{varied, varied.begin() + kRoomBehind};
+        return RobotGround{GroundLines(varied), varied.begin() + kRoomBehind};
     }
-    auto file = readProfiles(terrain, 0.1, false);
+    auto file = readGrounds(terrain, 0.1, false);
     if (!file) return file.error();
-    return RobotGround{file->profiles.front(), file->profiles.front().begin() + kRoomBehind};
+    const GroundLines& first = file->grounds.front();
+    return RobotGround{first, first.begin() + kRoomBehind};
 }
 
 Result<RobotOnBus::Options> withFault(RobotOnBus::Options robot, const std::string& text)

@@ -5,17 +5,17 @@
 
 #include "core/base/result.h"
 #include "core/sim/robot_on_bus.h"
-#include "core/terrain/terrain_profile.h"
+#include "core/terrain/ground_lines.h"
 
 namespace terratact {
 
 /// Ground under a simulated robot.
 struct RobotGround {
-    TerrainProfile profile;
+    GroundLines lines;
     double start = 0.0;  ///< [m] start position
 };
 
-/// Returns the ground. terrain: a profile file (its first profile is used), or "varied" for random terrain of the seed.
+/// Returns the ground. terrain: a file of profiles or ground lines (its first ground is used), or "varied" for random terrain of the seed.
 /// An empty terrain gives the built-in step with a run-up.
 Result<RobotGround> robotGround(const std::string& terrain, std::uint64_t seed);
 

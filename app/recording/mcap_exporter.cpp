@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -38,6 +40,11 @@ constexpr const char* kMeasurementSchema =
     R"("rear_left":{"type":"number"},"rear_right":{"type":"number"},"front_left_current":{"type":"number"},)"
     R"("front_right_current":{"type":"number"},"rear_left_current":{"type":"number"},)"
     R"("rear_right_current":{"type":"number"},"force":{"type":"array","items":{"type":"number"}},)"
+    R"("front_left_force":{"type":"array","items":{"type":["number","null"]}},)"
+    R"("front_right_force":{"type":"array","items":{"type":["number","null"]}},)"
+    R"("rear_left_force":{"type":"array","items":{"type":["number","null"]}},)"
+    R"("rear_right_force":{"type":"array","items":{"type":["number","null"]}},)"
+    R"("differential":{"type":"number"},)"
     R"("missing":{"type":"array","items":{"type":"string"}},)"
     R"("activity":{"type":"string"},"refusal":{"type":"string"}}})";
 constexpr const char* kEstimateSchema =
@@ -169,7 +176,28 @@ private:
             m.pitch, m.roll, m.frontLeft, m.frontRight, m.rearLeft, m.rearRight, m.frontLeftCurrent,
             m.frontRightCurrent, m.rearLeftCurrent, m.rearRightCurrent, jsonNumbers(m.force),
             jsonText(describe(m.activity).english), jsonText(describe(m.refusal).english),
-            missingJson(m.missing));
+            sidesJson(m) + missingJson(m.missing));
+    }
+
+    /// Returns the forces of each side and the differential, as far as they are known. A force that
+    /// is not known is null.
+    static std::string sidesJson(const Measurement& m)
+    {
+        std::string text;
+        const auto add = [&text](const char* name, const auto& forces) {
+            if (!std::ranges::any_of(forces, &std::optional<double>::has_value)) return;
+            std::string numbers;
+            for (const std::optional<double>& force : forces)
+                numbers += fmt::format("{}{}", numbers.empty() ? "" : ",",
+                                       force ? fmt::format("{}", *force) : "null");
+            text += fmt::format(",\"{}\":[{}]", name, numbers);
+        };
+        add("front_left_force", m.sides.left);
+        add("front_right_force", m.sides.right);
+        add("rear_left_force", m.rearSides.left);
+        add("rear_right_force", m.rearSides.right);
+        if (m.differential) text += fmt::format(",\"differential\":{}", *m.differential);
+        return text;
     }
 
     /// Returns the names of unmeasured features, whose numbers are 0; empty if all were measured.

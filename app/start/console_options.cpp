@@ -33,8 +33,10 @@ void declareRobot(CLI::App& app, ConsoleOptions& options)
 {
     app.add_option("--model", options.model, "Model file (default: the shipped one)");
     app.add_option("--robot", options.robot, "Robot file (default: the shipped Absolem)");
-    app.add_option("--terrain", options.terrain,
-                   "Profile the simulated robot stands on, or varied (default: a built-in one)");
+    app.add_option(
+        "--terrain", options.terrain,
+        "CSV of the profile or ground lines under the simulated robot, or varied (default: "
+        "a built-in one)");
     app.add_option("--fault", options.fault,
                    "What goes wrong with the simulated robot, from the start or NAME@SECONDS later")
         ->capture_default_str();

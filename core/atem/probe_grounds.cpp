@@ -30,19 +30,34 @@ void add(CanonicalBytes& bytes, const ArmReading& reading)
     addAll(bytes, bin, height, sd);
 }
 
+void addOptional(CanonicalBytes& bytes, const std::optional<double>& value)
+{
+    addAll(bytes, value.has_value(), value.value_or(0.0));
+}
+
+void add(CanonicalBytes& bytes, const SideForces& forces)
+{
+    const auto& [left, right] = forces;
+    for (const auto& side : {left, right})
+        for (const auto& force : side) addOptional(bytes, force);
+}
+
 void add(CanonicalBytes& bytes, const Measurement& scene)
 {
     const auto& [time, pitch, roll, frontLeft, frontRight, rearLeft, rearRight, frontLeftCurrent,
                  frontRightCurrent, rearLeftCurrent, rearRightCurrent, force, activity, refusal,
-                 arm, travelled, turned, missing] = scene;
+                 arm, travelled, turned, missing, sides, rearSides, differential] = scene;
     addAll(bytes, time, pitch, roll, frontLeft, frontRight, rearLeft, rearRight, frontLeftCurrent,
            frontRightCurrent, rearLeftCurrent, rearRightCurrent);
     for (const double f : force) add(bytes, f);
     addAll(bytes, activity, refusal, arm.has_value());
     if (arm) add(bytes, *arm);
-    for (const auto& odometry : {travelled, turned})
-        addAll(bytes, odometry.has_value(), odometry.value_or(0.0));
+    addOptional(bytes, travelled);
+    addOptional(bytes, turned);
     if (missing.any()) add(bytes, missing.to_ulong());
+    add(bytes, sides);
+    add(bytes, rearSides);
+    addOptional(bytes, differential);
 }
 
 void add(CanonicalBytes& bytes, const Settings& settings)

@@ -27,6 +27,10 @@ void requireFinite(const SceneRow& row)
                    m.frontLeftCurrent, m.frontRightCurrent, m.rearLeftCurrent, m.rearRightCurrent,
                    m.travelled.value_or(0.0), m.turned.value_or(0.0)});
     for (const double force : m.force) requireFinite({force});
+    requireFinite({m.differential.value_or(0.0)});
+    for (const SideForces& sides : {m.sides, m.rearSides})
+        for (const auto& side : {sides.left, sides.right})
+            for (const auto& force : side) requireFinite({force.value_or(0.0)});
     if (m.arm) requireFinite({m.arm->height, m.arm->sd});
     if (row.truth) requireAllFinite(*row.truth);
 }

@@ -181,6 +181,10 @@ SceneRow sceneFrom(CheckedRow& row, std::int64_t id)
         row.skip(3);
     m.travelled = row.realOrNone();
     m.turned = row.realOrNone();
+    if (!row.hasMore()) return scene;
+    m.differential = row.realOrNone();
+    for (auto* side : {&m.sides.left, &m.sides.right, &m.rearSides.left, &m.rearSides.right})
+        for (std::optional<double>& force : *side) force = row.realOrNone();
     return scene;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -35,7 +36,7 @@ public:
     {
         bytes_.clear();
         int column = 0;
-        (put(column++, values), ...);
+        (putNext(column, values), ...);
         insert_.run();
         return bytes_.bytes();
     }
@@ -47,6 +48,17 @@ private:
         std::string sql = "INSERT INTO " + std::string(name) + " VALUES(?";
         for (int i = 1; i < columns; ++i) sql += ", ?";
         return file.prepare(sql + ")");
+    }
+    template <class Value>
+    void putNext(int& column, const Value& value)
+    {
+        put(column++, value);
+    }
+    /// Puts the elements into as many columns.
+    template <class Value, std::size_t N>
+    void putNext(int& column, const std::array<Value, N>& values)
+    {
+        for (const Value& value : values) put(column++, value);
     }
     template <class Value>
     void put(int column, const Value& value)

@@ -165,7 +165,8 @@ void SessionWriter::Impl::addScene(const SceneRow& scene)
         f(2), f(3), f(4), f(5), static_cast<int>(m.activity), static_cast<int>(m.refusal),
         m.arm ? std::optional(m.arm->bin) : std::nullopt,
         m.arm ? std::optional(m.arm->height) : std::nullopt,
-        m.arm ? std::optional(m.arm->sd) : std::nullopt, m.travelled, m.turned);
+        m.arm ? std::optional(m.arm->sd) : std::nullopt, m.travelled, m.turned, m.differential,
+        m.sides.left, m.sides.right, m.rearSides.left, m.rearSides.right);
     if (!scene.truth) return;
     for (int bin = 0; bin < kBins; ++bin)
         row(truthTable, ++truthCount, batch.id, scene.id, bin,

@@ -40,6 +40,16 @@ SourceText describe(Refusal refusal)
     throw std::invalid_argument("describe: no such Refusal");
 }
 
+void setSides(Measurement& m, const SideForces& sides)
+{
+    m.sides = sides;
+    for (std::size_t e = 0; e < m.force.size(); ++e) {
+        const auto &left = sides.left[e], &right = sides.right[e];
+        m.force[e] = left && right ? (*left + *right) / 2.0 : left.value_or(right.value_or(0.0));
+        m.missing[kFirstForceFeature + e] = !sides.knows(e);
+    }
+}
+
 Proprioception proprioception(const Measurement& m)
 {
     Proprioception s;

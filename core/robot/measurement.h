@@ -60,6 +60,16 @@ struct ArmReading {
     bool operator==(const ArmReading&) const = default;
 };
 
+/// Forces [N] of the elements of a left and a right flipper, element 1 (pivot) … 6 (tip). Empty: the
+/// element is not known by itself, the robot does not have it, or it is broken.
+struct SideForces {
+    std::array<std::optional<double>, kForceElements> left{}, right{};
+
+    /// Returns true if a side of element `e` (0 … 5) is known.
+    bool knows(std::size_t e) const { return left[e] || right[e]; }
+    bool operator==(const SideForces&) const = default;
+};
+
 /// One line of telemetry. Plain values; every number is finite, and 0 if it was not measured.
 struct Measurement {
     double time = 0.0;   ///< [s] on the source's own clock
@@ -69,7 +79,9 @@ struct Measurement {
            rearRight = 0.0;                                  ///< [rad] tip up positive
     double frontLeftCurrent = 0.0, frontRightCurrent = 0.0;  ///< [A] positive = pressing down
     double rearLeftCurrent = 0.0, rearRightCurrent = 0.0;    ///< [A] positive = pressing down
-    std::array<double, kForceElements> force{};  ///< [N] calibrated, element 6 at the tip
+    /// Of the front flippers [N], calibrated, element 6 at the tip: mean of both `sides`, or the side
+    /// that is known.
+    std::array<double, kForceElements> force{};
     RobotActivity activity = RobotActivity::Halted;
     Refusal refusal = Refusal::None;  ///< reason for refusing the last command
     std::optional<ArmReading> arm;    ///< last completed probe at this pose
@@ -78,12 +90,20 @@ struct Measurement {
     std::optional<double> turned{};     ///< [rad] left positive, wrapped to one turn
     /// Currents (of both sides) and forces that were not measured.
     MissingFeatures missing{};
+    /// Forces of each side. Sessions of versions 1 to 3 do not have them.
+    SideForces sides{};                    ///< front flippers
+    SideForces rearSides{};                ///< rear flippers, if the robot has elements there
+    std::optional<double> differential{};  ///< [rad] left track nose up; empty: locked
     bool operator==(const Measurement&) const = default;
 };
 
 /// Longest silence of telemetry [s] during which the robot counts as observed. It may have moved in
 /// a longer one.
 inline constexpr double kMaxSilence = 1.0;
+
+/// Sets the forces of each side, and `force` and `missing` to their means. The mean of an element with
+/// one known side is that side. An element without a known side is missing.
+void setSides(Measurement& measurement, const SideForces& sides);
 
 /// Returns s with left and right averaged. Features that were not measured are empty.
 Proprioception proprioception(const Measurement& measurement);

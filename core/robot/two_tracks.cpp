@@ -1,6 +1,7 @@
 #include "core/robot/two_tracks.h"
 
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace terratact {
@@ -44,6 +45,50 @@ TwoTrackPose mirrored(const TwoTrackPose& pose)
     mirror.differential = -pose.differential;
     exchangeSides(mirror.flippers);
     return mirror;
+}
+
+TwoTrackReadings twoTrackReadings(const Measurement& m)
+{
+    TwoTrackReadings s;
+    s.pitch = m.pitch;
+    s.roll = m.roll;
+    s.flippers = {m.frontLeft, m.frontRight, m.rearLeft, m.rearRight};
+    s.differential = m.differential;
+    if (!m.missing[kFrontCurrentFeature]) {
+        s.currents[indexOf(Flipper::FrontLeft)] = m.frontLeftCurrent;
+        s.currents[indexOf(Flipper::FrontRight)] = m.frontRightCurrent;
+    }
+    if (!m.missing[kRearCurrentFeature]) {
+        s.currents[indexOf(Flipper::RearLeft)] = m.rearLeftCurrent;
+        s.currents[indexOf(Flipper::RearRight)] = m.rearRightCurrent;
+    }
+    s.forces = {m.sides.left, m.sides.right, m.rearSides.left, m.rearSides.right};
+    return s;
+}
+
+Measurement measurementOf(const TwoTrackReadings& s)
+{
+    Measurement m;
+    m.pitch = s.pitch;
+    m.roll = s.roll;
+    std::tie(m.frontLeft, m.frontRight, m.rearLeft, m.rearRight) = std::tuple_cat(s.flippers);
+    const auto setCurrents = [&](std::size_t feature, Flipper left, Flipper right, double& ofLeft,
+                                 double& ofRight) {
+        const auto &l = s.currents[indexOf(left)], &r = s.currents[indexOf(right)];
+        m.missing[feature] = !l || !r;
+        if (l && r) std::tie(ofLeft, ofRight) = std::pair(*l, *r);
+    };
+    setCurrents(kFrontCurrentFeature, Flipper::FrontLeft, Flipper::FrontRight, m.frontLeftCurrent,
+                m.frontRightCurrent);
+    setCurrents(kRearCurrentFeature, Flipper::RearLeft, Flipper::RearRight, m.rearLeftCurrent,
+                m.rearRightCurrent);
+    const auto forces = [&s](Flipper left, Flipper right) {
+        return SideForces{s.forces[indexOf(left)], s.forces[indexOf(right)]};
+    };
+    setSides(m, forces(Flipper::FrontLeft, Flipper::FrontRight));
+    m.rearSides = forces(Flipper::RearLeft, Flipper::RearRight);
+    m.differential = s.differential;
+    return m;
 }
 
 TwoTrackReadings mirrored(const TwoTrackReadings& readings)

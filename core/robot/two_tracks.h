@@ -73,6 +73,14 @@ struct TwoTrackReadings {
     bool operator==(const TwoTrackReadings&) const = default;
 };
 
+/// Returns the readings of both sides of a line of telemetry. A force of which only the mean of both
+/// sides is known stays empty. proprioception() averages the sides.
+TwoTrackReadings twoTrackReadings(const Measurement& measurement);
+
+/// Returns a line of telemetry with these readings, as twoTrackReadings() reads it; the other values are
+/// those of a new Measurement. The currents of an axle are missing if one of them is.
+Measurement measurementOf(const TwoTrackReadings& readings);
+
 /// Returns the readings with left and right exchanged.
 TwoTrackReadings mirrored(const TwoTrackReadings& readings);
 

@@ -117,9 +117,8 @@ WatchedFault watchFault(std::span<const WatchedLine> drive, const RobotModel& ro
     WatchedFault watched;
     SensorWatch watch(robot);
     for (const WatchedLine& line : drive) {
-        const SensedLine sensed = faulty ? faulty->apply(line.sensed()) : line.sensed();
-        const Measurement& m = sensed.measurement;
-        watch.add(sensed);
+        const Measurement m = faulty ? faulty->apply(line.measurement) : line.measurement;
+        watch.add(m);
         if (line.truth)
             watched.scenes.push_back({.scene = {.run = std::to_string(number + 1),
                                                 .time = m.time,

@@ -151,24 +151,22 @@ void RobotOnBus::reboot()
     lastCounter_ = telemetryCounter_ = heartbeatCounter_ = 0;
 }
 
-SensedLine RobotOnBus::measured()
+Measurement RobotOnBus::measured()
 {
-    SensedLine line = robot_.sense();
-    Measurement& m = line.measurement;
+    Measurement m = robot_.measure();
     if (faulty(RobotFault::StuckImu)) {
         if (!stuck_) stuck_ = m;
         m.pitch = stuck_->pitch;
         m.roll = stuck_->roll;
     }
-    if (faultySensors_ && *last_ - *began_ >= options_.faultAt) return faultySensors_->apply(line);
-    return line;
+    if (faultySensors_ && *last_ - *began_ >= options_.faultAt) return faultySensors_->apply(m);
+    return m;
 }
 
 std::vector<CanFrame> RobotOnBus::telemetry()
 {
-    const SensedLine sensed = measured();
-    const Measurement& m = sensed.measurement;
-    SensorLine line = sensorLineOf(sensed, model_);
+    const Measurement m = measured();
+    SensorLine line = sensorLineOf(m, model_);
     if (faulty(RobotFault::DeadElement)) {
         const bool left = haveElement(model_.forceArrays, Side::Left, 3);
         line.voltages[left ? 1 : 3]->front() = 0.0;  // element 4

@@ -79,7 +79,7 @@ private:
     void haltForSilence(CommandReceiver::Silence silence);
     void live(double dt);
     void reboot();
-    SensedLine measured();
+    Measurement measured();
     std::vector<CanFrame> telemetry();
 
     RobotModel model_;

@@ -137,7 +137,7 @@ Sensor ofOtherAxle(Sensor sensor)
 
 /// Returns the readings that a fault of the sensor changes. These are a mean force if no side is
 /// known, else its sides.
-std::vector<Sensor> readingsWith(Sensor sensor, const SensedLine& line)
+std::vector<Sensor> readingsWith(Sensor sensor, const Measurement& line)
 {
     if (kindOf(sensor) != SensorKind::Force) return {sensor};
     const std::size_t e = elementOf(sensor);
@@ -224,9 +224,9 @@ double FaultySensors::limitOf(Sensor sensor) const
     return 0.0;
 }
 
-void FaultySensors::keepScene(const SensedLine& truth)
+void FaultySensors::keepScene(const Measurement& truth)
 {
-    const RobotActivity activity = truth.measurement.activity;
+    const RobotActivity activity = truth.activity;
     const bool isPressed = activity == RobotActivity::Pressed || activity == RobotActivity::Probing;
     const bool wasPressed = before_ == RobotActivity::Pressed || before_ == RobotActivity::Probing;
     if (isPressed && !wasPressed) nextScene_ = truth;
@@ -236,11 +236,11 @@ void FaultySensors::keepScene(const SensedLine& truth)
 
 double FaultySensors::late(Sensor sensor, double value) const
 {
-    const double until = past_.back().measurement.time - fault_.amount + 1e-9;
+    const double until = past_.back().time - fault_.amount + 1e-9;
     for (std::size_t k = past_.size(); k > 0; --k) {
-        const SensedLine& line = past_[k - 1];
+        const Measurement& line = past_[k - 1];
         value = readingsOf(line)[indexOf(sensor)].value_or(value);
-        if (line.measurement.time <= until) break;
+        if (line.time <= until) break;
     }
     return value;
 }
@@ -255,13 +255,13 @@ double FaultySensors::push()
     return std::uniform_int_distribution<int>(0, 1)(rng_) ? fault_.amount : -fault_.amount;
 }
 
-double FaultySensors::faulty(Sensor sensor, double value, const SensedLine& truth,
+double FaultySensors::faulty(Sensor sensor, double value, const Measurement& truth,
                              double push) const
 {
-    const auto of = [sensor](const SensedLine& line, double otherwise) {
+    const auto of = [sensor](const Measurement& line, double otherwise) {
         return readingsOf(line)[indexOf(sensor)].value_or(otherwise);
     };
-    const double elapsed = truth.measurement.time - first_->measurement.time;
+    const double elapsed = truth.time - first_->time;
     switch (fault_.kind) {
     case FaultKind::Stuck: return of(*first_, value);
     case FaultKind::StuckAtScene: return atScene_ ? of(*atScene_, value) : value;
@@ -280,7 +280,7 @@ double FaultySensors::faulty(Sensor sensor, double value, const SensedLine& trut
     return value;
 }
 
-void FaultySensors::swap(SensedLine& line, const SensedLine& truth) const
+void FaultySensors::swap(Measurement& line, const Measurement& truth) const
 {
     const SensorReadings from = readingsOf(truth);
     const auto set = [&](Sensor to, Sensor with, Sensor as) {
@@ -295,16 +295,16 @@ void FaultySensors::swap(SensedLine& line, const SensedLine& truth) const
         }
 }
 
-SensedLine FaultySensors::apply(const SensedLine& truth)
+Measurement FaultySensors::apply(const Measurement& truth)
 {
     if (!first_) first_ = truth;
     keepScene(truth);
     if (fault_.kind == FaultKind::Late) {
         past_.push_back(truth);
-        const double oldest = truth.measurement.time - kMaxDelay;
-        while (past_.front().measurement.time < oldest) past_.pop_front();
+        const double oldest = truth.time - kMaxDelay;
+        while (past_.front().time < oldest) past_.pop_front();
     }
-    SensedLine line = truth;
+    Measurement line = truth;
     if (fault_.kind == FaultKind::Swapped || fault_.kind == FaultKind::SwappedAxles) {
         swap(line, truth);
         return line;

@@ -10,7 +10,6 @@
 
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
-#include "core/robot/sensed_line.h"
 #include "core/robot/watch/sensor.h"
 
 namespace terratact {
@@ -62,25 +61,21 @@ public:
     /// Returns the next line with the fault. Lines must come in order of time. A fault of a force is
     /// one of both sides if they are known, and the mean follows them. If only the mean is known, it
     /// has half of a fault of one side.
-    SensedLine apply(const SensedLine& truth);
-    Measurement apply(const Measurement& truth)
-    {
-        return apply(SensedLine{.measurement = truth, .sides = {}}).measurement;
-    }
+    Measurement apply(const Measurement& truth);
 
 private:
     double push();
-    double faulty(Sensor sensor, double value, const SensedLine& truth, double push) const;
+    double faulty(Sensor sensor, double value, const Measurement& truth, double push) const;
     double late(Sensor sensor, double value) const;
-    void swap(SensedLine& line, const SensedLine& truth) const;
+    void swap(Measurement& line, const Measurement& truth) const;
     double limitOf(Sensor sensor) const;
-    void keepScene(const SensedLine& truth);
+    void keepScene(const Measurement& truth);
 
     SensorFault fault_;
     double forceSaturation_ = 0.0, currentLimit_ = 0.0;
     std::mt19937_64 rng_;
-    std::optional<SensedLine> first_, atScene_, nextScene_;
-    std::deque<SensedLine> past_;  ///< for Late
+    std::optional<Measurement> first_, atScene_, nextScene_;
+    std::deque<Measurement> past_;  ///< for Late
     RobotActivity before_ = RobotActivity::Halted;
 };
 

@@ -4,7 +4,6 @@
 
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
-#include "core/robot/sensed_line.h"
 #include "core/robot/two_tracks.h"
 #include "core/terrain/bins.h"
 

@@ -1,6 +1,7 @@
 #include "core/sim/simulated_robot.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -16,12 +17,19 @@ constexpr double kHighestFlipper = 3.1;  // [rad]
 
 }  // namespace
 
-SimulatedRobot::SimulatedRobot(RobotModel robot, TerrainProfile terrain, const Options& options)
-    : robot_(std::move(robot)), terrain_(std::move(terrain)), options_(options), rng_(options.seed),
-      slipRng_(~options.seed), rollRng_(options.seed ^ 0x5555), sideRng_(options.seed ^ 0x3333),
-      x_(options.startX), frontTarget_(options.drivingAngle), rearTarget_(options.rearAngle)
+SimulatedRobot::SimulatedRobot(RobotModel robot, GroundLines ground, const Options& options)
+    : robot_(std::move(robot)), stance_(robot_, std::move(ground)), options_(options),
+      rng_(options.seed), slipRng_(~options.seed), rollRng_(options.seed ^ 0x5555),
+      sideRng_(options.seed ^ 0x3333),
+      x_(options.startX), frontTargets_{options.drivingAngle, options.drivingAngle},
+      rearTarget_(options.rearAngle)
 {
     settle();
+}
+
+SimulatedRobot::SimulatedRobot(RobotModel robot, TerrainProfile terrain, const Options& options)
+    : SimulatedRobot(std::move(robot), GroundLines(std::move(terrain)), options)
+{
 }
 
 void SimulatedRobot::command(const Command& command)
@@ -61,7 +69,8 @@ void SimulatedRobot::obey(const PressCommand& press)
     if (!(press.torque > 0.0) || press.torque > 2.0 * robot_.maxFlipperTorque)
         return refuse(Refusal::OutOfReach);
     torque_ = press.torque;
-    frontTarget_ = rest_.pose.front;
+    keepFrontAngles();
+    hasPressed_ = {};
     accept(RobotActivity::Pressing);
 }
 
@@ -90,9 +99,15 @@ void SimulatedRobot::obey(const HoldFlippersCommand& hold)
         return angle >= kLowestFlipper && angle <= kHighestFlipper;
     };
     if (!fits(hold.front) || !fits(hold.rear)) return refuse(Refusal::OutOfLimits);
-    frontTarget_ = rest_.pose.front;
+    keepFrontAngles();
     accept(RobotActivity::Halted);
     hold_ = hold;
+}
+
+void SimulatedRobot::keepFrontAngles()
+{
+    for (const Side side : {Side::Left, Side::Right})
+        frontTargets_[indexOf(side)] = stance_.frontAngle(side);
 }
 
 void SimulatedRobot::startDriving(double speed)
@@ -141,11 +156,16 @@ void SimulatedRobot::step(double dt)
 void SimulatedRobot::drive(double dt)
 {
     const double turn = robot_.flipperSpeed * dt;
-    frontTarget_ = std::min(rest_.pose.front + turn, options_.drivingAngle);
+    bool areRaised = true;
+    for (const Side side : {Side::Left, Side::Right}) {
+        const double angle = stance_.frontAngle(side);
+        frontTargets_[indexOf(side)] = std::min(angle + turn, options_.drivingAngle);
+        areRaised = areRaised && angle >= options_.drivingAngle - 1e-9;
+    }
     torque_ = 0.0;
     arm_.reset();
     double moved = 0.0;
-    if (rest_.pose.front >= options_.drivingAngle - 1e-9) {
+    if (areRaised) {
         moved = speed_ * dt;
         if (advanceLeft_) moved = std::min(moved, *advanceLeft_);
         moveBy(moved);
@@ -159,24 +179,29 @@ void SimulatedRobot::drive(double dt)
 
 void SimulatedRobot::moveBy(double way)
 {
-    const Pose before = rest_.pose;
+    const Pose before = pose();
     const double stood = x_;
-    x_ = std::clamp(x_ + way, terrain_.begin() + kMargin, terrain_.end() - kMargin);
+    const GroundLines& ground = stance_.ground();
+    x_ = std::clamp(x_ + way, ground.begin() + kMargin, ground.end() - kMargin);
     // otherwise it would appear further on, and its tracks would report that way at once
     if (!settle()) x_ = stood;
-    travelled_ += (1.0 + slip_) * trackWay(before, rest_.pose);
+    travelled_ += (1.0 + slip_) * trackWay(before, pose());
 }
 
 void SimulatedRobot::press(double turn)
 {
     arm_.reset();
-    frontTarget_ -= turn;
+    for (const Side side : {Side::Left, Side::Right})
+        if (!hasPressed_[indexOf(side)]) frontTargets_[indexOf(side)] -= turn;
     settle();
-    if (activity_ == RobotActivity::Pressing
-        && (rest_.frontTorque >= torque_ || frontTarget_ < kLowestFlipper)) {
-        accept(RobotActivity::Pressed);
-        settle();
-    }
+    if (activity_ != RobotActivity::Pressing) return;
+    for (const Side side : {Side::Left, Side::Right})
+        hasPressed_[indexOf(side)] = hasPressed_[indexOf(side)]
+                                  || stance_.frontTorque(side) >= torque_ / 2.0
+                                  || frontTargets_[indexOf(side)] < kLowestFlipper;
+    if (!hasPressed_[0] || !hasPressed_[1]) return;
+    accept(RobotActivity::Pressed);
+    settle();
 }
 
 void SimulatedRobot::probe(double dt)
@@ -195,9 +220,13 @@ void SimulatedRobot::hold(double turn)
     const auto towards = [turn](double from, double to) {
         return std::abs(to - from) <= turn ? to : from + std::copysign(turn, to - from);
     };
-    frontTarget_ = towards(frontTarget_, hold_->front);
+    bool there = true;
+    for (double& target : frontTargets_) {
+        target = towards(target, hold_->front);
+        there = there && target == hold_->front;
+    }
     rearTarget_ = towards(rearTarget_, hold_->rear);
-    const bool there = frontTarget_ == hold_->front && rearTarget_ == hold_->rear;
+    there = there && rearTarget_ == hold_->rear;
     arm_.reset();
     settle();
     if (there) hold_.reset();
@@ -207,26 +236,31 @@ void SimulatedRobot::hold(double turn)
 /// pose if there is none.
 bool SimulatedRobot::settle()
 {
-    const FlipperDrive front = activity_ == RobotActivity::Pressed
-                                 ? FlipperDrive{PressTorque{torque_, rest_.pose.front + 0.1}}
-                                 : FlipperDrive{HoldAngle{frontTarget_}};
-    const auto rest =
-        restPose(robot_, terrain_, x_, front, HoldAngle{rearTarget_}, rest_.pose.pitch);
-    if (rest) {
-        rest_ = *rest;
-    } else {
-        refuse(Refusal::NoRestPose);
-        accept(RobotActivity::Halted);
-    }
-    return bool(rest);
+    FlipperTargets targets{.front = frontTargets_, .rear = rearTarget_};
+    if (activity_ == RobotActivity::Pressed) targets.torque = torque_;
+    if (stance_.settle(x_, targets)) return true;
+    refuse(Refusal::NoRestPose);
+    accept(RobotActivity::Halted);
+    return false;
 }
 
 Measurement SimulatedRobot::measure()
 {
-    const Proprioception s =
-        noisy(exactReadings(robot_, rest_), options_.noise, robot_.forceSaturation, rng_);
-    Measurement m;
+    Measurement m = stance_.tracks() ? trackReadings() : planeReadings();
     m.time = time_;
+    m.activity = activity_;
+    m.refusal = refusal_;
+    m.arm = arm_;
+    m.travelled = travelled_;
+    m.turned = 0.0;  // the simulated robot drives along x
+    return m;
+}
+
+Measurement SimulatedRobot::planeReadings()
+{
+    const Proprioception s =
+        noisy(exactReadings(robot_, stance_.plane()), options_.noise, robot_.forceSaturation, rng_);
+    Measurement m;
     m.pitch = s.pitch;
     m.roll = options_.noise.pitch * std::normal_distribution<double>()(rollRng_);
     m.frontLeft = m.frontRight = s.front;
@@ -235,23 +269,14 @@ Measurement SimulatedRobot::measure()
     m.rearLeftCurrent = m.rearRightCurrent = s.rearCurrent.value_or(0.0);
     for (std::size_t e = 0; e < m.force.size(); ++e) m.force[e] = s.force[e].value_or(0.0);
     m.missing = missingFeatures(s);
-    m.activity = activity_;
-    m.refusal = refusal_;
-    m.arm = arm_;
-    m.travelled = travelled_;
-    m.turned = 0.0;  // the simulated world is a plane
+    m.sides = sidesOf(m, options_.noise, robot_, sideRng_);
     return m;
 }
 
-SensedLine SimulatedRobot::sense()
+Measurement SimulatedRobot::trackReadings()
 {
-    const Measurement m = measure();
-    return {.measurement = m, .sides = sidesOf(m, options_.noise, robot_, sideRng_)};
-}
-
-Heights SimulatedRobot::truth() const
-{
-    return binHeights(terrain_, imuPosition(robot_, rest_.pose));
+    return measurementOf(noisy(exactReadings(robot_, *stance_.tracks()), options_.noise,
+                               robot_.forceSaturation, rng_));
 }
 
 }  // namespace terratact

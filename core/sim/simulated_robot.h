@@ -1,20 +1,23 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <random>
 
 #include "core/robot/command.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
-#include "core/robot/sensed_line.h"
-#include "core/sim/rest/rest_pose.h"
+#include "core/sim/robot_stance.h"
 #include "core/sim/sensor_noise.h"
+#include "core/terrain/ground_lines.h"
 #include "core/terrain/terrain_profile.h"
 
 namespace terratact {
 
-/// Robot on a TerrainProfile that obeys commands, in time steps from outside. It is quasi-static:
-/// at every step it is at rest (core/sim/rest/rest_pose.h). Not thread-safe.
+/// Robot on simulated ground that obeys commands, in time steps from outside. It is quasi-static: at
+/// every step it is at rest (core/sim/robot_stance.h). Where the ground differs left and right, roll,
+/// flipper angles, currents and forces are those of both sides. Not thread-safe.
 class SimulatedRobot {
 public:
     struct Options {
@@ -29,6 +32,8 @@ public:
         std::uint64_t seed = 1;
     };
 
+    SimulatedRobot(RobotModel robot, GroundLines ground, const Options& options);
+    /// Stands on ground that is equal left and right.
     SimulatedRobot(RobotModel robot, TerrainProfile terrain, const Options& options);
 
     /// Accepts or refuses a command; the next measure() reports a refusal. Arming belongs to the
@@ -40,17 +45,20 @@ public:
 
     /// Returns one line of telemetry with sensor noise.
     Measurement measure();
-    /// Returns measure() with both sides of the force elements.
-    SensedLine sense();
 
-    /// Returns the true bin heights at the present pose.
-    Heights truth() const;
+    /// Returns the true bin heights at the present pose, the means of both sides.
+    Heights truth() const { return stance_.truth(); }
 
-    const RestPose& rest() const { return rest_; }
+    /// Returns the pose in the vertical plane of the middle.
+    const Pose& pose() const { return stance_.pose(); }
+    const RobotStance& stance() const { return stance_; }
     RobotActivity activity() const { return activity_; }
 
 private:
     bool settle();
+    Measurement planeReadings();
+    Measurement trackReadings();
+    void keepFrontAngles();
     void obey(const DriveCommand& drive);
     void obey(const PressCommand& press);
     void obey(const ProbeCommand& probe);
@@ -68,18 +76,18 @@ private:
     void moveBy(double way);
 
     RobotModel robot_;
-    TerrainProfile terrain_;
+    RobotStance stance_;
     Options options_;
     std::mt19937_64 rng_;
     /// separate, so that sensor noise does not depend on the number of drives
     std::mt19937_64 slipRng_;
     std::mt19937_64 rollRng_;  ///< separate for the same reason
     std::mt19937_64 sideRng_;  ///< separate, so that no mean depends on its sides
-    RestPose rest_;
     double time_ = 0.0;
     double x_ = 0.0;
     double speed_ = 0.0;
-    double frontTarget_ = 0.0;                 ///< held angle while not pressed [rad]
+    std::array<double, 2> frontTargets_{};     ///< [rad] held angles by side, while not pressed
+    std::array<bool, 2> hasPressed_{};         ///< sides that have the torque of the present press
     double rearTarget_ = 0.0;                  ///< [rad] held angle
     std::optional<HoldFlippersCommand> hold_;  ///< target of the flippers while halted
     std::optional<double> advanceLeft_;  ///< remaining way of a drive over a given distance [m]

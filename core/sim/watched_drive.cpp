@@ -40,19 +40,15 @@ public:
     {
         robot_.command(DriveCommand{0.0});
         const double high = style_.flippers.drivingAngle - kAtAngle;
-        for (double waited = 0.0; robot_.rest().pose.front < high && waited <= kMaxWay;
+        for (double waited = 0.0; robot_.pose().front < high && waited <= kMaxWay;
              waited += style_.period)
             if (!step()) break;
         return std::exchange(lines_, {});
     }
 
-    double x() const { return robot_.rest().pose.base.x; }
-    double pitch() const { return robot_.rest().pose.pitch; }
-    WatchedLine sense()
-    {
-        const SensedLine line = robot_.sense();
-        return {.measurement = line.measurement, .truth = std::nullopt, .sides = line.sides};
-    }
+    double x() const { return robot_.pose().base.x; }
+    double pitch() const { return robot_.pose().pitch; }
+    WatchedLine sense() { return {.measurement = robot_.measure(), .truth = std::nullopt}; }
 
 private:
     /// Returns false once the drive is over.

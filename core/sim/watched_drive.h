@@ -6,7 +6,6 @@
 
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
-#include "core/robot/sensed_line.h"
 #include "core/sim/drive.h"
 #include "core/sim/simulated_robot.h"
 #include "core/terrain/bins.h"
@@ -19,9 +18,6 @@ namespace terratact {
 struct WatchedLine {
     Measurement measurement;
     std::optional<Heights> truth{};
-    SideForces sides{};
-
-    SensedLine sensed() const { return {.measurement = measurement, .sides = sides}; }
 };
 
 /// Style of a drive with telemetry: drive, press the flippers down, stand, and drive on.

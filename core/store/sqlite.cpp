@@ -303,7 +303,7 @@ void SqliteFile::harden()
     sqlite3_limit(file, SQLITE_LIMIT_FUNCTION_ARG, 8);
     sqlite3_limit(file, SQLITE_LIMIT_ATTACHED, 0);
     sqlite3_limit(file, SQLITE_LIMIT_LIKE_PATTERN_LENGTH, 50);
-    sqlite3_limit(file, SQLITE_LIMIT_VARIABLE_NUMBER, 32);
+    sqlite3_limit(file, SQLITE_LIMIT_VARIABLE_NUMBER, 64);
     sqlite3_limit(file, SQLITE_LIMIT_TRIGGER_DEPTH, 1);
     callsLeft_ = std::make_unique<int>(kCalls);
     sqlite3_progress_handler(file, kStepsPerCall, stopNow, callsLeft_.get());

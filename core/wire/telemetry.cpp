@@ -15,22 +15,17 @@ bool isWhole(const std::optional<ElementForce>& element)
         && (element->state == ElementState::Sound || element->state == ElementState::Saturated);
 }
 
-std::optional<double> joined(const std::optional<ElementForce>& left,
-                             const std::optional<ElementForce>& right)
+SideForces sideForces(const ElementForces& elements)
 {
-    if (isWhole(left) && isWhole(right)) return (left->force + right->force) / 2.0;
-    if (isWhole(left)) return left->force;
-    if (isWhole(right)) return right->force;
-    return std::nullopt;
-}
-
-void addForces(Measurement& m, const ElementForces& elements)
-{
-    for (std::size_t e = 0; e < m.force.size(); ++e) {
-        const std::optional<double> force = joined(elements.left[e], elements.right[e]);
-        m.force[e] = force.value_or(0.0);
-        m.missing[kFirstForceFeature + e] = !force;
+    const auto whole = [](const std::optional<ElementForce>& element) {
+        return isWhole(element) ? std::optional(element->force) : std::nullopt;
+    };
+    SideForces sides;
+    for (std::size_t e = 0; e < sides.left.size(); ++e) {
+        sides.left[e] = whole(elements.left[e]);
+        sides.right[e] = whole(elements.right[e]);
     }
+    return sides;
 }
 
 void addCurrents(Measurement& m, const SensorLine& line)
@@ -91,12 +86,11 @@ std::optional<SensorLine::Odometry> odometryOf(const Measurement& m)
                                 std::remainder(m.turned.value_or(0.0), 2.0 * std::numbers::pi)};
 }
 
-SensorLine::Three voltages(const SensedLine& line, std::size_t set, const RobotModel& robot)
+SensorLine::Three voltages(const Measurement& m, std::size_t set, const RobotModel& robot)
 {
-    const Measurement& m = line.measurement;
     const ForceCalibration& c = robot.forceCalibration;
     const auto& bias = set < 2 ? c.biasLeft : c.biasRight;
-    const auto& side = set < 2 ? line.sides.left : line.sides.right;
+    const auto& side = set < 2 ? m.sides.left : m.sides.right;
     SensorLine::Three three{};
     for (std::size_t i = 0; i < kPerFrame; ++i) {
         const std::size_t e = kPerFrame * (set % 2) + i;
@@ -130,19 +124,6 @@ ElementForces elementForces(const SensorLine& line, const RobotModel& robot)
     return forces;
 }
 
-SideForces sideForces(const ElementForces& elements)
-{
-    const auto whole = [](const std::optional<ElementForce>& element) {
-        return isWhole(element) ? std::optional(element->force) : std::nullopt;
-    };
-    SideForces sides;
-    for (std::size_t e = 0; e < sides.left.size(); ++e) {
-        sides.left[e] = whole(elements.left[e]);
-        sides.right[e] = whole(elements.right[e]);
-    }
-    return sides;
-}
-
 std::optional<Measurement> measurementOf(const SensorLine& line, const ElementForces& forces,
                                          const RobotStatus& status, double time)
 {
@@ -161,18 +142,12 @@ std::optional<Measurement> measurementOf(const SensorLine& line, const ElementFo
                       line.odometry ? std::optional(line.odometry->travelled) : std::nullopt,
                   .turned = line.odometry ? std::optional(line.odometry->turned) : std::nullopt};
     addCurrents(m, line);
-    addForces(m, forces);
+    setSides(m, sideForces(forces));
     return m;
 }
 
-SensorLine sensorLineOf(const Measurement& measurement, const RobotModel& robot)
+SensorLine sensorLineOf(const Measurement& m, const RobotModel& robot)
 {
-    return sensorLineOf(SensedLine{.measurement = measurement, .sides = {}}, robot);
-}
-
-SensorLine sensorLineOf(const SensedLine& sensed, const RobotModel& robot)
-{
-    const Measurement& m = sensed.measurement;
     SensorLine line;
     line.odometry = odometryOf(m);
     line.attitude = SensorLine::Attitude{clamped(FrameKind::Attitude, 0, m.pitch),
@@ -186,7 +161,7 @@ SensorLine sensorLineOf(const SensedLine& sensed, const RobotModel& robot)
         line.rearCurrents =
             currents(FrameKind::RearCurrents, m.rearLeftCurrent, m.rearRightCurrent);
     for (std::size_t set = 0; set < line.voltages.size(); ++set)
-        line.voltages[set] = voltages(sensed, set, robot);
+        line.voltages[set] = voltages(m, set, robot);
     line.arm = m.arm;
     if (line.arm) {
         line.arm->height = clamped(FrameKind::ArmResult, 1, line.arm->height);

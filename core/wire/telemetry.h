@@ -6,7 +6,6 @@
 #include "core/robot/force_sensor.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
-#include "core/robot/sensed_line.h"
 #include "core/wire/can_codec.h"
 
 namespace terratact {
@@ -24,11 +23,9 @@ struct ElementForces {
 /// per line.
 ElementForces elementForces(const SensorLine& line, const RobotModel& robot);
 
-/// Returns the forces of the elements that are valid or saturated.
-SideForces sideForces(const ElementForces& elements);
-
-/// Converts a line of sensors, its elementForces() and its status to a Measurement. A force is the mean of left and
-/// right, or the value of the one that is not broken. Measurement::missing names forces with both
+/// Converts a line of sensors, its elementForces() and its status to a Measurement. The forces of
+/// each side are those of its valid or saturated elements. A force is the mean of left and right, or
+/// the value of the one that is not broken. Measurement::missing names forces with both
 /// broken, and currents that were not measured. Empty if attitude or angles are missing: there is
 /// no pose.
 std::optional<Measurement> measurementOf(const SensorLine& line, const ElementForces& forces,
@@ -39,7 +36,5 @@ std::optional<Measurement> measurementOf(const SensorLine& line, const ElementFo
 /// are wrapped into one turn. Values beyond their signal's range are sent as its end; a travelled
 /// way beyond it is sent as not measured.
 SensorLine sensorLineOf(const Measurement& measurement, const RobotModel& robot);
-/// The same with the forces of each side, if they are known.
-SensorLine sensorLineOf(const SensedLine& line, const RobotModel& robot);
 
 }  // namespace terratact

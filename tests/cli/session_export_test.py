@@ -360,6 +360,12 @@ class McapFile(Session):
         pitch = [value["signals"]["Pitch"] for _, value in got["/can"] if value.get("name") == "Attitude"]
         measured = [value["pitch"] for _, value in got["/measurement"]]
         self.assertGreater(len(measured), 50)
+        for _, value in got["/measurement"]:
+            for left, right, mean in zip(value["front_left_force"], value["front_right_force"], value["force"], strict=True):
+                self.assertAlmostEqual((left + right) / 2, mean, places=9)
+            self.assertNotIn("rear_left_force", value)
+            self.assertNotIn("differential", value)
+        self.assertTrue(any(value["front_left_force"] != value["front_right_force"] for _, value in got["/measurement"]))
         self.assertEqual(set(measured) - set(pitch), set())
         self.assertEqual([len(value["bins"]) for _, value in got["/estimate"]], [11] * len(got["/estimate"]))
 

@@ -198,6 +198,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const SceneRow& row : session->scenes()) {
         promiseFinite(row.measurement.pitch);
         for (const double force : row.measurement.force) promiseFinite(force);
+        for (const SideForces& sides : {row.measurement.sides, row.measurement.rearSides})
+            for (const auto& side : {sides.left, sides.right})
+                for (const auto& force : side) promiseFinite(force.value_or(0.0));
+        promiseFinite(row.measurement.differential.value_or(0.0));
     }
     for (const ProposalRow& row : session->proposals())
         promise(row.bin >= 0 && row.bin < kBins, "a proposal's bin exists");

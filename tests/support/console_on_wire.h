@@ -99,7 +99,7 @@ struct Wire : testing::Test {
         console.approve(bin, now);
         ASSERT_EQ(command(ProbeCommand{bin}), GateRefusal::None);
     }
-    double x() const { return robot.robot().rest().pose.base.x; }  ///< [m] position of the robot
+    double x() const { return robot.robot().pose().base.x; }  ///< [m] position of the robot
     ArmingPhase phase() const { return console.view(now).arming.phase; }
     DisarmCause cause() const { return console.view(now).arming.cause; }
     RobotActivity activity() const { return robot.robot().activity(); }

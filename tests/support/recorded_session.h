@@ -59,8 +59,7 @@ public:
     void driveTo(double before)
     {
         command(DriveCommand{0.3});
-        for (int i = 0; i < 600 && robot_.robot().rest().pose.base.x < kStep - before; ++i)
-            pass(0.05);
+        for (int i = 0; i < 600 && robot_.robot().pose().base.x < kStep - before; ++i) pass(0.05);
         command(HaltCommand{});
         pass(0.3);
     }

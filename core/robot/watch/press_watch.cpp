@@ -87,7 +87,9 @@ void PressWatch::add(const Measurement& line)
 {
     found_.clear();
     cleared_.clear();
-    const SensorReadings readings = readingsOf({.measurement = line, .sides = {}});
+    Measurement means = line;
+    means.sides = {};
+    const SensorReadings readings = readingsOf(means);
     const bool presses = line.activity == RobotActivity::Pressing;
     if (presses && activity_ != RobotActivity::Pressing) {
         press_.emplace(Press{});

@@ -54,14 +54,14 @@ auto plainReadings(Line& m)
                       &m.rearRightCurrent};
 }
 
-void setSide(SensedLine& line, Sensor sensor, double value)
+void setSide(Measurement& line, Sensor sensor, double value)
 {
     const std::size_t e = elementOf(sensor);
     auto& side = sensor < Sensor::RightForce1 ? line.sides.left[e] : line.sides.right[e];
     if (!side) return;
     side = value;
     const double left = line.sides.left[e].value_or(value);
-    line.measurement.force[e] = (left + line.sides.right[e].value_or(value)) / 2.0;
+    line.force[e] = (left + line.sides.right[e].value_or(value)) / 2.0;
 }
 
 }  // namespace
@@ -79,22 +79,21 @@ SourceText describe(Sensor sensor)
     return kNames.at(indexOf(sensor));
 }
 
-SensorReadings readingsOf(const SensedLine& line)
+SensorReadings readingsOf(const Measurement& m)
 {
-    const Measurement& m = line.measurement;
     SensorReadings readings;
     const auto plain = plainReadings(m);
     for (std::size_t i = 0; i < plain.size(); ++i) readings[i] = *plain[i];
     for (std::size_t e = 0; e < m.force.size(); ++e) {
         readings[indexOf(meanForce(e))] = m.force[e];
-        readings[indexOf(leftForce(e))] = line.sides.left[e];
-        readings[indexOf(rightForce(e))] = line.sides.right[e];
+        readings[indexOf(leftForce(e))] = m.sides.left[e];
+        readings[indexOf(rightForce(e))] = m.sides.right[e];
     }
     readings[indexOf(Sensor::Travelled)] = m.travelled;
     return readings;
 }
 
-SensorReadings judgedReadings(const SensedLine& line)
+SensorReadings judgedReadings(const Measurement& line)
 {
     SensorReadings readings = readingsOf(line);
     for (std::size_t e = 0; e < kForceElements; ++e)
@@ -102,9 +101,8 @@ SensorReadings judgedReadings(const SensedLine& line)
     return readings;
 }
 
-void setReading(SensedLine& line, Sensor sensor, double value)
+void setReading(Measurement& m, Sensor sensor, double value)
 {
-    Measurement& m = line.measurement;
     const std::size_t i = indexOf(sensor);
     const auto plain = plainReadings(m);
     if (i < plain.size()) {
@@ -114,7 +112,7 @@ void setReading(SensedLine& line, Sensor sensor, double value)
     } else if (isMeanForce(sensor)) {
         m.force[elementOf(sensor)] = value;
     } else {
-        setSide(line, sensor, value);
+        setSide(m, sensor, value);
     }
 }
 

@@ -7,7 +7,6 @@
 
 #include "core/base/message.h"
 #include "core/robot/measurement.h"
-#include "core/robot/sensed_line.h"
 
 namespace terratact {
 
@@ -95,14 +94,14 @@ SourceText describe(Sensor sensor);
 
 /// Returns the readings of a line; empty where the robot did not measure. Forces are the means, and
 /// the sides where they are known.
-SensorReadings readingsOf(const SensedLine& line);
+SensorReadings readingsOf(const Measurement& line);
 
 /// Returns readingsOf() without the means whose sides are known. Each of these sensors is judged by
 /// itself.
-SensorReadings judgedReadings(const SensedLine& line);
+SensorReadings judgedReadings(const Measurement& line);
 
 /// Sets one reading. A sensor that did not measure stays so. A mean follows its sides, but a side
 /// does not follow its mean.
-void setReading(SensedLine& line, Sensor sensor, double value);
+void setReading(Measurement& line, Sensor sensor, double value);
 
 }  // namespace terratact

@@ -33,20 +33,19 @@ void SensorWatch::reset()
     last_.reset();
 }
 
-void SensorWatch::add(const SensedLine& sensed)
+void SensorWatch::add(const Measurement& line)
 {
-    const Measurement& line = sensed.measurement;
     if (!std::isfinite(line.time))
         throw std::invalid_argument("SensorWatch: the time must be finite");
     if (last_ && line.time < *last_) standing_.clear();
     if (last_ && (line.time < *last_ || line.time - *last_ > kMaxSilence)) reset();
     last_ = line.time;
-    stuck_.add(sensed);
-    spikes_.add(sensed);
+    stuck_.add(line);
+    spikes_.add(line);
     presses_.add(line);
     pitchSign_.add(line);
-    unloaded_.add(sensed);
-    sides_.add(sensed);
+    unloaded_.add(line);
+    sides_.add(line);
     ground_.add(line);
     return_.add(line);
     for (const auto* found :

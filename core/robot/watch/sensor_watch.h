@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
-#include "core/robot/sensed_line.h"
 #include "core/robot/watch/ground_watch.h"
 #include "core/robot/watch/pitch_sign_watch.h"
 #include "core/robot/watch/press_watch.h"
@@ -31,9 +31,7 @@ public:
 
     /// Adds the next line. Judges each side of a force element that is known, else the mean. Throws
     /// std::invalid_argument unless the time is finite.
-    void add(const SensedLine& line);
-    /// Adds a line of which only the means of the force elements are known.
-    void add(const Measurement& line) { add(SensedLine{.measurement = line, .sides = {}}); }
+    void add(const Measurement& line);
 
     /// Returns the suspicions at the time of the last line, at most one per sensor and fault, in
     /// that order.

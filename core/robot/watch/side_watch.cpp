@@ -32,7 +32,7 @@ bool differ(double a, double b)
 
 }  // namespace
 
-void SideWatch::Mean::add(const SensedLine& line)
+void SideWatch::Mean::add(const Measurement& line)
 {
     ++lines;
     const double share = 1.0 / lines;
@@ -43,10 +43,9 @@ void SideWatch::Mean::add(const SensedLine& line)
         towards(left[e], ofLeft.value_or(0.0));
         towards(right[e], ofRight.value_or(0.0));
     }
-    const Measurement& m = line.measurement;
-    towards(leftCurrent, m.frontLeftCurrent);
-    towards(rightCurrent, m.frontRightCurrent);
-    towards(angle, m.frontLeft - m.frontRight);
+    towards(leftCurrent, line.frontLeftCurrent);
+    towards(rightCurrent, line.frontRightCurrent);
+    towards(angle, line.frontLeft - line.frontRight);
 }
 
 void SideWatch::reset()
@@ -79,20 +78,20 @@ void SideWatch::suspect(Sensor sensor, SensorTrouble trouble, double now, double
          .way = 0.0});
 }
 
-void SideWatch::add(const SensedLine& line)
+void SideWatch::add(const Measurement& line)
 {
     found_.clear();
-    const RobotActivity activity = line.measurement.activity;
+    const RobotActivity activity = line.activity;
     if (activity == RobotActivity::Pressed || activity == RobotActivity::Probing)
         return follow(line);
-    if (press_ && !press_->wasJudged) judge(*press_, line.measurement.time);
+    if (press_ && !press_->wasJudged) judge(*press_, line.time);
     press_.reset();
     if (activity == RobotActivity::Driving) followRaised(line);
 }
 
-void SideWatch::follow(const SensedLine& line)
+void SideWatch::follow(const Measurement& line)
 {
-    const double now = line.measurement.time;
+    const double now = line.time;
     if (!press_) press_.emplace(Press{.began = now, .early = {}, .settled = {}});
     Press& press = *press_;
     if (press.early.lines < kFirstLines) press.early.add(line);
@@ -103,10 +102,9 @@ void SideWatch::follow(const SensedLine& line)
     judge(press, now);
 }
 
-void SideWatch::followRaised(const SensedLine& line)
+void SideWatch::followRaised(const Measurement& line)
 {
-    const Measurement& m = line.measurement;
-    if (m.frontLeft < kBothRaised || m.frontRight < kBothRaised) return;
+    if (line.frontLeft < kBothRaised || line.frontRight < kBothRaised) return;
     raisedLines_ = std::min(raisedLines_ + 1, kRaisedLines);
     for (std::size_t e = 0; e < kForceElements; ++e) {
         const auto follow = [this](double& share, const std::optional<double>& force) {

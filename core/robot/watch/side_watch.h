@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/robot/sensed_line.h"
+#include "core/robot/measurement.h"
 #include "core/robot/watch/sensor.h"
 #include "core/robot/watch/sensor_suspicion.h"
 
@@ -39,7 +39,7 @@ public:
     static constexpr int kMinRaised = 10;
     static constexpr double kHold = 600.0;  ///< [s] duration of a suspicion, unless it is cleared
 
-    void add(const SensedLine& line);
+    void add(const Measurement& line);
     /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
     /// Returns true if later presses contradict the suspicion.
@@ -54,7 +54,7 @@ private:
         Forces left{}, right{};
         double leftCurrent = 0.0, rightCurrent = 0.0, angle = 0.0;  ///< [A], [rad] left less right
         std::array<bool, kForceElements> isMissing{};
-        void add(const SensedLine& line);
+        void add(const Measurement& line);
     };
     struct Press {
         double began = 0.0;  ///< [s] the first line at rest
@@ -65,8 +65,8 @@ private:
     struct Count {
         std::array<double, kForceElements> left{}, right{};
     };
-    void follow(const SensedLine& line);
-    void followRaised(const SensedLine& line);
+    void follow(const Measurement& line);
+    void followRaised(const Measurement& line);
     void judge(const Press& press, double now);
     void judgeLoads(const Mean& rest, double now);
     void judgeLate(const Press& press, double now);

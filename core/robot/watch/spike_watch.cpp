@@ -105,10 +105,10 @@ void SpikeWatch::lookAtRange(const Measurement& line, const SensorReadings& read
         suspect(Sensor::Travelled, SensorTrouble::OutOfRange, line.time, *line.travelled);
 }
 
-void SpikeWatch::add(const SensedLine& sensed)
+void SpikeWatch::add(const Measurement& sensed)
 {
     found_.clear();
-    const Line line{sensed.measurement, judgedReadings(sensed)};
+    const Line line{sensed, judgedReadings(sensed)};
     lookAtRange(line.measurement, line.readings);
     const auto follows = [](const Line& first, const Line& second) {
         return second.measurement.time - first.measurement.time <= kMaxGap;

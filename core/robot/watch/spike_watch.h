@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
-#include "core/robot/sensed_line.h"
 #include "core/robot/watch/sensor.h"
 #include "core/robot/watch/sensor_suspicion.h"
 
@@ -26,7 +26,7 @@ public:
     static constexpr double kHold = 30.0;    ///< [s] duration of a suspicion after the last spike
 
     explicit SpikeWatch(const RobotModel& robot);
-    void add(const SensedLine& line);
+    void add(const Measurement& line);
     /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
     void reset();

@@ -108,11 +108,10 @@ void StuckWatch::follow(Run& run, const Measurement& line, const SensorReadings&
     widen(run.low, run.high, readings);
 }
 
-void StuckWatch::add(const SensedLine& sensed)
+void StuckWatch::add(const Measurement& line)
 {
     found_.clear();
-    const Measurement& line = sensed.measurement;
-    const SensorReadings readings = judgedReadings(sensed);
+    const SensorReadings readings = judgedReadings(line);
     const double front = (line.frontLeft + line.frontRight) / 2.0;
     const double rear = (line.rearLeft + line.rearRight) / 2.0;
     rollMeasured_ = rollMeasured_ || line.roll != 0.0;

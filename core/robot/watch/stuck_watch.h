@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/robot/sensed_line.h"
+#include "core/robot/measurement.h"
 #include "core/robot/watch/sensor.h"
 #include "core/robot/watch/sensor_suspicion.h"
 
@@ -25,7 +25,7 @@ public:
     /// [s] duration of a suspicion once the reading changes again
     static constexpr double kHold = 10.0;
 
-    void add(const SensedLine& line);
+    void add(const Measurement& line);
     /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
 

@@ -39,15 +39,14 @@ void UnloadedWatch::add(Element& element, double force, double way)
     if (10 * element.free > std::max(element.lines, kMinLines / 2)) element = {};
 }
 
-void UnloadedWatch::add(const SensedLine& sensed)
+void UnloadedWatch::add(const Measurement& line)
 {
     found_.clear();
-    const Measurement& line = sensed.measurement;
     const bool isRaised = line.frontLeft >= kRaised && line.frontRight >= kRaised;
     const double way = travelled_ && line.travelled ? std::abs(*line.travelled - *travelled_) : 0.0;
     travelled_ = line.travelled;
     if (line.activity != RobotActivity::Driving || !isRaised || !(way > 0.0)) return;
-    const SensorReadings readings = judgedReadings(sensed);
+    const SensorReadings readings = judgedReadings(line);
     std::array<bool, kForceElements> isLoaded{};
     for (std::size_t i = 0; i < kSensors; ++i) {
         if (!readings[i] || kindOf(sensorAt(i)) != SensorKind::Force) continue;

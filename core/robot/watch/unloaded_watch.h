@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/robot/sensed_line.h"
+#include "core/robot/measurement.h"
 #include "core/robot/watch/sensor.h"
 #include "core/robot/watch/sensor_suspicion.h"
 
@@ -23,7 +23,7 @@ public:
     static constexpr double kLongWay = 1.5;  ///< [m]
     static constexpr double kHold = 60.0;  ///< [s] duration of a suspicion after the last such line
 
-    void add(const SensedLine& line);
+    void add(const Measurement& line);
     /// Suspicions of the last line.
     const std::vector<SensorSuspicion>& found() const { return found_; }
     void reset();

@@ -19,8 +19,10 @@ TEST(RobotGroundTest, withoutATerrainLeadsToAStep)
     const auto ground = robotGround("", 1);
     ASSERT_TRUE(ground);
     EXPECT_NEAR(ground->start, kDemoStep - 1.1, 1e-9);
-    const double before = ground->profile.heightAt(kDemoStep - 0.05);
-    EXPECT_GT(std::abs(ground->profile.heightAt(kDemoStep + 0.05) - before), 0.05);
+    EXPECT_TRUE(ground->lines.isOnePlane());
+    const TerrainProfile& profile = ground->lines.under(0.0);
+    const double before = profile.heightAt(kDemoStep - 0.05);
+    EXPECT_GT(std::abs(profile.heightAt(kDemoStep + 0.05) - before), 0.05);
 }
 
 TEST(RobotGroundTest, variedGroundIsThatOfItsSeed)
@@ -28,14 +30,28 @@ TEST(RobotGroundTest, variedGroundIsThatOfItsSeed)
     const auto heights = [](std::uint64_t seed) {
         const auto ground = robotGround("varied", seed);
         EXPECT_TRUE(ground);
-        EXPECT_GE(ground->start, ground->profile.begin() + 0.5) << "room for the rear flippers";
+        EXPECT_GE(ground->start, ground->lines.begin() + 0.5) << "room for the rear flippers";
         std::vector<double> sampled;
         for (double x = ground->start; x < ground->start + 3.0; x += 0.1)
-            sampled.push_back(ground->profile.heightAt(x));
+            sampled.push_back(ground->lines.under(0.0).heightAt(x));
         return sampled;
     };
     EXPECT_EQ(heights(4), heights(4));
     EXPECT_NE(heights(4), heights(5));
+}
+
+TEST(RobotGroundTest, aFileOfLinesDiffersLeftAndRight)
+{
+    const TemporaryDirectory directory;
+    const std::string path = directory.write("lines.csv", "step_m,y_m,heights_m\n"
+                                                          "1,0.2,0,0,0.1,0.1\n"
+                                                          "1,-0.2,0,0,0,0\n");
+    const auto ground = robotGround(path, 1);
+    ASSERT_TRUE(ground) << ground.error().text;
+    EXPECT_FALSE(ground->lines.isOnePlane());
+    EXPECT_NEAR(ground->lines.under(0.2).heightAt(2.5), 0.1, 1e-9);
+    EXPECT_NEAR(ground->lines.under(-0.2).heightAt(2.5), 0.0, 1e-9);
+    EXPECT_NEAR(ground->start, 0.7, 1e-9);
 }
 
 TEST(RobotGroundTest, errorsNameTheProfileFile)

@@ -41,11 +41,11 @@ TEST_F(Wire, armsByTwoActionsOverALinkThatWasGoodForASecond)
 TEST_F(Wire, repeatsADriveUntilAnotherCommand)
 {
     arm();
-    const double before = robot.robot().rest().pose.base.x;
+    const double before = robot.robot().pose().base.x;
     EXPECT_EQ(command(DriveCommand{0.3}), GateRefusal::None);
     pass(4.0);
     EXPECT_EQ(activity(), RobotActivity::Driving);
-    EXPECT_GT(robot.robot().rest().pose.base.x, before + 0.5);
+    EXPECT_GT(robot.robot().pose().base.x, before + 0.5);
     EXPECT_EQ(command(HaltCommand{}), GateRefusal::None);
     pass(0.1);
     EXPECT_EQ(activity(), RobotActivity::Halted);

@@ -112,13 +112,13 @@ TEST_F(Replay, aRecordedSessionDoesNotArmARobot)
     RobotOnBus::Options other;  // the same epoch, by chance
     other.firstChallenge = 4711;
     RobotOnBus restarted(absolem(), robotBefore(1.5), other);
-    const double halted = restarted.robot().rest().pose.base.x;
+    const double halted = restarted.robot().pose().base.x;
     for (const CanFrame& frame : sent) {
         restarted.tick(now += 0.01);
         restarted.receive(frame, now);
         EXPECT_FALSE(restarted.armed());
     }
-    EXPECT_EQ(restarted.robot().rest().pose.base.x - halted, 0.0);
+    EXPECT_EQ(restarted.robot().pose().base.x - halted, 0.0);
 }
 
 /// Two key presses on a bus that loses, delays and duplicates frames; old frames come all the time.

@@ -9,6 +9,7 @@
 #include "core/log/event_text.h"
 #include "core/log/recorded_words.h"
 #include "core/log/review_moment.h"
+#include "core/robot/two_tracks.h"
 #include "tests/support/absolem.h"
 #include "tests/support/sessions.h"
 #include "tests/support/temporary_directory.h"
@@ -97,6 +98,20 @@ TEST_F(OlderSession, withoutMessagesReadsTheSame)
     EXPECT_EQ(estimate.warnings, older.estimates().at(0).estimate.warnings);
     ASSERT_EQ(estimate.warnings.size(), 2U);
     EXPECT_EQ(estimate.warnings[0], Message::verbatim("the chains have not converged"));
+}
+
+TEST_F(OlderSession, aSceneHasTheMeansOfItsSidesAlone)
+{
+    for (const std::string& path : {kDemo, version2(), withoutMessages()}) {
+        const SessionReader session = opened(path);
+        ASSERT_EQ(session.scenes().size(), 1U) << path;
+        const Measurement& m = session.scenes()[0].measurement;
+        EXPECT_EQ(m.sides, SideForces{});
+        EXPECT_EQ(m.rearSides, SideForces{});
+        EXPECT_FALSE(m.differential);
+        EXPECT_TRUE(proprioception(m).force[5]) << path;
+        EXPECT_FALSE(twoTrackReadings(m).forces[0][5]) << path;
+    }
 }
 
 TEST_F(OlderSession, everyPhaseAndFailureIsRecognised)

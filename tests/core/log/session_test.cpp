@@ -6,6 +6,7 @@
 #include "core/infer/verdict/verdict.h"
 #include "core/log/session_reader.h"
 #include "core/log/session_writer.h"
+#include "core/robot/two_tracks.h"
 #include "tests/core/log/session_fixture.h"
 #include "tests/support/sessions.h"
 
@@ -69,6 +70,34 @@ TEST_F(Session, keepsWhatASceneLacks)
     EXPECT_EQ(reader->scenes()[2], scene);
     EXPECT_EQ(reader->estimate(3)->estimate.missing, scene.measurement.missing);
     EXPECT_TRUE(reader->estimate(2)->estimate.missing.none());
+    EXPECT_FALSE(reader->verify().broken);
+}
+
+TEST_F(Session, keepsBothSidesOfAScene)
+{
+    SceneRow scene = someScene(3, 600'000'000);
+    Measurement& m = scene.measurement;
+    m.roll = -0.2;
+    m.frontLeft = 0.3, m.frontRight = 0.1, m.rearLeft = 0.2, m.rearRight = 0.4;
+    m.frontLeftCurrent = 1.0, m.frontRightCurrent = 2.0;
+    SideForces front;
+    for (std::size_t e = 0; e < kForceElements; ++e) {
+        front.left[e] = 1.0 + static_cast<double>(e);
+        if (e != 4) front.right[e] = 11.0 + static_cast<double>(e);
+        m.rearSides.left[e] = 21.0 + static_cast<double>(e);
+        if (e != 0) m.rearSides.right[e] = 31.0 + static_cast<double>(e);
+    }
+    setSides(m, front);
+    m.differential = -0.07;
+    auto writer = someSession(path, 100);
+    ASSERT_TRUE(writer) << writer.error().text;
+    ASSERT_TRUE(writer->add(scene));
+    ASSERT_TRUE(writer->seal());
+    auto reader = SessionReader::open(path);
+    ASSERT_TRUE(reader) << reader.error().text;
+    ASSERT_EQ(reader->scenes().size(), 3U);
+    EXPECT_EQ(reader->scenes()[2], scene);
+    EXPECT_EQ(twoTrackReadings(reader->scenes()[2].measurement), twoTrackReadings(m));
     EXPECT_FALSE(reader->verify().broken);
 }
 

@@ -25,6 +25,21 @@ TEST(Measurement, becomesTheAverageOfLeftAndRight)
         EXPECT_EQ(s.force[i], 1.0 + static_cast<double>(i));
 }
 
+TEST(Measurement, aForceIsTheMeanOfItsKnownSides)
+{
+    Measurement m;
+    m.force.fill(9.0);
+    SideForces sides;
+    sides.left = {1.0, 2.0, std::nullopt, std::nullopt, 0.0, 6.0};
+    sides.right = {3.0, std::nullopt, 4.0, std::nullopt, 0.0, 7.0};
+    setSides(m, sides);
+    EXPECT_EQ(m.sides, sides);
+    EXPECT_EQ(m.force, (std::array{2.0, 2.0, 4.0, 0.0, 0.0, 6.5}));
+    for (std::size_t e = 0; e < kForceElements; ++e)
+        EXPECT_EQ(m.missing[kFirstForceFeature + e], e == 3) << e;
+    EXPECT_FALSE(proprioception(m).force[3]);
+}
+
 TEST(Measurement, everyActivityAndRefusalHasADistinctText)
 {
     std::set<std::string> words;

@@ -99,5 +99,63 @@ TEST(TwoTracks, mirroredExchangesLeftAndRight)
     EXPECT_EQ(mirrored(mirrored(pose)), pose);
 }
 
+/// Returns a line of telemetry in which all values of the sides differ.
+Measurement differentSides()
+{
+    Measurement m;
+    m.pitch = 0.1, m.roll = -0.2;
+    m.frontLeft = 0.3, m.frontRight = 0.4, m.rearLeft = 0.5, m.rearRight = 0.6;
+    m.frontLeftCurrent = 1.0, m.frontRightCurrent = 2.0;
+    m.rearLeftCurrent = 3.0, m.rearRightCurrent = 4.0;
+    SideForces front;
+    for (std::size_t e = 0; e < kForceElements; ++e) {
+        front.left[e] = 10.0 + static_cast<double>(e);
+        front.right[e] = 20.0 + static_cast<double>(e);
+    }
+    front.right[2].reset();
+    setSides(m, front);
+    m.rearSides.left[5] = 7.0;
+    m.differential = 0.05;
+    return m;
+}
+
+TEST(TwoTrackReadings, keepBothSidesOfALine)
+{
+    const TwoTrackReadings s = twoTrackReadings(differentSides());
+    EXPECT_EQ(s.pitch, 0.1);
+    EXPECT_EQ(s.roll, -0.2);
+    EXPECT_EQ(s.flippers, (PerFlipper<double>{0.3, 0.4, 0.5, 0.6}));
+    EXPECT_EQ(s.currents, (PerFlipper<std::optional<double>>{1.0, 2.0, 3.0, 4.0}));
+    EXPECT_EQ(s.differential, 0.05);
+    EXPECT_EQ(s.forces[indexOf(Flipper::FrontLeft)][2], 12.0);
+    EXPECT_EQ(s.forces[indexOf(Flipper::FrontRight)][1], 21.0);
+    EXPECT_FALSE(s.forces[indexOf(Flipper::FrontRight)][2]) << "it is not known, not equal";
+    EXPECT_EQ(s.forces[indexOf(Flipper::RearLeft)][5], 7.0);
+    EXPECT_FALSE(s.forces[indexOf(Flipper::RearRight)][5]);
+}
+
+TEST(TwoTrackReadings, lackWhatWasNotMeasured)
+{
+    Measurement m = differentSides();
+    m.missing[kFrontCurrentFeature] = true;
+    m.sides = {};  // as in an older session: the means alone
+    m.differential.reset();
+    const TwoTrackReadings s = twoTrackReadings(m);
+    EXPECT_FALSE(s.currents[0] || s.currents[1]);
+    EXPECT_TRUE(s.currents[2] && s.currents[3]);
+    EXPECT_FALSE(s.differential);
+    for (const auto& force : s.forces[0]) EXPECT_FALSE(force);
+}
+
+TEST(TwoTrackReadings, becomeALineAndComeBack)
+{
+    const Measurement m = differentSides();
+    EXPECT_EQ(measurementOf(twoTrackReadings(m)), m);
+    Measurement lacking = m;
+    lacking.missing[kRearCurrentFeature] = true;
+    lacking.rearLeftCurrent = lacking.rearRightCurrent = 0.0;
+    EXPECT_EQ(measurementOf(twoTrackReadings(lacking)), lacking);
+}
+
 }  // namespace
 }  // namespace terratact

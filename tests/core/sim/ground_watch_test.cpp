@@ -174,15 +174,14 @@ TEST(ReturnWatch, DoesNotJudgeOneDirectionAlone)
 TEST(StuckWatch, DoesNotCallOdometryStuckInATurn)
 {
     StuckWatch watch;
-    SensedLine line;
-    Measurement& m = line.measurement;
+    Measurement m;
     m.activity = RobotActivity::Driving;
     m.travelled = 1.0;
     for (int k = 0; k < 300; ++k) {
         m.time = 0.05 * k;
         m.pitch = 0.2 * std::sin(0.1 * k);
         m.turned = std::numbers::pi * k / 300.0;
-        watch.add(line);
+        watch.add(m);
         for (const SensorSuspicion& s : watch.found()) EXPECT_NE(s.sensor, Sensor::Travelled);
     }
 }

@@ -59,22 +59,22 @@ TEST(SensorFault, OfOneSideHalvesTheMean)
 
 TEST(SensorFault, OfOneSideLeavesTheOther)
 {
-    SensedLine truth{.measurement = line(0.0, 0.1), .sides = {}};
+    Measurement truth = line(0.0, 0.1);
     for (std::size_t e = 0; e < kForceElements; ++e) {
-        truth.sides.left[e] = truth.measurement.force[e] + 0.5;
-        truth.sides.right[e] = truth.measurement.force[e] - 0.5;
+        truth.sides.left[e] = truth.force[e] + 0.5;
+        truth.sides.right[e] = truth.force[e] - 0.5;
     }
-    const SensedLine one = with("offset:right-force-2:3").apply(truth);
+    const Measurement one = with("offset:right-force-2:3").apply(truth);
     EXPECT_DOUBLE_EQ(*one.sides.right[1], 4.5);
     EXPECT_EQ(one.sides.left, truth.sides.left);
-    EXPECT_DOUBLE_EQ(one.measurement.force[1], 3.5);
-    const SensedLine both = with("zero:force-6").apply(truth);
+    EXPECT_DOUBLE_EQ(one.force[1], 3.5);
+    const Measurement both = with("zero:force-6").apply(truth);
     EXPECT_EQ(*both.sides.left[5], 0.0);
-    EXPECT_EQ(both.measurement.force[5], 0.0);
-    const SensedLine swapped = with("swapped:left-forces").apply(truth);
+    EXPECT_EQ(both.force[5], 0.0);
+    const Measurement swapped = with("swapped:left-forces").apply(truth);
     EXPECT_DOUBLE_EQ(*swapped.sides.left[0], 6.5);
     EXPECT_EQ(swapped.sides.right, truth.sides.right);
-    const SensedLine pushed = with("scatter:force-3:1").apply(truth);
+    const Measurement pushed = with("scatter:force-3:1").apply(truth);
     EXPECT_DOUBLE_EQ(*pushed.sides.left[2] - *pushed.sides.right[2], 1.0);
 }
 

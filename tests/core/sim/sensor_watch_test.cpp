@@ -92,11 +92,11 @@ TEST(SensorWatch, IsSilentForAnHourOfHealthyTelemetry)
         style.period = 0.1;
         const auto lines = driveWithTelemetry(absolem(), randomVariedTerrain(rng), style, rng());
         for (const WatchedLine& line : lines) {
-            SensedLine sensed = line.sensed();
-            sensed.measurement.time += from;
+            Measurement sensed = line.measurement;
+            sensed.time += from;
             watch.add(sensed);
-            ASSERT_TRUE(watch.standing().empty()) << describe(watch.standing().front()).english()
-                                                  << " at " << sensed.measurement.time;
+            ASSERT_TRUE(watch.standing().empty())
+                << describe(watch.standing().front()).english() << " at " << sensed.time;
         }
         seconds += lines.back().measurement.time;
         from += lines.back().measurement.time + 2.0;  // another robot, another ground
@@ -115,7 +115,7 @@ TEST(SensorWatch, IsSilentOverTheShippedSession)
             const auto line = listener.receive(row.frame, secondsOf(row.time));
             if (!line) continue;
             ++lines;
-            watch.add(SensedLine{.measurement = *line, .sides = sideForces(listener.forces())});
+            watch.add(*line);
             ASSERT_TRUE(watch.standing().empty())
                 << describe(watch.standing().front()).english() << " at " << line->time;
         }

@@ -42,7 +42,7 @@ Found found(std::string_view fault)
     FaultySensors faulty(*sensorFaultFrom(fault), absolem(), 1);
     Found all;
     for (const WatchedLine& line : drive()) {
-        watch.add(faulty.apply(line.sensed()));
+        watch.add(faulty.apply(line.measurement));
         for (const SensorSuspicion& s : watch.standing()) {
             if (!isSideForce(s.sensor)) continue;
             const std::pair one(s.sensor, s.trouble);
@@ -80,12 +80,12 @@ TEST(SideWatch, NoticesOneSideInTheReverseOrder)
 /// A second with raised flippers that feel nothing, before time 0.
 void driveRaised(SideWatch& watch)
 {
-    SensedLine line;
+    Measurement line;
     for (std::size_t e = 0; e < kForceElements; ++e) line.sides.left[e] = line.sides.right[e] = 0.0;
-    line.measurement.activity = RobotActivity::Driving;
-    line.measurement.frontLeft = line.measurement.frontRight = 0.7;
+    line.activity = RobotActivity::Driving;
+    line.frontLeft = line.frontRight = 0.7;
     for (int k = 0; k < 20; ++k) {
-        line.measurement.time = -1.0 + 0.05 * k;
+        line.time = -1.0 + 0.05 * k;
         watch.add(line);
     }
 }
@@ -95,8 +95,8 @@ std::size_t suspicionsOf(const SideForces& sides, double leftCurrent, double ang
 {
     SideWatch watch;
     std::size_t count = 0;
-    SensedLine line{.measurement = {}, .sides = sides};
-    Measurement& m = line.measurement;
+    Measurement m;
+    m.sides = sides;
     m.frontLeftCurrent = leftCurrent;
     m.frontRightCurrent = 2.0;
     m.frontLeft = angle;
@@ -104,7 +104,7 @@ std::size_t suspicionsOf(const SideForces& sides, double leftCurrent, double ang
     for (int k = 0; k < 200; ++k) {
         m.time = 0.05 * k;
         m.activity = k % 50 < 40 ? RobotActivity::Pressed : RobotActivity::Pressing;
-        watch.add(line);
+        watch.add(m);
         count += watch.found().size();
     }
     return count;
@@ -137,13 +137,14 @@ TEST(SideWatch, ClearsAnElementThatAgreesAgain)
     SideWatch watch;
     driveRaised(watch);
     const auto press = [&](double left, double from) {
-        SensedLine line{.measurement = {}, .sides = all(5.0)};
+        Measurement line;
+        line.sides = all(5.0);
         line.sides.left[2] = left;
-        line.measurement.frontLeftCurrent = line.measurement.frontRightCurrent = 2.0;
+        line.frontLeftCurrent = line.frontRightCurrent = 2.0;
         bool isFound = false;
         for (int k = 0; k < 50; ++k) {
-            line.measurement.time = from + 0.05 * k;
-            line.measurement.activity = k < 40 ? RobotActivity::Pressed : RobotActivity::Pressing;
+            line.time = from + 0.05 * k;
+            line.activity = k < 40 ? RobotActivity::Pressed : RobotActivity::Pressing;
             watch.add(line);
             isFound = isFound || !watch.found().empty();
         }

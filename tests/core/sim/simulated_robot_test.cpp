@@ -55,18 +55,116 @@ TEST(SimulatedRobot, reportsNoWayThatItsTracksDidNotRoll)
     }
 }
 
+/// Returns ground with a kerb of this height at x = 3 m on the left and level ground on the right.
+GroundLines kerbLeft(double height)
+{
+    return GroundLines({{0.2, stepTerrain(height, 3.0, 6.0)}, {-0.2, stepTerrain(0.0, 3.0, 6.0)}});
+}
+
+/// Returns a robot with exact sensors whose front flippers press on this ground, before the kerb.
+SimulatedRobot pressedBefore(const GroundLines& ground, double distance)
+{
+    SimulatedRobot::Options options;
+    options.startX = 3.0 - distance;
+    options.noise = SensorNoise::none();
+    SimulatedRobot robot(absolem(), ground, options);
+    robot.command(PressCommand{16.0});
+    EXPECT_TRUE(within(robot, 6.0, isPressed));
+    return robot;
+}
+
+TEST(SimulatedRobot, feelsAKerbOnOneSideThere)
+{
+    SimulatedRobot robot = pressedBefore(kerbLeft(0.12), 0.45);
+    const Measurement m = robot.measure();
+    EXPECT_GT(m.frontLeft, m.frontRight + 0.1) << "the left flipper lies on the kerb";
+    EXPECT_NE(m.sides.left, m.sides.right);
+    for (std::size_t e = 0; e < kForceElements; ++e) {
+        ASSERT_TRUE(m.sides.left[e] && m.sides.right[e]) << e;
+        EXPECT_DOUBLE_EQ(m.force[e], (*m.sides.left[e] + *m.sides.right[e]) / 2.0) << e;
+    }
+    EXPECT_NEAR(robot.stance().frontTorque(Side::Left), 8.0, 0.01);
+    EXPECT_NEAR(robot.stance().frontTorque(Side::Right), 8.0, 0.01);
+    EXPECT_EQ(twoTrackReadings(m), exactReadings(absolem(), *robot.stance().tracks()));
+}
+
+TEST(SimulatedRobot, rollsOnAKerbOnOneSide)
+{
+    SimulatedRobot robot = pressedBefore(kerbLeft(0.08), 1.5);
+    EXPECT_NEAR(robot.measure().roll, 0.0, 1e-6);
+    robot.command(DriveCommand{0.3});
+    ASSERT_TRUE(within(robot, 15.0, [&](const Measurement&) { return robot.pose().base.x > 3.3; }));
+    const LateralGeometry lateral = absolem().lateral;
+    EXPECT_NEAR(robot.measure().roll, std::asin(0.08 / (lateral.trackY + lateral.flipperY)), 0.002)
+        << "left side up: it stands on the left track and the pivots of the right flippers";
+    const Heights truth = robot.truth();
+    const TwoTrackPose& pose = robot.stance().tracks()->pose;
+    const Vec2 imu = imuPosition(absolem(), pose);
+    const Heights left = sideHeights(kerbLeft(0.08), absolem(), Side::Left, imu);
+    const Heights right = sideHeights(kerbLeft(0.08), absolem(), Side::Right, imu);
+    EXPECT_DOUBLE_EQ(truth[4], (left[4] + right[4]) / 2.0);
+    EXPECT_NEAR(left[4], right[4] + 0.08, 1e-9);
+}
+
+TEST(SimulatedRobot, mirroredGroundGivesMirroredReadings)
+{
+    const GroundLines ground = kerbLeft(0.12);
+    SimulatedRobot robot = pressedBefore(ground, 0.45);
+    SimulatedRobot mirror = pressedBefore(ground.mirrored(), 0.45);
+    const TwoTrackReadings s = twoTrackReadings(robot.measure());
+    const TwoTrackReadings t = mirrored(twoTrackReadings(mirror.measure()));
+    EXPECT_NEAR(s.roll, t.roll, 1e-6);
+    for (std::size_t i = 0; i < kFlippers; ++i) EXPECT_NEAR(s.flippers[i], t.flippers[i], 1e-6);
+    for (std::size_t e = 0; e < kForceElements; ++e)
+        EXPECT_NEAR(*s.forces[0][e], *t.forces[0][e], 1e-3) << e;
+}
+
+TEST(SimulatedRobot, equalLinesAreTheProfile)
+{
+    const TerrainProfile step = stepTerrain(0.24, 3.0, 6.0);
+    SimulatedRobot::Options options;
+    options.startX = 1.5;
+    SimulatedRobot plane(absolem(), step, options);
+    SimulatedRobot lines(absolem(), GroundLines({{0.3, step}, {-0.3, step}}), options);
+    const auto same = [&](double seconds) {
+        for (double t = 0.0; t < seconds; t += 0.05) {
+            plane.step(0.05);
+            lines.step(0.05);
+            ASSERT_EQ(plane.measure(), lines.measure());
+        }
+    };
+    for (const Command& command : {Command{DriveCommand{0.3}}, Command{PressCommand{16.0}},
+                                   Command{HoldFlippersCommand{0.4, 0.1}}}) {
+        plane.command(command);
+        lines.command(command);
+        same(3.0);
+    }
+    const Measurement m = plane.measure();
+    EXPECT_EQ(m.frontLeft, m.frontRight);
+}
+
+TEST(SimulatedRobot, raisesBothFlippersBeforeItDrives)
+{
+    SimulatedRobot robot = pressedBefore(kerbLeft(0.12), 0.45);
+    const double x = robot.pose().base.x;
+    robot.command(DriveCommand{-0.3});
+    ASSERT_TRUE(within(robot, 6.0, [&](const Measurement&) { return robot.pose().base.x < x; }));
+    EXPECT_NEAR(robot.stance().frontAngle(Side::Left), 0.7, 1e-6);
+    EXPECT_NEAR(robot.stance().frontAngle(Side::Right), 0.7, 1e-6);
+}
+
 TEST(SimulatedRobot, drivesAndHaltsOnCommand)
 {
     SimulatedRobot robot = robotBefore(1.5);
-    const double start = robot.rest().pose.base.x;
+    const double start = robot.pose().base.x;
     robot.command(DriveCommand{0.3});
     EXPECT_FALSE(within(robot, 1.0,
                         [](const Measurement& m) { return m.activity != RobotActivity::Driving; }));
-    const double driven = robot.rest().pose.base.x - start;
+    const double driven = robot.pose().base.x - start;
     EXPECT_NEAR(driven, 0.3, 0.05);
     robot.command(HaltCommand{});
     robot.step(0.5);
-    EXPECT_DOUBLE_EQ(robot.rest().pose.base.x, start + driven);
+    EXPECT_DOUBLE_EQ(robot.pose().base.x, start + driven);
 }
 
 TEST(SimulatedRobot, reportsTheWayOfItsTracksWithTheirSlip)
@@ -79,10 +177,10 @@ TEST(SimulatedRobot, reportsTheWayOfItsTracksWithTheirSlip)
         SimulatedRobot robot(absolem(), stepTerrain(0.0, 3.0, 6.0), options);
         EXPECT_EQ(robot.measure().travelled, 0.0);
         EXPECT_EQ(robot.measure().turned, 0.0);
-        const double start = robot.rest().pose.base.x;
+        const double start = robot.pose().base.x;
         robot.command(DriveCommand{0.3});
         for (int i = 0; i < 20; ++i) robot.step(0.05);
-        return std::pair(robot.rest().pose.base.x - start, *robot.measure().travelled);
+        return std::pair(robot.pose().base.x - start, *robot.measure().travelled);
     };
     const auto [driven, exact] = drivenAndReported(0.0, 1);
     EXPECT_NEAR(exact, driven, 1e-6);
@@ -107,7 +205,7 @@ TEST(SimulatedRobot, reportsTheSameWayBackWithoutSlip)
     robot.command(DriveCommand{0.3});
     for (int i = 0; i < 60; ++i) robot.step(0.05);
     const double way = *robot.measure().travelled;
-    EXPECT_GT(way, robot.rest().pose.base.x - 2.2 - 0.05);
+    EXPECT_GT(way, robot.pose().base.x - 2.2 - 0.05);
     robot.command(DriveCommand{-0.3});
     for (int i = 0; i < 60; ++i) robot.step(0.05);
     EXPECT_NEAR(*robot.measure().travelled, way - 0.9, 0.1);
@@ -116,12 +214,12 @@ TEST(SimulatedRobot, reportsTheSameWayBackWithoutSlip)
 TEST(SimulatedRobot, advancesByTheCommandedDistance)
 {
     SimulatedRobot robot = robotBefore(1.5);
-    const double start = robot.rest().pose.base.x;
+    const double start = robot.pose().base.x;
     robot.command(AdvanceCommand{0.1});
     EXPECT_EQ(robot.measure().activity, RobotActivity::Driving);
     ASSERT_TRUE(within(robot, 5.0,
                        [](const Measurement& m) { return m.activity == RobotActivity::Halted; }));
-    EXPECT_NEAR(robot.rest().pose.base.x - start, 0.1, 1e-9);
+    EXPECT_NEAR(robot.pose().base.x - start, 0.1, 1e-9);
     for (const double distance : {0.0, -0.05, 0.11, std::nan("")}) {
         robot.command(AdvanceCommand{distance});
         EXPECT_EQ(robot.measure().refusal, Refusal::OutOfLimits) << distance;
@@ -142,10 +240,10 @@ TEST(SimulatedRobot, movesItsFlippersToTheCommandAtTheirSpeed)
     SimulatedRobot robot = robotBefore(1.5);
     robot.command(HoldFlippersCommand{0.3, 0.2});
     robot.step(0.1);
-    EXPECT_NEAR(robot.rest().pose.front, 0.7 - 0.0785, 1e-9);
+    EXPECT_NEAR(robot.pose().front, 0.7 - 0.0785, 1e-9);
     for (int i = 0; i < 20; ++i) robot.step(0.05);
-    EXPECT_NEAR(robot.rest().pose.front, 0.3, 1e-9);
-    EXPECT_NEAR(robot.rest().pose.rear, 0.2, 1e-9);
+    EXPECT_NEAR(robot.pose().front, 0.3, 1e-9);
+    EXPECT_NEAR(robot.pose().rear, 0.2, 1e-9);
     EXPECT_EQ(robot.measure().activity, RobotActivity::Halted);
     for (const double angle : {-2.0, 3.2, std::nan("")}) {
         robot.command(HoldFlippersCommand{angle, 0.0});
@@ -175,8 +273,8 @@ TEST(SimulatedRobot, pressesUntilTheTorqueIsReached)
     SimulatedRobot robot = robotBefore(0.5);
     robot.command(PressCommand{16.0});
     ASSERT_TRUE(within(robot, 10.0, isPressed));
-    EXPECT_NEAR(robot.rest().frontTorque, 16.0, 0.01);
-    EXPECT_GT(robot.rest().pose.front, 0.2);  // on the step's edge, not through it
+    EXPECT_NEAR(robot.stance().frontTorque(Side::Left), 8.0, 0.005);
+    EXPECT_GT(robot.pose().front, 0.2);  // on the step's edge, not through it
 }
 
 TEST(SimulatedRobot, stopsPressingWhereThereIsNoGround)
@@ -184,7 +282,7 @@ TEST(SimulatedRobot, stopsPressingWhereThereIsNoGround)
     SimulatedRobot robot = robotBefore(0.15, -1.0);
     robot.command(PressCommand{16.0});
     ASSERT_TRUE(within(robot, 10.0, isPressed));
-    EXPECT_NEAR(robot.rest().pose.front, kLowestFlipper, 1e-9);
+    EXPECT_NEAR(robot.pose().front, kLowestFlipper, 1e-9);
 }
 
 TEST(SimulatedRobot, probesOnlyWhenPressedAndWithinReach)
@@ -209,11 +307,11 @@ TEST(SimulatedRobot, latchesStop)
     robot.command(DriveCommand{0.3});
     robot.step(0.1);
     robot.command(StopCommand{});
-    const double x = robot.rest().pose.base.x;
+    const double x = robot.pose().base.x;
     robot.command(DriveCommand{0.3});
     EXPECT_EQ(robot.measure().refusal, Refusal::StopLatched);
     robot.step(0.5);
-    EXPECT_DOUBLE_EQ(robot.rest().pose.base.x, x);
+    EXPECT_DOUBLE_EQ(robot.pose().base.x, x);
     robot.command(ReleaseStopCommand{});
     EXPECT_EQ(robot.measure().activity, RobotActivity::Halted);
 }

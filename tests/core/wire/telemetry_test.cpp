@@ -58,24 +58,22 @@ struct Wire : testing::Test {
 
 TEST_F(Wire, carriesEachSideOfAnElement)
 {
-    SensedLine sent{.measurement = measured(), .sides = {}};
+    Measurement sent = measured();
     for (std::size_t e = 0; e < kForceElements; ++e) {
         sent.sides.left[e] = 2.0 + static_cast<double>(e);
         sent.sides.right[e] = 8.0 - static_cast<double>(e);
     }
-    const auto line = overTheWire(sensorLineOf(sent, robot));
-    ASSERT_TRUE(line);
-    const SideForces got = sideForces(elementForces(*line, robot));
-    const Measurement m =
-        *measurementOf(*line, elementForces(*line, robot), statusOf(sent.measurement), 0.0);
+    const auto received = overTheWire(sent);
+    ASSERT_TRUE(received);
+    const Measurement& m = *received;
+    const SideForces& got = m.sides;
     for (std::size_t e = 0; e < kForceElements; ++e) {
         EXPECT_NEAR(*got.left[e], *sent.sides.left[e], 0.1) << e;
         EXPECT_NEAR(*got.right[e], *sent.sides.right[e], 0.1) << e;
         EXPECT_NEAR(m.force[e], 5.0, 0.1) << e;
     }
     sent.sides.left[2] = 100.0;
-    EXPECT_NEAR(*sideForces(elementForces(*overTheWire(sensorLineOf(sent, robot)), robot)).left[2],
-                robot.forceSaturation, 0.5);
+    EXPECT_NEAR(*overTheWire(sent)->sides.left[2], robot.forceSaturation, 0.5);
 }
 
 TEST_F(Wire, carriesAWholeMeasurement)
