@@ -74,11 +74,11 @@ count_tests() {
     awk '{ count[$1] += $2 } END { printf "%d tests passed, %d were skipped\n", count["PASSED"], count["SKIPPED"] }'
 }
 
-# estimate METHOD: estimates $out/scenes.csv by both programs.
+# estimate METHOD: estimates $out/scenes.csv by both programs, as the console does.
 estimate() {
-  as_user $build/app/terratact reconstruct --method "$1" --data scenes.csv --out "arm64_$1.csv"
+  as_user $build/app/terratact reconstruct --quality balanced --method "$1" --data scenes.csv --out "arm64_$1.csv"
   cp "$root/home/operator/arm64_$1.csv" "$out/"
-  "$BESIDE" reconstruct --method "$1" --data "$out/scenes.csv" --out "$out/beside_$1.csv"
+  "$BESIDE" reconstruct --quality balanced --method "$1" --data "$out/scenes.csv" --out "$out/beside_$1.csv"
 }
 
 # Both programs drive the simulated robot.
