@@ -109,7 +109,14 @@ void addTrain(CLI::App& app, Job& job, const Words& words)
                                     "processes over clearances");
     const auto o = std::make_shared<TrainOptions>();
     addRobot(*c, o->robot);
-    addInput(*c, "--data", o->data, "Scenes CSV with all heights")->required();
+    auto* const data = addInput(*c, "--data", o->data, "Scenes CSV with all heights");
+    auto* const tracks =
+        addInput(*c, "--tracks", o->tracks,
+                 "Scenes CSV of left and right with all heights: the model also learns two tracks");
+    auto* const plane = addInput(*c, "--plane", o->plane,
+                                 "Model that learns --tracks; it keeps what it knows of one plane")
+                            ->needs(tracks)
+                            ->excludes(data);
     addFileOutput(*c, "--out", o->out, "Model to write (*.ttm)")->required();
     declareFiles(*c, FileRole::Output, [o] { return o->bins ? Paths{} : Paths{cardPath(o->out)}; });
     addNumber(*c, "--seed", o->seed, "Seed of the search");
@@ -121,12 +128,14 @@ void addTrain(CLI::App& app, Job& job, const Words& words)
         ->check(CLI::Range(30, 20'000));
     addParsed(*c, "--bins", o->bins, binSetFrom, "BINS", "does not name bins 0 to 10, each once",
               "Train these bins alone (0-3 or 0,4,10; 0 is -0.3 m) and write a part of a model "
-              "(*.ttp) for merge");
+              "(*.ttp) for merge")
+        ->excludes(tracks);
     addNumber(*c, "--inducing", o->inducing,
               "Conditionals predict through at most so many of their scenes, and their "
               "hyper-parameters come from 1400 (default 0: from all, through all)")
         ->check(CLI::Range(0, 20'000));
-    c->callback([o, &job, words] {
+    c->callback([o, data, plane, &job, words] {
+        if (data->count() + plane->count() == 0) throw CLI::RequiredError("--data");
         o->commandLine = commandLine(words);
         splitAtOut(without("--bins", words), *o);
         useShippedRobot(o->robot);
@@ -142,11 +151,13 @@ void addReconstruct(CLI::App& app, Job& job)
     addModel(*c, o->model);
     addInput(*c, "--data", o->data, "Scenes CSV")->required();
     addTextOutput(*c, "--out", o->out, "Estimates CSV to write")->required();
+    c->add_flag("--tracks", o->tracks,
+                "Scenes of left and right: estimates and verdicts per side by local or joint");
     addMethod(*c, o->settings);
     addSettings(*c, o->settings, o->seconds);
     c->callback([o, &job] {
         useShippedRobot(o->robot);
-        useShippedModel(o->model);
+        o->tracks ? useShippedTracks(o->model) : useShippedModel(o->model);
         job = [o] { return reconstructScenes(*o); };
     });
 }
@@ -160,6 +171,7 @@ void addEvaluate(CLI::App& app, Job& job, const Words& words)
     addModel(*c, o->model);
     addInput(*c, "--data", o->data, "Scenes CSV with heights")->required();
     addFolderOutput(*c, "--out", o->out, "Directory for the CSV files and the figures", [o] {
+        if (o->tracks) return Paths{"tracks.csv", "track_steps.csv", "missing.csv"};
         return o->shard ? Paths{shardFile(*o->shard)} : reportFiles();
     })->required();
     declareFiles(*c, FileRole::Update,
@@ -174,14 +186,21 @@ void addEvaluate(CLI::App& app, Job& job, const Words& words)
     addParsed(*c, "--shard", o->shard, shardFrom, "i/n", "is no part i/n with 1 <= i <= n <= 10000",
               "Evaluate part i of n alone (2/8) and write it (part_2_of_8.tte) for merge")
         ->excludes(card);
+    auto* const tracks =
+        c->add_flag("--tracks", o->tracks,
+                    "Scenes of left and right: errors per side by local or joint, beside one plane")
+            ->excludes(card)
+            ->excludes("--shard");
     auto* classes = addInput(*c, "--classes", o->classes,
                              "Index CSV whose column row names the scenes' runs: scores by class");
+    classes->excludes(tracks);
     c->add_option("--class-column", o->classColumn, "Its column with the class")
         ->capture_default_str()
         ->needs(classes);
     c->add_flag("--probes", o->probes,
                 "Simulate probes chosen by largest sd, by expected variance and by the step "
-                "question");
+                "question")
+        ->excludes(tracks);
     c->add_flag("--missing", o->missing,
                 "Only print the errors of the methods without currents or forces")
         ->excludes(card);
@@ -190,7 +209,7 @@ void addEvaluate(CLI::App& app, Job& job, const Words& words)
         o->methods = methodsFrom(*methods);
         o->command = commandLine(without("--out", without("--shard", words)));
         useShippedRobot(o->robot);
-        useShippedModel(o->model);
+        o->tracks ? useShippedTracks(o->model) : useShippedModel(o->model);
         job = [o] { return evaluate(*o); };
     });
 }

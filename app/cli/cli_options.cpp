@@ -164,6 +164,11 @@ void useShippedModel(std::string& model)
     if (model.empty()) model = resourcePath("models/default.ttm");
 }
 
+void useShippedTracks(std::string& model)
+{
+    if (model.empty()) model = resourcePath("models/two_tracks.ttm");
+}
+
 void addMethod(CLI::App& app, Settings& settings)
 {
     addChoice(app, "--method", settings.method, methodFromName,

@@ -5,16 +5,48 @@
 #include "app/cli/commands.h"
 #include "app/modelling/estimate_csv.h"
 #include "app/modelling/scene_estimates.h"
+#include "app/modelling/two_track_csv.h"
+#include "app/modelling/two_track_evaluation.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/text_output.h"
 #include "core/learn/data/scene_file.h"
+#include "core/learn/data/two_track_scene_file.h"
 
 namespace terratact {
+
+namespace {
+
+Status reconstructTracks(const ReconstructOptions& options, const EstimatorBundle& bundle)
+{
+    if (!bundle.model.data.hasSides()) return modelOfOnePlane(options.model);
+    if (!isClosedForm(options.settings.method))
+        return fileError(options.data, "two tracks are estimated by --method local or joint");
+    const auto file = readTwoTrackScenes(options.data);
+    if (!file) return file.error();
+    for (const Message& notice : file->notices)
+        printText(stderr, "terratact: {}\n", notice.english());
+    const TrackEstimates estimates =
+        estimateTracks(TrackApproach::Both, file->scenes, bundle, options.settings);
+    if (Status written = writeText(options.out, twoTrackCsv(file->scenes, bundle.robot, estimates));
+        !written)
+        return written;
+    const auto made = std::ranges::count_if(estimates, [](const auto& e) { return e.has_value(); });
+    const auto planes = std::ranges::count_if(
+        estimates, [](const auto& e) { return e.has_value() && e->onePlane; });
+    printText(
+        messagesBeside(options.out),
+        "{} scenes of two tracks written to {}; {} not estimated, {} estimated as one plane\n",
+        estimates.size(), options.out, std::ssize(estimates) - made, planes);
+    return Done{};
+}
+
+}  // namespace
 
 Status reconstructScenes(const ReconstructOptions& options)
 {
     const auto bundle = openEstimatorBundle(options.robot, options.model);
     if (!bundle) return bundle.error();
+    if (options.tracks) return reconstructTracks(options, **bundle);
     const auto file = readScenes(options.data);
     if (!file) return file.error();
     for (const Message& notice : file->notices)

@@ -58,6 +58,8 @@ Result<ModelData> trainVisibly(const TrainOptions& options, const RobotModel& ro
     StageProgress stages;
     return trainModel({.robot = robot,
                        .data = options.data,
+                       .tracks = options.tracks,
+                       .plane = options.plane,
                        .scannerSd = options.scannerSd,
                        .conditionalRows = options.conditionalRows,
                        .inducing = options.inducing,
@@ -93,6 +95,9 @@ void printModel(const ModelData& model, const std::string& path)
               1000.0 * model.clearance.contactBias, 1000.0 * model.clearance.contactSd);
     printText("{} scenes; 22 Gaussian processes on {} of them, surfaces on all; written to {}\n",
               model.heights.rows(), model.scannedHeights.rows(), path);
+    if (model.hasSides())
+        printText("two tracks: 22 Gaussian processes for both sides; {} scenes kept\n",
+                  model.sides.heights.rows() / 2);
 }
 
 }  // namespace

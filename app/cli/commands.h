@@ -36,6 +36,8 @@ Status simulate(const SimulateOptions& options);
 
 struct TrainOptions {
     std::string robot, data, out;
+    std::string tracks;      ///< scenes of two tracks; empty: the model learns one plane only
+    std::string plane;       ///< model that is kept instead of training on `data`; empty: none
     double scannerSd = 0.0;  ///< [m] sd of noise added to the conditionals' heights
     int conditionalRows = 1400;
     int inducing = 0;         ///< maximum inducing rows of the conditionals; 0: exact
@@ -51,6 +53,7 @@ struct ReconstructOptions {
     std::string robot, model, data, out;
     Settings settings;
     double seconds = 0.0;  ///< time limit of each sampling; 0: no limit
+    bool tracks = false;   ///< scenes of left and right, estimated by local or joint
 };
 Status reconstructScenes(const ReconstructOptions& options);
 

@@ -13,9 +13,12 @@
 #include "app/runtime/parallel.h"
 #include "core/infer/sampling/watch.h"
 #include "core/learn/data/scene_file.h"
+#include "core/learn/data/two_track_scene_file.h"
 #include "core/learn/model/clearance_conditionals.h"
 #include "core/learn/model/clearance_model.h"
 #include "core/learn/model/clearance_training.h"
+#include "core/learn/model/model_file.h"
+#include "core/learn/model/side_training.h"
 #include "core/learn/model/training.h"
 #include "core/store/file_read.h"
 #include "core/store/sha256.h"
@@ -49,19 +52,27 @@ public:
         if (plan.inducing > 0) conditional_.fullRows = kRowsOfSparseSearch;
         surface_.subset = kRowsOfSurfaceSearch;
         surface_.fullEvaluations = 0;
-        total_ = static_cast<double>(bins_.size())
-               * (costOf(TrainingKind::Paf) + costOf(TrainingKind::Pa)
-                  + 2.0 * costOf(TrainingKind::SurfaceOpen)
-                  + 2.0 * costOf(TrainingKind::ClearanceOpen));
+        if (!plan.plane.empty()) {
+            total_ = static_cast<double>(bins_.size()) * 2.0 * costOf(TrainingKind::SideOpen);
+            return;
+        }
+        total_ =
+            static_cast<double>(bins_.size())
+            * (costOf(TrainingKind::Paf) + costOf(TrainingKind::Pa)
+               + 2.0 * costOf(TrainingKind::SurfaceOpen) + 2.0 * costOf(TrainingKind::ClearanceOpen)
+               + (model.hasSides() ? 2.0 * costOf(TrainingKind::SideOpen) : 0.0));
     }
 
     void run()
     {
+        if (!plan_.plane.empty()) return trainSides();
         trainConditionals();
-        trainSurfaces();
+        trainSurfaces(model_, ceilings_,
+                      {TrainingKind::SurfaceCovered, TrainingKind::SurfaceOpen, 0});
         trainClearances();
         callPoll(poll_);
         if (!plan_.bins) finishClearance(model_, ceilings_, plan_.robot, poll_);
+        if (model_.hasSides()) trainSides();
     }
 
 private:
@@ -84,6 +95,8 @@ private:
         case TrainingKind::ClearanceOpen:
             return searchCost(std::min<Eigen::Index>(model_.heights.rows(), kMaxClearanceRows),
                               clearance_);
+        case TrainingKind::SideCovered:
+        case TrainingKind::SideOpen: return searchCost(model_.sides.heights.rows(), surface_);
         }
         return 0.0;
     }
@@ -132,22 +145,36 @@ private:
         });
     }
 
-    void trainSurfaces()
+    /// Surface processes of one stage.
+    struct SurfaceStage {
+        TrainingKind covered, open;
+        Eigen::Index kept = 0;  ///< as in trainSurface()
+    };
+
+    void trainSurfaces(SurfaceData& data, const Eigen::MatrixXd& ceilings,
+                       const SurfaceStage& stage)
     {
-        prepareClearance(model_, ceilings_);
-        const std::vector<int> places = placesOf(model_);
+        prepareClearance(data, ceilings);
+        const std::vector<int> places = placesOf(data);
         std::vector<TrainedSurface> trained(static_cast<std::size_t>(jobs()));
-        runStage(TrainingKind::SurfaceCovered, TrainingKind::SurfaceOpen,
-                 [&](int job, TrainingKind kind, int bin) {
-                     trained[static_cast<std::size_t>(job)] =
-                         trainSurface(model_, ceilings_, bin, kind == TrainingKind::SurfaceCovered,
-                                      surface_, poll_, places);
-                     return Outcome{};
-                 });
+        runStage(stage.covered, stage.open, [&](int job, TrainingKind kind, int bin) {
+            trained[static_cast<std::size_t>(job)] = trainSurface(
+                data, ceilings, bin, kind == stage.covered, surface_, poll_, places, stage.kept);
+            return Outcome{};
+        });
         const auto count = static_cast<int>(bins_.size());
         for (int job = 0; job < jobs(); ++job)
-            store(model_, trained[static_cast<std::size_t>(job)],
+            store(data, trained[static_cast<std::size_t>(job)],
                   bins_[static_cast<std::size_t>(job % count)], job < count);
+    }
+
+    /// Trains the processes of both sides.
+    void trainSides()
+    {
+        trainSurfaces(
+            model_.sides, bodyCeilings(model_.sides.features, plan_.robot, poll_),
+            {TrainingKind::SideCovered, TrainingKind::SideOpen, Eigen::Index{2} * kKeptScenes});
+        finishSides(model_.sides, plan_.robot, poll_);
     }
 
     /// Trains the conditionals over clearances in every regime with enough rows.
@@ -234,6 +261,42 @@ Result<ModelData> readTraining(const TrainingPlan& plan, const TrainingWatch& wa
     return std::move(set.model);
 }
 
+/// Returns the part of one plane of plan.plane.
+Result<ModelData> readPlane(const TrainingPlan& plan)
+{
+    auto stored = readModel(plan.plane);
+    if (!stored) return stored.error();
+    ModelData model = std::move(stored->data);
+    model.sides = {};
+    return model;
+}
+
+/// Adds the rows of both sides to the model.
+Status readSides(const TrainingPlan& plan, const TrainingWatch& watch, ModelData& model)
+{
+    const auto hash = sha256OfFile(plan.tracks);
+    if (!hash) return hash.error();
+    const auto file = readTwoTrackScenes(plan.tracks);
+    if (!file) return file.error();
+    const auto report = [&](const Message& notice) {
+        if (watch.notice) watch.notice(notice);
+    };
+    for (const Message& notice : file->notices) report(notice);
+    try {
+        SideTrainingSet set = prepareSides(file->scenes);
+        if (set.leftOut > 0)
+            report({TR_NOOP("core", "%1 scenes of two tracks left out: a value is unknown, or "
+                                    "there are more than %2"),
+                    set.leftOut, kMaxSideScenes});
+        model.sides = std::move(set.rows);
+    } catch (const std::invalid_argument& error) {
+        return fileError(plan.tracks, error.what());
+    }
+    model.sidesHash = *hash;
+    model.sidesCommand = plan.commandLine;
+    return Done{};
+}
+
 }  // namespace
 
 std::string_view stageOf(TrainingKind kind)
@@ -245,14 +308,20 @@ std::string_view stageOf(TrainingKind kind)
     case TrainingKind::SurfaceOpen: return "surface";
     case TrainingKind::ClearanceCovered:
     case TrainingKind::ClearanceOpen: return "clearance";
+    case TrainingKind::SideCovered:
+    case TrainingKind::SideOpen: return "side";
     }
     return "";
 }
 
 Result<ModelData> trainModel(const TrainingPlan& plan, const TrainingWatch& watch)
 {
-    auto model = readTraining(plan, watch);
+    auto model = plan.plane.empty() ? readTraining(plan, watch) : readPlane(plan);
     if (!model) return model;
+    if (!plan.tracks.empty()) {
+        if (plan.bins) throw std::invalid_argument("a part of a model cannot have two tracks");
+        if (Status sides = readSides(plan, watch, *model); !sides) return sides.error();
+    }
     Training(*model, plan, watch).run();
     return model;
 }

@@ -17,7 +17,11 @@ namespace terratact {
 /// Input and options of a training.
 struct TrainingPlan {
     RobotModel robot;
-    std::string data;        ///< CSV of scenes with all heights
+    std::string data;      ///< CSV of scenes with all heights
+    std::string tracks{};  ///< CSV of scenes of two tracks; empty: the model learns one plane only
+    /// Model whose part of one plane is kept, every bit of it; the new one learns `tracks` alone, and
+    /// `data` is not read. Empty: `data` trains that part.
+    std::string plane{};
     double scannerSd = 0.0;  ///< [m] sd of noise added to the conditionals' heights
     int conditionalRows = 1400;
     int inducing = 0;         ///< maximum inducing rows of the conditionals; 0: exact
@@ -40,7 +44,10 @@ enum class TrainingKind : std::uint8_t {
     SurfaceOpen,       ///< the bin's surface given s, elsewhere
     ClearanceCovered,  ///< p(yᵢ | y_{J∖i}, s) over clearances
     ClearanceOpen,
+    SideCovered,  ///< the surface of one of two sides, under the robot; with TrainingPlan::tracks
+    SideOpen,
 };
+/// Kinds of every training.
 inline constexpr std::array kTrainingKinds{TrainingKind::Paf,
                                            TrainingKind::Pa,
                                            TrainingKind::SurfaceCovered,
@@ -48,7 +55,7 @@ inline constexpr std::array kTrainingKinds{TrainingKind::Paf,
                                            TrainingKind::ClearanceCovered,
                                            TrainingKind::ClearanceOpen};
 
-/// Returns the name of two kinds in progress texts: "Gaussian process", "surface", "clearance".
+/// Returns the name of two kinds in progress texts: "Gaussian process", "surface", "clearance", "side".
 std::string_view stageOf(TrainingKind kind);
 
 enum class TrainingEvent : std::uint8_t {
@@ -76,7 +83,7 @@ struct TrainingWatch {
 };
 
 /// Trains a model; it is complete unless the plan names bins. Plans that differ only in threads give the same model on
-/// the same machine. Errors name the file and, if known, the line. Throws Cancelled (core/infer/sampling/watch.h) once
+/// the same machine. Bins and tracks exclude each other: std::invalid_argument. Errors name the file and, if known, the line. Throws Cancelled (core/infer/sampling/watch.h) once
 /// watch.cancelled() returns true.
 Result<ModelData> trainModel(const TrainingPlan& plan, const TrainingWatch& watch = {});
 

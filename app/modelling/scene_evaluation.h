@@ -28,6 +28,7 @@ struct EvaluateOptions {
     std::string classColumn = "class";  ///< column in the index file
     bool probes = false;                ///< also simulates probes with three rules
     bool missing = false;               ///< evaluates missing sensors instead
+    bool tracks = false;                ///< evaluates scenes of two tracks (two_track_evaluation.h)
     std::optional<Shard> shard;         ///< writes only the findings of this part
     bool card = false;                  ///< also writes the scores into the model's card
     std::string command;                ///< command line without --shard and --out

@@ -34,6 +34,9 @@ Models::Models(const ModelData& model, const RobotModel& robot)
     : pa(model, FeatureSet::Pa), paf(model, FeatureSet::Paf), clearance(model),
       conditionals(conditionalsOf(model, robot)), reduced(model, robot)
 {
+    if (!model.hasSides()) return;
+    sides.emplace(model.sides);
+    reducedSides.emplace(model.sides, robot);
 }
 
 void makeProcesses(const Models& models, const Settings& settings, const Watch& watch)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "core/infer/estimate/estimate.h"
@@ -24,6 +25,9 @@ struct Models {
     ClearanceModel clearance;
     ClearanceConditionals conditionals;
     ReducedClearances reduced;
+    /// Both sides of two tracks; empty if the model has learnt one plane only.
+    std::optional<ClearanceModel> sides{};
+    std::optional<ReducedClearances> reducedSides{};
 };
 
 /// Makes all Gaussian processes that a sampling method may ask for in any scene; none for a closed

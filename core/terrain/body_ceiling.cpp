@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "core/robot/kinematics.h"
+#include "core/robot/side_plane.h"
+#include "core/terrain/ground_lines.h"
 
 namespace terratact {
 
@@ -36,20 +38,47 @@ std::vector<std::array<double, 2>> outlineOf(const TaperedHull& hull)
     return points;
 }
 
-}  // namespace
+/// Angles of a robot on one plane [rad].
+struct PlaneAngles {
+    double pitch = 0.0, front = 0.0, rear = 0.0;
+};
 
-Heights bodyCeiling(const RobotModel& robot, double pitch, double front, double rear)
+/// Writes the ceilings of bins first … last − 1.
+void writeCeilings(Heights& ceiling, const RobotModel& robot, const PlaneAngles& angles, int first,
+                   int last)
 {
-    if (!std::isfinite(pitch) || !std::isfinite(front) || !std::isfinite(rear))
+    if (!std::isfinite(angles.pitch) || !std::isfinite(angles.front) || !std::isfinite(angles.rear))
         throw std::invalid_argument("ceilings need a finite pitch and finite flipper angles");
-    const RobotShape shape = shapeAt(robot, poseInDem(robot, pitch, front, rear));
-    Heights ceiling{};
-    for (int i = 0; i < kBins; ++i) {
+    const RobotShape shape =
+        shapeAt(robot, poseInDem(robot, angles.pitch, angles.front, angles.rear));
+    for (int i = first; i < last; ++i) {
         double sum = 0.0;
         for (int k = 0; k < kStepsPerBin; ++k)
             sum += lowerEnvelope(shape, binBegin(i) + kBinWidth * (k + 0.5) / kStepsPerBin);
         ceiling[static_cast<std::size_t>(i)] = sum / kStepsPerBin;
     }
+}
+
+}  // namespace
+
+Heights bodyCeiling(const RobotModel& robot, double pitch, double front, double rear)
+{
+    Heights ceiling{};
+    writeCeilings(ceiling, robot, {pitch, front, rear}, 0, kBins);
+    return ceiling;
+}
+
+Heights sideCeiling(const RobotModel& robot, const TwoTrackReadings& s, Side side)
+{
+    if (!std::isfinite(s.roll)) throw std::invalid_argument("ceilings need a finite roll");
+    const PlaneAngles own{s.pitch, s.flippers[indexOf(frontFlipper(side))],
+                          s.flippers[indexOf(rearFlipper(side))]};
+    const double sign = signOf(side);
+    Heights ceiling{};
+    writeCeilings(ceiling, inSidePlane(robot, s.roll, sign * robot.lateral.trackY), own, 0,
+                  kFirstFlipperBin);
+    writeCeilings(ceiling, inSidePlane(robot, s.roll, sign * robot.lateral.flipperY), own,
+                  kFirstFlipperBin, kBins);
     return ceiling;
 }
 

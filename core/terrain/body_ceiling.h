@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/robot/robot_model.h"
+#include "core/robot/two_tracks.h"
 #include "core/terrain/bins.h"
 #include "core/terrain/outline.h"
 
@@ -14,6 +15,12 @@ namespace terratact {
 /// pitch, front, rear: [rad], signs as in Proprioception. Throws std::invalid_argument unless
 /// finite.
 Heights bodyCeiling(const RobotModel& robot, double pitch, double front, double rear);
+
+/// Returns the ceilings of one side at these readings, with a locked differential: those of the
+/// plane of the side's track for bins −0.3 … 0.2 m, and of the plane of its flippers from 0.3 m on,
+/// like sideHeights() (core/terrain/ground_lines.h). They hold for a robot that fills its width: a
+/// flipper is a ceiling above the track's line too. Throws std::invalid_argument unless finite.
+Heights sideCeiling(const RobotModel& robot, const TwoTrackReadings& s, Side side);
 
 /// Returns the side view for a picture: body, tracks and flippers as polygons, DEM frame.
 Outline robotOutline(const RobotModel& robot, double pitch, double front, double rear);

@@ -55,12 +55,12 @@ _terratact_buses() {
 _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
-    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | *:--probes | *:--missing | *:--lamps | *:--watch | \
+    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | reconstruct:--tracks | evaluate:--tracks | *:--probes | *:--missing | *:--lamps | *:--watch | \
       *:--summary | *:--transmit | *:--safe-mode | *:--errors-in-window | *:--no-record | *:--measured | *:--all | *:--card | \
       "model show:--csv") return 1 ;;
     *:--robot | *:--panel) _terratact_files toml ;;
-    *:--model) _terratact_files ttm ;;
-    *:--data | *:--classes | *:--csv) _terratact_files csv ;;
+    *:--model | train:--plane) _terratact_files ttm ;;
+    train:--tracks | *:--data | *:--classes | *:--csv) _terratact_files csv ;;
     simulate:--out | reconstruct:--out) _terratact_files csv ;;
     train:--out | merge:--out) _terratact_files ttm ttp ;;
     "session merge:--out" | "session import:--out") _terratact_files tts ;;
@@ -107,9 +107,9 @@ _terratact_options() {
     console) echo --version --model --robot --terrain --fault --can --transmit --replay --interface --at --speed --panel --dbc --seed \
       --screenshot --size --theme --layout --font-scale --language --safe-mode --sessions --no-record --errors-in-window ;;
     simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --tracks --disturb ;;
-    train) echo --robot --data --out --seed --scanner-sd --conditional-rows --bins --inducing ;;
-    reconstruct) echo --robot --model --data --out --method "$estimates" ;;
-    evaluate) echo --robot --model --data --out --methods --step-limit --card --shard --classes --class-column --probes --missing \
+    train) echo --robot --data --tracks --plane --out --seed --scanner-sd --conditional-rows --bins --inducing ;;
+    reconstruct) echo --robot --model --data --out --tracks --method "$estimates" ;;
+    evaluate) echo --robot --model --data --out --methods --step-limit --card --shard --tracks --classes --class-column --probes --missing \
       "$estimates" ;;
     hazards) echo --robot --model --drives --step-limit --rates --seed --method ;;
     tradeoff) echo --robot --model --data --out --methods --reference-sweeps --seed ;;

@@ -301,6 +301,35 @@ class Commands(unittest.TestCase):
         self.assertEqual(len(table), 11)
         self.assertEqual({row["scenes"] for row in table}, {"4"})
 
+    def test_two_tracks_are_learnt_and_evaluated(self):
+        scenes, model, out = self.path / "two.csv", self.path / "two.ttm", self.path / "two"
+        run("simulate", "--terrain", "varied", "--tracks", "--count", 160, "--seed", 3, "--out", scenes)
+        said = run("train", "--data", self.data, "--tracks", scenes, "--out", model, "--seed", 3, "--inducing", 40)
+        self.assertRegex(said, r"two tracks: 22 Gaussian processes for both sides; 1\d\d scenes kept")
+        table = run("evaluate", "--tracks", "--model", model, "--data", scenes, "--methods", "local", "--out", out)
+        error = {(row["approach"], row["what"]): float(row["median_m"]) for row in rows(out / "tracks.csv")}
+        self.assertLess(error["two tracks", "beyond"], error["one plane", "beyond"])
+        self.assertIn("two tracks", table)
+        run("evaluate", "--tracks", "--missing", "--model", model, "--data", scenes, "--methods", "local", "--out", out)
+        self.assertIn("right array", [row["not_measured"] for row in rows(out / "missing.csv")])
+        estimates = self.path / "est_two.csv"
+        run("reconstruct", "--tracks", "--model", model, "--data", scenes, "--out", estimates)
+        table = rows(estimates)
+        self.assertEqual({row["side"] for row in table}, {"left", "right"})
+        self.assertTrue(all(row["text"].startswith(("left ", "both ")) for row in table))
+        self.assertTrue(any(row["verdict"] != row["side_verdict"] for row in table))
+        again = self.path / "again.ttm"
+        run("train", "--plane", self.model, "--tracks", scenes, "--seed", 3, "--out", again)
+        few, outs = self.first_scenes(3), []
+        for source in (self.model, again):
+            run("reconstruct", "--model", source, "--data", few, "--out", self.path / "one.csv")
+            outs.append((self.path / "one.csv").read_bytes())
+        self.assertEqual(*outs)  # one plane stays as it is
+        complaint("train", "--plane", self.model, "--data", self.data, "--tracks", scenes, "--out", again, code=2)
+        complaint("train", "--out", again, code=2)
+        self.assertIn("train --tracks", complaint("evaluate", "--tracks", "--model", self.model, "--data", scenes, "--out", out))
+        complaint("train", "--data", self.data, "--tracks", scenes, "--bins", "3", "--out", model, code=2)
+
     def test_scenes_with_unknown_forces_are_estimated(self):
         few = self.first_scenes(2)
         header, first, second = few.read_text().splitlines()
@@ -429,6 +458,8 @@ class Commands(unittest.TestCase):
         self.assertIn("with a jitter of 1e-06", text)
         self.assertNotIn("is singular", text)
         self.assertIn("terratact train", text)
+        two = pathlib.Path(SOURCE) / "resources/models/two_tracks.ttm"
+        self.assertLess(two.stat().st_size, 10_000_000)
         self.assertLess((pathlib.Path(SOURCE) / "resources/models/default.ttm").stat().st_size, 8_000_000)
 
 

@@ -19,7 +19,9 @@ namespace terratact {
 namespace {
 
 constexpr Eigen::Index kNonForces = 5;  // pitch, two angles and two currents come before the forces
-constexpr double kModelForceScale = 3.0;  // [N]
+constexpr Eigen::Index kSideRow = Eigen::Index{kSideFeatures};
+constexpr Eigen::Index kNoveltyRows = 3000;  // of sides
+constexpr double kModelForceScale = 3.0;     // [N]
 constexpr int kNoveltyNeighbour = 10;
 constexpr double kNoveltyShare = 0.99;
 
@@ -32,8 +34,8 @@ double nthSmallest(const Eigen::VectorXd& values, int n)
 }
 
 /// Returns the standardised features of all rows times the metric: d × U.
-Eigen::MatrixXd scenesInMetric(const ModelData& model, const Eigen::VectorXd& metric,
-                               MissingFeatures without)
+Eigen::MatrixXd scenesInMetric(const SurfaceData& model, const Eigen::VectorXd& metric,
+                               AbsentFeatures without)
 {
     Eigen::MatrixXd scenes(model.features.cols(), model.features.rows());
     for (Eigen::Index u = 0; u < scenes.cols(); ++u)
@@ -83,7 +85,7 @@ std::vector<int> onePerPlace(const std::vector<int>& sorted, const std::vector<i
     return chosen;
 }
 
-void check(const ModelData& model)
+void check(const SurfaceData& model)
 {
     const ClearanceData& data = model.clearance;
     const Eigen::Index U = model.features.rows();
@@ -94,18 +96,65 @@ void check(const ModelData& model)
         throw std::invalid_argument("the model has no trained clearances");
 }
 
+/// Returns the row of the other side of the same scene.
+int partner(int row)
+{
+    return row ^ 1;
+}
+
+/// Returns w² with own and other side alike.
+Eigen::VectorXd alikeForSides(const Eigen::VectorXd& squares)
+{
+    Eigen::VectorXd alike(squares.size());
+    for (std::size_t d = 0; d < kSideFeatures; ++d)
+        alike[static_cast<Eigen::Index>(d)] =
+            (squares[static_cast<Eigen::Index>(d)]
+             + squares[static_cast<Eigen::Index>(otherSideFeature(d))])
+            / 2.0;
+    return alike;
+}
+
+/// Returns the weights of localResiduals() for sorted squared distances.
+Eigen::VectorXd weightsAt(const Eigen::VectorXd& squared)
+{
+    const auto middle = static_cast<int>(std::max<Eigen::Index>(squared.size() / 2, 1));
+    const double least = squared.minCoeff();
+    const double width = std::max(nthSmallest(squared, middle) - least, 1e-9);
+    Eigen::VectorXd weight = (-0.5 * (squared.array() - least) / width).exp().matrix();
+    weight /= weight.sum();
+    return weight;
+}
+
+/// Returns 1 for each bin that both masks have in the same regime, else 0.
+Eigen::Matrix<double, kBins, 1> sameRegime(unsigned a, unsigned b)
+{
+    Eigen::Matrix<double, kBins, 1> same;
+    for (int bin = 0; bin < kBins; ++bin)
+        same[bin] = isCovered(a, bin) == isCovered(b, bin) ? 1.0 : 0.0;
+    return same;
+}
+
+/// Makes a bin without process independent of the others.
+void isolate(Eigen::MatrixXd& covariance, Eigen::Index i, double sd)
+{
+    covariance.row(i).setZero();
+    covariance.col(i).setZero();
+    covariance(i, i) = sd * sd;
+}
+
 }  // namespace
 
 Eigen::VectorXd surfaceFeatures(const Eigen::VectorXd& features)
 {
     Eigen::VectorXd x = features;
-    for (Eigen::Index d = kNonForces; d < x.size(); ++d)
+    const Eigen::Index first = x.size() == kSideRow ? Eigen::Index{kFirstSideForce} : kNonForces;
+    for (Eigen::Index d = first; d < x.size(); ++d)
         x[d] = std::log1p(std::max(x[d], 0.0) / kModelForceScale);
     return x;
 }
 
 Eigen::VectorXd standardisedFeatures(const Eigen::VectorXd& mean, const Eigen::VectorXd& sd,
-                                     const Eigen::VectorXd& features, MissingFeatures without)
+                                     const Eigen::VectorXd& features, AbsentFeatures without)
 {
     Eigen::VectorXd x = (surfaceFeatures(features) - mean).cwiseQuotient(sd);
     for (std::size_t d = 0; d < without.size(); ++d)
@@ -129,11 +178,18 @@ std::vector<int> rowsOf(const std::vector<unsigned>& coveredBins, int bin, bool 
     return rows;
 }
 
-std::vector<int> placesOf(const ModelData& model)
+bool holdsSides(const SurfaceData& model)
+{
+    return model.features.cols() == kSideRow;
+}
+
+std::vector<int> placesOf(const SurfaceData& model)
 {
     if (model.repeats > 0) return placesOf(model.features, model.heights);
     std::vector<int> own(static_cast<std::size_t>(model.heights.rows()));
     std::iota(own.begin(), own.end(), 0);
+    if (holdsSides(model))
+        for (int& place : own) place = std::min(place, partner(place));
     return own;
 }
 
@@ -146,7 +202,7 @@ std::vector<int> inducingRows(const std::vector<int>& rows)
     return chosen;
 }
 
-ClearanceModel::ClearanceModel(const ModelData& model, MissingFeatures without,
+ClearanceModel::ClearanceModel(const SurfaceData& model, AbsentFeatures without,
                                std::vector<int> places)
     : without_(without), places_(std::move(places))
 {
@@ -204,7 +260,7 @@ const ClearanceModel::Process& ClearanceModel::process(int bin, bool covered) co
 Eigen::VectorXd ClearanceModel::standardised(const Eigen::VectorXd& features) const
 {
     if (features.size() != featureMean_.size() || !features.allFinite())
-        throw std::invalid_argument("clearances need all eleven features, finite");
+        throw std::invalid_argument("clearances need all features, finite");
     return standardisedFeatures(featureMean_, featureSd_, features, without_);
 }
 
@@ -234,14 +290,15 @@ Eigen::VectorXd ClearanceModel::squaredDistances(const Eigen::VectorXd& features
     return (scenes_.colwise() - x).colwise().squaredNorm().transpose();
 }
 
+template <class Differs>
 std::vector<int> ClearanceModel::nearest(const Eigen::VectorXd& squaredDistance,
-                                         unsigned covered) const
+                                         Differs differs) const
 {
     std::vector<int> rows(coveredBins_.size());
     std::iota(rows.begin(), rows.end(), 0);
     const auto before = [&](int a, int b) {
-        const bool differsA = coveredBins_[static_cast<std::size_t>(a)] != covered;
-        const bool differsB = coveredBins_[static_cast<std::size_t>(b)] != covered;
+        const bool differsA = differs(a);
+        const bool differsB = differs(b);
         if (differsA != differsB) return differsB;
         return squaredDistance[a] < squaredDistance[b];
     };
@@ -259,22 +316,56 @@ ResidualSample ClearanceModel::localResiduals(const Eigen::VectorXd& features,
                                               unsigned covered) const
 {
     const Eigen::VectorXd distance = squaredDistances(features);
-    const std::vector<int> rows = nearest(distance, covered);
-    const auto K = static_cast<Eigen::Index>(rows.size());
-    const Eigen::VectorXd own = distance(rows);
-    const double least = own.minCoeff();
-    const double width = std::max(
-        nthSmallest(own, static_cast<int>(std::max<Eigen::Index>(K / 2, 1))) - least, 1e-9);
-    ResidualSample sample{(-0.5 * (own.array() - least) / width).exp().matrix(),
-                          residuals_(Eigen::all, rows)};
-    sample.weight /= sample.weight.sum();
-    for (int bin = 0; bin < kBins; ++bin)
-        borrow(sample, rows, distance, bin, isCovered(covered, bin));
+    const std::vector<int> rows = nearest(
+        distance, [&](int u) { return coveredBins_[static_cast<std::size_t>(u)] != covered; });
+    ResidualSample sample{weightsAt(distance(rows)), residuals_(Eigen::all, rows)};
+    borrow(sample, 0, rows, distance, covered);
     return sample;
 }
 
-void ClearanceModel::borrow(ResidualSample& sample, const std::vector<int>& rows,
-                            const Eigen::VectorXd& distance, int bin, bool covered) const
+void ClearanceModel::requireSidesOf(const ClearanceModel& right) const
+{
+    if (featureMean_.size() != kSideRow || coveredBins_ != right.coveredBins_
+        || places_ != right.places_)
+        throw std::invalid_argument("both sides need models of the same scenes of two tracks");
+}
+
+ResidualSample ClearanceModel::sideResiduals(const ClearanceModel& right,
+                                             const Eigen::VectorXd& leftFeatures,
+                                             const SideBins& covered) const
+{
+    requireSidesOf(right);
+    const Eigen::VectorXd distance = squaredDistances(leftFeatures);
+    const std::vector<int> rows = nearest(distance, [&](int u) {
+        return coveredBins_[static_cast<std::size_t>(u)] != covered[0]
+            || coveredBins_[static_cast<std::size_t>(partner(u))] != covered[1];
+    });
+    std::vector<int> others;
+    others.reserve(rows.size());
+    for (const int u : rows) others.push_back(partner(u));
+    ResidualSample sample{weightsAt(distance(rows)), Eigen::MatrixXd(2 * kBins, std::ssize(rows))};
+    sample.residual << residuals_(Eigen::all, rows), right.residuals_(Eigen::all, others);
+    borrow(sample, 0, rows, distance, covered[0]);
+    // The distance of a scene seen from its other side.
+    Eigen::VectorXd mirrored(distance.size());
+    for (int u = 0; u < static_cast<int>(distance.size()); ++u) mirrored[u] = distance[partner(u)];
+    right.borrow(sample, kBins, others, mirrored, covered[1]);
+    return sample;
+}
+
+/// Gives bins whose regime differs in their row the residuals of other rows. first: row of the
+/// sample that holds bin 0.
+void ClearanceModel::borrow(ResidualSample& sample, Eigen::Index first,
+                            const std::vector<int>& rows, const Eigen::VectorXd& distance,
+                            unsigned covered) const
+{
+    for (int bin = 0; bin < kBins; ++bin)
+        borrowBin(sample, first, rows, distance, bin, isCovered(covered, bin));
+}
+
+void ClearanceModel::borrowBin(ResidualSample& sample, Eigen::Index first,
+                               const std::vector<int>& rows, const Eigen::VectorXd& distance,
+                               int bin, bool covered) const
 {
     std::vector<Eigen::Index> lacking;
     for (std::size_t k = 0; k < rows.size(); ++k)
@@ -283,13 +374,15 @@ void ClearanceModel::borrow(ResidualSample& sample, const std::vector<int>& rows
     if (lacking.empty()) return;
     std::vector<int> donors = rowsOf(coveredBins_, bin, covered);
     if (process(bin, covered).weights.size() == 0) donors.clear();
-    std::sort(donors.begin(), donors.end(),
-              [&](int a, int b) { return distance[a] < distance[b]; });
+    const auto wanted = std::min(std::ssize(donors), std::ssize(lacking));
+    std::partial_sort(donors.begin(), donors.begin() + wanted, donors.end(),
+                      [&](int a, int b) { return distance[a] < distance[b]; });
+    donors.resize(static_cast<std::size_t>(wanted));
     const double sd = process(bin, covered).residualSd;
     for (std::size_t k = 0; k < lacking.size(); ++k) {
         const double share = (static_cast<double>(k) + 0.5) / static_cast<double>(lacking.size());
         const double quantile = std::numbers::sqrt2 * boost::math::erf_inv(2.0 * share - 1.0);
-        sample.residual(bin, lacking[k]) =
+        sample.residual(first + bin, lacking[k]) =
             donors.empty() ? sd * quantile : residuals_(bin, donors[k % donors.size()]);
     }
 }
@@ -299,9 +392,7 @@ Eigen::MatrixXd ClearanceModel::residualCovariance(unsigned covered) const
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(kBins, kBins);
     Eigen::MatrixXd count = Eigen::MatrixXd::Zero(kBins, kBins);
     for (const auto& [theirs, products] : products_) {
-        Eigen::Matrix<double, kBins, 1> in;
-        for (int bin = 0; bin < kBins; ++bin)
-            in[bin] = isCovered(theirs, bin) == isCovered(covered, bin) ? 1.0 : 0.0;
+        const Eigen::Matrix<double, kBins, 1> in = sameRegime(theirs, covered);
         const Eigen::Matrix<double, kBins, kBins> both = in * in.transpose();
         sum += products.sum.cwiseProduct(both);
         count += products.count * both;
@@ -309,10 +400,33 @@ Eigen::MatrixXd ClearanceModel::residualCovariance(unsigned covered) const
     Eigen::MatrixXd covariance = (count.array() > 0.0).select(sum.cwiseQuotient(count), 0.0);
     for (int bin = 0; bin < kBins; ++bin) {
         const Process& p = process(bin, isCovered(covered, bin));
-        if (p.weights.size() > 0) continue;
-        covariance.row(bin).setZero();
-        covariance.col(bin).setZero();
-        covariance(bin, bin) = p.residualSd * p.residualSd;
+        if (p.weights.size() == 0) isolate(covariance, bin, p.residualSd);
+    }
+    return nearestCovariance(covariance);
+}
+
+Eigen::MatrixXd ClearanceModel::sideCovariance(const ClearanceModel& right,
+                                               const SideBins& covered) const
+{
+    requireSidesOf(right);
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(2 * kBins, 2 * kBins);
+    Eigen::MatrixXd count = sum;
+    Eigen::Matrix<double, 2 * kBins, 1> in, residual;
+    for (int u = 0; u < static_cast<int>(residuals_.cols()); ++u) {
+        const int other = partner(u);
+        in << sameRegime(coveredBins_[static_cast<std::size_t>(u)], covered[0]),
+            sameRegime(coveredBins_[static_cast<std::size_t>(other)], covered[1]);
+        residual << residuals_.col(u), right.residuals_.col(other);
+        residual.array() *= in.array();
+        sum.noalias() += residual * residual.transpose();
+        count.noalias() += in * in.transpose();
+    }
+    Eigen::MatrixXd covariance = (count.array() > 0.0).select(sum.cwiseQuotient(count), 0.0);
+    for (int bin = 0; bin < kBins; ++bin) {
+        const Process& own = process(bin, isCovered(covered[0], bin));
+        const Process& others = right.process(bin, isCovered(covered[1], bin));
+        if (own.weights.size() == 0) isolate(covariance, bin, own.residualSd);
+        if (others.weights.size() == 0) isolate(covariance, kBins + bin, others.residualSd);
     }
     return nearestCovariance(covariance);
 }
@@ -322,7 +436,7 @@ double ClearanceModel::novelty(const Eigen::VectorXd& features) const
     return std::sqrt(nthSmallest(squaredDistances(features), kNoveltyNeighbour)) / noveltyScale_;
 }
 
-Eigen::VectorXd ClearanceModel::metric(const ClearanceData& data, MissingFeatures without)
+Eigen::VectorXd ClearanceModel::metric(const ClearanceData& data, AbsentFeatures without)
 {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(data.featureMean.size());
     double count = 0.0;
@@ -338,15 +452,18 @@ Eigen::VectorXd ClearanceModel::metric(const ClearanceData& data, MissingFeature
             count += weight;
         }
     if (count == 0.0) throw std::invalid_argument("the model has no surface process");
+    if (sum.size() == kSideRow) return (alikeForSides(sum) / count).cwiseSqrt();
     return (sum / count).cwiseSqrt();
 }
 
-double ClearanceModel::noveltyScale(const ModelData& model, const Poll& poll,
-                                    MissingFeatures without)
+double ClearanceModel::noveltyScale(const SurfaceData& model, const Poll& poll,
+                                    AbsentFeatures without)
 {
     const Eigen::MatrixXd scenes = scenesInMetric(model, metric(model.clearance, without), without);
     std::vector<double> distance;
-    for (Eigen::Index u = 0; u < scenes.cols(); ++u) {
+    const Eigen::Index every =
+        holdsSides(model) ? std::max<Eigen::Index>(1, scenes.cols() / kNoveltyRows) : 1;
+    for (Eigen::Index u = 0; u < scenes.cols(); u += every) {
         callPoll(poll);
         // The row itself is the nearest of all.
         const Eigen::VectorXd squared =

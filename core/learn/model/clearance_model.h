@@ -6,19 +6,20 @@
 #include <vector>
 
 #include "core/base/poll.h"
+#include "core/learn/data/side_features.h"
 #include "core/learn/model/model.h"
 #include "core/robot/measurement.h"
 #include "core/terrain/bins.h"
 
 namespace terratact {
 
-/// Returns s as input of the surface processes: the features of FeatureSet::Paf, each force F [N]
-/// as log(1 + F / 3).
+/// Returns s as input of the surface processes: the features of FeatureSet::Paf or of one side
+/// (side_features.h), each force F [N] as log(1 + F / 3).
 Eigen::VectorXd surfaceFeatures(const Eigen::VectorXd& features);
 
 /// Returns (surfaceFeatures − mean) / sd, and 0 for the features in `without`.
 Eigen::VectorXd standardisedFeatures(const Eigen::VectorXd& mean, const Eigen::VectorXd& sd,
-                                     const Eigen::VectorXd& features, MissingFeatures without = {});
+                                     const Eigen::VectorXd& features, AbsentFeatures without = {});
 
 /// Returns a bit mask. Bit i is set if ceiling i is finite: the robot is above bin i.
 unsigned coveredBins(const Heights& ceiling);
@@ -32,8 +33,12 @@ constexpr bool isCovered(unsigned mask, int bin)
 std::vector<int> rowsOf(const std::vector<unsigned>& coveredBins, int bin, bool covered);
 
 /// Returns the place of each training row: the number of the first row that it repeats
-/// (scene_copies.h), or its own. Without repeats in the model, each row has its own.
-std::vector<int> placesOf(const ModelData& model);
+/// (scene_copies.h), or its own. Without repeats in the model, each row has its own. Both sides of a
+/// scene have one place.
+std::vector<int> placesOf(const SurfaceData& model);
+
+/// Returns true for rows of one side each, two per scene.
+bool holdsSides(const SurfaceData& model);
 
 /// Returns at most kInducing of the rows, evenly spread.
 inline constexpr int kInducing = 600;
@@ -45,22 +50,22 @@ inline constexpr int kNeighbours = 30;
 /// Unexplained part of training scenes: K weighted vectors of residuals [y].
 struct ResidualSample {
     Eigen::VectorXd weight;    ///< K, sum 1
-    Eigen::MatrixXd residual;  ///< 11 × K
+    Eigen::MatrixXd residual;  ///< 11 × K; of both sides: 22 × K, left above right
 };
 
 /// Surface processes of a model, ready to predict. Immutable; may be shared between threads.
 class ClearanceModel {
 public:
-    /// without: features of s that the processes were trained without (reduced_clearances.h); their
+    /// model: rows of one plane or of sides (SurfaceData). without: features of s that the processes were trained without (reduced_clearances.h); their
     /// values have no effect. places: place of each training row; empty: computed from the model's
     /// rows (placesOf). Throws std::invalid_argument if the model's clearance part is missing or its
     /// sizes disagree.
-    explicit ClearanceModel(const ModelData& model, MissingFeatures without = {},
+    explicit ClearanceModel(const SurfaceData& model, AbsentFeatures without = {},
                             std::vector<int> places = {});
 
-    MissingFeatures without() const { return without_; }
+    AbsentFeatures without() const { return without_; }
 
-    /// Returns the mean surface coordinate of every bin. features: FeatureSet::Paf, raw.
+    /// Returns the mean surface coordinate of every bin. features: FeatureSet::Paf or one side's, raw.
     Heights predict(const Eigen::VectorXd& features, unsigned covered) const;
 
     /// Returns the residuals of the kNeighbours nearest training scenes in s with the same bins
@@ -76,6 +81,20 @@ public:
     /// are in this regime: 11 × 11, positive definite. Each place has the weight of one scene.
     Eigen::MatrixXd residualCovariance(unsigned covered) const;
 
+    /// Covered bins of both sides: left, right.
+    using SideBins = std::array<unsigned, 2>;
+
+    /// Returns the residuals of both sides in the kNeighbours training scenes that are nearest to
+    /// the left side's features, as localResiduals() does. A scene and its mirror image count as two
+    /// scenes of one place, and D weighs own and other side alike. Errors of both sides correlate;
+    /// these vectors keep that. right: the model of the right side, which may lack other features of
+    /// the same training rows.
+    ResidualSample sideResiduals(const ClearanceModel& right, const Eigen::VectorXd& leftFeatures,
+                                 const SideBins& covered) const;
+
+    /// Returns residualCovariance() of both sides: 22 × 22, left above right.
+    Eigen::MatrixXd sideCovariance(const ClearanceModel& right, const SideBins& covered) const;
+
     /// Returns the novelty: D to the 10th nearest training scene, over the distance that 1 % of the
     /// training scenes exceed.
     double novelty(const Eigen::VectorXd& features) const;
@@ -85,10 +104,10 @@ public:
 
     /// Returns w_d, and the distance of a model's noveltyScale; used by training. If features are
     /// left out, a process counts in w_d by its rows, because few rows may give an unusual length
-    /// scale.
-    static Eigen::VectorXd metric(const ClearanceData& data, MissingFeatures without = {});
-    static double noveltyScale(const ModelData& model, const Poll& poll = {},
-                               MissingFeatures without = {});
+    /// scale. Of sides, w_d² is the mean of own and other side, and noveltyScale looks at 3000 rows.
+    static Eigen::VectorXd metric(const ClearanceData& data, AbsentFeatures without = {});
+    static double noveltyScale(const SurfaceData& model, const Poll& poll = {},
+                               AbsentFeatures without = {});
 
 private:
     struct Process {
@@ -107,11 +126,15 @@ private:
     const Process& process(int bin, bool covered) const;
     Eigen::VectorXd standardised(const Eigen::VectorXd& features) const;
     Eigen::VectorXd squaredDistances(const Eigen::VectorXd& features) const;
-    std::vector<int> nearest(const Eigen::VectorXd& squaredDistance, unsigned covered) const;
-    void borrow(ResidualSample& sample, const std::vector<int>& rows,
-                const Eigen::VectorXd& distance, int bin, bool covered) const;
+    template <class Differs>
+    std::vector<int> nearest(const Eigen::VectorXd& squaredDistance, Differs differs) const;
+    void borrow(ResidualSample& sample, Eigen::Index first, const std::vector<int>& rows,
+                const Eigen::VectorXd& distance, unsigned covered) const;
+    void borrowBin(ResidualSample& sample, Eigen::Index first, const std::vector<int>& rows,
+                   const Eigen::VectorXd& distance, int bin, bool covered) const;
+    void requireSidesOf(const ClearanceModel& right) const;
 
-    MissingFeatures without_;
+    AbsentFeatures without_;
     Eigen::VectorXd featureMean_, featureSd_, metric_;
     Eigen::MatrixXd scenes_;  ///< d × U: standardised features times the metric
     std::array<Process, kBins> open_, covered_;

@@ -6,10 +6,13 @@
 #include <stdexcept>
 
 #include "core/learn/data/columns.h"
+#include "core/learn/data/side_features.h"
 #include "core/learn/gp/projected_process.h"
 #include "core/learn/model/clearance.h"
 #include "core/learn/model/clearance_model.h"
+#include "core/robot/side_plane.h"
 #include "core/terrain/body_ceiling.h"
+#include "core/terrain/ground_lines.h"
 #include "core/terrain/kinematic_reconstruction.h"
 
 namespace terratact {
@@ -19,8 +22,8 @@ namespace {
 constexpr double kMaxNoise = 3.0;  // of surface coordinates, not metres
 
 /// Returns the standardised surface features of those rows: n × 11.
-Eigen::MatrixXd inputs(const ModelData& model, const std::vector<int>& rows,
-                       MissingFeatures without)
+Eigen::MatrixXd inputs(const SurfaceData& model, const std::vector<int>& rows,
+                       AbsentFeatures without)
 {
     Eigen::MatrixXd X(std::ssize(rows), model.features.cols());
     for (Eigen::Index k = 0; k < X.rows(); ++k)
@@ -31,14 +34,15 @@ Eigen::MatrixXd inputs(const ModelData& model, const std::vector<int>& rows,
     return X;
 }
 
-double surfaceOf(const ModelData& model, const Eigen::MatrixXd& ceilings, Eigen::Index row, int bin)
+double surfaceOf(const SurfaceData& model, const Eigen::MatrixXd& ceilings, Eigen::Index row,
+                 int bin)
 {
     return toSurface(model.heights(row, bin), ceilings(row, bin));
 }
 
 /// Returns y of these bins wherever they are in that regime; for an open bin, the heights of all
 /// rows.
-std::vector<double> substitutes(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
+std::vector<double> substitutes(const SurfaceData& model, const Eigen::MatrixXd& ceilings, int bin,
                                 bool covered)
 {
     std::vector<double> values;
@@ -52,7 +56,7 @@ std::vector<double> substitutes(const ModelData& model, const Eigen::MatrixXd& c
     return values;
 }
 
-TrainedSurface constantSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
+TrainedSurface constantSurface(const SurfaceData& model, const Eigen::MatrixXd& ceilings, int bin,
                                bool covered, std::vector<int> rows)
 {
     const std::vector<double> values = substitutes(model, ceilings, bin, covered);
@@ -68,7 +72,15 @@ TrainedSurface constantSurface(const ModelData& model, const Eigen::MatrixXd& ce
     return trained;
 }
 
-/// Returns the positions of the inducing rows among `rows`.
+/// Returns how many of the sorted rows are below `kept`; all for 0.
+std::size_t keptAmong(const std::vector<int>& rows, Eigen::Index kept)
+{
+    if (kept == 0) return rows.size();
+    return static_cast<std::size_t>(
+        std::lower_bound(rows.begin(), rows.end(), static_cast<int>(kept)) - rows.begin());
+}
+
+/// Returns the positions of the inducing rows among the first `rows`.
 std::vector<int> inducingPositions(std::size_t rows)
 {
     std::vector<int> positions(rows);
@@ -77,7 +89,7 @@ std::vector<int> inducingPositions(std::size_t rows)
 }
 
 /// Returns s of a training row.
-Proprioception proprioceptionOf(const ModelData& model, Eigen::Index row)
+Proprioception proprioceptionOf(const SurfaceData& model, Eigen::Index row)
 {
     FeatureValues values;
     for (std::size_t d = 0; d < kFeatures; ++d)
@@ -93,8 +105,8 @@ struct SurfaceRows {
     double mean = 0.0;  ///< subtracted from y
 };
 
-SurfaceRows surfaceRows(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
-                        std::vector<int> rows, MissingFeatures without)
+SurfaceRows surfaceRows(const SurfaceData& model, const Eigen::MatrixXd& ceilings, int bin,
+                        std::vector<int> rows, AbsentFeatures without)
 {
     SurfaceRows own{{}, inputs(model, rows, without), Eigen::VectorXd(std::ssize(rows))};
     for (std::size_t k = 0; k < rows.size(); ++k)
@@ -132,14 +144,14 @@ std::vector<int> firstOfPlaces(const std::vector<int>& places, const std::vector
 
 /// Returns weights and leave-one-out residuals with these hyper-parameters.
 TrainedSurface fitted(SurfaceRows own, Hyperparameters hyper, const Poll& poll,
-                      const std::vector<int>& places)
+                      const std::vector<int>& places, Eigen::Index kept)
 {
     TrainedSurface trained;
     trained.process.mean = own.mean;
     trained.process.hyper = std::move(hyper);
     ProjectedProcess projected =
-        projectProcess(own.X, own.y, inducingPositions(own.rows.size()), trained.process.hyper,
-                       poll, some(places, own.rows));
+        projectProcess(own.X, own.y, inducingPositions(keptAmong(own.rows, kept)),
+                       trained.process.hyper, poll, some(places, own.rows));
     trained.process.weights = std::move(projected.weights);
     trained.residuals = std::move(projected.leaveOneOut);
     trained.process.residualSd = rootMeanSquare(trained.residuals);
@@ -147,12 +159,27 @@ TrainedSurface fitted(SurfaceRows own, Hyperparameters hyper, const Poll& poll,
     return trained;
 }
 
+/// Returns the heights of isolated contacts of a training row. Of a side, a contact of the flipper
+/// counts in the bins of its line only.
+OptionalHeights contactHeights(const SurfaceData& model, Eigen::Index row, const RobotModel& robot,
+                               double threshold)
+{
+    if (!holdsSides(model))
+        return reconstructContacts(robot, proprioceptionOf(model, row), threshold, true).height;
+    const TwoTrackReadings s = readingsOf(model.features.row(row).transpose());
+    OptionalHeights height = reconstructContacts(inSidePlane(robot, s.roll, robot.lateral.flipperY),
+                                                 sideReadings(s, Side::Left), threshold, true)
+                                 .height;
+    std::fill_n(height.begin(), kFirstFlipperBin, std::nullopt);
+    return height;
+}
+
 /// Gain of contacts: pairs of z − m and h − m.
 struct ContactErrors {
     std::vector<double> contact, height;
 };
 
-ContactErrors contactErrors(const ModelData& model, const Eigen::MatrixXd& ceilings,
+ContactErrors contactErrors(const SurfaceData& model, const Eigen::MatrixXd& ceilings,
                             const RobotModel& robot, const Poll& poll)
 {
     constexpr double kThreshold = 2.0;  // [N] as in Settings
@@ -160,10 +187,9 @@ ContactErrors contactErrors(const ModelData& model, const Eigen::MatrixXd& ceili
     ContactErrors errors;
     for (Eigen::Index u = 0; u < model.heights.rows(); ++u) {
         callPoll(poll);
-        const auto contacts =
-            reconstructContacts(robot, proprioceptionOf(model, u), kThreshold, true);
+        const OptionalHeights contacts = contactHeights(model, u, robot, kThreshold);
         for (int bin = 0; bin < kBins; ++bin) {
-            const auto& z = contacts.height[static_cast<std::size_t>(bin)];
+            const auto& z = contacts[static_cast<std::size_t>(bin)];
             if (!z) continue;
             const double y = surfaceOf(model, ceilings, u, bin) - model.clearance.residuals(u, bin);
             const double m = toHeight(y, ceilings(u, bin));
@@ -175,7 +201,7 @@ ContactErrors contactErrors(const ModelData& model, const Eigen::MatrixXd& ceili
     return errors;
 }
 
-void calibrateContacts(ModelData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot,
+void calibrateContacts(SurfaceData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot,
                        const Poll& poll)
 {
     constexpr double kMin = 0.005, kMax = 10.0;  // [m]
@@ -204,13 +230,16 @@ Eigen::MatrixXd bodyCeilings(const Eigen::MatrixXd& features, const RobotModel& 
     Eigen::MatrixXd ceilings(features.rows(), kBins);
     for (Eigen::Index u = 0; u < ceilings.rows(); ++u) {
         callPoll(poll);
-        const Heights row = bodyCeiling(robot, features(u, 0), features(u, 1), features(u, 2));
+        const Heights row =
+            features.cols() == Eigen::Index{kSideFeatures}
+                ? sideCeiling(robot, readingsOf(features.row(u).transpose()), Side::Left)
+                : bodyCeiling(robot, features(u, 0), features(u, 1), features(u, 2));
         ceilings.row(u) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), kBins);
     }
     return ceilings;
 }
 
-void prepareClearance(ModelData& model, const Eigen::MatrixXd& ceilings)
+void prepareClearance(SurfaceData& model, const Eigen::MatrixXd& ceilings)
 {
     const Eigen::Index U = model.heights.rows();
     if (ceilings.rows() != U || ceilings.cols() != kBins || model.features.rows() != U || U < 1)
@@ -236,13 +265,13 @@ void prepareClearance(ModelData& model, const Eigen::MatrixXd& ceilings)
     data.residuals = Eigen::MatrixXd::Zero(U, kBins);
 }
 
-TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
+TrainedSurface trainSurface(const SurfaceData& model, const Eigen::MatrixXd& ceilings, int bin,
                             bool covered, const TrainingOptions& options, const Poll& poll,
-                            const std::vector<int>& places)
+                            const std::vector<int>& places, Eigen::Index kept)
 {
     std::vector<int> rows = rowsOf(model.clearance.coveredBins, bin, covered);
     const std::vector<int> firsts = firstOfPlaces(places, rows);
-    if (std::ssize(firsts) < kMinTrainingRows)
+    if (std::min(firsts.size(), keptAmong(rows, kept)) < std::size_t{kMinTrainingRows})
         return constantSurface(model, ceilings, bin, covered, std::move(rows));
 
     SurfaceRows own = surfaceRows(model, ceilings, bin, std::move(rows), {});
@@ -253,20 +282,30 @@ TrainedSurface trainSurface(const ModelData& model, const Eigen::MatrixXd& ceili
                                                searchStart(own.X.cols(), rootMeanSquare(own.y)),
                                                search, {.mostNoise = kMaxNoise}, poll)
                                 .hyper;
-    return fitted(std::move(own), std::move(hyper), poll, places);
+    return fitted(std::move(own), std::move(hyper), poll, places, kept);
 }
 
-TrainedSurface refitSurface(const ModelData& model, const Eigen::MatrixXd& ceilings, int bin,
-                            bool covered, const Hyperparameters& known, MissingFeatures without,
+void keepRows(SurfaceData& model, Eigen::Index rows)
+{
+    if (rows >= model.heights.rows()) return;
+    model.heights.conservativeResize(rows, Eigen::NoChange);
+    model.features.conservativeResize(rows, Eigen::NoChange);
+    model.clearance.residuals.conservativeResize(rows, Eigen::NoChange);
+    model.clearance.coveredBins.resize(static_cast<std::size_t>(rows));
+}
+
+TrainedSurface refitSurface(const SurfaceData& model, const Eigen::MatrixXd& ceilings, int bin,
+                            bool covered, const Hyperparameters& known, AbsentFeatures without,
                             const Poll& poll, const std::vector<int>& places)
 {
     std::vector<int> rows = rowsOf(model.clearance.coveredBins, bin, covered);
     if (std::ssize(rows) < kMinTrainingRows || known.lengthScale.size() == 0)
         return constantSurface(model, ceilings, bin, covered, std::move(rows));
-    return fitted(surfaceRows(model, ceilings, bin, std::move(rows), without), known, poll, places);
+    return fitted(surfaceRows(model, ceilings, bin, std::move(rows), without), known, poll, places,
+                  0);
 }
 
-void store(ModelData& model, const TrainedSurface& trained, int bin, bool covered)
+void store(SurfaceData& model, const TrainedSurface& trained, int bin, bool covered)
 {
     ClearanceData& data = model.clearance;
     auto& processes = covered ? data.covered : data.open;
@@ -275,8 +314,8 @@ void store(ModelData& model, const TrainedSurface& trained, int bin, bool covere
         data.residuals(trained.rows[k], bin) = trained.residuals[static_cast<Eigen::Index>(k)];
 }
 
-void finishClearance(ModelData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot,
-                     const Poll& poll, MissingFeatures without)
+void finishClearance(SurfaceData& model, const Eigen::MatrixXd& ceilings, const RobotModel& robot,
+                     const Poll& poll, AbsentFeatures without)
 {
     model.clearance.noveltyScale = ClearanceModel::noveltyScale(model, poll, without);
     calibrateContacts(model, ceilings, robot, poll);

@@ -34,7 +34,7 @@ struct SurfaceProcess {
 
 /// Data of the methods over clearances.
 struct ClearanceData {
-    Eigen::VectorXd featureMean, featureSd;  ///< for surfaceFeatures(), size 11
+    Eigen::VectorXd featureMean, featureSd;  ///< for surfaceFeatures(), size f of SurfaceData
     std::array<SurfaceProcess, kBins> open, covered;
     /// Hyper-parameters of the conditionals p(yᵢ | y_{J∖i}, s) of clearance_conditionals.h; without
     /// length scales if a regime had too few rows.
@@ -47,22 +47,35 @@ struct ClearanceData {
     double contactSd = 0.0;     ///< standard deviation of that difference [m]
 };
 
-/// Trained model over U training rows. The conditionals `pa` and `paf` use the first V ≤ U rows,
-/// with heights as a scanner reports them. `clearance` uses all rows.
-struct ModelData {
-    Eigen::MatrixXd heights;  ///< U × 11 [m]
-    /// U × 11, order of featureNames(Paf); Pa uses the first three columns.
-    Eigen::MatrixXd features;
-    Eigen::MatrixXd scannedHeights;  ///< V × 11 [m]
-    BinModelData pa, paf;
+/// Training rows of surface processes, and what was learnt from them. There are 11 features
+/// (FeatureSet::Paf) for one plane. There are kSideFeatures for one side of a robot with two tracks
+/// (core/learn/data/side_features.h): rows 2k and 2k + 1 are then the left and right side of scene
+/// k.
+struct SurfaceData {
+    Eigen::MatrixXd heights;   ///< U × 11 [m]
+    Eigen::MatrixXd features;  ///< U × f, raw
     ClearanceData clearance;
     /// Number of the last rows that measure a place of an earlier row again (scene_copies.h). 0:
     /// every row counts as a place of its own, as in models from before this number existed.
     int repeats = 0;
+};
+
+/// Trained model over U training rows of one plane: features in the order of featureNames(Paf); Pa
+/// uses the first three columns. The conditionals `pa` and `paf` use the first V ≤ U rows, with
+/// heights as a scanner reports them. `clearance` uses all rows.
+struct ModelData : SurfaceData {
+    Eigen::MatrixXd scannedHeights;  ///< V × 11 [m]
+    BinModelData pa, paf;
     int inducing = 0;     ///< largest number of rows that the conditionals predict through; 0: all
     std::string command;  ///< command that trained it
     std::uint64_t seed = 0;
     std::string dataHash;  ///< SHA-256 of the training scenes, hex
+    /// Rows of both sides of a robot with two tracks; without rows: trained for one plane only.
+    SurfaceData sides;
+    std::string sidesHash;     ///< SHA-256 of the scenes that `sides` learnt from, hex
+    std::string sidesCommand;  ///< command that trained `sides`
+
+    bool hasSides() const { return sides.heights.rows() > 0; }
 };
 
 }  // namespace terratact

@@ -5,8 +5,10 @@
 
 #include "core/base/text.h"
 #include "core/learn/data/columns.h"
+#include "core/learn/data/side_features.h"
 #include "core/learn/model/clearance_model.h"
 #include "core/learn/model/model_layout.h"
+#include "core/learn/model/side_training.h"
 
 namespace terratact::model_file {
 namespace {
@@ -41,7 +43,8 @@ void requireRows(const ModelData& model)
         }
 }
 
-void requireSurface(const SurfaceProcess& p, std::size_t rows, const Message& what)
+void requireSurface(const SurfaceProcess& p, std::size_t rows, Eigen::Index features,
+                    const Message& what)
 {
     require(std::isfinite(p.mean) && std::abs(p.mean) <= kMaxScale,
             [&] { return Message(TR_NOOP("core", "mean of %1 is out of range"), what); });
@@ -49,7 +52,7 @@ void requireSurface(const SurfaceProcess& p, std::size_t rows, const Message& wh
     if (p.weights.size() == 0) return;
     requireScale(p.hyper.signalSd, Message(TR_NOOP("core", "signal_sd of %1"), what));
     requireScale(p.hyper.noiseSd, Message(TR_NOOP("core", "noise_sd of %1"), what));
-    require(p.hyper.lengthScale.size() == Eigen::Index{kFeatures}, [&] {
+    require(p.hyper.lengthScale.size() == features, [&] {
         return Message(TR_NOOP("core", "%1 has the wrong number of length scales"), what);
     });
     for (const double scale : p.hyper.lengthScale)
@@ -81,7 +84,8 @@ void requireSurfaces(const ClearanceData& data, int bin)
         const auto& of = covered ? data.covered : data.open;
         const Message what(TR_NOOP("core", "the surface of bin %1"), bin);
         requireSurface(of[static_cast<std::size_t>(bin)],
-                       rowsOf(data.coveredBins, bin, covered).size(), what);
+                       rowsOf(data.coveredBins, bin, covered).size(), data.featureMean.size(),
+                       what);
         requireConditional((covered ? data.conditionalCovered
                                     : data.conditionalOpen)[static_cast<std::size_t>(bin)],
                            Message(TR_NOOP("core", "the clearance conditional of bin %1"), bin));
@@ -95,11 +99,11 @@ void requireWholeClearance(const ClearanceData& data)
     require(std::abs(data.contactBias) <= 1.0, TR_NOOP("core", "contact_bias is out of range"));
 }
 
-void requireClearance(const ModelData& model, const BinSet& bins)
+void requireClearance(const SurfaceData& model, const BinSet& bins)
 {
     const ClearanceData& data = model.clearance;
     const Eigen::Index rows = model.heights.rows();
-    const auto features = Eigen::Index{kFeatures};
+    const Eigen::Index features = model.features.cols();
     require(data.featureMean.size() == features && data.featureMean.allFinite()
                 && data.featureMean.cwiseAbs().maxCoeff() <= kMaxScale
                 && data.featureSd.size() == features,
@@ -114,6 +118,54 @@ void requireClearance(const ModelData& model, const BinSet& bins)
         require(mask < 1U << static_cast<unsigned>(kBins),
                 TR_NOOP("core", "a row covers a bin that does not exist"));
     for (const int bin : binsOf(bins)) requireSurfaces(data, bin);
+}
+
+/// Checks that a number of a side is in its column's range and a multiple of its step.
+void requireStep(double value, const Column& column, double step, Eigen::Index row)
+{
+    require(column.holds(value), [&] {
+        return Message(TR_NOOP("core", "row %1 of two tracks: %2"), row, column.refusal(value));
+    });
+    require(inSteps(value, step) == value,
+            TR_NOOP("core", "a number of its two tracks is no multiple of its step"));
+}
+
+/// Returns the column of one plane that a feature of a side resembles.
+const Column& columnLike(std::size_t sideFeature)
+{
+    if (sideFeature < kFirstSideCurrent) return featureColumns()[0];
+    return featureColumns()[sideFeature < kFirstSideForce ? kFrontCurrentFeature
+                                                          : kFirstForceFeature];
+}
+
+void requireSideRow(const SurfaceData& sides, Eigen::Index row)
+{
+    for (std::size_t d = 0; d < kSideFeatures; ++d)
+        requireStep(sides.features(row, static_cast<Eigen::Index>(d)), columnLike(d),
+                    sideFeatureStep(d), row);
+    for (std::size_t i = 0; i < kBins; ++i)
+        requireStep(sides.heights(row, static_cast<Eigen::Index>(i)), heightColumns()[i],
+                    kHeightStep, row);
+    const TwoTrackReadings own = readingsOf(sides.features.row(row).transpose());
+    require(sideFeatures(own, Side::Right) == sides.features.row(row ^ 1).transpose(),
+            TR_NOOP("core", "the two sides of a scene have other readings"));
+}
+
+void requireSides(const SurfaceData& sides)
+{
+    const Eigen::Index rows = sides.heights.rows();
+    require(rows % 2 == 0 && rows <= Eigen::Index{2} * kKeptScenes && sides.features.rows() == rows
+                && sides.features.cols() == Eigen::Index{kSideFeatures}
+                && sides.heights.cols() == kBins && sides.repeats == 0,
+            TR_NOOP("core", "its rows of two tracks have the wrong size"));
+    for (Eigen::Index row = 0; row < rows; ++row) requireSideRow(sides, row);
+    requireClearance(sides, kAllBins);
+    requireWholeClearance(sides.clearance);
+    require((sides.clearance.residuals.array()
+             == sides.clearance.residuals.array().unaryExpr(
+                 [](double residual) { return inSteps(residual, kResidualStep); }))
+                .all(),
+            TR_NOOP("core", "a number of its two tracks is no multiple of its step"));
 }
 
 void requireScannedHeights(const ModelData& model)
@@ -206,11 +258,16 @@ void requireModel(const ModelData& model, const Portion* portion)
     } else {
         requireWholeClearance(model.clearance);
     }
+    if (model.hasSides()) {
+        require(!portion, TR_NOOP("core", "is a part of a model of two tracks"));
+        requireSides(model.sides);
+    }
     require(model.inducing >= 0 && model.inducing <= kMaxRows,
             TR_NOOP("core", "its number of inducing rows is out of range"));
     require(model.repeats >= 0 && model.repeats < model.heights.rows(),
             TR_NOOP("core", "its number of repeated rows is out of range"));
-    require(model.command.size() <= kMaxText && model.dataHash.size() <= kMaxText,
+    require(model.command.size() <= kMaxText && model.dataHash.size() <= kMaxText
+                && model.sidesHash.size() <= kMaxText && model.sidesCommand.size() <= kMaxText,
             TR_NOOP("core", "its texts are too long"));
 }
 

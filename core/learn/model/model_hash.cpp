@@ -100,6 +100,14 @@ std::string hashOf(const ModelData& model, const Portion* portion)
         canonical.add(std::string_view("repeated rows"));
         canonical.add(static_cast<std::uint64_t>(model.repeats));
     }
+    if (model.hasSides()) {
+        canonical.add(std::string_view("two tracks"));
+        canonical.add(model.sides.features);
+        canonical.add(model.sides.heights);
+        canonical.add(model.sides.clearance);
+        canonical.add(model.sidesHash);
+        canonical.add(model.sidesCommand);
+    }
     return sha256Hex(canonical.bytes());
 }
 

@@ -1,5 +1,10 @@
 #include "core/learn/model/model_layout.h"
 
+#include <algorithm>
+
+#include "core/learn/model/model_sides.h"
+#include "core/learn/model/model_surfaces.h"
+
 namespace terratact::model_file {
 
 const Column& inputColumn(std::size_t position)
@@ -26,16 +31,14 @@ SqliteTable rowTable(const std::string& name, std::size_t columns, const std::st
 
 }  // namespace
 
-std::vector<SqliteTable> schema()
+std::vector<SqliteTable> schema(bool sides)
 {
     const std::string ofSurface = "bin INTEGER NOT NULL, covered INTEGER NOT NULL, ";
-    return {
+    std::vector<SqliteTable> tables{
         {"bin",
          "CREATE TABLE bin(feature_set TEXT NOT NULL, bin INTEGER NOT NULL, name TEXT NOT NULL, "
          "signal_sd_m REAL NOT NULL, noise_sd_m REAL NOT NULL, log_likelihood REAL NOT NULL, "
          "PRIMARY KEY(feature_set, bin)) STRICT, WITHOUT ROWID"},
-        {"clearance", "CREATE TABLE clearance(key TEXT NOT NULL PRIMARY KEY, value REAL NOT NULL) "
-                      "STRICT, WITHOUT ROWID"},
         {"clearance_conditional", "CREATE TABLE clearance_conditional(" + ofSurface
                                       + "signal_sd REAL NOT NULL, noise_sd REAL NOT NULL, "
                                         "PRIMARY KEY(bin, covered)) STRICT, WITHOUT ROWID"},
@@ -54,25 +57,21 @@ std::vector<SqliteTable> schema()
                  "STRICT, WITHOUT ROWID"},
         rowTable("residual_row", kBins, ", covered_bins REAL NOT NULL"),
         rowTable("scanned_row", kBins),
-        {"surface",
-         "CREATE TABLE surface(" + ofSurface
-             + "mean REAL NOT NULL, residual_sd REAL NOT NULL, signal_sd REAL NOT NULL, "
-               "noise_sd REAL NOT NULL, PRIMARY KEY(bin, covered)) STRICT, WITHOUT ROWID"},
-        {"surface_input", "CREATE TABLE surface_input(position INTEGER PRIMARY KEY, "
-                          "mean REAL NOT NULL, sd REAL NOT NULL) STRICT"},
-        {"surface_scale", "CREATE TABLE surface_scale(" + ofSurface
-                              + "input INTEGER NOT NULL, length_scale REAL NOT NULL, "
-                                "PRIMARY KEY(bin, covered, input)) STRICT, WITHOUT ROWID"},
-        {"surface_weight", "CREATE TABLE surface_weight(" + ofSurface
-                               + "position INTEGER NOT NULL, weight REAL NOT NULL, "
-                                 "PRIMARY KEY(bin, covered, position)) STRICT, WITHOUT ROWID"},
         rowTable("training_row", inputs(FeatureSet::Paf)),
     };
+    const auto add = [&tables](const std::vector<SqliteTable>& more) {
+        tables.insert(tables.end(), more.begin(), more.end());
+    };
+    add(surfaceTables(""));
+    if (sides) add(sideTables());
+    std::sort(tables.begin(), tables.end(),
+              [](const SqliteTable& a, const SqliteTable& b) { return a.name < b.name; });
+    return tables;
 }
 
-const std::map<std::string, std::string>& explanations()
+std::map<std::string, std::string> explanations(bool sides)
 {
-    static const std::map<std::string, std::string> texts{
+    std::map<std::string, std::string> texts{
         {"format", "Terratact model: per feature set eleven Gaussian processes, one per bin"},
         {"input", "of a bin: the ten other heights, rear to front, then the features, "
                   "x = (raw - mean) / sd; length_scale.input is input.position"},
@@ -90,6 +89,7 @@ const std::map<std::string, std::string>& explanations()
          "of a bin under the robot: y = log(max(ceiling - height, 0) + 0.003 m), else y = height; "
          "given the other bins' y and s, on the first 2000 training rows"},
     };
+    if (sides) texts["sides"] = kSidesExplanation;
     return texts;
 }
 

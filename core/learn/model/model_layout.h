@@ -17,7 +17,8 @@ namespace terratact::model_file {
 
 inline constexpr std::int64_t kApplicationId = 0x54544D31;      // "TTM1"
 inline constexpr std::int64_t kPartApplicationId = 0x54545031;  // "TTP1"
-inline constexpr std::int64_t kUserVersion = 3;
+inline constexpr std::int64_t kUserVersion = 3;                 ///< one plane only
+inline constexpr std::int64_t kSidesVersion = 4;                ///< one plane and two tracks
 inline constexpr std::uintmax_t kMaxBytes = std::uintmax_t{16} * 1024 * 1024;
 inline constexpr Eigen::Index kMaxRows = 20'000;
 inline constexpr std::array kSets{FeatureSet::Pa,
@@ -29,11 +30,11 @@ const Column& inputColumn(std::size_t position);
 /// Returns the number of inputs of a set, with the heights.
 std::size_t inputs(FeatureSet set);
 
-/// Returns every table of a model, sorted by name.
-std::vector<SqliteTable> schema();
+/// Returns every table of a model, sorted by name. sides: of two tracks.
+std::vector<SqliteTable> schema(bool sides);
 
 /// Returns the rows of the table meta that every file has: explanations for people who open it with
 /// other tools.
-const std::map<std::string, std::string>& explanations();
+std::map<std::string, std::string> explanations(bool sides);
 
 }  // namespace terratact::model_file

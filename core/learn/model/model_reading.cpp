@@ -10,22 +10,11 @@
 #include "core/learn/model/model_checks.h"
 #include "core/learn/model/model_hash.h"
 #include "core/learn/model/model_layout.h"
+#include "core/learn/model/model_sides.h"
+#include "core/learn/model/model_surfaces.h"
 
 namespace terratact::model_file {
 namespace {
-
-/// Goes to a row that must exist.
-void nextRow(SqliteStatement& statement, const std::string& table)
-{
-    require(statement.step(),
-            [&] { return Message(TR_NOOP("core", "its table %1 ends too early"), table); });
-}
-
-void noMoreRows(SqliteStatement& statement, const std::string& table)
-{
-    require(!statement.step(),
-            [&] { return Message(TR_NOOP("core", "its table %1 has too many rows"), table); });
-}
 
 void checkApplication(SqliteFile& file, std::int64_t expected)
 {
@@ -38,19 +27,21 @@ void checkApplication(SqliteFile& file, std::int64_t expected)
         TR_NOOP("core", "is an SQLite file of another application, not a Terratact model")};
 }
 
-void checkVersion(SqliteFile& file)
+/// Returns true for a model of two tracks.
+bool checkVersion(SqliteFile& file)
 {
     const std::int64_t version = file.integer("PRAGMA user_version");
-    require(version == kUserVersion, [&] {
-        return Message(
-            TR_NOOP("core", "is a model of format version %1, and this program reads version %2"),
-            version, kUserVersion);
+    require(version == kUserVersion || version == kSidesVersion, [&] {
+        return Message(TR_NOOP("core", "is a model of format version %1, and this program reads "
+                                       "versions %2 and %3: `terratact train` makes a new one"),
+                       version, kUserVersion, kSidesVersion);
     });
+    return version == kSidesVersion;
 }
 
-void checkSchema(SqliteFile& file)
+void checkSchema(SqliteFile& file, bool sides)
 {
-    require(hasOnlyTables(file, schema()),
+    require(hasOnlyTables(file, schema(sides)),
             TR_NOOP("core", "its tables are not those of a Terratact model"));
 }
 
@@ -89,7 +80,7 @@ BinSet binsFrom(const std::string& list)
 }
 
 /// Reads meta into the model and, for a part, its portion. Returns the content's hash as stored.
-std::string readMeta(SqliteFile& file, ModelData& model, Portion* portion)
+std::string readMeta(SqliteFile& file, ModelData& model, Portion* portion, bool sides)
 {
     std::map<std::string, std::string> meta;
     SqliteStatement row = file.prepare("SELECT key, value FROM meta");
@@ -110,13 +101,17 @@ std::string readMeta(SqliteFile& file, ModelData& model, Portion* portion)
         model.inducing = inducingFrom(consume("inducing_rows"));
     if (meta.contains("repeated_rows"))  // only a model with repeats has this key
         model.repeats = repeatsFrom(consume("repeated_rows"));
+    if (sides) {
+        model.sidesHash = consume("sides_data_sha256");
+        model.sidesCommand = consume("sides_command");
+    }
     if (portion) {
         portion->bins = binsFrom(consume("bins"));
         portion->robotHash = consume("robot_sha256");
         portion->commandBeforeOut = consume("command_before_out");
         portion->commandAfterOut = consume("command_after_out");
     }
-    require(meta == explanations(),
+    require(meta == explanations(sides),
             TR_NOOP("core", "its table meta describes another kind of model"));
     return hash;
 }
@@ -229,41 +224,6 @@ void readRows(SqliteFile& file, ModelData& model)
     model.scannedHeights = readMatrix(file, "scanned_row", kBins);
 }
 
-/// Returns the numbers of a table's rows for one bin and regime. Column `order`, which counts from
-/// 0, gives their order.
-Eigen::VectorXd readNumbers(SqliteFile& file, const std::string& table, const std::string& order,
-                            int bin, bool covered)
-{
-    SqliteStatement found =
-        file.prepare("SELECT * FROM " + table + " WHERE bin = ? AND covered = ? ORDER BY " + order);
-    found.bind(0, bin);
-    found.bind(1, covered ? 1 : 0);
-    std::vector<double> numbers;
-    while (found.step()) {
-        require(found.integer(2) == std::ssize(numbers), [&] {
-            return Message(TR_NOOP("core", "its table %1 is not numbered from 0"), table);
-        });
-        numbers.push_back(found.real(3));
-    }
-    return Eigen::Map<const Eigen::VectorXd>(numbers.data(), std::ssize(numbers));
-}
-
-SurfaceProcess readSurface(SqliteFile& file, int bin, bool covered)
-{
-    SqliteStatement found = file.prepare("SELECT * FROM surface WHERE bin = ? AND covered = ?");
-    found.bind(0, bin);
-    found.bind(1, covered ? 1 : 0);
-    nextRow(found, "surface");
-    SurfaceProcess process;
-    process.mean = found.real(2);
-    process.residualSd = found.real(3);
-    process.hyper.signalSd = found.real(4);
-    process.hyper.noiseSd = found.real(5);
-    process.hyper.lengthScale = readNumbers(file, "surface_scale", "input", bin, covered);
-    process.weights = readNumbers(file, "surface_weight", "position", bin, covered);
-    return process;
-}
-
 Hyperparameters readConditional(SqliteFile& file, int bin, bool covered)
 {
     SqliteStatement found =
@@ -275,37 +235,16 @@ Hyperparameters readConditional(SqliteFile& file, int bin, bool covered)
             found.real(3)};
 }
 
-double readValue(SqliteFile& file, std::string_view key)
-{
-    SqliteStatement found = file.prepare("SELECT value FROM clearance WHERE key = ?");
-    found.bind(0, key);
-    nextRow(found, "clearance");
-    return found.real(0);
-}
-
 void readClearance(SqliteFile& file, ClearanceData& data, const BinSet& bins)
 {
-    data.contactBias = readValue(file, "contact_bias");
-    data.contactSd = readValue(file, "contact_sd");
-    data.noveltyScale = readValue(file, "novelty_scale");
-    data.featureMean.resize(Eigen::Index{kFeatures});
-    data.featureSd.resize(Eigen::Index{kFeatures});
-    SqliteStatement input = file.prepare("SELECT * FROM surface_input ORDER BY position");
-    for (int d = 0; d < static_cast<int>(kFeatures); ++d) {
-        nextRow(input, "surface_input");
-        require(input.integer(0) == d,
-                TR_NOOP("core", "its table surface_input is not numbered from 0"));
-        data.featureMean[d] = input.real(1);
-        data.featureSd[d] = input.real(2);
-    }
-    noMoreRows(input, "surface_input");
+    readSurfaces(file, "", static_cast<int>(kFeatures), bins, data);
     for (const int bin : binsOf(bins))
-        for (const bool covered : {false, true}) {
-            const auto i = static_cast<std::size_t>(bin);
-            (covered ? data.covered : data.open)[i] = readSurface(file, bin, covered);
-            (covered ? data.conditionalCovered : data.conditionalOpen)[i] =
+        for (const bool covered : {false, true})
+            (covered ? data.conditionalCovered
+                     : data.conditionalOpen)[static_cast<std::size_t>(bin)] =
                 readConditional(file, bin, covered);
-        }
+    for (const char* table : {"clearance_conditional", "clearance_conditional_scale"})
+        requireBinsOnly(file, table, bins);
     const Eigen::MatrixXd rows = readMatrix(file, "residual_row", kBins + 1);
     for (const double mask : rows.col(0)) {
         require(mask >= 0.0 && mask < std::ldexp(1.0, kBins) && mask == std::floor(mask),
@@ -313,25 +252,6 @@ void readClearance(SqliteFile& file, ClearanceData& data, const BinSet& bins)
         data.coveredBins.push_back(static_cast<unsigned>(mask));
     }
     data.residuals = rows.rightCols(kBins);
-}
-
-/// Refuses rows of no bin, regime or key, which the reader would not see.
-void requireNothingElse(SqliteFile& file, const BinSet& bins)
-{
-    std::string list;
-    for (const int bin : binsOf(bins))
-        list.append(list.empty() ? "" : ", ").append(std::to_string(bin));
-    for (const char* table : {"surface", "surface_scale", "surface_weight", "clearance_conditional",
-                              "clearance_conditional_scale"})
-        require(file.integer("SELECT count(*) FROM " + std::string(table) + " WHERE bin NOT IN ("
-                             + list + ") OR covered NOT IN (0, 1)")
-                    == 0,
-                [&] {
-                    return Message(TR_NOOP("core", "its table %1 holds a bin that does not exist"),
-                                   table);
-                });
-    require(file.integer("SELECT count(*) FROM clearance") == 3,
-            TR_NOOP("core", "its table clearance has too many rows"));
 }
 
 void requireNoOtherSet(SqliteFile& file)
@@ -350,9 +270,10 @@ void requireNoOtherSet(SqliteFile& file)
 /// Reads everything behind the file's identifiers. Returns the stored hash.
 std::string readContent(SqliteFile& file, ModelData& model, Portion* portion)
 {
-    checkVersion(file);
-    checkSchema(file);
-    const std::string stored = readMeta(file, model, portion);
+    const bool sides = checkVersion(file);
+    require(!sides || !portion, TR_NOOP("core", "is a part of a model of two tracks"));
+    checkSchema(file, sides);
+    const std::string stored = readMeta(file, model, portion, sides);
     const BinSet bins = portion ? portion->bins : kAllBins;
     for (const FeatureSet set : kSets) {
         BinModelData& data = set == FeatureSet::Pa ? model.pa : model.paf;
@@ -364,7 +285,7 @@ std::string readContent(SqliteFile& file, ModelData& model, Portion* portion)
     requireNoOtherSet(file);
     readRows(file, model);
     readClearance(file, model.clearance, bins);
-    requireNothingElse(file, bins);
+    if (sides) model.sides = readSides(file);
     requireModel(model, portion);
     std::string hash = hashOf(model, portion);
     require(hash == stored,

@@ -6,37 +6,34 @@
 #include "core/learn/data/columns.h"
 #include "core/learn/model/model_hash.h"
 #include "core/learn/model/model_layout.h"
+#include "core/learn/model/model_sides.h"
+#include "core/learn/model/model_surfaces.h"
 #include "core/store/sqlite.h"
 
 namespace terratact::model_file {
 namespace {
 
-/// Executes an INSERT with one parameter per value.
-template <class... Values>
-void insert(SqliteStatement& statement, const Values&... values)
-{
-    int parameter = 0;
-    (statement.bind(parameter++, values), ...);
-    statement.run();
-}
-
-void createTables(SqliteFile& file, std::int64_t applicationId)
+void createTables(SqliteFile& file, std::int64_t applicationId, bool sides)
 {
     file.run("PRAGMA page_size = 4096");
     file.run("PRAGMA application_id = " + std::to_string(applicationId));
-    file.run("PRAGMA user_version = " + std::to_string(kUserVersion));
-    for (const SqliteTable& table : schema()) file.run(table.sql);
+    file.run("PRAGMA user_version = " + std::to_string(sides ? kSidesVersion : kUserVersion));
+    for (const SqliteTable& table : schema(sides)) file.run(table.sql);
 }
 
 void writeMeta(SqliteFile& file, const ModelData& model, const Portion* portion)
 {
-    std::map<std::string, std::string> meta = explanations();
+    std::map<std::string, std::string> meta = explanations(model.hasSides());
     meta["command"] = model.command;
     meta["content_sha256"] = hashOf(model, portion);
     meta["data_sha256"] = model.dataHash;
     meta["seed"] = std::to_string(model.seed);
     if (model.inducing > 0) meta["inducing_rows"] = std::to_string(model.inducing);
     if (model.repeats > 0) meta["repeated_rows"] = std::to_string(model.repeats);
+    if (model.hasSides()) {
+        meta["sides_data_sha256"] = model.sidesHash;
+        meta["sides_command"] = model.sidesCommand;
+    }
     if (portion) {
         meta["bins"] = text(portion->bins);
         meta["robot_sha256"] = portion->robotHash;
@@ -82,21 +79,6 @@ void writeMatrix(SqliteFile& file, const std::string& table, const Eigen::Matrix
     }
 }
 
-void writeSurface(SqliteFile& file, const SurfaceProcess& p, int bin, bool covered)
-{
-    SqliteStatement surface = file.prepare("INSERT INTO surface VALUES(?, ?, ?, ?, ?, ?)");
-    SqliteStatement scale = file.prepare("INSERT INTO surface_scale VALUES(?, ?, ?, ?)");
-    SqliteStatement weight = file.prepare("INSERT INTO surface_weight VALUES(?, ?, ?, ?)");
-    const int regime = covered ? 1 : 0;
-    const bool modelled = p.weights.size() > 0;
-    insert(surface, bin, regime, p.mean, p.residualSd, modelled ? p.hyper.signalSd : 0.0,
-           modelled ? p.hyper.noiseSd : 0.0);
-    for (int d = 0; modelled && d < static_cast<int>(kFeatures); ++d)
-        insert(scale, bin, regime, d, p.hyper.lengthScale[d]);
-    for (int k = 0; k < static_cast<int>(p.weights.size()); ++k)
-        insert(weight, bin, regime, k, p.weights[k]);
-}
-
 void writeConditional(SqliteFile& file, const Hyperparameters& hyper, int bin, bool covered)
 {
     if (hyper.lengthScale.size() == 0) return;
@@ -111,20 +93,13 @@ void writeConditional(SqliteFile& file, const Hyperparameters& hyper, int bin, b
 
 void writeClearance(SqliteFile& file, const ClearanceData& data, const BinSet& bins)
 {
-    SqliteStatement value = file.prepare("INSERT INTO clearance VALUES(?, ?)");
-    insert(value, std::string_view("contact_bias"), data.contactBias);
-    insert(value, std::string_view("contact_sd"), data.contactSd);
-    insert(value, std::string_view("novelty_scale"), data.noveltyScale);
-    SqliteStatement input = file.prepare("INSERT INTO surface_input VALUES(?, ?, ?)");
-    for (int d = 0; d < static_cast<int>(kFeatures); ++d)
-        insert(input, d, data.featureMean[d], data.featureSd[d]);
+    writeSurfaces(file, "", data, bins);
     for (const int bin : binsOf(bins))
-        for (const bool covered : {false, true}) {
-            const auto i = static_cast<std::size_t>(bin);
-            writeSurface(file, (covered ? data.covered : data.open)[i], bin, covered);
-            writeConditional(file, (covered ? data.conditionalCovered : data.conditionalOpen)[i],
+        for (const bool covered : {false, true})
+            writeConditional(file,
+                             (covered ? data.conditionalCovered
+                                      : data.conditionalOpen)[static_cast<std::size_t>(bin)],
                              bin, covered);
-        }
     Eigen::MatrixXd rows(data.residuals.rows(), kBins + 1);
     for (Eigen::Index u = 0; u < rows.rows(); ++u)
         rows(u, 0) = data.coveredBins[static_cast<std::size_t>(u)];
@@ -146,12 +121,13 @@ void fill(const std::string& path, const ModelData& model, const Portion* portio
 {
     const BinSet bins = portion ? portion->bins : kAllBins;
     SqliteFile file = SqliteFile::fill(path);
-    createTables(file, portion ? kPartApplicationId : kApplicationId);
+    createTables(file, portion ? kPartApplicationId : kApplicationId, model.hasSides());
     file.run("BEGIN");
     writeMeta(file, model, portion);
     for (const BinModelData* data : {&model.pa, &model.paf}) writeSet(file, *data, bins);
     writeRows(file, model);
     writeClearance(file, model.clearance, bins);
+    if (model.hasSides()) writeSides(file, model.sides);
     file.run("COMMIT");
     file.run("VACUUM");
     file.close();

@@ -25,8 +25,9 @@ Hyperparameters withoutNeedless(const Hyperparameters& known)
 }
 
 /// Returns the rows in order: every n-th row, and all rows of a bin's regime with few rows.
-std::vector<int> chosenRows(const std::vector<unsigned>& coveredBins)
+std::vector<int> chosenRows(const SurfaceData& model)
 {
+    const std::vector<unsigned>& coveredBins = model.clearance.coveredBins;
     const std::size_t rows = coveredBins.size();
     const std::size_t every = std::max<std::size_t>(1, rows / std::size_t{kReducedRows});
     std::vector<bool> chosen(rows, false);
@@ -37,17 +38,20 @@ std::vector<int> chosenRows(const std::vector<unsigned>& coveredBins)
             if (own.size() > kFewRows) continue;
             for (const int u : own) chosen[static_cast<std::size_t>(u)] = true;
         }
+    if (holdsSides(model))  // both sides of a scene
+        for (std::size_t u = 0; u + 1 < rows; u += 2)
+            chosen[u] = chosen[u + 1] = chosen[u] || chosen[u + 1];
     std::vector<int> result;
     for (std::size_t u = 0; u < rows; ++u)
         if (chosen[u]) result.push_back(static_cast<int>(u));
     return result;
 }
 
-ModelData thinned(const ModelData& model)
+SurfaceData thinned(const SurfaceData& model)
 {
     const ClearanceData& all = model.clearance;
-    const std::vector<int> rows = chosenRows(all.coveredBins);
-    ModelData some;
+    const std::vector<int> rows = chosenRows(model);
+    SurfaceData some;
     some.heights = model.heights(rows, Eigen::all);
     some.features = model.features(rows, Eigen::all);
     some.clearance.featureMean = all.featureMean;
@@ -61,24 +65,24 @@ ModelData thinned(const ModelData& model)
 }
 
 /// Returns the place of each row that thinned() keeps.
-std::vector<int> chosenPlaces(const ModelData& model)
+std::vector<int> chosenPlaces(const SurfaceData& model)
 {
     const std::vector<int> all = placesOf(model);
     std::vector<int> places;
-    for (const int u : chosenRows(model.clearance.coveredBins))
-        places.push_back(all[static_cast<std::size_t>(u)]);
+    for (const int u : chosenRows(model)) places.push_back(all[static_cast<std::size_t>(u)]);
     return places;
 }
 
-void requireReducible(MissingFeatures missing)
+void requireReducible(const SurfaceData& model, AbsentFeatures missing)
 {
-    for (std::size_t d = 0; d < kFrontCurrentFeature; ++d)
+    const std::size_t attitude = holdsSides(model) ? kFirstSideCurrent : kFrontCurrentFeature;
+    for (std::size_t d = 0; d < attitude; ++d)
         if (missing[d]) throw std::invalid_argument("no estimate without pitch and flipper angles");
     if (missing.none()) throw std::invalid_argument("no feature is missing");
 }
 
 /// Forces that were not measured touch nothing, as in a scene.
-void forget(Eigen::MatrixXd& features, MissingFeatures missing)
+void forget(Eigen::MatrixXd& features, AbsentFeatures missing)
 {
     for (std::size_t d = 0; d < missing.size(); ++d)
         if (missing[d]) features.col(static_cast<Eigen::Index>(d)).setZero();
@@ -86,12 +90,12 @@ void forget(Eigen::MatrixXd& features, MissingFeatures missing)
 
 }  // namespace
 
-ReducedClearances::ReducedClearances(const ModelData& model, RobotModel robot)
+ReducedClearances::ReducedClearances(const SurfaceData& model, RobotModel robot)
     : rows_(thinned(model)), places_(chosenPlaces(model)), robot_(std::move(robot))
 {
 }
 
-std::shared_ptr<ReducedClearances::Entry> ReducedClearances::entry(MissingFeatures missing) const
+std::shared_ptr<ReducedClearances::Entry> ReducedClearances::entry(AbsentFeatures missing) const
 {
     const std::scoped_lock lock(mutex_);
     const auto found = std::find_if(entries_.begin(), entries_.end(), [missing](const auto& known) {
@@ -107,11 +111,11 @@ std::shared_ptr<ReducedClearances::Entry> ReducedClearances::entry(MissingFeatur
     return entries_.front();
 }
 
-std::shared_ptr<const ClearanceModel> ReducedClearances::without(MissingFeatures missing,
+std::shared_ptr<const ClearanceModel> ReducedClearances::without(AbsentFeatures missing,
                                                                  const ForEach& sideBySide,
                                                                  const Poll& poll) const
 {
-    requireReducible(missing);
+    requireReducible(rows_, missing);
     const std::shared_ptr<Entry> own = entry(missing);
     const PolledMutex::Lock lock(own->mutex, poll);
     if (!own->model) own->model = train(missing, sideBySide, poll);
@@ -119,9 +123,9 @@ std::shared_ptr<const ClearanceModel> ReducedClearances::without(MissingFeatures
 }
 
 std::shared_ptr<const ClearanceModel>
-ReducedClearances::train(MissingFeatures missing, const ForEach& sideBySide, const Poll& poll) const
+ReducedClearances::train(AbsentFeatures missing, const ForEach& sideBySide, const Poll& poll) const
 {
-    ModelData model = rows_;
+    SurfaceData model = rows_;
     forget(model.features, missing);
     const Eigen::MatrixXd ceilings = bodyCeilings(model.features, robot_, poll);
     std::vector<TrainedSurface> trained(2 * std::size_t{kBins});

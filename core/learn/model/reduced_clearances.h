@@ -19,7 +19,7 @@ namespace terratact {
 /// every row of a regime with few rows.
 inline constexpr int kReducedRows = 4000;
 
-/// Surface processes for scenes without currents or forces. For each set of missing features, the
+/// Surface processes for scenes without currents or forces, of one plane or of sides. For each set of missing features, the
 /// processes are trained again on the model's own rows without them. Hyper-parameters are the
 /// model's, with length scales within 0.5 … 6. Weights, leave-one-out residuals, scale of novelty
 /// and the contacts' sd are computed as in clearance_training.h. Bands widen because the residuals
@@ -30,27 +30,32 @@ class ReducedClearances {
 public:
     static constexpr std::size_t kKept = 16;
 
-    /// robot: the robot that the model was trained for.
-    ReducedClearances(const ModelData& model, RobotModel robot);
+    /// robot: the robot that the model was trained for. model: without rows, nothing can be asked for.
+    ReducedClearances(const SurfaceData& model, RobotModel robot);
 
     /// Returns the model for missing features. missing: not empty, without pitch and flipper
     /// angles. Throws std::invalid_argument otherwise. sideBySide: runs the training of processes
     /// in parallel; empty: one after the other. poll: called every few milliseconds; what it throws
     /// is rethrown, and the next caller starts again.
     std::shared_ptr<const ClearanceModel>
-    without(MissingFeatures missing, const ForEach& sideBySide = {}, const Poll& poll = {}) const;
+    without(AbsentFeatures missing, const ForEach& sideBySide = {}, const Poll& poll = {}) const;
+    std::shared_ptr<const ClearanceModel>
+    without(MissingFeatures missing, const ForEach& sideBySide = {}, const Poll& poll = {}) const
+    {
+        return without(absentFeatures(missing), sideBySide, poll);
+    }
 
 private:
     struct Entry {
-        MissingFeatures missing;
+        AbsentFeatures missing;
         PolledMutex mutex{};  // held while the model is made
         std::shared_ptr<const ClearanceModel> model{};
     };
-    std::shared_ptr<Entry> entry(MissingFeatures missing) const;
-    std::shared_ptr<const ClearanceModel> train(MissingFeatures missing, const ForEach& sideBySide,
+    std::shared_ptr<Entry> entry(AbsentFeatures missing) const;
+    std::shared_ptr<const ClearanceModel> train(AbsentFeatures missing, const ForEach& sideBySide,
                                                 const Poll& poll) const;
 
-    ModelData rows_;           ///< chosen rows of the model, without its residuals and weights
+    SurfaceData rows_;         ///< chosen rows of the model, without its residuals and weights
     std::vector<int> places_;  ///< place of each chosen row
     RobotModel robot_;
     mutable std::mutex mutex_;                           // guards the list

@@ -31,6 +31,26 @@ TEST(BodyCeiling, ofTheLevelRobotIsTheGroundItStandsOn)
     for (std::size_t i = 1; i <= 8; ++i) EXPECT_NEAR(flat[i], -0.240, 5e-4) << i;
 }
 
+TEST(SideCeiling, ofALevelSymmetricRobotIsThatOfThePlane)
+{
+    TwoTrackReadings s;
+    s.pitch = 0.1;
+    s.flippers = {0.3, 0.3, -0.1, -0.1};
+    for (const Side side : {Side::Left, Side::Right})
+        EXPECT_EQ(sideCeiling(absolem(), s, side), bodyCeiling(absolem(), 0.1, 0.3, -0.1));
+}
+
+TEST(SideCeiling, risesWithItsSide)
+{
+    TwoTrackReadings s;
+    s.roll = 0.2;
+    const Heights left = sideCeiling(absolem(), s, Side::Left);
+    const Heights right = sideCeiling(absolem(), s, Side::Right);
+    EXPECT_NEAR(left[3] - right[3], 2.0 * 0.1985 * std::sin(0.2), 1e-9);  // tracks
+    EXPECT_NEAR(left[7] - right[7], 2.0 * 0.272 * std::sin(0.2), 1e-9);   // flippers
+    EXPECT_EQ(sideCeiling(absolem(), mirrored(s), Side::Right), left);
+}
+
 TEST(BodyCeiling, isAboveTheTerrainOfEveryRestPose)
 {
     const RobotModel robot = absolem();

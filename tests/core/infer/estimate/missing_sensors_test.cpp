@@ -71,7 +71,7 @@ TEST(MissingSensors, nothingMissingIsTheModelItself)
     EXPECT_EQ(estimate(scene, Method::Local, {}).draws,
               reconstructClosedForm(scene.s, {}, bench().robot, bench().models.clearance, settings)
                   .draws);
-    EXPECT_THROW((void)bench().models.reduced.without({}), std::invalid_argument);
+    EXPECT_THROW((void)bench().models.reduced.without(MissingFeatures{}), std::invalid_argument);
     EXPECT_THROW((void)bench().models.reduced.without(MissingFeatures{0x001}),
                  std::invalid_argument);
 }

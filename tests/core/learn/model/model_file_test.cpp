@@ -194,7 +194,7 @@ TEST_F(ModelFile, refusesWhatIsNoModel)
 TEST_F(ModelFile, refusesOtherVersionsAndTables)
 {
     EXPECT_TRUE(refusesAfter("PRAGMA application_id = 7", {"another application"}));
-    EXPECT_TRUE(refusesAfter("PRAGMA user_version = 1", {"version 1", "reads version 3"}));
+    EXPECT_TRUE(refusesAfter("PRAGMA user_version = 1", {"version 1", "reads versions 3 and 4"}));
     EXPECT_TRUE(refusesAfter("CREATE TABLE zebra(x)", {"tables"}));
     EXPECT_TRUE(refusesAfter("CREATE VIEW a AS SELECT 1", {"tables"}));
     EXPECT_TRUE(

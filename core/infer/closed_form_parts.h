@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/infer/closed_form.h"
+#include "core/infer/estimate/estimate.h"
+#include "core/infer/estimate/measured_bins.h"
+#include "core/infer/sampling/gaussian_mixture.h"
+#include "core/learn/model/clearance_model.h"
+
+namespace terratact {
+
+// Steps that the closed forms of one plane and of two tracks share. A mixture holds the surface
+// coordinates of eleven bins from coordinate `first` on: 0, or kBins for the right side.
+
+/// Throws std::invalid_argument for settings out of range, or a method without a closed form.
+void requireClosedForm(const Settings& settings);
+
+/// Returns the means plus the residuals of similar training scenes, smoothed (kSmoothing). mean: one
+/// number per row of the residuals.
+GaussianMixture smoothed(const Eigen::VectorXd& mean, const ResidualSample& sample);
+
+/// Conditions the mixture on contacts and arm readings, and writes origins and warnings. The
+/// ceilings must be known. model: gives contacts their bias and sd.
+void applyMeasurements(GaussianMixture& distribution, int first, MeasuredBins measured,
+                       const ClearanceModel& model, TerrainEstimate& estimate);
+
+/// Adds a warning if estimate.novelty is above 1.
+void warnIfNovel(TerrainEstimate& estimate);
+
+/// Returns the number of joint draws.
+int drawsOf(const Settings& settings);
+
+/// Writes mean, sd, quantiles, height, R-hat and ESS of all bins.
+void writeBins(const GaussianMixture& distribution, int first, TerrainEstimate& estimate);
+
+/// Returns the heights of one draw of surface coordinates.
+Heights heightsOf(const Eigen::VectorXd& y, int first, const Heights& ceiling);
+
+}  // namespace terratact

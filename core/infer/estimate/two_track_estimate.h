@@ -1,0 +1,19 @@
+#pragma once
+
+#include <array>
+
+#include "core/infer/estimate/estimate.h"
+
+namespace terratact {
+
+/// Estimate of both sides of a robot with two tracks.
+struct TwoTrackEstimate {
+    /// Left, right. Bins −0.3 … 0.2 m are those of the track's line, bins from 0.3 m on those of the
+    /// flippers' line (core/terrain/ground_lines.h). Draw k of both sides is one joint draw.
+    std::array<TerrainEstimate, 2> side;
+    /// True if the scene was estimated as one plane: both sides are then equal.
+    bool onePlane = false;
+    bool operator==(const TwoTrackEstimate&) const = default;
+};
+
+}  // namespace terratact

@@ -1,0 +1,141 @@
+#include "core/infer/two_track_form.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "core/infer/closed_form_parts.h"
+#include "core/infer/estimate/hazards.h"
+#include "core/infer/sampling/draw_summary.h"
+#include "core/learn/data/side_features.h"
+#include "core/robot/side_plane.h"
+#include "core/terrain/body_ceiling.h"
+#include "core/terrain/ground_lines.h"
+
+namespace terratact {
+
+namespace {
+
+constexpr std::array kSides{Side::Left, Side::Right};
+
+constexpr std::size_t numberOf(Side side)
+{
+    return side == Side::Left ? 0 : 1;
+}
+
+constexpr int firstOf(Side side)
+{
+    return side == Side::Left ? 0 : kBins;
+}
+
+const ClearanceModel& modelOf(const SideModels& models, Side side)
+{
+    return side == Side::Left ? models.left : models.right;
+}
+
+/// Checks that the models need no feature that s lacks.
+void requireFeatures(const TwoTrackReadings& s, const SideModels& models)
+{
+    for (const Side side : kSides)
+        if ((absentFeatures(s, side) & ~modelOf(models, side).without()).any())
+            throw std::invalid_argument("a feature of a side is unknown that its model needs");
+}
+
+/// Returns contacts and arm readings of one side.
+MeasuredBins measuredOn(Side side, const TwoTrackReadings& s, std::span<const ArmReading> arm,
+                        const RobotModel& flipperPlane, const TerrainEstimate& estimate)
+{
+    MeasuredBins measured =
+        measureBins(flipperPlane, sideReadings(s, side), arm, estimate.ceiling, estimate.settings);
+    for (std::size_t i = 0; i < std::size_t{kFirstFlipperBin}; ++i)
+        if (measured.bin[i] && measured.bin[i]->origin == Origin::Contact) measured.bin[i].reset();
+    return measured;
+}
+
+void drawBoth(TwoTrackEstimate& estimate, const GaussianMixture& distribution,
+              const Settings& settings, const Poll& poll)
+{
+    std::mt19937_64 rng(settings.seed);
+    const int count = drawsOf(settings);
+    for (TerrainEstimate& side : estimate.side) side.draws.reserve(static_cast<std::size_t>(count));
+    distribution.draw(
+        count, rng,
+        [&](const Eigen::VectorXd& y) {
+            for (const Side side : kSides) {
+                TerrainEstimate& own = estimate.side[numberOf(side)];
+                own.draws.push_back(heightsOf(y, firstOf(side), own.ceiling));
+            }
+        },
+        poll);
+}
+
+/// Adds hazards; those of both sides are independent.
+void addOwnHazards(TerrainEstimate& estimate, Side side, const Poll& poll)
+{
+    const std::uint64_t seed = estimate.settings.seed;
+    estimate.settings.seed += numberOf(side);
+    addHazards(estimate, estimate.settings.hazardRate, poll);
+    estimate.settings.seed = seed;
+}
+
+}  // namespace
+
+GaussianMixture sideDistribution(const SideModels& models, const TwoTrackReadings& s,
+                                 const ClearanceModel::SideBins& covered, Method method)
+{
+    if (!isClosedForm(method))
+        throw std::invalid_argument(fmt::format("method {} has no closed form", name(method)));
+    Eigen::VectorXd mean(2 * kBins);
+    for (const Side side : kSides) {
+        const Heights centre =
+            modelOf(models, side).predict(sideFeatures(s, side), covered[numberOf(side)]);
+        mean.segment<kBins>(firstOf(side)) =
+            Eigen::Map<const Eigen::VectorXd>(centre.data(), kBins);
+    }
+    if (method == Method::Joint)
+        return {Eigen::VectorXd::Ones(1), mean, models.left.sideCovariance(models.right, covered)};
+    return smoothed(mean,
+                    models.left.sideResiduals(models.right, sideFeatures(s, Side::Left), covered));
+}
+
+TwoTrackEstimate reconstructBothSides(const TwoTrackReadings& s, const SideArms& arms,
+                                      const RobotModel& robot, const SideModels& models,
+                                      const Settings& settings, const Poll& poll)
+{
+    requireClosedForm(settings);
+    requireFeatures(s, models);
+    callPoll(poll);
+    TwoTrackEstimate estimate;
+    ClearanceModel::SideBins covered{};
+    const double novelty = models.left.novelty(sideFeatures(s, Side::Left));
+    for (const Side side : kSides) {
+        TerrainEstimate& own = estimate.side[numberOf(side)];
+        own.settings = settings;
+        own.novelty = novelty;
+        own.ceiling = sideCeiling(robot, s, side);
+        covered[numberOf(side)] = coveredBins(own.ceiling);
+    }
+    GaussianMixture distribution = sideDistribution(models, s, covered, settings.method);
+    for (const Side side : kSides) {
+        TerrainEstimate& own = estimate.side[numberOf(side)];
+        const RobotModel plane = inSidePlane(robot, s.roll, signOf(side) * robot.lateral.flipperY);
+        applyMeasurements(distribution, firstOf(side),
+                          measuredOn(side, s, arms[numberOf(side)], plane, own),
+                          modelOf(models, side), own);
+        warnIfNovel(own);
+    }
+    for (const Side side : kSides)
+        writeBins(distribution, firstOf(side), estimate.side[numberOf(side)]);
+    drawBoth(estimate, distribution, settings, poll);
+    for (const Side side : kSides) {
+        TerrainEstimate& own = estimate.side[numberOf(side)];
+        const RobotModel plane = inSidePlane(robot, s.roll, signOf(side) * robot.lateral.flipperY);
+        writeTouch(own, pressedBins(plane, sideReadings(s, side), own.ceiling));
+        addOwnHazards(own, side, poll);
+        own = finite(std::move(own), poll);
+    }
+    return estimate;
+}
+
+}  // namespace terratact

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "core/infer/estimate/two_track_estimate.h"
+#include "core/infer/sampling/gaussian_mixture.h"
+#include "core/learn/model/clearance_model.h"
+#include "core/robot/two_tracks.h"
+
+namespace terratact {
+
+/// Arm readings of both sides: left, right.
+using SideArms = std::array<std::span<const ArmReading>, 2>;
+
+/// Models of both sides: left, right. They are one and the same if both sides have all sensors, or
+/// lack the same ones. Otherwise each lacks its side's absent features (absentFeatures).
+struct SideModels {
+    const ClearanceModel& left;
+    const ClearanceModel& right;
+};
+
+/// Returns the distribution of the surface coordinates of both sides, left above right: 22
+/// coordinates. It is surfaceDistribution() with the residuals of both sides together, because
+/// their errors correlate. covered: bins of both sides. Throws std::invalid_argument for a method
+/// other than Joint and Local.
+GaussianMixture sideDistribution(const SideModels& models, const TwoTrackReadings& s,
+                                 const ClearanceModel::SideBins& covered, Method method);
+
+/// Estimates both sides of one scene in closed form, as reconstructClosedForm() does for one plane.
+/// Ceilings, contacts, felt bins and arm readings are those of each side's plane
+/// (core/robot/side_plane.h). A contact counts in bins of the flippers' line only. A measurement on
+/// one side also moves the other side, as far as their errors correlate. Throws
+/// std::invalid_argument as reconstructClosedForm().
+TwoTrackEstimate reconstructBothSides(const TwoTrackReadings& s, const SideArms& arms,
+                                      const RobotModel& robot, const SideModels& models,
+                                      const Settings& settings, const Poll& poll = {});
+
+}  // namespace terratact

@@ -1,0 +1,175 @@
+#include "core/infer/verdict/two_track_verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "core/infer/estimate/hazards.h"
+#include "core/robot/attitude.h"
+#include "core/robot/side_plane.h"
+
+namespace terratact {
+namespace {
+
+using BothBins = std::array<int, 2>;
+
+std::size_t drawsOfBoth(const TwoTrackEstimate& estimate)
+{
+    const std::size_t count = estimate.side[0].draws.size();
+    if (count == 0 || count != estimate.side[1].draws.size())
+        throw std::invalid_argument("two tracks need the same number of joint draws on both sides");
+    return count;
+}
+
+double jointEffectiveDraws(const TwoTrackEstimate& estimate)
+{
+    return std::min(effectiveDraws(estimate.side[0]), effectiveDraws(estimate.side[1]));
+}
+
+/// Returns a share of draws with its error; 0 and 1 are never certain, as in stepProbability().
+StepProbability shareOf(std::size_t hits, std::size_t draws, double effective)
+{
+    const double p = static_cast<double>(hits) / static_cast<double>(draws);
+    const double shown = hits > 0 && hits < draws ? p : 1.0 / (effective + 2.0);
+    return {p, std::sqrt(shown * (1.0 - shown) / effective)};
+}
+
+bool isBelow(const StepProbability& p, double limit)
+{
+    return p.p + 2.0 * p.monteCarloSd < limit;
+}
+
+bool isAbove(const StepProbability& p, double limit)
+{
+    return p.p - 2.0 * p.monteCarloSd > limit;
+}
+
+/// Returns the last bin behind the horizon of a side.
+int lastBinOf(const Verdict& verdict)
+{
+    int last = kFirstAhead;
+    while (last + 1 < kBins && binEnd(last + 1) <= verdict.horizon + 1e-9) ++last;
+    return last;
+}
+
+std::string answerOf(const Verdict& verdict)
+{
+    if (verdict.stepVerdict == StepVerdict::Blocked)
+        return fmt::format("{} at {:+.1f} m", name(verdict.stepVerdict),
+                           binCentre(verdict.likeliest + 1));
+    return describeStepVerdict(verdict);
+}
+
+/// Returns the attitude of one side as that of a robot on one plane.
+Measurement lineOf(const TwoTrackReadings& s, Side side)
+{
+    const Proprioception own = sideReadings(s, side);
+    Measurement line;
+    line.pitch = own.pitch;
+    line.frontLeft = line.frontRight = own.front;
+    line.rearLeft = line.rearRight = own.rear;
+    return line;
+}
+
+double degrees(double angle)
+{
+    return angle * 180.0 / std::numbers::pi;
+}
+
+}  // namespace
+
+StepProbability eitherStep(const TwoTrackEstimate& estimate, double limit, int firstBin,
+                           std::array<int, 2> lastBins)
+{
+    if (!(limit >= 0.0) || !std::isfinite(limit))
+        throw std::invalid_argument("eitherStep: the limit must be finite and 0 m or more");
+    const std::size_t count = drawsOfBoth(estimate);
+    std::size_t steps = 0;
+    for (std::size_t k = 0; k < count; ++k)
+        steps += hasStep(estimate.side[0].draws[k], limit, firstBin, lastBins[0])
+                      || hasStep(estimate.side[1].draws[k], limit, firstBin, lastBins[1])
+                   ? 1
+                   : 0;
+    StepProbability either = shareOf(steps, count, jointEffectiveDraws(estimate));
+    double neither = 1.0;
+    for (std::size_t i = 0; i < 2; ++i)
+        if (lastBins[i] > firstBin)
+            neither *= 1.0 - unfeltStepRate(estimate.side[i], firstBin, lastBins[i]);
+    either.p = std::max(either.p, 1.0 - neither);
+    return either;
+}
+
+CrossSlope crossSlopeAhead(const TwoTrackEstimate& estimate, const RobotModel& robot,
+                           const TwoTrackReadings& s)
+{
+    const std::size_t count = drawsOfBoth(estimate);
+    const Proprioception mean = planeReadings(s);
+    CrossSlope slope;
+    slope.limit = tipOver(robot, mean.front, mean.rear).side - kRedReserve;
+    const double width = 2.0 * robot.lateral.flipperY;
+    std::array<std::size_t, kBins> hits{};
+    std::size_t any = 0;
+    std::vector<double> steepest(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        bool hit = false;
+        for (std::size_t i = std::size_t{kFirstAhead}; i < kBins; ++i) {
+            const double angle =
+                std::atan((estimate.side[0].draws[k][i] - estimate.side[1].draws[k][i]) / width);
+            if (std::abs(angle) > std::abs(steepest[k])) steepest[k] = angle;
+            if (std::abs(angle) <= slope.limit) continue;
+            ++hits[i];
+            hit = true;
+        }
+        any += hit ? 1 : 0;
+    }
+    const auto middle = steepest.begin() + static_cast<std::ptrdiff_t>(count / 2);
+    std::nth_element(steepest.begin(), middle, steepest.end());
+    slope.steepest = *middle;
+    slope.bin =
+        static_cast<int>(std::max_element(hits.begin() + kFirstAhead, hits.end()) - hits.begin());
+    slope.beyond = shareOf(any, count, jointEffectiveDraws(estimate));
+    return slope;
+}
+
+TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& robot,
+                          const TwoTrackReadings& s, double limit, const LinkSinceScene& since)
+{
+    TwoTrackVerdict verdict;
+    verdict.side = {verdictOf(estimate.side[0], lineOf(s, Side::Left), since, limit),
+                    verdictOf(estimate.side[1], lineOf(s, Side::Right), since, limit)};
+    verdict.either = eitherStep(estimate, limit);
+    verdict.crossSlope = crossSlopeAhead(estimate, robot, s);
+    const BothBins horizons{lastBinOf(verdict.side[0]), lastBinOf(verdict.side[1])};
+    const auto are = [&](StepVerdict answer, int atLeast) {
+        return std::ranges::count(verdict.side, answer, &Verdict::stepVerdict) >= atLeast;
+    };
+    const bool withheld = std::ranges::any_of(
+        verdict.side, [](const Verdict& side) { return !side.withheldFor.empty(); });
+    if (withheld) return verdict;
+    if (are(StepVerdict::Clear, 2)
+        && isBelow(eitherStep(estimate, limit, kFirstAhead, horizons), kClearBelow)
+        && isBelow(verdict.crossSlope.beyond, kClearBelow))
+        verdict.both = StepVerdict::Clear;
+    if (are(StepVerdict::Blocked, 1) || isAbove(verdict.either, kBlockedAbove)
+        || isAbove(verdict.crossSlope.beyond, kBlockedAbove))
+        verdict.both = StepVerdict::Blocked;
+    return verdict;
+}
+
+std::string describe(const TwoTrackVerdict& verdict)
+{
+    const std::string left = answerOf(verdict.side[0]), right = answerOf(verdict.side[1]);
+    std::string text = left == right ? fmt::format("both {}", left)
+                                     : fmt::format("left {} · right {}", left, right);
+    const CrossSlope& slope = verdict.crossSlope;
+    if (!isBelow(slope.beyond, kClearBelow))
+        text += fmt::format(" · cross slope {:.0f}° of {:.0f}°", std::abs(degrees(slope.steepest)),
+                            degrees(slope.limit + kRedReserve));
+    return text;
+}
+
+}  // namespace terratact

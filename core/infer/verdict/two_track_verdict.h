@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "core/infer/estimate/two_track_estimate.h"
+#include "core/infer/verdict/verdict.h"
+#include "core/robot/robot_model.h"
+#include "core/robot/two_tracks.h"
+
+namespace terratact {
+
+/// Returns the probability of a step of more than `limit` [m] on either side, within firstBin …
+/// lastBins (left, right): the share of joint draws with a step on one side or both. It is at least
+///   1 − (1 − r_left) (1 − r_right),   r: unfeltStepRate() of a side.
+/// A side whose last bin is not above firstBin has no step. The error is that of stepProbability().
+/// Throws std::invalid_argument for no draws, different numbers of draws, and a limit below 0 or not
+/// finite.
+StepProbability eitherStep(const TwoTrackEstimate& estimate, double limit,
+                           int firstBin = kFirstAhead,
+                           std::array<int, 2> lastBins = {kBins - 1, kBins - 1});
+
+/// Cross slope ahead: the roll that the robot takes where both tracks follow the estimated ground,
+///   φ_i = atan((h_left,i − h_right,i) / distance of the lines)
+/// for bins from kFirstAhead on. The lines are those of the flippers.
+struct CrossSlope {
+    double steepest = 0.0;  ///< [rad] median over the draws of the φ_i with the largest |φ_i|
+    int bin = kFirstAhead;  ///< bin with the largest probability of exceeding the limit
+    double limit = 0.0;     ///< [rad] tip-over angle to the side less kRedReserve (attitude.h)
+    /// Probability that |φ_i| exceeds the limit in some bin, with its Monte-Carlo error.
+    StepProbability beyond;
+    bool operator==(const CrossSlope&) const = default;
+};
+CrossSlope crossSlopeAhead(const TwoTrackEstimate& estimate, const RobotModel& robot,
+                           const TwoTrackReadings& s);
+
+struct TwoTrackVerdict {
+    std::array<Verdict, 2> side;  ///< left, right, each from its own draws
+    StepProbability either;       ///< probability of a step ahead on either side
+    CrossSlope crossSlope;
+    /// Answer for the robot: Blocked if a side or the cross slope is blocked, or a step on either
+    /// side is as probable as Blocked requires. Clear if both sides are clear, and so are the joint
+    /// probability up to both horizons and the cross slope. Else CannotTell.
+    StepVerdict both = StepVerdict::CannotTell;
+    bool operator==(const TwoTrackVerdict&) const = default;
+};
+
+/// Decides for a scene of two tracks by the rules of verdictOf(). Roll and different flippers are no
+/// reason to withhold: both sides are estimated. limit: [m]. Throws as verdictOf().
+TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& robot,
+                          const TwoTrackReadings& s, double limit,
+                          const LinkSinceScene& since = {});
+
+/// Returns "left BLOCKED at +0.4 m · right CLEAR to +0.55 m", or "both CLEAR to +0.55 m" for equal
+/// answers. A cross slope that is not clear follows: "cross slope 23° of 38°", the tip-over angle.
+std::string describe(const TwoTrackVerdict& verdict);
+
+}  // namespace terratact

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/robot/robot_model.h"
+#include "core/robot/two_tracks.h"
+
+namespace terratact {
+
+// One side of a robot with two tracks, seen as a robot on one plane. What is known of one plane
+// (ceilings, contacts, felt bins) then holds for the side's vertical plane.
+
+/// Returns the robot whose poseInDem() is the pose of a vertical plane along the robot: only the
+/// IMU's place differs,
+///   z' = z cos φ − sideLift(y, φ)
+/// so that the base lies as in sidePose() with a locked differential. y: signed [m], left positive;
+/// roll φ: [rad]. The DEM frame keeps its origin: the robot's IMU.
+RobotModel inSidePlane(const RobotModel& robot, double roll, double y);
+
+/// Returns the readings of one side: its flippers' angles, currents and front forces, and the pitch.
+Proprioception sideReadings(const TwoTrackReadings& s, Side side);
+
+/// Returns the readings of one plane: proprioception() of the line of telemetry with these readings.
+Proprioception planeReadings(const TwoTrackReadings& s);
+
+/// Returns true if both sides read the same within kSymmetricSd standard deviations of the noise
+/// (core/sim/sensor_noise.h): roll, angles, differential, and the currents and front forces that
+/// both sides have. A reading that one side alone has makes the readings asymmetric.
+bool isSymmetric(const TwoTrackReadings& s);
+inline constexpr double kSymmetricSd = 3.0;
+
+}  // namespace terratact

@@ -1,0 +1,142 @@
+#include "core/infer/two_track_estimator.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/infer/closed_form.h"
+#include "tests/support/toy_model.h"
+#include "tests/support/toy_sides.h"
+
+namespace terratact {
+namespace {
+
+/// Models that differ in the part of two tracks only.
+const Models& models(bool tracks)
+{
+    static const ModelData plane = [] {
+        ModelData model = toyModel(12);
+        model.sides = {};
+        return model;
+    }();
+    static const ModelData both = [] {
+        ModelData model = plane;
+        model.sides = toySides(16);
+        return model;
+    }();
+    static const Models ofPlane(plane, absolem()), ofBoth(both, absolem());
+    return tracks ? ofBoth : ofPlane;
+}
+
+const std::vector<TwoTrackScene>& scenes()
+{
+    static const std::vector<TwoTrackScene> some = someTrackScenes(4, 9);
+    return some;
+}
+
+TwoTrackEstimate estimateOf(const TwoTrackReadings& s, const SideArms& arms = {})
+{
+    return estimateByBothSides(s, arms, absolem(), models(true), {.hazardRate = 0.0});
+}
+
+/// Returns the first scene that has rolled.
+const TwoTrackScene& rolled()
+{
+    return *std::ranges::find_if(scenes(),
+                                 [](const auto& scene) { return std::abs(scene.s.roll) > 0.08; });
+}
+
+TEST(TwoTrackEstimator, mirroredReadingsGiveTheMirroredGround)
+{
+    for (std::size_t k = 0; k < 6; ++k) {
+        const TwoTrackEstimate own = estimateOf(scenes()[k].s);
+        const TwoTrackEstimate mirror = estimateOf(mirrored(scenes()[k].s));
+        for (std::size_t i = 0; i < kBins; ++i) {
+            EXPECT_NEAR(own.side[0].height[i], mirror.side[1].height[i], 1e-6) << k << ' ' << i;
+            EXPECT_NEAR(own.side[1].q90[i], mirror.side[0].q90[i], 1e-6) << k << ' ' << i;
+        }
+        EXPECT_NEAR(own.side[0].novelty, mirror.side[0].novelty, 1e-9);
+    }
+}
+
+TEST(TwoTrackEstimator, theHigherSideIsHigher)
+{
+    const TwoTrackEstimate estimate = estimateOf(rolled().s);
+    const double difference = estimate.side[0].height[3] - estimate.side[1].height[3];
+    EXPECT_GT(difference * rolled().s.roll, 0.0);
+    EXPECT_GT((estimate.side[0].ceiling[3] - estimate.side[1].ceiling[3]) * rolled().s.roll, 0.0);
+}
+
+TEST(TwoTrackEstimator, drawsAreJointAndHoldTheQuantiles)
+{
+    const TwoTrackEstimate estimate = estimateOf(rolled().s);
+    ASSERT_EQ(estimate.side[0].draws.size(), estimate.side[1].draws.size());
+    for (const TerrainEstimate& side : estimate.side) {
+        std::size_t below = 0;
+        for (const Heights& draw : side.draws) below += draw[3] < side.q10[3] ? 1 : 0;
+        EXPECT_NEAR(static_cast<double>(below) / static_cast<double>(side.draws.size()), 0.1, 0.04);
+    }
+}
+
+TEST(TwoTrackEstimator, anArmReadingMovesItsOwnSideMost)
+{
+    const TwoTrackReadings& s = rolled().s;
+    const TwoTrackEstimate before = estimateOf(s);
+    const std::vector<ArmReading> arm{
+        {.bin = 10, .height = before.side[1].height[10] + 0.1, .sd = 0.01}};
+    const TwoTrackEstimate after = estimateOf(s, {std::span<const ArmReading>{}, arm});
+    const double moved = after.side[1].height[10] - before.side[1].height[10];
+    EXPECT_GT(moved, 0.05);
+    EXPECT_LT(std::abs(after.side[0].height[10] - before.side[0].height[10]), moved);
+    EXPECT_EQ(after.side[1].origin[10], Origin::Arm);
+    EXPECT_EQ(after.side[0].origin[10], Origin::Sampled);
+    EXPECT_EQ(after.side[1].touch[10], Touch::Felt);
+    EXPECT_LT(after.side[1].sd[10], before.side[1].sd[10]);
+}
+
+TEST(TwoTrackEstimator, worksWithOneSidesArrayOnly)
+{
+    TwoTrackReadings s = rolled().s;
+    s.forces[indexOf(Flipper::FrontRight)] = {};
+    const TwoTrackEstimate estimate = estimateTwoTracks(s, {}, absolem(), models(true), {});
+    EXPECT_FALSE(estimate.onePlane);
+    EXPECT_TRUE(estimate.side[0].missing.none());
+    EXPECT_EQ(estimate.side[1].missing.count(), 6U);
+    EXPECT_NE(estimate.side[1].touch[6], Touch::Felt);
+    s.forces = {};
+    s.currents = {};
+    const TwoTrackEstimate blind = estimateTwoTracks(s, {}, absolem(), models(true), {});
+    EXPECT_EQ(blind.side[0].missing.count(), 8U);
+}
+
+TEST(TwoTrackEstimator, aSymmetricSceneIsOnePlane)
+{
+    TwoTrackReadings s = scenes().front().s;
+    s.roll = 0.001;
+    s.flippers = {0.2, 0.201, 0.1, 0.1};
+    s.currents = {1.0, 1.0, 1.0, 1.0};
+    s.forces[1] = s.forces[0];
+    const TwoTrackEstimate estimate = estimateTwoTracks(s, {}, absolem(), models(true), {});
+    EXPECT_TRUE(estimate.onePlane);
+    EXPECT_EQ(estimate.side[0], estimate.side[1]);
+    const std::vector<ArmReading> arm{{.bin = 9, .height = 0.0, .sd = 0.03}};
+    EXPECT_FALSE(estimateTwoTracks(s, {arm, {}}, absolem(), models(true), {}).onePlane);
+}
+
+TEST(TwoTrackEstimator, refusesWhatItHasNotLearnt)
+{
+    const TwoTrackReadings& s = rolled().s;
+    EXPECT_THROW((void)estimateTwoTracks(s, {}, absolem(), models(false), {}), RefusedInput);
+    TwoTrackReadings turned = s;
+    turned.differential = 0.1;
+    EXPECT_THROW((void)estimateTwoTracks(turned, {}, absolem(), models(true), {}), RefusedInput);
+    EXPECT_THROW((void)estimateTwoTracks(s, {}, absolem(), models(true), {.method = Method::Pafc}),
+                 std::invalid_argument);
+    for (const Method method : {Method::Joint, Method::Local})
+        EXPECT_NO_THROW(
+            (void)estimateTwoTracks(s, {}, absolem(), models(true), {.method = method}));
+}
+
+}  // namespace
+}  // namespace terratact

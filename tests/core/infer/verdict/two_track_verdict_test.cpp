@@ -1,0 +1,113 @@
+#include "core/infer/verdict/two_track_verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "core/robot/attitude.h"
+#include "tests/support/absolem.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::size_t kDraws = 400;
+
+/// Returns an estimate whose side has a step of 0.3 m ahead in every draw k with step(k).
+template <class Left, class Right>
+TwoTrackEstimate estimateWith(Left left, Right right)
+{
+    TwoTrackEstimate estimate;
+    for (std::size_t side = 0; side < 2; ++side) {
+        TerrainEstimate& own = estimate.side[side];
+        own.settings.hazardRate = 0.0;
+        own.ess.fill(static_cast<double>(kDraws));
+        own.touch.fill(Touch::Felt);
+        own.feltTo = binEnd(kBins - 1);
+        for (std::size_t k = 0; k < kDraws; ++k) {
+            Heights heights{};
+            if (side == 0 ? left(k) : right(k)) heights[9] = heights[10] = 0.3;
+            own.draws.push_back(heights);
+        }
+    }
+    return estimate;
+}
+
+constexpr auto kNever = [](std::size_t) { return false; };
+constexpr auto kAlways = [](std::size_t) { return true; };
+constexpr auto kEvenDraws = [](std::size_t k) { return k % 2 == 0; };
+constexpr auto kOddDraws = [](std::size_t k) { return k % 2 == 1; };
+
+TwoTrackVerdict verdictFor(const TwoTrackEstimate& estimate)
+{
+    return verdictOf(estimate, absolem(), TwoTrackReadings{}, 0.1);
+}
+
+TEST(TwoTrackVerdict, eitherStepCountsJointDraws)
+{
+    EXPECT_DOUBLE_EQ(eitherStep(estimateWith(kEvenDraws, kEvenDraws), 0.1).p, 0.5);
+    EXPECT_DOUBLE_EQ(eitherStep(estimateWith(kEvenDraws, kOddDraws), 0.1).p, 1.0);
+    EXPECT_DOUBLE_EQ(eitherStep(estimateWith(kEvenDraws, kNever), 0.1).p, 0.5);
+    EXPECT_DOUBLE_EQ(eitherStep(estimateWith(kEvenDraws, kNever), 0.1, kFirstAhead, {8, 8}).p, 0.0);
+    TwoTrackEstimate unfelt = estimateWith(kNever, kNever);
+    for (TerrainEstimate& side : unfelt.side) {
+        side.settings.hazardRate = 0.05;
+        side.touch[10] = Touch::NotFelt;
+    }
+    EXPECT_NEAR(eitherStep(unfelt, 0.1).p, 1.0 - 0.95 * 0.95, 1e-12);
+    unfelt.side[1].draws.pop_back();
+    EXPECT_THROW((void)eitherStep(unfelt, 0.1), std::invalid_argument);
+}
+
+TEST(TwoTrackVerdict, namesTheSideThatIsBlocked)
+{
+    const TwoTrackVerdict verdict = verdictFor(estimateWith(kAlways, kNever));
+    EXPECT_EQ(verdict.side[0].stepVerdict, StepVerdict::Blocked);
+    EXPECT_EQ(verdict.side[1].stepVerdict, StepVerdict::Clear);
+    EXPECT_EQ(verdict.both, StepVerdict::Blocked);
+    EXPECT_EQ(describe(verdict).find("left BLOCKED at +0.6 m · right CLEAR to +0.75 m"), 0U)
+        << describe(verdict);
+    EXPECT_EQ(describe(verdictFor(estimateWith(kNever, kNever))), "both CLEAR to +0.75 m");
+}
+
+TEST(TwoTrackVerdict, isClearOnlyIfBothSidesAreJointly)
+{
+    EXPECT_EQ(verdictFor(estimateWith(kNever, kNever)).both, StepVerdict::Clear);
+    const auto rare = [](std::size_t k) { return k % 40 == 0; };
+    const auto otherRare = [](std::size_t k) { return k % 40 == 1; };
+    const TwoTrackVerdict apart = verdictFor(estimateWith(rare, otherRare));
+    EXPECT_EQ(apart.side[0].stepVerdict, StepVerdict::Clear);
+    EXPECT_EQ(apart.side[1].stepVerdict, StepVerdict::Clear);
+    EXPECT_EQ(apart.both, StepVerdict::CannotTell);
+    EXPECT_EQ(verdictFor(estimateWith(rare, rare)).both, StepVerdict::Clear);
+    EXPECT_EQ(verdictFor(estimateWith(kEvenDraws, kOddDraws)).both, StepVerdict::Blocked);
+    TwoTrackEstimate novel = estimateWith(kNever, kNever);
+    novel.side[0].novelty = novel.side[1].novelty = 1.5;
+    EXPECT_EQ(verdictFor(novel).both, StepVerdict::CannotTell);
+}
+
+TEST(TwoTrackVerdict, rollIsNoReasonToWithhold)
+{
+    TwoTrackReadings s;
+    s.roll = 0.3;
+    s.flippers = {0.4, 0.0, 0.0, 0.0};
+    EXPECT_EQ(verdictOf(estimateWith(kNever, kNever), absolem(), s, 0.1).both, StepVerdict::Clear);
+}
+
+TEST(TwoTrackVerdict, aCrossSlopeThatTipsTheRobotBlocks)
+{
+    TwoTrackEstimate estimate = estimateWith(kNever, kNever);
+    for (Heights& draw : estimate.side[0].draws)
+        for (std::size_t i = 6; i < kBins; ++i) draw[i] = 0.8;
+    const TwoTrackVerdict verdict = verdictFor(estimate);
+    const double tips = tipOver(absolem(), 0.0, 0.0).side;
+    EXPECT_NEAR(verdict.crossSlope.limit, tips - kRedReserve, 1e-12);
+    EXPECT_NEAR(verdict.crossSlope.steepest, std::atan(0.8 / 0.544), 1e-9);
+    EXPECT_DOUBLE_EQ(verdict.crossSlope.beyond.p, 1.0);
+    EXPECT_EQ(verdict.both, StepVerdict::Blocked);
+    EXPECT_NE(describe(verdict).find("cross slope 56° of "), std::string::npos)
+        << describe(verdict);
+}
+
+}  // namespace
+}  // namespace terratact
