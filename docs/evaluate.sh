@@ -41,7 +41,8 @@ say '# Evaluation' '' \
   'with the shipped model, which was trained on simulated drives over generated ground alone' \
   '(`resources/models/make_default.sh`). Brackets are 95 % bootstrap intervals over whole drives.' \
   'median\* is the median over bins -0.3 to 0.5. The baselines are fitted on the same training scenes.' \
-  'Milliseconds are wall-clock time on a machine that does other work, too. [tradeoff.md](tradeoff.md) measures the cost of the methods.'
+  'Milliseconds are wall-clock time on a machine that does other work, too. [tradeoff.md](tradeoff.md) measures the cost of the methods.' \
+  '[two_tracks.md](two_tracks.md) judges estimates of left and right.'
 
 say '' '## Real terrain' '' \
   'Drives over profiles cut from scans that had no part in training or in any choice of a constant.'

@@ -1,0 +1,59 @@
+#!/bin/sh
+# Writes docs/two_tracks.md: estimates of left and right by the shipped model, on generated ground of another seed and on
+# real ground. Minutes on two cores.
+# Usage: docs/two_tracks.sh path/to/terratact PAIRS.csv
+#   PAIRS.csv   ground lines (docs/files.md) with a column `kind`: "mild" for a mild cross slope
+set -eu
+terratact=$(realpath "$1")
+pairs=$(realpath "$2")
+cd "$(dirname "$0")"
+docs=$PWD
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+ln -s "$pairs" pairs.csv
+awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) if ($i == "kind") kind = i} NR == 1 || $kind == "mild"' pairs.csv >mild.csv
+page=$folder/two_tracks.md
+
+say() { printf '%s\n' "$@" >>"$page"; }
+
+# Runs terratact and prints the command with its output.
+show() {
+  say '' "    terratact $*" '' '```'
+  "$terratact" "$@" 2>/dev/null >>"$page"
+  say '```'
+}
+
+say '# Two tracks' '' \
+  'The command above each number printed it. This command made the whole page,' '' \
+  "    docs/two_tracks.sh path/to/terratact $(basename "$pairs")" '' \
+  'with the shipped model. Its two tracks learnt from simulated drives over generated ground alone' \
+  '(`resources/models/make_two_tracks.sh`). Errors are those of each side. Bins from -0.3 to +0.2 m are those of the track'"'"'s line,' \
+  'bins from +0.3 m on those of the flippers'"'"' line. The approaches are' '' \
+  '- `two tracks`: both sides together; a scene that is symmetric within its noise is estimated as one plane;' \
+  '- `always two`: both sides together in every scene;' \
+  '- `one plane`: the model of one plane on the means of both sides, for both sides;' \
+  '- `one per side`: the model of one plane on each side'"'"'s readings, plus or minus y sin(roll).' '' \
+  'The classes: `within` has |roll| and flipper differences of 0.10 rad at most, `beyond` has more. `symmetric` is symmetric' \
+  'within the noise of the sensors.'
+
+say '' '## Generated ground of another seed'
+show simulate --tracks --terrain varied --count 1500 --soft-drives 0.3 --exact-truth --seed 2 --out generated.csv
+show evaluate --tracks --data generated.csv --methods local --seed 1 --out generated
+
+say '' '## Real ground, any heading' '' 'Pairs of lines cut from height maps that had no part in training or in any choice of a constant.'
+show simulate --tracks --terrain pairs.csv --count 3000 --exact-truth --seed 1 --out real.csv
+show evaluate --tracks --data real.csv --methods local --seed 1 --out real
+
+say '' '## Real ground, mild cross slope'
+show simulate --tracks --terrain mild.csv --count 1000 --exact-truth --seed 1 --out mild_scenes.csv
+show evaluate --tracks --data mild_scenes.csv --methods local --seed 1 --out mild
+
+say '' '## Method joint'
+show evaluate --tracks --data mild_scenes.csv --methods joint --seed 1 --out joint
+
+say '' '## Missing sensors' '' 'The first 300 of the generated scenes.'
+head -n 301 generated.csv >few.csv
+show evaluate --tracks --missing --data few.csv --methods local --seed 1 --out missing
+
+mv "$page" "$docs/two_tracks.md"
