@@ -41,7 +41,7 @@ std::optional<Message> Exploration::wordsOf(NoProbe why) const
     case NoProbe::None: break;
     case NoProbe::Certain:
         return Message(TR_NOOP("terratact::Exploration",
-                               "No probe offered: every bin in reach is known to ± %1 m"),
+                               "No probe offered: every bin in reach is known to ± %1 m or better"),
                        verbatim(format::number(estimation_.estimate()->settings.probeAbove, 2)));
     case NoProbe::Decided:
         return Message(TR_NOOP("terratact::Exploration",

@@ -150,6 +150,13 @@ ReviewExportDialog::ReviewExportDialog(Sources sources, QWidget* parent)
     column->addWidget(buttons());
     offerFormats();
     connect(path_, &QLineEdit::textChanged, this, &ReviewExportDialog::showButtons);
+    // The result is that of the export as it was chosen.
+    connect(path_, &QLineEdit::textChanged, result_, &QLabel::clear);
+    connect(what_, &QComboBox::currentIndexChanged, result_, &QLabel::clear);
+    connect(format_, &QComboBox::currentIndexChanged, result_, &QLabel::clear);
+    for (const QAbstractButton* choice :
+         std::initializer_list<QAbstractButton*>{visible_, everything_, payload_})
+        connect(choice, &QAbstractButton::toggled, result_, &QLabel::clear);
     connect(&look_, &QTimer::timeout, this, &ReviewExportDialog::showViewState);
 }
 
@@ -428,11 +435,11 @@ void ReviewExportDialog::wrote(const QString& trouble, qulonglong leftOut, int d
     if (damaged > 0) parts << tr("damaged and left out, places: %1").arg(damaged);
     if (withoutColumns > 0)
         parts << tr("messages of DBC files left out for lack of room: %1").arg(withoutColumns);
+    showViewState();
     result_->setText(parts.join(QStringLiteral(" · ")));
     setTone(*result_, !trouble.isEmpty()                                 ? Tone::Bad
                       : leftOut > 0 || damaged > 0 || withoutColumns > 0 ? Tone::Doubt
                                                                          : Tone::Good);
-    showViewState();
     showButtons();
     export_->setFocus();
 }

@@ -5104,8 +5104,8 @@ F1</translation>
         <translation>přebití skončilo: %1</translation>
     </message>
     <message>
-        <source>No probe offered: every bin in reach is known to ± %1 m</source>
-        <translation>Nenabízí se: žádný bod v dosahu není méně jistý než ± %1 m</translation>
+        <source>No probe offered: every bin in reach is known to ± %1 m or better</source>
+        <translation>Nenabízí se: každý bod v dosahu je znám na ± %1 m nebo přesněji</translation>
     </message>
     <message>
         <source>No probe offered, by the settings: %1 is decided without the arm</source>
@@ -7747,8 +7747,8 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>síly jsou staré %1</translation>
     </message>
     <message>
-        <source>No probe is proposed. A probe would give:</source>
-        <translation>O rameno nikdo nežádá. Co by přineslo:</translation>
+        <source>No probe is proposed; what one would tell:</source>
+        <translation>Rameno se nenabízí; co by zjistilo:</translation>
     </message>
     <message>
         <source>probe at %1: its height, ± %2 m instead of ± %3 m</source>
@@ -8302,7 +8302,7 @@ vpředu</translation>
 <context>
     <name>terratact::VerdictStrip</name>
     <message>
-        <source>likeliest at %1 … %2 m (%3)</source>
+        <source>most likely at %1 … %2 m (%3)</source>
         <translation>nejspíš v %1 … %2 m (%3)</translation>
     </message>
     <message>
@@ -8366,8 +8366,8 @@ vpředu</translation>
         <translation>Je vpředu schod vyšší než %1 m?</translation>
     </message>
     <message>
-        <source>undecided from %1 to %2, %3</source>
-        <translation>nerozhodnuto od %1 do %2, %3</translation>
+        <source>not decided (CLEAR below %1, BLOCKED above %2); %3</source>
+        <translation>nerozhodnuto (VOLNO pod %1, PŘEKÁŽKA nad %2); %3</translation>
     </message>
     <message>
         <source>no live telemetry</source>
@@ -8464,6 +8464,10 @@ vpředu</translation>
     <message>
         <source>, 0.1 m further helps</source>
         <translation>, pomůže o 0.1 m dál</translation>
+    </message>
+    <message>
+        <source>not decided; %1</source>
+        <translation>nerozhodnuto; %1</translation>
     </message>
 </context>
 <context>

@@ -5104,8 +5104,8 @@ F1</translation>
         <translation>das Übergehen ist beendet: %1</translation>
     </message>
     <message>
-        <source>No probe offered: every bin in reach is known to ± %1 m</source>
-        <translation>Nicht angeboten: kein Feld in Reichweite ist unsicherer als ± %1 m</translation>
+        <source>No probe offered: every bin in reach is known to ± %1 m or better</source>
+        <translation>Nicht angeboten: jedes Feld in Reichweite ist auf ± %1 m oder besser bekannt</translation>
     </message>
     <message>
         <source>No probe offered, by the settings: %1 is decided without the arm</source>
@@ -7747,8 +7747,8 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>die Kräfte sind %1 alt</translation>
     </message>
     <message>
-        <source>No probe is proposed. A probe would give:</source>
-        <translation>Niemand fragt nach dem Arm. Was er brächte:</translation>
+        <source>No probe is proposed; what one would tell:</source>
+        <translation>Keine Probe vorgeschlagen; was eine ergäbe:</translation>
     </message>
     <message>
         <source>probe at %1: its height, ± %2 m instead of ± %3 m</source>
@@ -8302,7 +8302,7 @@ voraus</translation>
 <context>
     <name>terratact::VerdictStrip</name>
     <message>
-        <source>likeliest at %1 … %2 m (%3)</source>
+        <source>most likely at %1 … %2 m (%3)</source>
         <translation>am ehesten bei %1 … %2 m (%3)</translation>
     </message>
     <message>
@@ -8366,8 +8366,8 @@ voraus</translation>
         <translation>Ist voraus eine Stufe über %1 m?</translation>
     </message>
     <message>
-        <source>undecided from %1 to %2, %3</source>
-        <translation>offen von %1 bis %2, %3</translation>
+        <source>not decided (CLEAR below %1, BLOCKED above %2); %3</source>
+        <translation>nicht entschieden (FREI unter %1, VERSPERRT über %2); %3</translation>
     </message>
     <message>
         <source>no live telemetry</source>
@@ -8464,6 +8464,10 @@ voraus</translation>
     <message>
         <source>, 0.1 m further helps</source>
         <translation>, 0.1 m weiter hilft</translation>
+    </message>
+    <message>
+        <source>not decided; %1</source>
+        <translation>nicht entschieden; %1</translation>
     </message>
 </context>
 <context>

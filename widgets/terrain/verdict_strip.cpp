@@ -26,7 +26,7 @@ constexpr int kBadgeFrame = 16;  // [px] between the badge's edge and its word
 
 QString likeliestText(const Verdict& verdict)
 {
-    return VerdictStrip::tr("likeliest at %1 … %2 m (%3)")
+    return VerdictStrip::tr("most likely at %1 … %2 m (%3)")
         .arg(format::signedNumber(binCentre(verdict.likeliest), 1),
              format::signedNumber(binCentre(verdict.likeliest + 1), 1),
              format::number(verdict.likeliestP, 2));
@@ -255,7 +255,7 @@ QString VerdictStrip::whyOf(const Verdict& verdict)
     }
     if (!verdict.withheldFor.empty()) return withheldText(verdict.withheldFor);
     if (verdict.shortfall != Shortfall::None) return shortfallText(verdict);
-    return tr("undecided from %1 to %2, %3")
+    return tr("not decided (CLEAR below %1, BLOCKED above %2); %3")
         .arg(format::number(kClearBelow, 2), format::number(kBlockedAbove, 2),
              likeliestText(verdict));
 }
@@ -268,13 +268,15 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
     question_->setText(isWithheld ? QStringLiteral("(%1)").arg(probability) : probability);
     setTone(*question_, isWithheld ? Tone::Muted : Tone::Strong);
     setTone(*reason_, isWithheld ? Tone::Doubt : Tone::Muted);
-    const bool falls = verdict.stepVerdict == StepVerdict::CannotTell && !isWithheld
-                    && verdict.shortfall != Shortfall::None;
-    QString why = falls ? briefShortfall(verdict) : whyOf(verdict);
+    const bool isBrief = verdict.stepVerdict == StepVerdict::CannotTell && !isWithheld;
+    QString why = !isBrief ? whyOf(verdict)
+                : verdict.shortfall != Shortfall::None
+                    ? briefShortfall(verdict)
+                    : tr("not decided; %1").arg(likeliestText(verdict));
     if (!probe.isEmpty() && !isWithheld) why += QStringLiteral(" — ") + probe;
     reason_->setText(why);
     QStringList tip{why};
-    if (falls) tip << whyOf(verdict);
+    if (isBrief) tip << whyOf(verdict);
     for (const WithholdReason reason : verdict.withheldFor) tip << translated(describe(reason));
     setTip(*reason_, tip.join(QLatin1Char('\n')));
     say(badgeOf(verdict), wordOf(verdict), isWithheld);

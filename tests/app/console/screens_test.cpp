@@ -269,8 +269,8 @@ TEST_F(Screens, verdict)
         ASSERT_NO_FATAL_FAILURE(withLimit(StepVerdict::Clear));
         picture("clear", {VerdictStrip::tr("✔ CLEAR")});
         withLimit(StepVerdict::CannotTell);
-        picture("undecided", {VerdictStrip::tr("? CANNOT TELL"),
-                              VerdictStrip::tr("undecided from %1 to %2, %3")});
+        picture("undecided",
+                {VerdictStrip::tr("? CANNOT TELL"), VerdictStrip::tr("not decided; %1")});
         withLimit(StepVerdict::Blocked);
         picture("blocked", {VerdictStrip::tr("✘ BLOCKED")});
         robot->stage({.isMute = true});

@@ -43,9 +43,10 @@ TEST(NumbersPage, showsTheVerdictAndTheAgeOfTelemetry)
     };
     EXPECT_FALSE(explained());
     page.refresh(0.0);
-    EXPECT_EQ(line->text(),
-              QString::fromUtf8("✘ BLOCKED · P(step > 0.10 m ahead) = 0.99 ± < 0.01 · likeliest at "
-                                "+0.5 … +0.6 m (0.97)"));
+    EXPECT_EQ(
+        line->text(),
+        QString::fromUtf8("✘ BLOCKED · P(step > 0.10 m ahead) = 0.99 ± < 0.01 · most likely at "
+                          "+0.5 … +0.6 m (0.97)"));
     EXPECT_TRUE(explained()) << "P over two bins, beside a column of P to the next";
     viewState.verdict->stepVerdict = StepVerdict::CannotTell;
     viewState.verdict->withheldFor = {WithholdReason::Stale};

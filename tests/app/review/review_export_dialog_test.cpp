@@ -61,8 +61,10 @@ TEST_F(ExportOf, whatIsShownIsWrittenByTheSameDialog)
         choose("Picture", format, std::string("picture") + format);
         write();
         EXPECT_GT(written(std::string("picture") + format).size(), 2000U);
+        EXPECT_TRUE(window->exportDialog()->resultLabel()->text().startsWith("Written: "));
     }
     choose("Numbers", ".csv", "numbers.csv");
+    EXPECT_EQ(window->exportDialog()->resultLabel()->text(), "") << "of another export";
     write();
     EXPECT_EQ(written("numbers.csv").rfind("t_s,measured_s,pitch_rad", 0), 0U);
     choose("Report", ".html", "report");  // the dialog adds the ending

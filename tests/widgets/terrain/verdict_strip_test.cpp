@@ -111,8 +111,10 @@ TEST_F(Strip, theBadgeHasTheColoursOfItsAnswerInEveryTheme)
 TEST_F(Strip, namesWhatIsMissingForAVerdict)
 {
     strip.setVerdict(verdict(StepVerdict::CannotTell, 0.95));
-    EXPECT_TRUE(strip.reason().contains("undecided from 0.05 to 0.95, likeliest at"))
+    EXPECT_TRUE(strip.reason().contains("not decided; most likely at"))
         << strip.reason().toStdString();
+    EXPECT_TRUE(VerdictStrip::whyOf(verdict(StepVerdict::CannotTell, 0.95))
+                    .contains("not decided (CLEAR below 0.05, BLOCKED above 0.95); most likely"));
 }
 
 TEST_F(Strip, neverClaimsToBeWithoutError)
