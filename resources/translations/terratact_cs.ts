@@ -1471,10 +1471,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>je část modelu; `terratact merge` složí ze všech částí model</translation>
     </message>
     <message>
-        <source>is a model of format version %1, and this program reads version %2</source>
-        <translation>je model formátu verze %1, tento program čte verzi %2</translation>
-    </message>
-    <message>
         <source>its tables are not those of a Terratact model</source>
         <translation>jeho tabulky nejsou tabulky modelu Terratact</translation>
     </message>
@@ -3063,14 +3059,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>má v tabulce %2 řádků: %1, očekává se 1 až %3</translation>
     </message>
     <message>
-        <source>its table surface_input is not numbered from 0</source>
-        <translation>jeho tabulka surface_input není číslována od 0</translation>
-    </message>
-    <message>
-        <source>its table clearance has too many rows</source>
-        <translation>jeho tabulka clearance má příliš mnoho řádků</translation>
-    </message>
-    <message>
         <source>its structure is damaged: %1</source>
         <translation>jeho struktura je poškozena: %1</translation>
     </message>
@@ -3893,6 +3881,42 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>the window&apos;s picture could not be made: end other programs</source>
         <translation>obrázek okna se nepodařilo vytvořit: ukončete jiné programy</translation>
+    </message>
+    <message>
+        <source>the model has learnt one plane only: `terratact train --tracks` makes one for two tracks</source>
+        <translation>model se naučil jen jednu rovinu: model pro dva pásy vytvoří `terratact train --tracks`</translation>
+    </message>
+    <message>
+        <source>the track differential has turned: estimates of both sides need it locked</source>
+        <translation>diferenciál pásů se pootočil: odhady obou stran potřebují, aby byl zajištěn</translation>
+    </message>
+    <message>
+        <source>row %1 of two tracks: %2</source>
+        <translation>řádek %1 dvou pásů: %2</translation>
+    </message>
+    <message>
+        <source>a number of its two tracks is no multiple of its step</source>
+        <translation>číslo jeho dvou pásů není násobkem svého kroku</translation>
+    </message>
+    <message>
+        <source>the two sides of a scene have other readings</source>
+        <translation>obě strany jedné scény mají různá čtení</translation>
+    </message>
+    <message>
+        <source>its rows of two tracks have the wrong size</source>
+        <translation>jeho řádky dvou pásů mají špatnou velikost</translation>
+    </message>
+    <message>
+        <source>is a part of a model of two tracks</source>
+        <translation>je část modelu pro dva pásy</translation>
+    </message>
+    <message>
+        <source>is a model of format version %1, and this program reads versions %2 and %3: `terratact train` makes a new one</source>
+        <translation>je model formátu verze %1, ale tento program čte verze %2 a %3: nový vytvoří `terratact train`</translation>
+    </message>
+    <message>
+        <source>%1 scenes of two tracks left out: a value is unknown, or there are more than %2</source>
+        <translation>vynechaných scén dvou pásů: %1; některá hodnota je neznámá, nebo je jich více než %2</translation>
     </message>
 </context>
 <context>

@@ -1471,10 +1471,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ist ein Teil eines Modells; `terratact merge` macht aus allen Teilen ein Modell</translation>
     </message>
     <message>
-        <source>is a model of format version %1, and this program reads version %2</source>
-        <translation>ist ein Modell in Formatversion %1, dieses Programm liest Version %2</translation>
-    </message>
-    <message>
         <source>its tables are not those of a Terratact model</source>
         <translation>ihre Tabellen sind nicht die eines Modells von Terratact</translation>
     </message>
@@ -3063,14 +3059,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>hat %1 Zeilen in seiner Tabelle %2, erwartet werden 1 bis %3</translation>
     </message>
     <message>
-        <source>its table surface_input is not numbered from 0</source>
-        <translation>seine Tabelle surface_input ist nicht ab 0 nummeriert</translation>
-    </message>
-    <message>
-        <source>its table clearance has too many rows</source>
-        <translation>seine Tabelle clearance hat zu viele Zeilen</translation>
-    </message>
-    <message>
         <source>its structure is damaged: %1</source>
         <translation>ihr Aufbau ist beschädigt: %1</translation>
     </message>
@@ -3893,6 +3881,42 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>the window&apos;s picture could not be made: end other programs</source>
         <translation>das Bild des Fensters konnte nicht erstellt werden: andere Programme beenden</translation>
+    </message>
+    <message>
+        <source>the model has learnt one plane only: `terratact train --tracks` makes one for two tracks</source>
+        <translation>das Modell hat nur eine Ebene gelernt: `terratact train --tracks` macht eines für zwei Ketten</translation>
+    </message>
+    <message>
+        <source>the track differential has turned: estimates of both sides need it locked</source>
+        <translation>das Kettendifferential hat sich gedreht: Schätzungen beider Seiten brauchen es gesperrt</translation>
+    </message>
+    <message>
+        <source>row %1 of two tracks: %2</source>
+        <translation>Zeile %1 der zwei Ketten: %2</translation>
+    </message>
+    <message>
+        <source>a number of its two tracks is no multiple of its step</source>
+        <translation>eine Zahl seiner zwei Ketten ist kein Vielfaches ihrer Schrittweite</translation>
+    </message>
+    <message>
+        <source>the two sides of a scene have other readings</source>
+        <translation>die beiden Seiten einer Szene haben verschiedene Messwerte</translation>
+    </message>
+    <message>
+        <source>its rows of two tracks have the wrong size</source>
+        <translation>seine Zeilen der zwei Ketten haben die falsche Größe</translation>
+    </message>
+    <message>
+        <source>is a part of a model of two tracks</source>
+        <translation>ist ein Teil eines Modells für zwei Ketten</translation>
+    </message>
+    <message>
+        <source>is a model of format version %1, and this program reads versions %2 and %3: `terratact train` makes a new one</source>
+        <translation>ist ein Modell der Formatversion %1, dieses Programm liest die Versionen %2 und %3: `terratact train` macht ein neues</translation>
+    </message>
+    <message>
+        <source>%1 scenes of two tracks left out: a value is unknown, or there are more than %2</source>
+        <translation>weggelassene Szenen mit zwei Ketten: %1; ein Wert ist unbekannt, oder es sind mehr als %2</translation>
     </message>
 </context>
 <context>
