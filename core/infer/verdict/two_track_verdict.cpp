@@ -104,7 +104,7 @@ StepProbability eitherStep(const TwoTrackEstimate& estimate, double limit, int f
 }
 
 CrossSlope crossSlopeAhead(const TwoTrackEstimate& estimate, const RobotModel& robot,
-                           const TwoTrackReadings& s)
+                           const TwoTrackReadings& s, int lastBin)
 {
     const std::size_t count = drawsOfBoth(estimate);
     const Proprioception mean = planeReadings(s);
@@ -116,7 +116,8 @@ CrossSlope crossSlopeAhead(const TwoTrackEstimate& estimate, const RobotModel& r
     std::vector<double> steepest(count);
     for (std::size_t k = 0; k < count; ++k) {
         bool hit = false;
-        for (std::size_t i = std::size_t{kFirstAhead}; i < kBins; ++i) {
+        for (std::size_t i = std::size_t{kFirstAhead}; i <= static_cast<std::size_t>(lastBin);
+             ++i) {
             const double angle =
                 std::atan((estimate.side[0].draws[k][i] - estimate.side[1].draws[k][i]) / width);
             if (std::abs(angle) > std::abs(steepest[k])) steepest[k] = angle;
@@ -152,7 +153,8 @@ TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& ro
     if (withheld) return verdict;
     if (are(StepVerdict::Clear, 2)
         && isBelow(eitherStep(estimate, limit, kFirstAhead, horizons), kClearBelow)
-        && isBelow(verdict.crossSlope.beyond, kClearBelow))
+        && isBelow(crossSlopeAhead(estimate, robot, s, std::min(horizons[0], horizons[1])).beyond,
+                   kClearBelow))
         verdict.both = StepVerdict::Clear;
     if (are(StepVerdict::Blocked, 1) || isAbove(verdict.either, kBlockedAbove)
         || isAbove(verdict.crossSlope.beyond, kBlockedAbove))
@@ -166,7 +168,7 @@ std::string describe(const TwoTrackVerdict& verdict)
     std::string text = left == right ? fmt::format("both {}", left)
                                      : fmt::format("left {} · right {}", left, right);
     const CrossSlope& slope = verdict.crossSlope;
-    if (!isBelow(slope.beyond, kClearBelow))
+    if (std::abs(slope.steepest) > slope.limit + kRedReserve - kAmberReserve)
         text += fmt::format(" · cross slope {:.0f}° of {:.0f}°", std::abs(degrees(slope.steepest)),
                             degrees(slope.limit + kRedReserve));
     return text;

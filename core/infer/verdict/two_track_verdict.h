@@ -22,7 +22,7 @@ StepProbability eitherStep(const TwoTrackEstimate& estimate, double limit,
 
 /// Cross slope ahead: the roll that the robot takes where both tracks follow the estimated ground,
 ///   φ_i = atan((h_left,i − h_right,i) / distance of the lines)
-/// for bins from kFirstAhead on. The lines are those of the flippers.
+/// for bins from kFirstAhead to a last bin. The lines are those of the flippers.
 struct CrossSlope {
     double steepest = 0.0;  ///< [rad] median over the draws of the φ_i with the largest |φ_i|
     int bin = kFirstAhead;  ///< bin with the largest probability of exceeding the limit
@@ -32,15 +32,15 @@ struct CrossSlope {
     bool operator==(const CrossSlope&) const = default;
 };
 CrossSlope crossSlopeAhead(const TwoTrackEstimate& estimate, const RobotModel& robot,
-                           const TwoTrackReadings& s);
+                           const TwoTrackReadings& s, int lastBin = kBins - 1);
 
 struct TwoTrackVerdict {
     std::array<Verdict, 2> side;  ///< left, right, each from its own draws
     StepProbability either;       ///< probability of a step ahead on either side
-    CrossSlope crossSlope;
+    CrossSlope crossSlope;        ///< of all bins ahead
     /// Answer for the robot: Blocked if a side or the cross slope is blocked, or a step on either
     /// side is as probable as Blocked requires. Clear if both sides are clear, and so are the joint
-    /// probability up to both horizons and the cross slope. Else CannotTell.
+    /// probability up to both horizons and the cross slope up to the nearer one. Else CannotTell.
     StepVerdict both = StepVerdict::CannotTell;
     bool operator==(const TwoTrackVerdict&) const = default;
 };
@@ -52,7 +52,8 @@ TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& ro
                           const LinkSinceScene& since = {});
 
 /// Returns "left BLOCKED at +0.4 m · right CLEAR to +0.55 m", or "both CLEAR to +0.55 m" for equal
-/// answers. A cross slope that is not clear follows: "cross slope 23° of 38°", the tip-over angle.
+/// answers. A cross slope within kAmberReserve of the tip-over angle follows: "cross slope 41° of
+/// 54°".
 std::string describe(const TwoTrackVerdict& verdict);
 
 }  // namespace terratact

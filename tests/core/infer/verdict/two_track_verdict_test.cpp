@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "core/robot/attitude.h"
@@ -84,6 +85,21 @@ TEST(TwoTrackVerdict, isClearOnlyIfBothSidesAreJointly)
     TwoTrackEstimate novel = estimateWith(kNever, kNever);
     novel.side[0].novelty = novel.side[1].novelty = 1.5;
     EXPECT_EQ(verdictFor(novel).both, StepVerdict::CannotTell);
+}
+
+TEST(TwoTrackVerdict, unfeltGroundBehindTheHorizonDoesNotWithhold)
+{
+    TwoTrackEstimate estimate = estimateWith(kNever, kNever);
+    for (TerrainEstimate& side : estimate.side) {
+        side.feltTo = binEnd(8);
+        side.touch[9] = side.touch[10] = Touch::NotFelt;
+        side.ceiling[9] = side.ceiling[10] = std::numeric_limits<double>::infinity();
+    }
+    for (std::size_t k = 0; k < kDraws / 10; ++k) estimate.side[0].draws[k][10] = -2.0;  // a drop
+    const TwoTrackVerdict verdict = verdictFor(estimate);
+    EXPECT_GT(verdict.crossSlope.beyond.p, kClearBelow);
+    EXPECT_EQ(verdict.both, StepVerdict::Clear);
+    EXPECT_EQ(describe(verdict), "both CLEAR to +0.55 m");
 }
 
 TEST(TwoTrackVerdict, rollIsNoReasonToWithhold)
