@@ -166,10 +166,10 @@ void CanSource::disarm()
     work();  // sends at once, because the thread of next() may be ending
 }
 
-void CanSource::approve(int bin)
+void CanSource::approve(const ProbeCommand& probe)
 {
     const std::scoped_lock lock(mutex_);
-    link_.approve(bin, steadyNow());
+    link_.approve(probe, steadyNow());
 }
 
 CanView CanSource::view() const

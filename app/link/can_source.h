@@ -73,7 +73,7 @@ public:
     void wantArming();
     void confirmArming();
     void disarm();
-    void approve(int bin);
+    void approve(const ProbeCommand& probe);
 
     CanView view() const;
     /// Returns why no command can be sent, whatever its kind; empty: commands are sent.

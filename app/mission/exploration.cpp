@@ -170,8 +170,8 @@ void Exploration::poll(AtemInput& in)
     case AtemPhase::Probing:
         sawProbing_ = sawProbing_ || m.activity == RobotActivity::Probing;
         in.probeRefused = refused || m.activity == RobotActivity::Halted;
-        in.probeDone = m.activity == RobotActivity::Pressed && m.arm && m.arm->bin == probing_
-                    && (sawProbing_ || m.arm != armBefore_);
+        in.probeDone = m.activity == RobotActivity::Pressed && m.arm && m.arm->bin == probing_.bin
+                    && m.arm->side == probing_.side && (sawProbing_ || m.arm != armBefore_);
         break;
     case AtemPhase::Idle:
     case AtemPhase::Estimating:
@@ -316,15 +316,15 @@ void Exploration::enter(const AtemState& before)
 
 void Exploration::probe()
 {
-    probing_ = probes_.current()->bin;
+    probing_ = {.bin = probes_.current()->bin, .side = probes_.current()->side};
     probes_.withdraw();
     emit happened(Message(TR_NOOP("terratact::Exploration", "probe at %1 approved"),
-                          verbatim(format::binName(probing_))),
+                          verbatim(format::binName(probing_.bin))),
                   EventSeverity::Note);
     sawProbing_ = false;
     armBefore_ = latest_->sample.measurement.arm;
     if (link_) link_->approve(probing_);
-    command(ProbeCommand{.bin = probing_});
+    command(probing_);
 }
 
 void Exploration::present(bool unprobed)
@@ -401,7 +401,7 @@ Message Exploration::failureWords() const
 std::optional<int> Exploration::probingBin() const
 {
     const bool probes = state_.phase == AtemPhase::Probing && !following();
-    return probes ? std::optional(probing_) : std::nullopt;
+    return probes ? std::optional(probing_.bin) : std::nullopt;
 }
 
 void Exploration::endOverrides()

@@ -197,7 +197,7 @@ private:
     double approvedAt_ = 0.0;              ///< [s]
     std::optional<double> pressTook_;      ///< [s] duration of the last press in this run
     Refusal refusal_ = Refusal::None;      ///< reason of the robot's last refusal
-    int probing_ = 0;                      ///< bin of the running probe
+    ProbeCommand probing_;                 ///< running probe
     std::optional<ArmReading> armBefore_;  ///< newest reading before the probe
     bool sawProbing_ = false;
 };

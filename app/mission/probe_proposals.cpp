@@ -115,7 +115,8 @@ std::string ProbeProposals::grounds() const
                         .settings = estimate->settings,
                         .wanted = estimation_.wanted(),
                         .model = (model.name + model.details).toStdString(),
-                        .bin = current_->bin});
+                        .bin = current_->bin,
+                        .side = current_->side});
 }
 
 }  // namespace terratact

@@ -114,6 +114,7 @@ void SessionEventLogger::logProposal()
                     .time = 0,
                     .estimate = estimate_,
                     .bin = p->bin,
+                    .side = p->side,
                     .height = p->height,
                     .q10 = p->q10,
                     .q90 = p->q90,

@@ -103,7 +103,9 @@ struct Judge {
         if (view.robot->activity != RobotActivity::Pressed) return NotPressed;
         if (!view.approval) return NotApproved;
         if (!isFresh(view.approval->age, limits.approvalAge)) return ApprovalExpired;
-        return view.approval->bin == probe.bin ? None : OtherBin;
+        const bool isApproved =
+            view.approval->bin == probe.bin && view.approval->side == probe.side;
+        return isApproved ? None : OtherBin;
     }
 
     bool driving() const { return view.robot->activity == RobotActivity::Driving; }

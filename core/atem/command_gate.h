@@ -34,13 +34,14 @@ enum class GateRefusal : std::uint8_t {
     OverLimit,
     NotApproved,      ///< the probe is not approved
     ApprovalExpired,  ///< the approval is too old
-    OtherBin,         ///< the approval is for another bin
+    OtherBin,         ///< the approval is for another bin, or for another side of it
 };
 
 /// The operator's approval of one probe.
 struct ProbeApproval {
     int bin = 0;
     double age = std::numeric_limits<double>::infinity();  ///< [s]
+    ProbeSide side = ProbeSide::Middle;
 };
 
 /// State that the gate judges by. In the default state only safe commands may pass.

@@ -72,9 +72,9 @@ void ConsoleLink::operatorAlive(double now)
     operatorSeen_ = now;
 }
 
-void ConsoleLink::approve(int bin, double now)
+void ConsoleLink::approve(const ProbeCommand& probe, double now)
 {
-    approved_ = Approved{bin, now};
+    approved_ = Approved{probe, now};
 }
 
 bool ConsoleLink::foreignSender(double now) const
@@ -105,7 +105,9 @@ GateView ConsoleLink::gateView(double now) const
                   .arming = arming_,
                   .robot = listener_.status(),
                   .approval = std::nullopt};
-    if (approved_) view.approval = ProbeApproval{approved_->bin, now - approved_->at};
+    if (approved_)
+        view.approval = ProbeApproval{
+            .bin = approved_->probe.bin, .age = now - approved_->at, .side = approved_->probe.side};
     return view;
 }
 

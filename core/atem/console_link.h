@@ -64,7 +64,7 @@ public:
     void disarm() { disarmed_ = true; }
 
     /// Approves one probe at `now`. The approval ends with the next probe, halt, stop or abort.
-    void approve(int bin, double now);
+    void approve(const ProbeCommand& probe, double now);
 
     /// Result of send(): the command waits for a new challenge. An earlier safe command made the
     /// robot void the old one. tick() sends the command with the next answer. It is dropped if
@@ -115,7 +115,7 @@ private:
     std::optional<double> disarmSent_;
     std::optional<double> operatorSeen_, foreignSeen_, goodSince_, lastBeat_, motionSent_;
     struct Approved {
-        int bin;
+        ProbeCommand probe;
         double at;
     };
     std::optional<Approved> approved_;

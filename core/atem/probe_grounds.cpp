@@ -26,8 +26,8 @@ void addAll(CanonicalBytes& bytes, const T&... values)
 // A new member breaks the bindings below at compile time: it must be added here.
 void add(CanonicalBytes& bytes, const ArmReading& reading)
 {
-    const auto& [bin, height, sd] = reading;
-    addAll(bytes, bin, height, sd);
+    const auto& [bin, height, sd, side] = reading;
+    addAll(bytes, bin, height, sd, side);
 }
 
 void addOptional(CanonicalBytes& bytes, const std::optional<double>& value)
@@ -82,7 +82,7 @@ std::string fingerprint(const ProbeGrounds& grounds)
     add(bytes, grounds.settings);
     add(bytes, grounds.wanted);
     bytes.add(std::string_view(grounds.model));
-    add(bytes, grounds.bin);
+    addAll(bytes, grounds.bin, grounds.side);
     return sha256Hex(bytes.bytes());
 }
 

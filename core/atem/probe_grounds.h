@@ -16,6 +16,7 @@ struct ProbeGrounds {
     Settings wanted;    ///< settings for the next estimate, as the operator has set them
     std::string model;  ///< identifies the model
     int bin = 0;        ///< bin to probe
+    ProbeSide side = ProbeSide::Middle;
 };
 
 /// Returns the SHA-256 of the grounds as 64 hexadecimal digits; equal grounds give the same on

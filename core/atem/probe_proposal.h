@@ -7,6 +7,7 @@
 #include "core/atem/probe_gain.h"
 #include "core/infer/verdict/verdict.h"
 #include "core/limits.h"
+#include "core/robot/probe_side.h"
 
 namespace terratact {
 
@@ -22,6 +23,7 @@ struct ProbeWorth {
 struct ProbeProposal {
     std::uint64_t id = 0;
     int bin = 0;
+    ProbeSide side = ProbeSide::Middle;
     double height = 0.0, q10 = 0.0, q90 = 0.0, sd = 0.0;  ///< [m]
     double limit = kProbeThreshold;   ///< [m] probe threshold: above this sd the arm is proposed
     double armSd = 0.03;              ///< [m] sd of the arm's measurement

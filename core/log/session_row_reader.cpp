@@ -142,7 +142,9 @@ void addReading(CheckedRow& row, std::vector<EstimateRow>& estimates)
 {
     EstimateRow* const estimate = byId(estimates, row.id());
     require(estimate != nullptr, TR_NOOP("core", "a reading of no estimate"));
-    estimate->readings.push_back(readingFrom(row));
+    ArmReading reading = readingFrom(row);
+    if (row.hasMore()) reading.side = row.named(probeSideFromName);
+    estimate->readings.push_back(reading);
 }
 
 void addOffer(CheckedRow& row, std::vector<ProposalRow>& proposals)
@@ -185,6 +187,7 @@ SceneRow sceneFrom(CheckedRow& row, std::int64_t id)
     m.differential = row.realOrNone();
     for (auto* side : {&m.sides.left, &m.sides.right, &m.rearSides.left, &m.rearSides.right})
         for (std::optional<double>& force : *side) force = row.realOrNone();
+    if (m.arm) m.arm->side = row.named(probeSideFromName);
     return scene;
 }
 
@@ -247,6 +250,7 @@ ProposalRow proposalFrom(CheckedRow& row, std::int64_t id, const SessionRows& ro
                           &p.stepLimit, &p.bitsBefore})
         *value = row.real();
     p.grounds = row.text();
+    if (row.hasMore()) p.side = row.named(probeSideFromName);
     return p;
 }
 

@@ -105,6 +105,7 @@ struct ProposalRow {
     SessionTime time = 0;
     std::int64_t estimate = 0;
     int bin = 0;
+    ProbeSide side = ProbeSide::Middle;
     double height = 0.0, q10 = 0.0, q90 = 0.0, sd = 0.0;  ///< [m]
     double limit = 0.0;       ///< probe threshold: sd that asks for the arm [m]
     double armSd = 0.0;       ///< [m]

@@ -149,6 +149,17 @@ constexpr std::array kVersion3{
 
 /// Tables whose statements differ in version 4.
 constexpr std::array kVersion4{
+    SchemaEntry{"table", "proposal",
+                "CREATE TABLE proposal(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+                "t INTEGER NOT NULL, estimate INTEGER NOT NULL, bin INTEGER NOT NULL, "
+                "height_m REAL NOT NULL, q10_m REAL NOT NULL, q90_m REAL NOT NULL, "
+                "sd_m REAL NOT NULL, limit_m REAL NOT NULL, arm_sd_m REAL NOT NULL, "
+                "seconds REAL NOT NULL, step_limit_m REAL NOT NULL, bits_before REAL NOT NULL, "
+                "grounds TEXT NOT NULL, side TEXT NOT NULL) STRICT"},
+    SchemaEntry{"table", "reading",
+                "CREATE TABLE reading(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+                "estimate INTEGER NOT NULL, bin INTEGER NOT NULL, height_m REAL NOT NULL, "
+                "sd_m REAL NOT NULL, side TEXT NOT NULL) STRICT"},
     SchemaEntry{
         "table", "scene",
         "CREATE TABLE scene(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
@@ -167,7 +178,8 @@ constexpr std::array kVersion4{
         "rear_left_force1_n REAL, rear_left_force2_n REAL, rear_left_force3_n REAL, "
         "rear_left_force4_n REAL, rear_left_force5_n REAL, rear_left_force6_n REAL, "
         "rear_right_force1_n REAL, rear_right_force2_n REAL, rear_right_force3_n REAL, "
-        "rear_right_force4_n REAL, rear_right_force5_n REAL, rear_right_force6_n REAL) STRICT"},
+        "rear_right_force4_n REAL, rear_right_force5_n REAL, rear_right_force6_n REAL, "
+        "arm_side TEXT) STRICT"},
 };
 
 void replace(SessionSchema& schema, std::span<const SchemaEntry> newer)

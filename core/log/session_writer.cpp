@@ -166,7 +166,8 @@ void SessionWriter::Impl::addScene(const SceneRow& scene)
         m.arm ? std::optional(m.arm->bin) : std::nullopt,
         m.arm ? std::optional(m.arm->height) : std::nullopt,
         m.arm ? std::optional(m.arm->sd) : std::nullopt, m.travelled, m.turned, m.differential,
-        m.sides.left, m.sides.right, m.rearSides.left, m.rearSides.right);
+        m.sides.left, m.sides.right, m.rearSides.left, m.rearSides.right,
+        m.arm ? std::optional(name(m.arm->side)) : std::nullopt);
     if (!scene.truth) return;
     for (int bin = 0; bin < kBins; ++bin)
         row(truthTable, ++truthCount, batch.id, scene.id, bin,
@@ -189,7 +190,8 @@ void SessionWriter::Impl::addEstimate(const EstimateRow& r)
     drawsInsert.run();
     journaledBytes += draws.size();
     for (const ArmReading& reading : r.readings)
-        row(readingTable, ++readingCount, batch.id, r.id, reading.bin, reading.height, reading.sd);
+        row(readingTable, ++readingCount, batch.id, r.id, reading.bin, reading.height, reading.sd,
+            name(reading.side));
     for (int bin = 0; bin < kBins; ++bin) {
         const auto i = static_cast<std::size_t>(bin);
         row(binTable, ++binCount, batch.id, r.id, bin, name(e.origin[i]), e.height[i], e.mean[i],
@@ -202,7 +204,7 @@ void SessionWriter::Impl::addEstimate(const EstimateRow& r)
 void SessionWriter::Impl::addProposal(const ProposalRow& r)
 {
     row(proposalTable, r.id, batch.id, r.time, r.estimate, r.bin, r.height, r.q10, r.q90, r.sd,
-        r.limit, r.armSd, r.seconds, r.stepLimit, r.bitsBefore, r.grounds);
+        r.limit, r.armSd, r.seconds, r.stepLimit, r.bitsBefore, r.grounds, name(r.side));
     for (const OfferedBin& offer : r.offers)
         row(offerTable, ++offerCount, batch.id, r.id, offer.bin, offer.varianceShare,
             offer.bitsAfter);

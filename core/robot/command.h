@@ -2,6 +2,8 @@
 
 #include <variant>
 
+#include "core/robot/probe_side.h"
+
 namespace terratact {
 
 // Commands from the console to a robot. SI units.
@@ -16,6 +18,7 @@ struct PressCommand {
 };
 struct ProbeCommand {
     int bin = 0;  ///< bin to touch with the arm
+    ProbeSide side = ProbeSide::Middle;
 };
 struct ArmCommand {
     bool armed = false;  ///< false: disarm

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/message.h"
+#include "core/robot/probe_side.h"
 
 namespace terratact {
 
@@ -57,6 +58,7 @@ struct ArmReading {
     int bin = 0;          ///< index 0 … 10, see core/terrain/bins.h
     double height = 0.0;  ///< [m] DEM frame
     double sd = 0.03;     ///< [m]
+    ProbeSide side = ProbeSide::Middle;
     bool operator==(const ArmReading&) const = default;
 };
 

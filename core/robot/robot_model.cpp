@@ -185,6 +185,9 @@ void readSides(TomlSection& file, RobotModel& robot)
     if (file.has("rear_force_elements"))
         file.section("rear_force_elements",
                      [&](TomlSection& s) { robot.rearElementShare = edgeSharesOf(s); });
+    if (file.has("arm_side"))
+        file.section("arm_side",
+                     [&](TomlSection& s) { robot.armReachY = s.number("reach_y_m", kLength); });
     if (file.has("tip_over"))
         file.section("tip_over",
                      [&](TomlSection& s) { robot.halfWidth = s.number("half_width_m", kLength); });

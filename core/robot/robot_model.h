@@ -89,7 +89,8 @@ struct RobotModel {
     double flipperSpeed = 0.0;      ///< [rad/s]
     /// Range of x in the DEM frame that the arm can probe [m].
     double armReachBegin = 0.0, armReachEnd = 0.0;
-    double armSd = 0.0;  ///< sd of an arm reading [m]
+    double armReachY = 0.3;  ///< farthest reach of the arm to both sides of the middle [m]
+    double armSd = 0.0;      ///< sd of an arm reading [m]
     /// Sd of a travelled distance as a share of that distance: the tracks slip.
     double travelledSdShare = 0.0;
     double pitchSd = 0.0;  ///< [rad] sd of the IMU's pitch
@@ -103,10 +104,10 @@ struct RobotModel {
 
     double totalMass() const { return bodyMass + front.mass + rear.mass; }
 
-    /// Returns true if the arm can touch the ground at the bin's centre. Throws
-    /// std::invalid_argument unless 0 ≤ bin ≤ 10. Defined in core/terrain/arm_reach.cpp, because
-    /// only core/terrain defines the bins.
-    bool armReaches(int bin) const;
+    /// Returns true if the arm can touch the ground at the bin's centre, on the line of that side
+    /// (sideHeights(), core/terrain/ground_lines.h). Throws std::invalid_argument unless
+    /// 0 ≤ bin ≤ 10. Defined in core/terrain/arm_reach.cpp, because only core/terrain defines the bins.
+    bool armReaches(int bin, ProbeSide side = ProbeSide::Middle) const;
 };
 
 inline constexpr std::size_t kMaxForceArrays = 4;           ///< most arrays that a console can show
@@ -126,6 +127,8 @@ inline constexpr std::size_t kMaxForceArrayNameLength = 6;  ///< [bytes]
 ///   [track_differential]   # locked without the table
 ///   state = "locked"       # or "free": it turns, and the robot measures its angle
 ///   limit_rad = 0.7
+///   [arm_side]             # 0.3 without the table
+///   reach_y_m              # farthest reach of the arm to both sides of the middle
 ///   [rear_force_elements]  # without the table the rear flippers have none
 ///   edge_share             # as in [force_elements]
 ///   [tip_over]

@@ -179,7 +179,8 @@ std::vector<CanFrame> RobotOnBus::telemetry()
                              .lastCommand = lastCommand_,
                              .lastCounter = lastCounter_};
     std::vector<CanFrame> frames{frameOf(status, telemetryCounter_)};
-    for (const CanFrame& frame : framesOf(line, telemetryCounter_)) frames.push_back(frame);
+    for (const CanFrame& frame : framesOf(line, telemetryCounter_, lineExtent(model_)))
+        frames.push_back(frame);
     ++telemetryCounter_;
     return frames;
 }

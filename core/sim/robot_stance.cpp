@@ -79,13 +79,15 @@ double RobotStance::frontTorque(Side side) const
     return tracks_ ? tracks_->torques[indexOf(frontFlipper(side))] : plane_.frontTorque / 2.0;
 }
 
-Heights RobotStance::truth() const
+Heights RobotStance::truth(ProbeSide side) const
 {
     if (!tracks_) return binHeights(ground_.lines().front().profile, imuPosition(robot_, pose_));
     const Vec2 imu = imuPosition(robot_, tracks_->pose);
-    Heights mean = sideHeights(ground_, robot_, Side::Left, imu);
+    const Heights left = sideHeights(ground_, robot_, Side::Left, imu);
     const Heights right = sideHeights(ground_, robot_, Side::Right, imu);
-    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = (mean[i] + right[i]) / 2.0;
+    if (side != ProbeSide::Middle) return side == ProbeSide::Left ? left : right;
+    Heights mean{};
+    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = (left[i] + right[i]) / 2.0;
     return mean;
 }
 

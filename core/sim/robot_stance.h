@@ -41,8 +41,8 @@ public:
     double frontAngle(Side side) const;   ///< [rad]
     double frontTorque(Side side) const;  ///< [N m] of one front flipper, pressing down positive
 
-    /// Returns the true bin heights at the pose, the means of both sides.
-    Heights truth() const;
+    /// Returns the true bin heights at the pose: those of one side, or the means of both.
+    Heights truth(ProbeSide side = ProbeSide::Middle) const;
 
     const GroundLines& ground() const { return ground_; }
 

@@ -77,8 +77,8 @@ void SimulatedRobot::obey(const PressCommand& press)
 void SimulatedRobot::obey(const ProbeCommand& probe)
 {
     if (activity_ != RobotActivity::Pressed) return refuse(Refusal::NotPressed);
-    if (!robot_.armReaches(probe.bin)) return refuse(Refusal::OutOfReach);
-    probeBin_ = probe.bin;
+    if (!robot_.armReaches(probe.bin, probe.side)) return refuse(Refusal::OutOfReach);
+    probe_ = probe;
     probeLeft_ = options_.probeSeconds;
     accept(RobotActivity::Probing);
 }
@@ -208,9 +208,11 @@ void SimulatedRobot::probe(double dt)
 {
     probeLeft_ -= dt;
     if (probeLeft_ > 0.0) return;
-    const double height = truth()[static_cast<std::size_t>(probeBin_)];
-    arm_ = ArmReading{probeBin_, height + robot_.armSd * std::normal_distribution<double>()(rng_),
-                      robot_.armSd};
+    const double height = stance_.truth(probe_.side)[static_cast<std::size_t>(probe_.bin)];
+    arm_ = ArmReading{.bin = probe_.bin,
+                      .height = height + robot_.armSd * std::normal_distribution<double>()(rng_),
+                      .sd = robot_.armSd,
+                      .side = probe_.side};
     accept(RobotActivity::Pressed);
 }
 

@@ -94,7 +94,7 @@ private:
     double torque_ = 0.0;  ///< torque of both front flippers while pressing or pressed [N m]
     RobotActivity activity_ = RobotActivity::Halted;
     Refusal refusal_ = Refusal::None;
-    int probeBin_ = 0;
+    ProbeCommand probe_;
     double probeLeft_ = 0.0;
     std::optional<ArmReading> arm_;
     double slip_ = 0.0;       ///< share of the way that the tracks report in excess

@@ -3,13 +3,16 @@
 
 #include "core/robot/robot_model.h"
 #include "core/terrain/bins.h"
+#include "core/terrain/ground_lines.h"
 
 namespace terratact {
 
-bool RobotModel::armReaches(int bin) const
+bool RobotModel::armReaches(int bin, ProbeSide side) const
 {
     if (bin < 0 || bin >= kBins) throw std::invalid_argument("armReaches: no such bin");
-    return binCentre(bin) >= armReachBegin && binCentre(bin) <= armReachEnd;
+    if (binCentre(bin) < armReachBegin || binCentre(bin) > armReachEnd) return false;
+    const double y = bin < kFirstFlipperBin ? lateral.trackY : lateral.flipperY;
+    return side == ProbeSide::Middle || y <= armReachY;
 }
 
 }  // namespace terratact

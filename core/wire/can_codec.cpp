@@ -15,7 +15,7 @@ namespace {
 constexpr int kHeaderBits = 8 * static_cast<int>(kE2eHeader);
 constexpr std::uint8_t kFrameLength = 8;
 constexpr FrameKind kFirstSensor = FrameKind::Attitude;  // first of the frames that every line has
-constexpr std::size_t kNeededFrames = kSensorFrames - 1;
+constexpr std::size_t kVoltageFrames = 4;  // of the front flippers, and as many of the rear ones
 
 using Values = std::array<double, kMaxSignals>;
 
@@ -93,7 +93,8 @@ struct ToValues {
     }
     CommandValues operator()(const ProbeCommand& c) const
     {
-        return {FrameKind::ProbeBin, {epoch, static_cast<double>(c.bin), challenge}};
+        return {FrameKind::ProbeBin,
+                {epoch, static_cast<double>(c.bin), static_cast<double>(c.side), challenge}};
     }
     CommandValues operator()(const ArmCommand& c) const
     {
@@ -129,7 +130,8 @@ std::optional<Command> commandFrom(FrameKind kind, const Values& v)
     case FrameKind::AbortAtem: return AbortAtemCommand{};
     case FrameKind::PressFlippers: return PressCommand{v[1]};
     case FrameKind::HoldFlippers: return HoldFlippersCommand{v[0], v[1]};
-    case FrameKind::ProbeBin: return ProbeCommand{static_cast<int>(v[1])};
+    case FrameKind::ProbeBin:
+        return ProbeCommand{static_cast<int>(v[1]), static_cast<ProbeSide>(v[2])};
     case FrameKind::Advance: return AdvanceCommand{v[1]};
     default: return std::nullopt;
     }
@@ -181,11 +183,35 @@ void readSensors(SensorLine& line, FrameKind kind, const Values& v)
     case FrameKind::RightForces1To3: readVoltages(line, 2, v); return;
     case FrameKind::RightForces4To6: readVoltages(line, 3, v); return;
     case FrameKind::ArmResult:
-        line.arm = v[3] != 0.0 ? std::optional(ArmReading{static_cast<int>(v[0]), v[1], v[2]})
+        line.arm = v[3] != 0.0 ? std::optional(
+                       ArmReading{static_cast<int>(v[0]), v[1], v[2], static_cast<ProbeSide>(v[4])})
                                : std::nullopt;
+        return;
+    case FrameKind::RearLeftForces1To3: readVoltages(line, 4, v); return;
+    case FrameKind::RearLeftForces4To6: readVoltages(line, 5, v); return;
+    case FrameKind::RearRightForces1To3: readVoltages(line, 6, v); return;
+    case FrameKind::RearRightForces4To6: readVoltages(line, 7, v); return;
+    case FrameKind::Differential:
+        line.differential = v[1] != 0.0 ? std::optional(v[0]) : std::nullopt;
         return;
     default: return;
     }
+}
+
+FrameKind later(FrameKind kind, std::size_t places)
+{
+    return static_cast<FrameKind>(static_cast<std::size_t>(kind) + places);
+}
+
+// Returns the bit of a sensor frame in a SensorLineReader.
+std::uint32_t bitOf(FrameKind kind)
+{
+    return 1U << (static_cast<unsigned>(kind) - static_cast<unsigned>(kFirstSensor));
+}
+
+std::uint32_t bitsOfFrames(FrameKind first, FrameKind last)
+{
+    return 2U * bitOf(last) - bitOf(first);
 }
 
 // Returns true for a reading without an sd, which would count as exact.
@@ -328,7 +354,8 @@ std::optional<RobotStatus> statusOf(const Unpacked& content)
                        .lastCounter = static_cast<std::uint8_t>(v[6])};
 }
 
-std::array<CanFrame, kSensorFrames> framesOf(const SensorLine& line, std::uint8_t counter)
+std::vector<CanFrame> framesOf(const SensorLine& line, std::uint8_t counter,
+                               const LineExtent& extent)
 {
     const auto voltages = [&](std::size_t set) {
         const auto& three = line.voltages[set];
@@ -338,35 +365,51 @@ std::array<CanFrame, kSensorFrames> framesOf(const SensorLine& line, std::uint8_
         line.attitude ? Values{line.attitude->pitch, line.attitude->roll, 1.0} : Values{};
     const Values odometry =
         line.odometry ? Values{line.odometry->travelled, line.odometry->turned, 1.0} : Values{};
-    const Values arm =
-        line.arm ? Values{static_cast<double>(line.arm->bin), line.arm->height, line.arm->sd, 1.0}
-                 : Values{};
-    return {packed(FrameKind::Odometry, counter, odometry),
-            packed(FrameKind::Attitude, counter, attitude),
-            packed(FrameKind::FrontAngles, counter, valuesOf(line.frontAngles)),
-            packed(FrameKind::RearAngles, counter, valuesOf(line.rearAngles)),
-            packed(FrameKind::FrontCurrents, counter, valuesOf(line.frontCurrents)),
-            packed(FrameKind::RearCurrents, counter, valuesOf(line.rearCurrents)),
-            packed(FrameKind::LeftForces1To3, counter, voltages(0)),
-            packed(FrameKind::LeftForces4To6, counter, voltages(1)),
-            packed(FrameKind::RightForces1To3, counter, voltages(2)),
-            packed(FrameKind::RightForces4To6, counter, voltages(3)),
-            packed(FrameKind::ArmResult, counter, arm)};
+    const Values arm = line.arm ? Values{static_cast<double>(line.arm->bin), line.arm->height,
+                                         line.arm->sd, 1.0, static_cast<double>(line.arm->side)}
+                                : Values{};
+    std::vector<CanFrame> frames{
+        packed(FrameKind::Odometry, counter, odometry),
+        packed(FrameKind::Attitude, counter, attitude),
+        packed(FrameKind::FrontAngles, counter, valuesOf(line.frontAngles)),
+        packed(FrameKind::RearAngles, counter, valuesOf(line.rearAngles)),
+        packed(FrameKind::FrontCurrents, counter, valuesOf(line.frontCurrents)),
+        packed(FrameKind::RearCurrents, counter, valuesOf(line.rearCurrents)),
+        packed(FrameKind::LeftForces1To3, counter, voltages(0)),
+        packed(FrameKind::LeftForces4To6, counter, voltages(1)),
+        packed(FrameKind::RightForces1To3, counter, voltages(2)),
+        packed(FrameKind::RightForces4To6, counter, voltages(3)),
+        packed(FrameKind::ArmResult, counter, arm)};
+    for (std::size_t i = 0; extent.rearForces && i < kVoltageFrames; ++i)
+        frames.push_back(
+            packed(later(FrameKind::RearLeftForces1To3, i), counter, voltages(kVoltageFrames + i)));
+    if (extent.differential)
+        frames.push_back(packed(FrameKind::Differential, counter,
+                                line.differential ? Values{*line.differential, 1.0} : Values{}));
+    return frames;
+}
+
+SensorLineReader::SensorLineReader(const LineExtent& extent)
+    : needed_(bitsOfFrames(kFirstSensor, FrameKind::ArmResult))
+{
+    if (extent.rearForces)
+        needed_ |= bitsOfFrames(FrameKind::RearLeftForces1To3, FrameKind::RearRightForces4To6);
+    if (extent.differential) needed_ |= bitOf(FrameKind::Differential);
 }
 
 std::optional<SensorLine> SensorLineReader::add(const Unpacked& content)
 {
     if (content.kind == FrameKind::Odometry)
         odometry_ = CountedOdometry{content.counter, odometryOf(content.values)};
-    if (content.kind < kFirstSensor) return std::nullopt;
+    if (content.kind < kFirstSensor || (bitOf(content.kind) & needed_) == 0) return std::nullopt;
     if (have_ != 0 && content.counter != counter_) {
         ++unfinished_;
         have_ = 0;
     }
     counter_ = content.counter;
     readSensors(line_, content.kind, content.values);
-    have_ |= 1U << (static_cast<unsigned>(content.kind) - static_cast<unsigned>(kFirstSensor));
-    if (have_ != (1U << kNeededFrames) - 1U) return std::nullopt;
+    have_ |= bitOf(content.kind);
+    if (have_ != needed_) return std::nullopt;
     have_ = 0;
     const std::optional<CountedOdometry> odometry = std::exchange(odometry_, std::nullopt);
     line_.odometry.reset();

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "core/robot/command.h"
 #include "core/robot/measurement.h"
@@ -115,24 +116,34 @@ struct SensorLine {
     std::optional<Attitude> attitude;
     std::optional<Pair> frontAngles, rearAngles;      ///< [rad] tip up positive, within half a turn
     std::optional<Pair> frontCurrents, rearCurrents;  ///< [A] positive = pressing down
-    /// Voltages on the reference resistors [V]: left 1–3, left 4–6, right 1–3, right 4–6.
-    std::array<std::optional<Three>, 4> voltages;
+    /// Voltages on the reference resistors [V]: left 1–3, left 4–6, right 1–3, right 4–6 of the front
+    /// flippers, and then the same of the rear flippers.
+    std::array<std::optional<Three>, 8> voltages;
     std::optional<ArmReading> arm;
+    std::optional<double> differential;  ///< [rad] left track nose up, within half a turn
     bool operator==(const SensorLine&) const = default;
 };
 
-inline constexpr std::size_t kSensorFrames = 11;  ///< Odometry, and Attitude to ArmResult
+/// Frames of a line that only some robots send, after those of every robot.
+struct LineExtent {
+    bool rearForces = false;    ///< RearLeftForces1To3 to RearRightForces4To6
+    bool differential = false;  ///< Differential
+};
 
-/// Returns all frames of one line with the same counter, Odometry first.
-std::array<CanFrame, kSensorFrames> framesOf(const SensorLine& line, std::uint8_t counter);
+/// Returns all frames of one line with the same counter: Odometry, Attitude to ArmResult, and those of
+/// the extent.
+std::vector<CanFrame> framesOf(const SensorLine& line, std::uint8_t counter,
+                               const LineExtent& extent = {});
 
 /// Joins frames of one counter to a line.
 class SensorLineReader {
 public:
+    explicit SensorLineReader(const LineExtent& extent = {});
+
     /// Adds a frame. Returns the line that it completes. A frame with another counter drops the
-    /// unfinished line. A repeated frame replaces the first one; other kinds of frames are ignored.
-    /// A line needs every frame except Odometry, which some robots do not send. Odometry belongs to
-    /// the line if it comes before the last frame.
+    /// unfinished line. A repeated frame replaces the first one; other kinds of frames are ignored,
+    /// and so are those beyond the extent. A line needs every frame of its extent except Odometry,
+    /// which some robots do not send. Odometry belongs to the line if it comes before the last frame.
     std::optional<SensorLine> add(const Unpacked& content);
 
     std::uint64_t unfinished() const { return unfinished_; }  ///< number of dropped lines
@@ -146,7 +157,8 @@ private:
     SensorLine line_;
     std::optional<CountedOdometry> odometry_;  ///< newest since the last line
     std::uint8_t counter_ = 0;
-    std::uint32_t have_ = 0;  ///< one bit per frame
+    std::uint32_t needed_;  ///< one bit per frame
+    std::uint32_t have_ = 0;
     std::uint64_t unfinished_ = 0;
 };
 

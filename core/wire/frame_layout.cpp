@@ -45,7 +45,10 @@ constexpr SignalLayout kPress[]{
 constexpr SignalLayout kHold[]{{"Front", 24, 12, true, 2e-3, -kHeld, kHeld, "rad"},
                                {"Rear", 36, 12, true, 2e-3, -kHeld, kHeld, "rad"},
                                kChallenge};
-constexpr SignalLayout kProbe[]{kEpoch, {"Bin", 32, 8, false, 1.0, 0.0, 10.0, ""}, kChallenge};
+constexpr SignalLayout kProbe[]{kEpoch,
+                                {"Bin", 32, 8, false, 1.0, 0.0, 10.0, ""},
+                                {"Side", 40, 2, false, 1.0, 0.0, 2.0, ""},
+                                kChallenge};
 constexpr SignalLayout kAdvance[]{
     kEpoch, {"Distance", 32, 16, false, 1e-4, 0.001, 0.1, "m"}, kChallenge};
 constexpr SignalLayout kOdometry[]{{"Travelled", 24, 24, true, 1e-3, -8388.607, 8388.607, "m"},
@@ -69,7 +72,9 @@ constexpr SignalLayout kForces4To6[]{voltage("Element4", 24), voltage("Element5"
 constexpr SignalLayout kArmResult[]{{"Bin", 24, 4, false, 1.0, 0.0, 10.0, ""},
                                     {"Height", 28, 16, true, 1e-4, -2.0, 2.0, "m"},
                                     {"Sd", 44, 13, false, 1e-4, 0.0, 0.5, "m"},
-                                    flag("Measured", 57)};
+                                    flag("Measured", 57),
+                                    {"Side", 58, 2, false, 1.0, 0.0, 2.0, ""}};
+constexpr SignalLayout kDifferential[]{angle("Angle", 24), flag("Measured", 40)};
 
 constexpr double kLine = 0.05;  // [s] between telemetry lines
 
@@ -100,6 +105,11 @@ constexpr std::array<FrameLayout, kFrameKinds> kLayouts{{
     {"RightForces1To3", 0x029, 0x5429, false, kLine, kForces1To3},
     {"RightForces4To6", 0x02A, 0x542A, false, kLine, kForces4To6},
     {"ArmResult", 0x02B, 0x542B, false, kLine, kArmResult},
+    {"RearLeftForces1To3", 0x02C, 0x542C, false, kLine, kForces1To3},
+    {"RearLeftForces4To6", 0x02D, 0x542D, false, kLine, kForces4To6},
+    {"RearRightForces1To3", 0x02E, 0x542E, false, kLine, kForces1To3},
+    {"RearRightForces4To6", 0x02F, 0x542F, false, kLine, kForces4To6},
+    {"Differential", 0x030, 0x5430, false, kLine, kDifferential},
 }};
 
 }  // namespace

@@ -35,9 +35,14 @@ enum class FrameKind : std::uint8_t {
     RightForces1To3,
     RightForces4To6,
     ArmResult,
+    RearLeftForces1To3,
+    RearLeftForces4To6,
+    RearRightForces1To3,
+    RearRightForces4To6,
+    Differential,
 };
 
-inline constexpr std::size_t kFrameKinds = 25;
+inline constexpr std::size_t kFrameKinds = 30;
 inline constexpr std::size_t kMaxSignals = 7;  ///< signals of one frame
 
 /// A signal behind the E2E header: `length` bits from bit `start` on, little-endian. Bit 0 is the

@@ -15,15 +15,17 @@ bool isWhole(const std::optional<ElementForce>& element)
         && (element->state == ElementState::Sound || element->state == ElementState::Saturated);
 }
 
-SideForces sideForces(const ElementForces& elements)
+using Elements = std::array<std::optional<ElementForce>, kForceElements>;
+
+SideForces sideForces(const Elements& left, const Elements& right)
 {
     const auto whole = [](const std::optional<ElementForce>& element) {
         return isWhole(element) ? std::optional(element->force) : std::nullopt;
     };
     SideForces sides;
     for (std::size_t e = 0; e < sides.left.size(); ++e) {
-        sides.left[e] = whole(elements.left[e]);
-        sides.right[e] = whole(elements.right[e]);
+        sides.left[e] = whole(left[e]);
+        sides.right[e] = whole(right[e]);
     }
     return sides;
 }
@@ -86,19 +88,48 @@ std::optional<SensorLine::Odometry> odometryOf(const Measurement& m)
                                 std::remainder(m.turned.value_or(0.0), 2.0 * std::numbers::pi)};
 }
 
+/// Place of a set of voltages of SensorLine.
+struct VoltageSet {
+    explicit VoltageSet(std::size_t set)
+        : side(set % 4 < 2 ? Side::Left : Side::Right), isRear(set >= 4),
+          firstElement(kPerFrame * (set % 2))
+    {
+    }
+    Side side;
+    bool isRear;
+    std::size_t firstElement;
+};
+
+bool isWired(const RobotModel& robot, const VoltageSet& set, std::size_t element)
+{
+    return set.isRear ? robot.rearElementShare.has_value()
+                      : haveElement(robot.forceArrays, set.side, static_cast<int>(element));
+}
+
+/// Returns the calibration of the rear elements: without a bias.
+ForceCalibration rearCalibration(ForceCalibration front)
+{
+    front.biasLeft = front.biasRight = {};
+    return front;
+}
+
 SensorLine::Three voltages(const Measurement& m, std::size_t set, const RobotModel& robot)
 {
+    const VoltageSet place(set);
     const ForceCalibration& c = robot.forceCalibration;
-    const auto& bias = set < 2 ? c.biasLeft : c.biasRight;
-    const auto& side = set < 2 ? m.sides.left : m.sides.right;
+    const SideForces& sides = place.isRear ? m.rearSides : m.sides;
+    const auto& side = place.side == Side::Left ? sides.left : sides.right;
+    const auto& bias = place.side == Side::Left ? c.biasLeft : c.biasRight;
     SensorLine::Three three{};
     for (std::size_t i = 0; i < kPerFrame; ++i) {
-        const std::size_t e = kPerFrame * (set % 2) + i;
-        const bool wired =
-            haveElement(robot.forceArrays, set < 2 ? Side::Left : Side::Right, static_cast<int>(e));
-        const bool sound = wired && !m.missing[kFirstForceFeature + e];
-        const double voltage =
-            sound ? voltageOf(side[e].value_or(m.force[e]), bias[e], robot) : 0.0;
+        const std::size_t e = place.firstElement + i;
+        std::optional<double> force = side[e];
+        if (!place.isRear && m.missing[kFirstForceFeature + e])
+            force.reset();
+        else if (!place.isRear && !force)
+            force = m.force[e];
+        if (!isWired(robot, place, e)) force.reset();
+        const double voltage = force ? voltageOf(*force, place.isRear ? 0.0 : bias[e], robot) : 0.0;
         three[i] = clamped(FrameKind::LeftForces1To3, i, voltage);
     }
     return three;
@@ -106,19 +137,29 @@ SensorLine::Three voltages(const Measurement& m, std::size_t set, const RobotMod
 
 }  // namespace
 
+LineExtent lineExtent(const RobotModel& robot)
+{
+    return {.rearForces = robot.rearElementShare.has_value(),
+            .differential = !robot.differential.locked};
+}
+
 ElementForces elementForces(const SensorLine& line, const RobotModel& robot)
 {
+    const ForceCalibration ofRear = rearCalibration(robot.forceCalibration);
     ElementForces forces;
     for (std::size_t set = 0; set < line.voltages.size(); ++set) {
         if (!line.voltages[set]) continue;
         forces.carried = true;
-        const Side side = set < 2 ? Side::Left : Side::Right;
-        auto& array = side == Side::Left ? forces.left : forces.right;
+        const VoltageSet place(set);
+        auto& left = place.isRear ? forces.rearLeft : forces.left;
+        auto& right = place.isRear ? forces.rearRight : forces.right;
+        auto& array = place.side == Side::Left ? left : right;
         for (std::size_t i = 0; i < kPerFrame; ++i) {
-            const std::size_t e = kPerFrame * (set % 2) + i;
-            if (!haveElement(robot.forceArrays, side, static_cast<int>(e))) continue;
-            array[e] = elementForce((*line.voltages[set])[i], side, static_cast<int>(e),
-                                    robot.forceCalibration, robot.forceSaturation);
+            const std::size_t e = place.firstElement + i;
+            if (!isWired(robot, place, e)) continue;
+            array[e] =
+                elementForce((*line.voltages[set])[i], place.side, static_cast<int>(e),
+                             place.isRear ? ofRear : robot.forceCalibration, robot.forceSaturation);
         }
     }
     return forces;
@@ -142,7 +183,9 @@ std::optional<Measurement> measurementOf(const SensorLine& line, const ElementFo
                       line.odometry ? std::optional(line.odometry->travelled) : std::nullopt,
                   .turned = line.odometry ? std::optional(line.odometry->turned) : std::nullopt};
     addCurrents(m, line);
-    setSides(m, sideForces(forces));
+    setSides(m, sideForces(forces.left, forces.right));
+    m.rearSides = sideForces(forces.rearLeft, forces.rearRight);
+    m.differential = line.differential;
     return m;
 }
 
@@ -160,8 +203,11 @@ SensorLine sensorLineOf(const Measurement& m, const RobotModel& robot)
     if (!m.missing[kRearCurrentFeature])
         line.rearCurrents =
             currents(FrameKind::RearCurrents, m.rearLeftCurrent, m.rearRightCurrent);
-    for (std::size_t set = 0; set < line.voltages.size(); ++set)
-        line.voltages[set] = voltages(m, set, robot);
+    const LineExtent extent = lineExtent(robot);
+    const std::size_t sets = extent.rearForces ? line.voltages.size() : line.voltages.size() / 2;
+    for (std::size_t set = 0; set < sets; ++set) line.voltages[set] = voltages(m, set, robot);
+    if (extent.differential && m.differential)
+        line.differential = clamped(FrameKind::Differential, 0, *m.differential);
     line.arm = m.arm;
     if (line.arm) {
         line.arm->height = clamped(FrameKind::ArmResult, 1, line.arm->height);

@@ -13,13 +13,17 @@ namespace terratact {
 /// Forces of the left and right elements; an empty optional was not measured, or the robot lacks
 /// the element.
 struct ElementForces {
-    std::array<std::optional<ElementForce>, kForceElements> left, right;
+    std::array<std::optional<ElementForce>, kForceElements> left, right;  ///< front flippers
+    std::array<std::optional<ElementForce>, kForceElements> rearLeft, rearRight;  ///< rear flippers
     /// the line carried voltages, even if only of elements that the robot lacks
     bool carried = false;
     bool operator==(const ElementForces&) const = default;
 };
 
-/// Converts the voltages of a line to forces. A received voltage becomes a force only here, once
+/// Returns the frames of a line that the robot sends beyond those of every robot.
+LineExtent lineExtent(const RobotModel& robot);
+
+/// Converts the voltages of a line to forces. The elements of rear flippers have no bias. A received voltage becomes a force only here, once
 /// per line.
 ElementForces elementForces(const SensorLine& line, const RobotModel& robot);
 

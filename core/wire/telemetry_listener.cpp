@@ -16,7 +16,10 @@ FrameKind ofRobot(FrameKind kind)
 
 }  // namespace
 
-TelemetryListener::TelemetryListener(RobotModel robot) : robot_(std::move(robot)) {}
+TelemetryListener::TelemetryListener(RobotModel robot)
+    : robot_(std::move(robot)), reader_(lineExtent(robot_))
+{
+}
 
 const JudgedFrame& TelemetryListener::judge(const CanFrame& frame, double now)
 {

@@ -127,7 +127,7 @@ class Page(unittest.TestCase):
     def test_the_table_is_the_dbc(self):
         page = PAGE.read_text()
         self.assertEqual(page[page.index(BEGIN) + len(BEGIN):page.index(END)], table())
-        self.assertEqual(table().count("\n"), 2 + 25)
+        self.assertEqual(table().count("\n"), 2 + 30)
 
     def test_the_logs_are_those_of_this_file(self):
         for name, make in LOGS.items():

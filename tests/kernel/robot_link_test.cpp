@@ -235,7 +235,7 @@ TEST_F(RobotLink, carriesAWholeExplorationBetweenTwoProcesses)
         estimateTerrain(proprioception(*console.latest()), {}, absolem(), models, settings);
     const auto bin = chooseProbe(first, absolem());
     ASSERT_TRUE(bin) << "nothing uncertain in reach after " << travelled() - start << " m";
-    console.source.approve(*bin);
+    console.source.approve({*bin});
     ASSERT_TRUE(console.source.send(ProbeCommand{*bin}));
     ASSERT_TRUE(console.does(RobotActivity::Probing));
     ASSERT_TRUE(console.eventually([&] { return console.latest()->arm.has_value(); }));

@@ -96,7 +96,7 @@ struct Wire : testing::Test {
         pass(0.1);
         command(PressCommand{18.0});
         ASSERT_TRUE(does(RobotActivity::Pressed, 15.0));
-        console.approve(bin, now);
+        console.approve({bin}, now);
         ASSERT_EQ(command(ProbeCommand{bin}), GateRefusal::None);
     }
     double x() const { return robot.robot().pose().base.x; }  ///< [m] position of the robot

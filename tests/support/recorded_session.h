@@ -221,7 +221,7 @@ private:
                .estimate = row.id,
                .proposal = proposals_,
                .shown = "sd " + std::to_string(e.sd[i]) + " m"});
-        console_.approve(bin, time_);
+        console_.approve({bin}, time_);
     }
 
     void event(EventRow row)

@@ -94,7 +94,7 @@ TEST_F(Link, carriesAWholeExplorationWithAProbe)
     ASSERT_TRUE(does(RobotActivity::Pressed));
     constexpr int kBin06 = 9;
     EXPECT_FALSE(source.send(ProbeCommand{kBin06})) << "nobody approved it";
-    source.approve(kBin06);
+    source.approve({kBin06});
     ASSERT_TRUE(source.send(ProbeCommand{kBin06}));
     ASSERT_TRUE(does(RobotActivity::Probing));
     ASSERT_TRUE(eventually([&] {

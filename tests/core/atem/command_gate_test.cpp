@@ -185,6 +185,7 @@ TEST(Gate, probesOnlyTheRecentlyApprovedBin)
     EXPECT_EQ(with(ProbeApproval{.bin = 8}), ApprovalExpired) << "of unknown age";
     EXPECT_EQ(with(ProbeApproval{7, 1.0}), OtherBin);
     EXPECT_EQ(with(ProbeApproval{9, 1.0}), OtherBin);
+    EXPECT_EQ(with(ProbeApproval{8, 1.0, ProbeSide::Right}), OtherBin);
 }
 
 }  // namespace

@@ -140,7 +140,7 @@ TEST_F(Wire, frozenWindowPausesInAnExplorationAtRest)
     EXPECT_EQ(activity(), RobotActivity::Pressed);
     operatorThere = true;
     pass(0.1);
-    console.approve(4, now);
+    console.approve({4}, now);
     EXPECT_EQ(command(ProbeCommand{4}), GateRefusal::None);
     pass(0.2);
     operatorThere = false;
@@ -294,14 +294,18 @@ TEST_F(Wire, explorationWithAProbeNeedsItsApproval)
     ASSERT_TRUE(does(RobotActivity::Pressed, 15.0));
     constexpr int kBin06 = 9;
     EXPECT_EQ(command(ProbeCommand{kBin06}), GateRefusal::NotApproved);
-    console.approve(kBin06 - 1, now);
+    console.approve({kBin06 - 1}, now);
     EXPECT_EQ(command(ProbeCommand{kBin06}), GateRefusal::OtherBin);
+    console.approve({kBin06, ProbeSide::Left}, now);
+    EXPECT_EQ(command(ProbeCommand{kBin06}), GateRefusal::OtherBin);
+    console.approve({kBin06}, now);
+    EXPECT_EQ(command(ProbeCommand{kBin06, ProbeSide::Left}), GateRefusal::OtherBin);
     EXPECT_EQ(command(ProbeCommand{kBin06 - 1}), GateRefusal::NotApproved)
         << "an approval is for one try";
-    console.approve(kBin06, now);
+    console.approve({kBin06}, now);
     pass(30.1);
     EXPECT_EQ(command(ProbeCommand{kBin06}), GateRefusal::ApprovalExpired);
-    console.approve(kBin06, now);
+    console.approve({kBin06}, now);
     ASSERT_EQ(command(ProbeCommand{kBin06}), GateRefusal::None);
     ASSERT_TRUE(does(RobotActivity::Probing, 1.0));
     ASSERT_TRUE(does(RobotActivity::Pressed, 5.0));
@@ -341,7 +345,7 @@ TEST_F(Silence, ofTheRobotIsALostLink)
 struct DeadElement : Wire {
     DeadElement() : Wire({.fault = RobotFault::DeadElement}) {}
 };
-TEST_F(DeadElement, isNamedAndTheOtherSideServes)
+TEST_F(DeadElement, isNamedAndTheOtherBinServes)
 {
     pass(0.5);
     ASSERT_TRUE(latest);

@@ -32,6 +32,9 @@ TEST(ProbeGrounds, haveAnotherFingerprintWhateverChanges)
     const Change changes[] = {
         [](ProbeGrounds&) {},
         [](ProbeGrounds& g) { g.bin = 9; },
+        [](ProbeGrounds& g) { g.side = ProbeSide::Left; },
+        [](ProbeGrounds& g) { g.side = ProbeSide::Right; },
+        [](ProbeGrounds& g) { g.readings[0].side = ProbeSide::Left; },
         [](ProbeGrounds& g) { g.model = "other"; },
         [](ProbeGrounds& g) { g.readings.clear(); },
         [](ProbeGrounds& g) { g.readings.push_back(g.readings.front()); },

@@ -89,14 +89,24 @@ TEST_F(Session, keepsBothSidesOfAScene)
     }
     setSides(m, front);
     m.differential = -0.07;
+    m.arm = ArmReading{.bin = 9, .height = -0.04, .sd = 0.03, .side = ProbeSide::Right};
     auto writer = someSession(path, 100);
     ASSERT_TRUE(writer) << writer.error().text;
     ASSERT_TRUE(writer->add(scene));
+    EstimateRow estimate = someEstimate(3, 600'000'001);
+    estimate.readings = {*m.arm};
+    ASSERT_TRUE(writer->add(estimate));
+    ProposalRow proposal = someProposal(600'000'002);
+    proposal.id = 2;
+    proposal.side = ProbeSide::Left;
+    ASSERT_TRUE(writer->add(proposal));
     ASSERT_TRUE(writer->seal());
     auto reader = SessionReader::open(path);
     ASSERT_TRUE(reader) << reader.error().text;
     ASSERT_EQ(reader->scenes().size(), 3U);
     EXPECT_EQ(reader->scenes()[2], scene);
+    EXPECT_EQ(reader->estimates().back().readings, estimate.readings);
+    EXPECT_EQ(reader->proposals().back(), proposal);
     EXPECT_EQ(twoTrackReadings(reader->scenes()[2].measurement), twoTrackReadings(m));
     EXPECT_FALSE(reader->verify().broken);
 }

@@ -119,6 +119,15 @@ TEST(Absolem, reachesTheBinsAheadOfItsTracksWithTheArm)
 {
     const RobotModel robot = absolem();
     for (int bin = 0; bin <= 10; ++bin) EXPECT_EQ(robot.armReaches(bin), bin >= 6) << bin;
+    RobotModel narrow = robot;
+    narrow.armReachY = 0.25;
+    for (int bin = 6; bin <= 10; ++bin)
+        for (const ProbeSide side : {ProbeSide::Left, ProbeSide::Right}) {
+            EXPECT_TRUE(robot.armReaches(bin, side)) << bin;
+            EXPECT_FALSE(narrow.armReaches(bin, side)) << "the flippers' line is at 0.272 m";
+        }
+    EXPECT_TRUE(narrow.armReaches(8));
+    EXPECT_FALSE(robot.armReaches(2, ProbeSide::Left));
     EXPECT_THROW(static_cast<void>(robot.armReaches(-1)), std::invalid_argument);
     EXPECT_THROW(static_cast<void>(robot.armReaches(11)), std::invalid_argument);
 }

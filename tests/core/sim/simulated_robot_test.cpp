@@ -143,6 +143,39 @@ TEST(SimulatedRobot, equalLinesAreTheProfile)
     EXPECT_EQ(m.frontLeft, m.frontRight);
 }
 
+TEST(SimulatedRobot, probesTheSideThatItIsTold)
+{
+    SimulatedRobot robot = pressedBefore(kerbLeft(0.12), 0.45);
+    const Measurement pressed = robot.measure();
+    const auto probed = [&](ProbeSide side) {
+        robot.command(ProbeCommand{8, side});
+        EXPECT_TRUE(within(robot, 60.0, isPressed));
+        const ArmReading reading = robot.measure().arm.value();
+        EXPECT_EQ(reading.bin, 8);
+        EXPECT_EQ(reading.side, side);
+        EXPECT_NEAR(reading.height, robot.stance().truth(side)[8], 5.0 * absolem().armSd);
+        return robot.stance().truth(side)[8];
+    };
+    EXPECT_NEAR(probed(ProbeSide::Left), probed(ProbeSide::Right) + 0.12, 1e-3);
+    EXPECT_NEAR(probed(ProbeSide::Middle), probed(ProbeSide::Right) + 0.06, 1e-3);
+    EXPECT_EQ(robot.measure().frontLeft, pressed.frontLeft) << "it did not move";
+}
+
+TEST(SimulatedRobot, refusesASideBeyondTheArmsReach)
+{
+    RobotModel narrow = absolem();
+    narrow.armReachY = 0.25;
+    SimulatedRobot::Options options;
+    options.startX = 1.5;
+    SimulatedRobot robot(narrow, stepTerrain(0.0, 3.0, 6.0), options);
+    robot.command(PressCommand{16.0});
+    ASSERT_TRUE(within(robot, 6.0, isPressed));
+    robot.command(ProbeCommand{8, ProbeSide::Left});
+    EXPECT_EQ(robot.measure().refusal, Refusal::OutOfReach);
+    robot.command(ProbeCommand{8});
+    EXPECT_EQ(robot.measure().activity, RobotActivity::Probing);
+}
+
 TEST(SimulatedRobot, raisesBothFlippersBeforeItDrives)
 {
     SimulatedRobot robot = pressedBefore(kerbLeft(0.12), 0.45);

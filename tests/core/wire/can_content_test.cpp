@@ -33,7 +33,8 @@ const std::vector<SentCommand>& commands()
         {AbortAtemCommand{}, "AbortAtem", {}},
         {PressCommand{18.05}, "PressFlippers", {{"Torque", 18.05}}},
         {HoldFlippersCommand{0.7, -0.1}, "HoldFlippers", {{"Front", 0.7}, {"Rear", -0.1}}},
-        {ProbeCommand{9}, "ProbeBin", {{"Bin", 9.0}}},
+        {ProbeCommand{9}, "ProbeBin", {{"Bin", 9.0}, {"Side", 0.0}}},
+        {ProbeCommand{9, ProbeSide::Right}, "ProbeBin", {{"Bin", 9.0}, {"Side", 2.0}}},
         {AdvanceCommand{0.1}, "Advance", {{"Distance", 0.1}}},
     };
     return all;
@@ -71,7 +72,8 @@ TEST(Commands, areRefusedBeyondTheirRange)
     for (const Command& command :
          {Command{DriveCommand{0.61}}, Command{DriveCommand{std::nan("")}},
           Command{PressCommand{0.0}}, Command{PressCommand{60.1}}, Command{ProbeCommand{-1}},
-          Command{ProbeCommand{11}}, Command{AdvanceCommand{0.0}}, Command{AdvanceCommand{0.101}},
+          Command{ProbeCommand{11}}, Command{ProbeCommand{9, static_cast<ProbeSide>(3)}},
+          Command{AdvanceCommand{0.0}}, Command{AdvanceCommand{0.101}},
           Command{HoldFlippersCommand{3.2, 0.0}}, Command{HoldFlippersCommand{0.0, -3.2}}})
         EXPECT_THROW(static_cast<void>(frameOf(command, 1, 0)), std::invalid_argument)
             << command.index();
@@ -142,7 +144,7 @@ SensorLine fullLine()
         const double v = 0.625 * static_cast<double>(set + 1);
         line.voltages[set] = SensorLine::Three{v, v + 0.0625, v + 0.125};
     }
-    line.arm = ArmReading{8, -0.1234, 0.0305};
+    line.arm = ArmReading{8, -0.1234, 0.0305, ProbeSide::Left};
     return line;
 }
 
@@ -186,6 +188,7 @@ TEST(SensorLine, putsEveryNumberIntoItsSignal)
     EXPECT_NEAR(at("ArmResult", "Bin"), 8.0, 1e-9);
     EXPECT_NEAR(at("ArmResult", "Height"), -0.1234, 1e-9);
     EXPECT_NEAR(at("ArmResult", "Sd"), 0.0305, 1e-9);
+    EXPECT_EQ(at("ArmResult", "Side"), 1.0);
     for (const CanFrame& frame : frames) EXPECT_EQ(frame.data[2], 9) << "one counter for all";
 }
 
@@ -198,6 +201,7 @@ TEST(SensorLine, comesBackWholeOverEveryTurnOfTheCounter)
         ASSERT_NEAR(got->frontAngles->right, 0.31, 1e-9);
         ASSERT_NEAR((*got->voltages[3])[2], 2.625, 1e-9);
         ASSERT_EQ(got->arm->bin, 8);
+        ASSERT_EQ(got->arm->side, ProbeSide::Left);
         ASSERT_NEAR(got->odometry->travelled, -12.345, 1e-9);
     }
     EXPECT_EQ(reader.unfinished(), 0U);
@@ -237,6 +241,59 @@ TEST(SensorLine, needsNoOdometryAndTakesNoOtherLines)
     ASSERT_TRUE(got);
     EXPECT_FALSE(got->odometry) << "of the line before";
     EXPECT_EQ(reader.unfinished(), 0U);
+}
+
+/// The same of a robot with rear arrays and a free differential.
+SensorLine longLine()
+{
+    SensorLine line = fullLine();
+    for (std::size_t set = 4; set < 8; ++set) {
+        const double v = 0.4 * static_cast<double>(set);
+        line.voltages[set] = SensorLine::Three{v, v + 0.0625, v + 0.125};
+    }
+    line.differential = -0.25;
+    return line;
+}
+
+constexpr LineExtent kLong{.rearForces = true, .differential = true};
+
+TEST(SensorLine, hasTheFramesThatTheRobotSends)
+{
+    EXPECT_EQ(framesOf(longLine(), 1).size(), 11U);
+    EXPECT_EQ(framesOf(longLine(), 1, {.rearForces = true}).size(), 15U);
+    EXPECT_EQ(framesOf(longLine(), 1, {.differential = true}).size(), 12U);
+    const auto frames = framesOf(longLine(), 9, kLong);
+    ASSERT_EQ(frames.size(), 16U);
+    const auto at = [&](std::size_t i, const std::string& name, const std::string& signal) {
+        EXPECT_EQ(frames[i].id, message(name).id) << name;
+        return physical(frames[i], message(name).signal(signal));
+    };
+    EXPECT_NEAR(at(11, "RearLeftForces1To3", "Element1"), 1.6, 1e-9);
+    EXPECT_NEAR(at(12, "RearLeftForces4To6", "Element5"), 2.0625, 1e-9);
+    EXPECT_NEAR(at(13, "RearRightForces1To3", "Element3"), 2.525, 1e-9);
+    EXPECT_NEAR(at(14, "RearRightForces4To6", "Element6"), 2.925, 1e-9);
+    EXPECT_NEAR(at(15, "Differential", "Angle"), -0.25, 1e-9);
+}
+
+TEST(SensorLine, needsEveryFrameOfItsExtent)
+{
+    const auto frames = framesOf(longLine(), 1, kLong);
+    SensorLineReader reader(kLong);
+    for (std::size_t i = 0; i + 1 < frames.size(); ++i)
+        EXPECT_FALSE(reader.add(contentOf(frames[i]))) << i;
+    const auto got = reader.add(contentOf(frames.back()));
+    ASSERT_TRUE(got);
+    EXPECT_NEAR((*got->voltages[7])[2], 2.925, 1e-9);
+    EXPECT_NEAR(*got->differential, -0.25, 1e-9);
+    EXPECT_FALSE(read(reader, longLine(), 2)) << "the robot does not send what its file promises";
+    SensorLineReader shorter;
+    const auto sides = framesOf(longLine(), 3, kLong);
+    std::optional<SensorLine> line;
+    for (const CanFrame& frame : sides)
+        if (auto whole = shorter.add(contentOf(frame))) line = whole;
+    ASSERT_TRUE(line) << "a file without these arrays ignores their frames";
+    EXPECT_FALSE(line->voltages[4] || line->differential);
+    EXPECT_EQ(shorter.unfinished(), 0U);
 }
 
 TEST(ArmResult, isNeverWithoutAnSd)

@@ -76,6 +76,36 @@ TEST_F(Wire, carriesEachSideOfAnElement)
     EXPECT_NEAR(*overTheWire(sent)->sides.left[2], robot.forceSaturation, 0.5);
 }
 
+TEST_F(Wire, carriesRearArraysAndTheDifferential)
+{
+    RobotModel whole = robot;
+    whole.rearElementShare = whole.elementShare;
+    whole.differential.locked = false;
+    Measurement sent = measured();
+    sent.differential = -0.25;
+    for (std::size_t e = 0; e < kForceElements; ++e) {
+        sent.rearSides.left[e] = 1.0 + static_cast<double>(e);
+        if (e != 2) sent.rearSides.right[e] = 9.0 - static_cast<double>(e);
+    }
+    SensorLineReader reader(lineExtent(whole));
+    std::optional<SensorLine> line;
+    for (const CanFrame& frame : framesOf(sensorLineOf(sent, whole), 1, lineExtent(whole)))
+        line = reader.add(std::get<Unpacked>(unpack(frame)));
+    ASSERT_TRUE(line);
+    const ElementForces forces = elementForces(*line, whole);
+    const Measurement got = *measurementOf(*line, forces, statusOf(sent), 0.0);
+    EXPECT_NEAR(got.differential.value(), -0.25, 1e-4);
+    for (std::size_t e = 0; e < kForceElements; ++e) {
+        EXPECT_NEAR(*got.rearSides.left[e], *sent.rearSides.left[e], 0.1) << e;
+        ASSERT_EQ(got.rearSides.right[e].has_value(), e != 2);
+    }
+    EXPECT_EQ(forces.rearRight[2]->state, ElementState::Open) << "a broken wire";
+    EXPECT_NEAR(*got.rearSides.right[0], 9.0, 0.1);
+    const Measurement plain = *overTheWire(sent);
+    EXPECT_EQ(plain.rearSides, SideForces{}) << "Absolem's file has no rear arrays";
+    EXPECT_FALSE(plain.differential);
+}
+
 TEST_F(Wire, carriesAWholeMeasurement)
 {
     const Measurement sent = measured();
