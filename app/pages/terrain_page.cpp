@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "widgets/control/drive_pad.h"
 #include "widgets/signals/event_list.h"
 #include "widgets/terrain/estimate_strip.h"
+#include "widgets/terrain/rear_view.h"
 #include "widgets/terrain/terrain_profile_view.h"
 #include "widgets/terrain/verdict_strip.h"
 
@@ -101,6 +103,31 @@ std::optional<ArmTip> armTipOf(const TerrainViewState& viewState, bool asking)
     return ArmTip{.state = State::Touched, .bin = touched.bin, .height = touched.height};
 }
 
+RearView::Shape rearShapeOf(const RobotModel& robot)
+{
+    RearView::Shape shape{.trackY = robot.lateral.trackY,
+                          .trackWidth = robot.lateral.trackWidth,
+                          .flipperY = robot.lateral.flipperY,
+                          .flipperWidth = robot.lateral.flipperWidth,
+                          .trackBottom = robot.trackZ - robot.trackRadius,
+                          .trackTop = robot.trackZ + robot.trackRadius,
+                          .bodyBottom = robot.trackZ,
+                          .bodyTop = robot.trackZ + robot.trackRadius,
+                          .flipperPivotZ = robot.front.pivot.z,
+                          .flipperPivotRadius = robot.front.pivotRadius,
+                          .flipperTipRadius = robot.front.tipRadius,
+                          .flipperLength = robot.front.axleDistance,
+                          .flipperTaper = robot.front.taper()};
+    for (const auto& polygon : robot.body)
+        for (const Vec2& point : polygon) shape.bodyTop = std::max(shape.bodyTop, point.z);
+    return shape;
+}
+
+RearView::Pose rearPoseOf(const Measurement& m)
+{
+    return {.roll = m.roll, .frontLeft = m.frontLeft, .frontRight = m.frontRight};
+}
+
 /// Returns true while the flippers press. A preview stays longer, until the scene's estimate is there.
 bool flippersMove(const TerrainViewState& viewState)
 {
@@ -141,6 +168,8 @@ Card* TerrainPage::terrainCard()
     view_->setAccessibleName(tr("View of the terrain"));
     strip_ = new EstimateStrip(card);
     terrain_ = new TerrainProfileView(card);
+    rear_ = new RearView(rearShapeOf(robot_));
+    terrain_->setCorner(rear_);
     card->note()->hide();
     card->titleRow()->addWidget(strip_, 1);
     card->titleRow()->addWidget(view_);
@@ -261,6 +290,7 @@ void TerrainPage::showRobot(const TerrainViewState& viewState)
 {
     if (!viewState.measurement) {
         readout_->clearMeasurement();
+        rear_->setPose(std::nullopt);
         forces_->clearForces();
         showForcesAge(viewState);
         robotAge_->setText(QString());
@@ -271,6 +301,7 @@ void TerrainPage::showRobot(const TerrainViewState& viewState)
         numbersFresh_ = fresh;
         const bool isDrawn = !viewState.scene || viewState.scene == viewState.measurement;
         readout_->setAttitude(viewState.attitude);
+        rear_->setPose(fresh ? std::optional(rearPoseOf(*viewState.measurement)) : std::nullopt);
         const auto captured = isDrawn ? std::nullopt : std::optional(viewState.scene->pitch);
         if (viewState.ages)
             readout_->setMeasurement(*viewState.measurement, viewState.age, *viewState.ages,

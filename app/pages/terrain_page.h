@@ -27,6 +27,7 @@ class DrivePad;
 class ElidedLabel;
 class EstimateStrip;
 class EventList;
+class RearView;
 class TerrainProfileView;
 class VerdictStrip;
 
@@ -129,6 +130,7 @@ public:
     QPushButton* forceUnitButton() const { return forceUnit_; }
     ProbeCard* probeCard() const { return probe_; }
     RobotReadout* readout() const { return readout_; }
+    RearView* rearView() const { return rear_; }
     EstimateStrip* strip() const { return strip_; }
     TerrainProfileView* terrain() const { return terrain_; }
     VerdictStrip* verdict() const { return verdict_; }
@@ -173,6 +175,7 @@ private:
     QPushButton* forceUnit_ = nullptr;
     QLabel* thresholdText_ = nullptr;
     RobotReadout* readout_ = nullptr;
+    RearView* rear_ = nullptr;
     QLabel* robotAge_ = nullptr;
     bool numbersFresh_ = false;  ///< the robot's numbers were fresh in the last update
     DrivePad* drive_ = nullptr;

@@ -6038,6 +6038,47 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::RearView</name>
+    <message>
+        <source>%1 L up</source>
+        <translation>%1, L výš</translation>
+    </message>
+    <message>
+        <source>%1 R up</source>
+        <translation>%1, P výš</translation>
+    </message>
+    <message>
+        <source>roll %1</source>
+        <translation>náklon %1</translation>
+    </message>
+    <message>
+        <source>%1
+cross slope %2</source>
+        <translation>%1
+příčný sklon %2</translation>
+    </message>
+    <message>
+        <source>From behind: %1; front flippers L %2, R %3</source>
+        <translation>Zezadu: %1; přední flippery L %2, P %3</translation>
+    </message>
+    <message>
+        <source>View from behind</source>
+        <translation>Pohled zezadu</translation>
+    </message>
+    <message>
+        <source>From behind: not known</source>
+        <translation>Zezadu: není známo</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>P</translation>
+    </message>
+</context>
+<context>
     <name>terratact::RemoteStop</name>
     <message>
         <source>STOP SENT to the console that opened this window …</source>

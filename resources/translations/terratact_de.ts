@@ -6038,6 +6038,47 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::RearView</name>
+    <message>
+        <source>%1 L up</source>
+        <translation>%1, L höher</translation>
+    </message>
+    <message>
+        <source>%1 R up</source>
+        <translation>%1, R höher</translation>
+    </message>
+    <message>
+        <source>roll %1</source>
+        <translation>Rollen %1</translation>
+    </message>
+    <message>
+        <source>%1
+cross slope %2</source>
+        <translation>%1
+Querneigung %2</translation>
+    </message>
+    <message>
+        <source>From behind: %1; front flippers L %2, R %3</source>
+        <translation>Von hinten: %1; Flipper vorn L %2, R %3</translation>
+    </message>
+    <message>
+        <source>View from behind</source>
+        <translation>Ansicht von hinten</translation>
+    </message>
+    <message>
+        <source>From behind: not known</source>
+        <translation>Von hinten: nicht bekannt</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+</context>
+<context>
     <name>terratact::RemoteStop</name>
     <message>
         <source>STOP SENT to the console that opened this window …</source>

@@ -96,6 +96,30 @@ void TerrainProfileView::arrangeNotes()
     note_->setVisible(!isLow && !note_->text().text().isEmpty());
     note_->setMargin(zones_->isShown() ? scaled(28) : kNoteMargin);  // below the zones' words
     ghostNote_->setMargin(isLow ? kNoteMargin : scaled(40));  // otherwise below the other note
+    placeCorner();
+}
+
+void TerrainProfileView::setCorner(QWidget* corner)
+{
+    corner_ = corner;
+    corner_->setParent(this);
+    corner_->setAttribute(Qt::WA_TransparentForMouseEvents);
+    placeCorner();
+}
+
+void TerrainProfileView::placeCorner()
+{
+    if (!corner_) return;
+    constexpr int kGap = 4;  // [px]
+    const QRect frame = canvas()->geometry().adjusted(kGap, kGap, -kGap, -kGap);
+    const int bins = canvas()->x() + static_cast<int>(pixelOf(binBegin(0), 0.0).x()) - kGap;
+    const QSize size = corner_->sizeHint().boundedTo(QSize(bins - frame.left(), frame.height()));
+    const bool isCovered = std::ranges::any_of(std::array{note_, ghostNote_}, [&](auto* note) {
+        const double half = note->text().textSize(font()).width() / 2.0;
+        return note->isVisible() && frame.center().x() - half < frame.left() + size.width();
+    });
+    corner_->setGeometry(QRect(frame.topLeft(), size));
+    corner_->setVisible(!isCovered && size == size.expandedTo(corner_->minimumSizeHint()));
 }
 
 void TerrainProfileView::resizeEvent(QResizeEvent* event)
@@ -291,6 +315,7 @@ void TerrainProfileView::updateLayout()
 {
     QwtPlot::updateLayout();
     fitAxes();
+    placeCorner();
 }
 
 void TerrainProfileView::fitAxes()

@@ -68,6 +68,10 @@ public:
     /// Mutes the drawing, which is `age` [s] old; empty: it is current.
     void setStale(std::optional<double> age);
 
+    /// Shows a small widget in the upper left corner of the canvas, above the robot's rear. It leaves where it would
+    /// cover a bin or a note. The view takes ownership.
+    void setCorner(QWidget* corner);
+
     /// Returns the canvas position of a point in the DEM frame [m].
     QPointF pixelOf(double x, double z) const;
     /// Returns the point in the DEM frame [m] at a canvas position.
@@ -113,6 +117,7 @@ private:
     void showNote(const QString& note, bool warns);
     void showGhostNote(const QString& note);
     void arrangeNotes();
+    void placeCorner();
     void showTruth();
     void showArm();
     double underArm() const;
@@ -147,6 +152,7 @@ private:
     BinInspector* inspector_ = nullptr;
     bool drawsShown_ = false;
     QwtPlotTextLabel* note_ = nullptr;
+    QWidget* corner_ = nullptr;
 };
 
 }  // namespace terratact

@@ -30,6 +30,30 @@ TEST_F(TerrainView, aMetreIsAsLongUpwardsAsForwardsAtEverySize)
     }
 }
 
+TEST_F(TerrainView, aCornerNeverCoversBinsOrNotes)
+{
+    struct Corner : QWidget {
+        QSize sizeHint() const override { return {120, 70}; }
+        QSize minimumSizeHint() const override { return {90, 70}; }
+    };
+    auto* const corner = new Corner;
+    view.setCorner(corner);
+    view.setEstimate(stepEstimate());
+    view.resize(900, 480);
+    QApplication::processEvents();
+    EXPECT_TRUE(corner->isVisible());
+    const double bins = view.canvas()->x() + view.pixelOf(binBegin(0), 0.0).x();
+    EXPECT_LT(corner->geometry().right(), bins);
+    EXPECT_TRUE(view.canvas()->geometry().contains(corner->geometry()));
+    view.clearEstimate(QString(120, u'x'));
+    EXPECT_FALSE(corner->isVisible()) << "the note needs the room";
+    view.setEstimate(stepEstimate());
+    EXPECT_TRUE(corner->isVisible());
+    view.resize(340, 480);
+    QApplication::processEvents();
+    EXPECT_FALSE(corner->isVisible()) << "there is no room beside the bins";
+}
+
 TEST_F(TerrainView, staleDrawingIsMutedAndShowsItsAge)
 {
     view.setOutline(square(-0.3, -0.1, 0.3, 0.1));

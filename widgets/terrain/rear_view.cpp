@@ -1,0 +1,133 @@
+#include "widgets/terrain/rear_view.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/display/format.h"
+#include "widgets/base/palette.h"
+#include "widgets/base/tips.h"
+
+namespace terratact {
+namespace {
+
+constexpr QSize kSize{128, 78};       // [px] at 100 %
+constexpr int kLeastWidth = 92;       // [px] at 100 %
+constexpr double kHalfWidthM = 0.42;  // [m] shown to both sides of the middle
+constexpr double kBelowM = 0.14;      // [m] shown below the base
+constexpr double kMinSaid = 0.05;     // [°] below which no side is up
+
+bool isKnown(const RearView::Pose& pose)
+{
+    const auto isAngle = [](double angle) { return std::abs(angle) <= 2.0 * std::numbers::pi; };
+    return isAngle(pose.roll) && isAngle(pose.frontLeft) && isAngle(pose.frontRight)
+        && isAngle(pose.crossSlope.value_or(0.0));
+}
+
+/// Returns an angle with the side that is up: "3.2° L up".
+QString tiltText(double radians)
+{
+    const double degrees = std::abs(radians) * 180.0 / std::numbers::pi;
+    const QString angle = format::number(degrees, 1) + QStringLiteral("°");
+    if (degrees < kMinSaid) return angle;
+    return radians > 0.0 ? RearView::tr("%1 L up").arg(angle) : RearView::tr("%1 R up").arg(angle);
+}
+
+QString lineOf(const RearView::Pose& pose)
+{
+    const QString roll = RearView::tr("roll %1").arg(tiltText(pose.roll));
+    if (!pose.crossSlope) return roll;
+    return RearView::tr("%1\ncross slope %2").arg(roll, tiltText(*pose.crossSlope));
+}
+
+QString spokenOf(const RearView::Pose& pose)
+{
+    return RearView::tr("From behind: %1; front flippers L %2, R %3")
+        .arg(lineOf(pose).replace(u'\n', QStringLiteral("; ")), format::degrees(pose.frontLeft),
+             format::degrees(pose.frontRight));
+}
+
+}  // namespace
+
+RearView::RearView(const Shape& shape, QWidget* parent) : QWidget(parent), shape_(shape)
+{
+    setAccessibleName(tr("View from behind"));
+    text_ = format::kNothing;
+}
+
+QSize RearView::sizeHint() const
+{
+    return {scaled(kSize.width()), scaled(kSize.height())};
+}
+
+QSize RearView::minimumSizeHint() const
+{
+    return {scaled(kLeastWidth), sizeHint().height()};
+}
+
+void RearView::setPose(const std::optional<Pose>& pose)
+{
+    const auto shown = pose && isKnown(*pose) ? pose : std::nullopt;
+    if (shown == pose_) return;
+    pose_ = shown;
+    text_ = pose_ ? lineOf(*pose_) : QString(format::kNothing);
+    const QString spoken = pose_ ? spokenOf(*pose_) : tr("From behind: not known");
+    setAccessibleDescription(spoken);
+    setTip(*this, spoken);
+    update();
+}
+
+void RearView::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QFontMetrics metrics = painter.fontMetrics();
+    const int lines = 1 + static_cast<int>(text_.count(u'\n'));
+    const int textHeight = lines * metrics.height();
+    painter.setPen(pose_ ? theme().text : theme().muted);
+    painter.drawText(QRect(0, height() - textHeight, width(), textHeight), Qt::AlignCenter, text_);
+    const int letter = metrics.horizontalAdvance(u'L') + 3;
+    const QRect picture(0, 0, width(), height() - textHeight);
+    painter.setPen(theme().text);
+    painter.drawText(picture, Qt::AlignLeft | Qt::AlignBottom, tr("L"));
+    painter.drawText(picture, Qt::AlignRight | Qt::AlignBottom, tr("R"));
+    if (!pose_) return;
+    const double scale = (picture.width() - 2.0 * letter) / (2.0 * kHalfWidthM);
+    painter.setPen(QPen(theme().robotLine, 1.0, Qt::DashLine));
+    const double middle = picture.height() - kBelowM * scale;
+    painter.drawLine(QPointF(letter, middle), QPointF(picture.width() - letter, middle));
+    painter.translate(picture.width() / 2.0, middle);
+    painter.setClipRect(QRectF(-picture.width() / 2.0, -middle, picture.width(), picture.height()));
+    painter.rotate(pose_->roll * 180.0 / std::numbers::pi);
+    drawRobot(painter, scale);
+}
+
+/// Draws the robot around its base, y to the left and z up, seen from behind.
+void RearView::drawRobot(QPainter& painter, double pixelsPerMetre) const
+{
+    painter.scale(pixelsPerMetre, -pixelsPerMetre);
+    QPen pen(theme().robotLine, 1.0);
+    pen.setCosmetic(true);
+    painter.setPen(pen);
+    const auto box = [&painter](double y, double width, double low, double high) {
+        painter.drawRect(QRectF(-y - width / 2.0, low, width, std::max(high - low, 0.0)));
+    };
+    const auto flipper = [&](double y, double angle) {
+        const double pivot = shape_.flipperPivotZ;
+        const double tip = pivot + shape_.flipperLength * std::sin(angle - shape_.flipperTaper);
+        box(y, shape_.flipperWidth,
+            std::min(pivot - shape_.flipperPivotRadius, tip - shape_.flipperTipRadius),
+            std::max(pivot + shape_.flipperPivotRadius, tip + shape_.flipperTipRadius));
+    };
+    painter.setBrush(theme().robotFlipper);
+    flipper(shape_.flipperY, pose_->frontLeft);
+    flipper(-shape_.flipperY, pose_->frontRight);
+    painter.setBrush(theme().robotBody);
+    box(0.0, 2.0 * shape_.trackY - shape_.trackWidth, shape_.bodyBottom, shape_.bodyTop);
+    painter.setBrush(theme().robotTrack);
+    box(shape_.trackY, shape_.trackWidth, shape_.trackBottom, shape_.trackTop);
+    box(-shape_.trackY, shape_.trackWidth, shape_.trackBottom, shape_.trackTop);
+}
+
+}  // namespace terratact
