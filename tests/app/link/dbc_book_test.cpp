@@ -73,7 +73,7 @@ TEST_F(Books, doNotDescribeFramesOfTheProtocol)
     ASSERT_EQ(book.remarks().size(), 1U);
     EXPECT_EQ(book.remarks()[0].english(),
               path
-                  + ": 25 frames (010, 011, 012, 013 …): the robot's protocol "
+                  + ": 30 frames (010, 011, 012, 013 …): the robot's protocol "
                     "has that identifier and is what counts");
 }
 
