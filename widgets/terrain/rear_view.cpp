@@ -29,14 +29,14 @@ bool isKnown(const RearView::Pose& pose)
 QString tiltText(double radians)
 {
     const double degrees = std::abs(radians) * 180.0 / std::numbers::pi;
-    const QString angle = format::number(degrees, 1) + QStringLiteral("°");
+    QString angle = format::number(degrees, 1) + QStringLiteral("°");
     if (degrees < kMinSaid) return angle;
     return radians > 0.0 ? RearView::tr("%1 L up").arg(angle) : RearView::tr("%1 R up").arg(angle);
 }
 
 QString lineOf(const RearView::Pose& pose)
 {
-    const QString roll = RearView::tr("roll %1").arg(tiltText(pose.roll));
+    QString roll = RearView::tr("roll %1").arg(tiltText(pose.roll));
     if (!pose.crossSlope) return roll;
     return RearView::tr("%1\ncross slope %2").arg(roll, tiltText(*pose.crossSlope));
 }

@@ -409,7 +409,8 @@ Eigen::MatrixXd ClearanceModel::sideCovariance(const ClearanceModel& right,
                                                const SideBins& covered) const
 {
     requireSidesOf(right);
-    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(2 * kBins, 2 * kBins);
+    constexpr Eigen::Index kBoth = Eigen::Index{2} * kBins;
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(kBoth, kBoth);
     Eigen::MatrixXd count = sum;
     Eigen::Matrix<double, 2 * kBins, 1> in, residual;
     for (int u = 0; u < static_cast<int>(residuals_.cols()); ++u) {
