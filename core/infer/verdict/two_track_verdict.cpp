@@ -64,6 +64,17 @@ std::string answerOf(const Verdict& verdict)
     return describeStepVerdict(verdict);
 }
 
+/// Returns the robot's answer as far as those of the sides tell it.
+StepVerdict answerOfSides(const TwoTrackVerdict& verdict)
+{
+    const auto is = [](StepVerdict answer) {
+        return [answer](const Verdict& side) { return side.stepVerdict == answer; };
+    };
+    if (std::ranges::any_of(verdict.side, is(StepVerdict::Blocked))) return StepVerdict::Blocked;
+    if (std::ranges::all_of(verdict.side, is(StepVerdict::Clear))) return StepVerdict::Clear;
+    return StepVerdict::CannotTell;
+}
+
 /// Returns the attitude of one side as that of a robot on one plane.
 Measurement lineOf(const TwoTrackReadings& s, Side side)
 {
@@ -145,18 +156,16 @@ TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& ro
     verdict.either = eitherStep(estimate, limit);
     verdict.crossSlope = crossSlopeAhead(estimate, robot, s);
     const BothBins horizons{lastBinOf(verdict.side[0]), lastBinOf(verdict.side[1])};
-    const auto are = [&](StepVerdict answer, int atLeast) {
-        return std::ranges::count(verdict.side, answer, &Verdict::stepVerdict) >= atLeast;
-    };
+    const StepVerdict sides = answerOfSides(verdict);
     const bool withheld = std::ranges::any_of(
         verdict.side, [](const Verdict& side) { return !side.withheldFor.empty(); });
     if (withheld) return verdict;
-    if (are(StepVerdict::Clear, 2)
+    if (sides == StepVerdict::Clear
         && isBelow(eitherStep(estimate, limit, kFirstAhead, horizons), kClearBelow)
         && isBelow(crossSlopeAhead(estimate, robot, s, std::min(horizons[0], horizons[1])).beyond,
                    kClearBelow))
         verdict.both = StepVerdict::Clear;
-    if (are(StepVerdict::Blocked, 1) || isAbove(verdict.either, kBlockedAbove)
+    if (sides == StepVerdict::Blocked || isAbove(verdict.either, kBlockedAbove)
         || isAbove(verdict.crossSlope.beyond, kBlockedAbove))
         verdict.both = StepVerdict::Blocked;
     return verdict;
@@ -165,8 +174,10 @@ TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& ro
 std::string describe(const TwoTrackVerdict& verdict)
 {
     const std::string left = answerOf(verdict.side[0]), right = answerOf(verdict.side[1]);
-    std::string text = left == right ? fmt::format("both {}", left)
-                                     : fmt::format("left {} · right {}", left, right);
+    const bool agree = verdict.both == answerOfSides(verdict);
+    std::string text = agree ? "" : fmt::format("{} for the robot · ", name(verdict.both));
+    text += left == right ? fmt::format("{} {}", agree ? "both" : "each side", left)
+                          : fmt::format("left {} · right {}", left, right);
     const CrossSlope& slope = verdict.crossSlope;
     if (std::abs(slope.steepest) > slope.limit + kRedReserve - kAmberReserve)
         text += fmt::format(" · cross slope {:.0f}° of {:.0f}°", std::abs(degrees(slope.steepest)),

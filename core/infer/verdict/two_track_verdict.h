@@ -40,7 +40,8 @@ struct TwoTrackVerdict {
     CrossSlope crossSlope;        ///< of all bins ahead
     /// Answer for the robot: Blocked if a side or the cross slope is blocked, or a step on either
     /// side is as probable as Blocked requires. Clear if both sides are clear, and so are the joint
-    /// probability up to both horizons and the cross slope up to the nearer one. Else CannotTell.
+    /// probability up to both horizons and the cross slope up to the nearer one. CannotTell else, and
+    /// where the verdict of a side is withheld.
     StepVerdict both = StepVerdict::CannotTell;
     bool operator==(const TwoTrackVerdict&) const = default;
 };
@@ -52,8 +53,9 @@ TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& ro
                           const LinkSinceScene& since = {});
 
 /// Returns "left BLOCKED at +0.4 m · right CLEAR to +0.55 m", or "both CLEAR to +0.55 m" for equal
-/// answers. A cross slope within kAmberReserve of the tip-over angle follows: "cross slope 41° of
-/// 54°".
+/// answers. Where the robot's answer does not follow from those of the sides, it precedes them:
+/// "CANNOT TELL for the robot · each side CLEAR to +0.55 m". A cross slope within kAmberReserve of
+/// the tip-over angle follows: "cross slope 41° of 54°".
 std::string describe(const TwoTrackVerdict& verdict);
 
 }  // namespace terratact

@@ -80,8 +80,11 @@ TEST(TwoTrackVerdict, isClearOnlyIfBothSidesAreJointly)
     EXPECT_EQ(apart.side[0].stepVerdict, StepVerdict::Clear);
     EXPECT_EQ(apart.side[1].stepVerdict, StepVerdict::Clear);
     EXPECT_EQ(apart.both, StepVerdict::CannotTell);
+    EXPECT_EQ(describe(apart), "CANNOT TELL for the robot · each side CLEAR to +0.75 m");
     EXPECT_EQ(verdictFor(estimateWith(rare, rare)).both, StepVerdict::Clear);
-    EXPECT_EQ(verdictFor(estimateWith(kEvenDraws, kOddDraws)).both, StepVerdict::Blocked);
+    const TwoTrackVerdict surely = verdictFor(estimateWith(kEvenDraws, kOddDraws));
+    EXPECT_EQ(surely.both, StepVerdict::Blocked);
+    EXPECT_EQ(describe(surely), "BLOCKED for the robot · each side CANNOT TELL");
     TwoTrackEstimate novel = estimateWith(kNever, kNever);
     novel.side[0].novelty = novel.side[1].novelty = 1.5;
     EXPECT_EQ(verdictFor(novel).both, StepVerdict::CannotTell);
