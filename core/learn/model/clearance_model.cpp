@@ -11,17 +11,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/learn/data/scene_copies.h"
 #include "core/learn/kernels/hyperparameters.h"
 
 namespace terratact {
 
 namespace {
 
-constexpr Eigen::Index kNonForces = 5;  // pitch, two angles and two currents come before the forces
 constexpr Eigen::Index kSideRow = Eigen::Index{kSideFeatures};
 constexpr Eigen::Index kNoveltyRows = 3000;  // of sides
-constexpr double kModelForceScale = 3.0;     // [N]
 constexpr int kNoveltyNeighbour = 10;
 constexpr double kNoveltyShare = 0.99;
 
@@ -96,12 +93,6 @@ void check(const SurfaceData& model)
         throw std::invalid_argument("the model has no trained clearances");
 }
 
-/// Returns the row of the other side of the same scene.
-int partner(int row)
-{
-    return row ^ 1;
-}
-
 /// Returns w² with own and other side alike.
 Eigen::VectorXd alikeForSides(const Eigen::VectorXd& squares)
 {
@@ -143,64 +134,6 @@ void isolate(Eigen::MatrixXd& covariance, Eigen::Index i, double sd)
 }
 
 }  // namespace
-
-Eigen::VectorXd surfaceFeatures(const Eigen::VectorXd& features)
-{
-    Eigen::VectorXd x = features;
-    const Eigen::Index first = x.size() == kSideRow ? Eigen::Index{kFirstSideForce} : kNonForces;
-    for (Eigen::Index d = first; d < x.size(); ++d)
-        x[d] = std::log1p(std::max(x[d], 0.0) / kModelForceScale);
-    return x;
-}
-
-Eigen::VectorXd standardisedFeatures(const Eigen::VectorXd& mean, const Eigen::VectorXd& sd,
-                                     const Eigen::VectorXd& features, AbsentFeatures without)
-{
-    Eigen::VectorXd x = (surfaceFeatures(features) - mean).cwiseQuotient(sd);
-    for (std::size_t d = 0; d < without.size(); ++d)
-        if (without[d]) x[static_cast<Eigen::Index>(d)] = 0.0;
-    return x;
-}
-
-unsigned coveredBins(const Heights& ceiling)
-{
-    unsigned mask = 0;
-    for (std::size_t i = 0; i < kBins; ++i)
-        if (std::isfinite(ceiling[i])) mask |= 1U << i;
-    return mask;
-}
-
-std::vector<int> rowsOf(const std::vector<unsigned>& coveredBins, int bin, bool covered)
-{
-    std::vector<int> rows;
-    for (std::size_t u = 0; u < coveredBins.size(); ++u)
-        if (isCovered(coveredBins[u], bin) == covered) rows.push_back(static_cast<int>(u));
-    return rows;
-}
-
-bool holdsSides(const SurfaceData& model)
-{
-    return model.features.cols() == kSideRow;
-}
-
-std::vector<int> placesOf(const SurfaceData& model)
-{
-    if (model.repeats > 0) return placesOf(model.features, model.heights);
-    std::vector<int> own(static_cast<std::size_t>(model.heights.rows()));
-    std::iota(own.begin(), own.end(), 0);
-    if (holdsSides(model))
-        for (int& place : own) place = std::min(place, partner(place));
-    return own;
-}
-
-std::vector<int> inducingRows(const std::vector<int>& rows)
-{
-    if (rows.size() <= std::size_t{kInducing}) return rows;
-    std::vector<int> chosen;
-    for (std::size_t k = 0; k < std::size_t{kInducing}; ++k)
-        chosen.push_back(rows[k * rows.size() / std::size_t{kInducing}]);
-    return chosen;
-}
 
 ClearanceModel::ClearanceModel(const SurfaceData& model, AbsentFeatures without,
                                std::vector<int> places)
@@ -338,17 +271,18 @@ ResidualSample ClearanceModel::sideResiduals(const ClearanceModel& right,
     const Eigen::VectorXd distance = squaredDistances(leftFeatures);
     const std::vector<int> rows = nearest(distance, [&](int u) {
         return coveredBins_[static_cast<std::size_t>(u)] != covered[0]
-            || coveredBins_[static_cast<std::size_t>(partner(u))] != covered[1];
+            || coveredBins_[static_cast<std::size_t>(otherSideRow(u))] != covered[1];
     });
     std::vector<int> others;
     others.reserve(rows.size());
-    for (const int u : rows) others.push_back(partner(u));
+    for (const int u : rows) others.push_back(otherSideRow(u));
     ResidualSample sample{weightsAt(distance(rows)), Eigen::MatrixXd(2 * kBins, std::ssize(rows))};
     sample.residual << residuals_(Eigen::all, rows), right.residuals_(Eigen::all, others);
     borrow(sample, 0, rows, distance, covered[0]);
     // The distance of a scene seen from its other side.
     Eigen::VectorXd mirrored(distance.size());
-    for (int u = 0; u < static_cast<int>(distance.size()); ++u) mirrored[u] = distance[partner(u)];
+    for (int u = 0; u < static_cast<int>(distance.size()); ++u)
+        mirrored[u] = distance[otherSideRow(u)];
     right.borrow(sample, kBins, others, mirrored, covered[1]);
     return sample;
 }
@@ -414,7 +348,7 @@ Eigen::MatrixXd ClearanceModel::sideCovariance(const ClearanceModel& right,
     Eigen::MatrixXd count = sum;
     Eigen::Matrix<double, 2 * kBins, 1> in, residual;
     for (int u = 0; u < static_cast<int>(residuals_.cols()); ++u) {
-        const int other = partner(u);
+        const int other = otherSideRow(u);
         in << sameRegime(coveredBins_[static_cast<std::size_t>(u)], covered[0]),
             sameRegime(coveredBins_[static_cast<std::size_t>(other)], covered[1]);
         residual << residuals_.col(u), right.residuals_.col(other);

@@ -6,43 +6,11 @@
 #include <vector>
 
 #include "core/base/poll.h"
-#include "core/learn/data/side_features.h"
 #include "core/learn/model/model.h"
-#include "core/robot/measurement.h"
+#include "core/learn/model/surface_rows.h"
 #include "core/terrain/bins.h"
 
 namespace terratact {
-
-/// Returns s as input of the surface processes: the features of FeatureSet::Paf or of one side
-/// (side_features.h), each force F [N] as log(1 + F / 3).
-Eigen::VectorXd surfaceFeatures(const Eigen::VectorXd& features);
-
-/// Returns (surfaceFeatures − mean) / sd, and 0 for the features in `without`.
-Eigen::VectorXd standardisedFeatures(const Eigen::VectorXd& mean, const Eigen::VectorXd& sd,
-                                     const Eigen::VectorXd& features, AbsentFeatures without = {});
-
-/// Returns a bit mask. Bit i is set if ceiling i is finite: the robot is above bin i.
-unsigned coveredBins(const Heights& ceiling);
-
-constexpr bool isCovered(unsigned mask, int bin)
-{
-    return (mask >> static_cast<unsigned>(bin) & 1U) != 0;
-}
-
-/// Returns the training rows of the bin in that regime, in order.
-std::vector<int> rowsOf(const std::vector<unsigned>& coveredBins, int bin, bool covered);
-
-/// Returns the place of each training row: the number of the first row that it repeats
-/// (scene_copies.h), or its own. Without repeats in the model, each row has its own. Both sides of a
-/// scene have one place.
-std::vector<int> placesOf(const SurfaceData& model);
-
-/// Returns true for rows of one side each, two per scene.
-bool holdsSides(const SurfaceData& model);
-
-/// Returns at most kInducing of the rows, evenly spread.
-inline constexpr int kInducing = 600;
-std::vector<int> inducingRows(const std::vector<int>& rows);
 
 /// Number of training places whose residuals form the errors of method `local`.
 inline constexpr int kNeighbours = 30;
@@ -56,10 +24,10 @@ struct ResidualSample {
 /// Surface processes of a model, ready to predict. Immutable; may be shared between threads.
 class ClearanceModel {
 public:
-    /// model: rows of one plane or of sides (SurfaceData). without: features of s that the processes were trained without (reduced_clearances.h); their
-    /// values have no effect. places: place of each training row; empty: computed from the model's
-    /// rows (placesOf). Throws std::invalid_argument if the model's clearance part is missing or its
-    /// sizes disagree.
+    /// model: rows of one plane or of sides (SurfaceData). without: features of s that the processes
+    /// were trained without (reduced_clearances.h); their values have no effect. places: place of
+    /// each training row; empty: computed from the model's rows (placesOf). Throws
+    /// std::invalid_argument if the model's clearance part is missing or its sizes disagree.
     explicit ClearanceModel(const SurfaceData& model, AbsentFeatures without = {},
                             std::vector<int> places = {});
 
