@@ -316,7 +316,11 @@ class Commands(unittest.TestCase):
         run("reconstruct", "--tracks", "--model", model, "--data", scenes, "--out", estimates)
         table = rows(estimates)
         self.assertEqual({row["side"] for row in table}, {"left", "right"})
-        self.assertTrue(all(row["text"].startswith(("left ", "both ")) for row in table))
+        for i in range(0, len(table), 22):  # both sides of a scene
+            sides, row = {table[i]["side_verdict"], table[i + 11]["side_verdict"]}, table[i]
+            told = "BLOCKED" if "BLOCKED" in sides else "CLEAR" if sides == {"CLEAR"} else "CANNOT TELL"
+            starts = ("left ", "both ") if row["verdict"] == told else (f"{row['verdict']} for the robot · ",)
+            self.assertTrue(row["text"].startswith(starts), (sides, row))
         self.assertTrue(any(row["verdict"] != row["side_verdict"] for row in table))
         again = self.path / "again.ttm"
         run("train", "--plane", self.model, "--tracks", scenes, "--seed", 3, "--out", again)
