@@ -16,18 +16,24 @@ using namespace terratact::fuzz;
 
 namespace {
 
-void promiseProfile(const TerrainProfile& profile)
+void promisePoints(const TerrainProfile& profile)
 {
     double x = profile.begin();
-    std::string text = "x_m,z_m\n";
     for (const Vec2& point : profile.points()) {
         promise(std::isfinite(point.x) && std::isfinite(point.z), "a profile's points are finite");
         promise(point.x >= x, "a profile's x never decreases");
         x = point.x;
-        text += numberText(point.x) + "," + numberText(point.z) + "\n";
     }
     promise(std::isfinite(profile.heightAt((profile.begin() + profile.end()) / 2)),
             "a profile has a height");
+}
+
+void promiseProfile(const TerrainProfile& profile)
+{
+    promisePoints(profile);
+    std::string text = "x_m,z_m\n";
+    for (const Vec2& point : profile.points())
+        text += numberText(point.x) + "," + numberText(point.z) + "\n";
     if (std::abs(profile.begin()) > 1000.0 || std::abs(profile.end()) > 1000.0) return;
     if (profile.points().size() < 2) return;
     const auto again = readProfiles(*CsvReader::over("g", text), 0.1, false);
@@ -51,7 +57,8 @@ void readLines(CsvReader csv)
     promise(!file->grounds.empty(), "a file holds a ground");
     for (const GroundLines& ground : file->grounds) {
         promise(ground.begin() <= ground.end(), "a ground's lines have a common range");
-        for (const GroundLine& line : ground.lines()) promiseProfile(line.profile);
+        // A line alone may be refused: its heights are limited around the first of the ground.
+        for (const GroundLine& line : ground.lines()) promisePoints(line.profile);
     }
 }
 

@@ -25,6 +25,8 @@ printf 'p0,0.05,0.1,0.1\n-0.2,0,0\n' >"$corpora/csv_files/heights.csv"
 printf 'bh1,h2,h3\n0,0.1,0.2\n0.3,0.2,0.1\n' >"$corpora/csv_files/blocks.csv"
 printf 'p0,0;0,05\n0,5;0,1\n' >"$corpora/csv_files/decimal_commas.csv"
 printf 'psep=;\nx;z\nm;m\n0;0\n1;0' >"$corpora/csv_files/units.csv"
+printf 'lpair,step_m,y_m,heights_m\n1,0.03,0.2,0,0.1,0.2\n1,0.03,-0.2,0,0\n2,0.1,0,1,2,3\n' >"$corpora/csv_files/lines.csv"
+printf 'ly_m,heights_m\n0.2,0,0.2\n-0.2,-0.2,5\n' >"$corpora/csv_files/lines_apart.csv"
 printf 'aplace,height_m,truth_m\nedge,0.12,0.125\nedge,0.118,\nfloor,-0.01,0\n' >"$corpora/csv_files/arm.csv"
 printf 'crow,class\n1,"step, low"\n2,"a ""pallet"""\n3,stairs\r\n' >"$corpora/csv_files/classes.csv"
 

@@ -18,7 +18,8 @@ constexpr double kModelForceScale = 3.0;  // [N]
 Eigen::VectorXd surfaceFeatures(const Eigen::VectorXd& features)
 {
     Eigen::VectorXd x = features;
-    const Eigen::Index first = x.size() == kInputsOfSide ? Eigen::Index{kFirstSideForce} : kNonForces;
+    const Eigen::Index first =
+        x.size() == kInputsOfSide ? Eigen::Index{kFirstSideForce} : kNonForces;
     for (Eigen::Index d = first; d < x.size(); ++d)
         x[d] = std::log1p(std::max(x[d], 0.0) / kModelForceScale);
     return x;
