@@ -139,7 +139,7 @@ void MainWindow::addPages(const Options& options)
             const Estimation& estimation = exploration_->estimation();
             const auto& estimate = estimation.estimate();
             return NumbersViewState{
-                estimate ? &*estimate : nullptr,
+                estimate ? &estimate->side[0] : nullptr,
                 estimation.revisions().estimate,
                 translated(exploration_->whyNoEstimate()),
                 exploration_->options().stepLimit,

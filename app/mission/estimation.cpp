@@ -162,8 +162,9 @@ void Estimation::begin(const Received& latest, std::uint64_t since)
 
 void Estimation::addArmReading(const ArmReading& reading)
 {
+    const TerrainEstimate& shown = estimate_->side[0];
     const auto i = static_cast<std::size_t>(reading.bin);
-    const bool inside = estimate_->q10[i] <= reading.height && reading.height <= estimate_->q90[i];
+    const bool inside = shown.q10[i] <= reading.height && reading.height <= shown.q90[i];
     emit happened(
         Message(TR_NOOP("terratact::Estimation", "arm at %1: %2 m, %3 the band shown before"),
                 verbatim(format::binName(reading.bin)),
@@ -171,7 +172,7 @@ void Estimation::addArmReading(const ArmReading& reading)
                 inside ? TR_NOOP("terratact::Estimation", "inside")
                        : TR_NOOP("terratact::Estimation", "outside")),
         inside ? EventSeverity::Note : EventSeverity::Warning);
-    ledger_.record(*estimate_, reading.bin, reading.height, reading.sd, Origin::Arm);
+    ledger_.record(shown, reading.bin, reading.height, reading.sd, Origin::Arm);
     std::erase_if(readings_, [&](const ArmReading& r) { return r.bin == reading.bin; });
     readings_.push_back(reading);
     start();
@@ -288,7 +289,7 @@ void Estimation::resume()
         startSecond();
 }
 
-void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds)
+void Estimation::accept(int job, const TwoTrackEstimate& estimate, double seconds)
 {
     if (job == warmUpJob_) warmUpJob_ = 0;
     if (job == liveJob_) {
@@ -306,13 +307,13 @@ void Estimation::accept(int job, const TerrainEstimate& estimate, double seconds
     estimate_ = estimate;
     seconds_ = seconds;
     ++counts_.estimates;
-    counts_.contradicting += estimate.contradicts ? 1 : 0;
+    counts_.contradicting += estimate.side[0].contradicts ? 1 : 0;
     advice_ = {};
     estimateJob_ = job;
-    track_.emplace(robot_, estimate, scene_->measurement);
+    track_.emplace(robot_, estimate.side[0], scene_->measurement);
     if (hadTelemetryGap_) track_->addSilence();
     emit stands(false);
-    announce(estimate);
+    announce(estimate.side[0]);
     unadvised_ = true;
     // Advice follows, unless the step limit has changed; then another probe may be the best one.
     if (askedLimit_ != options_.stepLimit) adviseAnew();
@@ -351,7 +352,7 @@ void Estimation::announce(const TerrainEstimate& estimate)
 std::optional<Verdict> Estimation::verdict() const
 {
     if (!estimate_ || !scene_) return std::nullopt;
-    return verdictOf(*estimate_, scene_->measurement,
+    return verdictOf(estimate_->side[0], scene_->measurement,
                      {.telemetryFresh = telemetryFresh_,
                       .unbroken = !hadTelemetryGap_,
                       .sensorsSound = !wasSuspected_},

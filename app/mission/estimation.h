@@ -89,7 +89,7 @@ public:
     const Settings& wanted() const { return options_.settings; }  ///< settings of the next estimate
     /// Returns the arm readings in scene().
     const std::vector<ArmReading>& readings() const { return readings_; }
-    const std::optional<TerrainEstimate>& estimate() const { return estimate_.value(); }
+    const std::optional<TwoTrackEstimate>& estimate() const { return estimate_.value(); }
     double seconds() const { return seconds_; }  ///< computation time of estimate() [s]
     /// Returns why the last request gave no estimate(); empty: no reason that concerns a scene.
     const Message& whyNone() const { return whyNone_; }
@@ -97,8 +97,8 @@ public:
     /// Returns the verdict of estimate() for the present step limit; empty without an estimate.
     std::optional<Verdict> verdict() const;
     std::optional<Method> secondMethod() const { return secondMethod_; }
-    const std::optional<TerrainEstimate>& second() const { return second_.value(); }
-    const std::optional<TerrainEstimate>& live() const
+    const std::optional<TwoTrackEstimate>& second() const { return second_.value(); }
+    const std::optional<TwoTrackEstimate>& live() const
     {
         return live_.value();
     }  ///< the live preview
@@ -152,15 +152,15 @@ private:
         std::uint64_t capturedAt;
         bool hadTelemetryGap;
         std::vector<ArmReading> readings;
-        TerrainEstimate estimate;
-        std::optional<TerrainEstimate> second;
+        TwoTrackEstimate estimate;
+        std::optional<TwoTrackEstimate> second;
         std::optional<GhostTrack> track;
     };
 
     void listenToModels();
     void addAdvice(int job, const ProbeAdvice& advice);
     void offer();
-    void accept(int job, const TerrainEstimate& estimate, double seconds);
+    void accept(int job, const TwoTrackEstimate& estimate, double seconds);
     void refuse(int job, const Message& why);
     /// Makes the worker prepare the Gaussian processes of a sampling method, so that no estimate waits for them.
     /// Returns false if that is done already or the method needs none.
@@ -191,7 +191,7 @@ private:
     // Numbers of the worker's jobs; 0: not running.
     int job_ = 0, secondJob_ = 0, liveJob_ = 0, warmUpJob_ = 0;
     int estimateJob_ = 0;  ///< job of estimate_
-    Revised<TerrainEstimate> estimate_, second_, live_;
+    Revised<TwoTrackEstimate> estimate_, second_, live_;
     double seconds_ = 0.0;
     double askedLimit_ = 0.0;  ///< [m] step limit of the current or last request
     ProbeAdvice advice_;

@@ -37,7 +37,7 @@ ModelLoader modelFileLoader(std::string path, RobotModel robot)
         model.estimate = [models, robot](const EstimateRequest& request, const Watch& watch) {
             if (request.prepares) {
                 makeProcesses(*models, request.settings, watch);
-                return TerrainEstimate{};
+                return TwoTrackEstimate{};
             }
             TerrainEstimate estimate =
                 estimateTerrain(proprioception(request.measurement), request.arm, robot, *models,
@@ -45,7 +45,7 @@ ModelLoader modelFileLoader(std::string path, RobotModel robot)
             warnIfNotPlanar(estimate, request.measurement);
             writePosteriorCheck(estimate, proprioception(request.measurement), robot,
                                 pollOf(watch));
-            return estimate;
+            return equalSides(std::move(estimate));
         };
         return model;
     };
@@ -90,13 +90,13 @@ void EstimatorWorker::cancel()
     progress_ = -1.0;
 }
 
-void EstimatorWorker::advise(int job, const TerrainEstimate& estimate, const RobotModel& prober,
+void EstimatorWorker::advise(int job, const TwoTrackEstimate& estimate, const RobotModel& prober,
                              double stepLimit)
 {
     emit adviceRequested(++newestAdvice_, job, estimate, prober, stepLimit);
 }
 
-void EstimatorWorker::answer(int number, int job, const TerrainEstimate& estimate,
+void EstimatorWorker::answer(int number, int job, const TwoTrackEstimate& estimate,
                              const RobotModel& prober, double stepLimit)
 {
     giveAdvice(job, estimate, prober, stepLimit, [this, number] {
@@ -104,11 +104,11 @@ void EstimatorWorker::answer(int number, int job, const TerrainEstimate& estimat
     });
 }
 
-void EstimatorWorker::giveAdvice(int job, const TerrainEstimate& estimate, const RobotModel& prober,
-                                 double stepLimit, const Poll& poll)
+void EstimatorWorker::giveAdvice(int job, const TwoTrackEstimate& estimate,
+                                 const RobotModel& prober, double stepLimit, const Poll& poll)
 {
     try {
-        emit advised(job, adviseProbe(estimate, prober, stepLimit, poll));
+        emit advised(job, adviseProbe(estimate.side[0], prober, stepLimit, poll));
     } catch (const Cancelled&) {
         return;
     } catch (const std::exception&) {  // the estimate is valid without advice
@@ -156,7 +156,7 @@ void EstimatorWorker::run(int job, const EstimateRequest& request)
 {
     if (overtaken(job)) return;
     clearUpperVectorHalves();
-    const std::optional<TerrainEstimate> result = estimateFor(job, request);
+    const std::optional<TwoTrackEstimate> result = estimateFor(job, request);
     // Runs here, because the window's thread paints the estimate meanwhile.
     if (result && request.prober)
         giveAdvice(job, *result, *request.prober, request.stepLimit, [this, job] {
@@ -165,7 +165,8 @@ void EstimatorWorker::run(int job, const EstimateRequest& request)
 }
 
 /// Computes a request and emits its result; returns empty if it gave no estimate.
-std::optional<TerrainEstimate> EstimatorWorker::estimateFor(int job, const EstimateRequest& request)
+std::optional<TwoTrackEstimate> EstimatorWorker::estimateFor(int job,
+                                                             const EstimateRequest& request)
 {
     Message why;
     try {
@@ -178,7 +179,7 @@ std::optional<TerrainEstimate> EstimatorWorker::estimateFor(int job, const Estim
         lendProcessors(watch);
         QElapsedTimer timer;
         timer.start();
-        TerrainEstimate result = estimate_(request, watch);
+        TwoTrackEstimate result = estimate_(request, watch);
         const double seconds = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
         if (overtaken(job)) return std::nullopt;
         progress_ = -1.0;

@@ -11,7 +11,7 @@
 #include "core/atem/arm_choice.h"
 #include "core/base/message.h"
 #include "core/base/result.h"
-#include "core/infer/estimate/estimate.h"
+#include "core/infer/estimate/two_track_estimate.h"
 #include "core/infer/sampling/watch.h"
 #include "core/infer/verdict/obstacle.h"
 #include "core/robot/measurement.h"
@@ -33,7 +33,7 @@ struct EstimateRequest {
 };
 
 /// Computes an estimate; throws the exceptions of reconstruct().
-using Estimator = std::function<TerrainEstimate(const EstimateRequest&, const Watch&)>;
+using Estimator = std::function<TwoTrackEstimate(const EstimateRequest&, const Watch&)>;
 
 /// An estimator with texts about its model.
 struct LoadedModel {
@@ -66,7 +66,7 @@ public:
     void cancel();
     /// Recomputes the probe advice for that job's estimate after the pending requests. It cancels no request. It ends
     /// in advised(), unless advise() is called again before that.
-    void advise(int job, const TerrainEstimate& estimate, const RobotModel& prober,
+    void advise(int job, const TwoTrackEstimate& estimate, const RobotModel& prober,
                 double stepLimit);
     /// Returns 0 … 1 for the running job; empty: none. Clients poll it; there is no signal.
     std::optional<double> progress() const;
@@ -74,7 +74,7 @@ public:
 signals:
     void requested(int job, const terratact::EstimateRequest& request);  ///< to the worker's thread
     void loadRequested(const terratact::ModelLoader& load);              ///< to the worker's thread
-    void adviceRequested(int number, int job, const terratact::TerrainEstimate& estimate,
+    void adviceRequested(int number, int job, const terratact::TwoTrackEstimate& estimate,
                          const terratact::RobotModel& prober,
                          double stepLimit);  ///< to the worker's thread
     void modelLoaded(const QString& name, const QString& details, const QString& hash,
@@ -82,7 +82,7 @@ signals:
     void modelFailed(const terratact::Message& why);  ///< there is no model
     void modelKept(const terratact::Message& why);    ///< the previous model stays
     /// seconds: computation time.
-    void estimated(int job, const terratact::TerrainEstimate& estimate, double seconds);
+    void estimated(int job, const terratact::TwoTrackEstimate& estimate, double seconds);
     void failed(int job, const terratact::Message& why);
     /// Probe advice for that job's estimate, with its expected gain. Not emitted if a newer request, cancel() or load()
     /// came after the estimate.
@@ -91,10 +91,10 @@ signals:
 private:
     void loadModel(const ModelLoader& load);
     void run(int job, const EstimateRequest& request);
-    std::optional<TerrainEstimate> estimateFor(int job, const EstimateRequest& request);
-    void answer(int number, int job, const TerrainEstimate& estimate, const RobotModel& prober,
+    std::optional<TwoTrackEstimate> estimateFor(int job, const EstimateRequest& request);
+    void answer(int number, int job, const TwoTrackEstimate& estimate, const RobotModel& prober,
                 double stepLimit);
-    void giveAdvice(int job, const TerrainEstimate& estimate, const RobotModel& prober,
+    void giveAdvice(int job, const TwoTrackEstimate& estimate, const RobotModel& prober,
                     double stepLimit, const Poll& poll);
     bool overtaken(int job) const { return job != newest_; }
 

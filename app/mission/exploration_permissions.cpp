@@ -40,9 +40,10 @@ std::optional<Message> Exploration::wordsOf(NoProbe why) const
     switch (why) {
     case NoProbe::None: break;
     case NoProbe::Certain:
-        return Message(TR_NOOP("terratact::Exploration",
-                               "No probe offered: every bin in reach is known to ± %1 m or better"),
-                       verbatim(format::number(estimation_.estimate()->settings.probeAbove, 2)));
+        return Message(
+            TR_NOOP("terratact::Exploration",
+                    "No probe offered: every bin in reach is known to ± %1 m or better"),
+            verbatim(format::number(estimation_.estimate()->side[0].settings.probeAbove, 2)));
     case NoProbe::Decided:
         return Message(TR_NOOP("terratact::Exploration",
                                "No probe offered, by the settings: %1 is decided without the arm"),

@@ -82,7 +82,7 @@ ProbeOffer ProbeProposals::offer() const
 
 ProbeBasis ProbeProposals::basis() const
 {
-    return {*estimation_.estimate(), estimation_.advice(), robot_, seconds_, policy_};
+    return {estimation_.estimate()->side[0], estimation_.advice(), robot_, seconds_, policy_};
 }
 
 std::optional<ProbeProposal> ProbeProposals::best() const
@@ -112,7 +112,7 @@ std::string ProbeProposals::grounds() const
     const ModelInUse& model = estimation_.model();
     return fingerprint({.scene = scene->measurement,
                         .readings = estimation_.readings(),
-                        .settings = estimate->settings,
+                        .settings = estimate->side[0].settings,
                         .wanted = estimation_.wanted(),
                         .model = (model.name + model.details).toStdString(),
                         .bin = current_->bin,

@@ -101,7 +101,7 @@ void SessionEventLogger::logEstimate(bool second)
                                     : EstimateRole::Again;
     row.seconds = second ? 0.0 : estimation.seconds();
     row.stepLimit = exploration_.options().stepLimit;
-    row.estimate = second ? *estimation.second() : *estimation.estimate();
+    row.estimate = (second ? *estimation.second() : *estimation.estimate()).side[0];
     const std::int64_t id = recorder_->record(std::move(row));
     if (!second) estimate_ = id;
 }

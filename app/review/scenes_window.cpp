@@ -95,9 +95,9 @@ ScenesWindow::ScenesWindow(Options options)
         showViewState();
     });
     connect(worker_.get(), &EstimatorWorker::estimated, this,
-            [this](int job, const TerrainEstimate& estimate, double seconds) {
+            [this](int job, const TwoTrackEstimate& estimate, double seconds) {
                 if (job != job_) return;
-                estimate_ = estimate;
+                estimate_ = estimate.side[0];
                 seconds_ = seconds;
                 showViewState();
             });

@@ -240,8 +240,9 @@ void WhatIfPage::useModel(const QString& path)
     const ModelLoader loader = modelFileLoader(path.toStdString(), robot_);
     if (worker_) return worker_->load(loader);
     worker_ = std::make_unique<EstimatorWorker>(loader);
-    connect(worker_.get(), &EstimatorWorker::estimated, this,
-            [this](int job, const TerrainEstimate& estimate) { addEstimate(job, estimate); });
+    connect(
+        worker_.get(), &EstimatorWorker::estimated, this,
+        [this](int job, const TwoTrackEstimate& estimate) { addEstimate(job, estimate.side[0]); });
     const auto failed = [this](const Message& why) {
         job_ = 0;
         modelPath_.clear();

@@ -34,7 +34,7 @@ inline LoadedModel madeUp()
                 [](const EstimateRequest& request, const Watch&) {
                     TerrainEstimate e = request.arm.empty() ? stepEstimate() : probedEstimate();
                     e.settings = request.settings;
-                    return e;
+                    return equalSides(e);
                 },
             .name = "fake.ttm",
             .details = {}};
@@ -50,10 +50,10 @@ public:
             if (now && (all_.empty() || all_.back() != *now)) all_.push_back(*now);
         });
     }
-    const std::vector<TerrainEstimate>& all() const { return all_; }
+    const std::vector<TwoTrackEstimate>& all() const { return all_; }
 
 private:
-    std::vector<TerrainEstimate> all_;
+    std::vector<TwoTrackEstimate> all_;
 };
 
 /// Returns all frames that a bus end has received since the last call.

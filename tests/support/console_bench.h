@@ -46,7 +46,7 @@ inline LoadedModel madeUp()
                     }
                     TerrainEstimate e = request.arm.empty() ? stepEstimate() : probedEstimate();
                     e.settings = request.settings;
-                    return e;
+                    return equalSides(e);
                 },
             .name = "fake.ttm",
             .details = {},

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/infer/estimate/estimate.h"
+#include "core/infer/estimate/two_track_estimate.h"
 #include "core/robot/robot_model.h"
 
 /// Fake results for tests that need one of every kind.

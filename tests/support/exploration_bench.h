@@ -52,7 +52,7 @@ struct Bench : testing::Test {
         tick(3);
     }
 
-    TerrainEstimate estimate(const EstimateRequest& request, const Watch& watch)
+    TwoTrackEstimate estimate(const EstimateRequest& request, const Watch& watch)
     {
         {
             const std::scoped_lock lock(mutex);
@@ -69,7 +69,7 @@ struct Bench : testing::Test {
         if (stepInHalf)
             for (std::size_t d = 0; d < e.draws.size(); d += 2) e.draws[d].fill(e.height[0]);
         e.settings = request.settings;
-        return e;
+        return equalSides(e);
     }
 
     RobotMoment moment() const
@@ -160,7 +160,7 @@ struct Bench : testing::Test {
         const auto listening = QObject::connect(
             worker.get(), &EstimatorWorker::advised, exploration.get(),
             [&heard](int, const ProbeAdvice& a) { heard = heard || a.stepLimit == kNobodysLimit; });
-        worker->advise(0, stepEstimate(), RobotModel{}, kNobodysLimit);
+        worker->advise(0, equalSides(stepEstimate()), RobotModel{}, kNobodysLimit);
         const bool settled = gui::eventually([&heard] { return heard; });
         QObject::disconnect(listening);
         return settled;

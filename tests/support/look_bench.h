@@ -24,7 +24,7 @@ inline ModelLoader madeUp()
                             [](const EstimateRequest& request, const Watch&) {
                                 TerrainEstimate e = stepEstimate();
                                 e.settings = request.settings;
-                                return e;
+                                return equalSides(e);
                             },
                         .name = "default.ttm",
                         .details = {}});

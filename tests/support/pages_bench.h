@@ -49,10 +49,11 @@ struct Pages : testing::Test, RobotOnBench {
     void show(MainWindow::Options options)
     {
         options.model = [] {
-            return Result<LoadedModel>(LoadedModel{
-                .estimate = [](const EstimateRequest&, const Watch&) { return stepEstimate(); },
-                .name = "fake.ttm",
-                .details = "made up"});
+            return Result<LoadedModel>(
+                LoadedModel{.estimate = [](const EstimateRequest&,
+                                           const Watch&) { return equalSides(stepEstimate()); },
+                            .name = "fake.ttm",
+                            .details = "made up"});
         };
         options.alarmSound = std::make_unique<CountingAlarmSound>(sounds);
         window = std::make_unique<MainWindow>(std::move(options));

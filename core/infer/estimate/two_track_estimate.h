@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
 #include "core/infer/estimate/estimate.h"
 
@@ -15,5 +16,13 @@ struct TwoTrackEstimate {
     bool onePlane = false;
     bool operator==(const TwoTrackEstimate&) const = default;
 };
+
+/// Returns the estimate of one plane for both sides.
+inline TwoTrackEstimate equalSides(TerrainEstimate plane)
+{
+    TwoTrackEstimate estimate{.side = {std::move(plane), {}}, .onePlane = true};
+    estimate.side[1] = estimate.side[0];
+    return estimate;
+}
 
 }  // namespace terratact

@@ -271,8 +271,8 @@ TEST_F(BusConsole, listenerAndReplayShowTheSameEstimates)
     ASSERT_TRUE(eventually([&] { return window->exploration().ended(); }));
     ASSERT_TRUE(eventually([&] { return replayed.all().size() == 2; }));
     ASSERT_EQ(made->all().size(), 2U);
-    EXPECT_EQ(std::ranges::count(made->all()[0].origin, Origin::Arm), 0);
-    EXPECT_EQ(std::ranges::count(made->all()[1].origin, Origin::Arm), 1);
+    EXPECT_EQ(std::ranges::count(made->all()[0].side[0].origin, Origin::Arm), 0);
+    EXPECT_EQ(std::ranges::count(made->all()[1].side[0].origin, Origin::Arm), 1);
     EXPECT_EQ(heard->all(), made->all());
     EXPECT_EQ(replayed.all(), made->all());
     ASSERT_EQ(ledger.size(), 1U);

@@ -102,7 +102,7 @@ TEST_F(Console, theVerdictFollowsTheLimitAndTheProbeThatIsChosen)
                             [](const EstimateRequest& request, const Watch&) {
                                 TerrainEstimate e = withDraws(stepEstimate());
                                 e.settings = request.settings;
-                                return e;
+                                return equalSides(e);
                             },
                         .name = "fake.ttm",
                         .details = {}});

@@ -57,7 +57,7 @@ TEST_F(Console, theWholeLoopByKeyboard)
     ASSERT_TRUE(robotIs(RobotActivity::Probing));
     QTest::keyRelease(window.get(), Qt::Key_Space);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    EXPECT_EQ(window->exploration().estimation().estimate()->origin[9], Origin::Arm);
+    EXPECT_EQ(window->exploration().estimation().estimate()->side[0].origin[9], Origin::Arm);
     ASSERT_TRUE(eventually([&] { return window->terrain()->binText(9).endsWith("arm"); }));
 
     QTest::keyPress(window.get(), Qt::Key_Up);
@@ -90,8 +90,9 @@ TEST_F(Console, aSecondMethodIsEstimatedBesideTheFirst)
     proposeByKeyboard();
     ASSERT_TRUE(
         eventually([&] { return window->exploration().estimation().second().has_value(); }));
-    EXPECT_EQ(window->exploration().estimation().second()->settings.method, Method::Pafc);
-    EXPECT_EQ(window->exploration().estimation().estimate()->settings.method, Method::Local);
+    EXPECT_EQ(window->exploration().estimation().second()->side[0].settings.method, Method::Pafc);
+    EXPECT_EQ(window->exploration().estimation().estimate()->side[0].settings.method,
+              Method::Local);
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe);
     window->exploration().setSecondMethod(std::nullopt);
     EXPECT_FALSE(window->exploration().estimation().second());

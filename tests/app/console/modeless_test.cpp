@@ -60,7 +60,7 @@ struct Modeless : testing::Test, RobotOnBench {
                     .received = [to = recorder](auto frames) { to->add(frames); }});
         options.model = [] {
             const auto estimate = [](const EstimateRequest&, const Watch&) {
-                return stepEstimate();
+                return equalSides(stepEstimate());
             };
             return Result<LoadedModel>({.estimate = estimate, .name = "fake.ttm", .details = {}});
         };

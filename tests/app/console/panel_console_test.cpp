@@ -46,7 +46,7 @@ struct PanelConsole : testing::Test {
                     [](const EstimateRequest& request, const Watch&) {
                         TerrainEstimate e = request.arm.empty() ? stepEstimate() : probedEstimate();
                         e.settings = request.settings;
-                        return e;
+                        return equalSides(e);
                     },
                 .name = "fake.ttm",
                 .details = {}});

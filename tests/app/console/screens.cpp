@@ -251,9 +251,10 @@ ModelLoader Screens::altered()
                 watch.progress(0.4);
                 std::this_thread::sleep_for(2ms);
             }
-            TerrainEstimate made = estimate(request, watch);
+            TwoTrackEstimate made = estimate(request, watch);
             const std::scoped_lock lock(mutex_);
-            if (alters_) alters_(made);
+            for (TerrainEstimate& side : made.side)
+                if (alters_) alters_(side);
             return made;
         };
         return changed;

@@ -192,7 +192,7 @@ std::optional<double> limitFor(const Estimation& estimation, StepVerdict stepVer
     for (int centimetres = 2; centimetres <= 50; ++centimetres) {
         const double limit = 0.01 * centimetres;
         const Measurement& scene = estimation.scene()->measurement;
-        const Verdict verdict = verdictOf(*estimation.estimate(), scene, {}, limit);
+        const Verdict verdict = verdictOf(estimation.estimate()->side[0], scene, {}, limit);
         if (verdict.stepVerdict == stepVerdict
             && (!found || std::abs(limit - kStepLimit) < std::abs(*found - kStepLimit)))
             found = limit;

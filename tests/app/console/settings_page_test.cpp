@@ -67,11 +67,12 @@ struct SettingsInForce : testing::Test {
             SimulatedRobot(options.robot, demoTerrain(), simulation), told);
         options.exploration.linkLostAfter = 3.0;  // long, because the machine may be busy
         options.model = [] {
-            return Result<LoadedModel>(LoadedModel{
-                .estimate = [](const EstimateRequest&, const Watch&) { return stepEstimate(); },
-                .name = "fake.ttm",
-                .details = {},
-                .content = "measured"});
+            return Result<LoadedModel>(
+                LoadedModel{.estimate = [](const EstimateRequest&,
+                                           const Watch&) { return equalSides(stepEstimate()); },
+                            .name = "fake.ttm",
+                            .details = {},
+                            .content = "measured"});
         };
         options.recorder = std::make_shared<SessionRecorder>(
             SessionRecorder::Options{.folder = directory.file("sessions"), .start = {}});

@@ -121,7 +121,7 @@ struct Busy {
                     double began;
                     ~Count() { busy.seconds = busy.seconds + steadyNow() - began; }
                 } const count{*this, began};
-                TerrainEstimate last = estimate(request, watch);
+                TwoTrackEstimate last = estimate(request, watch);
                 for (++estimates; steadyNow() - began < kOneEstimate; ++estimates) {
                     if (watch.cancelled()) throw Cancelled{};
                     last = estimate(request, watch);

@@ -36,7 +36,7 @@ std::unique_ptr<MainWindow> openConsole()
                                [](const EstimateRequest& request, const Watch&) {
                                    TerrainEstimate e = stepEstimate();
                                    e.settings = request.settings;
-                                   return e;
+                                   return equalSides(e);
                                },
                            .name = "fake.ttm",
                            .details = {}};

@@ -103,7 +103,7 @@ TEST_F(Bench, telemetryIsEstimatedLiveWhileTheFlippersMove)
         return estimates >= 5;
     }));
     ASSERT_TRUE(exploration->estimation().live());
-    EXPECT_EQ(exploration->estimation().live()->settings.method, Method::Local);
+    EXPECT_EQ(exploration->estimation().live()->side[0].settings.method, Method::Local);
     EXPECT_FALSE(exploration->estimation().estimate());
     EXPECT_FALSE(exploration->proposal()) << "a preview proposes nothing";
 
@@ -173,7 +173,7 @@ TEST_F(Bench, samplersPrepareOnceWhileTheFlippersMove)
         tick();
         return exploration->estimation().live().has_value();
     }));
-    EXPECT_EQ(exploration->estimation().live()->settings.method, Method::Local)
+    EXPECT_EQ(exploration->estimation().live()->side[0].settings.method, Method::Local)
         << "it shows nothing";
 
     const int before = estimates;
@@ -184,7 +184,7 @@ TEST_F(Bench, samplersPrepareOnceWhileTheFlippersMove)
     EXPECT_EQ(lastAsked().settings.method, Method::Local) << "once is enough";
     telemetry.activity = RobotActivity::Pressed;
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
-    EXPECT_EQ(exploration->estimation().estimate()->settings.method, Method::Pafc);
+    EXPECT_EQ(exploration->estimation().estimate()->side[0].settings.method, Method::Pafc);
 }
 
 TEST_F(Bench, secondMethodIsNotPreparedWhileFlippersMove)

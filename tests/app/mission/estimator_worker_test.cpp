@@ -26,7 +26,7 @@ struct Listener : QObject {
         connect(&worker, &EstimatorWorker::modelFailed, this,
                 [this](const Message& why) { noModel << translated(why); });
         connect(&worker, &EstimatorWorker::estimated, this,
-                [this](int job, const TerrainEstimate& e, double seconds) {
+                [this](int job, const TwoTrackEstimate& e, double seconds) {
                     estimated << job;
                     last = e;
                     EXPECT_GE(seconds, 0.0);
@@ -39,7 +39,7 @@ struct Listener : QObject {
     }
     QStringList loaded, noModel, reasons;
     QList<int> estimated, failed;
-    TerrainEstimate last;
+    TwoTrackEstimate last;
 };
 
 ModelLoader loaderOf(Estimator estimator)
@@ -69,7 +69,7 @@ struct Gate {
             }
             TerrainEstimate e = stepEstimate();
             e.settings = request.settings;
-            return e;
+            return equalSides(e);
         };
     }
 };
@@ -92,7 +92,7 @@ TEST(Worker, loadsTheModelThenEstimates)
     ASSERT_TRUE(gui::eventually([&] { return !heard.estimated.isEmpty(); }));
     EXPECT_EQ(heard.loaded, QStringList{"fake.ttm"});
     EXPECT_EQ(heard.estimated, QList<int>{job});
-    EXPECT_EQ(heard.last.settings.seed, 5U);
+    EXPECT_EQ(heard.last.side[0].settings.seed, 5U);
     EXPECT_FALSE(worker.progress());
 }
 
@@ -114,7 +114,7 @@ TEST(Worker, theNewestRequestWins)
     gate.open = true;
     ASSERT_TRUE(gui::eventually([&] { return !heard.estimated.isEmpty(); }));
     EXPECT_EQ(heard.estimated, QList<int>{last});
-    EXPECT_EQ(heard.last.settings.seed, 20U);
+    EXPECT_EQ(heard.last.side[0].settings.seed, 20U);
     EXPECT_EQ(gate.started, 2);
     EXPECT_TRUE(heard.failed.isEmpty()) << "being overtaken is no failure";
 }
@@ -133,14 +133,14 @@ TEST(Worker, cancelEndsTheJobWithoutAResult)
     gate.open = true;
     worker.request(withSeed(2));
     ASSERT_TRUE(gui::eventually([&] { return !heard.estimated.isEmpty(); }));
-    EXPECT_EQ(heard.last.settings.seed, 2U);
+    EXPECT_EQ(heard.last.side[0].settings.seed, 2U);
     EXPECT_EQ(heard.estimated.size(), 1);
     EXPECT_TRUE(heard.failed.isEmpty());
 }
 
 TEST(Worker, anErrorOfTheEstimateIsReported)
 {
-    EstimatorWorker worker(loaderOf([](const EstimateRequest&, const Watch&) -> TerrainEstimate {
+    EstimatorWorker worker(loaderOf([](const EstimateRequest&, const Watch&) -> TwoTrackEstimate {
         throw std::invalid_argument("draws must be 1 or more");
     }));
     Listener heard(worker);
@@ -242,7 +242,7 @@ TEST(Worker, endsSamplingAtTheTimeLimit)
                                                            if (watch.outOfTime() && ++ended) break;
                                                            std::this_thread::sleep_for(1ms);
                                                        }
-                                                       return stepEstimate();
+                                                       return equalSides(stepEstimate());
                                                    },
                                                .name = "fake.ttm",
                                                .details = {}});

@@ -188,7 +188,7 @@ TEST_F(Bench, aForgottenEstimateIsBroughtBackUntilTheRobotLeaves)
     ASSERT_NO_FATAL_FAILURE(propose());
     exploration->refuse(exploration->proposal()->id);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    const TerrainEstimate shown = *exploration->estimation().estimate();
+    const TwoTrackEstimate shown = *exploration->estimation().estimate();
     exploration->forgetResult();
     ASSERT_TRUE(reaches(AtemPhase::Idle));
     EXPECT_FALSE(exploration->estimation().estimate());

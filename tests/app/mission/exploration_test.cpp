@@ -27,7 +27,7 @@ TEST_F(Bench, theWholeLoop)
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
     ASSERT_TRUE(exploration->proposal());
     EXPECT_EQ(exploration->proposal()->bin, kBin06);
-    EXPECT_EQ(exploration->estimation().estimate()->settings.method, Method::Local);
+    EXPECT_EQ(exploration->estimation().estimate()->side[0].settings.method, Method::Local);
     const int pressed = estimates;  // live previews while the flippers moved
 
     exploration->approve(exploration->proposal()->id);
@@ -41,8 +41,8 @@ TEST_F(Bench, theWholeLoop)
     telemetry.activity = RobotActivity::Pressed;
     telemetry.arm = ArmReading{.bin = kBin06, .height = -0.04, .sd = 0.03};
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    EXPECT_EQ(exploration->estimation().estimate()->origin[kBin06], Origin::Arm);
-    EXPECT_EQ(exploration->estimation().estimate()->settings.method, Method::Local);
+    EXPECT_EQ(exploration->estimation().estimate()->side[0].origin[kBin06], Origin::Arm);
+    EXPECT_EQ(exploration->estimation().estimate()->side[0].settings.method, Method::Local);
     EXPECT_EQ(estimates, pressed + 1);
     EXPECT_EQ(exploration->estimation().counts().estimates, 2U) << "previews do not count";
     EXPECT_EQ(exploration->estimation().counts().contradicting, 0U);

@@ -76,7 +76,7 @@ TEST_F(PassiveExplorationBench, updatesTheEstimateWithAReadingAndScoresItOnce)
     robotPresses();
     const ArmReading reading{.bin = kBin06, .height = -0.04, .sd = 0.03};
     ASSERT_TRUE(probes(reading));
-    EXPECT_EQ(exploration->estimation().estimate()->origin[kBin06], Origin::Arm);
+    EXPECT_EQ(exploration->estimation().estimate()->side[0].origin[kBin06], Origin::Arm);
     EXPECT_EQ(lastAsked().arm, std::vector{reading});
     tick(20);
     EXPECT_EQ(phase(), AtemPhase::Presenting) << "the same reading is no news";
