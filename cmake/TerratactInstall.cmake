@@ -19,7 +19,7 @@ if(TERRATACT_GUI)
 endif()
 
 install(TARGETS ${_programs})
-install(FILES ${_resources}/models/default.ttm ${_resources}/models/default.card.toml ${_resources}/models/default.presets.csv ${_resources}/models/two_tracks.ttm
+install(FILES ${_resources}/models/default.ttm ${_resources}/models/default.card.toml ${_resources}/models/default.presets.csv ${_resources}/models/one_plane.ttm
   DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/models)
 install(FILES ${_resources}/robots/absolem.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/robots)
 install(FILES ${_resources}/sessions/demo.tts DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/sessions)

@@ -39,7 +39,7 @@ say '# Evaluation' '' \
   'The command above each number printed it. This command made the whole page,' '' \
   "    docs/evaluate.sh path/to/terratact $(basename "$profiles") [INDEX.csv COLUMN]" '' \
   'with the shipped model, which was trained on simulated drives over generated ground alone' \
-  '(`resources/models/make_default.sh`). Brackets are 95 % bootstrap intervals over whole drives.' \
+  '(`resources/models/make_one_plane.sh`). Brackets are 95 % bootstrap intervals over whole drives.' \
   'median\* is the median over bins -0.3 to 0.5. The baselines are fitted on the same training scenes.' \
   'Milliseconds are wall-clock time on a machine that does other work, too. [tradeoff.md](tradeoff.md) measures the cost of the methods.' \
   '[two_tracks.md](two_tracks.md) judges estimates of left and right.'

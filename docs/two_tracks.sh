@@ -28,7 +28,7 @@ say '# Two tracks' '' \
   'The command above each number printed it. This command made the whole page,' '' \
   "    docs/two_tracks.sh path/to/terratact $(basename "$pairs")" '' \
   'with the shipped model. Its two tracks learnt from simulated drives over generated ground alone' \
-  '(`resources/models/make_two_tracks.sh`). Errors are those of each side. Bins from -0.3 to +0.2 m are those of the track'"'"'s line,' \
+  '(`resources/models/make_default.sh`). Errors are those of each side. Bins from -0.3 to +0.2 m are those of the track'"'"'s line,' \
   'bins from +0.3 m on those of the flippers'"'"' line. The approaches are' '' \
   '- `two tracks`: both sides together; a scene that is symmetric within its noise is estimated as one plane;' \
   '- `always two`: both sides together in every scene;' \

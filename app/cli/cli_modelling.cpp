@@ -157,7 +157,7 @@ void addReconstruct(CLI::App& app, Job& job)
     addSettings(*c, o->settings, o->seconds);
     c->callback([o, &job] {
         useShippedRobot(o->robot);
-        o->tracks ? useShippedTracks(o->model) : useShippedModel(o->model);
+        useShippedModel(o->model);
         job = [o] { return reconstructScenes(*o); };
     });
 }
@@ -209,7 +209,7 @@ void addEvaluate(CLI::App& app, Job& job, const Words& words)
         o->methods = methodsFrom(*methods);
         o->command = commandLine(without("--out", without("--shard", words)));
         useShippedRobot(o->robot);
-        o->tracks ? useShippedTracks(o->model) : useShippedModel(o->model);
+        useShippedModel(o->model);
         job = [o] { return evaluate(*o); };
     });
 }

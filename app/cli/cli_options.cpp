@@ -161,12 +161,7 @@ void useShippedRobot(std::string& robot)
 
 void useShippedModel(std::string& model)
 {
-    if (model.empty()) model = resourcePath("models/default.ttm");
-}
-
-void useShippedTracks(std::string& model)
-{
-    if (model.empty()) model = resourcePath("models/two_tracks.ttm");
+    if (model.empty()) model = shippedModelPath();
 }
 
 void addMethod(CLI::App& app, Settings& settings)

@@ -147,7 +147,7 @@ void addSessionWhatIf(CLI::App& session, Job& job)
              "not the shipped one");
     addTextOutput(*c, "--out", o->out, "CSV to write, a row for each bin");
     c->callback([o, &job] {
-        useShippedModel(o->rerun.shippedModel);
+        o->rerun.shippedModels = shippedModelPaths();
         job = [o] { return whatIf(*o); };
     });
 }

@@ -9,7 +9,7 @@ namespace {
 
 QString shippedModel()
 {
-    return QString::fromStdString(resourcePath("models/default.ttm"));
+    return QString::fromStdString(shippedModelPath());
 }
 
 QString preferredModel(const Preferences& preferences)

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <set>
 #include <utility>
@@ -82,7 +81,7 @@ Result<std::string> SessionReruns::modelPath(const SessionReader& session, const
         return fileError(session.path(),
                          fmt::format("estimate {}: its model is not there", row.id));
     if (options_.model.empty()) {
-        const auto path = modelFileOf(*model, std::array{options_.shippedModel});
+        const auto path = modelFileOf(*model, options_.shippedModels);
         recordedOne = true;
         if (path) return *path;
         return Error{path.error().text + "; --model FILE names it or another"};

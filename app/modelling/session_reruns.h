@@ -61,9 +61,9 @@ struct RerunErrors {
 class SessionReruns {
 public:
     struct Options {
-        std::int64_t estimate = 0;  ///< 0: all estimates
-        std::string shippedModel;   ///< model to try if it is the session's
-        std::string model;          ///< model to estimate with; empty: the session's
+        std::int64_t estimate = 0;               ///< 0: all estimates
+        std::vector<std::string> shippedModels;  ///< models to try: one may be the session's
+        std::string model;                       ///< model to estimate with; empty: the session's
         RerunChanges changes{};
     };
     struct Hooks {

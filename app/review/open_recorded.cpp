@@ -38,11 +38,11 @@ Result<int> untilClosed(ConsoleWindow& window, const ConsoleOptions& options,
     return code;
 }
 
-/// Returns the candidate files for a session's model: the preferred one and the shipped one.
+/// Returns the candidate files for a session's model: the preferred one and the shipped ones.
 QStringList modelsFor(const ConsoleOptions& options, LoadedPreferences& loaded)
 {
-    QStringList models{QString::fromStdString(modelFor(options, loaded)),
-                       QString::fromStdString(resourcePath("models/default.ttm"))};
+    QStringList models{QString::fromStdString(modelFor(options, loaded))};
+    for (const std::string& path : shippedModelPaths()) models += QString::fromStdString(path);
     models.removeDuplicates();
     return models;
 }

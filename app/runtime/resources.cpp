@@ -10,4 +10,14 @@ std::string resourcePath(const std::string& name)
     return (program.parent_path().parent_path() / "share/terratact" / name).string();
 }
 
+std::string shippedModelPath()
+{
+    return resourcePath("models/default.ttm");
+}
+
+std::vector<std::string> shippedModelPaths()
+{
+    return {shippedModelPath(), resourcePath("models/one_plane.ttm")};
+}
+
 }  // namespace terratact

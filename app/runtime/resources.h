@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace terratact {
 
@@ -9,5 +10,11 @@ namespace terratact {
 /// sources' resources. No path of the build machine is compiled in. The reader of the file reports a missing file.
 /// Throws std::filesystem::filesystem_error without /proc.
 std::string resourcePath(const std::string& name);
+
+/// Returns the path of the shipped model, default.ttm, which holds two tracks and one plane.
+std::string shippedModelPath();
+
+/// Returns the paths of all shipped models: the former, and one_plane.ttm, the model of recordings from before it.
+std::vector<std::string> shippedModelPaths();
 
 }  // namespace terratact

@@ -46,7 +46,7 @@ std::string usableModel(const QString& preferred, std::vector<Message>& troubles
             return preferred.toStdString();
         troubles.push_back(modelNotUsed(preferred));
     }
-    return resourcePath("models/default.ttm");
+    return shippedModelPath();
 }
 
 Result<RobotFile> robotFor(const ConsoleOptions& options, LoadedPreferences& loaded)

@@ -9,7 +9,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 rm -f default.card.toml
 trained=$(TZ=UTC0 git log -1 --date=format-local:%Y-%m-%dT%H:%M:%SZ --format=%cd -- default.ttm)
-made=$(sed -n 's/^ *terratact simulate \(.*\) --out .*/\1/p' make_default.sh)
+made=$(sed -n 's/^ *terratact simulate \(.*\) --out .*/\1/p' make_one_plane.sh)
 "$terratact" model card default.ttm --trained "$trained" --terrain "terratact simulate $made"
 "$terratact" simulate --terrain varied --count 300 --soft-drives 0.3 --exact-truth --seed 2 --out "$folder/varied_seed_2.csv"
 "$terratact" evaluate --card --model default.ttm --data "$folder/varied_seed_2.csv" \

@@ -232,7 +232,7 @@ class Package(unittest.TestCase):
              f"{share}/doc/terratact/copyright", f"{share}/doc/terratact/changelog.gz", f"{share}/doc/terratact/can_demo.log"},
             self.files())
         shipped = {path.split("terratact/", 1)[1] for path in self.files() if path.startswith(f"{share}/terratact/")}
-        self.assertEqual(shipped, {"models/default.ttm", "models/default.card.toml", "models/default.presets.csv", "models/two_tracks.ttm",
+        self.assertEqual(shipped, {"models/default.ttm", "models/default.card.toml", "models/default.presets.csv", "models/one_plane.ttm",
                                    "robots/absolem.toml", "sessions/demo.tts",
                                    "dbc/terratact.dbc", "panels/example.toml"})
         for line in output("dpkg-deb", "-c", self.package).splitlines():

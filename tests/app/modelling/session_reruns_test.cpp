@@ -34,7 +34,7 @@ TEST(SessionReruns, errorsNameTheFile)
 TEST(SessionReruns, refusesAnEstimateThatDoesNotExist)
 {
     int opened = 0;
-    SessionReruns counting({.estimate = 999'999'999, .shippedModel = {}, .model = {}},
+    SessionReruns counting({.estimate = 999'999'999, .shippedModels = {}, .model = {}},
                            {.opened = [&](const SessionReader&) { ++opened; }, .watch = {}});
     const Status none = counting.add(kDemo);
     ASSERT_FALSE(none);
@@ -47,7 +47,7 @@ TEST(SessionReruns, refusesAnEstimateThatDoesNotExist)
 TEST(SessionReruns, aMissingModelLeavesNoRerun)
 {
     SessionReruns reruns({.estimate = 0,
-                          .shippedModel = TERRATACT_SOURCE_DIR "/no-such.ttm",
+                          .shippedModels = {TERRATACT_SOURCE_DIR "/no-such.ttm"},
                           .model = TERRATACT_SOURCE_DIR "/no-such.ttm"},
                          {});
     const Status none = reruns.add(kDemo);
