@@ -27,8 +27,9 @@ namespace {
 std::ptrdiff_t contradicting(const SessionReader& session)
 {
     const auto& estimates = session.estimates();
-    return std::count_if(estimates.begin(), estimates.end(),
-                         [](const EstimateRow& row) { return row.estimate.contradicts; });
+    return std::count_if(estimates.begin(), estimates.end(), [](const EstimateRow& row) {
+        return row.estimate.side[0].contradicts || row.estimate.side[1].contradicts;
+    });
 }
 
 std::size_t count(const SessionReader& session, EventKind kind)
@@ -130,7 +131,7 @@ void addMeasured(const SessionReader& session, const RobotModel& robot, const Sc
     for (const EstimateRow& estimate : session.estimates()) {
         if (estimate.scene != row.id) continue;
         readings = estimate.readings;
-        settings = estimate.estimate.settings;
+        settings = estimate.estimate.side[0].settings;
     }
     const Heights ceiling = bodyCeiling(robot, scene.s.pitch, scene.s.front, scene.s.rear);
     const MeasuredBins measured = measureBins(robot, scene.s, readings, ceiling, settings);

@@ -48,7 +48,8 @@ private:
     {
         const Differences& d = r.differences;
         printText(messages_, "{}: estimate {} of scene {} at {}, {}: ", r.session->path(), r.row.id,
-                  r.row.scene, momentText(r.row.time), name(r.row.estimate.settings.method));
+                  r.row.scene, momentText(r.row.time),
+                  name(r.row.estimate.side[0].settings.method));
         const bool identical = d.likeness == Match::Identical;
         if (r.asRecorded && identical) {
             printText(messages_, "reproduced bit for bit\n");
@@ -66,13 +67,13 @@ private:
         else if (r.asRecorded)
             printText(messages_, "NOT reproduced, heights differ by up to {:.1g} m\n", d.largest());
         else
-            printText(messages_, "now {}{}\n", name(r.again.settings.method),
+            printText(messages_, "now {}{}\n", name(r.again.side[0].settings.method),
                       identical ? ", the same bit for bit" : "");
         if (identical) return;
         printText(messages_, "   bin   height [m]           sd [mm]      80 % band [m]\n"
                              "   [m]   then     now  moved  then  now   then              now\n");
         for (std::size_t i = 0; i < kBins; ++i) {
-            const TerrainEstimate &a = r.row.estimate, &b = r.again;
+            const TerrainEstimate &a = r.row.estimate.side[0], &b = r.again.side[0];
             printText(messages_,
                       "  {:+.1f} {:+.3f}  {:+.3f}  {:+5.0f} {:5.0f} {:4.0f}   {:+.3f} … {:+.3f}   "
                       "{:+.3f} … {:+.3f}\n",

@@ -54,7 +54,7 @@ std::string poseText(const Measurement& m)
 
 std::string verdictText(const EstimateRow& row, const SceneRow& scene)
 {
-    const Verdict v = verdictOf(row.estimate, scene.measurement, {}, row.stepLimit);
+    const Verdict v = verdictOf(row.estimate.side[0], scene.measurement, {}, row.stepLimit);
     std::string text =
         fmt::format("{}: a step ahead of more than {:.2f} m has probability {:.0f} %",
                     describeStepVerdict(v), row.stepLimit, 100.0 * v.step.p);
@@ -298,13 +298,14 @@ Result<SessionReport> reportOf(SessionReader& session, std::int64_t wanted,
                                std::filesystem::path(session.path()).filename().string());
     report.verdict = verdictText(row, *scene);
     report.figure = {
-        .estimate = row.estimate,
-        .previous = rows.size() > 1 ? std::optional(rows[rows.size() - 2]->estimate) : std::nullopt,
+        .estimate = row.estimate.side[0],
+        .previous =
+            rows.size() > 1 ? std::optional(rows[rows.size() - 2]->estimate.side[0]) : std::nullopt,
         .outline = robotOutline(*robot, s.pitch, s.front, s.rear),
         .truth = scene->truth,
         .title = fmt::format("Estimate {}, {}", row.id, utcText(wallTimeOf(start, row.time))),
         .proposedBin = std::nullopt};
-    report.table = tableOf(row.estimate, *scene);
+    report.table = tableOf(row.estimate.side[0], *scene);
     report.facts = {
         {"source",
          fmt::format("{}, bus {}, recorded by {}", start.source, start.bus, start.program)},
@@ -312,12 +313,12 @@ Result<SessionReport> reportOf(SessionReader& session, std::int64_t wanted,
                                  utcText(wallTimeOf(start, scene->time)), momentText(scene->time))},
         {"estimated",
          fmt::format("{}, in {:.2f} s{}", momentText(row.time), row.seconds,
-                     row.estimate.ending == Ending::NotSampled
+                     row.estimate.side[0].ending == Ending::NotSampled
                          ? ""
-                         : fmt::format(", sampling ended: {}", name(row.estimate.ending)))},
+                         : fmt::format(", sampling ended: {}", name(row.estimate.side[0].ending)))},
         {"pose", poseText(scene->measurement)},
         {"arm", readingsText(row)},
-        {"settings", settingsText(row.estimate.settings)},
+        {"settings", settingsText(row.estimate.side[0].settings)},
         {"robot", fmt::format("{}, SHA-256 {}", robot->name, start.robotHash)},
         {"model", model ? fmt::format("{}, SHA-256 {}", model->name, model->hash) : "damaged"},
         {"session",
@@ -325,9 +326,9 @@ Result<SessionReport> reportOf(SessionReader& session, std::int64_t wanted,
                      found.damage.empty() && !found.broken ? "every hash holds"
                                                            : "PARTS ARE NOT WHAT WAS RECORDED",
                      found.chain)}};
-    if (!row.estimate.warnings.empty())
+    if (!row.estimate.side[0].warnings.empty())
         report.facts.insert(report.facts.begin(),
-                            {"warnings", english(row.estimate.warnings, "; ")});
+                            {"warnings", english(row.estimate.side[0].warnings, "; ")});
     report.events = eventsOf(session, *scene);
     return report;
 }

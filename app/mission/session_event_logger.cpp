@@ -101,7 +101,7 @@ void SessionEventLogger::logEstimate(bool second)
                                     : EstimateRole::Again;
     row.seconds = second ? 0.0 : estimation.seconds();
     row.stepLimit = exploration_.options().stepLimit;
-    row.estimate = (second ? *estimation.second() : *estimation.estimate()).side[0];
+    row.estimate = second ? *estimation.second() : *estimation.estimate();
     const std::int64_t id = recorder_->record(std::move(row));
     if (!second) estimate_ = id;
 }
@@ -126,9 +126,10 @@ void SessionEventLogger::logProposal()
                     .bitsBefore = p->bitsBefore,
                     .grounds = exploration_.proposedOn()};
     if (p->worth)
-        row.offers.push_back({p->worth->bin, p->worth->varianceShare, p->worth->bitsAfter});
+        row.offers.push_back(
+            {p->worth->bin, p->worth->varianceShare, p->worth->bitsAfter, p->side});
     for (const ProbeWorth& other : p->others)
-        row.offers.push_back({other.bin, other.varianceShare, other.bitsAfter});
+        row.offers.push_back({other.bin, other.varianceShare, other.bitsAfter, p->side});
     proposal_ = recorder_->record(std::move(row));
 }
 

@@ -105,12 +105,12 @@ Status SessionReruns::repeat(SessionReader& session, const EstimateRow& row)
     if (!before) return before.error();
     const Watch watch = hooks_.watch ? hooks_.watch(row) : Watch{};
     if (watch.cancelled && watch.cancelled()) throw Cancelled{};
-    const Settings settings = changed(row.estimate.settings, options_.changes);
+    const Settings settings = changed(row.estimate.side[0].settings, options_.changes);
     auto again = estimateAgain(session, row, (*bundle)->models, settings, watch);
     if (!again) return again.error();
     Rerun rerun{.session = &session, .row = row, .again = std::move(*again), .differences = {}};
     rerun.row.estimate = std::move(*before);
-    rerun.asRecorded = recordedModel && settings == row.estimate.settings;
+    rerun.asRecorded = recordedModel && settings == row.estimate.side[0].settings;
     rerun.differences = differencesBetween(rerun.row.estimate, rerun.again,
                                            session.scene(row.scene)->measurement, row.stepLimit);
     reruns_.push_back(std::move(rerun));
@@ -135,9 +135,9 @@ RerunErrors SessionReruns::errors() const
     RerunErrors errors;
     for (std::size_t k = 0; k < reruns_.size(); ++k) {
         const Scene scene = evaluated(*reruns_[k].session->scene(reruns_[k].row.scene));
-        for (const BinError& e : binErrors(k, scene, "then", reruns_[k].row.estimate))
+        for (const BinError& e : binErrors(k, scene, "then", reruns_[k].row.estimate.side[0]))
             errors.then.push_back(e);
-        for (const BinError& e : binErrors(k, scene, "now", reruns_[k].again))
+        for (const BinError& e : binErrors(k, scene, "now", reruns_[k].again.side[0]))
             errors.now.push_back(e);
     }
     return errors;
@@ -156,9 +156,10 @@ RerunLedgers SessionReruns::laterProbes(const SessionReader& session) const
         if (!before) continue;
         for (std::size_t k = before->row.readings.size(); k < later.row.readings.size(); ++k) {
             const ArmReading& reading = later.row.readings[k];
-            ledgers.then.record(before->row.estimate, reading.bin, reading.height, reading.sd,
-                                Origin::Arm);
-            ledgers.now.record(before->again, reading.bin, reading.height, reading.sd, Origin::Arm);
+            ledgers.then.record(before->row.estimate.side[0], reading.bin, reading.height,
+                                reading.sd, Origin::Arm);
+            ledgers.now.record(before->again.side[0], reading.bin, reading.height, reading.sd,
+                               Origin::Arm);
         }
     }
     return ledgers;
@@ -175,8 +176,8 @@ RerunLedgers SessionReruns::laterPoses(SessionReader& session) const
         const auto found = last.find(session.scenes()[scene].id);
         ofScene.push_back(found == last.end() ? nullptr : found->second);
         if (!ofScene.back()) continue;
-        estimates.push_back({scene, &ofScene.back()->row.estimate});
-        estimates.push_back({scene, &ofScene.back()->again});
+        estimates.push_back({scene, &ofScene.back()->row.estimate.side[0]});
+        estimates.push_back({scene, &ofScene.back()->again.side[0]});
     }
     RerunLedgers ledgers;
     const auto robot = robotOf(session);
@@ -185,7 +186,7 @@ RerunLedgers SessionReruns::laterPoses(SessionReader& session) const
         if (!ofScene[pose.scene]) continue;
         CalibrationLedger& ledger = pose.estimate % 2 == 0 ? ledgers.then : ledgers.now;
         ledger.record(*estimates[pose.estimate].estimate, pose.ghost,
-                      ofScene[pose.scene]->row.estimate);
+                      ofScene[pose.scene]->row.estimate.side[0]);
     }
     return ledgers;
 }
@@ -196,7 +197,7 @@ std::string SessionReruns::csv() const
                        "sd_then_m,sd_now_m,q10_then_m,q10_now_m,q90_then_m,q90_now_m,truth_m,"
                        "identical,verdict_then,verdict_now\n";
     for (const Rerun& r : reruns_) {
-        const TerrainEstimate &a = r.row.estimate, &b = r.again;
+        const TerrainEstimate &a = r.row.estimate.side[0], &b = r.again.side[0];
         const SceneRow* scene = r.session->scene(r.row.scene);
         for (std::size_t i = 0; i < kBins; ++i)
             text += csvLine(

@@ -32,12 +32,12 @@ struct RerunChanges {
 struct Rerun {
     const SessionReader* session = nullptr;
     EstimateRow row;  ///< with draws
-    TerrainEstimate again;
+    TwoTrackEstimate again;
     Differences differences;
     bool asRecorded = false;  ///< no change was requested
 
     /// Returns true if time ended the recorded sampling, which cannot be reproduced.
-    bool endedByTime() const { return row.estimate.ending == Ending::Time; }
+    bool endedByTime() const { return row.estimate.side[0].ending == Ending::Time; }
     /// Returns true if the recomputation should equal the recording, and does not.
     bool failed() const
     {

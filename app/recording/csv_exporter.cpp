@@ -74,7 +74,7 @@ public:
     bool write(const EstimateRow& row) override
     {
         if (what_ != ExportKind::Estimates) return false;
-        const TerrainEstimate& e = row.estimate;
+        const TerrainEstimate& e = row.estimate.side[0];
         const SceneRow* scene = session_.scene(row.scene);
         for (std::size_t i = 0; i < kBins; ++i)
             out_ << csvLine({moment(row.time), row.id, row.scene, name(row.role),

@@ -213,7 +213,7 @@ private:
 
     std::string estimateJson(const EstimateRow& row) const
     {
-        const TerrainEstimate& e = row.estimate;
+        const TerrainEstimate& e = row.estimate.side[0];
         const SceneRow* scene = session_.scene(row.scene);
         std::string bins, warnings;
         for (std::size_t i = 0; i < kBins; ++i) {

@@ -120,7 +120,7 @@ Status SessionMerger::add(EstimateRow row)
     row.id = static_cast<std::int64_t>(estimates_.size()) + 1;
     ids_.estimate[old] = row.id;
     estimates_.push_back(row);
-    row.estimate.draws = std::move(*draws);
+    setDraws(row.estimate, std::move(*draws));
     return writer_.add(row);
 }
 

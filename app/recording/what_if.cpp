@@ -51,7 +51,15 @@ bool alike(const TerrainEstimate& a, const TerrainEstimate& b, Same same)
         && english(a.warnings, "\n") == english(b.warnings, "\n");
 }
 
-Match likenessOf(const TerrainEstimate& a, const TerrainEstimate& b)
+/// Compares both sides.
+template <class Same>
+bool alike(const TwoTrackEstimate& a, const TwoTrackEstimate& b, Same same)
+{
+    return a.onePlane == b.onePlane && alike(a.side[0], b.side[0], same)
+        && alike(a.side[1], b.side[1], same);
+}
+
+Match likenessOf(const TwoTrackEstimate& a, const TwoTrackEstimate& b)
 {
     if (alike(a, b, Alike<sameBits>{})) return Match::Identical;
     return alike(a, b, Alike<nearly>{}) ? Match::LastBits : Match::Other;
@@ -81,12 +89,12 @@ Result<std::string> modelFileOf(const ModelRow& row, std::span<const std::string
     return Error{std::move(missing)};
 }
 
-Result<TerrainEstimate> recordedEstimate(SessionReader& session, const EstimateRow& row)
+Result<TwoTrackEstimate> recordedEstimate(SessionReader& session, const EstimateRow& row)
 {
     auto draws = session.draws(row.id);
     if (!draws) return draws.error();
-    TerrainEstimate estimate = row.estimate;
-    estimate.draws = std::move(*draws);
+    TwoTrackEstimate estimate = row.estimate;
+    setDraws(estimate, std::move(*draws));
     return estimate;
 }
 
@@ -104,9 +112,9 @@ Status requireModest(const Settings& settings)
     return Done{};
 }
 
-Result<TerrainEstimate> estimateAgain(const SessionReader& session, const EstimateRow& row,
-                                      const Models& models, const Settings& settings,
-                                      const Watch& watch)
+Result<TwoTrackEstimate> estimateAgain(const SessionReader& session, const EstimateRow& row,
+                                       const Models& models, const Settings& settings,
+                                       const Watch& watch)
 {
     const auto robot = robotOf(session);
     if (!robot) return robot.error();
@@ -122,7 +130,7 @@ Result<TerrainEstimate> estimateAgain(const SessionReader& session, const Estima
                                                    *robot, models, settings, watch);
         warnIfNotPlanar(estimate, scene->measurement);  // equals the console
         writePosteriorCheck(estimate, proprioception(scene->measurement), *robot, pollOf(watch));
-        return estimate;
+        return equalSides(std::move(estimate));
     } catch (const std::exception& refused) {  // the recorded scene cannot be estimated
         return fileError(session.path(),
                          Message(TR_NOOP("core", "estimate %1: %2"), row.id, refused.what()));
@@ -134,18 +142,19 @@ double Differences::largest() const
     return std::abs(bin[static_cast<std::size_t>(largestBin)].height);
 }
 
-Differences differencesBetween(const TerrainEstimate& before, const TerrainEstimate& after,
+Differences differencesBetween(const TwoTrackEstimate& before, const TwoTrackEstimate& after,
                                const Measurement& scene, double stepLimit)
 {
-    Differences result{.before = verdictOf(before, scene, {}, stepLimit),
-                       .after = verdictOf(after, scene, {}, stepLimit),
+    const TerrainEstimate &was = before.side[0], &is = after.side[0];
+    Differences result{.before = verdictOf(was, scene, {}, stepLimit),
+                       .after = verdictOf(is, scene, {}, stepLimit),
                        .likeness = likenessOf(before, after)};
     for (std::size_t i = 0; i < kBins; ++i) {
-        result.bin[i] = {.mean = after.mean[i] - before.mean[i],
-                         .sd = after.sd[i] - before.sd[i],
-                         .q10 = after.q10[i] - before.q10[i],
-                         .q90 = after.q90[i] - before.q90[i],
-                         .height = after.height[i] - before.height[i]};
+        result.bin[i] = {.mean = is.mean[i] - was.mean[i],
+                         .sd = is.sd[i] - was.sd[i],
+                         .q10 = is.q10[i] - was.q10[i],
+                         .q90 = is.q90[i] - was.q90[i],
+                         .height = is.height[i] - was.height[i]};
         if (std::abs(result.bin[i].height) > result.largest())
             result.largestBin = static_cast<int>(i);
     }

@@ -21,16 +21,16 @@ Result<RobotModel> robotOf(const SessionReader& session);
 Result<std::string> modelFileOf(const ModelRow& row, std::span<const std::string> paths);
 
 /// Returns a recorded estimate with its draws. Errors name the session's file.
-Result<TerrainEstimate> recordedEstimate(SessionReader& session, const EstimateRow& row);
+Result<TwoTrackEstimate> recordedEstimate(SessionReader& session, const EstimateRow& row);
 
 /// Recomputes the estimate of the row's scene with its probe readings, in their order, and the session's robot. models:
 /// for that robot. Errors name the session's file; settings above requireModest() are errors. Throws Cancelled. With
 /// the row's own model and settings the result is bit-identical to the recording. This needs the same version and
 /// vector instructions, one BLAS thread, and a sampling that time did not end (Ending::Time). Otherwise Match::LastBits
 /// may result.
-Result<TerrainEstimate> estimateAgain(const SessionReader& session, const EstimateRow& row,
-                                      const Models& models, const Settings& settings,
-                                      const Watch& watch = {});
+Result<TwoTrackEstimate> estimateAgain(const SessionReader& session, const EstimateRow& row,
+                                       const Models& models, const Settings& settings,
+                                       const Watch& watch = {});
 
 /// Returns an Error that names the setting if settings would compute for days; a file can ask for that. The bounds are
 /// far above all recorded settings.
@@ -65,7 +65,7 @@ struct Differences {
 };
 
 /// stepLimit: obstacle height of the verdicts [m]. Throws the exceptions of verdictOf().
-Differences differencesBetween(const TerrainEstimate& before, const TerrainEstimate& after,
+Differences differencesBetween(const TwoTrackEstimate& before, const TwoTrackEstimate& after,
                                const Measurement& scene, double stepLimit);
 
 }  // namespace terratact

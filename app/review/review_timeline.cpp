@@ -60,11 +60,13 @@ void addRows(Timeline& timeline, const SessionReader& session)
     for (const EstimateRow& row : session.estimates())
         laneOf(timeline, ReviewLane::Estimates).marks
             << TimelineMark{secondsOf(row.time),
-                            row.estimate.converged ? TimelineWeight::Good : TimelineWeight::Doubt,
+                            row.estimate.side[0].converged && row.estimate.side[1].converged
+                                ? TimelineWeight::Good
+                                : TimelineWeight::Doubt,
                             ReviewWords::tr("estimate %1 of scene %2, %3")
                                 .arg(row.id)
                                 .arg(row.scene)
-                                .arg(format::text(name(row.estimate.settings.method)))};
+                                .arg(format::text(name(row.estimate.side[0].settings.method)))};
     for (const ProposalRow& row : session.proposals())
         laneOf(timeline, ReviewLane::Probes).marks
             << TimelineMark{secondsOf(row.time), TimelineWeight::Doubt,

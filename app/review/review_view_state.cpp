@@ -56,7 +56,7 @@ double ReviewViewState::limit(const ReviewMoment& moment) const
 std::optional<Verdict> ReviewViewState::verdict(const ReviewMoment& moment) const
 {
     if (!moment.estimate || !moment.scene) return std::nullopt;
-    return verdictOf(moment.estimate->estimate, moment.scene->measurement,
+    return verdictOf(moment.estimate->estimate.side[0], moment.scene->measurement,
                      {.telemetryFresh = isTelemetryFresh(moment),
                       .unbroken = moment.unbroken,
                       .sensorsSound = moment.sensorsSound},
@@ -65,12 +65,12 @@ std::optional<Verdict> ReviewViewState::verdict(const ReviewMoment& moment) cons
 
 double ReviewViewState::threshold(const ReviewMoment& moment, const Preferences& preferences)
 {
-    return moment.estimate ? moment.estimate->estimate.settings.forceThreshold
+    return moment.estimate ? moment.estimate->estimate.side[0].settings.forceThreshold
                            : preferences.forceThreshold;
 }
 
 TerrainViewState ReviewViewState::terrain(const ReviewMoment& moment,
-                                          const Revised<TerrainEstimate>& whatIf,
+                                          const Revised<TwoTrackEstimate>& whatIf,
                                           const Preferences& preferences)
 {
     TerrainViewState viewState{.now = secondsOf(moment.time)};
@@ -108,21 +108,22 @@ void ReviewViewState::addMeasured(TerrainViewState& viewState, const ReviewMomen
 }
 
 void ReviewViewState::addEstimates(TerrainViewState& viewState, const ReviewMoment& moment,
-                                   const Revised<TerrainEstimate>& whatIf) const
+                                   const Revised<TwoTrackEstimate>& whatIf) const
 {
     const EstimateRow* const row = moment.estimate.get();
     if (row) {
-        viewState.estimate = {&row->estimate, revisionOf(row)};
+        viewState.estimate = {&row->estimate.side[0], revisionOf(row)};
         viewState.estimateSeconds = row->seconds;
         viewState.verdict = verdict(moment);
     }
     if (whatIf && row) {
         // A revision that no recorded estimate has.
-        viewState.second = {&*whatIf, 2 * whatIf.revision() + 1};
-        viewState.secondName = tr("what if: %1").arg(format::text(name(whatIf->settings.method)));
+        viewState.second = {&whatIf->side[0], 2 * whatIf.revision() + 1};
+        viewState.secondName =
+            tr("what if: %1").arg(format::text(name(whatIf->side[0].settings.method)));
     } else if (moment.second) {
-        viewState.second = {&moment.second->estimate, 2 * revisionOf(moment.second.get())};
-        viewState.secondName = format::text(name(moment.second->estimate.settings.method));
+        viewState.second = {&moment.second->estimate.side[0], 2 * revisionOf(moment.second.get())};
+        viewState.secondName = format::text(name(moment.second->estimate.side[0].settings.method));
     }
     viewState.whyNoEstimate =
         moment.forgotten.empty() ? tr("No estimate at this time") : translated(moment.forgotten);
@@ -153,8 +154,8 @@ void ReviewViewState::addProbe(TerrainViewState& viewState, const ReviewMoment& 
         if (moment.state.phase == AtemPhase::Probing) viewState.probingBin = row->bin;
     } else if (moment.estimate) {
         viewState.bestProbe =
-            bestProbe({moment.estimate->estimate, adviceOf(moment.estimate, limit(moment)), robot_,
-                       ProbeProposal{}.seconds, policy});
+            bestProbe({moment.estimate->estimate.side[0], adviceOf(moment.estimate, limit(moment)),
+                       robot_, ProbeProposal{}.seconds, policy});
     }
 }
 
@@ -163,7 +164,7 @@ const ProbeAdvice& ReviewViewState::adviceOf(const std::shared_ptr<const Estimat
 {
     if (advised_ != estimate || advice_.stepLimit != limit) {
         advised_ = estimate;
-        advice_ = adviseProbe(advised_->estimate, robot_, limit);
+        advice_ = adviseProbe(advised_->estimate.side[0], robot_, limit);
     }
     return advice_;
 }

@@ -41,13 +41,13 @@ public:
 
     /// Returns the state of the terrain page. whatIf: the same scene with other settings; the page shows it as second
     /// estimate. The result points into `moment`, `whatIf` and this object; it is valid until the next call.
-    TerrainViewState terrain(const ReviewMoment& moment, const Revised<TerrainEstimate>& whatIf,
+    TerrainViewState terrain(const ReviewMoment& moment, const Revised<TwoTrackEstimate>& whatIf,
                              const Preferences& preferences);
 
 private:
     void addMeasured(TerrainViewState& viewState, const ReviewMoment& moment, double threshold);
     void addEstimates(TerrainViewState& viewState, const ReviewMoment& moment,
-                      const Revised<TerrainEstimate>& whatIf) const;
+                      const Revised<TwoTrackEstimate>& whatIf) const;
     void addGhost(TerrainViewState& viewState, const ReviewMoment& moment);
     void addProbe(TerrainViewState& viewState, const ReviewMoment& moment, ProbePolicy policy);
     const ProbeAdvice& adviceOf(const std::shared_ptr<const EstimateRow>& estimate, double limit);

@@ -175,7 +175,7 @@ void WhatIfPage::setRecorded(const std::shared_ptr<const EstimateRow>& estimate,
                         .arg(recorded_->id)
                         .arg(recorded_->scene)
                         .arg(format::number(secondsOf(recorded_->time), 3),
-                             format::text(name(recorded_->estimate.settings.method)),
+                             format::text(name(recorded_->estimate.side[0].settings.method)),
                              recordedModel_.isEmpty() ? format::kNothing : recordedModel_)
                   : tr("There was no estimate at this time: go to one (key 4 finds the next)."));
     drop();
@@ -201,7 +201,7 @@ void WhatIfPage::drop()
 void WhatIfPage::asRecorded()
 {
     if (!recorded_) return;
-    const Settings& s = recorded_->estimate.settings;
+    const Settings& s = recorded_->estimate.side[0].settings;
     method_->setCurrentText(format::text(name(s.method)));
     quality_->setCurrentIndex(0);
     threshold_->setValue(s.forceThreshold);
@@ -218,7 +218,7 @@ void WhatIfPage::asRecorded()
 
 Settings WhatIfPage::settings() const
 {
-    Settings s = recorded_->estimate.settings;
+    Settings s = recorded_->estimate.side[0].settings;
     s.method = kMethods.at(static_cast<std::size_t>(method_->currentIndex()));
     if (const int quality = quality_->currentIndex(); quality > 0)
         s = withPreset(s, kQualityPresets.at(static_cast<std::size_t>(quality - 1)));
@@ -240,9 +240,8 @@ void WhatIfPage::useModel(const QString& path)
     const ModelLoader loader = modelFileLoader(path.toStdString(), robot_);
     if (worker_) return worker_->load(loader);
     worker_ = std::make_unique<EstimatorWorker>(loader);
-    connect(
-        worker_.get(), &EstimatorWorker::estimated, this,
-        [this](int job, const TwoTrackEstimate& estimate) { addEstimate(job, estimate.side[0]); });
+    connect(worker_.get(), &EstimatorWorker::estimated, this,
+            [this](int job, const TwoTrackEstimate& estimate) { addEstimate(job, estimate); });
     const auto failed = [this](const Message& why) {
         job_ = 0;
         modelPath_.clear();
@@ -273,7 +272,7 @@ void WhatIfPage::estimate()
     showStatus(tr("Estimating …"), Tone::Muted);
 }
 
-void WhatIfPage::addEstimate(int job, const TerrainEstimate& estimate)
+void WhatIfPage::addEstimate(int job, const TwoTrackEstimate& estimate)
 {
     if (job != job_ || !recorded_) return;
     job_ = 0;
@@ -289,10 +288,10 @@ bool WhatIfPage::isRecordedModel() const
 
 void WhatIfPage::showAnswer()
 {
-    const TerrainEstimate& before = recorded_->estimate;
+    const TwoTrackEstimate& before = recorded_->estimate;
     const Differences found =
         differencesBetween(before, *answer_, scene_->measurement, recorded_->stepLimit);
-    const bool asRecorded = *asked_ == before.settings && isRecordedModel();
+    const bool asRecorded = *asked_ == before.side[0].settings && isRecordedModel();
     QString text;
     Tone tone = Tone::Plain;
     if (asRecorded && found.likeness == Match::Identical) {
@@ -302,7 +301,7 @@ void WhatIfPage::showAnswer()
         text = tr("The recorded settings and model reproduce the recorded estimate except for "
                   "rounding in the last bits: no number moves by more than a millionth.");
         tone = Tone::Good;
-    } else if (asRecorded && before.ending == Ending::Time) {
+    } else if (asRecorded && before.side[0].ending == Ending::Time) {
         text = tr("A time limit ended the recorded sampling, so it cannot be repeated bit for bit: "
                   "%1 m at most, at bin %2.")
                    .arg(format::number(found.largest(), 3), format::binName(found.largestBin));
@@ -332,8 +331,8 @@ void WhatIfPage::showBins(const Differences* found)
     const double nothing = std::numeric_limits<double>::quiet_NaN();
     for (int bin = 0; bin < kBins; ++bin) {
         const auto i = static_cast<std::size_t>(bin);
-        const TerrainEstimate* before = recorded_ ? &recorded_->estimate : nullptr;
-        const TerrainEstimate* now = found ? &*answer_ : nullptr;
+        const TerrainEstimate* before = recorded_ ? &recorded_->estimate.side[0] : nullptr;
+        const TerrainEstimate* now = found ? &answer_->side[0] : nullptr;
         const BinDifference by =
             found ? found->bin[i] : BinDifference{nothing, nothing, nothing, nothing, nothing};
         const QStringList cells{format::signedNumber(binCentre(bin), 1),

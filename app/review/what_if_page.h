@@ -41,7 +41,7 @@ public:
     void estimate();    ///< estimates with the form's settings
 
     /// Returns the last answer for the estimate under review.
-    const Revised<TerrainEstimate>& answer() const { return answer_; }
+    const Revised<TwoTrackEstimate>& answer() const { return answer_; }
 
     QComboBox* method() const { return method_; }
     QComboBox* quality() const { return quality_; }
@@ -65,7 +65,7 @@ private:
     Settings settings() const;
     bool isRecordedModel() const;
     void useModel(const QString& path);
-    void addEstimate(int job, const TerrainEstimate& estimate);
+    void addEstimate(int job, const TwoTrackEstimate& estimate);
     void showAnswer();
     void showBins(const Differences* found);  ///< null: shows only the recorded bins
     void drop();
@@ -81,7 +81,7 @@ private:
     QString recordedModel_, recordedHash_;
     std::string modelHash_;  ///< hash of the file modelPath_
     std::optional<Settings> asked_;
-    Revised<TerrainEstimate> answer_;
+    Revised<TwoTrackEstimate> answer_;
 
     QWidget* form_ = nullptr;
     QComboBox* method_ = nullptr;

@@ -66,6 +66,12 @@ public:
         return std::nullopt;
     }
     bool isNone() const { return statement_.isNull(at_); }
+    /// Requires that the next `count` columns are all NULL (none), or all not NULL. Reading goes on at
+    /// the same column.
+    void requireNone(bool none, int count, SourceText cause) const
+    {
+        for (int i = 0; i < count; ++i) require(statement_.isNull(at_ + i) == none, cause);
+    }
     void skip(int columns) { at_ += columns; }
     std::string text()
     {

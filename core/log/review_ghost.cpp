@@ -79,7 +79,7 @@ void ReviewGhost::begin(const EstimateRow& row, SessionTime left)
 {
     const SceneRow& scene = *reader_.scene(row.scene);
     Followed& start = followed_.emplace_back(
-        Followed{row.id, GhostTrack(robot_, row.estimate, scene.measurement),
+        Followed{row.id, GhostTrack(robot_, row.estimate.side[0], scene.measurement),
                  TelemetryListener(robot_), std::max(row.time, left - sessionTimeOf(kBefore))});
     for (const EventRow& event : reader_.events())
         if (event.kind == EventKind::TelemetryGap && event.time >= scene.time

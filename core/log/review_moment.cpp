@@ -93,7 +93,7 @@ std::shared_ptr<const EstimateRow> ReviewMoments::whole(const EstimateRow* row)
     for (const auto& kept : drawn_)
         if (kept->id == row->id) return kept;
     auto copy = std::make_shared<EstimateRow>(*row);
-    if (auto draws = reader_.draws(row->id)) copy->estimate.draws = std::move(*draws);
+    if (auto draws = reader_.draws(row->id)) setDraws(copy->estimate, std::move(*draws));
     drawn_.push_front(std::move(copy));
     if (drawn_.size() > kRecentEstimates) drawn_.pop_back();
     return drawn_.front();

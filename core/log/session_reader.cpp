@@ -173,7 +173,7 @@ std::vector<FrameRow> SessionReader::frames(std::size_t batch)
     return {};
 }
 
-Result<std::vector<Heights>> SessionReader::draws(std::int64_t estimate)
+Result<SideDraws> SessionReader::draws(std::int64_t estimate)
 {
     try {
         return impl_->draws(estimate);

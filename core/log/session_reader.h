@@ -95,8 +95,9 @@ public:
     /// such batch.
     std::vector<FrameRow> frames(std::size_t batch);
 
-    /// Returns the draws of an estimate. Errors name the file.
-    Result<std::vector<Heights>> draws(std::int64_t estimate);
+    /// Returns the draws of both sides of an estimate; those of one plane are equal. Errors name the
+    /// file.
+    Result<SideDraws> draws(std::int64_t estimate);
 
     /// Reads what was committed since the last call. Returns true if there was anything. Errors
     /// name the file.

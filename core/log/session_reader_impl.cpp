@@ -202,8 +202,8 @@ void SessionReader::Impl::readRows(const Part& part)
                 try {
                     rows.add(table, select);
                 } catch (const RefusedRow& refused) {
-                    addDamage(*byId(batches, batch), {TR_NOOP("core", "a row of its table %1: %2"),
-                                                      name, refused.message()});
+                    addDamage(*byId(batches, batch), {TR_NOOP("core", "row %1 of its table %2: %3"),
+                                                      select.integer(0), name, refused.message()});
                 }
             });
     }
@@ -274,14 +274,16 @@ std::vector<FrameRow> SessionReader::Impl::frames(std::size_t index)
     return found;
 }
 
-std::vector<Heights> SessionReader::Impl::draws(std::int64_t estimate)
+SideDraws SessionReader::Impl::draws(std::int64_t estimate)
 {
     file.grantSteps();
     file.grantBytes(2);
     SqliteStatement select = file.prepare("SELECT d.draws, e.draws_sha256 FROM estimate_draws d "
                                           "JOIN estimate e ON e.id = d.id WHERE d.id = ?");
     select.bind(0, estimate);
-    if (!select.step()) throw SqliteError(TR_NOOP("core", "the draws of an estimate are missing"));
+    const EstimateRow* const row = byId(rows.estimates, estimate);
+    if (!row || !select.step())
+        throw SqliteError(TR_NOOP("core", "the draws of an estimate are missing"));
     const std::string bytes = select.blob(0);
     const auto size = static_cast<std::int64_t>(bytes.size());
     if (drawn.emplace(estimate, size).second) drawnBytes += size;
@@ -292,7 +294,7 @@ std::vector<Heights> SessionReader::Impl::draws(std::int64_t estimate)
     hash.add(bytes);
     if (hash.finish() != select.blob(1))
         throw SqliteError(TR_NOOP("core", "the draws of an estimate were changed"));
-    return drawsFrom(bytes);
+    return drawsFrom(bytes, row->estimate.onePlane);
 }
 
 }  // namespace terratact

@@ -53,7 +53,7 @@ struct SessionReader::Impl {
         return byId(batches, batch) && !std::binary_search(unsound.begin(), unsound.end(), batch);
     }
     std::vector<FrameRow> frames(std::size_t batch);
-    std::vector<Heights> draws(std::int64_t estimate);
+    SideDraws draws(std::int64_t estimate);
     void countStrayFrames();
     void checkStructure();
     void missJournal();

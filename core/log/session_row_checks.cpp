@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace terratact {
 namespace {
@@ -9,6 +10,18 @@ namespace {
 void requireAllFinite(const Heights& heights)
 {
     for (const double height : heights) requireFinite({height});
+}
+
+void requireFiniteSide(const TerrainEstimate& e)
+{
+    const Settings& s = e.settings;
+    requireFinite({e.novelty, s.forceThreshold, s.contactSd, s.probeAbove, s.rollLimit,
+                   s.asymmetryLimit, s.hazardRate, e.feltTo});
+    for (const double ceiling : e.ceiling)
+        if (!std::isinf(ceiling)) requireFinite({ceiling});
+    for (const Heights* values : {&e.mean, &e.sd, &e.q10, &e.q90, &e.height, &e.rhat, &e.ess})
+        requireAllFinite(*values);
+    for (const Heights& draw : e.draws) requireAllFinite(draw);
 }
 
 }  // namespace
@@ -33,20 +46,29 @@ void requireFinite(const SceneRow& row)
             for (const auto& force : side) requireFinite({force.value_or(0.0)});
     if (m.arm) requireFinite({m.arm->height, m.arm->sd});
     if (row.truth) requireAllFinite(*row.truth);
+    if (row.sideTruth)
+        for (const Heights& side : *row.sideTruth) requireAllFinite(side);
 }
 
 void requireFinite(const EstimateRow& row)
 {
-    const TerrainEstimate& e = row.estimate;
-    const Settings& s = e.settings;
-    requireFinite({row.seconds, row.stepLimit, e.novelty, s.forceThreshold, s.contactSd,
-                   s.probeAbove, s.rollLimit, s.asymmetryLimit, s.hazardRate, e.feltTo});
-    for (const double ceiling : e.ceiling)
-        if (!std::isinf(ceiling)) requireFinite({ceiling});
-    for (const Heights* values : {&e.mean, &e.sd, &e.q10, &e.q90, &e.height, &e.rhat, &e.ess})
-        requireAllFinite(*values);
-    for (const Heights& draw : e.draws) requireAllFinite(draw);
+    requireFinite({row.seconds, row.stepLimit});
+    for (const TerrainEstimate& side : row.estimate.side) requireFiniteSide(side);
     for (const ArmReading& reading : row.readings) requireFinite({reading.height, reading.sd});
+}
+
+void requireSides(const EstimateRow& row)
+{
+    const auto& [left, right] = row.estimate.side;
+    const auto require = [&row](bool holds, const char* expected) {
+        if (!holds)
+            throw std::invalid_argument("SessionWriter: estimate " + std::to_string(row.id) + ": "
+                                        + expected);
+    };
+    require(left.settings == right.settings, "both sides must have the same settings");
+    require(left.draws.size() == right.draws.size(),
+            "both sides must have the same number of draws");
+    require(!row.estimate.onePlane || left == right, "both sides of one plane must be equal");
 }
 
 void requireFinite(const ProposalRow& row)

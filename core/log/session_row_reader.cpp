@@ -11,6 +11,9 @@
 #include "core/log/message_json.h"
 #include "core/log/recorded_words.h"
 #include "core/log/session_schema.h"
+#include "core/log/session_tables.h"
+#include "core/robot/side_plane.h"
+#include "core/robot/two_tracks.h"
 
 namespace terratact {
 namespace {
@@ -134,8 +137,15 @@ void addTruth(CheckedRow& row, std::vector<SceneRow>& scenes)
     SceneRow* const scene = byId(scenes, row.id());
     require(scene != nullptr, TR_NOOP("core", "truth of no scene"));
     const auto bin = static_cast<std::size_t>(row.small(0, kBins - 1));
-    if (!scene->truth) scene->truth = Heights{};
-    scene->truth->at(bin) = row.real();
+    const double height = row.real();
+    const ProbeSide side = row.hasMore() ? row.named(probeSideFromName) : ProbeSide::Middle;
+    if (side == ProbeSide::Middle) {
+        if (!scene->truth) scene->truth = Heights{};
+        scene->truth->at(bin) = height;
+        return;
+    }
+    if (!scene->sideTruth) scene->sideTruth.emplace();
+    scene->sideTruth->at(side == ProbeSide::Left ? 0 : 1).at(bin) = height;
 }
 
 void addReading(CheckedRow& row, std::vector<EstimateRow>& estimates)
@@ -155,6 +165,7 @@ void addOffer(CheckedRow& row, std::vector<ProposalRow>& proposals)
     offer.bin = row.small(0, kBins - 1);
     offer.varianceShare = row.real();
     offer.bitsAfter = row.real();
+    if (row.hasMore()) offer.side = row.named(probeSideFromName);
     proposal->offers.push_back(offer);
 }
 
@@ -191,21 +202,9 @@ SceneRow sceneFrom(CheckedRow& row, std::int64_t id)
     return scene;
 }
 
-EstimateRow estimateFrom(CheckedRow& row, std::int64_t id, const SessionRows& rows,
-                         const std::map<std::int64_t, Settings>& settings)
+/// Reads the columns of the left side, or of one plane.
+void readLeft(CheckedRow& row, TerrainEstimate& e)
 {
-    EstimateRow r{.id = id, .time = row.time()};
-    r.scene = row.id();
-    require(byId(rows.scenes, r.scene) != nullptr, TR_NOOP("core", "an estimate of no scene"));
-    const auto found = settings.find(row.id());
-    require(found != settings.end(), TR_NOOP("core", "an estimate without settings"));
-    r.model = row.id();
-    require(byId(rows.models, r.model) != nullptr, TR_NOOP("core", "an estimate without a model"));
-    r.role = row.named(estimateRoleFromName);
-    r.seconds = row.real(0.0);
-    r.stepLimit = row.real(0.0);
-    TerrainEstimate& e = r.estimate;
-    e.settings = found->second;
     e.novelty = row.real();
     e.ending = row.named(endingFromName);
     e.converged = row.flag();
@@ -216,27 +215,105 @@ EstimateRow estimateFrom(CheckedRow& row, std::int64_t id, const SessionRows& ro
     if (row.hasMore()) contradicts = row.flag();
     e.warnings = warningsFrom(warnings, row.hasMore() ? row.text() : std::string());
     e.contradicts = contradicts.value_or(sayContradiction(e.warnings));
+}
+
+/// Reads the columns of the right side, which are all there, or all NULL for an estimate of one plane.
+void readRight(CheckedRow& row, TwoTrackEstimate& estimate)
+{
+    constexpr int kSideColumns = 7;
+    row.requireNone(estimate.onePlane, kSideColumns,
+                    TR_NOOP("core", "columns of the right side are expected for two sides, and "
+                                    "none for one plane"));
+    if (estimate.onePlane) return;
+    TerrainEstimate& e = estimate.side[1];
+    e.novelty = row.real();
+    e.ending = row.named(endingFromName);
+    e.converged = row.flag();
+    const std::string warnings = row.text();
+    e.feltTo = row.real();
+    e.contradicts = row.flag();
+    e.warnings = warningsFrom(warnings, row.text());
+}
+
+/// Writes which features each side lacks: they follow from the scene.
+void writeMissing(TwoTrackEstimate& estimate, const Measurement& scene)
+{
+    const Method method = estimate.side[0].settings.method;
+    if (estimate.onePlane) {
+        for (TerrainEstimate& side : estimate.side)
+            side.missing = missingFor(method, proprioception(scene));
+        return;
+    }
+    const TwoTrackReadings s = twoTrackReadings(scene);
+    estimate.side[0].missing = missingFor(method, sideReadings(s, Side::Left));
+    estimate.side[1].missing = missingFor(method, sideReadings(s, Side::Right));
+}
+
+EstimateRow estimateFrom(CheckedRow& row, std::int64_t id, const SessionRows& rows,
+                         const std::map<std::int64_t, Settings>& settings)
+{
+    EstimateRow r{.id = id, .time = row.time()};
+    r.scene = row.id();
     const SceneRow* const scene = byId(rows.scenes, r.scene);
-    e.missing = missingFor(e.settings.method, proprioception(scene->measurement));
+    require(scene != nullptr, TR_NOOP("core", "an estimate of no scene"));
+    const auto found = settings.find(row.id());
+    require(found != settings.end(), TR_NOOP("core", "an estimate without settings"));
+    r.model = row.id();
+    require(byId(rows.models, r.model) != nullptr, TR_NOOP("core", "an estimate without a model"));
+    r.role = row.named(estimateRoleFromName);
+    r.seconds = row.real(0.0);
+    r.stepLimit = row.real(0.0);
+    TwoTrackEstimate& e = r.estimate;
+    e.side[0].settings = found->second;
+    readLeft(row, e.side[0]);
+    e.onePlane = !row.hasMore() || row.flag();
+    e.side[1] = e.side[0];
+    if (row.hasMore()) readRight(row, e);
+    writeMissing(e, scene->measurement);
     return r;
+}
+
+/// Returns the sides that a bin belongs to, as [first, end). Sessions of versions 1 to 3 have no
+/// column for it: `side` is empty.
+std::pair<std::size_t, std::size_t> sidesOfBin(const TwoTrackEstimate& estimate,
+                                               std::string_view side)
+{
+    const bool both = side.empty() || side == kBothSides;
+    require(both == estimate.onePlane,
+            TR_NOOP("core", "bins of one plane are expected to be of both sides, and others of "
+                            "one"));
+    if (both) return {0, 2};
+    const auto own = probeSideFromName(side);
+    require(own && *own != ProbeSide::Middle, TR_NOOP("core", "an unknown name"));
+    const std::size_t at = *own == ProbeSide::Left ? 0 : 1;
+    return {at, at + 1};
 }
 
 void addBin(CheckedRow& row, std::vector<EstimateRow>& estimates)
 {
     EstimateRow* const found = byId(estimates, row.id());
     require(found != nullptr, TR_NOOP("core", "a bin of no estimate"));
-    TerrainEstimate& e = found->estimate;
     const auto i = static_cast<std::size_t>(row.small(0, kBins - 1));
+    TerrainEstimate e;
     e.origin[i] = row.named(originFromName);
-    e.height[i] = row.real();
-    e.mean[i] = row.real();
+    for (double* const value : {&e.height[i], &e.mean[i]}) *value = row.real();
     e.sd[i] = row.real(0.0);
-    e.q10[i] = row.real();
-    e.q90[i] = row.real();
+    for (double* const value : {&e.q10[i], &e.q90[i]}) *value = row.real();
     e.ceiling[i] = row.realOrNone().value_or(std::numeric_limits<double>::infinity());
-    e.rhat[i] = row.real();
-    e.ess[i] = row.real();
+    for (double* const value : {&e.rhat[i], &e.ess[i]}) *value = row.real();
     if (row.hasMore()) e.touch[i] = row.named(touchFromName);
+    const auto [first, end] =
+        sidesOfBin(found->estimate, row.hasMore() ? row.text() : std::string());
+    for (std::size_t k = first; k < end; ++k) {
+        TerrainEstimate& side = found->estimate.side.at(k);
+        side.origin[i] = e.origin[i];
+        side.touch[i] = e.touch[i];
+        for (const auto values :
+             {&TerrainEstimate::height, &TerrainEstimate::mean, &TerrainEstimate::sd,
+              &TerrainEstimate::q10, &TerrainEstimate::q90, &TerrainEstimate::ceiling,
+              &TerrainEstimate::rhat, &TerrainEstimate::ess})
+            (side.*values)[i] = (e.*values)[i];
+    }
 }
 
 ProposalRow proposalFrom(CheckedRow& row, std::int64_t id, const SessionRows& rows)

@@ -1,13 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/message.h"
-#include "core/infer/estimate/estimate.h"
+#include "core/infer/estimate/two_track_estimate.h"
 #include "core/robot/measurement.h"
 #include "core/terrain/bins.h"
 #include "core/wire/can_frame.h"
@@ -66,6 +68,8 @@ struct SceneRow {
     SessionTime time = 0;
     Measurement measurement{};
     std::optional<Heights> truth{};  ///< true heights, if the source knows them
+    /// True heights of each side: left, right (sideHeights(), core/terrain/ground_lines.h).
+    std::optional<std::array<Heights, 2>> sideTruth{};
     bool operator==(const SceneRow&) const = default;
 };
 
@@ -79,7 +83,8 @@ std::string_view name(EstimateRole role);
 std::optional<EstimateRole> estimateRoleFromName(std::string_view text);
 
 /// Estimate as it was shown. Scene, readings, settings, robot and model reproduce it. Its last bits
-/// may differ on another processor or in another version.
+/// may differ on another processor or in another version. Both sides have the same settings and the
+/// same number of draws. Both sides of an estimate of one plane are equal.
 struct EstimateRow {
     std::int64_t id = 0;
     SessionTime time = 0;
@@ -88,14 +93,24 @@ struct EstimateRow {
     double seconds = 0.0;                ///< computing time [s]
     double stepLimit = 0.1;              ///< step limit [m]
     std::vector<ArmReading> readings{};  ///< readings of the arm, in the order of their use
-    TerrainEstimate estimate{};
+    TwoTrackEstimate estimate{};
     bool operator==(const EstimateRow&) const = default;
 };
 
-/// Expected gain of touching one bin.
+/// Draws of both sides: left, right. Draw k of both sides is one joint draw.
+using SideDraws = std::array<std::vector<Heights>, 2>;
+
+inline void setDraws(TwoTrackEstimate& estimate, SideDraws draws)
+{
+    for (std::size_t side = 0; side < 2; ++side)
+        estimate.side.at(side).draws = std::move(draws.at(side));
+}
+
+/// Expected gain of touching one bin of one side.
 struct OfferedBin {
     int bin = 0;
     double varianceShare = 0.0, bitsAfter = 0.0;
+    ProbeSide side = ProbeSide::Middle;
     bool operator==(const OfferedBin&) const = default;
 };
 
@@ -113,7 +128,8 @@ struct ProposalRow {
     double stepLimit = 0.0;   ///< step limit of the question [m]
     double bitsBefore = 0.0;  ///< entropy of the question [bit]
     std::string grounds{};    ///< fingerprint of its grounds (core/atem/probe_grounds.h)
-    /// Gains of the bins: `bin` first if the method could compute it, then the others.
+    /// Gains of the bins: that of `bin` and `side` first if the method could compute it, then the
+    /// others.
     std::vector<OfferedBin> offers{};
     bool operator==(const ProposalRow&) const = default;
 };

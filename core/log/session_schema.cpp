@@ -149,6 +149,23 @@ constexpr std::array kVersion3{
 
 /// Tables whose statements differ in version 4.
 constexpr std::array kVersion4{
+    SchemaEntry{"table", "estimate",
+                "CREATE TABLE estimate(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+                "t INTEGER NOT NULL, scene INTEGER NOT NULL, settings INTEGER NOT NULL, "
+                "model INTEGER NOT NULL, role TEXT NOT NULL, seconds REAL NOT NULL, "
+                "step_limit_m REAL NOT NULL, novelty REAL NOT NULL, ending TEXT NOT NULL, "
+                "converged INTEGER NOT NULL, warnings TEXT NOT NULL, "
+                "draws_sha256 BLOB NOT NULL, felt_to_m REAL NOT NULL, "
+                "contradicts INTEGER NOT NULL, messages TEXT NOT NULL, one_plane INTEGER NOT NULL, "
+                "right_novelty REAL, right_ending TEXT, right_converged INTEGER, "
+                "right_warnings TEXT, right_felt_to_m REAL, right_contradicts INTEGER, "
+                "right_messages TEXT) STRICT"},
+    SchemaEntry{"table", "estimate_bin",
+                "CREATE TABLE estimate_bin(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+                "estimate INTEGER NOT NULL, bin INTEGER NOT NULL, origin TEXT NOT NULL, "
+                "height_m REAL NOT NULL, mean_m REAL NOT NULL, sd_m REAL NOT NULL, "
+                "q10_m REAL NOT NULL, q90_m REAL NOT NULL, ceiling_m REAL, rhat REAL NOT NULL, "
+                "ess REAL NOT NULL, touch TEXT NOT NULL, side TEXT NOT NULL) STRICT"},
     SchemaEntry{"table", "proposal",
                 "CREATE TABLE proposal(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
                 "t INTEGER NOT NULL, estimate INTEGER NOT NULL, bin INTEGER NOT NULL, "
@@ -156,6 +173,10 @@ constexpr std::array kVersion4{
                 "sd_m REAL NOT NULL, limit_m REAL NOT NULL, arm_sd_m REAL NOT NULL, "
                 "seconds REAL NOT NULL, step_limit_m REAL NOT NULL, bits_before REAL NOT NULL, "
                 "grounds TEXT NOT NULL, side TEXT NOT NULL) STRICT"},
+    SchemaEntry{"table", "proposal_offer",
+                "CREATE TABLE proposal_offer(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+                "proposal INTEGER NOT NULL, bin INTEGER NOT NULL, variance_share REAL NOT NULL, "
+                "bits_after REAL NOT NULL, side TEXT NOT NULL) STRICT"},
     SchemaEntry{"table", "reading",
                 "CREATE TABLE reading(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
                 "estimate INTEGER NOT NULL, bin INTEGER NOT NULL, height_m REAL NOT NULL, "
@@ -180,6 +201,10 @@ constexpr std::array kVersion4{
         "rear_right_force1_n REAL, rear_right_force2_n REAL, rear_right_force3_n REAL, "
         "rear_right_force4_n REAL, rear_right_force5_n REAL, rear_right_force6_n REAL, "
         "arm_side TEXT) STRICT"},
+    SchemaEntry{"table", "scene_truth",
+                "CREATE TABLE scene_truth(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+                "scene INTEGER NOT NULL, bin INTEGER NOT NULL, height_m REAL NOT NULL, "
+                "side TEXT NOT NULL) STRICT"},
 };
 
 void replace(SessionSchema& schema, std::span<const SchemaEntry> newer)

@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "core/base/text.h"
@@ -14,7 +15,7 @@ namespace {
 
 constexpr std::size_t kDrawBytes = sizeof(double) * kBins;
 
-void require(bool holds, const Message& cause)
+void requireStored(bool holds, const Message& cause)
 {
     if (!holds) throw SqliteError(cause);
 }
@@ -48,9 +49,31 @@ std::string hashOf(const SessionStart& start)
 std::int64_t wallTimeFrom(const std::string& text)
 {
     const auto value = writtenIntegerFrom<std::int64_t>(text);
-    require(value && *value >= 0 && *value <= kMaxWallTime,
-            Message(TR_NOOP("core", "its start is no time: %1"), shown(text)));
+    requireStored(value && *value >= 0 && *value <= kMaxWallTime,
+                  Message(TR_NOOP("core", "its start is no time: %1"), shown(text)));
     return *value;
+}
+
+void addBytes(std::string& bytes, const Heights& draw)
+{
+    for (const double height : draw) {
+        const auto value = std::bit_cast<std::uint64_t>(height);
+        for (int i = 0; i < 8; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xFFU);
+    }
+}
+
+/// Returns the draw of one side that begins at byte `at`, and moves `at` behind it.
+Heights drawFrom(std::string_view bytes, std::size_t& at)
+{
+    Heights draw{};
+    for (double& height : draw) {
+        std::uint64_t value = 0;
+        for (int i = 0; i < 8; ++i)
+            value |= std::uint64_t{static_cast<unsigned char>(bytes[at++])} << (8 * i);
+        height = std::bit_cast<double>(value);
+        requireStored(std::isfinite(height), TR_NOOP("core", "has a draw that is not finite"));
+    }
+    return draw;
 }
 
 }  // namespace
@@ -62,10 +85,10 @@ std::int64_t requireSessionSchema(SqliteFile& file, const std::string& lonely)
             Message(TR_NOOP("core", "holds nothing without its journal %1, which is not beside it: "
                                     "both files belong together, copy both"),
                     lonely + "-wal"));
-    require(file.integer("PRAGMA application_id") == kSessionApplicationId,
-            TR_NOOP("core", "is an SQLite file of another application, not a session"));
+    requireStored(file.integer("PRAGMA application_id") == kSessionApplicationId,
+                  TR_NOOP("core", "is an SQLite file of another application, not a session"));
     const std::int64_t version = file.integer("PRAGMA user_version");
-    require(
+    requireStored(
         version >= kFirstSessionVersion && version <= kSessionVersion,
         Message(
             TR_NOOP("core",
@@ -74,12 +97,12 @@ std::int64_t requireSessionSchema(SqliteFile& file, const std::string& lonely)
     const Message other(TR_NOOP("core", "its tables are not those of a session"));
     SqliteStatement found = file.prepare("SELECT type, name, sql FROM sqlite_schema ORDER BY name");
     for (const SchemaEntry& entry : sessionSchema(version)) {
-        require(found.step(), other);
-        require(found.text(0) == entry.type && found.text(1) == entry.name && !found.isNull(2)
-                    && found.text(2) == entry.sql,
-                other);
+        requireStored(found.step(), other);
+        requireStored(found.text(0) == entry.type && found.text(1) == entry.name && !found.isNull(2)
+                          && found.text(2) == entry.sql,
+                      other);
     }
-    require(!found.step(), other);
+    requireStored(!found.step(), other);
     return version;
 }
 
@@ -100,15 +123,15 @@ StoredStart readSessionStart(SqliteFile& file)
     std::array<std::string, 7> values;
     const auto keys = metaOf({});
     for (std::size_t i = 0; i < keys.size(); ++i) {
-        require(select.step() && select.text(0) == keys[i].first,
-                Message(TR_NOOP("core", "lacks the entry %1"), keys[i].first));
+        requireStored(select.step() && select.text(0) == keys[i].first,
+                      Message(TR_NOOP("core", "lacks the entry %1"), keys[i].first));
         values[i] = select.text(1);
-        require(values[i].size() <= kMaxMetaBytes,
-                Message(TR_NOOP("core", "has too long an entry %1"), keys[i].first));
+        requireStored(values[i].size() <= kMaxMetaBytes,
+                      Message(TR_NOOP("core", "has too long an entry %1"), keys[i].first));
     }
-    require(!select.step(), TR_NOOP("core", "has unknown entries about its start"));
-    require(values[5] == "yes" || values[5] == "no",
-            TR_NOOP("core", "lacks the entry whether it could transmit"));
+    requireStored(!select.step(), TR_NOOP("core", "has unknown entries about its start"));
+    requireStored(values[5] == "yes" || values[5] == "no",
+                  TR_NOOP("core", "lacks the entry whether it could transmit"));
     StoredStart stored{{.wallTime = wallTimeFrom(values[6]),
                         .program = values[1],
                         .source = values[4],
@@ -121,31 +144,32 @@ StoredStart readSessionStart(SqliteFile& file)
     return stored;
 }
 
-std::string bytesOfDraws(const std::vector<Heights>& draws)
+std::string bytesOfDraws(const TwoTrackEstimate& estimate)
 {
+    const auto& left = estimate.side[0].draws;
+    const auto& right = estimate.side[1].draws;
+    if (left.size() != right.size())
+        throw std::invalid_argument("both sides must have the same number of draws");
     std::string bytes;
-    bytes.reserve(draws.size() * kDrawBytes);
-    for (const Heights& draw : draws)
-        for (const double height : draw) {
-            const auto value = std::bit_cast<std::uint64_t>(height);
-            for (int i = 0; i < 8; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xFFU);
-        }
+    bytes.reserve(left.size() * kDrawBytes * (estimate.onePlane ? 1 : 2));
+    for (std::size_t k = 0; k < left.size(); ++k) {
+        addBytes(bytes, left[k]);
+        if (!estimate.onePlane) addBytes(bytes, right[k]);
+    }
     return bytes;
 }
 
-std::vector<Heights> drawsFrom(std::string_view bytes)
+SideDraws drawsFrom(std::string_view bytes, bool onePlane)
 {
-    require(bytes.size() % kDrawBytes == 0, TR_NOOP("core", "has draws that are not whole"));
-    std::vector<Heights> draws(bytes.size() / kDrawBytes);
+    const std::size_t drawBytes = onePlane ? kDrawBytes : 2 * kDrawBytes;
+    requireStored(bytes.size() % drawBytes == 0, TR_NOOP("core", "has draws that are not whole"));
+    SideDraws draws;
+    for (auto& side : draws) side.resize(bytes.size() / drawBytes);
     std::size_t at = 0;
-    for (Heights& draw : draws)
-        for (double& height : draw) {
-            std::uint64_t value = 0;
-            for (int i = 0; i < 8; ++i)
-                value |= std::uint64_t{static_cast<unsigned char>(bytes[at++])} << (8 * i);
-            height = std::bit_cast<double>(value);
-            require(std::isfinite(height), TR_NOOP("core", "has a draw that is not finite"));
-        }
+    for (std::size_t k = 0; k < draws[0].size(); ++k) {
+        draws[0][k] = drawFrom(bytes, at);
+        draws[1][k] = onePlane ? draws[0][k] : drawFrom(bytes, at);
+    }
     return draws;
 }
 

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/log/session_rows.h"
 #include "core/store/sqlite.h"
@@ -26,9 +25,15 @@ struct StoredStart {
 };
 StoredStart readSessionStart(SqliteFile& file);
 
-/// Returns draws as they are stored: 11 doubles each, 8 bytes, least significant byte first.
-std::string bytesOfDraws(const std::vector<Heights>& draws);
-/// Returns draws from bytes. Throws for an incomplete draw, or a number that is not finite.
-std::vector<Heights> drawsFrom(std::string_view bytes);
+/// Value of estimate_bin.side for an estimate of one plane; otherwise it is "left" or "right".
+inline constexpr std::string_view kBothSides = "both";
+
+/// Returns the draws of an estimate as they are stored: 8 bytes for each double, least significant
+/// byte first. A draw of one plane has 11 doubles. A joint draw of two sides has 22, the left side's
+/// first. Throws std::invalid_argument if both sides have different numbers of draws.
+std::string bytesOfDraws(const TwoTrackEstimate& estimate);
+/// Returns draws from bytes; those of one plane are the draws of both sides. Throws for an incomplete
+/// draw, or a number that is not finite.
+SideDraws drawsFrom(std::string_view bytes, bool onePlane);
 
 }  // namespace terratact

@@ -102,7 +102,9 @@ struct SessionWriter::Impl {
     }
     std::int64_t settingsId(const Settings& settings);
     void addScene(const SceneRow& row);
+    void addTruth(std::int64_t scene, ProbeSide side, const Heights& truth);
     void addEstimate(const EstimateRow& row);
+    void addBins(std::int64_t estimate, std::string_view side, const TerrainEstimate& e);
     void addProposal(const ProposalRow& row);
     void addEvent(const EventRow& row);
     void commit();
@@ -168,23 +170,57 @@ void SessionWriter::Impl::addScene(const SceneRow& scene)
         m.arm ? std::optional(m.arm->sd) : std::nullopt, m.travelled, m.turned, m.differential,
         m.sides.left, m.sides.right, m.rearSides.left, m.rearSides.right,
         m.arm ? std::optional(name(m.arm->side)) : std::nullopt);
-    if (!scene.truth) return;
-    for (int bin = 0; bin < kBins; ++bin)
-        row(truthTable, ++truthCount, batch.id, scene.id, bin,
-            scene.truth->at(static_cast<std::size_t>(bin)));
+    if (scene.truth) addTruth(scene.id, ProbeSide::Middle, *scene.truth);
+    if (!scene.sideTruth) return;
+    addTruth(scene.id, ProbeSide::Left, scene.sideTruth->at(0));
+    addTruth(scene.id, ProbeSide::Right, scene.sideTruth->at(1));
 }
+
+void SessionWriter::Impl::addTruth(std::int64_t scene, ProbeSide side, const Heights& truth)
+{
+    for (int bin = 0; bin < kBins; ++bin)
+        row(truthTable, ++truthCount, batch.id, scene, bin, truth[static_cast<std::size_t>(bin)],
+            name(side));
+}
+
+namespace {
+
+/// Columns that each side of an estimate has, in the order of the table.
+struct SideColumns {
+    explicit SideColumns(const TerrainEstimate& e)
+        : novelty(e.novelty), ending(name(e.ending)), converged(int{e.converged}),
+          warnings(english(e.warnings, "\n")), feltTo(e.feltTo), contradicts(int{e.contradicts}),
+          messages(shortJsonOf(e.warnings))
+    {
+    }
+    double novelty;
+    std::string_view ending;
+    int converged;
+    std::string warnings;
+    double feltTo;
+    int contradicts;
+    std::string messages;
+};
+
+}  // namespace
 
 void SessionWriter::Impl::addEstimate(const EstimateRow& r)
 {
-    const TerrainEstimate& e = r.estimate;
-    const std::string draws = bytesOfDraws(e.draws);
+    const TwoTrackEstimate& e = r.estimate;
+    const std::string draws = bytesOfDraws(e);
     Sha256 drawsHash;
     drawsHash.add(draws);
-    const std::int64_t settingsOf = settingsId(e.settings);
+    const std::int64_t settingsOf = settingsId(e.side[0].settings);
+    const SideColumns left(e.side[0]), right(e.side[1]);
+    const auto unlessPlane = [&e](const auto& value) {
+        return e.onePlane ? std::nullopt : std::optional(value);
+    };
     row(estimateTable, r.id, batch.id, r.time, r.scene, settingsOf, r.model, name(r.role),
-        r.seconds, r.stepLimit, e.novelty, name(e.ending), int{e.converged},
-        english(e.warnings, "\n"), Blob{drawsHash.finish()}, e.feltTo, int{e.contradicts},
-        shortJsonOf(e.warnings));
+        r.seconds, r.stepLimit, left.novelty, left.ending, left.converged, left.warnings,
+        Blob{drawsHash.finish()}, left.feltTo, left.contradicts, left.messages, int{e.onePlane},
+        unlessPlane(right.novelty), unlessPlane(right.ending), unlessPlane(right.converged),
+        unlessPlane(right.warnings), unlessPlane(right.feltTo), unlessPlane(right.contradicts),
+        unlessPlane(right.messages));
     drawsInsert.bind(0, r.id);
     drawsInsert.bindBlob(1, draws);
     drawsInsert.run();
@@ -192,12 +228,20 @@ void SessionWriter::Impl::addEstimate(const EstimateRow& r)
     for (const ArmReading& reading : r.readings)
         row(readingTable, ++readingCount, batch.id, r.id, reading.bin, reading.height, reading.sd,
             name(reading.side));
+    if (e.onePlane) return addBins(r.id, kBothSides, e.side[0]);
+    addBins(r.id, name(ProbeSide::Left), e.side[0]);
+    addBins(r.id, name(ProbeSide::Right), e.side[1]);
+}
+
+void SessionWriter::Impl::addBins(std::int64_t estimate, std::string_view side,
+                                  const TerrainEstimate& e)
+{
     for (int bin = 0; bin < kBins; ++bin) {
         const auto i = static_cast<std::size_t>(bin);
-        row(binTable, ++binCount, batch.id, r.id, bin, name(e.origin[i]), e.height[i], e.mean[i],
-            e.sd[i], e.q10[i], e.q90[i],
+        row(binTable, ++binCount, batch.id, estimate, bin, name(e.origin[i]), e.height[i],
+            e.mean[i], e.sd[i], e.q10[i], e.q90[i],
             std::isinf(e.ceiling[i]) ? std::nullopt : std::optional(e.ceiling[i]), e.rhat[i],
-            e.ess[i], name(e.touch[i]));
+            e.ess[i], name(e.touch[i]), side);
     }
 }
 
@@ -207,7 +251,7 @@ void SessionWriter::Impl::addProposal(const ProposalRow& r)
         r.limit, r.armSd, r.seconds, r.stepLimit, r.bitsBefore, r.grounds, name(r.side));
     for (const OfferedBin& offer : r.offers)
         row(offerTable, ++offerCount, batch.id, r.id, offer.bin, offer.varianceShare,
-            offer.bitsAfter);
+            offer.bitsAfter, name(offer.side));
 }
 
 void SessionWriter::Impl::addEvent(const EventRow& r)
@@ -333,6 +377,7 @@ Status SessionWriter::add(const SceneRow& row)
 Status SessionWriter::add(const EstimateRow& row)
 {
     requireFinite(row);
+    requireSides(row);
     requireKnown(row.scene, impl_->lastScene, false);
     requireKnown(row.model, impl_->lastModel, false);
     requireNext(row.id, impl_->lastEstimate);

@@ -35,8 +35,9 @@ public:
     static constexpr std::size_t kCheckpointBytes = 1'000'000;
 
     // Add rows. Texts are cut after kMaxTextBytes; events get their numbers here. They throw
-    // std::invalid_argument and change nothing in three cases. An id is not larger than all earlier
-    // ids of its kind, a row refers to one that was not added, or a number is not finite.
+    // std::invalid_argument and change nothing in four cases. An id is not larger than all earlier
+    // ids of its kind, a row refers to one that was not added, a number is not finite, or the sides
+    // of an estimate contradict each other (EstimateRow).
     Status add(const FrameRow& row);
     Status add(const ModelRow& row);
     Status add(const SceneRow& row);

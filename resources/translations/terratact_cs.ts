@@ -3063,10 +3063,6 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <translation>jeho struktura je poškozena: %1</translation>
     </message>
     <message>
-        <source>a row of its table %1: %2</source>
-        <translation>řádek jeho tabulky %1: %2</translation>
-    </message>
-    <message>
         <source>a message is no JSON</source>
         <translation>zpráva není JSON</translation>
     </message>
@@ -3917,6 +3913,18 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>%1 scenes of two tracks left out: a value is unknown, or there are more than %2</source>
         <translation>vynechaných scén dvou pásů: %1; některá hodnota je neznámá, nebo je jich více než %2</translation>
+    </message>
+    <message>
+        <source>row %1 of its table %2: %3</source>
+        <translation>řádek %1 jeho tabulky %2: %3</translation>
+    </message>
+    <message>
+        <source>columns of the right side are expected for two sides, and none for one plane</source>
+        <translation>sloupce pravé strany se očekávají u dvou stran, u jedné roviny žádné</translation>
+    </message>
+    <message>
+        <source>bins of one plane are expected to be of both sides, and others of one</source>
+        <translation>u jedné roviny se očekávají body obou stran, jinak body jedné strany</translation>
     </message>
 </context>
 <context>

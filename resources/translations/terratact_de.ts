@@ -3063,10 +3063,6 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <translation>ihr Aufbau ist beschädigt: %1</translation>
     </message>
     <message>
-        <source>a row of its table %1: %2</source>
-        <translation>eine Zeile ihrer Tabelle %1: %2</translation>
-    </message>
-    <message>
         <source>a message is no JSON</source>
         <translation>eine Nachricht ist kein JSON</translation>
     </message>
@@ -3917,6 +3913,18 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>%1 scenes of two tracks left out: a value is unknown, or there are more than %2</source>
         <translation>weggelassene Szenen mit zwei Ketten: %1; ein Wert ist unbekannt, oder es sind mehr als %2</translation>
+    </message>
+    <message>
+        <source>row %1 of its table %2: %3</source>
+        <translation>Zeile %1 ihrer Tabelle %2: %3</translation>
+    </message>
+    <message>
+        <source>columns of the right side are expected for two sides, and none for one plane</source>
+        <translation>bei zwei Seiten werden Spalten der rechten Seite erwartet, bei einer Ebene keine</translation>
+    </message>
+    <message>
+        <source>bins of one plane are expected to be of both sides, and others of one</source>
+        <translation>bei einer Ebene werden Felder beider Seiten erwartet, sonst Felder einer Seite</translation>
     </message>
 </context>
 <context>

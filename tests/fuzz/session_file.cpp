@@ -32,6 +32,12 @@ const std::string& realSession()
     return bytes;
 }
 
+/// Returns the estimate that was recorded: the second one has two sides.
+TwoTrackEstimate recorded(const EstimateRow& row)
+{
+    return row.id == 1 ? someEstimate(1, row.time).estimate : someSides(row.id, row.time).estimate;
+}
+
 void promiseShown(SessionReader& session)
 {
     for (std::size_t i = 0; i < session.batches().size(); ++i)
@@ -43,7 +49,8 @@ void promiseShown(SessionReader& session)
             promise(event == someDecision(event.time), "a decision that is shown was made");
     for (const EstimateRow& row : session.estimates())
         if (const auto draws = session.draws(row.id))
-            promise(*draws == someEstimate(row.id, row.time).estimate.draws,
+            promise((*draws)[0] == recorded(row).side[0].draws
+                        && (*draws)[1] == recorded(row).side[1].draws,
                     "draws that are shown were recorded");
 }
 

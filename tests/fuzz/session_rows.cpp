@@ -5,13 +5,12 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <map>
 
-#include "core/log/session_hash.h"
 #include "core/log/session_reader.h"
-#include "core/log/session_tables.h"
+#include "core/log/session_schema.h"
 #include "tests/fuzz/promise.h"
 #include "tests/fuzz/scratch_file.h"
+#include "tests/support/session_rehash.h"
 #include "tests/support/sessions.h"
 
 using namespace terratact;
@@ -95,51 +94,6 @@ void put(sqlite3* db, const std::string& table, Bytes& bytes)
     sqlite3_finalize(update);
 }
 
-/// Recomputes the hash chain of the file.
-void rehash()
-{
-    SqliteFile db = SqliteFile::fill(file().path());
-    std::map<std::int64_t, RowsHash> rows;
-    RowBytes bytes;
-    for (std::size_t table = 0; table < kSessionRowTables.size(); ++table) {
-        SqliteStatement select = db.prepare(
-            "SELECT * FROM " + std::string(kSessionRowTables.at(table)) + " ORDER BY id");
-        while (select.step()) {
-            bytes.clear();
-            bytes.addRow(select, select.columns());
-            rows[select.integer(1)].add(table, bytes.bytes());
-        }
-    }
-    std::string chain = readSessionStart(db).hash;
-    SqliteStatement select = db.prepare("SELECT * FROM batch ORDER BY id");
-    SqliteStatement update =
-        db.prepare("UPDATE batch SET frames_hash = ?, rows_hash = ?, chain = ? WHERE id = ?");
-    while (select.step()) {
-        const SessionBatch batch{.id = select.integer(0),
-                                 .first = select.integer(1),
-                                 .last = select.integer(2),
-                                 .frameFirst = select.integer(3),
-                                 .frameCount = select.integer(4)};
-        Sha256 frames;
-        SqliteStatement frame =
-            db.prepare("SELECT * FROM can_frame WHERE seq >= ? AND seq < ? ORDER BY seq");
-        frame.bind(0, batch.frameFirst);
-        frame.bind(1, batch.frameFirst > 1000 ? 0 : batch.frameFirst + batch.frameCount % 1000);
-        while (frame.step()) {
-            bytes.clear();
-            bytes.addRow(frame, frame.columns());
-            frames.add(bytes.bytes());
-        }
-        const BatchHashes hashes{.frames = frames.finish(), .rows = rows[batch.id].finish()};
-        chain = chained(chain, batch, hashes);
-        update.bindBlob(0, hashes.frames);
-        update.bindBlob(1, hashes.rows);
-        update.bindBlob(2, chain);
-        update.bind(3, batch.id);
-        update.run();
-    }
-}
-
 void promiseFinite(double value)
 {
     promise(std::isfinite(value), "a number is finite");
@@ -147,15 +101,32 @@ void promiseFinite(double value)
 
 void promiseEstimate(const EstimateRow& row)
 {
-    for (std::size_t i = 0; i < kBins; ++i)
-        for (const double value : {row.estimate.mean[i], row.estimate.sd[i], row.estimate.q10[i],
-                                   row.estimate.q90[i], row.estimate.height[i]})
-            promiseFinite(value);
+    for (const TerrainEstimate& side : row.estimate.side) {
+        for (std::size_t i = 0; i < kBins; ++i)
+            for (const double value :
+                 {side.mean[i], side.sd[i], side.q10[i], side.q90[i], side.height[i]})
+                promiseFinite(value);
+        promiseFinite(side.novelty);
+        promiseFinite(side.feltTo);
+        promise(side.settings.draws > 0, "settings are in range");
+    }
+    promise(!row.estimate.onePlane || row.estimate.side[0] == row.estimate.side[1],
+            "both sides of one plane are equal");
+    promise(row.estimate.side[0].settings == row.estimate.side[1].settings,
+            "both sides have the same settings");
     for (const ArmReading& reading : row.readings) {
         promise(reading.bin >= 0 && reading.bin < kBins, "a reading's bin exists");
         promiseFinite(reading.height);
     }
-    promise(row.estimate.settings.draws > 0, "settings are in range");
+}
+
+void promiseDraws(const SideDraws& draws, bool onePlane)
+{
+    for (const auto& side : draws)
+        for (const Heights& draw : side)
+            for (const double height : draw) promiseFinite(height);
+    promise(draws[0].size() == draws[1].size(), "a draw is of both sides");
+    promise(!onePlane || draws[0] == draws[1], "draws of one plane are those of both sides");
 }
 
 }  // namespace
@@ -180,7 +151,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     sqlite3_close(db);
     try {
-        rehash();
+        rehash(file().path());
     } catch (const SqliteError&) {
         // the reader opens the file in any case
     }
@@ -191,9 +162,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             promise(frame.frame.fd || frame.frame.length <= 8, "a frame has at most eight bytes");
     for (const EstimateRow& row : session->estimates()) {
         promiseEstimate(row);
-        if (const auto draws = session->draws(row.id))
-            for (const Heights& draw : *draws)
-                for (const double height : draw) promiseFinite(height);
+        if (const auto draws = session->draws(row.id)) promiseDraws(*draws, row.estimate.onePlane);
     }
     for (const SceneRow& row : session->scenes()) {
         promiseFinite(row.measurement.pitch);
@@ -202,6 +171,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             for (const auto& side : {sides.left, sides.right})
                 for (const auto& force : side) promiseFinite(force.value_or(0.0));
         promiseFinite(row.measurement.differential.value_or(0.0));
+        if (row.sideTruth)
+            for (const Heights& side : *row.sideTruth)
+                for (const double height : side) promiseFinite(height);
     }
     for (const ProposalRow& row : session->proposals())
         promise(row.bin >= 0 && row.bin < kBins, "a proposal's bin exists");

@@ -77,7 +77,7 @@ public:
                        .truth = robot_.robot().truth()};
         require(writer_.add(scene));
         EstimateRow first = estimate(scene, settings, EstimateRole::First, {});
-        if (const auto bin = chooseProbe(first.estimate, model_)) {
+        if (const auto bin = chooseProbe(first.estimate.side[0], model_)) {
             propose(first, *bin);
             command(ProbeCommand{*bin});
             waitFor([](const Measurement& m) { return m.arm.has_value(); });
@@ -189,9 +189,10 @@ private:
                         .role = role,
                         .seconds = 0.1,
                         .readings = std::move(readings)};
-        row.estimate = estimateTerrain(proprioception(scene.measurement), row.readings, model_,
-                                       models_, settings);
-        for (double& height : row.estimate.height) height += lie_;
+        TerrainEstimate plane = estimateTerrain(proprioception(scene.measurement), row.readings,
+                                                model_, models_, settings);
+        for (double& height : plane.height) height += lie_;
+        row.estimate = equalSides(std::move(plane));
         require(writer_.add(row));
         return row;
     }
@@ -199,7 +200,7 @@ private:
     void propose(const EstimateRow& row, int bin)
     {
         const auto i = static_cast<std::size_t>(bin);
-        const TerrainEstimate& e = row.estimate;
+        const TerrainEstimate& e = row.estimate.side[0];
         require(writer_.add(ProposalRow{.id = ++proposals_,
                                         .time = now(),
                                         .estimate = row.id,

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/message.h"
@@ -37,13 +39,14 @@ inline FrameRow someFrame(std::int64_t n)
 inline EstimateRow someEstimate(std::int64_t id, SessionTime time)
 {
     EstimateRow row{.id = id, .time = time, .scene = id, .model = 1, .seconds = 0.25};
-    row.estimate = stepEstimate();
-    row.estimate.settings.seed = 18'446'744'073'709'551'615U;
-    row.estimate.settings.draws = 4;
-    row.estimate.warnings = {Message::verbatim("chains have not converged"),
-                             Message::verbatim("left and right differ")};
-    row.estimate.draws.assign(4, row.estimate.height);
-    row.estimate.draws[1][3] = -0.125;
+    TerrainEstimate plane = stepEstimate();
+    plane.settings.seed = 18'446'744'073'709'551'615U;
+    plane.settings.draws = 4;
+    plane.warnings = {Message::verbatim("chains have not converged"),
+                      Message::verbatim("left and right differ")};
+    plane.draws.assign(4, plane.height);
+    plane.draws[1][3] = -0.125;
+    row.estimate = equalSides(std::move(plane));
     if (id > 1) {
         row.role = EstimateRole::Again;
         row.readings = {{.bin = 9, .height = -0.04, .sd = 0.03}};
@@ -51,11 +54,42 @@ inline EstimateRow someEstimate(std::int64_t id, SessionTime time)
     return row;
 }
 
+/// Returns an estimate of two sides that differ in everything but their settings: a step on the left
+/// side alone.
+inline EstimateRow someSides(std::int64_t id, SessionTime time)
+{
+    EstimateRow row = someEstimate(id, time);
+    row.estimate.onePlane = false;
+    TerrainEstimate& right = row.estimate.side[1];
+    for (std::size_t i = 0; i < kBins; ++i) {
+        right.height[i] = right.mean[i] = -0.25 + 0.001 * static_cast<double>(i);
+        right.sd[i] = 0.02;
+        right.q10[i] = right.height[i] - 0.03;
+        right.q90[i] = right.height[i] + 0.03;
+        right.ceiling[i] = i < 4 ? 0.1 : std::numeric_limits<double>::infinity();
+        right.origin[i] = i == 9 ? Origin::Arm : Origin::Sampled;
+        right.touch[i] = i == 8 ? Touch::Felt : Touch::NotFelt;
+        right.rhat[i] = 1.001;
+        right.ess[i] = 900.0;
+    }
+    right.feltTo = 0.31;
+    right.novelty = 0.75;
+    right.contradicts = true;
+    right.converged = false;
+    right.ending = Ending::Sweeps;
+    right.warnings = {Message::verbatim("the right side alone")};
+    right.draws.assign(4, right.height);
+    right.draws[2][10] = 0.0625;
+    return row;
+}
+
 inline SceneRow someScene(std::int64_t id, SessionTime time)
 {
     SceneRow row{.id = id, .time = time};
     row.measurement.pitch = 0.05;
-    row.measurement.force = {0.0, 1.0, 2.5, 0.0, 0.0, 7.0};
+    SideForces sides;
+    sides.left = sides.right = {0.0, 1.0, 2.5, 0.0, 0.0, 7.0};
+    setSides(row.measurement, sides);
     row.measurement.activity = RobotActivity::Pressed;
     if (id > 1) row.measurement.arm = ArmReading{.bin = 9, .height = -0.04, .sd = 0.03};
     row.measurement.travelled = 1.25;
@@ -112,7 +146,7 @@ inline Result<SessionWriter> someSession(const std::string& path, std::int64_t f
         if (n == frames / 2) {
             (void)writer->add(someDecision(n * 1'000'000));
             (void)writer->add(someScene(2, n * 1'000'000 + 1));
-            (void)writer->add(someEstimate(2, n * 1'000'000 + 2));
+            (void)writer->add(someSides(2, n * 1'000'000 + 2));
         }
         if (n % 100 == 99)
             if (const Status done = writer->commit(); !done) return done.error();

@@ -188,7 +188,7 @@ void writeSession(const std::string& path, const std::string& text)
         .id = 1, .time = next(), .name = text, .hash = std::string(64, 'c'), .details = text}));
     ASSERT_TRUE(writer->add(someScene(1, next())));
     EstimateRow estimate = someEstimate(1, next());
-    estimate.estimate.warnings = {Message::verbatim(text)};
+    for (TerrainEstimate& side : estimate.estimate.side) side.warnings = {Message::verbatim(text)};
     ASSERT_TRUE(writer->add(estimate));
     for (int kind = 0; kind < kEventKinds; ++kind)
         ASSERT_TRUE(writer->add(EventRow{.id = kind + 1,

@@ -65,9 +65,9 @@ TEST(SessionReruns, failsOnlyIfNothingExplainsADifference)
     rerun.differences.likeness = Match::LastBits;
     EXPECT_FALSE(rerun.failed());
     rerun.differences.likeness = Match::Other;
-    rerun.row.estimate.ending = Ending::Time;
+    rerun.row.estimate.side[0].ending = Ending::Time;
     EXPECT_FALSE(rerun.failed()) << "time ended the recorded sampling";
-    rerun.row.estimate.ending = {};
+    rerun.row.estimate.side[0].ending = {};
     rerun.asRecorded = false;
     EXPECT_FALSE(rerun.failed()) << "a change was requested";
 }

@@ -12,7 +12,9 @@ namespace {
 
 TEST_F(SessionFiles, rotatedFilesMergeWithoutDuplicateRows)
 {
-    const auto row = [](std::int64_t id, SessionTime time) { return someEstimate(id, time); };
+    const auto row = [](std::int64_t id, SessionTime time) {
+        return id == 1 ? someEstimate(1, time) : someSides(id, time);
+    };
     const std::string first = session("1.tts", [&](SessionWriter& writer) {
         ASSERT_TRUE(writer.add(ModelRow{.id = 1, .name = "a.ttm", .hash = std::string(64, 'c')}));
         ASSERT_TRUE(writer.add(someFrame(0)));
@@ -43,7 +45,8 @@ TEST_F(SessionFiles, rotatedFilesMergeWithoutDuplicateRows)
     ASSERT_EQ(reader.scenes().size(), 2U);
     ASSERT_EQ(reader.estimates().size(), 2U);
     EXPECT_EQ(reader.estimates()[1].scene, 2);
-    EXPECT_EQ(*reader.draws(2), someEstimate(7, 0).estimate.draws);
+    EXPECT_EQ((*reader.draws(2))[1], someSides(7, 0).estimate.side[1].draws);
+    EXPECT_FALSE(reader.estimates()[1].estimate.onePlane);
     ASSERT_EQ(reader.proposals().size(), 1U);
     const EventRow& decision = reader.events().back();
     EXPECT_EQ(decision.kind, EventKind::Decision);

@@ -20,7 +20,7 @@ TEST_F(Drive, estimatesComeOutAgainBitForBit)
     for (const EstimateRow& row : reader.estimates()) {
         const auto before = recordedEstimate(reader, row);
         ASSERT_TRUE(before) << before.error().text;
-        const auto again = estimateAgain(reader, row, *models, row.estimate.settings);
+        const auto again = estimateAgain(reader, row, *models, row.estimate.side[0].settings);
         ASSERT_TRUE(again) << again.error().text;
         const Measurement& scene = reader.scene(row.scene)->measurement;
         const Differences same = differencesBetween(*before, *again, scene, row.stepLimit);
@@ -28,7 +28,7 @@ TEST_F(Drive, estimatesComeOutAgainBitForBit)
         EXPECT_EQ(same.largest(), 0.0);
         EXPECT_EQ(same.before, same.after);
 
-        Settings other = row.estimate.settings;
+        Settings other = row.estimate.side[0].settings;
         other.seed += 1;
         const auto moved = estimateAgain(reader, row, *models, other);
         ASSERT_TRUE(moved);
@@ -39,25 +39,25 @@ TEST_F(Drive, estimatesComeOutAgainBitForBit)
 TEST_F(Drive, recomputedEstimatesUseTheArmReadings)
 {
     EstimateRow row = reader.estimates().back();
-    const auto with = estimateAgain(reader, row, *models, row.estimate.settings);
+    const auto with = estimateAgain(reader, row, *models, row.estimate.side[0].settings);
     const std::size_t bin = static_cast<std::size_t>(row.readings.at(0).bin);
     row.readings.clear();
-    const auto without = estimateAgain(reader, row, *models, row.estimate.settings);
+    const auto without = estimateAgain(reader, row, *models, row.estimate.side[0].settings);
     ASSERT_TRUE(with && without);
-    EXPECT_EQ(with->origin[bin], Origin::Arm);
-    EXPECT_NE(without->origin[bin], Origin::Arm);
+    EXPECT_EQ(with->side[0].origin[bin], Origin::Arm);
+    EXPECT_NE(without->side[0].origin[bin], Origin::Arm);
 }
 
 TEST_F(Drive, rowsThatCannotBeEstimatedAreErrorsWithTheFile)
 {
     EstimateRow row = reader.estimates().front();
-    Settings wrong = row.estimate.settings;
+    Settings wrong = row.estimate.side[0].settings;
     wrong.contactSd = 0.0;
     wrong.draws = 0;
     EXPECT_TRUE(refused(estimateAgain(reader, row, *models, wrong), reader.path(), {"estimate 1"}));
     row.scene = 77;
-    EXPECT_TRUE(refused(estimateAgain(reader, row, *models, row.estimate.settings), reader.path(),
-                        {"scene is not there"}));
+    EXPECT_TRUE(refused(estimateAgain(reader, row, *models, row.estimate.side[0].settings),
+                        reader.path(), {"scene is not there"}));
 }
 
 TEST_F(Drive, modelsAreFoundByTheirHash)
@@ -82,14 +82,14 @@ TEST(Differences, distinguishesBitsThatCompareEqual)
     minus.mean[3] = -0.0;
     ASSERT_EQ(zero, minus);
     const auto likeness = [&](const TerrainEstimate& other) {
-        return differencesBetween(zero, other, {}, 0.1).likeness;
+        return differencesBetween(equalSides(zero), equalSides(other), {}, 0.1).likeness;
     };
     EXPECT_EQ(likeness(zero), Match::Identical);
     EXPECT_EQ(likeness(minus), Match::LastBits);
     TerrainEstimate moved = zero;
     moved.height[8] += 0.02;
     moved.height[2] -= 0.05;
-    const Differences d = differencesBetween(zero, moved, {}, 0.1);
+    const Differences d = differencesBetween(equalSides(zero), equalSides(moved), {}, 0.1);
     EXPECT_EQ(d.largestBin, 2);
     EXPECT_NEAR(d.largest(), 0.05, 1e-12);
     EXPECT_NEAR(d.bin[8].height, 0.02, 1e-12);
@@ -104,7 +104,7 @@ TEST(Differences, areLastBitsIfNumbersAreNearAndTextsEqual)
     const auto likenessAfter = [&](const auto& change) {
         TerrainEstimate other = recorded;
         change(other);
-        return differencesBetween(recorded, other, {}, 0.1).likeness;
+        return differencesBetween(equalSides(recorded), equalSides(other), {}, 0.1).likeness;
     };
     using Estimate = TerrainEstimate;
     EXPECT_EQ(likenessAfter([](Estimate& e) { e.q90[2] += 0.9e-6; }), Match::LastBits);

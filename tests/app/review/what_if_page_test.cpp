@@ -36,12 +36,12 @@ TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
     EstimateRow row{.id = 1, .time = sessionTimeOf(1.5), .scene = 1, .model = 1};
     Settings settings;
     settings.seed = 18'446'744'073'709'551'557U;
-    row.estimate = loaded->estimate({scene.measurement, {}, settings}, Watch{}).side[0];
+    row.estimate = loaded->estimate({scene.measurement, {}, settings}, Watch{});
     ASSERT_TRUE(writer->add(row));
     EstimateRow rounded = row;  // rounded like on another processor
     rounded.id = 2;
     rounded.time = sessionTimeOf(1.7);
-    rounded.estimate.height[4] += 1e-12;
+    for (TerrainEstimate& side : rounded.estimate.side) side.height[4] += 1e-12;
     ASSERT_TRUE(writer->add(rounded));
     ASSERT_TRUE(writer->seal());
 
@@ -59,7 +59,7 @@ TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
     page.estimate();
     ASSERT_TRUE(eventually([&] { return page.answer() && *page.answer() != row.estimate; }, 60000));
     EXPECT_FALSE(page.result()->text().contains("bit for bit"));
-    EXPECT_EQ(page.answer()->settings.forceThreshold, 20.0);
+    EXPECT_EQ(page.answer()->side[0].settings.forceThreshold, 20.0);
     window->goTo(1.0);
     EXPECT_FALSE(page.answer()) << "of another estimate";
 

@@ -17,7 +17,7 @@ namespace {
 TEST_F(Drive, estimatesAreFollowedToTheScenesBehindTheirs)
 {
     const RobotModel robot = *readRobotModel(kRobot);
-    const TerrainEstimate& estimate = reader.estimates()[1].estimate;
+    const TerrainEstimate& estimate = reader.estimates()[1].estimate.side[0];
     const SceneRow &scene = reader.scenes()[0], &next = reader.scenes()[1];
     GhostTrack track(robot, estimate, scene.measurement);
     TelemetryListener listener(robot);
@@ -30,7 +30,7 @@ TEST_F(Drive, estimatesAreFollowedToTheScenesBehindTheirs)
     ASSERT_TRUE(track.ghost());
 
     const std::array given{EstimateOfScene{0, &estimate},
-                           EstimateOfScene{1, &reader.estimates()[3].estimate}};
+                           EstimateOfScene{1, &reader.estimates()[3].estimate.side[0]}};
     const std::vector<LaterPose> poses = laterPoses(reader, robot, given);
     ASSERT_EQ(poses.size(), 1U) << "there is no scene behind the second";
     EXPECT_EQ(poses[0].estimate, 0U);

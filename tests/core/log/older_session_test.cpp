@@ -23,6 +23,9 @@ const std::string kVersion2 = TERRATACT_SOURCE_DIR "/tests/core/log/session_of_v
 const std::string kWithoutMessages =
     TERRATACT_SOURCE_DIR "/tests/core/log/session_of_version_3.sql";
 
+/// Version 4, from before any release: an estimate of one plane, and one of two sides.
+const std::string kVersion4 = TERRATACT_SOURCE_DIR "/tests/core/log/session_of_version_4.sql";
+
 /// The file as SQLite has it: what the operator read when it was recorded.
 std::vector<std::string> recordedEvents(const std::string& path)
 {
@@ -59,6 +62,7 @@ SessionReader opened(const std::string& path)
 struct OlderSession : testing::Test {
     std::string version2() { return sessionFrom(kVersion2, "version_2.tts"); }
     std::string withoutMessages() { return sessionFrom(kWithoutMessages, "version_3.tts"); }
+    std::string version4() { return sessionFrom(kVersion4, "version_4.tts"); }
     std::string sessionFrom(const std::string& statements, const std::string& name)
     {
         std::string path = directory.file(name);
@@ -93,9 +97,9 @@ TEST_F(OlderSession, withoutMessagesReadsTheSame)
     EXPECT_EQ(events, readEvents(older));
     for (const EventRow& event : session.events()) EXPECT_TRUE(event.message.empty());
     ASSERT_EQ(session.estimates().size(), 1U);
-    const TerrainEstimate& estimate = session.estimates()[0].estimate;
+    const TerrainEstimate& estimate = session.estimates()[0].estimate.side[0];
     EXPECT_TRUE(estimate.contradicts);
-    EXPECT_EQ(estimate.warnings, older.estimates().at(0).estimate.warnings);
+    EXPECT_EQ(estimate.warnings, older.estimates().at(0).estimate.side[0].warnings);
     ASSERT_EQ(estimate.warnings.size(), 2U);
     EXPECT_EQ(estimate.warnings[0], Message::verbatim("the chains have not converged"));
 }
@@ -143,7 +147,7 @@ TEST_F(OlderSession, aContradictionIsReadFromItsWarning)
 {
     const SessionReader session = opened(version2());
     ASSERT_EQ(session.estimates().size(), 1U);
-    EXPECT_TRUE(session.estimates()[0].estimate.contradicts);
+    EXPECT_TRUE(session.estimates()[0].estimate.side[0].contradicts);
 }
 
 TEST_F(OlderSession, theDemoShowsTheSamePhasesAndVerdicts)
@@ -162,12 +166,50 @@ TEST_F(OlderSession, theDemoShowsTheSamePhasesAndVerdicts)
     for (const EstimateRow& row : session.estimates()) {
         const SceneRow* scene = session.scene(row.scene);
         ASSERT_TRUE(scene);
-        TerrainEstimate estimate = row.estimate;
-        estimate.draws = *session.draws(row.id);
-        const Verdict verdict = verdictOf(estimate, scene->measurement, {}, row.stepLimit);
+        TwoTrackEstimate estimate = row.estimate;
+        setDraws(estimate, *session.draws(row.id));
+        EXPECT_TRUE(estimate.onePlane);
+        EXPECT_EQ(estimate.side[0], estimate.side[1]);
+        EXPECT_GT(estimate.side[0].draws.size(), 100U);
+        const Verdict verdict = verdictOf(estimate.side[0], scene->measurement, {}, row.stepLimit);
         EXPECT_EQ(describeStepVerdict(verdict), "BLOCKED");
         EXPECT_TRUE(verdict.withheldFor.empty());
     }
+}
+
+TEST_F(OlderSession, estimatesOfOnePlaneHaveEqualSides)
+{
+    for (const std::string& path : {kDemo, version2(), withoutMessages()}) {
+        SessionReader session = opened(path);
+        ASSERT_FALSE(session.estimates().empty());
+        for (const EstimateRow& row : session.estimates()) {
+            EXPECT_TRUE(row.estimate.onePlane) << path;
+            EXPECT_EQ(row.estimate.side[0], row.estimate.side[1]) << path;
+            const SideDraws draws = *session.draws(row.id);
+            EXPECT_FALSE(draws[0].empty());
+            EXPECT_EQ(draws[0], draws[1]);
+        }
+        for (const ProposalRow& row : session.proposals()) {
+            EXPECT_EQ(row.side, ProbeSide::Middle);
+            for (const OfferedBin& offer : row.offers) EXPECT_EQ(offer.side, ProbeSide::Middle);
+        }
+        for (const SceneRow& row : session.scenes()) EXPECT_FALSE(row.sideTruth);
+    }
+}
+
+TEST_F(OlderSession, version4HoldsEstimatesOfTwoSides)
+{
+    SessionReader session = opened(version4());
+    EXPECT_EQ(session.verify().damage, std::vector<SessionDamage>{});
+    ASSERT_EQ(session.estimates().size(), 2U);
+    EXPECT_TRUE(session.estimates()[0].estimate.onePlane);
+    EXPECT_EQ(session.estimates()[0].estimate.side[0], session.estimates()[0].estimate.side[1]);
+    EstimateRow two = session.estimates()[1];
+    setDraws(two.estimate, *session.draws(2));
+    EXPECT_EQ(two, someSides(2, two.time));
+    ASSERT_EQ(session.proposals().size(), 1U);
+    EXPECT_EQ(session.proposals()[0].offers, someProposal(0).offers);
+    EXPECT_EQ(session.scenes().at(1), someScene(2, session.scenes()[1].time));
 }
 
 TEST_F(OlderSession, aNewSessionHoldsNamesAndMessages)

@@ -69,7 +69,7 @@ TEST_F(Review, showsTheStateAtThatTime)
     const ReviewMoment asked = at(At::kMarker);
     ASSERT_TRUE(asked.estimate);
     EXPECT_EQ(asked.estimate->id, 1);
-    EXPECT_EQ(asked.estimate->estimate.draws.size(), 4U);
+    EXPECT_EQ(asked.estimate->estimate.side[1].draws.size(), 4U);
     ASSERT_TRUE(asked.proposal);
     EXPECT_FALSE(asked.decision);
     EXPECT_EQ(asked.state.phase, AtemPhase::ProposingProbe);

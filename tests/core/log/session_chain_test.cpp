@@ -111,7 +111,8 @@ std::string told(const std::string& path, std::size_t atATime)
         text += "scene " + std::to_string(row.id) + std::to_string(row.measurement.pitch)
               + (row.truth ? "t" : "");
     for (const EstimateRow& row : reader->estimates())
-        text += "estimate " + std::to_string(row.id) + std::to_string(row.estimate.mean[3]) + "/"
+        text += "estimate " + std::to_string(row.id) + std::to_string(row.estimate.side[0].mean[3])
+              + std::to_string(row.estimate.side[1].mean[3]) + "/"
               + std::to_string(row.readings.size());
     for (const ProposalRow& row : reader->proposals())
         text += "proposal " + std::to_string(row.id) + "/" + std::to_string(row.offers.size());

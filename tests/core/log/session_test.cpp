@@ -32,11 +32,13 @@ TEST_F(Session, givesBackEveryRow)
     EXPECT_EQ(reader->scenes()[1], someScene(2, 500'000'001));
     ASSERT_EQ(reader->estimates().size(), 2U);
     for (const std::int64_t id : {1, 2}) {
-        EstimateRow expected = someEstimate(id, id == 1 ? 250'000'001 : 500'000'002);
+        EstimateRow expected = id == 1 ? someEstimate(1, 250'000'001) : someSides(2, 500'000'002);
         const auto draws = reader->draws(id);
         ASSERT_TRUE(draws) << draws.error().text;
-        EXPECT_EQ(*draws, expected.estimate.draws);
-        expected.estimate.draws.clear();
+        for (const std::size_t side : {0U, 1U}) {
+            EXPECT_EQ(draws->at(side), expected.estimate.side.at(side).draws);
+            expected.estimate.side.at(side).draws.clear();
+        }
         EXPECT_EQ(*reader->estimate(id), expected);
     }
     ASSERT_EQ(reader->proposals().size(), 1U);
@@ -60,7 +62,7 @@ TEST_F(Session, keepsWhatASceneLacks)
     scene.measurement.missing[kFirstForceFeature + 3] = true;
     scene.measurement.missing[kRearCurrentFeature] = true;
     EstimateRow estimate = someEstimate(3, 600'000'001);
-    estimate.estimate.missing = scene.measurement.missing;
+    for (TerrainEstimate& side : estimate.estimate.side) side.missing = scene.measurement.missing;
     ASSERT_TRUE(writer->add(scene));
     ASSERT_TRUE(writer->add(estimate));
     ASSERT_TRUE(writer->seal());
@@ -68,8 +70,8 @@ TEST_F(Session, keepsWhatASceneLacks)
     ASSERT_TRUE(reader) << reader.error().text;
     ASSERT_EQ(reader->scenes().size(), 3U);
     EXPECT_EQ(reader->scenes()[2], scene);
-    EXPECT_EQ(reader->estimate(3)->estimate.missing, scene.measurement.missing);
-    EXPECT_TRUE(reader->estimate(2)->estimate.missing.none());
+    EXPECT_EQ(reader->estimate(3)->estimate.side[1].missing, scene.measurement.missing);
+    EXPECT_TRUE(reader->estimate(1)->estimate.side[1].missing.none());
     EXPECT_FALSE(reader->verify().broken);
 }
 
@@ -114,7 +116,7 @@ TEST_F(Session, keepsBothSidesOfAScene)
 TEST_F(Session, withholdsAVerdictForTheRecordedReason)
 {
     EstimateRow estimate = someEstimate(3, 600'000'001);
-    estimate.estimate.contradicts = true;
+    for (TerrainEstimate& side : estimate.estimate.side) side.contradicts = true;
     auto writer = someSession(path, 100);
     ASSERT_TRUE(writer) << writer.error().text;
     ASSERT_TRUE(writer->add(someScene(3, 600'000'000)));
@@ -123,12 +125,12 @@ TEST_F(Session, withholdsAVerdictForTheRecordedReason)
     auto reader = SessionReader::open(path);
     ASSERT_TRUE(reader) << reader.error().text;
     const EstimateRow& read = reader->estimates().back();
-    EXPECT_TRUE(read.estimate.contradicts);
+    EXPECT_TRUE(read.estimate.side[0].contradicts);
     const Proprioception s = proprioception(reader->scenes().back().measurement);
-    const Verdict verdict = verdictOf(read.estimate, s, 0.1);
+    const Verdict verdict = verdictOf(read.estimate.side[0], s, 0.1);
     EXPECT_EQ(verdict.stepVerdict, StepVerdict::CannotTell);
     EXPECT_EQ(std::ranges::count(verdict.withheldFor, WithholdReason::Contradiction), 1);
-    EXPECT_FALSE(reader->estimates().front().estimate.contradicts);
+    EXPECT_FALSE(reader->estimates().front().estimate.side[0].contradicts);
 }
 
 TEST_F(Session, isReadFromAReadOnlyFolderOnceSealed)
