@@ -17,11 +17,6 @@ const T* pointer(const std::optional<T>& value)
     return value ? &*value : nullptr;
 }
 
-const TerrainEstimate* leftOf(const std::optional<TwoTrackEstimate>& estimate)
-{
-    return estimate ? &estimate->side[0] : nullptr;
-}
-
 void addEstimation(TerrainViewState& viewState, const Estimation& estimation)
 {
     if (const auto& scene = estimation.scene()) {
@@ -29,15 +24,15 @@ void addEstimation(TerrainViewState& viewState, const Estimation& estimation)
         viewState.sceneTruth = &scene->truth;
     }
     const Estimation::Revisions revisions = estimation.revisions();
-    viewState.estimate = {leftOf(estimation.estimate()), revisions.estimate};
+    viewState.estimate = {pointer(estimation.estimate()), revisions.estimate};
     viewState.estimateSeconds = estimation.seconds();
-    viewState.second = {leftOf(estimation.second()), revisions.second};
+    viewState.second = {pointer(estimation.second()), revisions.second};
     if (viewState.second)
-        viewState.secondName = format::text(name(viewState.second->settings.method));
-    viewState.live = {leftOf(estimation.live()), revisions.live};
+        viewState.secondName = format::text(name(viewState.second->side[0].settings.method));
+    viewState.live = {pointer(estimation.live()), revisions.live};
     viewState.ghost = estimation.ghost();
     viewState.whyNoGhost = translated(estimation.whyNoGhost().value_or(Message()));
-    viewState.verdict = estimation.verdict();
+    if (const auto verdict = estimation.verdict()) viewState.verdict = equalSides(*verdict);
 }
 
 /// Returns the ages of the frames that carry the readout's rows.

@@ -138,12 +138,13 @@ void MainWindow::addPages(const Options& options)
         [this] {
             const Estimation& estimation = exploration_->estimation();
             const auto& estimate = estimation.estimate();
+            const auto verdict = estimation.verdict();
             return NumbersViewState{
-                estimate ? &estimate->side[0] : nullptr,
+                estimate ? &*estimate : nullptr,
                 estimation.revisions().estimate,
                 translated(exploration_->whyNoEstimate()),
                 exploration_->options().stepLimit,
-                estimation.verdict(),
+                verdict ? std::optional(equalSides(*verdict)) : std::nullopt,
                 moment_.latest ? std::optional(moment_.now - secondsOf(moment_.latest->arrived))
                                : std::nullopt};
         },

@@ -57,11 +57,12 @@ void NumbersPage::showVerdict(const NumbersViewState& viewState)
 {
     verdict_->setVisible(viewState.verdict.has_value());
     if (!viewState.verdict) return;
-    const bool isOld = std::ranges::find(viewState.verdict->withheldFor, WithholdReason::Stale)
-                    != viewState.verdict->withheldFor.end();
-    QStringList parts{VerdictStrip::answerOf(*viewState.verdict),
-                      VerdictStrip::probabilityOf(*viewState.verdict, viewState.stepLimit),
-                      VerdictStrip::whyOf(*viewState.verdict)};
+    const Verdict& verdict = viewState.verdict->side[0];
+    const bool isOld =
+        std::ranges::find(verdict.withheldFor, WithholdReason::Stale) != verdict.withheldFor.end();
+    QStringList parts{VerdictStrip::answerOf(verdict),
+                      VerdictStrip::probabilityOf(verdict, viewState.stepLimit),
+                      VerdictStrip::whyOf(verdict)};
     if (isOld && viewState.age)
         parts << tr("last telemetry %1 ago").arg(format::age(*viewState.age));
     const QString text = parts.join(QStringLiteral(" · "));
@@ -82,7 +83,7 @@ void NumbersPage::refresh(double /*now*/)
     }
     if (shown_ == viewState.revision && shownLimit_ == viewState.stepLimit) return;
     shown_ = viewState.revision;
-    const TerrainEstimate& estimate = *viewState.estimate;
+    const TerrainEstimate& estimate = viewState.estimate->side[0];
     shownLimit_ = viewState.stepLimit;
     table_->setEstimate(estimate, shownLimit_);
     summary_->setText(tr("%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m. "

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "app/shell/page.h"
-#include "core/infer/estimate/estimate.h"
+#include "core/infer/estimate/two_track_estimate.h"
 #include "core/infer/verdict/obstacle.h"
-#include "core/infer/verdict/verdict.h"
+#include "core/infer/verdict/two_track_verdict.h"
 
 class QLabel;
 class QPushButton;
@@ -18,12 +18,12 @@ class NumbersTable;
 
 /// Content of the numbers page.
 struct NumbersViewState {
-    const TerrainEstimate* estimate = nullptr;  ///< null: no estimate
-    std::uint64_t revision = 0;                 ///< of the estimate: the same number, the same one
+    const TwoTrackEstimate* estimate = nullptr;  ///< null: no estimate
+    std::uint64_t revision = 0;                  ///< of the estimate: the same number, the same one
     QString whyNoEstimate{};
-    double stepLimit = kStepLimit;     ///< [m]
-    std::optional<Verdict> verdict{};  ///< verdict of the estimate
-    std::optional<double> age{};       ///< [s] age of the newest telemetry; empty: unknown
+    double stepLimit = kStepLimit;             ///< [m]
+    std::optional<TwoTrackVerdict> verdict{};  ///< verdict of the estimate
+    std::optional<double> age{};               ///< [s] age of the newest telemetry; empty: unknown
 };
 
 /// The estimate as a table for screen readers and the clipboard.

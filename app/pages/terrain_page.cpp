@@ -55,7 +55,7 @@ bool isAtRest(const TerrainViewState& viewState)
 /// Returns true if the worth of a probe may be shown: at rest, and the verdict is not withheld.
 bool showsWorth(const TerrainViewState& viewState)
 {
-    return isAtRest(viewState) && (!viewState.verdict || viewState.verdict->withheldFor.empty());
+    return isAtRest(viewState) && (!viewState.verdict || !isWithheld(*viewState.verdict));
 }
 
 /// Returns what a probe of the bin would gain, in one line.
@@ -367,8 +367,8 @@ void TerrainPage::showEstimate(const TerrainViewState& viewState)
         shown_.reset();
     } else if (estimate) {
         if (shown_ != estimate) {
-            terrain_->setEstimate(*viewState.estimate);
-            strip_->setEstimate(*viewState.estimate, viewState.estimateSeconds);
+            terrain_->setEstimate(viewState.estimate->side[0]);
+            strip_->setEstimate(viewState.estimate->side[0], viewState.estimateSeconds);
             shown_ = estimate;
         }
     } else if (shown_ || shownLive_ || shownReason_ != viewState.whyNoEstimate) {
@@ -380,7 +380,7 @@ void TerrainPage::showEstimate(const TerrainViewState& viewState)
     terrain_->setGhost(viewState.ghost, viewState.whyNoGhost);
     if (shownSecond_ != second) {
         shownSecond_ = second;
-        terrain_->setSecond(second ? std::optional(*viewState.second) : std::nullopt,
+        terrain_->setSecond(second ? std::optional(viewState.second->side[0]) : std::nullopt,
                             viewState.secondName);
     }
     shownLive_ = viewState.live.shown();
@@ -395,7 +395,7 @@ void TerrainPage::showPreview(const TerrainViewState& viewState)
         moves ? tr("The flippers still move: no ground ahead is felt yet")
               : tr("Preview while the flippers go down: the estimate is being computed");
     if (shownLive_ == viewState.live.shown() && shownReason_ == note) return;
-    terrain_->setEstimate(*viewState.live, note);
+    terrain_->setEstimate(viewState.live->side[0], note);
     strip_->setLive(moves ? tr("LIVE preview") : tr("preview"));
     shownReason_ = note;
 }
@@ -425,14 +425,13 @@ void TerrainPage::showVerdict(const TerrainViewState& viewState)
                                                                 : nullptr;
     if (proposal && proposal->worth && proposal->stepLimit == verdict_->limit())
         probe = probeTells(*proposal);
-    verdict_->setVerdict(*viewState.verdict, probe);
+    verdict_->setVerdict(viewState.verdict->side[0], probe);
 }
 
 /// Shows the probe to request whenever the verdict is CANNOT TELL: bin, expected gain and button.
 void TerrainPage::showProbeToAsk(const TerrainViewState& viewState)
 {
-    const bool open =
-        viewState.verdict && viewState.verdict->stepVerdict == StepVerdict::CannotTell;
+    const bool open = viewState.verdict && viewState.verdict->both == StepVerdict::CannotTell;
     if (!open || !isAtRest(viewState)) return atem_->setProbeToAsk(std::nullopt, {});
     atem_->setProbeToAsk(viewState.bestProbe->bin, probeTells(*viewState.bestProbe));
 }
@@ -442,8 +441,7 @@ void TerrainPage::showProbe(const TerrainViewState& viewState)
     const bool asking = viewState.proposal && viewState.state.phase == AtemPhase::ProposingProbe;
     // Proposals and motion are shown in every layout.
     const bool needed = asking || viewState.probingBin;
-    const bool open =
-        viewState.verdict && viewState.verdict->stepVerdict == StepVerdict::CannotTell;
+    const bool open = viewState.verdict && viewState.verdict->both == StepVerdict::CannotTell;
     probe_->setVisible(
         ((layout_->layout() == Layout::Probe || (open && isAtRest(viewState))) && !isTight())
         || needed);
@@ -454,7 +452,7 @@ void TerrainPage::showProbe(const TerrainViewState& viewState)
     if (asking) {
         ProbeProposal proposal = *viewState.proposal;
         if (viewState.verdict && proposal.stepLimit == verdict_->limit())
-            proposal.answer = viewState.verdict->stepVerdict;
+            proposal.answer = viewState.verdict->both;
         probe_->setProposal(proposal);
         probe_->setPreconditions(viewState.probing);
         probe_->setTimeLeft(viewState.time ? viewState.time->seconds : 0.0);

@@ -7,9 +7,9 @@
 
 #include "app/pages/terrain_layout.h"
 #include "core/atem/atem_machine.h"
-#include "core/infer/estimate/estimate.h"
+#include "core/infer/estimate/two_track_estimate.h"
 #include "core/infer/verdict/ghost.h"
-#include "core/infer/verdict/verdict.h"
+#include "core/infer/verdict/two_track_verdict.h"
 #include "core/robot/attitude.h"
 #include "core/robot/robot_model.h"
 #include "widgets/control/atem_panel.h"
@@ -33,12 +33,12 @@ class VerdictStrip;
 
 /// An estimate to draw; null: none. The page redraws it only if its revision changes.
 struct DrawnEstimate {
-    const TerrainEstimate* estimate = nullptr;
+    const TwoTrackEstimate* estimate = nullptr;
     std::uint64_t revision = 0;
 
     explicit operator bool() const { return estimate != nullptr; }
-    const TerrainEstimate& operator*() const { return *estimate; }
-    const TerrainEstimate* operator->() const { return estimate; }
+    const TwoTrackEstimate& operator*() const { return *estimate; }
+    const TwoTrackEstimate* operator->() const { return estimate; }
     /// Returns the revision; empty without an estimate.
     std::optional<std::uint64_t> shown() const
     {
@@ -75,7 +75,7 @@ struct TerrainViewState {
     QString whyNoEstimate{};
     std::optional<Ghost> ghost{};  ///< the last estimate, moved by odometry
     QString whyNoGhost{};          ///< reason that there is no ghost; empty: none to show
-    std::optional<Verdict> verdict{};
+    std::optional<TwoTrackVerdict> verdict{};
 
     AtemState state{};
     QString stateWords{};             ///< replaces the state's own text

@@ -53,14 +53,14 @@ double ReviewViewState::limit(const ReviewMoment& moment) const
     return limit_.value_or(moment.estimate ? moment.estimate->stepLimit : kStepLimit);
 }
 
-std::optional<Verdict> ReviewViewState::verdict(const ReviewMoment& moment) const
+std::optional<TwoTrackVerdict> ReviewViewState::verdict(const ReviewMoment& moment) const
 {
     if (!moment.estimate || !moment.scene) return std::nullopt;
-    return verdictOf(moment.estimate->estimate.side[0], moment.scene->measurement,
-                     {.telemetryFresh = isTelemetryFresh(moment),
-                      .unbroken = moment.unbroken,
-                      .sensorsSound = moment.sensorsSound},
-                     limit(moment));
+    return equalSides(verdictOf(moment.estimate->estimate.side[0], moment.scene->measurement,
+                                {.telemetryFresh = isTelemetryFresh(moment),
+                                 .unbroken = moment.unbroken,
+                                 .sensorsSound = moment.sensorsSound},
+                                limit(moment)));
 }
 
 double ReviewViewState::threshold(const ReviewMoment& moment, const Preferences& preferences)
@@ -112,17 +112,17 @@ void ReviewViewState::addEstimates(TerrainViewState& viewState, const ReviewMome
 {
     const EstimateRow* const row = moment.estimate.get();
     if (row) {
-        viewState.estimate = {&row->estimate.side[0], revisionOf(row)};
+        viewState.estimate = {&row->estimate, revisionOf(row)};
         viewState.estimateSeconds = row->seconds;
         viewState.verdict = verdict(moment);
     }
     if (whatIf && row) {
         // A revision that no recorded estimate has.
-        viewState.second = {&whatIf->side[0], 2 * whatIf.revision() + 1};
+        viewState.second = {&*whatIf, 2 * whatIf.revision() + 1};
         viewState.secondName =
             tr("what if: %1").arg(format::text(name(whatIf->side[0].settings.method)));
     } else if (moment.second) {
-        viewState.second = {&moment.second->estimate.side[0], 2 * revisionOf(moment.second.get())};
+        viewState.second = {&moment.second->estimate, 2 * revisionOf(moment.second.get())};
         viewState.secondName = format::text(name(moment.second->estimate.side[0].settings.method));
     }
     viewState.whyNoEstimate =

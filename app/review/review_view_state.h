@@ -35,7 +35,7 @@ public:
     /// Returns the obstacle height [m] at this moment.
     double limit(const ReviewMoment& moment) const;
     /// Returns the verdict for that obstacle height on the operator's estimate; empty: there was no estimate.
-    std::optional<Verdict> verdict(const ReviewMoment& moment) const;
+    std::optional<TwoTrackVerdict> verdict(const ReviewMoment& moment) const;
     /// Returns the contact threshold [N]: that of the estimate, if there was one.
     static double threshold(const ReviewMoment& moment, const Preferences& preferences);
 

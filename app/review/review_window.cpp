@@ -100,14 +100,14 @@ void ReviewWindow::addPages(QStringList models)
     addPage(terrain_, tr("Terrain"), Qt::Key_F2, tr("What the operator saw at this time"));
     numbers_ = new NumbersPage(
         [this] {
-            return NumbersViewState{
-                moment_.estimate ? &moment_.estimate->estimate.side[0] : nullptr,
-                revisionOf(moment_.estimate.get()),
-                tr("No estimate at this time"),
-                viewStates_.limit(moment_),
-                viewStates_.verdict(moment_),
-                moment_.measurement ? std::optional(secondsOf(moment_.time - moment_.measured))
-                                    : std::nullopt};
+            return NumbersViewState{moment_.estimate ? &moment_.estimate->estimate : nullptr,
+                                    revisionOf(moment_.estimate.get()),
+                                    tr("No estimate at this time"),
+                                    viewStates_.limit(moment_),
+                                    viewStates_.verdict(moment_),
+                                    moment_.measurement
+                                        ? std::optional(secondsOf(moment_.time - moment_.measured))
+                                        : std::nullopt};
         },
         this);
     addScrolledPage(numbers_, tr("Numbers"), Qt::Key_F3, tr("The scene of this time as a table"));

@@ -97,7 +97,7 @@ ScenesWindow::ScenesWindow(Options options)
     connect(worker_.get(), &EstimatorWorker::estimated, this,
             [this](int job, const TwoTrackEstimate& estimate, double seconds) {
                 if (job != job_) return;
-                estimate_ = estimate.side[0];
+                estimate_ = estimate;
                 seconds_ = seconds;
                 showViewState();
             });
@@ -152,7 +152,8 @@ void ScenesWindow::showViewState()
     if (estimate_) {
         viewState.estimate = {&*estimate_, estimate_.revision()};
         viewState.estimateSeconds = seconds_;
-        viewState.verdict = verdictOf(*estimate_, measurement_, {}, options_.stepLimit);
+        viewState.verdict =
+            equalSides(verdictOf(estimate_->side[0], measurement_, {}, options_.stepLimit));
         viewState.state.phase = AtemPhase::Presenting;
     }
     viewState.preconditions << Precondition{

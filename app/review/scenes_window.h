@@ -35,7 +35,7 @@ public:
 
     void showScene(std::size_t scene);  ///< clamped to the last scene
     std::size_t scene() const { return scene_; }
-    const std::optional<TerrainEstimate>& estimate() const { return estimate_.value(); }
+    const std::optional<TwoTrackEstimate>& estimate() const { return estimate_.value(); }
     TerrainPage* terrainPage() const { return page_; }
     QLabel* stateLabel() const { return state_; }
 
@@ -54,7 +54,7 @@ private:
     int job_ = 0;
     double seconds_ = 0.0;
     Message trouble_;
-    Revised<TerrainEstimate> estimate_;
+    Revised<TwoTrackEstimate> estimate_;
 
     QLabel* state_ = nullptr;
     TerrainPage* page_ = nullptr;

@@ -147,6 +147,21 @@ CrossSlope crossSlopeAhead(const TwoTrackEstimate& estimate, const RobotModel& r
     return slope;
 }
 
+TwoTrackVerdict equalSides(const Verdict& plane)
+{
+    TwoTrackVerdict verdict;
+    verdict.side = {plane, plane};
+    verdict.either = plane.step;
+    verdict.both = plane.stepVerdict;
+    return verdict;
+}
+
+bool isWithheld(const TwoTrackVerdict& verdict)
+{
+    return std::ranges::any_of(verdict.side,
+                               [](const Verdict& side) { return !side.withheldFor.empty(); });
+}
+
 TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& robot,
                           const TwoTrackReadings& s, double limit, const LinkSinceScene& since)
 {
@@ -157,9 +172,7 @@ TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& ro
     verdict.crossSlope = crossSlopeAhead(estimate, robot, s);
     const BothBins horizons{lastBinOf(verdict.side[0]), lastBinOf(verdict.side[1])};
     const StepVerdict sides = answerOfSides(verdict);
-    const bool withheld = std::ranges::any_of(
-        verdict.side, [](const Verdict& side) { return !side.withheldFor.empty(); });
-    if (withheld) return verdict;
+    if (isWithheld(verdict)) return verdict;
     if (sides == StepVerdict::Clear
         && isBelow(eitherStep(estimate, limit, kFirstAhead, horizons), kClearBelow)
         && isBelow(crossSlopeAhead(estimate, robot, s, std::min(horizons[0], horizons[1])).beyond,

@@ -46,6 +46,12 @@ struct TwoTrackVerdict {
     bool operator==(const TwoTrackVerdict&) const = default;
 };
 
+/// Returns the verdict of one plane for both sides, without a cross slope.
+TwoTrackVerdict equalSides(const Verdict& plane);
+
+/// Returns true if a side's verdict is withheld.
+bool isWithheld(const TwoTrackVerdict& verdict);
+
 /// Decides for a scene of two tracks by the rules of verdictOf(). Roll and different flippers are no
 /// reason to withhold: both sides are estimated. limit: [m]. Throws as verdictOf().
 TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& robot,

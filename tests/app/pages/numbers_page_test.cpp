@@ -16,7 +16,7 @@ namespace {
 TEST(NumbersPage, showsTheVerdictAndTheAgeOfTelemetry)
 {
     applyLook(*qApp);
-    const TerrainEstimate estimate = stepEstimate();
+    const TwoTrackEstimate estimate = equalSides(stepEstimate());
     NumbersViewState viewState;
     NumbersPage page([&] { return viewState; });
     page.resize(1200, 600);
@@ -28,12 +28,13 @@ TEST(NumbersPage, showsTheVerdictAndTheAgeOfTelemetry)
     page.refresh(0.0);
     EXPECT_FALSE(line->isVisible()) << "there is no estimate";
     viewState.estimate = &estimate;
-    viewState.verdict = Verdict{.stepVerdict = StepVerdict::Blocked,
-                                .step = {0.99, 0.004},
-                                .likeliest = 8,
-                                .likeliestP = 0.97,
-                                .withheldFor = {},
-                                .toHorizon = {}};
+    Verdict verdict{.stepVerdict = StepVerdict::Blocked,
+                    .step = {0.99, 0.004},
+                    .likeliest = 8,
+                    .likeliestP = 0.97,
+                    .withheldFor = {},
+                    .toHorizon = {}};
+    viewState.verdict = equalSides(verdict);
     viewState.age = 0.04;
     const auto explained = [&page] {
         const auto labels = page.findChildren<QLabel*>();
@@ -48,8 +49,9 @@ TEST(NumbersPage, showsTheVerdictAndTheAgeOfTelemetry)
         QString::fromUtf8("✘ BLOCKED · P(step > 0.10 m ahead) = 0.99 ± < 0.01 · most likely at "
                           "+0.5 … +0.6 m (0.97)"));
     EXPECT_TRUE(explained()) << "P over two bins, beside a column of P to the next";
-    viewState.verdict->stepVerdict = StepVerdict::CannotTell;
-    viewState.verdict->withheldFor = {WithholdReason::Stale};
+    verdict.stepVerdict = StepVerdict::CannotTell;
+    verdict.withheldFor = {WithholdReason::Stale};
+    viewState.verdict = equalSides(verdict);
     viewState.age = 12.34;
     page.refresh(0.0);
     EXPECT_EQ(
@@ -58,7 +60,8 @@ TEST(NumbersPage, showsTheVerdictAndTheAgeOfTelemetry)
                           "no live telemetry, the robot may have moved · last telemetry 12.3 s "
                           "ago"));
     EXPECT_EQ(gui::cutWhenSettled(page), std::vector<std::string>());
-    viewState.verdict->withheldFor = {WithholdReason::TelemetryGap};
+    verdict.withheldFor = {WithholdReason::TelemetryGap};
+    viewState.verdict = equalSides(verdict);
     viewState.age = 0.04;
     page.refresh(0.0);
     EXPECT_TRUE(line->text().endsWith("withheld: the link was lost, the robot may have moved"));

@@ -79,7 +79,7 @@ TEST(TerrainPageAlone, showsMovingFlippersOnlyWhileTheyMove)
     TerrainPage page(absolem());
     gui::showActive(page);
     const Measurement m;
-    const TerrainEstimate preview = stepEstimate();
+    const TwoTrackEstimate preview = equalSides(stepEstimate());
     const auto says = [&](AtemPhase phase) {
         TerrainViewState viewState;
         viewState.measurement = &m;

@@ -33,7 +33,7 @@ TEST(ScenesOfAFile, areEstimatedOneByOneWithoutCommands)
                              TERRATACT_SOURCE_DIR "/resources/models/default.ttm", absolem())});
     showActive(window);
     ASSERT_TRUE(eventually([&] { return window.estimate().has_value(); }, 60000));
-    const TerrainEstimate first = *window.estimate();
+    const TwoTrackEstimate first = *window.estimate();
     EXPECT_TRUE(window.stateLabel()->text().contains("first"));
     QTest::keyClick(&window, Qt::Key_Period);
     EXPECT_EQ(window.scene(), 1U);
