@@ -1,7 +1,7 @@
 #!/bin/sh
 # Writes docs/hazards.md: how often the verdict is wrong before hazards that no model is trained on.
 # Usage: docs/hazards.sh path/to/terratact [DRIVES]
-#   DRIVES   number per kind of hazard and ground, default 12: about three minutes on two cores
+#   DRIVES   number per kind of hazard and ground, default 12: about five minutes on two cores
 set -eu
 terratact=$(realpath "$1")
 drives=${2:-12}
@@ -27,5 +27,15 @@ trap 'rm -f "$page"' EXIT
   echo
   echo 'On hard rough ground the robot rests on single points (*press* is 0 there). Between them nothing is felt. The readings seldom distinguish'
   echo 'flat ground from a gap that the flippers span. CLEAR needs a probe or a lower rate. The tables show what a lower rate costs.'
+  echo
+  echo '## Two tracks'
+  echo
+  echo 'The same drives over ground under two tracks, with the hazard on one side or on both, estimated and judged for left and right:'
+  echo
+  echo "    terratact hazards --tracks --drives $drives"
+  echo
+  echo '```'
+  "$terratact" hazards --tracks --drives "$drives"
+  echo '```'
 } >"$page"
 cp "$page" hazards.md

@@ -1,5 +1,9 @@
+#include <fmt/format.h>
+
 #include "app/cli/commands.h"
 #include "app/modelling/hazard_trials.h"
+#include "app/modelling/track_hazards.h"
+#include "app/modelling/two_track_evaluation.h"
 #include "app/runtime/print_text.h"
 
 namespace terratact {
@@ -14,6 +18,18 @@ Status judgeHazards(const HazardsOptions& options)
     trial.stepLimit = options.stepLimit;
     trial.settings = options.settings;
     if (!options.rates.empty()) trial.rates = options.rates;
+    if (options.tracks) {
+        if (!isClosedForm(trial.settings.method))
+            return Error{
+                fmt::format(
+                    "hazards --tracks: method {} estimates one plane, expected local or joint",
+                    name(trial.settings.method)),
+                0};
+        if (!(*bundle)->models.sides) return modelOfOnePlane(options.model);
+        const std::string sides = trackHazardTable(tryTrackHazards(**bundle, trial));
+        printText("{}", Lines(sides));
+        return Done{};
+    }
     const auto lines = tryHazards(**bundle, trial);
     const std::string table = hazardTable(lines, trial.rates.back());
     printText("{}", Lines(table));

@@ -101,6 +101,7 @@ struct HazardsOptions {
     double stepLimit = 0.1;  ///< [m]
     /// Hazard rates per unfelt bin; the last one is printed in full. Empty: the defaults.
     std::vector<double> rates;
+    bool tracks = false;  ///< both sides, with hazards on one and on both, by the last rate
     Settings settings;
 };
 /// Drives simulated robots towards hazards and prints how often the verdict is wrong (app/modelling/hazard_trials.h).

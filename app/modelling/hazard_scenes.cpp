@@ -7,8 +7,11 @@
 
 #include "core/robot/kinematics.h"
 #include "core/sim/drive.h"
+#include "core/sim/ground/random_draw.h"
+#include "core/sim/ground/random_ground.h"
 #include "core/sim/ground/random_terrain.h"
 #include "core/sim/ground/terrain_shapes.h"
+#include "core/sim/two_track_drive.h"
 #include "core/terrain/step.h"
 
 namespace terratact {
@@ -18,7 +21,6 @@ constexpr double kStops = 0.1;       // [m] distance between two scenes
 constexpr double kBefore = 1.0;      // [m] judged ground before the hazard
 constexpr double kBehind = 0.5;      // [m] ground behind the latest start of the hazard
 constexpr double kFirstStop = 0.65;  // [m] see stopsOver()
-constexpr double kSpeed = 0.3;       // [m/s] speed of driveOver()
 
 TerrainProfile terrainOf(const HazardGround& ground, std::optional<Hazard> hazard,
                          std::mt19937_64& rng)
@@ -26,6 +28,38 @@ TerrainProfile terrainOf(const HazardGround& ground, std::optional<Hazard> hazar
     if (hazard) return randomHazardTerrain(*hazard, ground.roughness, rng);
     if (ground.roughness > 0.0) return isoRoughness(ground.roughness, kRandomTerrainLength, rng);
     return flatTerrain(kRandomTerrainLength);
+}
+
+GroundLines linesOf(const RobotModel& robot, const HazardGround& ground,
+                    std::optional<Hazard> hazard, bool onBothSides, std::mt19937_64& rng)
+{
+    const std::vector<double> ys = groundYs(robot);
+    if (hazard) {
+        const HazardSide one = whole(rng, 0, 1) == 0 ? HazardSide::Left : HazardSide::Right;
+        return randomHazardGround(*hazard, onBothSides ? HazardSide::Both : one, ground.roughness,
+                                  ys, rng);
+    }
+    std::vector<GroundLine> lines;
+    for (const double y : ys) lines.push_back({y, flatTerrain(kRandomTerrainLength)});
+    if (ground.roughness > 0.0)
+        addRoughness(lines, ground.roughness, uniform(rng, kLeastCorrelation, kMostCorrelation),
+                     rng);
+    return GroundLines(std::move(lines));
+}
+
+/// Returns true if a scene that was driven over level ground with hazards stands near these.
+bool isNearHazard(double time)
+{
+    const double x = kFirstStop + kDriveSpeed * time;
+    return x >= kHazardBegin - kBefore && x <= kHazardEnd + kBehind;
+}
+
+DriveConditions conditionsOn(const HazardGround& ground, std::mt19937_64& rng)
+{
+    DriveConditions conditions;
+    conditions.noise.height = 0.0;
+    if (ground.isSoft) conditions.ground = randomSoftGround(rng);
+    return conditions;
 }
 
 std::vector<double> contactsOf(const RobotModel& robot, const RestPose& rest)
@@ -45,21 +79,38 @@ std::vector<HazardScene> driveTowards(const RobotModel& robot, const HazardGroun
 {
     const TerrainProfile terrain = terrainOf(ground, hazard, rng);
     std::vector<std::vector<double>> contacts;
-    DriveConditions conditions;
-    conditions.noise.height = 0.0;
+    DriveConditions conditions = conditionsOn(ground, rng);
     conditions.rested = [&](const RestPose& rest) { contacts.push_back(contactsOf(robot, rest)); };
-    if (ground.isSoft) conditions.ground = randomSoftGround(rng);
     const DriveStyle drive = style == PressStyle::Random ? randomDriveStyle(rng) : DriveStyle{};
     int skipped = 0;
     std::vector<Scene> scenes = driveOver(robot, terrain, stopsOver(terrain, kStops), "hazard",
                                           drive, conditions, rng, skipped);
     std::vector<HazardScene> near;
-    for (std::size_t k = 0; k < scenes.size(); ++k) {
-        const double x = kFirstStop + kSpeed * scenes[k].time;
-        if (x >= kHazardBegin - kBefore && x <= kHazardEnd + kBehind)
+    for (std::size_t k = 0; k < scenes.size(); ++k)
+        if (isNearHazard(scenes[k].time))
             near.push_back({std::move(scenes[k]), std::move(contacts[k])});
-    }
     return near;
+}
+
+std::vector<TwoTrackScene> driveTracksTowards(const RobotModel& robot, const HazardGround& ground,
+                                              std::optional<Hazard> hazard, bool onBothSides,
+                                              PressStyle style, std::mt19937_64& rng)
+{
+    const GroundLines lines = linesOf(robot, ground, hazard, onBothSides, rng);
+    const DriveConditions conditions = conditionsOn(ground, rng);
+    const DriveStyle drive = style == PressStyle::Random ? randomDriveStyle(rng) : DriveStyle{};
+    int skipped = 0;
+    auto scenes = driveOver(robot, lines, stopsOver(lines, kStops), "hazard", drive, conditions,
+                            rng, skipped);
+    std::erase_if(scenes, [](const TwoTrackScene& scene) { return !isNearHazard(scene.time); });
+    return scenes;
+}
+
+Heights knownHeights(const OptionalHeights& truth)
+{
+    Heights heights{};
+    for (std::size_t i = 0; i < kBins; ++i) heights[i] = truth[i].value();
+    return heights;
 }
 
 bool isFlatTo(const Heights& truth, double stepLimit, int lastBin)

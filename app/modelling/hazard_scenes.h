@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/learn/data/scene.h"
+#include "core/learn/data/two_track_scene.h"
 #include "core/robot/robot_model.h"
 #include "core/sim/ground/hazard_terrain.h"
 #include "core/terrain/bins.h"
@@ -42,6 +43,15 @@ struct HazardScene {
 std::vector<HazardScene> driveTowards(const RobotModel& robot, const HazardGround& ground,
                                       std::optional<Hazard> hazard, PressStyle style,
                                       std::mt19937_64& rng);
+
+/// Returns the same of two tracks: scenes with exact truth of both sides. The hazard lies on one side, chosen at random,
+/// or on both. Roughness is correlated between the lines (core/sim/ground/random_ground.h).
+std::vector<TwoTrackScene> driveTracksTowards(const RobotModel& robot, const HazardGround& ground,
+                                              std::optional<Hazard> hazard, bool onBothSides,
+                                              PressStyle style, std::mt19937_64& rng);
+
+/// Returns the heights of a scene whose truth is known. Throws std::bad_optional_access if one is not.
+Heights knownHeights(const OptionalHeights& truth);
 
 /// True heights of flat ground lie within this distance of a straight line [m].
 inline constexpr double kFlatWithin = 0.02;

@@ -55,7 +55,7 @@ _terratact_buses() {
 _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
-    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | reconstruct:--tracks | evaluate:--tracks | *:--probes | *:--missing | *:--lamps | *:--watch | \
+    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | reconstruct:--tracks | evaluate:--tracks | hazards:--tracks | *:--probes | *:--missing | *:--lamps | *:--watch | \
       *:--summary | *:--transmit | *:--safe-mode | *:--errors-in-window | *:--no-record | *:--measured | *:--all | *:--card | \
       "model show:--csv") return 1 ;;
     *:--robot | *:--panel) _terratact_files toml ;;
@@ -111,7 +111,7 @@ _terratact_options() {
     reconstruct) echo --robot --model --data --out --tracks --method "$estimates" ;;
     evaluate) echo --robot --model --data --out --methods --step-limit --card --shard --tracks --classes --class-column --probes --missing \
       "$estimates" ;;
-    hazards) echo --robot --model --drives --step-limit --rates --seed --method ;;
+    hazards) echo --robot --model --drives --step-limit --rates --tracks --seed --method ;;
     tradeoff) echo --robot --model --data --out --methods --reference-sweeps --seed ;;
     merge) echo --robot --out ;;
     contacts) echo --robot --data --threshold ;;

@@ -306,6 +306,8 @@ class Commands(unittest.TestCase):
         run("simulate", "--terrain", "varied", "--tracks", "--count", 160, "--seed", 3, "--out", scenes)
         said = run("train", "--data", self.data, "--tracks", scenes, "--out", model, "--seed", 3, "--inducing", 40)
         self.assertRegex(said, r"two tracks: 22 Gaussian processes for both sides; 1\d\d scenes kept")
+        refused = complaint("hazards", "--tracks", "--drives", 1, "--method", "pafc")
+        self.assertIn("method pafc estimates one plane, expected local or joint", refused)
         table = run("evaluate", "--tracks", "--model", model, "--data", scenes, "--methods", "local", "--out", out)
         error = {(row["approach"], row["what"]): float(row["median_m"]) for row in rows(out / "tracks.csv")}
         self.assertLess(error["two tracks", "beyond"], error["one plane", "beyond"])

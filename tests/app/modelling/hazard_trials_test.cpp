@@ -34,16 +34,20 @@ TEST(HazardTrials, totalsSeparatePressStylesAndGrounds)
                                         lineOf("level", "none", PressStyle::Console, 40)};
     const std::string table = hazardTable(lines, 0.05);
     EXPECT_EQ(rowOf(table, "random press, totals", "level, none"),
-              "level, none             200    100       0      0      1   10.00     80     25     "
+              "level, none                       200    100       0      0      1   10.00     80   "
+              "  25     "
               "40     50    0.0    0.0      3");
     EXPECT_EQ(rowOf(table, "random press, totals", "level"),
-              "level                   400    200       0      0      2   10.00    160     19     "
+              "level                             400    200       0      0      2   10.00    160   "
+              "  19     "
               "80     38    0.0    0.0      6");
     EXPECT_EQ(rowOf(table, "random press, totals", "all"),
-              "all                     600    300       0      0      3   10.00    240     12    "
+              "all                               600    300       0      0      3   10.00    240   "
+              "  12    "
               "120     25    0.0    0.0      9");
     EXPECT_EQ(rowOf(table, "press of the console, totals", "all"),
-              "all                     200    100       0      0      1   10.00     80     50     "
+              "all                               200    100       0      0      1   10.00     80   "
+              "  50     "
               "40    100    0.0    0.0      3");
 }
 
