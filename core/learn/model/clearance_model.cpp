@@ -167,6 +167,7 @@ ClearanceModel::ClearanceModel(const SurfaceData& model, AbsentFeatures without,
         products.sum += weight * residuals_.col(u) * residuals_.col(u).transpose();
         products.count += weight;
     }
+    if (featureMean_.size() == kSideRow) ownSides_ = productsWith(*this);
 }
 
 ClearanceModel::Process ClearanceModel::prepare(const SurfaceProcess& data,
@@ -339,22 +340,38 @@ Eigen::MatrixXd ClearanceModel::residualCovariance(unsigned covered) const
     return nearestCovariance(covariance);
 }
 
+ClearanceModel::ProductsOfSides ClearanceModel::productsWith(const ClearanceModel& right) const
+{
+    ProductsOfSides all;
+    Eigen::Matrix<double, 2 * kBins, 1> residual;
+    for (int u = 0; u < static_cast<int>(residuals_.cols()); ++u) {
+        const int other = otherSideRow(u);
+        residual << residuals_.col(u), right.residuals_.col(other);
+        SideProducts& products =
+            all[coveredBins_[static_cast<std::size_t>(u)]
+                | coveredBins_[static_cast<std::size_t>(other)] << unsigned{kBins}];
+        products.sum.noalias() += residual * residual.transpose();
+        products.count += 1.0;
+    }
+    return all;
+}
+
 Eigen::MatrixXd ClearanceModel::sideCovariance(const ClearanceModel& right,
                                                const SideBins& covered) const
 {
     requireSidesOf(right);
     constexpr Eigen::Index kBoth = Eigen::Index{2} * kBins;
+    const bool alike = &right == this;
+    const ProductsOfSides made = alike ? ProductsOfSides{} : productsWith(right);
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(kBoth, kBoth);
     Eigen::MatrixXd count = sum;
-    Eigen::Matrix<double, 2 * kBins, 1> in, residual;
-    for (int u = 0; u < static_cast<int>(residuals_.cols()); ++u) {
-        const int other = otherSideRow(u);
-        in << sameRegime(coveredBins_[static_cast<std::size_t>(u)], covered[0]),
-            sameRegime(coveredBins_[static_cast<std::size_t>(other)], covered[1]);
-        residual << residuals_.col(u), right.residuals_.col(other);
-        residual.array() *= in.array();
-        sum.noalias() += residual * residual.transpose();
-        count.noalias() += in * in.transpose();
+    Eigen::Matrix<double, 2 * kBins, 1> in;
+    for (const auto& [theirs, products] : alike ? ownSides_ : made) {
+        in << sameRegime(theirs & ((1U << unsigned{kBins}) - 1U), covered[0]),
+            sameRegime(theirs >> unsigned{kBins}, covered[1]);
+        const Eigen::Matrix<double, 2 * kBins, 2 * kBins> both = in * in.transpose();
+        sum += products.sum.cwiseProduct(both);
+        count += products.count * both;
     }
     Eigen::MatrixXd covariance = (count.array() > 0.0).select(sum.cwiseQuotient(count), 0.0);
     for (int bin = 0; bin < kBins; ++bin) {

@@ -89,6 +89,15 @@ private:
         Eigen::Matrix<double, kBins, kBins> sum = Eigen::Matrix<double, kBins, kBins>::Zero();
         double count = 0.0;
     };
+    /// The same of both sides, left above right.
+    struct SideProducts {
+        Eigen::Matrix<double, 2 * kBins, 2 * kBins> sum =
+            Eigen::Matrix<double, 2 * kBins, 2 * kBins>::Zero();
+        double count = 0.0;
+    };
+    /// By the covered bins of both sides, those of the right side shifted by kBins bits.
+    using ProductsOfSides = std::map<unsigned, SideProducts>;
+    ProductsOfSides productsWith(const ClearanceModel& right) const;
     static Process prepare(const SurfaceProcess& data, const Eigen::MatrixXd& X,
                            const std::vector<int>& rows);
     const Process& process(int bin, bool covered) const;
@@ -110,6 +119,7 @@ private:
     std::vector<int> places_;
     Eigen::MatrixXd residuals_;                      ///< 11 × U
     std::map<unsigned, ResidualProducts> products_;  ///< indexed by the covered bins
+    ProductsOfSides ownSides_;  ///< productsWith(*this) of a model of two tracks
     double noveltyScale_ = 1.0;
     double contactBias_ = 0.0, contactSd_ = 0.0;
 };
