@@ -1,11 +1,13 @@
 #!/bin/sh
 # Writes docs/two_tracks.md: estimates of left and right by the shipped model, on generated ground of another seed and on
 # real ground. Minutes on two cores.
-# Usage: docs/two_tracks.sh path/to/terratact PAIRS.csv
+# Usage: docs/two_tracks.sh path/to/terratact PAIRS.csv TESTS
 #   PAIRS.csv   ground lines (docs/files.md) with a column `kind`: "mild" for a mild cross slope
+#   TESTS       folder of the test programs, build/release/tests: they print the checks of the rest pose
 set -eu
 terratact=$(realpath "$1")
 pairs=$(realpath "$2")
+rest=$(realpath "$3")/core.sim.rest.two_track_rest_test
 cd "$(dirname "$0")"
 docs=$PWD
 folder=$(mktemp -d)
@@ -26,7 +28,7 @@ show() {
 
 say '# Two tracks' '' \
   'The command above each number printed it. This command made the whole page,' '' \
-  "    docs/two_tracks.sh path/to/terratact $(basename "$pairs")" '' \
+  "    docs/two_tracks.sh path/to/terratact $(basename "$pairs") build/release/tests" '' \
   'with the shipped model. Its two tracks learnt from simulated drives over generated ground alone' \
   '(`resources/models/make_default.sh`). Errors are those of each side. Bins from -0.3 to +0.2 m are those of the track'"'"'s line,' \
   'bins from +0.3 m on those of the flippers'"'"' line. The approaches are' '' \
@@ -55,5 +57,13 @@ show evaluate --tracks --data mild_scenes.csv --methods joint --seed 1 --out joi
 say '' '## Missing sensors' '' 'The first 300 of the generated scenes.'
 head -n 301 generated.csv >few.csv
 show evaluate --tracks --missing --data few.csv --methods local --seed 1 --out missing
+
+say '' '## Hazards on one side and on both'
+show hazards --tracks --drives 4
+
+say '' '## The simulated rest pose' '' 'On equal lines, poses are those of the simulation of one plane, to 1e-9 rad and 0.01 N.' '' \
+  "    $(basename "$rest")" '' '```'
+"$rest" --gtest_filter='TwoTrackRest.on*' | grep -E '^(equal lines|mirrored ground)' >>"$page"
+say '```'
 
 mv "$page" "$docs/two_tracks.md"
