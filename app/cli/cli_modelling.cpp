@@ -188,7 +188,7 @@ void addEvaluate(CLI::App& app, Job& job, const Words& words)
         ->excludes(card);
     auto* const tracks =
         c->add_flag("--tracks", o->tracks,
-                    "Scenes of left and right: errors per side by local or joint, beside one plane")
+                    "Scenes of left and right: errors per side, beside those of one plane")
             ->excludes(card)
             ->excludes("--shard");
     auto* classes = addInput(*c, "--classes", o->classes,
@@ -206,6 +206,7 @@ void addEvaluate(CLI::App& app, Job& job, const Words& words)
         ->excludes(card);
     addSettings(*c, o->settings, o->seconds);
     c->callback([o, methods, &job, words] {
+        if (o->tracks && methods->empty()) methods->emplace_back(name(Method::Local));
         o->methods = methodsFrom(*methods);
         o->command = commandLine(without("--out", without("--shard", words)));
         useShippedRobot(o->robot);

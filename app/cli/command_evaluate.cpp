@@ -52,12 +52,18 @@ std::string inFolder(const EvaluateOptions& options, const char* name)
     return (std::filesystem::path(options.out) / name).string();
 }
 
-Status reportTracks(const TrackFindings& findings, const EvaluateOptions& options)
+Status reportTracks(const std::vector<TwoTrackScene>& scenes, const EstimatorBundle& bundle,
+                    const EvaluateOptions& options)
 {
-    printText("{}", Lines(tracksTable(findings)));
-    if (Status s = writeFileAtomically(inFolder(options, "tracks.csv"), tracksCsv(findings)); !s)
+    std::vector<TrackFindings> methods;
+    for (const Method method : options.methods) {
+        methods.push_back(evaluateTracks(scenes, bundle, options, method));
+        const std::string gap = methods.size() > 1 ? "\n" : "";
+        printText("{}", Lines(gap + tracksTable(methods.back())));
+    }
+    if (Status s = writeFileAtomically(inFolder(options, "tracks.csv"), tracksCsv(methods)); !s)
         return s;
-    return writeFileAtomically(inFolder(options, "track_steps.csv"), trackStepsCsv(findings));
+    return writeFileAtomically(inFolder(options, "track_steps.csv"), trackStepsCsv(methods));
 }
 
 Status reportMissing(const std::vector<TrackMissing>& missing, const EvaluateOptions& options)
@@ -71,21 +77,17 @@ Status evaluateTwoTracks(const EvaluateOptions& options)
     const auto bundle = openEstimatorBundle(options.robot, options.model);
     if (!bundle) return bundle.error();
     if (!(*bundle)->model.data.hasSides()) return modelOfOnePlane(options.model);
-    EvaluateOptions own = options;
-    std::erase_if(own.methods, [](Method method) { return !isClosedForm(method); });
-    if (own.methods.empty())
-        return fileError(options.data, "two tracks are estimated by local or joint: expected one "
-                                       "of them in --methods");
-    const bool local = std::ranges::find(own.methods, Method::Local) != own.methods.end();
-    own.methods = {local ? Method::Local : Method::Joint};
+    if (options.missing && !isClosedForm(options.methods.front()))
+        return fileError(options.data, "the errors without some sensors are those of local or "
+                                       "joint: expected one of them first in --methods");
     const auto file = readTwoTrackScenes(options.data);
     if (!file) return file.error();
     for (const Message& notice : file->notices)
         printText(stderr, "terratact: {}\n", notice.english());
     if (Status s = makeDirectory(options.out); !s) return s;
-    printText("method {}\n", name(own.methods.front()));
-    if (options.missing) return reportMissing(evaluateMissing(file->scenes, **bundle, own), own);
-    return reportTracks(evaluateTracks(file->scenes, **bundle, own), own);
+    if (options.missing)
+        return reportMissing(evaluateMissing(file->scenes, **bundle, options), options);
+    return reportTracks(file->scenes, **bundle, options);
 }
 
 }  // namespace

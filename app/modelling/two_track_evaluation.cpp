@@ -13,6 +13,7 @@
 
 #include "app/runtime/parallel.h"
 #include "core/base/named.h"
+#include "core/infer/each_side.h"
 #include "core/infer/two_track_estimator.h"
 #include "core/infer/verdict/two_track_verdict.h"
 #include "core/robot/side_plane.h"
@@ -27,28 +28,6 @@ constexpr auto kClassNames = namesOf<TrackClass>("all", "within", "beyond", "sym
 
 using TrackScenes = std::vector<TwoTrackScene>;
 
-/// Raises an estimate by the lift of its side.
-void raise(TerrainEstimate& estimate, double lift)
-{
-    for (Heights* heights :
-         {&estimate.mean, &estimate.q10, &estimate.q90, &estimate.height, &estimate.ceiling})
-        for (double& height : *heights) height += lift;
-    for (Heights& draw : estimate.draws)
-        for (double& height : draw) height += lift;
-}
-
-TwoTrackEstimate onePerSide(const TwoTrackReadings& s, const EstimatorBundle& bundle,
-                            const Settings& settings)
-{
-    TwoTrackEstimate estimate;
-    for (const Side side : {Side::Left, Side::Right}) {
-        TerrainEstimate& own = estimate.side[side == Side::Left ? 0 : 1];
-        own = closedFormEstimate(sideReadings(s, side), {}, bundle.robot, bundle.models, settings);
-        raise(own, signOf(side) * bundle.robot.lateral.trackY * std::sin(s.roll));
-    }
-    return estimate;
-}
-
 TwoTrackEstimate estimateBy(TrackApproach approach, const TwoTrackReadings& s,
                             const EstimatorBundle& bundle, const Settings& settings)
 {
@@ -58,7 +37,8 @@ TwoTrackEstimate estimateBy(TrackApproach approach, const TwoTrackReadings& s,
     case TrackApproach::Always:
         return estimateByBothSides(s, {}, bundle.robot, bundle.models, settings);
     case TrackApproach::Plane: return estimateAsOnePlane(s, bundle.robot, bundle.models, settings);
-    case TrackApproach::PerSide: return onePerSide(s, bundle, settings);
+    case TrackApproach::PerSide:
+        return estimateEachSide(s, {}, bundle.robot, bundle.models, settings);
     }
     throw std::invalid_argument("estimateBy: no such approach");
 }
@@ -172,11 +152,18 @@ void countScenes(TrackFindings& findings, const TrackScenes& scenes,
     }
 }
 
-Settings settingsOf(const EvaluateOptions& options)
+Settings settingsFor(const EvaluateOptions& options, Method method)
 {
     Settings settings = options.settings;
-    settings.method = options.methods.front();
+    settings.method = method;
     return settings;
+}
+
+/// Returns the approaches of a method; the first one counts scenes and time.
+std::vector<TrackApproach> approachesOf(Method method)
+{
+    if (isClosedForm(method)) return {kTrackApproaches.begin(), kTrackApproaches.end()};
+    return {TrackApproach::PerSide, TrackApproach::Plane};
 }
 
 /// Sensors that a robot may lack.
@@ -250,17 +237,21 @@ Error modelOfOnePlane(const std::string& path)
 }
 
 TrackFindings evaluateTracks(const TrackScenes& scenes, const EstimatorBundle& bundle,
-                             const EvaluateOptions& options)
+                             const EvaluateOptions& options, Method method)
 {
-    const Settings settings = settingsOf(options);
+    const Settings settings = settingsFor(options, method);
+    const std::vector<TrackApproach> approaches = approachesOf(method);
+    const TrackApproach timed =
+        isClosedForm(method) ? TrackApproach::Always : TrackApproach::PerSide;
     TrackFindings findings;
-    for (const TrackApproach approach : kTrackApproaches) {
+    findings.method = method;
+    for (const TrackApproach approach : approaches) {
         const std::clock_t begin = std::clock();
         const TrackEstimates estimates = estimateTracks(approach, scenes, bundle, settings);
-        if (approach == TrackApproach::Always)
+        if (approach == timed)
             findings.milliseconds = 1000.0 * static_cast<double>(std::clock() - begin)
                                   / CLOCKS_PER_SEC / static_cast<double>(scenes.size());
-        if (approach == TrackApproach::Both) countScenes(findings, scenes, estimates, settings);
+        if (approach == approaches.front()) countScenes(findings, scenes, estimates, settings);
         addErrors(findings, approach, scenes, errorsOfBoth(scenes, estimates), settings);
         findings.steps.push_back(stepsOf(approach, scenes, estimates, options.stepLimit));
     }
@@ -273,8 +264,8 @@ std::vector<TrackMissing> evaluateMissing(const TrackScenes& scenes, const Estim
     std::vector<TrackMissing> missing;
     for (const Lack& lack : kLacks) {
         const TrackScenes left = without(lack, scenes);
-        const TrackEstimates estimates =
-            estimateTracks(TrackApproach::Always, left, bundle, settingsOf(options));
+        const TrackEstimates estimates = estimateTracks(
+            TrackApproach::Always, left, bundle, settingsFor(options, options.methods.front()));
         missing.push_back(
             {lack.name, statistics(those(errorsOfBoth(left, estimates), [](const BinError& e) {
                  return e.bin <= kLastNearBin;
@@ -285,7 +276,8 @@ std::vector<TrackMissing> evaluateMissing(const TrackScenes& scenes, const Estim
 
 std::string tracksTable(const TrackFindings& findings)
 {
-    std::string text = heading("class, bins to +0.5 m");
+    std::string text = fmt::format("method {}\n", name(findings.method));
+    text += heading("class, bins to +0.5 m");
     for (const TrackErrors& e : findings.errors) text += line(name(e.approach), e.what, e.errors);
     text += fmt::format("\nstep ahead\n{:<13} {:>7} {:>10} {:>8} {:>8} {:>12} {:>8} {:>8}\n",
                         "approach", "scenes", "Brier/side", "mean P", "share", "Brier either",
@@ -307,22 +299,25 @@ std::string tracksTable(const TrackFindings& findings)
     return text;
 }
 
-std::string tracksCsv(const TrackFindings& findings)
+std::string tracksCsv(std::span<const TrackFindings> methods)
 {
-    std::string csv = "approach,what,n,median_m,mean_m,coverage_80,width_80_m\n";
-    for (const TrackErrors& e : findings.errors)
-        csv += csvLine({name(e.approach), e.what, e.errors.n, e.errors.median, e.errors.mean,
-                        e.errors.coverage, e.errors.width});
+    std::string csv = "approach,what,n,median_m,mean_m,coverage_80,width_80_m,method\n";
+    for (const TrackFindings& findings : methods)
+        for (const TrackErrors& e : findings.errors)
+            csv += csvLine({name(e.approach), e.what, e.errors.n, e.errors.median, e.errors.mean,
+                            e.errors.coverage, e.errors.width, name(findings.method)});
     return csv;
 }
 
-std::string trackStepsCsv(const TrackFindings& findings)
+std::string trackStepsCsv(std::span<const TrackFindings> methods)
 {
     std::string csv = "approach,scenes,brier_per_side,forecast_per_side,observed_per_side,"
-                      "brier_either,forecast_either,observed_either\n";
-    for (const TrackSteps& s : findings.steps)
-        csv += csvLine({name(s.approach), s.scenes, s.brierPerSide, s.forecastPerSide,
-                        s.observedPerSide, s.brierEither, s.forecastEither, s.observedEither});
+                      "brier_either,forecast_either,observed_either,method\n";
+    for (const TrackFindings& findings : methods)
+        for (const TrackSteps& s : findings.steps)
+            csv += csvLine({name(s.approach), s.scenes, s.brierPerSide, s.forecastPerSide,
+                            s.observedPerSide, s.brierEither, s.forecastEither, s.observedEither,
+                            name(findings.method)});
     return csv;
 }
 

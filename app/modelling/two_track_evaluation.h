@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace terratact {
 ///   Both     estimateTwoTracks(): as one plane where the scene is symmetric within its noise
 ///   Always   both sides whatever the symmetry
 ///   Plane    the one-plane model on the means of both sides, for both sides
-///   PerSide  the one-plane model on each side's readings, plus ± y sin(roll), y: the track's
+///   PerSide  the one-plane model on each side's readings (core/infer/each_side.h)
+/// Sampling methods have learnt one plane: Plane and PerSide alone.
 enum class TrackApproach : std::uint8_t { Both, Always, Plane, PerSide };
 inline constexpr std::array kTrackApproaches{TrackApproach::Both, TrackApproach::Always,
                                              TrackApproach::Plane, TrackApproach::PerSide};
@@ -58,21 +60,25 @@ struct TrackSteps {
 
 /// Scores of all approaches, and how the scenes were handled.
 struct TrackFindings {
+    Method method = Method::Local;
     std::vector<TrackErrors> errors;
     std::vector<TrackSteps> steps;
     std::size_t scenes = 0, failed = 0;
     std::size_t asOnePlane = 0;  ///< scenes that TrackApproach::Both estimated as one plane
     std::size_t attitude = 0;    ///< scenes whose attitude withholds a verdict of one plane
     std::size_t novel = 0;       ///< scenes that the two tracks call unlike the training
-    double milliseconds = 0.0;   ///< processor time of one estimate by TrackApproach::Always
+    /// Processor time of one estimate by TrackApproach::Always; by PerSide, if the method samples.
+    double milliseconds = 0.0;
 };
 
-/// Evaluates scenes of two tracks by options.settings, on all cores. Throws RefusedInput if the
-/// model has no two tracks.
+/// Evaluates scenes of two tracks by options.settings and a method, on all cores. Throws RefusedInput
+/// if the model has no two tracks and the method needs them.
 TrackFindings evaluateTracks(const std::vector<TwoTrackScene>& scenes,
-                             const EstimatorBundle& bundle, const EvaluateOptions& options);
+                             const EstimatorBundle& bundle, const EvaluateOptions& options,
+                             Method method);
 
-/// Errors without some sensors: bins −0.3 … 0.5 m of all scenes, by TrackApproach::Always.
+/// Errors without some sensors: bins −0.3 … 0.5 m of all scenes, by TrackApproach::Always and the
+/// first method of the options, which must be Local or Joint.
 struct TrackMissing {
     std::string lacks;
     ErrorStatistics errors;
@@ -83,8 +89,8 @@ std::vector<TrackMissing> evaluateMissing(const std::vector<TwoTrackScene>& scen
 
 // Tables for the terminal [mm] and CSV files [m].
 std::string tracksTable(const TrackFindings& findings);
-std::string tracksCsv(const TrackFindings& findings);
-std::string trackStepsCsv(const TrackFindings& findings);
+std::string tracksCsv(std::span<const TrackFindings> methods);
+std::string trackStepsCsv(std::span<const TrackFindings> methods);
 std::string missingTable(const std::vector<TrackMissing>& missing);
 std::string missingCsv(const std::vector<TrackMissing>& missing);
 

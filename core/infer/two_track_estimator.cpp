@@ -64,9 +64,8 @@ TwoTrackEstimate estimateAsOnePlane(const TwoTrackReadings& s, const RobotModel&
                                     const Models& models, const Settings& settings,
                                     const Watch& watch)
 {
-    requireClosedForm(settings);
     const TerrainEstimate plane =
-        closedFormEstimate(planeReadings(s), {}, robot, models, settings, watch);
+        estimateTerrain(planeReadings(s), {}, robot, models, settings, watch);
     return {.side = {plane, plane}, .onePlane = true};
 }
 

@@ -22,7 +22,7 @@ TwoTrackEstimate estimateByBothSides(const TwoTrackReadings& s, const SideArms& 
                                      const RobotModel& robot, const Models& models,
                                      const Settings& settings, const Watch& watch = {});
 
-/// Estimates both sides as one plane from the means of both sides' readings.
+/// Estimates both sides as one plane from the means of both sides' readings, by any method.
 TwoTrackEstimate estimateAsOnePlane(const TwoTrackReadings& s, const RobotModel& robot,
                                     const Models& models, const Settings& settings,
                                     const Watch& watch = {});
