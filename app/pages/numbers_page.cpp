@@ -13,9 +13,29 @@
 #include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
 #include "widgets/terrain/numbers_table.h"
+#include "widgets/terrain/two_track_text.h"
 #include "widgets/terrain/verdict_strip.h"
 
 namespace terratact {
+namespace {
+
+/// Returns the answer, those of the sides, the probability of a step and the reason.
+QStringList textsOf(const TwoTrackVerdict& verdict, double limit)
+{
+    const Verdict& plane = verdict.side[0];
+    if (isOnePlane(verdict))
+        return {VerdictStrip::answerOf(plane), VerdictStrip::probabilityOf(plane, limit),
+                VerdictStrip::whyOf(plane)};
+    Verdict robot = plane;
+    robot.stepVerdict = verdict.both;
+    robot.horizon = std::min(plane.horizon, verdict.side[1].horizon);
+    QStringList texts{VerdictStrip::answerOf(robot), sidesText(verdict), eitherText(verdict, limit),
+                      whyText(verdict, false)};
+    texts.removeAll(QString());
+    return texts;
+}
+
+}  // namespace
 
 NumbersPage::NumbersPage(std::function<NumbersViewState()> look, QWidget* parent)
     : Page(parent), look_(std::move(look))
@@ -57,12 +77,10 @@ void NumbersPage::showVerdict(const NumbersViewState& viewState)
 {
     verdict_->setVisible(viewState.verdict.has_value());
     if (!viewState.verdict) return;
-    const Verdict& verdict = viewState.verdict->side[0];
-    const bool isOld =
-        std::ranges::find(verdict.withheldFor, WithholdReason::Stale) != verdict.withheldFor.end();
-    QStringList parts{VerdictStrip::answerOf(verdict),
-                      VerdictStrip::probabilityOf(verdict, viewState.stepLimit),
-                      VerdictStrip::whyOf(verdict)};
+    const bool isOld = std::ranges::any_of(viewState.verdict->side, [](const Verdict& side) {
+        return std::ranges::find(side.withheldFor, WithholdReason::Stale) != side.withheldFor.end();
+    });
+    QStringList parts = textsOf(*viewState.verdict, viewState.stepLimit);
     if (isOld && viewState.age)
         parts << tr("last telemetry %1 ago").arg(format::age(*viewState.age));
     const QString text = parts.join(QStringLiteral(" · "));
@@ -83,9 +101,9 @@ void NumbersPage::refresh(double /*now*/)
     }
     if (shown_ == viewState.revision && shownLimit_ == viewState.stepLimit) return;
     shown_ = viewState.revision;
-    const TerrainEstimate& estimate = viewState.estimate->side[0];
+    const TerrainEstimate& estimate = viewState.estimate->side[0];  // both have the same settings
     shownLimit_ = viewState.stepLimit;
-    table_->setEstimate(estimate, shownLimit_);
+    table_->setEstimate(*viewState.estimate, shownLimit_);
     summary_->setText(tr("%1, %2 draws, seed %3; heights above the IMU, steps of more than %4 m. "
                          "The verdict's P counts steps over two bins (0.2 m) anywhere ahead, the "
                          "column those to the next bin alone")

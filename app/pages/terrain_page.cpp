@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/display/format.h"
+#include "core/robot/side_plane.h"
 #include "core/terrain/body_ceiling.h"
 #include "core/terrain/outline.h"
 #include "widgets/base/card.h"
@@ -96,11 +97,19 @@ QString whyNoProbe(const TerrainViewState& viewState)
 std::optional<ArmTip> armTipOf(const TerrainViewState& viewState, bool asking)
 {
     using State = ArmTip::State;
-    if (asking) return ArmTip{.state = State::Proposed, .bin = viewState.proposal->bin};
-    if (viewState.probingBin) return ArmTip{.state = State::Probing, .bin = *viewState.probingBin};
+    if (asking)
+        return ArmTip{.state = State::Proposed,
+                      .bin = viewState.proposal->bin,
+                      .side = viewState.proposal->side};
+    if (viewState.probingBin)
+        return ArmTip{
+            .state = State::Probing, .bin = *viewState.probingBin, .side = viewState.probingSide};
     if (!viewState.measurement || !viewState.measurement->arm) return std::nullopt;
     const ArmReading& touched = *viewState.measurement->arm;
-    return ArmTip{.state = State::Touched, .bin = touched.bin, .height = touched.height};
+    return ArmTip{.state = State::Touched,
+                  .bin = touched.bin,
+                  .height = touched.height,
+                  .side = touched.side};
 }
 
 RearView::Shape rearShapeOf(const RobotModel& robot)
@@ -123,9 +132,47 @@ RearView::Shape rearShapeOf(const RobotModel& robot)
     return shape;
 }
 
-RearView::Pose rearPoseOf(const Measurement& m)
+/// Returns the robot's attitude, with the cross slope ahead where both sides are estimated.
+RearView::Pose rearPoseOf(const TerrainViewState& viewState)
 {
-    return {.roll = m.roll, .frontLeft = m.frontLeft, .frontRight = m.frontRight};
+    const Measurement& m = *viewState.measurement;
+    RearView::Pose pose{.roll = m.roll, .frontLeft = m.frontLeft, .frontRight = m.frontRight};
+    if (viewState.estimate && !viewState.estimate->onePlane && viewState.verdict)
+        pose.crossSlope = viewState.verdict->crossSlope.steepest;
+    return pose;
+}
+
+/// Returns the outline of one side: body and track in the plane of the track, flippers in that of the flippers.
+Outline sideOutline(const RobotModel& robot, const Measurement& m, Side side)
+{
+    const bool isLeft = side == Side::Left;
+    const double front = isLeft ? m.frontLeft : m.frontRight;
+    const double rear = isLeft ? m.rearLeft : m.rearRight;
+    const auto inPlane = [&](double y) {
+        return robotOutline(inSidePlane(robot, m.roll, signOf(side) * y), m.pitch, front, rear);
+    };
+    const auto isFlipper = [](const OutlinePart& part) {
+        return part.kind == OutlinePart::Kind::FrontFlipper
+            || part.kind == OutlinePart::Kind::RearFlipper;
+    };
+    Outline outline = inPlane(robot.lateral.trackY);
+    const Outline flippers = inPlane(robot.lateral.flipperY);
+    for (std::size_t i = 0; i < outline.size(); ++i)
+        if (isFlipper(outline[i])) outline[i] = flippers[i];
+    return outline;
+}
+
+/// Returns the side that decides the robot's answer: a blocked one, else one that is not clear, else the one with the
+/// larger probability of a step.
+Side decidingSide(const TwoTrackVerdict& verdict)
+{
+    const auto rank = [](const Verdict& side) {
+        const int answer = side.stepVerdict == StepVerdict::Blocked    ? 2
+                         : side.stepVerdict == StepVerdict::CannotTell ? 1
+                                                                       : 0;
+        return std::pair(answer, side.step.p);
+    };
+    return rank(verdict.side[0]) > rank(verdict.side[1]) ? Side::Left : Side::Right;
 }
 
 /// Returns true while the flippers press. A preview stays longer, until the scene's estimate is there.
@@ -301,7 +348,7 @@ void TerrainPage::showRobot(const TerrainViewState& viewState)
         numbersFresh_ = fresh;
         const bool isDrawn = !viewState.scene || viewState.scene == viewState.measurement;
         readout_->setAttitude(viewState.attitude);
-        rear_->setPose(fresh ? std::optional(rearPoseOf(*viewState.measurement)) : std::nullopt);
+        rear_->setPose(fresh ? std::optional(rearPoseOf(viewState)) : std::nullopt);
         const auto captured = isDrawn ? std::nullopt : std::optional(viewState.scene->pitch);
         if (viewState.ages)
             readout_->setMeasurement(*viewState.measurement, viewState.age, *viewState.ages,
@@ -367,8 +414,8 @@ void TerrainPage::showEstimate(const TerrainViewState& viewState)
         shown_.reset();
     } else if (estimate) {
         if (shown_ != estimate) {
-            terrain_->setEstimate(viewState.estimate->side[0]);
-            strip_->setEstimate(viewState.estimate->side[0], viewState.estimateSeconds);
+            terrain_->setEstimate(*viewState.estimate);
+            strip_->setEstimate(*viewState.estimate, viewState.estimateSeconds);
             shown_ = estimate;
         }
     } else if (shown_ || shownLive_ || shownReason_ != viewState.whyNoEstimate) {
@@ -380,7 +427,7 @@ void TerrainPage::showEstimate(const TerrainViewState& viewState)
     terrain_->setGhost(viewState.ghost, viewState.whyNoGhost);
     if (shownSecond_ != second) {
         shownSecond_ = second;
-        terrain_->setSecond(second ? std::optional(viewState.second->side[0]) : std::nullopt,
+        terrain_->setSecond(second ? std::optional(*viewState.second) : std::nullopt,
                             viewState.secondName);
     }
     shownLive_ = viewState.live.shown();
@@ -395,7 +442,7 @@ void TerrainPage::showPreview(const TerrainViewState& viewState)
         moves ? tr("The flippers still move: no ground ahead is felt yet")
               : tr("Preview while the flippers go down: the estimate is being computed");
     if (shownLive_ == viewState.live.shown() && shownReason_ == note) return;
-    terrain_->setEstimate(viewState.live->side[0], note);
+    terrain_->setEstimate(*viewState.live, note);
     strip_->setLive(moves ? tr("LIVE preview") : tr("preview"));
     shownReason_ = note;
 }
@@ -403,13 +450,30 @@ void TerrainPage::showPreview(const TerrainViewState& viewState)
 void TerrainPage::showPose(const TerrainViewState& viewState)
 {
     if (!viewState.measurement || viewState.count == shownCount_) return;
-    // The estimate belongs to its scene, so both are drawn in the scene's pose.
-    const Proprioception s =
-        proprioception(viewState.scene ? *viewState.scene : *viewState.measurement);
-    terrain_->setOutline(robotOutline(robot_, s.pitch, s.front, s.rear));
+    showOutlines(viewState);
     const std::optional<Heights>* truth = viewState.scene ? viewState.sceneTruth : viewState.truth;
     terrain_->setTruth(truth ? *truth : std::nullopt);
     shownCount_ = viewState.count;
+}
+
+/// Draws both sides of the robot where they differ: the right side near, and the left side behind it.
+void TerrainPage::showOutlines(const TerrainViewState& viewState)
+{
+    // The estimate belongs to its scene, so both are drawn in the scene's pose.
+    const Measurement& m = viewState.scene ? *viewState.scene : *viewState.measurement;
+    const TwoTrackEstimate* const estimate =
+        viewState.live ? viewState.live.estimate : viewState.estimate.estimate;
+    const bool isOnePlane = estimate ? estimate->onePlane : isSymmetric(twoTrackReadings(m));
+    if (isOnePlane) {
+        const Proprioception s = proprioception(m);
+        return terrain_->setOutline(robotOutline(robot_, s.pitch, s.front, s.rear));
+    }
+    switch (terrain_->shownSides()) {
+    case ShownSides::Left: return terrain_->setOutline(sideOutline(robot_, m, Side::Left));
+    case ShownSides::Right: return terrain_->setOutline(sideOutline(robot_, m, Side::Right));
+    case ShownSides::Both: break;
+    }
+    terrain_->setOutline(sideOutline(robot_, m, Side::Right), sideOutline(robot_, m, Side::Left));
 }
 
 void TerrainPage::showVerdict(const TerrainViewState& viewState)
@@ -425,7 +489,8 @@ void TerrainPage::showVerdict(const TerrainViewState& viewState)
                                                                 : nullptr;
     if (proposal && proposal->worth && proposal->stepLimit == verdict_->limit())
         probe = probeTells(*proposal);
-    verdict_->setVerdict(viewState.verdict->side[0], probe);
+    verdict_->setVerdict(*viewState.verdict, probe);
+    terrain_->setFullSide(decidingSide(*viewState.verdict));
 }
 
 /// Shows the probe to request whenever the verdict is CANNOT TELL: bin, expected gain and button.

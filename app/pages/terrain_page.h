@@ -88,6 +88,7 @@ struct TerrainViewState {
     /// Reason that bestProbe is not proposed; empty: it was, or is elsewhere.
     QString whyNotOffered{};
     std::optional<int> probingBin{};
+    ProbeSide probingSide = ProbeSide::Middle;
     double probeSeconds = 0.0;         ///< [s] expected duration of a probe
     std::optional<double> progress{};  ///< 0 … 1 of a running estimate
 
@@ -148,6 +149,7 @@ private:
     Card* robotCard();
     Card* eventCard();
     void showRobot(const TerrainViewState& viewState);
+    void showOutlines(const TerrainViewState& viewState);
     void showAge(const TerrainViewState& viewState);
     void showEstimate(const TerrainViewState& viewState);
     void showPreview(const TerrainViewState& viewState);

@@ -387,6 +387,37 @@
     </message>
 </context>
 <context>
+    <name>Place</name>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>vlevo</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>vpravo</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>v %1</translation>
+    </message>
+    <message>
+        <source>left at %1</source>
+        <translation>vlevo v %1</translation>
+    </message>
+    <message>
+        <source>right at %1</source>
+        <translation>vpravo v %1</translation>
+    </message>
+</context>
+<context>
     <name>PlanarGround</name>
     <message>
         <source>roll %1: left and right ground differ</source>
@@ -982,6 +1013,57 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>STOP NOT SENT for %1, trying again: use the robot&apos;s own switch — %2</source>
         <translation>STOP NEODESLÁN %1, zkouší se znovu: použijte vypínač na robotu — %2</translation>
+    </message>
+</context>
+<context>
+    <name>TwoTrackVerdict</name>
+    <message>
+        <source>%1 at %2 m</source>
+        <translation>%1 v %2 m</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>the cross slope ahead may tip the robot over</source>
+        <translation>příčný sklon vpředu může robot převrátit</translation>
+    </message>
+    <message>
+        <source>the cross slope ahead is not decided</source>
+        <translation>příčný sklon vpředu není rozhodnut</translation>
+    </message>
+    <message>
+        <source>a step on one of the sides is almost certain</source>
+        <translation>schod na jedné ze stran je téměř jistý</translation>
+    </message>
+    <message>
+        <source>each side alone is clear, both together are not</source>
+        <translation>každá strana sama je volná, obě dohromady ne</translation>
+    </message>
+    <message>
+        <source>each side %1</source>
+        <translation>každá strana %1</translation>
+    </message>
+    <message>
+        <source>L %1 · R %2</source>
+        <translation>L %1 · P %2</translation>
+    </message>
+    <message>
+        <source>left %1 · right %2</source>
+        <translation>vlevo %1 · vpravo %2</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m) L %2, R %3</source>
+        <translation>P(schod &gt; %1 m) L %2, P %3</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m, L or R) = %2</source>
+        <translation>P(schod &gt; %1 m, L nebo P) = %2</translation>
+    </message>
+    <message>
+        <source>cross slope %1° of %2°, %3 up</source>
+        <translation>příčný sklon %1° z %2°, %3 výš</translation>
     </message>
 </context>
 <context>
@@ -5617,6 +5699,10 @@ F1</translation>
         <source>felt</source>
         <translation>ohmatáno</translation>
     </message>
+    <message>
+        <source>side</source>
+        <translation>strana</translation>
+    </message>
 </context>
 <context>
     <name>terratact::PanelControl</name>
@@ -6084,6 +6170,10 @@ příčný sklon %2</translation>
     <message>
         <source>R</source>
         <translation>P</translation>
+    </message>
+    <message>
+        <source>cross %1</source>
+        <translation>příčně %1</translation>
     </message>
 </context>
 <context>
@@ -7958,6 +8048,10 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <source>bin %1: %2</source>
         <translation>úsek %1: %2</translation>
     </message>
+    <message>
+        <source>%1: height %2 m ± %3 m</source>
+        <translation>%1: výška %2 m ± %3 m</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TextSheet</name>
@@ -8541,6 +8635,14 @@ vpředu</translation>
     <message>
         <source>not decided; %1</source>
         <translation>nerozhodnuto; %1</translation>
+    </message>
+    <message>
+        <source>not decided</source>
+        <translation>nerozhodnuto</translation>
+    </message>
+    <message>
+        <source>Verdict of each side</source>
+        <translation>Verdikt každé strany</translation>
     </message>
 </context>
 <context>

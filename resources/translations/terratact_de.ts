@@ -387,6 +387,37 @@
     </message>
 </context>
 <context>
+    <name>Place</name>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>left at %1</source>
+        <translation>links bei %1</translation>
+    </message>
+    <message>
+        <source>right at %1</source>
+        <translation>rechts bei %1</translation>
+    </message>
+</context>
+<context>
     <name>PlanarGround</name>
     <message>
         <source>roll %1: left and right ground differ</source>
@@ -982,6 +1013,57 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>STOP NOT SENT for %1, trying again: use the robot&apos;s own switch — %2</source>
         <translation>STOP NICHT GESENDET seit %1, es wird weiter versucht: den Schalter am Roboter benutzen — %2</translation>
+    </message>
+</context>
+<context>
+    <name>TwoTrackVerdict</name>
+    <message>
+        <source>%1 at %2 m</source>
+        <translation>%1 bei %2 m</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>the cross slope ahead may tip the robot over</source>
+        <translation>das Quergefälle voraus kann den Roboter umkippen</translation>
+    </message>
+    <message>
+        <source>the cross slope ahead is not decided</source>
+        <translation>das Quergefälle voraus ist nicht entschieden</translation>
+    </message>
+    <message>
+        <source>a step on one of the sides is almost certain</source>
+        <translation>eine Stufe auf einer der Seiten ist fast sicher</translation>
+    </message>
+    <message>
+        <source>each side alone is clear, both together are not</source>
+        <translation>jede Seite allein ist frei, beide zusammen nicht</translation>
+    </message>
+    <message>
+        <source>each side %1</source>
+        <translation>jede Seite %1</translation>
+    </message>
+    <message>
+        <source>L %1 · R %2</source>
+        <translation>L %1 · R %2</translation>
+    </message>
+    <message>
+        <source>left %1 · right %2</source>
+        <translation>links %1 · rechts %2</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m) L %2, R %3</source>
+        <translation>P(Stufe &gt; %1 m) L %2, R %3</translation>
+    </message>
+    <message>
+        <source>P(step &gt; %1 m, L or R) = %2</source>
+        <translation>P(Stufe &gt; %1 m, L oder R) = %2</translation>
+    </message>
+    <message>
+        <source>cross slope %1° of %2°, %3 up</source>
+        <translation>Quergefälle %1° von %2°, %3 höher</translation>
     </message>
 </context>
 <context>
@@ -5617,6 +5699,10 @@ F1</translation>
         <source>felt</source>
         <translation>ertastet</translation>
     </message>
+    <message>
+        <source>side</source>
+        <translation>Seite</translation>
+    </message>
 </context>
 <context>
     <name>terratact::PanelControl</name>
@@ -6084,6 +6170,10 @@ Querneigung %2</translation>
     <message>
         <source>R</source>
         <translation>R</translation>
+    </message>
+    <message>
+        <source>cross %1</source>
+        <translation>quer %1</translation>
     </message>
 </context>
 <context>
@@ -7958,6 +8048,10 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <source>bin %1: %2</source>
         <translation>Feld %1: %2</translation>
     </message>
+    <message>
+        <source>%1: height %2 m ± %3 m</source>
+        <translation>%1: Höhe %2 m ± %3 m</translation>
+    </message>
 </context>
 <context>
     <name>terratact::TextSheet</name>
@@ -8541,6 +8635,14 @@ voraus</translation>
     <message>
         <source>not decided; %1</source>
         <translation>nicht entschieden; %1</translation>
+    </message>
+    <message>
+        <source>not decided</source>
+        <translation>nicht entschieden</translation>
+    </message>
+    <message>
+        <source>Verdict of each side</source>
+        <translation>Urteil je Seite</translation>
     </message>
 </context>
 <context>

@@ -40,4 +40,24 @@ inline TerrainEstimate probedEstimate()
     return e;
 }
 
+/// Returns an estimate of two sides: stepEstimate() at the left, felt to its last bin, and even ground at −0.25 m at the
+/// right. The right side is not felt at 0.7 m.
+inline TwoTrackEstimate leftStepEstimate()
+{
+    TwoTrackEstimate e{.side = {stepEstimate(), stepEstimate()}, .onePlane = false};
+    for (TerrainEstimate& side : e.side) {
+        side.touch.fill(Touch::Felt);
+        for (std::size_t i = 0; i < kBins; ++i) side.ceiling[i] = side.height[i] + 0.02;
+    }
+    TerrainEstimate& right = e.side[1];
+    right.height.fill(-0.25);
+    for (std::size_t i = 0; i < kBins; ++i) {
+        right.q10[i] = right.height[i] - 0.02;
+        right.q90[i] = right.height[i] + 0.02;
+    }
+    right.touch[10] = Touch::NotFelt;
+    right.ceiling[10] = std::numeric_limits<double>::infinity();
+    return e;
+}
+
 }  // namespace terratact

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QFrame>
+#include <array>
 #include <vector>
 
 #include "core/infer/estimate/estimate.h"
@@ -19,12 +20,17 @@ public:
 
     /// words: the bin's numbers, one per line. The inspector hides itself if there is nothing to show.
     void setBin(const TerrainEstimate& estimate, int bin, const QStringList& words);
+    /// Shows both sides; their histograms stand back to back, the left side at the left.
+    void setBin(const TerrainEstimate& left, const TerrainEstimate& right, int bin,
+                const QStringList& words);
     void clear();
 
     int bin() const { return bin_; }  ///< −1: no bin
     QStringList lines() const { return words_; }
-    /// Returns the draws per class between `low()` and `high()` [m]; empty without draws.
-    const std::vector<int>& histogram() const { return counts_; }
+    /// Returns the draws per class between `low()` and `high()` [m]; empty without draws. Of two sides: the left one.
+    const std::vector<int>& histogram() const { return shown_[0].counts; }
+    /// Returns the same of the right side; empty if one side or one plane is shown.
+    const std::vector<int>& rightHistogram() const { return shown_[1].counts; }
     double low() const { return low_; }
     double high() const { return high_; }
 
@@ -34,11 +40,21 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    /// Numbers of one estimate [m].
+    struct Shown {
+        std::vector<int> counts;
+        double q10 = 0.0, q90 = 0.0, height = 0.0;
+    };
+    void setEstimates(const std::vector<const TerrainEstimate*>& estimates, int bin,
+                      const QStringList& words);
+    void drawHistogram(QPainter& painter, const Shown& shown, const QRectF& place,
+                       bool leftwards) const;
+
     int bin_ = -1;
     QStringList words_;
-    std::vector<int> counts_;
-    double low_ = 0.0, high_ = 0.0;  // [m]
-    double q10_ = 0.0, q90_ = 0.0, height_ = 0.0;
+    std::array<Shown, 2> shown_;
+    bool isBoth_ = false;            ///< left and right side
+    double low_ = 0.0, high_ = 0.0;  ///< [m] range of all histograms
 };
 
 }  // namespace terratact

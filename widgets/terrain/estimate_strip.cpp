@@ -10,8 +10,9 @@
 #include <utility>
 
 #include "app/display/format.h"
+#include "app/display/place_text.h"
 #include "app/display/translated.h"
-#include "core/infer/estimate/estimate.h"
+#include "core/infer/estimate/two_track_estimate.h"
 #include "widgets/base/elided_label.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
@@ -45,6 +46,20 @@ QString endingWords(Ending ending)
     case Ending::NotSampled: break;
     }
     return {};
+}
+
+QStringList warningsOf(const TerrainEstimate& estimate)
+{
+    QStringList warnings;
+    if (!estimate.converged && estimate.warnings.empty())
+        warnings << EstimateStrip::tr("the chains have not converged");
+    for (const Message& warning : estimate.warnings) warnings << translated(warning);
+    return warnings;
+}
+
+double largestSd(const TerrainEstimate& estimate)
+{
+    return *std::ranges::max_element(estimate.sd);
 }
 
 }  // namespace
@@ -95,13 +110,30 @@ void EstimateStrip::changeEvent(QEvent* event)
     if (event->type() == QEvent::StyleChange && cancel_) resizeToFont();
 }
 
-void EstimateStrip::setEstimate(const TerrainEstimate& estimate, double seconds)
+void EstimateStrip::setEstimate(const TerrainEstimate& plane, double seconds)
 {
-    const auto widest =
-        std::max_element(estimate.sd.begin(), estimate.sd.end()) - estimate.sd.begin();
+    showEstimate(plane, ProbeSide::Middle, seconds);
+    showWarnings(warningsOf(plane));
+}
+
+void EstimateStrip::setEstimate(const TwoTrackEstimate& estimate, double seconds)
+{
+    if (estimate.onePlane) return setEstimate(estimate.side[0], seconds);
+    const auto& [left, right] = estimate.side;
+    const bool isLeft = largestSd(left) >= largestSd(right);
+    showEstimate(isLeft ? left : right, isLeft ? ProbeSide::Left : ProbeSide::Right, seconds);
+    QStringList warnings = warningsOf(left) + warningsOf(right);
+    warnings.removeDuplicates();
+    showWarnings(warnings);
+}
+
+/// Shows the numbers of an estimate; side: of two tracks, the one with the largest sd.
+void EstimateStrip::showEstimate(const TerrainEstimate& estimate, ProbeSide side, double seconds)
+{
+    const auto widest = std::ranges::max_element(estimate.sd) - estimate.sd.begin();
     const auto at = static_cast<std::size_t>(widest);
     const bool doubtful = estimate.sd[at] > estimate.settings.probeAbove;
-    const QString bin = format::binName(static_cast<int>(widest));
+    const QString bin = placeName(static_cast<int>(widest), side);
     const QString sd = format::number(estimate.sd[at], 2);
     headline_->setText(doubtful ? tr("Uncertain at %1: ± %2 m").arg(bin, sd)
                                 : tr("Known to ± %1 m, widest at %2").arg(sd, bin));
@@ -118,10 +150,10 @@ void EstimateStrip::setEstimate(const TerrainEstimate& estimate, double seconds)
     for (QLabel* const label : std::initializer_list<QLabel*>{headline_, details_})
         setTip(*label, all);
     arrange();
-    QStringList warnings;
-    if (!estimate.converged && estimate.warnings.empty())
-        warnings << tr("the chains have not converged");
-    for (const Message& warning : estimate.warnings) warnings << translated(warning);
+}
+
+void EstimateStrip::showWarnings(const QStringList& warnings)
+{
     warnings_->setText(warnings.isEmpty()
                            ? QString()
                            : QStringLiteral("! ") + warnings.join(QStringLiteral(" · ")));

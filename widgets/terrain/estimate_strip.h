@@ -3,6 +3,8 @@
 #include <QWidget>
 #include <optional>
 
+#include "core/robot/probe_side.h"
+
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -10,6 +12,7 @@ class QPushButton;
 namespace terratact {
 
 struct TerrainEstimate;
+struct TwoTrackEstimate;
 
 /// The line above the terrain. It has one sentence about the estimate, how it was made, and the progress of a running
 /// one with Cancel. Warnings have a label of their own, which the page places below.
@@ -18,8 +21,10 @@ class EstimateStrip final : public QWidget {
 public:
     explicit EstimateStrip(QWidget* parent = nullptr);
 
-    void setEstimate(const TerrainEstimate& estimate,
-                     double seconds);   ///< seconds: computation time
+    void setEstimate(const TwoTrackEstimate& estimate,
+                     double seconds);  ///< seconds: computation time
+    /// Shows an estimate of one plane.
+    void setEstimate(const TerrainEstimate& plane, double seconds);
     void setLive(const QString& note);  ///< marks the estimate as a live preview; note: its meaning
     void setNothing(const QString& why);
     void setProgress(std::optional<double> share);  ///< empty: no estimate is running
@@ -39,6 +44,8 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void showEstimate(const TerrainEstimate& widest, ProbeSide side, double seconds);
+    void showWarnings(const QStringList& warnings);
     void resizeToFont();
     void arrange();  ///< hides the details if the sentence needs their room
 

@@ -6,6 +6,7 @@
 #include <QKeyEvent>
 
 #include "app/display/format.h"
+#include "app/display/place_text.h"
 #include "core/infer/verdict/bimodality.h"
 #include "core/infer/verdict/obstacle.h"
 #include "widgets/base/tips.h"
@@ -31,12 +32,13 @@ QString feltWord(Touch touch)
 
 }  // namespace
 
-NumbersTable::NumbersTable(QWidget* parent) : HeadedTable(kBins, kColumns, parent)
+NumbersTable::NumbersTable(QWidget* parent) : HeadedTable(0, kColumns, parent)
 {
     setAccessibleName(tr("The scene as numbers"));
-    setHorizontalHeaderLabels({tr("bin [m]"), tr("height [m]"), tr("sd [m]"), tr("10 % [m]"),
-                               tr("90 % [m]"), tr("ceiling [m]"), tr("from"), tr("felt"),
-                               tr("step to next"), tr("R-hat"), tr("ESS"), tr("two heights")});
+    setHorizontalHeaderLabels({tr("bin [m]"), tr("side"), tr("height [m]"), tr("sd [m]"),
+                               tr("10 % [m]"), tr("90 % [m]"), tr("ceiling [m]"), tr("from"),
+                               tr("felt"), tr("step to next"), tr("R-hat"), tr("ESS"),
+                               tr("two heights")});
     setTip(
         *horizontalHeaderItem(Step),
         tr("P of a step to the next bin alone; the verdict's P counts steps within 0.2 m, which is "
@@ -46,43 +48,69 @@ NumbersTable::NumbersTable(QWidget* parent) : HeadedTable(kBins, kColumns, paren
     verticalHeader()->setSectionResizeMode(
         QHeaderView::ResizeToContents);  // the font sets the row height
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    for (const Column wide : {From, Touched, Step, TwoHeaps})
+    for (const Column wide : {AtSide, From, Touched, Step, TwoHeaps})
         horizontalHeader()->setSectionResizeMode(wide, QHeaderView::ResizeToContents);
     horizontalHeader()->setHighlightSections(false);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setTabKeyNavigation(false);
     setAlternatingRowColors(true);
-    for (int row = 0; row < kBins; ++row)
-        for (int column = 0; column < kColumns; ++column) {
-            auto* item = new QTableWidgetItem;
-            item->setTextAlignment(column == From || column == Touched || column == TwoHeaps
-                                       ? Qt::AlignLeft | Qt::AlignVCenter
-                                       : Qt::AlignRight | Qt::AlignVCenter);
-            setItem(row, column, item);
-        }
     clearEstimate();
 }
 
-void NumbersTable::setEstimate(const TerrainEstimate& e, double stepLimit)
+void NumbersTable::setRows(bool twoSides)
+{
+    const int before = rowCount(), rows = twoSides ? 2 * kBins : kBins;
+    setColumnHidden(AtSide, !twoSides);
+    setRowCount(rows);
+    for (int row = before; row < rows; ++row)
+        for (int column = 0; column < kColumns; ++column) {
+            const bool isWord =
+                column == AtSide || column == From || column == Touched || column == TwoHeaps;
+            auto* item = new QTableWidgetItem;
+            item->setTextAlignment((isWord ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+            setItem(row, column, item);
+        }
+    for (int row = 0; row < rows; ++row) {
+        set(row, Bin, format::signedNumber(binCentre(twoSides ? row / 2 : row), 1));
+        set(row, AtSide, !twoSides ? QString() : sideWord(row % 2 == 0 ? Side::Left : Side::Right));
+    }
+}
+
+void NumbersTable::setEstimate(const TerrainEstimate& plane, double stepLimit)
+{
+    setRows(false);
+    setSide(plane, stepLimit, 0, 1);
+}
+
+void NumbersTable::setEstimate(const TwoTrackEstimate& estimate, double stepLimit)
+{
+    if (estimate.onePlane) return setEstimate(estimate.side[0], stepLimit);
+    setRows(true);
+    for (const Side side : {Side::Left, Side::Right})
+        setSide(estimate.side[indexOf(side)], stepLimit, static_cast<int>(indexOf(side)), 2);
+}
+
+void NumbersTable::setSide(const TerrainEstimate& e, double stepLimit, int firstRow, int rowsPerBin)
 {
     const auto modes = twoModes(e);
     const auto steps = e.draws.empty() ? std::array<StepProbability, kBins - 1>{}
                                        : stepProbabilities(e, stepLimit);
     for (int bin = 0; bin < kBins; ++bin) {
         const auto i = static_cast<std::size_t>(bin);
-        set(bin, Height, format::signedNumber(e.height[i], 3));
-        set(bin, Sd, format::number(e.sd[i], 3));
-        set(bin, Low, format::signedNumber(e.q10[i], 3));
-        set(bin, High, format::signedNumber(e.q90[i], 3));
-        set(bin, Ceiling, format::signedNumber(e.ceiling[i], 3));
-        set(bin, From, provenanceWord(provenance(e, bin)));
-        set(bin, Touched, feltWord(e.touch[i]));
-        set(bin, Step,
+        const int row = firstRow + bin * rowsPerBin;
+        set(row, Height, format::signedNumber(e.height[i], 3));
+        set(row, Sd, format::number(e.sd[i], 3));
+        set(row, Low, format::signedNumber(e.q10[i], 3));
+        set(row, High, format::signedNumber(e.q90[i], 3));
+        set(row, Ceiling, format::signedNumber(e.ceiling[i], 3));
+        set(row, From, provenanceWord(provenance(e, bin)));
+        set(row, Touched, feltWord(e.touch[i]));
+        set(row, Step,
             bin + 1 < kBins && !e.draws.empty() ? format::number(steps[i].p, 3) : format::kNothing);
-        set(bin, Rhat, format::rhat(e.rhat[i]));
-        set(bin, Ess, format::number(e.ess[i], 0));
-        set(bin, TwoHeaps,
+        set(row, Rhat, format::rhat(e.rhat[i]));
+        set(row, Ess, format::number(e.ess[i], 0));
+        set(row, TwoHeaps,
             modes[i] ? tr("%1 (%2 %) or %3 (%4 %)")
                            .arg(format::signedNumber(modes[i]->lowMean, 2),
                                 format::percent(modes[i]->lowShare),
@@ -94,11 +122,10 @@ void NumbersTable::setEstimate(const TerrainEstimate& e, double stepLimit)
 
 void NumbersTable::clearEstimate()
 {
-    for (int bin = 0; bin < kBins; ++bin) {
-        set(bin, Bin, format::signedNumber(binCentre(bin), 1));
+    setRows(false);
+    for (int bin = 0; bin < kBins; ++bin)
         for (int column = Height; column < kColumns; ++column)
             set(bin, static_cast<Column>(column), format::kNothing);
-    }
 }
 
 void NumbersTable::set(int row, Column column, const QString& text)
@@ -119,16 +146,15 @@ QString plainNumber(QString cell)
 
 QString NumbersTable::text() const
 {
-    QStringList lines, headings;
-    for (int column = 0; column < kColumns; ++column)
-        headings << horizontalHeaderItem(column)->text();
-    lines << headings.join(QLatin1Char('\t'));
-    for (int row = 0; row < rowCount(); ++row) {
+    const auto line = [this](auto&& cellOf) {
         QStringList cells;
         for (int column = 0; column < kColumns; ++column)
-            cells << plainNumber(item(row, column)->text());
-        lines << cells.join(QLatin1Char('\t'));
-    }
+            if (!isColumnHidden(column)) cells << cellOf(column);
+        return cells.join(QLatin1Char('\t'));
+    };
+    QStringList lines{line([this](int column) { return horizontalHeaderItem(column)->text(); })};
+    for (int row = 0; row < rowCount(); ++row)
+        lines << line([&](int column) { return plainNumber(item(row, column)->text()); });
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 

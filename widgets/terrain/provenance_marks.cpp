@@ -108,11 +108,11 @@ double MarkLetters::height(const QFont& ofPlot)
     return QFontMetricsF(letterFont(ofPlot, scaled(kLargestLetter))).height();
 }
 
-double MarkLetters::reserved(const QFont& ofPlot, double canvasHeight)
+double MarkLetters::reserved(const QFont& ofPlot, double canvasHeight, int rows)
 {
-    constexpr double kMax = 1.0 / 16.0;  // share of the canvas height
+    constexpr double kMax = 1.0 / 16.0;  // share of the canvas height, per row
     const double strip = height(ofPlot);
-    return strip <= kMax * canvasHeight ? strip : 0.0;
+    return strip <= kMax * canvasHeight ? rows * strip : 0.0;
 }
 
 void MarkLetters::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& /*y*/,
@@ -124,16 +124,29 @@ void MarkLetters::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMa
     painter->setFont(letterFont(
         plot()->font(), std::clamp(static_cast<int>(width), std::min(kMin, largest), largest)));
     const double height = MarkLetters::height(plot()->font());
+    const double lowest = canvas.bottom() - height;
+    if (!light || reserved(plot()->font(), canvas.height()) <= 0.0)
+        return drawRow(*painter, x, lowest, shown, letter);
+    drawRow(*painter, x, isLightAbove ? lowest - height : lowest, *light, lightLetter);
+    drawRow(*painter, x, isLightAbove ? lowest : lowest - height, shown, letter);
+}
+
+void MarkLetters::drawRow(QPainter& painter, const QwtScaleMap& x, double top, const Row& row,
+                          const QString& of) const
+{
+    const double width = x.transform(binEnd(0)) - x.transform(binBegin(0));
+    const double height = MarkLetters::height(plot()->font());
     QColor behind = theme().card;
     behind.setAlpha(0xd0);
-    for (std::size_t i = 0; i < kBins; ++i) {
-        if (!shown[i]) continue;
-        const QRectF place(x.transform(binBegin(static_cast<int>(i))), canvas.bottom() - height,
-                           width, height);
-        painter->fillRect(place, behind);
-        painter->setPen(theme().text);
-        painter->drawText(place, Qt::AlignCenter, provenanceLetter(*shown[i]));
-    }
+    painter.setPen(theme().text);
+    const auto draw = [&](double left, const QString& text) {
+        const QRectF place(left, top, width, height);
+        painter.fillRect(place, behind);
+        painter.drawText(place, Qt::AlignCenter, text);
+    };
+    for (std::size_t i = 0; i < kBins; ++i)
+        if (row[i]) draw(x.transform(binBegin(static_cast<int>(i))), provenanceLetter(*row[i]));
+    if (!of.isEmpty()) draw(x.transform(binBegin(0)) - width, of + QLatin1Char(':'));
 }
 
 }  // namespace terratact

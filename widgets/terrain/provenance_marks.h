@@ -5,6 +5,7 @@
 #include <qwt_symbol.h>
 
 #include <QPen>
+#include <QString>
 #include <array>
 #include <optional>
 
@@ -40,18 +41,28 @@ private:
     Provenance provenance_;
 };
 
-/// Draws a letter for each bin at the lower edge, below the profile if the canvas is high enough.
+/// Draws a letter for each bin at the lower edge, below the profile if the canvas is high enough. Two sides have a row
+/// each, the left one above, where the canvas leaves both rows free; else the side in full alone has one.
 class MarkLetters final : public QwtPlotItem {
 public:
+    using Row = std::array<std::optional<Provenance>, kBins>;
     MarkLetters();
-    std::array<std::optional<Provenance>, kBins> shown{};
-    static double height(const QFont& ofPlot);  ///< [px] height of the strip of letters
-    /// Returns the part of the strip that the profile leaves free [px]. It is 0 for a low canvas, where letters cover
+    Row shown{};               ///< of the side that is drawn in full
+    std::optional<Row> light;  ///< of the side that is drawn lighter
+    QString letter;            ///< of the side in full; empty: one plane
+    QString lightLetter;
+    bool isLightAbove = false;                  ///< the lighter side is the left one
+    static double height(const QFont& ofPlot);  ///< [px] height of a row of letters
+    /// Returns the part of the rows that the profile leaves free [px]. It is 0 for a low canvas, where letters cover
     /// the lowest heights.
-    static double reserved(const QFont& ofPlot, double canvasHeight);
+    static double reserved(const QFont& ofPlot, double canvasHeight, int rows = 1);
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
               const QRectF& canvas) const override;
+
+private:
+    void drawRow(QPainter& painter, const QwtScaleMap& x, double top, const Row& row,
+                 const QString& of) const;
 };
 
 }  // namespace terratact

@@ -13,7 +13,6 @@ namespace terratact {
 namespace {
 
 constexpr QSize kSize{128, 78};       // [px] at 100 %
-constexpr int kLeastWidth = 92;       // [px] at 100 %
 constexpr double kHalfWidthM = 0.42;  // [m] shown to both sides of the middle
 constexpr double kBelowM = 0.14;      // [m] shown below the base
 constexpr double kMinSaid = 0.05;     // [°] below which no side is up
@@ -41,6 +40,23 @@ QString lineOf(const RearView::Pose& pose)
     return RearView::tr("%1\ncross slope %2").arg(roll, tiltText(*pose.crossSlope));
 }
 
+/// Returns an angle with the letter of the side that is up, in short: "L 3°".
+QString shortTilt(double radians)
+{
+    const double degrees = std::abs(radians) * 180.0 / std::numbers::pi;
+    const QString angle = format::number(degrees, 0) + QStringLiteral("°");
+    if (degrees < 0.5) return angle;
+    return QStringLiteral("↑%1 %2").arg(radians > 0.0 ? RearView::tr("L") : RearView::tr("R"),
+                                        angle);
+}
+
+QString shortOf(const RearView::Pose& pose)
+{
+    const QString roll = RearView::tr("roll %1").arg(shortTilt(pose.roll));
+    if (!pose.crossSlope) return roll;
+    return roll + u'\n' + RearView::tr("cross %1").arg(shortTilt(*pose.crossSlope));
+}
+
 QString spokenOf(const RearView::Pose& pose)
 {
     return RearView::tr("From behind: %1; front flippers L %2, R %3")
@@ -53,28 +69,33 @@ QString spokenOf(const RearView::Pose& pose)
 RearView::RearView(const Shape& shape, QWidget* parent) : QWidget(parent), shape_(shape)
 {
     setAccessibleName(tr("View from behind"));
-    text_ = format::kNothing;
+    text_ = short_ = format::kNothing;
 }
 
 QSize RearView::sizeHint() const
 {
-    return {scaled(kSize.width()), scaled(kSize.height())};
+    const int more = static_cast<int>(text_.count(u'\n')) * fontMetrics().height();
+    return {scaled(kSize.width()), scaled(kSize.height()) + more};
 }
 
 QSize RearView::minimumSizeHint() const
 {
-    return {scaled(kLeastWidth), sizeHint().height()};
+    const QString widest = tr("cross %1").arg(shortTilt(-0.7));
+    return {fontMetrics().horizontalAdvance(widest), sizeHint().height()};
 }
 
 void RearView::setPose(const std::optional<Pose>& pose)
 {
     const auto shown = pose && isKnown(*pose) ? pose : std::nullopt;
     if (shown == pose_) return;
+    const bool hadSlope = pose_ && pose_->crossSlope;
     pose_ = shown;
     text_ = pose_ ? lineOf(*pose_) : QString(format::kNothing);
+    short_ = pose_ ? shortOf(*pose_) : QString(format::kNothing);
     const QString spoken = pose_ ? spokenOf(*pose_) : tr("From behind: not known");
     setAccessibleDescription(spoken);
     setTip(*this, spoken);
+    if (hadSlope != (pose_ && pose_->crossSlope)) updateGeometry();  // one line more or less
     update();
 }
 
@@ -85,8 +106,10 @@ void RearView::paintEvent(QPaintEvent*)
     const QFontMetrics metrics = painter.fontMetrics();
     const int lines = 1 + static_cast<int>(text_.count(u'\n'));
     const int textHeight = lines * metrics.height();
+    const bool fits = metrics.size(0, text_).width() <= width();
     painter.setPen(pose_ ? theme().text : theme().muted);
-    painter.drawText(QRect(0, height() - textHeight, width(), textHeight), Qt::AlignCenter, text_);
+    painter.drawText(QRect(0, height() - textHeight, width(), textHeight), Qt::AlignCenter,
+                     fits ? text_ : short_);
     const int letter = metrics.horizontalAdvance(u'L') + 3;
     const QRect picture(0, 0, width(), height() - textHeight);
     painter.setPen(theme().text);

@@ -6,7 +6,8 @@
 namespace terratact {
 
 /// Small view of the robot from behind: body, both tracks and both front flippers, left (L) at the left. Below it stand
-/// the roll and, where it is known, the cross slope of the ground, in degrees. Takes values, emits nothing.
+/// the roll and, where it is known, the cross slope of the ground ahead, in degrees. Where there is little width, the
+/// same stands there in short. Takes values, emits nothing.
 class RearView final : public QWidget {
     Q_OBJECT
 public:
@@ -14,7 +15,7 @@ public:
     struct Pose {
         double roll = 0.0;
         double frontLeft = 0.0, frontRight = 0.0;
-        std::optional<double> crossSlope{};  ///< of the ground below the tracks; empty: not known
+        std::optional<double> crossSlope{};  ///< of the ground ahead; empty: not known
         bool operator==(const Pose&) const = default;
     };
 
@@ -32,7 +33,9 @@ public:
     /// Shows a pose; empty: nothing is known, or it is too old. Angles beyond a turn count as unknown.
     void setPose(const std::optional<Pose>& pose);
 
-    QString text() const { return text_; }  ///< the line below the picture
+    QString text() const { return text_; }  ///< the lines below the picture
+    /// Returns the lines in short: "roll L 3.2°".
+    QString shortText() const { return short_; }
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -44,7 +47,7 @@ private:
 
     Shape shape_;
     std::optional<Pose> pose_;
-    QString text_;
+    QString text_, short_;
 };
 
 }  // namespace terratact

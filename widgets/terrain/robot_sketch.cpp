@@ -39,7 +39,7 @@ QwtPlotShapeItem* RobotSketch::newPart()
     auto* part = new QwtPlotShapeItem;
     part->setItemAttribute(QwtPlotItem::Legend, false);
     part->setRenderHint(QwtPlotItem::RenderAntialiased);
-    part->setZ(5.0 + 0.01 * static_cast<double>(parts_.size()));
+    part->setZ((isFar_ ? 4.0 : 5.0) + 0.01 * static_cast<double>(parts_.size()));
     part->attach(&plot_);
     return part;
 }
@@ -54,9 +54,9 @@ void RobotSketch::setOutline(const Outline& outline)
             continue;
         }
         QColor fill = fillOf(outline[i].kind);
-        fill.setAlpha(0xd0);
+        fill.setAlpha(isFar_ ? 0x50 : 0xd0);
         parts_[i]->setBrush(fill);
-        parts_[i]->setPen(QPen(theme().robotLine, 1.0));
+        parts_[i]->setPen(QPen(theme().robotLine, 1.0, isFar_ ? Qt::DashLine : Qt::SolidLine));
         parts_[i]->setShape(pathOf(outline[i]));
     }
 }

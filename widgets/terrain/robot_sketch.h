@@ -12,7 +12,8 @@ namespace terratact {
 /// Side view of the robot in a plot in metres: body, tracks and flippers, drawn below the profile.
 class RobotSketch {
 public:
-    explicit RobotSketch(QwtPlot& plot) : plot_(plot) {}
+    /// isFar: drawn lighter, behind the side that is near.
+    explicit RobotSketch(QwtPlot& plot, bool isFar = false) : plot_(plot), isFar_(isFar) {}
 
     /// Sets the outline without replotting. Points that are not finite or beyond 100 m are left out.
     void setOutline(const Outline& outline);
@@ -23,6 +24,7 @@ private:
     QwtPlotShapeItem* newPart();
 
     QwtPlot& plot_;
+    bool isFar_ = false;
     Outline outline_;
     std::vector<QwtPlotShapeItem*> parts_;  ///< owned by the plot
 };

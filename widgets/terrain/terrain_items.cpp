@@ -103,7 +103,18 @@ BinZones::BinZones() : QwtPlotItem(QwtText("prior only"))
 
 bool BinZones::isShown() const
 {
-    return std::ranges::find(shown, true) != shown.end();
+    const auto any = [](const Unfelt& side) {
+        return std::ranges::find(side.shown, true) != side.shown.end();
+    };
+    return any(full) || (light && any(*light));
+}
+
+BinZones::Kind BinZones::kindOf(std::size_t bin) const
+{
+    const auto touchOf = [bin](const Unfelt& side) {
+        return side.shown[bin] ? std::optional(side.touch[bin]) : std::nullopt;
+    };
+    return {touchOf(full), light ? touchOf(*light) : std::nullopt};
 }
 
 void BinZones::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& /*y*/,
@@ -111,50 +122,92 @@ void BinZones::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& 
 {
     words_.clear();
     for (std::size_t i = 0; i < kBins; ++i) {
-        const auto goesOn = [&](std::size_t k) { return shown[k] && touch[k] == touch[i]; };
-        if (!shown[i] || (i > 0 && goesOn(i - 1))) continue;
+        const Kind kind = kindOf(i);
+        if (!kind || (i > 0 && kindOf(i - 1) == kind)) continue;
         std::size_t last = i;
-        while (last + 1 < kBins && goesOn(last + 1)) ++last;
+        while (last + 1 < kBins && kindOf(last + 1) == kind) ++last;
         const double from = std::round(x.transform(binBegin(static_cast<int>(i))));
         const double to = std::round(x.transform(binEnd(static_cast<int>(last))));
-        drawZone(*painter, touch[i], {from, canvas.top(), to - from, canvas.height()}, canvas);
+        drawZone(*painter, kind, {from, canvas.top(), to - from, canvas.height()}, canvas);
     }
-    if (horizon) drawHorizon(*painter, std::round(x.transform(*horizon)) + 0.5, canvas);
+    drawHorizons(*painter, x, canvas);
 }
 
-void BinZones::drawZone(QPainter& painter, Touch kind, const QRectF& zone,
+QString BinZones::wordOf(const Kind& kind) const
+{
+    const auto word = [](Touch touch) {
+        return touch == Touch::Unrecorded ? TerrainProfileView::tr("prior only") : touchWord(touch);
+    };
+    if (!light || kind.full == kind.light) return word(*kind.full);
+    QStringList words;
+    if (kind.full) words << full.letter + QLatin1Char(' ') + word(*kind.full);
+    if (kind.light) words << light->letter + QLatin1Char(' ') + word(*kind.light);
+    return words.join(QStringLiteral(", "));
+}
+
+void BinZones::drawZone(QPainter& painter, const Kind& kind, const QRectF& zone,
                         const QRectF& canvas) const
 {
+    const bool isWhole = !light || (kind.full && kind.light);
+    const bool bounded = (kind.full ? *kind.full : *kind.light) == Touch::Bounded;
     QColor fill = theme().priorZone;
-    fill.setAlpha(0xc0);
+    fill.setAlpha(isWhole ? 0xc0 : 0x70);
     painter.fillRect(zone, fill);
     QColor hatch = theme().doubt;
-    hatch.setAlpha(0x60);
-    painter.fillRect(zone,
-                     QBrush(hatch, kind == Touch::Bounded ? Qt::HorPattern : Qt::BDiagPattern));
+    hatch.setAlpha(isWhole ? 0x60 : 0x30);
+    painter.fillRect(zone, QBrush(hatch, bounded ? Qt::HorPattern : Qt::BDiagPattern));
     painter.setPen(theme().doubt);
     painter.setFont(sized(plot()->font(), 13));
-    const bool bounded = kind == Touch::Bounded;  // its word is one line below the others
-    const QString label =
-        kind == Touch::Unrecorded ? TerrainProfileView::tr("prior only") : touchWord(kind);
+    const QString label = wordOf(kind);
     const double width = painter.fontMetrics().horizontalAdvance(label);
     QRectF place(zone.center().x() - width / 2.0 - 2.0,
-                 zone.top() + 5.0 + (bounded ? scaled(20) : 0.0), width + 4.0, scaled(20));
+                 zone.top() + 5.0 + (bounded ? scaled(20) : 0.0),  // one line below the others
+                 width + 4.0, scaled(20));
     place.moveLeft(std::min(place.left(), canvas.right() - place.width()));
+    if (light) place = free(place, canvas);
     painter.fillRect(place, theme().priorZone);
     painter.drawText(place, Qt::AlignCenter, label);
     words_.push_back(place);
 }
 
-void BinZones::drawHorizon(QPainter& painter, double px, const QRectF& canvas) const
+/// Returns the place, or the first one below it that no other word has.
+QRectF BinZones::free(QRectF place, const QRectF& canvas) const
+{
+    const auto isTaken = [&] {
+        return std::ranges::any_of(words_,
+                                   [&](const QRectF& word) { return word.intersects(place); });
+    };
+    const QRectF first = place;
+    while (isTaken()) {
+        place.translate(0.0, place.height());
+        if (place.bottom() > canvas.bottom()) return first;
+    }
+    return place;
+}
+
+void BinZones::drawHorizons(QPainter& painter, const QwtScaleMap& x, const QRectF& canvas) const
+{
+    const auto draw = [&](const Unfelt& side, const QString& letter) {
+        if (side.horizon)
+            drawHorizon(painter, side, letter, std::round(x.transform(*side.horizon)) + 0.5,
+                        canvas);
+    };
+    if (!light || light->horizon == full.horizon) return draw(full, QString());
+    draw(full, full.letter + QLatin1Char(' '));
+    draw(*light, light->letter + QLatin1Char(' '));
+}
+
+void BinZones::drawHorizon(QPainter& painter, const Unfelt& side, const QString& letter, double px,
+                           const QRectF& canvas) const
 {
     painter.setPen(QPen(theme().doubt, 2.0, Qt::DashLine));
     painter.drawLine(QPointF(px, canvas.top()), QPointF(px, canvas.bottom()));
     painter.setFont(sized(plot()->font(), 13));
     const QString label =
-        TerrainProfileView::tr("felt to %1 m").arg(format::signedNumber(*horizon, 2));
+        letter + TerrainProfileView::tr("felt to %1 m").arg(format::signedNumber(*side.horizon, 2));
     const double width = painter.fontMetrics().horizontalAdvance(label) + 6.0;
-    const QRectF place(px - width - 3.0, canvas.top() + 5.0 + 2.0 * scaled(20), width, scaled(20));
+    QRectF place(px - width - 3.0, canvas.top() + 5.0 + 2.0 * scaled(20), width, scaled(20));
+    if (light) place = free(place, canvas);
     painter.fillRect(place, theme().priorZone);
     painter.setPen(theme().doubt);
     painter.drawText(place, Qt::AlignCenter, label);
@@ -203,7 +256,7 @@ void ArmMark::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y
 /// Returns the place of the arm's word: above the line, else beside a zone's word, else a row lower.
 QRectF ArmMark::placeOfWord(const QRectF& above, double px, double tip, const QRectF& canvas) const
 {
-    constexpr int kRows = 4;  // rows of words; the zones use three
+    constexpr int kRows = 6;  // rows of words; the zones use three, or more for two sides
     const double beside = scaled(12);
     const auto isFree = [&](const QRectF& place) {
         return place.left() >= canvas.left() && place.right() <= canvas.right()
@@ -237,10 +290,11 @@ double ArmMark::beginOfLine(double px, double top) const
 
 QString ArmMark::words() const
 {
+    const QString before = letter.isEmpty() ? QString() : letter + QLatin1Char(' ');
     switch (state) {
-    case ArmTip::State::Proposed: return TerrainProfileView::tr("arm tip: probe?");
-    case ArmTip::State::Probing: return TerrainProfileView::tr("arm tip: probing");
-    case ArmTip::State::Touched: return TerrainProfileView::tr("arm tip");
+    case ArmTip::State::Proposed: return before + TerrainProfileView::tr("arm tip: probe?");
+    case ArmTip::State::Probing: return before + TerrainProfileView::tr("arm tip: probing");
+    case ArmTip::State::Touched: return before + TerrainProfileView::tr("arm tip");
     }
     return {};
 }

@@ -61,13 +61,21 @@ public:
               const QRectF& canvas) const override;
 };
 
-/// Hatched zones of bins that are not felt, each run with its word, and the felt horizon as a line.
+/// Hatched zones of bins that are not felt, each run with its word, and the felt horizon as a line. Where two sides are
+/// shown, a zone of one side alone is paler, and its word begins with the side's letter.
 class BinZones final : public QwtPlotItem {
 public:
+    /// What is not felt of one side.
+    struct Unfelt {
+        std::array<bool, kBins> shown{};
+        TouchMap touch = unrecordedTouch();
+        std::optional<double> horizon{};  ///< [m]; empty: nothing ahead is felt, or not recorded
+        QString letter{};                 ///< of the side; empty: one plane
+        bool operator==(const Unfelt&) const = default;
+    };
     BinZones();
-    std::array<bool, kBins> shown{};
-    TouchMap touch = unrecordedTouch();
-    std::optional<double> horizon;  ///< [m]; empty: nothing ahead is felt, or not recorded
+    Unfelt full;                  ///< of the side that is drawn in full
+    std::optional<Unfelt> light;  ///< of the side that is drawn lighter
     bool isShown() const;
     /// Returns the rectangles of the words in the last drawing [px].
     const std::vector<QRectF>& words() const { return words_; }
@@ -76,8 +84,20 @@ public:
               const QRectF& canvas) const override;
 
 private:
-    void drawZone(QPainter& painter, Touch kind, const QRectF& zone, const QRectF& canvas) const;
-    void drawHorizon(QPainter& painter, double px, const QRectF& canvas) const;
+    /// Touch of a bin that is not felt, per side; empty: it is felt, or the side is not shown.
+    struct Kind {
+        std::optional<Touch> full, light;
+        bool operator==(const Kind&) const = default;
+        explicit operator bool() const { return full || light; }
+    };
+    Kind kindOf(std::size_t bin) const;
+    QString wordOf(const Kind& kind) const;
+    void drawZone(QPainter& painter, const Kind& kind, const QRectF& zone,
+                  const QRectF& canvas) const;
+    void drawHorizons(QPainter& painter, const QwtScaleMap& x, const QRectF& canvas) const;
+    void drawHorizon(QPainter& painter, const Unfelt& side, const QString& letter, double px,
+                     const QRectF& canvas) const;
+    QRectF free(QRectF place, const QRectF& canvas) const;
 
     mutable std::vector<QRectF> words_;
 };
@@ -91,6 +111,7 @@ public:
     const QRectF& word() const { return word_; }
     ArmTip::State state = ArmTip::State::Proposed;
     double at = 0.0, down = 0.0;  ///< [m]
+    QString letter;               ///< of the side that it touches; empty: the middle
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
               const QRectF& canvas) const override;

@@ -8,6 +8,8 @@
 #include <algorithm>
 
 #include "app/display/format.h"
+#include "app/display/place_text.h"
+#include "core/infer/verdict/bimodality.h"
 #include "core/infer/verdict/verdict.h"
 #include "widgets/base/drawable.h"
 #include "widgets/terrain/bin_inspector.h"
@@ -24,7 +26,10 @@ namespace terratact {
 void TerrainProfileView::inspect(std::optional<int> bin)
 {
     if (!estimate_ || !bin) return inspector_->clear();
-    inspector_->setBin(*estimate_, *bin, closeUp(*bin));
+    if (light())
+        inspector_->setBin(of(Side::Left), of(Side::Right), *bin, closeUp(*bin));
+    else
+        inspector_->setBin(*full(), *bin, closeUp(*bin));
     // The inspector stands beside the bin, so that it does not hide it.
     const QPoint at = canvas()->mapTo(this, pixelOf(binEnd(*bin), 0.0).toPoint());
     const int width = inspector_->width();
@@ -36,29 +41,63 @@ void TerrainProfileView::inspect(std::optional<int> bin)
     inspector_->raise();
 }
 
+namespace {
+
+QString ceilingText(double ceiling)
+{
+    return ceiling < kDrawableLimit
+             ? TerrainProfileView::tr("ceiling %1 m").arg(format::signedNumber(ceiling, 3))
+             : TerrainProfileView::tr("no part of the robot above it");
+}
+
+QString bandText(const TerrainEstimate& e, std::size_t i)
+{
+    return TerrainProfileView::tr("80 % in %1 … %2 m")
+        .arg(format::signedNumber(e.q10[i], 3), format::signedNumber(e.q90[i], 3));
+}
+
+QStringList modeTexts(const TwoModes& two)
+{
+    return {
+        TerrainProfileView::tr("either %1 m (%2 %)")
+            .arg(format::signedNumber(two.lowMean, 2), format::number(100.0 * two.lowShare, 0)),
+        TerrainProfileView::tr("or %1 m (%2 %)")
+            .arg(format::signedNumber(two.highMean, 2), format::number(100.0 * two.highShare, 0))};
+}
+
+}  // namespace
+
 QStringList TerrainProfileView::closeUp(int bin) const
 {
-    const TerrainEstimate& e = *estimate_;
+    const QString title = tr("bin %1").arg(format::binName(bin));
+    if (light()) return QStringList{title} + briefly(bin, Side::Left) + briefly(bin, Side::Right);
+    const TerrainEstimate& e = *full();
     const auto i = static_cast<std::size_t>(bin);
+    const auto side = sideInFull();
     QStringList lines{
-        tr("bin %1").arg(format::binName(bin)),
+        side ? title + QStringLiteral(" · ") + sideWord(*side) : title,
         tr("height %1 m ± %2 m")
             .arg(format::signedNumber(e.height[i], 3), format::number(e.sd[i], 3)),
-        tr("80 % in %1 … %2 m")
-            .arg(format::signedNumber(e.q10[i], 3), format::signedNumber(e.q90[i], 3)),
-        e.ceiling[i] < kDrawableLimit
-            ? tr("ceiling %1 m").arg(format::signedNumber(e.ceiling[i], 3))
-            : tr("no part of the robot above it"),
+        bandText(e, i),
+        ceilingText(e.ceiling[i]),
         tr("from: %1 (%2)")
             .arg(provenanceWord(provenance(e, bin)), provenanceLetter(provenance(e, bin))),
         tr("touch: %1").arg(touchWord(e.touch[i]))};
-    if (const auto& two = twoHeights_->modes[i])
-        lines << tr("either %1 m (%2 %)")
-                     .arg(format::signedNumber(two->lowMean, 2),
-                          format::number(100.0 * two->lowShare, 0))
-              << tr("or %1 m (%2 %)")
-                     .arg(format::signedNumber(two->highMean, 2),
-                          format::number(100.0 * two->highShare, 0));
+    if (const auto& two = twoHeights_->modes[i]) lines << modeTexts(*two);
+    return lines;
+}
+
+/// Returns the lines of one side where both are shown.
+QStringList TerrainProfileView::briefly(int bin, Side side) const
+{
+    const TerrainEstimate& e = of(side);
+    const auto i = static_cast<std::size_t>(bin);
+    QStringList lines{
+        tr("%1: height %2 m ± %3 m")
+            .arg(sideWord(side), format::signedNumber(e.height[i], 3), format::number(e.sd[i], 3)),
+        bandText(e, i), ceilingText(e.ceiling[i]),
+        provenanceWord(provenance(e, bin)) + QStringLiteral(" · ") + touchWord(e.touch[i])};
+    if (const auto two = twoModes(e)[i]) lines << modeTexts(*two).join(QLatin1Char(' '));
     return lines;
 }
 
@@ -75,25 +114,37 @@ QPointF TerrainProfileView::pointAt(QPointF pixel) const
 
 QString TerrainProfileView::binText(int bin) const
 {
-    if (!estimate_ || bin < 0 || bin >= kBins) return {};
+    return estimate_ && bin >= 0 && bin < kBins ? binTextOf(*full(), bin) : QString();
+}
+
+QString TerrainProfileView::binTextOf(const TerrainEstimate& e, int bin) const
+{
     const auto i = static_cast<std::size_t>(bin);
-    const Touch touch = estimate_->touch[i];
+    const Touch touch = e.touch[i];
     const bool recorded = touch != Touch::Unrecorded;
-    if (recorded && isUnfeltAhead(*estimate_, bin))
+    if (recorded && isUnfeltAhead(e, bin))
         return tr("bin %1: %2").arg(format::binName(bin), touchWord(touch));
     const QString known =
         tr("bin %1: %2 m, 80 % in %3 … %4, %5")
-            .arg(format::binName(bin), format::signedNumber(estimate_->height[i], 2),
-                 format::signedNumber(estimate_->q10[i], 2),
-                 format::signedNumber(estimate_->q90[i], 2),
-                 provenanceWord(provenance(*estimate_, bin)));
+            .arg(format::binName(bin), format::signedNumber(e.height[i], 2),
+                 format::signedNumber(e.q10[i], 2), format::signedNumber(e.q90[i], 2),
+                 provenanceWord(provenance(e, bin)));
     return recorded ? known + QStringLiteral(", ") + touchWord(touch) : known;
 }
 
 void TerrainProfileView::describe()
 {
     QStringList lines;
-    for (int bin = 0; bin < kBins && estimate_; ++bin) lines << binText(bin);
+    const auto describeSide = [&](Side side, bool named) {
+        for (int bin = 0; bin < kBins; ++bin)
+            lines << (named ? sideWord(side) + QStringLiteral(", ") : QString())
+                         + binTextOf(of(side), bin);
+    };
+    if (const auto side = sideInFull(); light()) {
+        for (const Side each : {Side::Left, Side::Right}) describeSide(each, true);
+    } else if (estimate_) {
+        describeSide(side.value_or(Side::Left), side.has_value());
+    }
     if (const QString note = note_->text().text(); !note.isEmpty()) lines.prepend(note);
     if (!staleOverlay_->words.isEmpty()) lines.prepend(tr("not live: no telemetry from the robot"));
     if (!ghostNote_->text().text().isEmpty()) lines << ghostNote_->text().text();
@@ -107,7 +158,7 @@ bool TerrainProfileView::eventFilter(QObject* object, QEvent* event)
     if (object == canvas() && event->type() == QEvent::MouseButtonDblClick) {
         const auto* click = static_cast<QMouseEvent*>(event);
         const std::optional<int> bin = binOf(pointAt(click->position()).x());
-        if (bin && click->button() == Qt::LeftButton) emit binChosen(*bin);
+        if (bin && click->button() == Qt::LeftButton) emit binChosen(*bin, sideToProbe());
     }
     if (object == canvas() && event->type() == QEvent::Leave) inspect(std::nullopt);
     return QwtPlot::eventFilter(object, event);
@@ -118,7 +169,7 @@ void TerrainProfileView::keyPressEvent(QKeyEvent* event)
     const int now = inspector_->bin();
     if (event->key() == Qt::Key_Right) return inspect(now < 0 ? 0 : std::min(now + 1, kBins - 1));
     const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (enters && now >= 0) return void(emit binChosen(now));
+    if (enters && now >= 0) return void(emit binChosen(now, sideToProbe()));
     if (event->key() == Qt::Key_Left) return inspect(now < 0 ? kBins - 1 : std::max(now - 1, 0));
     QwtPlot::keyPressEvent(event);
 }

@@ -33,7 +33,7 @@ QwtSymbol* symbol(QwtSymbol::Style style, const QColor& line, const QColor& fill
 }  // namespace
 
 TerrainProfileView::TerrainProfileView(QWidget* parent)
-    : QwtPlot(parent), axes_(*this), robot_(*this)
+    : QwtPlot(parent), axes_(*this), farRobot_(*this, true), robot_(*this)
 {
     setAccessibleName(tr("Terrain profile"));
     makePlain(*this);
@@ -58,6 +58,7 @@ TerrainProfileView::TerrainProfileView(QWidget* parent)
     addBars();
     addMarks();
     addLayers();
+    addSides();
     inspector_ = new BinInspector(this);
     setFocusPolicy(Qt::TabFocus);
     canvas()->setMouseTracking(true);
@@ -81,7 +82,9 @@ void TerrainProfileView::addLines()
     };
     ceilings_ = line(12.0, tr("ceiling"));
     meanPrior_ = line(20.0, {});
+    meanPriorCore_ = line(20.5, {});
     mean_ = line(21.0, {});
+    meanCore_ = line(21.5, {});
     truthLine_ = line(19.0, tr("truth"));
 }
 
@@ -159,10 +162,7 @@ void TerrainProfileView::restyle()
     grid_->setMajorPen(theme().grid, 1.0);
 
     ceilings_->setPen(QPen(theme().ceiling, 1.5, Qt::DotLine));
-    QPen soft(theme().sampled, 2.5, Qt::CustomDashLine, Qt::RoundCap, Qt::RoundJoin);
-    soft.setDashPattern({2.5, 2.5});
-    meanPrior_->setPen(soft);
-    mean_->setPen(QPen(theme().sampled, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    styleSides();
     truthLine_->setPen(QPen(theme().truth, 1.2));
 
     for (const Provenance from : kProvenances) {
@@ -176,6 +176,7 @@ void TerrainProfileView::restyle()
     showNote(note_->text().text(), estimate_.has_value());
     showGhostNote(ghostNote_->text().text());
     robot_.restyle();
+    farRobot_.restyle();
     for (QwtPlotItem* item : itemList()) item->legendChanged();
     sizeLegend();
     replot();

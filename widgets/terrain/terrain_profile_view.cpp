@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "app/display/format.h"
+#include "app/display/place_text.h"
 #include "core/infer/verdict/verdict.h"
 #include "widgets/base/drawable.h"
 #include "widgets/base/palette.h"
@@ -62,7 +63,7 @@ void setInLegend(QwtPlotItem& item, bool shown)
 
 }  // namespace
 
-void TerrainProfileView::setEstimate(const TerrainEstimate& estimate, const QString& note)
+void TerrainProfileView::setEstimate(const TwoTrackEstimate& estimate, const QString& note)
 {
     estimate_ = estimate;
     showNote(note, true);
@@ -163,68 +164,63 @@ void TerrainProfileView::setStale(std::optional<double> age)
 
 void TerrainProfileView::showEstimate()
 {
-    std::array<QVector<QPointF>, kKinds> points;
-    std::array<QVector<QwtIntervalSample>, kKinds> bars;
-    std::vector<QPointF> known, prior;
-    QPainterPath ceilings;
-    zones_->shown.fill(false);
-    zones_->touch = estimate_ ? estimate_->touch : unrecordedTouch();
-    zones_->horizon = estimate_ ? feltHorizon(*estimate_) : std::nullopt;
-    letters_->shown = {};
-    if (estimate_) {
-        const TerrainEstimate& e = *estimate_;
-        constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
-        for (int bin = 0; bin < kBins; ++bin) {
-            const auto i = static_cast<std::size_t>(bin);
-            const Provenance from = provenance(e, bin);
-            const auto kind = static_cast<std::size_t>(from);
-            const QPointF point(binCentre(bin), e.height[i]);
-            if (drawable(point)) {
-                points[kind].append(point);
-                letters_->shown[i] = from;
-            }
-            const bool unfelt = isUnfeltAhead(e, bin);  // no band, because it would look measured
-            if (!unfelt && drawable(e.q10[i]) && drawable(e.q90[i]) && e.q10[i] <= e.q90[i])
-                bars[kind].append(QwtIntervalSample(point.x(), e.q10[i], e.q90[i]));
-            if (drawable(e.ceiling[i])) {
-                ceilings.moveTo(binBegin(bin), e.ceiling[i]);
-                ceilings.lineTo(binEnd(bin), e.ceiling[i]);
-            }
-            zones_->shown[i] = unfelt;
-
-            // A segment that touches a prior-only bin is dashed.
-            known.push_back(e.priorOnly(bin) ? QPointF(point.x(), kNowhere) : point);
-            if (bin > 0) {
-                const bool soft = e.priorOnly(bin) || e.priorOnly(bin - 1);
-                prior.push_back(soft ? QPointF(binCentre(bin - 1), e.height[i - 1])
-                                     : QPointF(point.x(), kNowhere));
-                prior.push_back(soft ? point : QPointF(point.x(), kNowhere));
-                prior.emplace_back(point.x(), kNowhere);
-            }
-        }
-    }
-    for (std::size_t kind = 0; kind < kKinds; ++kind) {
-        points_[kind]->setSamples(points[kind]);
-        bars_[kind]->setSamples(bars[kind]);
-    }
-    twoHeights_->modes = estimate_ ? twoModes(*estimate_) : decltype(twoHeights_->modes){};
+    showBins(estimate_ ? *full() : TerrainEstimate{});
+    showSides();
+    const TerrainEstimate* const shown = full();
+    twoHeights_->modes = shown ? twoModes(*shown) : decltype(twoHeights_->modes){};
     const bool two = std::any_of(twoHeights_->modes.begin(), twoHeights_->modes.end(),
                                  [](const auto& modes) { return modes.has_value(); });
     setInLegend(*twoHeights_, two);
     arrangeNotes();
     showDraws();
+    showSecond();
     inspect(inspector_->bin() >= 0 ? std::optional(inspector_->bin()) : std::nullopt);
-    mean_->setShape(pathThrough(known));
-    meanPrior_->setShape(pathThrough(prior));
-    ceilings_->setShape(ceilings);
     showArm();
     describe();
+}
+
+/// Sets the marks, bars and lines of the side in full; without an estimate they are empty.
+void TerrainProfileView::showBins(const TerrainEstimate& e)
+{
+    std::array<QVector<QPointF>, kKinds> points;
+    std::array<QVector<QwtIntervalSample>, kKinds> bars;
+    std::vector<QPointF> known, prior;
+    QPainterPath ceilings;
+    constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+    for (int bin = 0; bin < kBins && estimate_; ++bin) {
+        const auto i = static_cast<std::size_t>(bin);
+        const auto kind = static_cast<std::size_t>(provenance(e, bin));
+        const QPointF point(binCentre(bin), e.height[i]);
+        if (drawable(point)) points[kind].append(point);
+        const bool unfelt = isUnfeltAhead(e, bin);  // no band, because it would look measured
+        if (!unfelt && drawable(e.q10[i]) && drawable(e.q90[i]) && e.q10[i] <= e.q90[i])
+            bars[kind].append(QwtIntervalSample(point.x(), e.q10[i], e.q90[i]));
+        if (drawable(e.ceiling[i])) {
+            ceilings.moveTo(binBegin(bin), e.ceiling[i]);
+            ceilings.lineTo(binEnd(bin), e.ceiling[i]);
+        }
+        // A segment that touches a prior-only bin is dashed.
+        known.push_back(e.priorOnly(bin) ? QPointF(point.x(), kNowhere) : point);
+        if (bin == 0) continue;
+        const bool soft = e.priorOnly(bin) || e.priorOnly(bin - 1);
+        prior.push_back(soft ? QPointF(binCentre(bin - 1), e.height[i - 1])
+                             : QPointF(point.x(), kNowhere));
+        prior.push_back(soft ? point : QPointF(point.x(), kNowhere));
+        prior.emplace_back(point.x(), kNowhere);
+    }
+    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+        points_[kind]->setSamples(points[kind]);
+        bars_[kind]->setSamples(bars[kind]);
+    }
+    for (QwtPlotShapeItem* line : {mean_, meanCore_}) line->setShape(pathThrough(known));
+    for (QwtPlotShapeItem* line : {meanPrior_, meanPriorCore_}) line->setShape(pathThrough(prior));
+    ceilings_->setShape(ceilings);
 }
 
 void TerrainProfileView::showDraws()
 {
     draws_->draws.clear();
-    if (estimate_ && drawsShown_) draws_->draws = estimate_->draws;
+    if (estimate_ && drawsShown_) draws_->draws = full()->draws;
     setInLegend(*draws_, !draws_->draws.empty());
 }
 
@@ -236,21 +232,23 @@ void TerrainProfileView::setDrawsShown(bool shown)
     replot();
 }
 
-void TerrainProfileView::setSecond(const std::optional<TerrainEstimate>& estimate,
+void TerrainProfileView::setSecond(const std::optional<TwoTrackEstimate>& estimate,
                                    const QString& name)
 {
-    if (estimate == second_->estimate) return;
-    second_->estimate = estimate;
+    if (estimate == secondEstimate_) return;
+    secondEstimate_ = estimate;
+    showSecond();
     second_->setTitle(name);
     setInLegend(*second_, estimate.has_value());
     fitAxes();
     replot();
 }
 
-void TerrainProfileView::setOutline(const Outline& outline)
+void TerrainProfileView::setOutline(const Outline& outline, const Outline& far)
 {
-    if (outline == robot_.outline()) return;
+    if (outline == robot_.outline() && far == farRobot_.outline()) return;
     robot_.setOutline(outline);
+    farRobot_.setOutline(far);
     fitAxes();
     replot();
 }
@@ -293,8 +291,10 @@ double TerrainProfileView::underArm() const
     constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
     if (!estimate_) return kNowhere;
     const auto i = static_cast<std::size_t>(armTip_->bin);
-    return drawable(estimate_->q90[i]) ? std::max(estimate_->q90[i], estimate_->height[i])
-                                       : estimate_->height[i];
+    const TerrainEstimate& e = armTip_->side == ProbeSide::Left  ? of(Side::Left)
+                             : armTip_->side == ProbeSide::Right ? of(Side::Right)
+                                                                 : *full();
+    return drawable(e.q90[i]) ? std::max(e.q90[i], e.height[i]) : e.height[i];
 }
 
 void TerrainProfileView::showArm()
@@ -305,6 +305,10 @@ void TerrainProfileView::showArm()
         armMark_->state = armTip_->state;
         armMark_->at = binCentre(armTip_->bin);
         armMark_->down = underArm();
+        armMark_->letter =
+            armTip_->side == ProbeSide::Middle
+                ? QString()
+                : sideLetter(armTip_->side == ProbeSide::Left ? Side::Left : Side::Right);
     }
     armMark_->setVisible(shown);
     fitAxes();
@@ -333,11 +337,10 @@ bool TerrainProfileView::setScales()
         bottom = std::min(bottom, std::max(kLowest, z - 0.03));
         top = std::max(top, std::min(kHighest, z + 0.06));
     };
-    if (estimate_) {
-        for (std::size_t i = 0; i < kBins; ++i) {
-            for (const double z : {estimate_->height[i], estimate_->q10[i], estimate_->q90[i]})
-                include(z);
-        }
+    for (const TerrainEstimate* e : {full(), light()}) {
+        if (!e) continue;
+        for (std::size_t i = 0; i < kBins; ++i)
+            for (const double z : {e->height[i], e->q10[i], e->q90[i]}) include(z);
     }
     if (truth_) {
         for (const double z : *truth_) include(z);
@@ -353,7 +356,8 @@ bool TerrainProfileView::setScales()
             for (const double z : {bin->height, bin->q10, bin->q90}) include(z);
         }
     }
-    return axes_.fit(bottom, top, MarkLetters::reserved(font(), canvas()->height()));
+    return axes_.fit(bottom, top,
+                     MarkLetters::reserved(font(), canvas()->height(), light() ? 2 : 1));
 }
 
 }  // namespace terratact

@@ -6,12 +6,15 @@
 #include <optional>
 #include <vector>
 
-#include "core/infer/estimate/estimate.h"
 #include "core/infer/estimate/provenance.h"
+#include "core/infer/estimate/two_track_estimate.h"
 #include "core/infer/verdict/ghost.h"
+#include "core/robot/force_sensor.h"
+#include "core/robot/probe_side.h"
 #include "core/terrain/outline.h"
 #include "widgets/terrain/profile_axes.h"
 #include "widgets/terrain/robot_sketch.h"
+#include "widgets/terrain/shown_sides.h"
 
 class QwtPlotCurve;
 class QwtPlotGrid;
@@ -26,9 +29,13 @@ class ArmMark;
 class BinInspector;
 class BinZones;
 class GhostLayer;
+class LightSide;
+class LineItem;
 class MarkLetters;
 class SampleLines;
 class SecondEstimate;
+class SideKey;
+class SideTags;
 class TwoHeights;
 class StaleOverlay;
 
@@ -38,6 +45,7 @@ struct ArmTip {
     State state = State::Proposed;
     int bin = 0;
     double height = 0.0;  ///< [m] measured height, if Touched
+    ProbeSide side = ProbeSide::Middle;
     bool operator==(const ArmTip&) const = default;
 };
 
@@ -46,6 +54,8 @@ struct ArmTip {
 /// by shape, bar pattern and colour (provenance_marks.h). Contact = square, arm = triangle, constrained = inverted
 /// triangle, sampled = circle, prior only = open diamond in an amber zone. Letters mark the bins where the legend has
 /// no room. A bin with bimodal draws shows both heights.
+/// Of two sides, one is drawn in full and the other one lighter, beside it. The right side's line is solid, the left
+/// side's line is hollow, and letters stand at their ends.
 /// The bin under the pointer, or selected with the arrow keys, is shown in detail. Values that are not finite or beyond
 /// 100 m are left out. GUI thread only.
 class TerrainProfileView final : public QwtPlot {
@@ -54,14 +64,29 @@ public:
     explicit TerrainProfileView(QWidget* parent = nullptr);
 
     /// note: a caution that is written above the profile; empty: none.
-    void setEstimate(const TerrainEstimate& estimate, const QString& note = {});
+    void setEstimate(const TwoTrackEstimate& estimate, const QString& note = {});
+    /// Shows an estimate of one plane.
+    void setEstimate(const TerrainEstimate& plane, const QString& note = {})
+    {
+        setEstimate(equalSides(plane), note);
+    }
+    void setShownSides(ShownSides sides);
+    ShownSides shownSides() const { return shownSides_; }
+    /// Sets the side that is drawn in full while both are shown.
+    void setFullSide(Side side);
+    /// Returns the side that is drawn in full; empty: one plane, or no estimate.
+    std::optional<Side> sideInFull() const;
+    /// Returns the side of which a probe is asked for at a bin that is chosen in the picture.
+    ProbeSide sideToProbe() const;
     void clearEstimate(const QString& why);  ///< shows the reason instead of a flat line
-    void setOutline(const Outline& outline);
+    /// far: the robot's other side, drawn lighter behind it; empty: both sides look the same.
+    void setOutline(const Outline& outline, const Outline& far = {});
     void setTruth(const std::optional<Heights>& truth);
     void setArmTip(const std::optional<ArmTip>& tip);
     void setDrawsShown(bool shown);  ///< shows some draws as thin lines
     /// Shows a second method's estimate of the same scene; empty: none. name: its legend entry.
-    void setSecond(const std::optional<TerrainEstimate>& estimate, const QString& name);
+    /// Of two sides it is that of the side in full.
+    void setSecond(const std::optional<TwoTrackEstimate>& estimate, const QString& name);
     /// Shows the last estimate moved by odometry. why: the reason shown if there is no ghost; empty: nothing.
     void setGhost(const std::optional<Ghost>& ghost, const QString& why = {});
     void inspect(std::optional<int> bin);  ///< shows a bin in detail
@@ -76,16 +101,18 @@ public:
     QPointF pixelOf(double x, double z) const;
     /// Returns the point in the DEM frame [m] at a canvas position.
     QPointF pointAt(QPointF pixel) const;
-    /// Returns a bin as text: "bin 0.4 m: +0.07 m, 80 % in +0.05 … +0.09, contact".
+    /// Returns a bin as text: "bin 0.4 m: +0.07 m, 80 % in +0.05 … +0.09, contact". Of two sides it is that of the side
+    /// in full.
     QString binText(int bin) const;
     /// Returns the drawn estimate.
-    const std::optional<TerrainEstimate>& estimate() const { return estimate_; }
+    const std::optional<TwoTrackEstimate>& estimate() const { return estimate_; }
     BinInspector* inspector() const { return inspector_; }
     bool drawsShown() const { return drawsShown_; }
 
 signals:
-    /// Emitted when the operator chooses a bin: by a double click, or by Enter on the bin shown in detail.
-    void binChosen(int bin);
+    /// Emitted when the operator chooses a bin: by a double click, or by Enter on the bin shown in detail. side: of two
+    /// sides, the one in full.
+    void binChosen(int bin, ProbeSide side);
 
 public:
     /// Applies the current theme and font; runs by itself soon after they change.
@@ -111,9 +138,20 @@ private:
     void addLayers();
     void addNotes();
     void sizeLegend();
+    void addSides();
+    void styleSides();
     void showEstimate();
+    void showBins(const TerrainEstimate& estimate);
+    void showSides();
     void showDraws();
+    void showSecond();
     QStringList closeUp(int bin) const;
+    QStringList briefly(int bin, Side side) const;
+    QString binTextOf(const TerrainEstimate& estimate, int bin) const;
+    /// Return the estimates that are drawn in full and lighter; null: none.
+    const TerrainEstimate* full() const;
+    const TerrainEstimate* light() const;
+    const TerrainEstimate& of(Side side) const { return estimate_->side[indexOf(side)]; }
     void showNote(const QString& note, bool warns);
     void showGhostNote(const QString& note);
     void arrangeNotes();
@@ -125,11 +163,13 @@ private:
     bool setScales();  ///< returns true if the scales changed
     void describe();
 
-    std::optional<TerrainEstimate> estimate_;
+    std::optional<TwoTrackEstimate> estimate_, secondEstimate_;
+    ShownSides shownSides_ = ShownSides::Both;
+    Side fullSide_ = Side::Right;  ///< while both are shown
     std::optional<Heights> truth_;
     std::optional<ArmTip> armTip_;
     ProfileAxes axes_;
-    RobotSketch robot_;
+    RobotSketch farRobot_, robot_;
 
     // The plot owns its items once they are attached.
     std::array<QwtPlotCurve*, kKinds> points_{};
@@ -138,6 +178,11 @@ private:
     QwtPlotMarker* imu_ = nullptr;
     QwtPlotShapeItem* mean_ = nullptr;
     QwtPlotShapeItem* meanPrior_ = nullptr;
+    QwtPlotShapeItem* meanCore_ = nullptr;       ///< makes the line of the left side hollow
+    QwtPlotShapeItem* meanPriorCore_ = nullptr;  ///< the same
+    LightSide* lightSide_ = nullptr;
+    SideTags* sideTags_ = nullptr;
+    std::array<SideKey*, 2> sideKeys_{};
     QwtPlotShapeItem* ceilings_ = nullptr;
     QwtPlotShapeItem* truthLine_ = nullptr;
     BinZones* zones_ = nullptr;

@@ -18,6 +18,7 @@
 #include "widgets/base/spoken.h"
 #include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
+#include "widgets/terrain/two_track_text.h"
 
 namespace terratact {
 namespace {
@@ -56,9 +57,9 @@ QString briefly(WithholdReason reason)
 }
 
 /// Returns the verdict's name in the style sheet.
-QString wordOf(const Verdict& verdict)
+QString wordOf(StepVerdict answer)
 {
-    switch (verdict.stepVerdict) {
+    switch (answer) {
     case StepVerdict::Clear: return QStringLiteral("clear");
     case StepVerdict::Blocked: return QStringLiteral("blocked");
     case StepVerdict::CannotTell: return QStringLiteral("open");
@@ -67,7 +68,7 @@ QString wordOf(const Verdict& verdict)
 }
 
 /// Returns shortfall and remedy in few words, for the strip's two lines.
-QString briefShortfall(const Verdict& verdict)
+QString briefShortfall(const Verdict& verdict, bool withHelp)
 {
     QString text;
     switch (verdict.shortfall) {
@@ -78,6 +79,7 @@ QString briefShortfall(const Verdict& verdict)
         break;
     case Shortfall::Spanned: text = VerdictStrip::tr("not felt under the flippers"); break;
     }
+    if (!withHelp) return text;
     if (verdict.help == Help::Flatten) text += VerdictStrip::tr(", flatter flippers help");
     if (verdict.help == Help::DriveOn) text += VerdictStrip::tr(", 0.1 m further helps");
     return text;
@@ -121,6 +123,15 @@ QString badgeOf(const Verdict& verdict)
          + VerdictStrip::tr("to %1 m").arg(format::signedNumber(verdict.horizon, 2));
 }
 
+/// Returns the badge of the robot's answer; CLEAR reaches to the nearer horizon of both sides.
+QString badgeOf(const TwoTrackVerdict& verdict)
+{
+    const bool isLeft = verdict.side[0].horizon <= verdict.side[1].horizon;
+    Verdict robot = verdict.side[isLeft ? 0 : 1];
+    robot.stepVerdict = verdict.both;
+    return badgeOf(robot);
+}
+
 QString withheldText(const std::vector<WithholdReason>& reasons)
 {
     QStringList texts;
@@ -146,7 +157,8 @@ VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
               "anywhere from %1 to %2 m ahead of the IMU")
                .arg(format::number(binBegin(kFirstAhead), 2), format::number(binEnd(kBins - 1), 2),
                     format::number(kStepBins * kBinWidth, 1)));
-    question_->setAccessibleName(tr("Probability of a step ahead"));
+    nameQuestion(false);
+    question_->installEventFilter(this);
     reason_ = new PlainLabel(this);
     reason_->setAccessibleName(tr("Why"));
     reason_->setWordWrap(true);
@@ -186,9 +198,9 @@ VerdictStrip::VerdictStrip(QWidget* parent) : QFrame(parent)
 void VerdictStrip::resizeToFont()
 {
     // Always reserves two lines, because a jumping layout misleads. More lines are used only where nothing else moves.
-    const int twoLines = 2 * QFontMetrics(QApplication::font()).lineSpacing() + 2;
-    reason_->setMinimumHeight(twoLines);
-    reason_->setMaximumHeight(stacked_ ? QWIDGETSIZE_MAX : twoLines);
+    const int lines = (sidesWrap_ ? 1 : 2) * QFontMetrics(QApplication::font()).lineSpacing() + 2;
+    reason_->setMinimumHeight(lines);
+    reason_->setMaximumHeight(stacked_ ? QWIDGETSIZE_MAX : lines);
     // The badge keeps its width for every word.
     QFont bold = QApplication::font();
     bold.setPixelSize(scaled(19));  // equal to the style sheet
@@ -260,8 +272,78 @@ QString VerdictStrip::whyOf(const Verdict& verdict)
              likeliestText(verdict));
 }
 
+QString VerdictStrip::brieflyOf(const Verdict& verdict, bool isOfTwo)
+{
+    if (!verdict.withheldFor.empty()) return whyOf(verdict);
+    if (verdict.shortfall != Shortfall::None) return briefShortfall(verdict, !isOfTwo);
+    return isOfTwo ? tr("not decided") : tr("not decided; %1").arg(likeliestText(verdict));
+}
+
+bool VerdictStrip::eventFilter(QObject* object, QEvent* event)
+{
+    if (object == question_ && event->type() == QEvent::Resize) fitSides();
+    return QFrame::eventFilter(object, event);
+}
+
+void VerdictStrip::fitSides()
+{
+    const auto fits = [this](const QString& line) {
+        return stacked_ || line.isEmpty()
+            || question_->fontMetrics().horizontalAdvance(line) <= question_->width();
+    };
+    const bool isShort = !fits(sides_);
+    if (!sides_.isEmpty()) question_->setText(isShort ? shortSides_ : sides_);
+    const bool wraps = isShort && !fits(shortSides_);  // the reason gives it one of its lines
+    if (std::exchange(sidesWrap_, wraps) != wraps) resizeToFont();
+}
+
+void VerdictStrip::nameQuestion(bool isOfSides)
+{
+    if (!isOfSides) {
+        sides_.clear();
+        fitSides();
+    }
+    question_->setAccessibleDescription(isOfSides ? sides_ : QString());
+    question_->setAccessibleName(isOfSides ? tr("Verdict of each side")
+                                           : tr("Probability of a step ahead"));
+}
+
+void VerdictStrip::setVerdict(const TwoTrackVerdict& verdict, const QString& probe)
+{
+    if (isOnePlane(verdict)) return setVerdict(verdict.side[0], probe);
+    setTwoTracks(verdict, probe);
+}
+
+void VerdictStrip::setTwoTracks(const TwoTrackVerdict& verdict, const QString& probe)
+{
+    const bool withheld = isWithheld(verdict);
+    const QString probability = eitherText(verdict, limit_), sides = sidesText(verdict);
+    const bool ofSides = !withheld && !sides.isEmpty();
+    // A withheld probability must not be the first thing that is read.
+    const QString question = withheld ? QStringLiteral("(%1)").arg(probability) : probability;
+    const bool isNew = std::exchange(sides_, ofSides ? sides : QString()) != sides;
+    shortSides_ = sidesText(verdict, true);
+    nameQuestion(ofSides);
+    if (!ofSides) question_->setText(question);
+    setTone(*question_, withheld ? Tone::Muted : Tone::Strong);
+    setTone(*reason_, withheld ? Tone::Doubt : Tone::Muted);
+    QStringList parts;
+    if (ofSides) parts << probability;
+    if (const QString why = whyText(verdict, true); !why.isEmpty()) parts << why;
+    QString text = parts.join(QStringLiteral(" · "));
+    if (!probe.isEmpty() && !withheld) text += QStringLiteral(" — ") + probe;
+    reason_->setText(text);
+    QStringList tip{sides, probability, whyText(verdict, false), probe};
+    tip.removeAll(QString());
+    setTip(*reason_, tip.join(QLatin1Char('\n')));
+    say(badgeOf(verdict), wordOf(verdict.both), withheld);
+    fitSides();
+    if (isNew && ofSides) announce(*question_);
+}
+
 void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
 {
+    nameQuestion(false);
     const bool isWithheld = !verdict.withheldFor.empty();
     const QString probability = probabilityOf(verdict, limit_);
     // A withheld probability must not be the first thing that is read.
@@ -269,21 +351,19 @@ void VerdictStrip::setVerdict(const Verdict& verdict, const QString& probe)
     setTone(*question_, isWithheld ? Tone::Muted : Tone::Strong);
     setTone(*reason_, isWithheld ? Tone::Doubt : Tone::Muted);
     const bool isBrief = verdict.stepVerdict == StepVerdict::CannotTell && !isWithheld;
-    QString why = !isBrief ? whyOf(verdict)
-                : verdict.shortfall != Shortfall::None
-                    ? briefShortfall(verdict)
-                    : tr("not decided; %1").arg(likeliestText(verdict));
+    QString why = isBrief ? brieflyOf(verdict) : whyOf(verdict);
     if (!probe.isEmpty() && !isWithheld) why += QStringLiteral(" — ") + probe;
     reason_->setText(why);
     QStringList tip{why};
     if (isBrief) tip << whyOf(verdict);
     for (const WithholdReason reason : verdict.withheldFor) tip << translated(describe(reason));
     setTip(*reason_, tip.join(QLatin1Char('\n')));
-    say(badgeOf(verdict), wordOf(verdict), isWithheld);
+    say(badgeOf(verdict), wordOf(verdict.stepVerdict), isWithheld);
 }
 
 void VerdictStrip::setNothing(const QString& why)
 {
+    nameQuestion(false);
     question_->setText(
         tr("Is there a step of more than %1 m ahead?").arg(format::number(limit_, 2)));
     setTone(*question_, Tone::Strong);

@@ -80,12 +80,33 @@ TEST(NumbersTable, isCopiedWithItsHeadings)
     QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
     const QStringList lines = QApplication::clipboard()->text().split('\n');
     ASSERT_GE(lines.size(), kBins + 1);
-    EXPECT_EQ(lines[0].split('\t').size(), NumbersTable::kColumns);
+    EXPECT_EQ(lines[0].split('\t').size(), NumbersTable::kColumns - 1) << "no side";
     for (const QString& line : lines) {
         EXPECT_FALSE(line.contains(QChar(0x2212))) << "other programs read no such minus";
         EXPECT_FALSE(line.contains("--")) << "what is not known is an empty field";
     }
     EXPECT_TRUE(lines[9].startsWith(QStringLiteral("+0.5\t-0.050\t")));
+}
+
+TEST(NumbersTable, hasARowPerSideWhereSidesDiffer)
+{
+    NumbersTable table;
+    table.setEstimate(leftStepEstimate(), 0.1);
+    ASSERT_EQ(table.rowCount(), 2 * kBins);
+    EXPECT_FALSE(table.isColumnHidden(NumbersTable::AtSide));
+    EXPECT_EQ(cell(table, 16, NumbersTable::Bin), QStringLiteral("+0.5"));
+    EXPECT_EQ(cell(table, 16, NumbersTable::AtSide), "left");
+    EXPECT_EQ(cell(table, 16, NumbersTable::Height), QStringLiteral("−0.050"));
+    EXPECT_EQ(cell(table, 17, NumbersTable::AtSide), "right");
+    EXPECT_EQ(cell(table, 17, NumbersTable::Height), QStringLiteral("−0.250"));
+    EXPECT_EQ(cell(table, 20, NumbersTable::Touched), "yes");
+    EXPECT_EQ(cell(table, 21, NumbersTable::Touched), "no");
+    const QStringList lines = table.text().split('\n');
+    EXPECT_TRUE(lines[0].startsWith("bin [m]\tside\theight [m]")) << lines[0].toStdString();
+    EXPECT_TRUE(lines[17].startsWith("+0.5\tleft\t-0.050\t")) << lines[17].toStdString();
+    table.setEstimate(equalSides(stepEstimate()), 0.1);
+    EXPECT_EQ(table.rowCount(), kBins);
+    EXPECT_TRUE(table.text().startsWith("bin [m]\theight [m]"));
 }
 
 TEST(NumbersTable, showsNoHostileNumber)

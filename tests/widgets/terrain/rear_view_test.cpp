@@ -59,6 +59,19 @@ TEST_F(Behind, saysWhichSideIsUp)
     EXPECT_EQ(view.text(), QStringLiteral("roll 0.0°")) << "no side is up";
 }
 
+TEST_F(Behind, saysTheSameInShortWhereItIsNarrow)
+{
+    view.setPose(RearView::Pose{.roll = -3.2 * kDegree, .crossSlope = 12.4 * kDegree});
+    EXPECT_EQ(view.shortText(), QStringLiteral("roll ↑R 3°\ncross ↑L 12°"));
+    EXPECT_LE(view.fontMetrics().size(0, view.shortText()).width(), view.minimumSizeHint().width());
+    view.resize(view.minimumSizeHint());
+    EXPECT_FALSE(gui::painted(view).isNull());
+    const int tall = view.sizeHint().height();
+    view.setPose(RearView::Pose{.roll = 0.0});
+    EXPECT_EQ(view.shortText(), QStringLiteral("roll 0°"));
+    EXPECT_LT(view.sizeHint().height(), tall) << "one line less";
+}
+
 TEST_F(Behind, isSpokenWithBothFlippers)
 {
     view.setPose(RearView::Pose{

@@ -66,7 +66,7 @@ TEST_F(TerrainView, hostileNumbersInItsLayersAreLeftOut)
         view.setDrawsShown(true);
         TerrainEstimate second = stepEstimate();
         second.height[2] = second.q10[4] = second.q90[5] = bad;
-        view.setSecond(second, "pafc");
+        view.setSecond(equalSides(second), "pafc");
         view.inspect(3);
         ASSERT_FALSE(painted(view).isNull()) << bad;
         Ghost moved = ghost();

@@ -185,7 +185,7 @@ TEST_F(TerrainView, drawsAndASecondMethodAreLayersOnDemand)
     EXPECT_EQ(painted(*view.canvas()), plain);
     TerrainEstimate second = stepEstimate();
     second.height[4] = -0.35;
-    view.setSecond(second, "pafc");
+    view.setSecond(equalSides(second), "pafc");
     EXPECT_TRUE(alike(colourAt(view, 0.118, -0.35), theme().card));  // an open circle
     view.setSecond(std::nullopt, {});
     EXPECT_EQ(painted(*view.canvas()), plain);

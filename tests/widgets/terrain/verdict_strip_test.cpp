@@ -208,6 +208,129 @@ TEST_F(Strip, theLimitMovesByACentimetreWithinItsRange)
     }
 }
 
+/// Returns BLOCKED at the left and CLEAR at the right.
+TwoTrackVerdict leftBlocked()
+{
+    TwoTrackVerdict both;
+    both.side = {verdict(StepVerdict::Blocked, 0.99), verdict(StepVerdict::Clear, 0.02)};
+    both.side[0].likeliest = 6;
+    both.side[1].touchRecorded = true;
+    both.side[1].horizon = 0.55;
+    both.either = {0.98, 0.01};
+    both.both = StepVerdict::Blocked;
+    return both;
+}
+
+TEST_F(Strip, onePlaneReadsAsBefore)
+{
+    const Verdict plane = verdict(StepVerdict::CannotTell, 0.5);
+    strip.setVerdict(plane, "probe");
+    const QStringList before{strip.badge(), strip.question(), strip.reason()};
+    strip.setVerdict(leftBlocked());
+    strip.setVerdict(equalSides(plane), "probe");
+    EXPECT_EQ((QStringList{strip.badge(), strip.question(), strip.reason()}), before);
+}
+
+TEST_F(Strip, namesTheAnswerOfEachSide)
+{
+    strip.resize(1000, 80);
+    strip.setVerdict(leftBlocked());
+    QCoreApplication::processEvents();
+    EXPECT_EQ(strip.badge(), QStringLiteral("✘ BLOCKED"));
+    EXPECT_EQ(strip.question(),
+              QStringLiteral("left ✘ BLOCKED at +0.4 m · right ✔ CLEAR to +0.55 m"));
+    EXPECT_EQ(strip.reason(), QStringLiteral("P(step > 0.10 m, L or R) = 0.98 ± 0.01"));
+    auto* const question = strip.findChild<QLabel*>("verdictQuestion");
+    EXPECT_EQ(question->accessibleName(), "Verdict of each side");
+    strip.resize(650, 80);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(strip.question(), QStringLiteral("L ✘ BLOCKED 0.4 · R ✔ CLEAR 0.55 m"));
+    EXPECT_EQ(question->accessibleDescription(),
+              QStringLiteral("left ✘ BLOCKED at +0.4 m · right ✔ CLEAR to +0.55 m"));
+    for (const std::string& text : gui::cutText(strip))
+        ADD_FAILURE() << text << question->width() << " of "
+                      << question->fontMetrics().horizontalAdvance(strip.question());
+    strip.setVerdict(verdict(StepVerdict::Blocked, 0.99));
+    EXPECT_EQ(question->accessibleName(), "Probability of a step ahead");
+}
+
+TEST_F(Strip, clearReachesToTheNearerHorizon)
+{
+    TwoTrackVerdict both = leftBlocked();
+    both.side[0] = both.side[1];
+    both.side[1].horizon = 0.75;
+    both.both = StepVerdict::Clear;
+    strip.setVerdict(both);
+    EXPECT_EQ(strip.badge(), QStringLiteral("✔ CLEAR\nto +0.55 m"));
+    both.side[1].horizon = 0.55;
+    both.side[1].step.p = 0.01;
+    strip.setVerdict(both);
+    EXPECT_EQ(strip.question(), QStringLiteral("P(step > 0.10 m) L 0.00 ± < 0.01, R 0.00 ± < 0.01"))
+        << "both sides say the same";
+}
+
+TEST_F(Strip, givesTheReasonThatNoSideGives)
+{
+    TwoTrackVerdict both = leftBlocked();
+    both.side[0] = both.side[1];
+    both.side[0].step.p = 0.03;
+    both.both = StepVerdict::CannotTell;
+    strip.setVerdict(both);
+    EXPECT_EQ(strip.question(), QStringLiteral("each side ✔ CLEAR to +0.55 m"));
+    EXPECT_TRUE(strip.reason().contains("each side alone is clear, both together are not"))
+        << strip.reason().toStdString();
+    both.crossSlope = {.steepest = 0.8, .bin = 8, .limit = 0.77, .beyond = {0.4, 0.01}};
+    strip.setVerdict(both);
+    EXPECT_TRUE(strip.reason().contains(QStringLiteral("cross slope 46° of 54°, L up")))
+        << strip.reason().toStdString();
+    EXPECT_TRUE(strip.reason().contains("the cross slope ahead is not decided"));
+    both.both = StepVerdict::Blocked;
+    strip.setVerdict(both);
+    EXPECT_TRUE(strip.reason().contains("may tip the robot over"));
+}
+
+TEST_F(Strip, aWithheldVerdictNamesTheSideOfItsReason)
+{
+    TwoTrackVerdict both = leftBlocked();
+    for (Verdict& side : both.side) side.stepVerdict = StepVerdict::CannotTell;
+    both.side[0].withheldFor = {WithholdReason::UnlikeTraining};
+    both.both = StepVerdict::CannotTell;
+    strip.setVerdict(both, "probe left at 0.4 m");
+    EXPECT_EQ(strip.question(), QStringLiteral("(P(step > 0.10 m, L or R) = 0.98 ± 0.01)"));
+    EXPECT_TRUE(strip.reason().startsWith("L: withheld")) << strip.reason().toStdString();
+    EXPECT_FALSE(strip.reason().contains("probe"));
+    both.side[1].withheldFor = both.side[0].withheldFor;
+    strip.setVerdict(both);
+    EXPECT_TRUE(strip.reason().startsWith("withheld")) << "the same on both sides, once";
+}
+
+TEST_F(Strip, aChangeOfASideIsAnnounced)
+{
+    Announcements announcements(strip);
+    strip.setVerdict(leftBlocked());
+    (void)announcements.consume();
+    TwoTrackVerdict other = leftBlocked();
+    std::swap(other.side[0], other.side[1]);
+    strip.setVerdict(other);
+    EXPECT_EQ(announcements.consume(), QStringList{strip.question()});
+    strip.setVerdict(other);
+    EXPECT_EQ(announcements.consume(), QStringList());
+}
+
+TEST_F(Strip, twoSidesAreNotCutInTheNarrowestWindow)
+{
+    TwoTrackVerdict both = leftBlocked();
+    for (Verdict& side : both.side) {
+        side.stepVerdict = StepVerdict::CannotTell;
+        side.shortfall = Shortfall::Spanned;
+    }
+    both.side[1].shortfall = Shortfall::NothingFelt;
+    both.both = StepVerdict::CannotTell;
+    strip.setVerdict(both, "probe left at 0.4 m: 0.87 → 0.53 bit");
+    QCoreApplication::processEvents();
+    for (const std::string& text : gui::cutText(strip)) ADD_FAILURE() << text;
+}
+
 TEST_F(Strip, nothingIsCutInTheNarrowestWindow)
 {
     strip.setVerdict(verdict(StepVerdict::CannotTell, 0.71), "probe at 0.4 m: 0.87 → 0.53 bit");
