@@ -1,11 +1,15 @@
 #include "core/infer/two_track_estimator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "core/infer/closed_form_parts.h"
 #include "core/infer/estimate/missing_sensors.h"
+#include "core/infer/reconstruct.h"
 #include "core/learn/data/side_features.h"
 #include "core/robot/side_plane.h"
 
@@ -15,12 +19,17 @@ namespace {
 
 constexpr double kTurned = 0.02;  // [rad] of a differential, beyond its sensor's noise
 
+bool hasTurned(const std::optional<double>& differential)
+{
+    return std::abs(differential.value_or(0.0)) > kTurned;
+}
+
 void requireSides(const TwoTrackReadings& s, const Models& models)
 {
     if (!models.sides)
         throw RefusedInput(TR_NOOP("core", "the model has learnt one plane only: `terratact train "
                                            "--tracks` makes one for two tracks"));
-    if (std::abs(s.differential.value_or(0.0)) > kTurned)
+    if (hasTurned(s.differential))
         throw RefusedInput(TR_NOOP(
             "core", "the track differential has turned: estimates of both sides need it locked"));
 }
@@ -42,7 +51,78 @@ void writeMissing(TerrainEstimate& estimate, const Proprioception& own)
     estimate.warnings.insert(estimate.warnings.begin(), sentences.begin(), sentences.end());
 }
 
+void warnBoth(TwoTrackEstimate& estimate, const Message& sentence)
+{
+    for (TerrainEstimate& side : estimate.side) side.warnings.push_back(sentence);
+}
+
+TwoTrackEstimate asOnePlane(const Measurement& line, std::span<const ArmReading> readings,
+                            const RobotModel& robot, const Models& models, const Settings& settings,
+                            const Watch& watch)
+{
+    TerrainEstimate plane =
+        estimateTerrain(proprioception(line), readings, robot, models, settings, watch);
+    warnIfNotPlanar(plane, line);
+    return equalSides(std::move(plane));
+}
+
+std::vector<ArmReading> readingsOn(ProbeSide side, std::span<const ArmReading> readings)
+{
+    std::vector<ArmReading> own;
+    std::ranges::copy_if(readings, std::back_inserter(own),
+                         [side](const ArmReading& reading) { return reading.side == side; });
+    return own;
+}
+
+/// Warns about a scene whose sides differ, and that is estimated as one plane nevertheless.
+void warnOfOnePlane(TwoTrackEstimate& estimate, const Measurement& line, Method method)
+{
+    if (hasTurned(line.differential))
+        warnBoth(estimate, TR_NOOP("core", "the track differential has turned: left and right are "
+                                           "estimated as one plane"));
+    else
+        warnBoth(estimate, Message(TR_NOOP("core", "method %1 estimates left and right as one "
+                                                   "plane, although they differ"),
+                                   name(method)));
+}
+
 }  // namespace
+
+bool hasSides(const Measurement& line)
+{
+    for (std::size_t e = 0; e < std::size_t{kForceElements}; ++e)
+        if (!line.missing[kFirstForceFeature + e] && !line.sides.knows(e)) return false;
+    return true;
+}
+
+bool allowsBothSides(const Measurement& line, Method method)
+{
+    return hasSides(line) && isClosedForm(method) && !hasTurned(line.differential);
+}
+
+TwoTrackEstimate estimateMeasured(const Measurement& line, std::span<const ArmReading> readings,
+                                  const RobotModel& robot, const Models& models,
+                                  const Settings& settings, const Watch& watch)
+{
+    const TwoTrackReadings s = twoTrackReadings(line);
+    const std::vector<ArmReading> left = readingsOn(ProbeSide::Left, readings),
+                                  right = readingsOn(ProbeSide::Right, readings);
+    const bool isEven = left.empty() && right.empty() && isSymmetric(s);
+    if (!models.sides || !hasSides(line) || isEven)
+        return asOnePlane(line, readings, robot, models, settings, watch);
+    if (!allowsBothSides(line, settings.method)) {
+        TwoTrackEstimate plane = asOnePlane(line, readings, robot, models, settings, watch);
+        warnOfOnePlane(plane, line, settings.method);
+        return plane;
+    }
+    TwoTrackEstimate estimate =
+        estimateByBothSides(s, {left, right}, robot, models, settings, watch);
+    for (const ArmReading& reading : readingsOn(ProbeSide::Middle, readings))
+        warnBoth(estimate, Message(TR_NOOP("core", "the arm's reading at %1 m lies in the middle "
+                                                   "and counts for neither side"),
+                                   signedFixed(binCentre(reading.bin), 1)));
+    return estimate;
+}
 
 TwoTrackEstimate estimateByBothSides(const TwoTrackReadings& s, const SideArms& arms,
                                      const RobotModel& robot, const Models& models,

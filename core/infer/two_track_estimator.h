@@ -17,6 +17,24 @@ TwoTrackEstimate estimateTwoTracks(const TwoTrackReadings& s, const SideArms& ar
                                    const RobotModel& robot, const Models& models,
                                    const Settings& settings, const Watch& watch = {});
 
+/// Returns true if the line tells left and right: every known mean of a force has a known side.
+/// Sessions of versions 1 to 3, files of scenes and some sources have means only.
+bool hasSides(const Measurement& line);
+
+/// Returns true if estimateMeasured() may estimate both sides of such a line by this method, with a
+/// model of two tracks: hasSides(), Joint or Local, and a differential that has not turned.
+bool allowsBothSides(const Measurement& line, Method method);
+
+/// Estimates a line of telemetry: both sides if the model has a part of two tracks, allowsBothSides()
+/// holds, and the scene is not symmetric within its sensors' noise. A reading of the arm on a side
+/// makes a symmetric scene one of both sides. Otherwise it is estimated as one plane by
+/// estimateTerrain() with warnIfNotPlanar(); sides do not count there. A scene that only its method or
+/// its differential makes one plane gets a warning. Both sides ignore a reading in the middle, which
+/// is of neither line, and say so in a warning. Throws as estimateTerrain().
+TwoTrackEstimate estimateMeasured(const Measurement& line, std::span<const ArmReading> readings,
+                                  const RobotModel& robot, const Models& models,
+                                  const Settings& settings, const Watch& watch = {});
+
 /// Estimates both sides by models.sides, whatever the symmetry. Throws as estimateTwoTracks().
 TwoTrackEstimate estimateByBothSides(const TwoTrackReadings& s, const SideArms& arms,
                                      const RobotModel& robot, const Models& models,

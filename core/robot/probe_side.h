@@ -14,4 +14,11 @@ enum class ProbeSide : std::uint8_t { Middle, Left, Right };
 std::string_view name(ProbeSide side);
 std::optional<ProbeSide> probeSideFromName(std::string_view text);
 
+/// Place that the arm may touch. bin: 0 … 10, see core/terrain/bins.h.
+struct ProbePlace {
+    int bin = 0;
+    ProbeSide side = ProbeSide::Middle;
+    bool operator==(const ProbePlace&) const = default;
+};
+
 }  // namespace terratact

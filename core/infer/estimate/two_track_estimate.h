@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/infer/estimate/estimate.h"
+#include "core/robot/probe_side.h"
 
 namespace terratact {
 
@@ -16,6 +17,12 @@ struct TwoTrackEstimate {
     bool onePlane = false;
     bool operator==(const TwoTrackEstimate&) const = default;
 };
+
+/// Returns the side's estimate. The middle has no own estimate: one plane has equal sides.
+inline const TerrainEstimate& sideOf(const TwoTrackEstimate& estimate, ProbeSide side)
+{
+    return estimate.side[side == ProbeSide::Right ? 1 : 0];
+}
 
 /// Returns the estimate of one plane for both sides.
 inline TwoTrackEstimate equalSides(TerrainEstimate plane)

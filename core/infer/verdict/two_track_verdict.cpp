@@ -153,6 +153,7 @@ TwoTrackVerdict equalSides(const Verdict& plane)
     verdict.side = {plane, plane};
     verdict.either = plane.step;
     verdict.both = plane.stepVerdict;
+    verdict.onePlane = true;
     return verdict;
 }
 
@@ -184,8 +185,29 @@ TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& ro
     return verdict;
 }
 
+TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& robot,
+                          const Measurement& line, const LinkSinceScene& since, double limit)
+{
+    const TwoTrackReadings s = twoTrackReadings(line);
+    const auto& [left, right] = estimate.side;
+    const bool isJoint = !left.draws.empty() && left.draws.size() == right.draws.size();
+    if (!estimate.onePlane && isJoint) return verdictOf(estimate, robot, s, limit, since);
+    TwoTrackVerdict verdict;
+    if (estimate.onePlane) {
+        verdict = equalSides(verdictOf(left, line, since, limit));
+    } else {
+        verdict.side = {verdictOf(left, lineOf(s, Side::Left), since, limit),
+                        verdictOf(right, lineOf(s, Side::Right), since, limit)};
+        verdict.either = {0.0, 1.0};
+    }
+    const Proprioception mean = proprioception(line);
+    verdict.crossSlope.limit = tipOver(robot, mean.front, mean.rear).side - kRedReserve;
+    return verdict;
+}
+
 std::string describe(const TwoTrackVerdict& verdict)
 {
+    if (verdict.onePlane) return describeStepVerdict(verdict.side[0]);
     const std::string left = answerOf(verdict.side[0]), right = answerOf(verdict.side[1]);
     const bool agree = verdict.both == answerOfSides(verdict);
     std::string text = agree ? "" : fmt::format("{} for the robot · ", name(verdict.both));

@@ -43,6 +43,8 @@ struct TwoTrackVerdict {
     /// probability up to both horizons and the cross slope up to the nearer one. CannotTell else, and
     /// where the verdict of a side is withheld.
     StepVerdict both = StepVerdict::CannotTell;
+    /// True if the estimate is of one plane: the sides are equal, and both is their answer.
+    bool onePlane = false;
     bool operator==(const TwoTrackVerdict&) const = default;
 };
 
@@ -58,9 +60,16 @@ TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& ro
                           const TwoTrackReadings& s, double limit,
                           const LinkSinceScene& since = {});
 
+/// Decides for the line of telemetry that the estimate rests on. An estimate of one plane has the
+/// verdict of one plane on both sides, with its limits of roll and asymmetry; its cross slope is 0.
+/// An estimate of both sides has the verdict above; without joint draws, nothing is known of the
+/// robot: CannotTell, {0, 1}.
+TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& robot,
+                          const Measurement& line, const LinkSinceScene& since, double limit);
+
 /// Returns "left BLOCKED at +0.4 m · right CLEAR to +0.55 m", or "both CLEAR to +0.55 m" for equal
 /// answers. Where the robot's answer does not follow from those of the sides, it precedes them:
-/// "CANNOT TELL for the robot · each side CLEAR to +0.55 m". A cross slope within kAmberReserve of
+/// "CANNOT TELL for the robot · each side CLEAR to +0.55 m". One plane: describeStepVerdict(). A cross slope within kAmberReserve of
 /// the tip-over angle follows: "cross slope 41° of 54°".
 std::string describe(const TwoTrackVerdict& verdict);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/infer/closed_form.h"
+#include "core/infer/reconstruct.h"
 #include "tests/support/toy_model.h"
 #include "tests/support/toy_sides.h"
 
@@ -122,6 +123,101 @@ TEST(TwoTrackEstimator, aSymmetricSceneIsOnePlane)
     EXPECT_EQ(estimate.side[0], estimate.side[1]);
     const std::vector<ArmReading> arm{{.bin = 9, .height = 0.0, .sd = 0.03}};
     EXPECT_FALSE(estimateTwoTracks(s, {arm, {}}, absolem(), models(true), {}).onePlane);
+}
+
+/// A line of telemetry with the readings of rolled(), both arrays known.
+Measurement rolledLine()
+{
+    return measurementOf(rolled().s);
+}
+
+Measurement evenLine()
+{
+    TwoTrackReadings s = scenes().front().s;
+    s.roll = 0.001;
+    s.flippers = {0.2, 0.2, 0.1, 0.1};
+    s.currents = {1.0, 1.0, 1.0, 1.0};
+    s.forces[1] = s.forces[0];
+    return measurementOf(s);
+}
+
+TwoTrackEstimate measured(const Measurement& line, std::span<const ArmReading> readings = {},
+                          const Settings& settings = {}, bool tracks = true)
+{
+    return estimateMeasured(line, readings, absolem(), models(tracks), settings);
+}
+
+TwoTrackEstimate planeOf(const Measurement& line, std::span<const ArmReading> readings = {},
+                         const Settings& settings = {})
+{
+    TerrainEstimate plane =
+        estimateTerrain(proprioception(line), readings, absolem(), models(false), settings);
+    warnIfNotPlanar(plane, line);
+    return equalSides(plane);
+}
+
+std::string sentencesOf(const TwoTrackEstimate& estimate)
+{
+    return english(estimate.side[0].warnings, "; ");
+}
+
+TEST(EstimateMeasured, estimatesBothSidesOfAnUnevenScene)
+{
+    const TwoTrackEstimate estimate = measured(rolledLine());
+    EXPECT_FALSE(estimate.onePlane);
+    EXPECT_EQ(estimate,
+              estimateByBothSides(twoTrackReadings(rolledLine()), {}, absolem(), models(true), {}));
+    EXPECT_EQ(sentencesOf(estimate).find("not the same left and right"), std::string::npos);
+}
+
+TEST(EstimateMeasured, aSymmetricSceneIsTodaysPlane)
+{
+    EXPECT_EQ(measured(evenLine()), planeOf(evenLine()));
+    const std::vector<ArmReading> middle{{.bin = 9, .height = 0.0, .sd = 0.03}};
+    EXPECT_EQ(measured(evenLine(), middle), planeOf(evenLine(), middle));
+    const std::vector<ArmReading> left{
+        {.bin = 9, .height = 0.0, .sd = 0.03, .side = ProbeSide::Left}};
+    const TwoTrackEstimate both = measured(evenLine(), left);
+    EXPECT_FALSE(both.onePlane);
+    EXPECT_EQ(both.side[0].origin[9], Origin::Arm);
+    EXPECT_EQ(both.side[1].origin[9], Origin::Sampled);
+}
+
+TEST(EstimateMeasured, aModelOfOnePlaneStaysTodaysPlane)
+{
+    EXPECT_EQ(measured(rolledLine(), {}, {}, false), planeOf(rolledLine()));
+    EXPECT_NE(sentencesOf(measured(rolledLine(), {}, {}, false)).find("roll"), std::string::npos);
+}
+
+TEST(EstimateMeasured, aSourceWithoutSidesStaysTodaysPlane)
+{
+    Measurement means = rolledLine();
+    means.sides = {};
+    EXPECT_FALSE(hasSides(means));
+    EXPECT_EQ(measured(means), planeOf(means));
+}
+
+TEST(EstimateMeasured, warnsWhereOnlyOnePlaneIsPossible)
+{
+    const Settings paper{.method = Method::Pafc, .draws = 20};
+    const TwoTrackEstimate sampled = measured(rolledLine(), {}, paper);
+    EXPECT_TRUE(sampled.onePlane);
+    EXPECT_NE(sentencesOf(sampled).find("method pafc estimates left and right as one plane"),
+              std::string::npos);
+    EXPECT_EQ(measured(evenLine(), {}, paper), planeOf(evenLine(), {}, paper));
+    Measurement turned = rolledLine();
+    turned.differential = 0.1;
+    EXPECT_TRUE(measured(turned).onePlane);
+    EXPECT_NE(sentencesOf(measured(turned)).find("the track differential has turned"),
+              std::string::npos);
+}
+
+TEST(EstimateMeasured, aReadingBetweenTheSidesCountsForNeither)
+{
+    const std::vector<ArmReading> middle{{.bin = 9, .height = 0.0, .sd = 0.03}};
+    const TwoTrackEstimate estimate = measured(rolledLine(), middle);
+    EXPECT_EQ(estimate.side[0].origin[9], Origin::Sampled);
+    EXPECT_NE(sentencesOf(estimate).find("+0.6 m lies in the middle"), std::string::npos);
 }
 
 TEST(TwoTrackEstimator, refusesWhatItHasNotLearnt)

@@ -5,6 +5,8 @@
 #include "core/infer/estimate/contradiction.h"
 #include "core/sim/ground/terrain_shapes.h"
 #include "core/sim/rest/rest_pose.h"
+#include "core/sim/rest/two_track_rest.h"
+#include "core/sim/two_track_check.h"
 
 namespace terratact {
 namespace {
@@ -78,6 +80,67 @@ TEST(PosteriorCheck, canBeCancelled)
     EXPECT_THROW((void)checkPosterior(estimateOf(0.0), levelReadings(), checkedRobot(), {},
                                       [] { throw Enough{}; }),
                  Enough);
+}
+
+/// Readings on two lines, the right one lower by `drop`, with flippers pressed by 9 N m each.
+TwoTrackReadings readingsOnSides(double drop)
+{
+    TerrainProfile lower({{0.0, -drop}, {6.0, -drop}});
+    const GroundLines ground({{0.2, flatTerrain(6.0)}, {-0.2, lower}});
+    return exactReadings(
+        checkedRobot(),
+        *restPose(checkedRobot(), ground, 2.0, flipperDrives(PressTorque{18.0}, HoldAngle{0.5})));
+}
+
+/// Returns the level estimate, with the right side lower by `drop` in every draw.
+TwoTrackEstimate sidesOf(double drop)
+{
+    TwoTrackEstimate e{.side = {estimateOf(0.0), estimateOf(0.0)}};
+    const double half = drop / 2.0;  // the IMU is in the middle
+    for (double& h : e.side[0].height) h += half;
+    for (double& h : e.side[1].height) h -= half;
+    for (TerrainEstimate& side : e.side) side.draws.assign(100, side.height);
+    return e;
+}
+
+TEST(TwoTrackCheck, trueGroundOfBothSidesAgrees)
+{
+    for (const double drop : {0.0, 0.06, -0.1}) {
+        const TwoTrackReadings s = readingsOnSides(drop);
+        const TwoTrackCheck check = checkPosterior(sidesOf(drop), s, checkedRobot());
+        EXPECT_TRUE(check.agrees) << drop;
+        EXPECT_EQ(check.rested, 1) << drop;
+        EXPECT_NEAR(check.roll, s.roll, 0.02) << drop;
+        EXPECT_NEAR(check.front[1], s.flippers[1], 0.05) << drop;
+    }
+}
+
+TEST(TwoTrackCheck, levelGroundContradictsARoll)
+{
+    const TwoTrackReadings s = readingsOnSides(0.1);
+    ASSERT_GT(s.roll, 0.2);
+    TwoTrackEstimate e = sidesOf(0.0);
+    writePosteriorCheck(e, measurementOf(s), checkedRobot());
+    for (const TerrainEstimate& side : e.side) {
+        EXPECT_TRUE(side.contradicts);
+        EXPECT_TRUE(sayContradiction(side.warnings));
+    }
+    EXPECT_NE(e.side[0].warnings[0].english().find("roll +12°"), std::string::npos)
+        << e.side[0].warnings[0].english();
+    e = sidesOf(0.1);
+    writePosteriorCheck(e, measurementOf(s), checkedRobot());
+    EXPECT_FALSE(e.side[0].contradicts);
+}
+
+TEST(TwoTrackCheck, anEstimateOfOnePlaneHasThatOfOnePlane)
+{
+    const Measurement line = measurementOf(readingsOnSides(0.0));
+    TerrainEstimate plane = estimateOf(0.3);
+    writePosteriorCheck(plane, proprioception(line), checkedRobot());
+    TwoTrackEstimate both = equalSides(estimateOf(0.3));
+    writePosteriorCheck(both, line, checkedRobot());
+    EXPECT_TRUE(plane.contradicts);
+    EXPECT_EQ(both, equalSides(plane));
 }
 
 }  // namespace

@@ -128,5 +128,40 @@ TEST(TwoTrackVerdict, aCrossSlopeThatTipsTheRobotBlocks)
         << describe(verdict);
 }
 
+TEST(TwoTrackVerdict, ofOnePlaneReadsAsThatOfOnePlane)
+{
+    const TwoTrackEstimate plane = equalSides(estimateWith(kEvenDraws, kNever).side[0]);
+    for (const double roll : {0.0, 0.2}) {
+        Measurement line;
+        line.roll = roll;
+        const LinkSinceScene late{.telemetryFresh = false};
+        for (const LinkSinceScene& since : {LinkSinceScene{}, late}) {
+            const Verdict own = verdictOf(plane.side[0], line, since, 0.1);
+            const TwoTrackVerdict both = verdictOf(plane, absolem(), line, since, 0.1);
+            EXPECT_TRUE(both.onePlane);
+            EXPECT_EQ(both.side[0], own);
+            EXPECT_EQ(both.side[1], own);
+            EXPECT_EQ(both.both, own.stepVerdict);
+            EXPECT_EQ(both.either, own.step);
+            EXPECT_EQ(describe(both), describeStepVerdict(own));
+        }
+    }
+}
+
+TEST(TwoTrackVerdict, ofALineIsThatOfItsReadings)
+{
+    const TwoTrackEstimate estimate = estimateWith(kAlways, kNever);
+    Measurement line;
+    line.roll = 0.2;
+    EXPECT_EQ(verdictOf(estimate, absolem(), line, {}, 0.1),
+              verdictOf(estimate, absolem(), twoTrackReadings(line), 0.1));
+    TwoTrackEstimate bare = estimate;
+    for (TerrainEstimate& side : bare.side) side.draws.clear();
+    EXPECT_EQ(verdictOf(bare, absolem(), line, {}, 0.1).side[0].stepVerdict,
+              StepVerdict::CannotTell);
+    EXPECT_EQ(verdictOf(bare, absolem(), line, {}, 0.1).both, StepVerdict::CannotTell);
+    EXPECT_EQ(verdictOf(bare, absolem(), line, {}, 0.1).either, (StepProbability{0.0, 1.0}));
+}
+
 }  // namespace
 }  // namespace terratact
