@@ -32,7 +32,7 @@ void addEstimation(TerrainViewState& viewState, const Estimation& estimation)
     viewState.live = {pointer(estimation.live()), revisions.live};
     viewState.ghost = estimation.ghost();
     viewState.whyNoGhost = translated(estimation.whyNoGhost().value_or(Message()));
-    if (const auto verdict = estimation.verdict()) viewState.verdict = equalSides(*verdict);
+    viewState.verdict = estimation.verdict();
 }
 
 /// Returns the ages of the frames that carry the readout's rows.
@@ -144,7 +144,10 @@ TerrainViewState LiveViewState::terrain(const RobotMoment& moment)
     viewState.proposal = pointer(exploration.proposal());
     if (!viewState.proposal) viewState.bestProbe = exploration.bestProbe();
     viewState.whyNotOffered = translated(exploration.whyNotOffered().value_or(Message()));
-    viewState.probingBin = exploration.probingBin();
+    if (const auto place = exploration.probingPlace()) {
+        viewState.probingBin = place->bin;
+        viewState.probingSide = place->side;
+    }
     viewState.probeSeconds = exploration.options().probeSeconds;
     // A preview takes one telemetry period, so its progress would only flicker.
     if (exploration.estimating()) viewState.progress = parts_.worker.progress();

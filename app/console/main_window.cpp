@@ -138,13 +138,12 @@ void MainWindow::addPages(const Options& options)
         [this] {
             const Estimation& estimation = exploration_->estimation();
             const auto& estimate = estimation.estimate();
-            const auto verdict = estimation.verdict();
             return NumbersViewState{
                 estimate ? &*estimate : nullptr,
                 estimation.revisions().estimate,
                 translated(exploration_->whyNoEstimate()),
                 exploration_->options().stepLimit,
-                verdict ? std::optional(equalSides(*verdict)) : std::nullopt,
+                estimation.verdict(),
                 moment_.latest ? std::optional(moment_.now - secondsOf(moment_.latest->arrived))
                                : std::nullopt};
         },
@@ -258,14 +257,17 @@ void MainWindow::connectExploration()
     connect(atemPanel(), &AtemPanel::requested, exploration, &Exploration::request);
     connect(atemPanel(), &AtemPanel::aborted, exploration, &Exploration::abort);
     connect(atemPanel(), &AtemPanel::forgetWanted, exploration, &Exploration::forgetResult);
-    connect(atemPanel(), &AtemPanel::probeWanted, exploration, &Exploration::askProbe);
-    connect(terrain(), &TerrainProfileView::binChosen, exploration, &Exploration::askProbe);
+    const auto ask = [exploration](int bin) { exploration->askProbe({bin, ProbeSide::Middle}); };
+    connect(atemPanel(), &AtemPanel::probeWanted, exploration, ask);
+    connect(terrain(), &TerrainProfileView::binChosen, exploration, ask);
     connect(atemPanel(), &AtemPanel::overrideWanted, exploration, &Exploration::overrideWarnings);
     connect(atemPanel(), &AtemPanel::stopReleased, this, &MainWindow::releaseStop);
     connect(strip(), &EstimateStrip::cancelled, exploration, &Exploration::abort);
     connect(probeCard(), &ProbeCard::approved, exploration, &Exploration::approve);
     connect(probeCard(), &ProbeCard::refused, exploration, &Exploration::refuse);
-    connect(probeCard(), &ProbeCard::otherChosen, exploration, &Exploration::choose);
+    connect(probeCard(), &ProbeCard::otherChosen, exploration, [exploration](quint64 id, int bin) {
+        exploration->choose(id, {bin, ProbeSide::Middle});
+    });
     connect(verdict(), &VerdictStrip::limitChosen, this, [this](double metres) {
         preferences_->change([metres](Preferences& p) { p.obstacleLimit = metres; });
     });
@@ -368,9 +370,9 @@ void MainWindow::askProbe()
     const int seen = terrain()->inspector()->bin();
     const auto best = exploration_->bestProbe();
     if (seen >= 0)
-        exploration_->askProbe(seen);
+        exploration_->askProbe({seen, ProbeSide::Middle});
     else if (best)
-        exploration_->askProbe(best->bin);
+        exploration_->askProbe({best->bin, best->side});
     else if (const auto why = exploration_->whyNotOffered())
         log(*why, EventSeverity::Warning);
     else

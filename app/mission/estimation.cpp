@@ -5,6 +5,8 @@
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
+#include "app/mission/place_text.h"
+#include "core/infer/two_track_estimator.h"
 #include "core/infer/verdict/estimate_text.h"
 
 namespace terratact {
@@ -47,9 +49,13 @@ void Estimation::listenToModels()
 {
     connect(&worker_, &EstimatorWorker::modelLoaded, this,
             [this](const QString& name, const QString& details, const QString& /*hash*/,
-                   const QString& content) {
-                model_ = {.name = name, .details = details, .content = content};
-                if (!estimate_) track_.reset();  // the ghost belongs to the previous model
+                   const QString& content, bool hasTwoTracks) {
+                model_ = {.name = name,
+                          .details = details,
+                          .content = content,
+                          .trouble = {},
+                          .hasTwoTracks = hasTwoTracks};
+                if (!estimate_) forgetGhost();  // the ghost belongs to the previous model
                 aside_.reset();
                 emit modelChanged();
                 emit happened(
@@ -85,12 +91,13 @@ void Estimation::poll(const std::optional<Received>& latest, bool telemetryFresh
         emit telemetryGap();
     if (scene_ && !hasMoved() && latest->count >= capturedAt_) suspect(latest->suspicions);
     if (latest->count == tracked_) return;
-    if (track_ && latest->unbrokenFrom > tracked_) {
-        track_->addSilence();
+    if (tracks_ && latest->unbrokenFrom > tracked_) {
+        for (GhostTrack& track : *tracks_) track.addSilence();
         if (!scene_) emit telemetryGap();
     }
     tracked_ = latest->count;
-    if (track_) track_->add(newest);
+    if (tracks_)
+        for (GhostTrack& track : *tracks_) track.add(newest);
 }
 
 Estimation::Processes Estimation::processesOf(Method method) const
@@ -160,20 +167,33 @@ void Estimation::begin(const Received& latest, std::uint64_t since)
     start();
 }
 
-void Estimation::addArmReading(const ArmReading& reading)
+void Estimation::score(const ArmReading& reading)
 {
-    const TerrainEstimate& shown = estimate_->side[0];
+    const ProbePlace place{reading.bin, reading.side};
+    if (!estimate_->onePlane && reading.side == ProbeSide::Middle)
+        return void(emit happened(
+            Message(TR_NOOP("terratact::Estimation",
+                            "arm %1: %2 m, between the sides that are estimated"),
+                    placeWords(place), verbatim(format::signedNumber(reading.height, 2))),
+            EventSeverity::Warning));
+    const TerrainEstimate& shown = sideOf(*estimate_, reading.side);
     const auto i = static_cast<std::size_t>(reading.bin);
     const bool inside = shown.q10[i] <= reading.height && reading.height <= shown.q90[i];
     emit happened(
-        Message(TR_NOOP("terratact::Estimation", "arm at %1: %2 m, %3 the band shown before"),
-                verbatim(format::binName(reading.bin)),
-                verbatim(format::signedNumber(reading.height, 2)),
+        Message(TR_NOOP("terratact::Estimation", "arm %1: %2 m, %3 the band shown before"),
+                placeWords(place), verbatim(format::signedNumber(reading.height, 2)),
                 inside ? TR_NOOP("terratact::Estimation", "inside")
                        : TR_NOOP("terratact::Estimation", "outside")),
         inside ? EventSeverity::Note : EventSeverity::Warning);
     ledger_.record(shown, reading.bin, reading.height, reading.sd, Origin::Arm);
-    std::erase_if(readings_, [&](const ArmReading& r) { return r.bin == reading.bin; });
+}
+
+void Estimation::addArmReading(const ArmReading& reading)
+{
+    score(reading);
+    std::erase_if(readings_, [&](const ArmReading& r) {
+        return r.bin == reading.bin && r.side == reading.side;
+    });
     readings_.push_back(reading);
     start();
 }
@@ -219,8 +239,8 @@ void Estimation::forget(const Message& why)
 void Estimation::setAside(const Message& why)
 {
     if (estimate_ && scene_ && pose_)
-        aside_ = Aside{*scene_,   *pose_,     capturedAt_,     hadTelemetryGap_,
-                       readings_, *estimate_, second_.value(), track_};
+        aside_ = Aside{*scene_,    *pose_,          capturedAt_, hadTelemetryGap_, readings_,
+                       *estimate_, second_.value(), tracks_,     isGhostOnePlane_};
     forgetGhost();
     forget(why);
 }
@@ -236,7 +256,8 @@ bool Estimation::restore()
     readings_ = std::move(aside.readings);
     estimate_ = std::move(aside.estimate);
     second_ = std::move(aside.second);
-    track_ = std::move(aside.track);
+    tracks_ = std::move(aside.tracks);
+    isGhostOnePlane_ = aside.isGhostOnePlane;
     whyNone_ = {};
     emit stands(false);
     adviseAnew();  // if the limit has changed meanwhile
@@ -307,13 +328,17 @@ void Estimation::accept(int job, const TwoTrackEstimate& estimate, double second
     estimate_ = estimate;
     seconds_ = seconds;
     ++counts_.estimates;
-    counts_.contradicting += estimate.side[0].contradicts ? 1 : 0;
+    const auto& [left, right] = estimate.side;
+    counts_.contradicting += left.contradicts || right.contradicts ? 1 : 0;
     advice_ = {};
     estimateJob_ = job;
-    track_.emplace(robot_, estimate.side[0], scene_->measurement);
-    if (hadTelemetryGap_) track_->addSilence();
+    tracks_ = SideTracks{GhostTrack(robot_, left, scene_->measurement),
+                         GhostTrack(robot_, right, scene_->measurement)};
+    isGhostOnePlane_ = estimate.onePlane;
+    if (hadTelemetryGap_)
+        for (GhostTrack& track : *tracks_) track.addSilence();
     emit stands(false);
-    announce(estimate.side[0]);
+    announce(estimate);
     unadvised_ = true;
     // Advice follows, unless the step limit has changed; then another probe may be the best one.
     if (askedLimit_ != options_.stepLimit) adviseAnew();
@@ -339,35 +364,43 @@ void Estimation::refuse(int job, const Message& why)
                   EventSeverity::Bad);
 }
 
-void Estimation::announce(const TerrainEstimate& estimate)
+void Estimation::announce(const TwoTrackEstimate& estimate)
 {
     emit happened(Message(TR_NOOP("terratact::Estimation", "estimate in %1"),
                           verbatim(format::age(seconds_))),
                   EventSeverity::Note);
-    for (const Message& warning : estimate.warnings) emit happened(warning, EventSeverity::Warning);
-    for (const Message& sentence : hiddenByBands(estimate, options_.stepLimit))
+    const auto& [left, right] = estimate.side;
+    for (const Message& warning : ofBothSides(left.warnings, right.warnings))
+        emit happened(warning, EventSeverity::Warning);
+    for (const Message& sentence : ofBothSides(hiddenByBands(left, options_.stepLimit),
+                                               hiddenByBands(right, options_.stepLimit)))
         emit happened(sentence, EventSeverity::Note);
 }
 
-std::optional<Verdict> Estimation::verdict() const
+std::optional<TwoTrackVerdict> Estimation::verdict() const
 {
     if (!estimate_ || !scene_) return std::nullopt;
-    return verdictOf(estimate_->side[0], scene_->measurement,
+    return verdictOf(*estimate_, robot_, scene_->measurement,
                      {.telemetryFresh = telemetryFresh_,
                       .unbroken = !hadTelemetryGap_,
                       .sensorsSound = !wasSuspected_},
                      options_.stepLimit);
 }
 
-std::optional<Ghost> Estimation::ghost() const
+bool Estimation::estimatesBothSides(const Measurement& line) const
+{
+    return model_.hasTwoTracks && allowsBothSides(line, options_.settings.method);
+}
+
+std::optional<Ghost> Estimation::ghost(Side side) const
 {
     if (!wantsGhost() || !telemetryFresh_) return std::nullopt;
-    return track_->ghost();
+    return (*tracks_)[side == Side::Left ? 0 : 1].ghost();
 }
 
 std::optional<Message> Estimation::whyNoGhost() const
 {
-    return wantsGhost() ? noGhostWords(track_->why(), telemetryFresh_) : std::nullopt;
+    return wantsGhost() ? noGhostWords((*tracks_)[0].why(), telemetryFresh_) : std::nullopt;
 }
 
 std::optional<Message> noGhostWords(std::optional<NoGhost> why, bool telemetryFresh)

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -14,7 +15,7 @@
 #include "core/base/message.h"
 #include "core/eval/calibration_ledger.h"
 #include "core/infer/verdict/ghost_track.h"
-#include "core/infer/verdict/verdict.h"
+#include "core/infer/verdict/two_track_verdict.h"
 #include "core/robot/robot_model.h"
 
 namespace terratact {
@@ -30,6 +31,7 @@ struct ModelInUse {
     QString name{}, details{};  ///< empty: no model has been loaded
     QString content{};          ///< LoadedModel::content
     Message trouble{};          ///< reason that there is no model
+    bool hasTwoTracks = false;  ///< LoadedModel::hasTwoTracks
 };
 
 /// Owns the estimates of the present scene, by the settings' method and an optional second method, with the arm's
@@ -59,14 +61,15 @@ public:
     /// Captures a scene and estimates it. The scene is the first sample of the press, so that every console captures
     /// the same one. If that did not come after sample `since`, the newest sample is used.
     void begin(const Received& latest, std::uint64_t since);
-    /// Scores the estimate against the arm's reading in its scene, and estimates again with it.
+    /// Scores the estimate of the reading's side against the reading in its scene, and estimates again with it. A
+    /// reading in the middle of two sides is of neither: it is not scored.
     void addArmReading(const ArmReading& reading);
     void setSecondMethod(std::optional<Method> method);  ///< empty: none
     void cancel();                                       ///< cancels all running jobs
     void adviseAnew();  ///< requests advice for the present step limit if it has changed
     /// Drops scene, readings, estimates and pending answers, but not the ghost or a preview.
     void forget(const Message& why);
-    void forgetGhost() { track_.reset(); }
+    void forgetGhost() { tracks_.reset(); }
     /// Combines forget() and forgetGhost() so that restore() can undo them. Restoring needs the same model and pose,
     /// and no newer scene.
     void setAside(const Message& why);
@@ -95,7 +98,7 @@ public:
     const Message& whyNone() const { return whyNone_; }
     const ProbeAdvice& advice() const { return advice_; }  ///< probe advice for estimate()
     /// Returns the verdict of estimate() for the present step limit; empty without an estimate.
-    std::optional<Verdict> verdict() const;
+    std::optional<TwoTrackVerdict> verdict() const;
     std::optional<Method> secondMethod() const { return secondMethod_; }
     const std::optional<TwoTrackEstimate>& second() const { return second_.value(); }
     const std::optional<TwoTrackEstimate>& live() const
@@ -110,8 +113,14 @@ public:
     {
         return {estimate_.revision(), second_.revision(), live_.revision()};
     }
-    /// Returns the last estimate moved by odometry until a new one exists. It affects no decision.
-    std::optional<Ghost> ghost() const;
+    /// Returns true if the next estimate of such a line may be of both sides: roll and different flippers are then no
+    /// reason for doubt.
+    bool estimatesBothSides(const Measurement& line) const;
+    /// Returns a side of the last estimate moved by odometry until a new one exists. It affects no decision. Both sides
+    /// of one plane are equal.
+    std::optional<Ghost> ghost(Side side = Side::Left) const;
+    /// Returns true if ghost() is of an estimate of one plane.
+    bool isGhostOnePlane() const { return isGhostOnePlane_; }
     /// Reason of the last estimate; empty: there is a ghost, or was no estimate.
     std::optional<Message> whyNoGhost() const;
     /// Number of finished estimates of scenes, and of those that contradict their readings
@@ -145,6 +154,7 @@ private:
     };
     void suspect(const std::vector<SensorSuspicion>& suspicions);
 
+    using SideTracks = std::array<GhostTrack, 2>;  ///< left, right
     /// An estimate that the operator has cleared.
     struct Aside {
         CapturedScene scene;
@@ -154,7 +164,8 @@ private:
         std::vector<ArmReading> readings;
         TwoTrackEstimate estimate;
         std::optional<TwoTrackEstimate> second;
-        std::optional<GhostTrack> track;
+        std::optional<SideTracks> tracks;
+        bool isGhostOnePlane;
     };
 
     void listenToModels();
@@ -171,8 +182,9 @@ private:
     void startSecond();
     void resume();  ///< repeats the request that the worker dropped to load a model
     EstimateRequest requestFor(Method method) const;
-    void announce(const TerrainEstimate& estimate);
-    bool wantsGhost() const { return track_ && !estimate_ && !live_; }
+    void announce(const TwoTrackEstimate& estimate);
+    void score(const ArmReading& reading);
+    bool wantsGhost() const { return tracks_ && !estimate_ && !live_; }
 
     EstimatorWorker& worker_;
     const RobotModel& robot_;
@@ -204,8 +216,9 @@ private:
 
     Counts counts_;
     CalibrationLedger ledger_;
-    std::optional<GhostTrack> track_;  ///< track of the last estimate
-    std::uint64_t tracked_ = 0;        ///< count of the last sample it used
+    std::optional<SideTracks> tracks_;  ///< tracks of the last estimate
+    bool isGhostOnePlane_ = true;
+    std::uint64_t tracked_ = 0;  ///< count of the last sample it used
 };
 
 /// Returns why no ghost is shown: there is none, or no telemetry. Empty: a ghost is shown.

@@ -12,11 +12,10 @@
 #include "app/runtime/parallel.h"
 #include "app/runtime/time_budget.h"
 #include "app/runtime/vector_registers.h"
-#include "core/infer/estimator.h"
-#include "core/infer/reconstruct.h"
+#include "core/infer/two_track_estimator.h"
 #include "core/learn/model/bin_models.h"
 #include "core/learn/model/model_file.h"
-#include "core/sim/posterior_check.h"
+#include "core/sim/two_track_check.h"
 #include "core/store/sha256.h"
 
 namespace terratact {
@@ -30,6 +29,7 @@ ModelLoader modelFileLoader(std::string path, RobotModel robot)
         const auto models = std::make_shared<const Models>(stored->data, robot);
 
         LoadedModel model;
+        model.hasTwoTracks = models->sides.has_value();
         model.name = format::fileName(QString::fromStdString(path));
         model.content = QString::fromStdString(stored->contentHash);
         model.details = ModelWords::card(factsOf(path, *stored));
@@ -39,13 +39,10 @@ ModelLoader modelFileLoader(std::string path, RobotModel robot)
                 makeProcesses(*models, request.settings, watch);
                 return TwoTrackEstimate{};
             }
-            TerrainEstimate estimate =
-                estimateTerrain(proprioception(request.measurement), request.arm, robot, *models,
-                                request.settings, watch);
-            warnIfNotPlanar(estimate, request.measurement);
-            writePosteriorCheck(estimate, proprioception(request.measurement), robot,
-                                pollOf(watch));
-            return equalSides(std::move(estimate));
+            TwoTrackEstimate estimate = estimateMeasured(request.measurement, request.arm, robot,
+                                                         *models, request.settings, watch);
+            writePosteriorCheck(estimate, request.measurement, robot, pollOf(watch));
+            return estimate;
         };
         return model;
     };
@@ -108,7 +105,7 @@ void EstimatorWorker::giveAdvice(int job, const TwoTrackEstimate& estimate,
                                  const RobotModel& prober, double stepLimit, const Poll& poll)
 {
     try {
-        emit advised(job, adviseProbe(estimate.side[0], prober, stepLimit, poll));
+        emit advised(job, adviseProbe(estimate, prober, stepLimit, poll));
     } catch (const Cancelled&) {
         return;
     } catch (const std::exception&) {  // the estimate is valid without advice
@@ -137,7 +134,8 @@ void EstimatorWorker::loadModel(const ModelLoader& load)
         auto model = load();
         if (model) {
             estimate_ = model->estimate;
-            emit modelLoaded(model->name, model->details, model->hash, model->content);
+            emit modelLoaded(model->name, model->details, model->hash, model->content,
+                             model->hasTwoTracks);
             return;
         }
         why = model.error().message;

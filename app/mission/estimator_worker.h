@@ -32,16 +32,17 @@ struct EstimateRequest {
     bool prepares = false;
 };
 
-/// Computes an estimate; throws the exceptions of reconstruct().
+/// Computes an estimate; throws the exceptions of estimateMeasured().
 using Estimator = std::function<TwoTrackEstimate(const EstimateRequest&, const Watch&)>;
 
 /// An estimator with texts about its model.
 struct LoadedModel {
     Estimator estimate;
-    QString name;       ///< "default.ttm"
-    QString details;    ///< its card as text
-    QString hash{};     ///< SHA-256 of its file
-    QString content{};  ///< StoredModel::contentHash
+    QString name;               ///< "default.ttm"
+    QString details;            ///< its card as text
+    QString hash{};             ///< SHA-256 of its file
+    QString content{};          ///< StoredModel::contentHash
+    bool hasTwoTracks = false;  ///< it can estimate both sides
 };
 using ModelLoader = std::function<Result<LoadedModel>()>;
 
@@ -78,7 +79,7 @@ signals:
                          const terratact::RobotModel& prober,
                          double stepLimit);  ///< to the worker's thread
     void modelLoaded(const QString& name, const QString& details, const QString& hash,
-                     const QString& content);
+                     const QString& content, bool hasTwoTracks);
     void modelFailed(const terratact::Message& why);  ///< there is no model
     void modelKept(const terratact::Message& why);    ///< the previous model stays
     /// seconds: computation time.

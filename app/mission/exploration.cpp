@@ -6,6 +6,7 @@
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/mission/bus_text.h"
+#include "app/mission/place_text.h"
 
 namespace terratact {
 namespace {
@@ -42,19 +43,19 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
 void Exploration::addAdvice()
 {
     ProbeOffer offer = probes_.offer();
-    if (const auto asked = std::exchange(askedBin_, std::nullopt)) offer = {.bin = asked};
-    if (estimation_.wasPitchSuspected()) offer.bin.reset();
+    if (const auto asked = std::exchange(asked_, std::nullopt)) offer = {.place = asked};
+    if (estimation_.wasPitchSuspected()) offer.place.reset();
     pending_.estimateReady = true;
-    pending_.probeWanted = offer.bin.has_value();
+    pending_.probeWanted = offer.place.has_value();
     offered_ = pending_.probeWanted;
     probes_.withdraw();
-    if (offer.bin && !following()) probes_.propose(*offer.bin);
+    if (offer.place && !following()) probes_.propose(*offer.place);
 }
 
 void Exploration::askAnew()
 {
     if (!probes_.stands()) return;  // the same text with other data would be another proposal
-    probes_.propose(probes_.current()->bin);
+    probes_.propose({probes_.current()->bin, probes_.current()->side});
     if (state_.phase == AtemPhase::ProposingProbe) emit proposed();
 }
 
@@ -275,7 +276,7 @@ void Exploration::enter(const AtemState& before)
     // This includes a probe proposed in the tick that ended the exploration.
     if (state_.phase != AtemPhase::ProposingProbe && state_.phase != AtemPhase::Probing)
         probes_.withdraw();
-    if (!exploring(state_.phase)) askedBin_.reset();
+    if (!exploring(state_.phase)) asked_.reset();
     switch (state_.phase) {
     case AtemPhase::Halting:
         forget(TR_NOOP("terratact::Exploration", "Exploring: the robot halts"));
@@ -294,8 +295,8 @@ void Exploration::enter(const AtemState& before)
         break;
     case AtemPhase::ProposingProbe:
         emit proposed();
-        emit happened(Message(TR_NOOP("terratact::Exploration", "probe proposed at %1"),
-                              verbatim(format::binName(probes_.current()->bin))),
+        emit happened(Message(TR_NOOP("terratact::Exploration", "probe proposed %1"),
+                              placeWords({probes_.current()->bin, probes_.current()->side})),
                       EventSeverity::Note);
         break;
     case AtemPhase::Probing: probe(); break;
@@ -318,8 +319,8 @@ void Exploration::probe()
 {
     probing_ = {.bin = probes_.current()->bin, .side = probes_.current()->side};
     probes_.withdraw();
-    emit happened(Message(TR_NOOP("terratact::Exploration", "probe at %1 approved"),
-                          verbatim(format::binName(probing_.bin))),
+    emit happened(Message(TR_NOOP("terratact::Exploration", "probe %1 approved"),
+                          placeWords({probing_.bin, probing_.side})),
                   EventSeverity::Note);
     sawProbing_ = false;
     armBefore_ = latest_->sample.measurement.arm;
@@ -398,10 +399,10 @@ Message Exploration::failureWords() const
     return Message::joined(what, describe(refusal_));
 }
 
-std::optional<int> Exploration::probingBin() const
+std::optional<ProbePlace> Exploration::probingPlace() const
 {
-    const bool probes = state_.phase == AtemPhase::Probing && !following();
-    return probes ? std::optional(probing_.bin) : std::nullopt;
+    if (state_.phase != AtemPhase::Probing || following()) return std::nullopt;
+    return ProbePlace{probing_.bin, probing_.side};
 }
 
 void Exploration::endOverrides()

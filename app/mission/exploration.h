@@ -57,15 +57,16 @@ public:
     void overrideWarnings();
     void approve(quint64 proposal);
     void refuse(quint64 proposal);
-    void choose(quint64 proposal, int bin);  ///< proposes another bin of the ranking instead
-    /// Requests a probe of this bin, whatever the advice. It replaces the current proposal, or starts a new exploration
+    void choose(quint64 proposal,
+                ProbePlace place);  ///< proposes another place of the ranking instead
+    /// Requests a probe of this place, whatever the advice. It replaces the current proposal, or starts a new exploration
     /// at this pose that proposes it. Approval is needed as for any other probe.
-    void askProbe(int bin);
+    void askProbe(ProbePlace place);
     std::optional<Message>
-    whyNotAsking(int bin) const;       ///< why askProbe() is refused; empty: it is allowed
-    void forgetResult();               ///< clears estimate and ghost unless exploring
-    void restoreResult();              ///< restores what forgetResult() cleared
-    void setStepLimit(double metres);  ///< obstacle height
+    whyNotAsking(ProbePlace place) const;  ///< why askProbe() is refused; empty: it is allowed
+    void forgetResult();                   ///< clears estimate and ghost unless exploring
+    void restoreResult();                  ///< restores what forgetResult() cleared
+    void setStepLimit(double metres);      ///< obstacle height
     /// Sets the policy of proposals from the next estimate on; bestProbe() uses it at once.
     void setProbePolicy(ProbePolicy policy) { options_.probes = policy; }
     void setEstimateSeconds(double seconds) { options_.seconds = seconds; }  ///< 0: no limit
@@ -110,7 +111,7 @@ public:
     std::optional<Message> whyNotOffered() const;
     /// Returns the fingerprint of the data behind the proposal.
     const std::string& proposedOn() const { return probes_.proposedOn(); }
-    std::optional<int> probingBin() const;
+    std::optional<ProbePlace> probingPlace() const;  ///< empty: no probe is running
     /// Returns the first unmet precondition of driving; empty: driving is allowed.
     std::optional<Message> whyNotDriving() const { return firstMissing(toDrive()); }
     QList<Precondition> preconditions() const;  ///< preconditions of exploring
@@ -133,7 +134,7 @@ signals:
 private:
     void addAdvice();
     void explore();
-    bool inReach(int bin) const;
+    bool inReach(ProbePlace place) const;
     std::optional<Message> wordsOf(NoProbe why) const;
     /// Proposes the same probe with the newest advice, as a new proposal with its own id.
     void askAnew();
@@ -169,8 +170,9 @@ private:
     Options options_;
     Estimation estimation_;
     ProbeProposals probes_;
-    bool offered_ = false;         ///< a probe was proposed for the present estimate
-    std::optional<int> askedBin_;  ///< bin requested by the operator, until its estimate is ready
+    bool offered_ = false;  ///< a probe was proposed for the present estimate
+    std::optional<ProbePlace>
+        asked_;  ///< place requested by the operator, until its estimate is ready
     std::unique_ptr<PassiveExploration> following_;  ///< null: this console sends commands
 
     AtemState state_;

@@ -4,13 +4,14 @@
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/mission/exploration.h"
+#include "app/mission/place_text.h"
 
 namespace terratact {
 
 void Exploration::request()
 {
     if (following() || armIsOut()) return;
-    askedBin_.reset();
+    asked_.reset();
     explore();
 }
 
@@ -22,21 +23,20 @@ void Exploration::explore()
     driveWanted_.reset();
 }
 
-void Exploration::askProbe(int bin)
+void Exploration::askProbe(ProbePlace place)
 {
-    if (const auto why = whyNotAsking(bin))
+    if (const auto why = whyNotAsking(place))
         return void(emit happened(
             Message(TR_NOOP("terratact::Exploration", "no probe is asked for: %1"), *why),
             EventSeverity::Warning));
-    if (state_.phase == AtemPhase::ProposingProbe) return choose(probes_.current()->id, bin);
-    emit decided("choose", verbatim(format::binName(bin)));
+    if (state_.phase == AtemPhase::ProposingProbe) return choose(probes_.current()->id, place);
+    emit decided("choose", placeName(place));
     emit happened(
-        Message(
-            TR_NOOP("terratact::Exploration",
-                    "a probe at %1 is requested: the robot presses again, then asks for approval"),
-            verbatim(format::binName(bin))),
+        Message(TR_NOOP("terratact::Exploration",
+                        "a probe %1 is requested: the robot presses again, then asks for approval"),
+                placeWords(place)),
         EventSeverity::Note);
-    askedBin_ = bin;
+    asked_ = place;
     explore();
 }
 
@@ -79,7 +79,7 @@ void Exploration::approve(quint64 proposal)
     if (!probes_.isCurrent(proposal)) return;
     if (estimation_.wasPitchSuspected())
         return void(emit happened(Preconditions::pitchSuspected().text, EventSeverity::Warning));
-    emit decided("approve", verbatim(format::binName(probes_.current()->bin)));
+    emit decided("approve", placeName({probes_.current()->bin, probes_.current()->side}));
     pending_.approved = true;
     pending_.approvedFor = probes_.proposedOn();
     approvedAt_ = now_;
@@ -88,19 +88,19 @@ void Exploration::approve(quint64 proposal)
 void Exploration::refuse(quint64 proposal)
 {
     if (!probes_.isCurrent(proposal)) return;
-    emit decided("refuse", verbatim(format::binName(probes_.current()->bin)));
+    emit decided("refuse", placeName({probes_.current()->bin, probes_.current()->side}));
     pending_.refused = true;
 }
 
-void Exploration::choose(quint64 proposal, int bin)
+void Exploration::choose(quint64 proposal, ProbePlace place)
 {
-    if (!probes_.isCurrent(proposal) || !probes_.stands() || !inReach(bin)) return;
-    emit decided("choose", verbatim(format::binName(bin)));
-    probes_.propose(bin);
+    if (!probes_.isCurrent(proposal) || !probes_.stands() || !inReach(place)) return;
+    emit decided("choose", placeName(place));
+    probes_.propose(place);
     emit proposed();
-    emit happened(Message(TR_NOOP("terratact::Exploration", "probe asked for at %1 instead"),
-                          verbatim(format::binName(bin))),
-                  EventSeverity::Note);
+    emit happened(
+        Message(TR_NOOP("terratact::Exploration", "probe asked for %1 instead"), placeWords(place)),
+        EventSeverity::Note);
 }
 
 void Exploration::setStepLimit(double metres)
@@ -186,6 +186,7 @@ void Exploration::overrideWarnings()
 {
     if (following() || !linkAlive_) return;  // the doubtful values are unknown
     const Measurement& m = latest_->sample.measurement;
+    if (estimation_.estimatesBothSides(m)) return;  // nothing is doubtful
     for (const Message& warning : ground_.overrideWarnings(m, options_.settings)) {
         emit decided("override", warning);
         emit happened(

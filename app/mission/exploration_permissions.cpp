@@ -2,6 +2,7 @@
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/mission/exploration.h"
+#include "app/mission/place_text.h"
 
 namespace terratact {
 
@@ -29,7 +30,7 @@ std::optional<Message> Exploration::whyNotOffered() const
     if (!estimation_.estimate() || offered_) return std::nullopt;
     if (estimation_.wasPitchSuspected()) return Preconditions::pitchSuspected().text;
     const ProbeOffer now = probes_.offer();  // limit, policy and telemetry may have changed
-    if (now.bin)
+    if (now.place)
         return TR_NOOP("terratact::Exploration",
                        "No probe was offered with this estimate: explore again");
     return wordsOf(now.why);
@@ -47,7 +48,7 @@ std::optional<Message> Exploration::wordsOf(NoProbe why) const
     case NoProbe::Decided:
         return Message(TR_NOOP("terratact::Exploration",
                                "No probe offered, by the settings: %1 is decided without the arm"),
-                       describe(estimation_.verdict()->stepVerdict));
+                       describe(estimation_.verdict()->both));
     case NoProbe::NoGain:
         return TR_NOOP("terratact::Exploration",
                        "No probe offered, by the settings: no bin in reach informs about the step");
@@ -55,19 +56,20 @@ std::optional<Message> Exploration::wordsOf(NoProbe why) const
     return std::nullopt;
 }
 
-bool Exploration::inReach(int bin) const
+bool Exploration::inReach(ProbePlace place) const
 {
-    return bin >= 0 && bin < kBins && robot_.armSd > 0.0 && robot_.armReaches(bin);
+    return place.bin >= 0 && place.bin < kBins && robot_.armSd > 0.0
+        && robot_.armReaches(place.bin, place.side);
 }
 
-std::optional<Message> Exploration::whyNotAsking(int bin) const
+std::optional<Message> Exploration::whyNotAsking(ProbePlace place) const
 {
     if (following()) return following_->why();
     if (latest_ && isSuspected(latest_->suspicions, Sensor::Pitch))
         return Preconditions::pitchSuspected().text;
-    if (!inReach(bin))
-        return Message(TR_NOOP("terratact::Exploration", "the arm does not reach bin %1"),
-                       verbatim(format::binName(bin)));
+    if (!inReach(place))
+        return Message(TR_NOOP("terratact::Exploration", "the arm does not reach the ground %1"),
+                       placeWords(place));
     if (state_.phase == AtemPhase::ProposingProbe)
         return probes_.stands() ? std::nullopt : std::optional(Preconditions::stands(false).text);
     if (exploring(state_.phase))
@@ -135,10 +137,12 @@ QList<Precondition> Exploration::preconditions() const
     if (link_) list << Preconditions::arming(whyNotArmed());
     if (armIsOut()) list << Preconditions::armIsOut();
     list << Preconditions::model(estimation_.model());
-    if (linkAlive_)
-        list << ground_.judge(latest_->sample.measurement, options_.settings);
-    else
+    if (!linkAlive_)
         list << Preconditions::groundNotKnown();
+    else if (const Measurement& m = latest_->sample.measurement; estimation_.estimatesBothSides(m))
+        list << Preconditions::bothSides();
+    else
+        list << ground_.judge(m, options_.settings);
     return list;
 }
 

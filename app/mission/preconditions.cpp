@@ -48,6 +48,11 @@ Precondition Preconditions::released(bool latched, bool telemetryFresh)
                           : doubtful(TR_NOOP("Preconditions", "STOP: not known, no telemetry"));
 }
 
+Precondition Preconditions::bothSides()
+{
+    return met(TR_NOOP("Preconditions", "left and right are estimated separately"));
+}
+
 Precondition Preconditions::groundNotKnown()
 {
     return doubtful(TR_NOOP("Preconditions", "left, right: not known, no telemetry"));

@@ -21,6 +21,7 @@ public:
     /// Without fresh telemetry, no condition that depends on the robot counts as met.
     static Precondition stop(bool latched, bool releasing,  ///< releasing: not yet confirmed
                              bool telemetryFresh);
+    static Precondition bothSides();       ///< left and right are estimated each
     static Precondition groundNotKnown();  ///< ground and the robot's pose on it are unknown
     static Precondition
     arming(const std::optional<Message>& whyNot);  ///< empty: the robot is armed

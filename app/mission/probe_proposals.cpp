@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <vector>
 
 #include "core/atem/probe_grounds.h"
 
@@ -13,30 +14,55 @@ ProbeWorth worthOf(const ProbeGain& gain, const Uncertainty& before)
     const double share = before.variance > 0.0 ? gain.varianceReduction / before.variance : 0.0;
     return {.bin = gain.bin,
             .varianceShare = std::clamp(share, 0.0, 1.0),
-            .bitsAfter = std::max(0.0, before.entropy - gain.entropyReduction) / std::numbers::ln2};
+            .bitsAfter = std::max(0.0, before.entropy - gain.entropyReduction) / std::numbers::ln2,
+            .side = gain.side};
 }
 
-/// Returns the unread bin in the arm's reach with the largest sd.
-std::optional<int> leastCertain(const ProbeBasis& basis)
+double sdAt(const TwoTrackEstimate& estimate, ProbePlace place)
 {
-    std::optional<int> widest;
-    for (int bin = 0; bin < kBins && basis.robot.armSd > 0.0; ++bin) {
-        const auto i = static_cast<std::size_t>(bin);
-        if (!basis.robot.armReaches(bin) || basis.estimate.origin[i] == Origin::Arm) continue;
-        if (!widest || basis.estimate.sd[i] > basis.estimate.sd[static_cast<std::size_t>(*widest)])
-            widest = bin;
-    }
+    return sideOf(estimate, place.side).sd[static_cast<std::size_t>(place.bin)];
+}
+
+std::vector<ProbeSide> sidesOf(const TwoTrackEstimate& estimate)
+{
+    if (estimate.onePlane) return {ProbeSide::Middle};
+    return {ProbeSide::Left, ProbeSide::Right};
+}
+
+/// Returns the unread place in the arm's reach with the largest sd.
+std::optional<ProbePlace> leastCertain(const ProbeBasis& basis)
+{
+    std::optional<ProbePlace> widest;
+    for (const ProbeSide side : sidesOf(basis.estimate))
+        for (int bin = 0; bin < kBins && basis.robot.armSd > 0.0; ++bin) {
+            const auto i = static_cast<std::size_t>(bin);
+            const Origin origin = sideOf(basis.estimate, side).origin[i];
+            if (!basis.robot.armReaches(bin, side) || origin == Origin::Arm) continue;
+            if (!widest || sdAt(basis.estimate, {bin, side}) > sdAt(basis.estimate, *widest))
+                widest = {bin, side};
+        }
     return widest;
+}
+
+/// Returns a place of the estimate's kind, see ProbeProposals::propose().
+ProbePlace placeOn(const TwoTrackEstimate& estimate, ProbePlace place)
+{
+    if (estimate.onePlane) return {place.bin, ProbeSide::Middle};
+    if (place.side != ProbeSide::Middle) return place;
+    const ProbePlace left{place.bin, ProbeSide::Left}, right{place.bin, ProbeSide::Right};
+    return sdAt(estimate, right) > sdAt(estimate, left) ? right : left;
 }
 
 }  // namespace
 
-ProbeProposal describeProbe(const ProbeBasis& basis, int bin)
+ProbeProposal describeProbe(const ProbeBasis& basis, ProbePlace place)
 {
-    const auto& [estimate, advice, robot, seconds, policy] = basis;
-    const auto i = static_cast<std::size_t>(bin);
+    const auto& [both, advice, robot, seconds, policy] = basis;
+    const TerrainEstimate& estimate = sideOf(both, place.side);
+    const auto i = static_cast<std::size_t>(place.bin);
     ProbeProposal probe{.id = 0,
-                        .bin = bin,
+                        .bin = place.bin,
+                        .side = place.side,
                         .height = estimate.height[i],
                         .q10 = estimate.q10[i],
                         .q90 = estimate.q90[i],
@@ -50,7 +76,7 @@ ProbeProposal describeProbe(const ProbeBasis& basis, int bin)
                         .others = {}};
     for (const ProbeGain& gain : ranked(advice, policy)) {
         const ProbeWorth worth = worthOf(gain, advice.before);
-        if (gain.bin == bin)
+        if (gain.place() == place)
             probe.worth = worth;
         else
             probe.others.push_back(worth);
@@ -62,10 +88,10 @@ std::optional<ProbeProposal> bestProbe(const ProbeBasis& basis)
 {
     const std::vector<ProbeGain> gains = ranked(basis.advice, basis.policy);
     const bool isRanked = basis.policy == ProbePolicy::Question && !gains.empty();
-    if (basis.advice.bin && !isRanked) return describeProbe(basis, *basis.advice.bin);
-    if (!gains.empty()) return describeProbe(basis, gains.front().bin);
+    if (basis.advice.place && !isRanked) return describeProbe(basis, *basis.advice.place);
+    if (!gains.empty()) return describeProbe(basis, gains.front().place());
     if (basis.advice.stepLimit <= 0.0) return std::nullopt;  // no advice yet
-    const std::optional<int> widest = leastCertain(basis);
+    const std::optional<ProbePlace> widest = leastCertain(basis);
     return widest ? std::optional(describeProbe(basis, *widest)) : std::nullopt;
 }
 
@@ -77,12 +103,12 @@ ProbeProposals::ProbeProposals(const Estimation& estimation, const RobotModel& r
 
 ProbeOffer ProbeProposals::offer() const
 {
-    return offerProbe(estimation_.advice(), estimation_.verdict()->stepVerdict, policy_);
+    return offerProbe(estimation_.advice(), estimation_.verdict()->both, policy_);
 }
 
 ProbeBasis ProbeProposals::basis() const
 {
-    return {estimation_.estimate()->side[0], estimation_.advice(), robot_, seconds_, policy_};
+    return {*estimation_.estimate(), estimation_.advice(), robot_, seconds_, policy_};
 }
 
 std::optional<ProbeProposal> ProbeProposals::best() const
@@ -91,9 +117,9 @@ std::optional<ProbeProposal> ProbeProposals::best() const
     return bestProbe(basis());
 }
 
-void ProbeProposals::propose(int bin)
+void ProbeProposals::propose(ProbePlace place)
 {
-    current_ = describeProbe(basis(), bin);
+    current_ = describeProbe(basis(), placeOn(*estimation_.estimate(), place));
     current_->id = ++last_;
     proposedOn_ = grounds();
 }

@@ -12,15 +12,15 @@ namespace terratact {
 
 /// Data that a probe's expected gain is computed from.
 struct ProbeBasis {
-    const TerrainEstimate& estimate;
+    const TwoTrackEstimate& estimate;
     const ProbeAdvice& advice;  ///< advice for the estimate
     const RobotModel& robot;
     double seconds;  ///< expected duration of a probe
     ProbePolicy policy;
 };
-ProbeProposal describeProbe(const ProbeBasis& basis, int bin);  ///< the result has id 0
-/// Returns the bin most worth probing, whether or not it is proposed. Without a ranking it is the unread bin in reach
-/// with the largest sd. Empty: no bin is left.
+ProbeProposal describeProbe(const ProbeBasis& basis, ProbePlace place);  ///< the result has id 0
+/// Returns the place most worth probing, whether or not it is proposed. Without a ranking it is the unread place in reach
+/// with the largest sd. Empty: no place is left.
 std::optional<ProbeProposal> bestProbe(const ProbeBasis& basis);
 
 /// Makes the probe proposals, one at a time, each with its own id. A proposal has the bin's estimate, the gain of
@@ -38,8 +38,10 @@ public:
     /// Returns bestProbe() of the present estimate; empty without one, or if its pitch was suspected.
     std::optional<ProbeProposal> best() const;
 
-    /// Proposes a bin of the present estimate, which must exist; replaces the last proposal.
-    void propose(int bin);
+    /// Proposes a place of the present estimate, which must exist; replaces the last proposal. One plane has places in
+    /// the middle only, and both sides have none there: another place becomes the one at the same bin, on the side with
+    /// the larger sd.
+    void propose(ProbePlace place);
     void withdraw() { current_.reset(); }
 
     const std::optional<ProbeProposal>& current() const { return current_; }

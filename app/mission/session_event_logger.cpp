@@ -39,15 +39,37 @@ Message named(Enum value)
     return Message::verbatim(std::string(name(value)));
 }
 
-std::string inWords(const Verdict& verdict, double limit)
+std::string inWords(const StepProbability& step, double limit)
 {
-    std::string text =
-        fmt::format("{}, P(step > {:.2f} m) = {:.1f} % ± {}", name(verdict.stepVerdict), limit,
-                    100.0 * verdict.step.p, randomErrorText(100.0 * verdict.step.monteCarloSd, 1));
+    return fmt::format("P(step > {:.2f} m) = {:.1f} % ± {}", limit, 100.0 * step.p,
+                       randomErrorText(100.0 * step.monteCarloSd, 1));
+}
+
+/// Returns "9", or "9 left" on a side.
+std::string inWords(ProbePlace place)
+{
+    const std::string bin = std::to_string(place.bin);
+    return place.side == ProbeSide::Middle ? bin : fmt::format("{} {}", bin, name(place.side));
+}
+
+std::string doubtsOf(const Verdict& verdict)
+{
+    std::string text;
     if (!verdict.unfelt.empty()) text += "; " + describeUnfelt(verdict);
     for (const WithholdReason reason : verdict.withheldFor)
         text += fmt::format("; {}", describe(reason).english);
     return text;
+}
+
+std::string inWords(const TwoTrackVerdict& verdict, double limit)
+{
+    const auto& [left, right] = verdict.side;
+    if (verdict.onePlane)
+        return fmt::format("{}, {}{}", name(verdict.both), inWords(verdict.either, limit),
+                           doubtsOf(left));
+    return fmt::format("{}; either side {}; left {}{}; right {}{}", describe(verdict),
+                       inWords(verdict.either, limit), inWords(left.step, limit), doubtsOf(left),
+                       inWords(right.step, limit), doubtsOf(right));
 }
 
 }  // namespace
@@ -125,11 +147,11 @@ void SessionEventLogger::logProposal()
                     .stepLimit = p->stepLimit,
                     .bitsBefore = p->bitsBefore,
                     .grounds = exploration_.proposedOn()};
-    if (p->worth)
-        row.offers.push_back(
-            {p->worth->bin, p->worth->varianceShare, p->worth->bitsAfter, p->side});
-    for (const ProbeWorth& other : p->others)
-        row.offers.push_back({other.bin, other.varianceShare, other.bitsAfter, p->side});
+    const auto add = [&row](const ProbeWorth& worth) {
+        row.offers.push_back({worth.bin, worth.varianceShare, worth.bitsAfter, worth.side});
+    };
+    if (p->worth) add(*p->worth);
+    for (const ProbeWorth& other : p->others) add(other);
     proposal_ = recorder_->record(std::move(row));
 }
 
@@ -173,8 +195,8 @@ std::string SessionEventLogger::shown() const
         text += "; no estimate";
     if (const auto& p = exploration_.proposal())
         text += fmt::format("; probe proposed at bin {}: {:.3f} m, {:.3f} … {:.3f} m, sd {:.3f} m",
-                            p->bin, p->height, p->q10, p->q90, p->sd);
-    if (const auto bin = exploration_.probingBin()) text += fmt::format("; probing bin {}", *bin);
+                            inWords({p->bin, p->side}), p->height, p->q10, p->q90, p->sd);
+    if (const auto place = exploration_.probingPlace()) text += "; probing bin " + inWords(*place);
     return text;
 }
 

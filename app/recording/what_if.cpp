@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "core/base/text.h"
-#include "core/infer/reconstruct.h"
-#include "core/sim/posterior_check.h"
+#include "core/infer/two_track_estimator.h"
+#include "core/sim/two_track_check.h"
 #include "core/store/file_read.h"
 #include "core/store/sha256.h"
 
@@ -126,11 +126,11 @@ Result<TwoTrackEstimate> estimateAgain(const SessionReader& session, const Estim
         return fileError(session.path(), Message(TR_NOOP("core", "estimate %1: %2"), row.id,
                                                  modest.error().message));
     try {
-        TerrainEstimate estimate = estimateTerrain(proprioception(scene->measurement), row.readings,
-                                                   *robot, models, settings, watch);
-        warnIfNotPlanar(estimate, scene->measurement);  // equals the console
-        writePosteriorCheck(estimate, proprioception(scene->measurement), *robot, pollOf(watch));
-        return equalSides(std::move(estimate));
+        TwoTrackEstimate estimate =
+            estimateMeasured(scene->measurement, row.readings, *robot, models, settings,
+                             watch);  // equals the console
+        writePosteriorCheck(estimate, scene->measurement, *robot, pollOf(watch));
+        return estimate;
     } catch (const std::exception& refused) {  // the recorded scene cannot be estimated
         return fileError(session.path(),
                          Message(TR_NOOP("core", "estimate %1: %2"), row.id, refused.what()));

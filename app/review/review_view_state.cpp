@@ -26,8 +26,8 @@ ProbeProposal proposalOf(const ProposalRow& row)
                     .worth = {},
                     .others = {}};
     for (const OfferedBin& offer : row.offers) {
-        const ProbeWorth worth{offer.bin, offer.varianceShare, offer.bitsAfter};
-        if (offer.bin == row.bin)
+        const ProbeWorth worth{offer.bin, offer.varianceShare, offer.bitsAfter, offer.side};
+        if (offer.bin == row.bin && offer.side == row.side)
             p.worth = worth;
         else
             p.others.push_back(worth);
@@ -56,11 +56,11 @@ double ReviewViewState::limit(const ReviewMoment& moment) const
 std::optional<TwoTrackVerdict> ReviewViewState::verdict(const ReviewMoment& moment) const
 {
     if (!moment.estimate || !moment.scene) return std::nullopt;
-    return equalSides(verdictOf(moment.estimate->estimate.side[0], moment.scene->measurement,
-                                {.telemetryFresh = isTelemetryFresh(moment),
-                                 .unbroken = moment.unbroken,
-                                 .sensorsSound = moment.sensorsSound},
-                                limit(moment)));
+    return verdictOf(moment.estimate->estimate, robot_, moment.scene->measurement,
+                     {.telemetryFresh = isTelemetryFresh(moment),
+                      .unbroken = moment.unbroken,
+                      .sensorsSound = moment.sensorsSound},
+                     limit(moment));
 }
 
 double ReviewViewState::threshold(const ReviewMoment& moment, const Preferences& preferences)
@@ -154,8 +154,8 @@ void ReviewViewState::addProbe(TerrainViewState& viewState, const ReviewMoment& 
         if (moment.state.phase == AtemPhase::Probing) viewState.probingBin = row->bin;
     } else if (moment.estimate) {
         viewState.bestProbe =
-            bestProbe({moment.estimate->estimate.side[0], adviceOf(moment.estimate, limit(moment)),
-                       robot_, ProbeProposal{}.seconds, policy});
+            bestProbe({moment.estimate->estimate, adviceOf(moment.estimate, limit(moment)), robot_,
+                       ProbeProposal{}.seconds, policy});
     }
 }
 
@@ -164,7 +164,7 @@ const ProbeAdvice& ReviewViewState::adviceOf(const std::shared_ptr<const Estimat
 {
     if (advised_ != estimate || advice_.stepLimit != limit) {
         advised_ = estimate;
-        advice_ = adviseProbe(advised_->estimate.side[0], robot_, limit);
+        advice_ = adviseProbe(advised_->estimate, robot_, limit);
     }
     return advice_;
 }

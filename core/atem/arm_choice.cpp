@@ -1,38 +1,90 @@
 #include "core/atem/arm_choice.h"
 
+#include <algorithm>
+#include <array>
+#include <span>
+
 #include "core/infer/verdict/obstacle.h"
 
 namespace terratact {
 namespace {
 
-/// Returns true if the arm can measure the bin's height and nothing has measured it yet.
-bool isOpen(const TerrainEstimate& estimate, const RobotModel& robot, int bin)
+constexpr std::array kOfOnePlane{ProbeSide::Middle};
+constexpr std::array kOfBothSides{ProbeSide::Left, ProbeSide::Right};
+
+/// Returns the sides whose bins the arm may touch.
+std::span<const ProbeSide> sidesToProbe(const TwoTrackEstimate& estimate)
 {
-    return robot.armSd > 0.0 && robot.armReaches(bin)
-        && estimate.origin[static_cast<std::size_t>(bin)] == Origin::Sampled;
+    if (estimate.onePlane) return kOfOnePlane;
+    return kOfBothSides;
 }
 
-bool hasOpenBin(const TerrainEstimate& estimate, const RobotModel& robot)
+/// Returns true if the arm can measure the bin's height and nothing has measured it yet. estimate: of
+/// the place's side.
+bool isOpen(const TerrainEstimate& estimate, const RobotModel& robot, ProbePlace place)
+{
+    return robot.armSd > 0.0 && robot.armReaches(place.bin, place.side)
+        && estimate.origin[static_cast<std::size_t>(place.bin)] == Origin::Sampled;
+}
+
+bool hasOpenBin(const TerrainEstimate& estimate, const RobotModel& robot, ProbeSide side)
 {
     for (int bin = 0; bin < kBins; ++bin)
-        if (isOpen(estimate, robot, bin)) return true;
+        if (isOpen(estimate, robot, {bin, side})) return true;
     return false;
+}
+
+/// Widest open bin of a side whose sd exceeds a limit.
+struct WidestBin {
+    std::optional<ProbePlace> place;
+    double sd = 0.0;
+};
+
+void widen(WidestBin& widest, const TerrainEstimate& estimate, const RobotModel& robot,
+           ProbeSide side)
+{
+    for (int bin = 0; bin < kBins; ++bin) {
+        const double sd = estimate.sd[static_cast<std::size_t>(bin)];
+        if (isOpen(estimate, robot, {bin, side}) && sd > widest.sd)
+            widest = {ProbePlace{bin, side}, sd};
+    }
+}
+
+std::optional<int> binOf(const std::optional<ProbePlace>& place)
+{
+    return place ? std::optional(place->bin) : std::nullopt;
+}
+
+/// Returns the advice of an estimate with draws. isOpenAt: whether the arm can measure a place.
+template <class Estimate, class IsOpenAt>
+void addGains(ProbeAdvice& advice, const Estimate& estimate, const RobotModel& robot,
+              const Settings& settings, const Poll& poll, IsOpenAt&& isOpenAt)
+{
+    advice.gains = probeGains(estimate, robot, robot.armSd, advice.stepLimit, kFirstAhead, poll);
+    std::erase_if(advice.gains, [&](const ProbeGain& gain) { return !isOpenAt(gain.place()); });
+    if (advice.place && !isOfPaper(settings.method)) advice.place = advice.gains.front().place();
+}
+
+std::optional<ProbePlace> widestOf(const TerrainEstimate& estimate, const RobotModel& robot)
+{
+    WidestBin widest{.place = {}, .sd = estimate.settings.probeAbove};
+    widen(widest, estimate, robot, ProbeSide::Middle);
+    return widest.place;
 }
 
 }  // namespace
 
 std::optional<int> proposeProbe(const TerrainEstimate& estimate, const RobotModel& robot)
 {
-    std::optional<int> best;
-    double bestSd = estimate.settings.probeAbove;
-    for (int bin = 0; bin < kBins; ++bin) {
-        const auto i = static_cast<std::size_t>(bin);
-        if (isOpen(estimate, robot, bin) && estimate.sd[i] > bestSd) {
-            best = bin;
-            bestSd = estimate.sd[i];
-        }
-    }
-    return best;
+    return binOf(widestOf(estimate, robot));
+}
+
+std::optional<ProbePlace> proposeProbe(const TwoTrackEstimate& estimate, const RobotModel& robot)
+{
+    WidestBin widest{.place = {}, .sd = estimate.side[0].settings.probeAbove};
+    for (const ProbeSide side : sidesToProbe(estimate))
+        widen(widest, sideOf(estimate, side), robot, side);
+    return widest.place;
 }
 
 std::optional<int> chooseProbe(const TerrainEstimate& estimate, const RobotModel& robot)
@@ -44,20 +96,42 @@ std::optional<int> chooseProbe(const TerrainEstimate& estimate, const RobotModel
     return best ? best->bin : widest;
 }
 
+std::optional<ProbePlace> chooseProbe(const TwoTrackEstimate& estimate, const RobotModel& robot)
+{
+    constexpr double kAnyStep = 0.1;  // [m]; the rule by variance does not use it
+    return adviseProbe(estimate, robot, kAnyStep).place;
+}
+
 ProbeAdvice adviseProbe(const TerrainEstimate& estimate, const RobotModel& robot, double stepLimit,
                         const Poll& poll)
 {
     ProbeAdvice advice;
     advice.stepLimit = stepLimit;
-    advice.bin = proposeProbe(estimate, robot);
+    advice.place = widestOf(estimate, robot);
     if (estimate.draws.empty()) return advice;
     advice.before = uncertainty(estimate, stepLimit, kFirstAhead, poll);
-    if (!hasOpenBin(estimate, robot)) return advice;
-    advice.gains = probeGains(estimate, robot, robot.armSd, stepLimit, kFirstAhead, poll);
-    std::erase_if(advice.gains, [&](const ProbeGain& gain) {
-        return estimate.origin[static_cast<std::size_t>(gain.bin)] != Origin::Sampled;
+    if (!hasOpenBin(estimate, robot, ProbeSide::Middle)) return advice;
+    addGains(advice, estimate, robot, estimate.settings, poll,
+             [&](ProbePlace place) { return isOpen(estimate, robot, place); });
+    return advice;
+}
+
+ProbeAdvice adviseProbe(const TwoTrackEstimate& estimate, const RobotModel& robot, double stepLimit,
+                        const Poll& poll)
+{
+    if (estimate.onePlane) return adviseProbe(estimate.side[0], robot, stepLimit, poll);
+    ProbeAdvice advice;
+    advice.stepLimit = stepLimit;
+    advice.place = proposeProbe(estimate, robot);
+    if (estimate.side[0].draws.empty()) return advice;
+    advice.before = uncertainty(estimate, stepLimit, kFirstAhead, poll);
+    const auto isOpenAt = [&](ProbePlace place) {
+        return isOpen(sideOf(estimate, place.side), robot, place);
+    };
+    const bool isAnyOpen = std::ranges::any_of(kOfBothSides, [&](ProbeSide side) {
+        return hasOpenBin(sideOf(estimate, side), robot, side);
     });
-    if (advice.bin && !isOfPaper(estimate.settings.method)) advice.bin = advice.gains.front().bin;
+    if (isAnyOpen) addGains(advice, estimate, robot, estimate.side[0].settings, poll, isOpenAt);
     return advice;
 }
 

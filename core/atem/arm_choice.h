@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/atem/probe_gain.h"
-#include "core/infer/estimate/estimate.h"
+#include "core/infer/estimate/two_track_estimate.h"
 #include "core/robot/robot_model.h"
 
 namespace terratact {
@@ -23,10 +23,17 @@ std::optional<int> proposeProbe(const TerrainEstimate& estimate, const RobotMode
 /// docs/evaluation.md.
 std::optional<int> chooseProbe(const TerrainEstimate& estimate, const RobotModel& robot);
 
+/// Return the same for an estimate of both sides: the place with the largest sd of both sides, and the
+/// place whose reading is expected to reduce the sum of all variances of both sides most. The arm
+/// reaches a side's bin if it reaches its line (RobotModel::armReaches). An estimate of one plane has
+/// the choice above, in the middle.
+std::optional<ProbePlace> proposeProbe(const TwoTrackEstimate& estimate, const RobotModel& robot);
+std::optional<ProbePlace> chooseProbe(const TwoTrackEstimate& estimate, const RobotModel& robot);
+
 /// Expected benefit of a probe, which helps the operator to decide.
 struct ProbeAdvice {
-    std::optional<int> bin;  ///< chooseProbe()
-    Uncertainty before;      ///< for a step ahead of more than stepLimit; 0 without draws
+    std::optional<ProbePlace> place;  ///< chooseProbe()
+    Uncertainty before;               ///< for a step ahead of more than stepLimit; 0 without draws
     /// Gains of the sampled bins in reach, best first, even if no probe is proposed; empty without
     /// draws.
     std::vector<ProbeGain> gains;
@@ -35,6 +42,8 @@ struct ProbeAdvice {
 };
 /// Computes the advice. poll: called during the work, which takes longer than many estimates.
 ProbeAdvice adviseProbe(const TerrainEstimate& estimate, const RobotModel& robot, double stepLimit,
+                        const Poll& poll = {});
+ProbeAdvice adviseProbe(const TwoTrackEstimate& estimate, const RobotModel& robot, double stepLimit,
                         const Poll& poll = {});
 
 }  // namespace terratact

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "core/infer/verdict/obstacle.h"
 
@@ -13,43 +14,27 @@ namespace {
 
 constexpr std::size_t kReadings = 48;
 
+/// Joint draws of one side or of both.
+using SideDraws = std::vector<const std::vector<Heights>*>;
+
 /// Draws of all bins, prepared for V and H.
 class Draws {
 public:
-    Draws(const std::vector<Heights>& heights, double stepLimit, int firstBin, const Poll& poll)
-        : heights_(heights)
+    Draws(SideDraws sides, double stepLimit, int firstBin, const Poll& poll)
+        : sides_(std::move(sides)), step_(count()), squares_(count())
     {
         PolledWork work(poll);
-        Heights mean{};
-        for (const Heights& h : heights) {
-            work.done(kBins);
-            for (std::size_t i = 0; i < kBins; ++i)
-                mean[i] += h[i] / static_cast<double>(heights.size());
-        }
-        centred_.reserve(heights.size());
-        step_.reserve(heights.size());
-        squares_.reserve(heights.size());
-        for (const Heights& draw : heights) {
-            work.done(kBins);
-            step_.push_back(hasStep(draw, stepLimit, firstBin) ? 1.0 : 0.0);
-            Heights& h = centred_.emplace_back(draw);
-            double square = 0.0;
-            for (std::size_t i = 0; i < kBins; ++i) {
-                h[i] -= mean[i];
-                square += h[i] * h[i];
-            }
-            squares_.push_back(square);
-        }
+        for (const std::vector<Heights>* side : sides_) add(*side, stepLimit, firstBin, work);
     }
 
-    std::size_t count() const { return heights_.size(); }
+    std::size_t count() const { return sides_.front()->size(); }
 
-    /// Returns the height of one bin in every draw [m].
-    std::vector<double> of(std::size_t bin, PolledWork& work) const
+    /// Returns the height of one bin of a side in every draw [m].
+    std::vector<double> of(std::size_t side, std::size_t bin, PolledWork& work) const
     {
         std::vector<double> heights;
         heights.reserve(count());
-        for (const Heights& h : heights_) {
+        for (const Heights& h : *sides_[side]) {
             work.done();
             heights.push_back(h[bin]);
         }
@@ -60,7 +45,7 @@ public:
     /// h takes one pass. The heights are centred, so that no relevant digits are lost.
     double variance(const std::vector<double>& weight, PolledWork& work) const
     {
-        Heights mean{};
+        std::vector<Heights> means(sides_.size(), Heights{});
         double alone = 0.0, second = 0.0;
         for (std::size_t d = 0; d < count(); ++d) {
             work.done(1);
@@ -68,9 +53,11 @@ public:
             if (w == 0.0) continue;
             alone += w * w;
             second += w * squares_[d];
-            for (std::size_t i = 0; i < kBins; ++i) mean[i] += w * centred_[d][i];
+            for (std::size_t side = 0; side < means.size(); ++side)
+                for (std::size_t i = 0; i < kBins; ++i) means[side][i] += w * centred_[side][d][i];
         }
-        for (const double m : mean) second -= m * m;
+        for (const Heights& mean : means)
+            for (const double m : mean) second -= m * m;
         constexpr double kAlone = 1e-9;
         return 1.0 - alone > kAlone ? std::max(0.0, second) / (1.0 - alone) : 0.0;
     }
@@ -93,10 +80,33 @@ public:
     }
 
 private:
-    const std::vector<Heights>& heights_;
-    std::vector<Heights> centred_;  // centred on their mean
-    std::vector<double> squares_;   // Σ over the bins of a centred draw's squares
-    std::vector<double> step_;      // 1 for a draw with a step
+    void add(const std::vector<Heights>& heights, double stepLimit, int firstBin, PolledWork& work)
+    {
+        Heights mean{};
+        for (const Heights& h : heights) {
+            work.done(kBins);
+            for (std::size_t i = 0; i < kBins; ++i)
+                mean[i] += h[i] / static_cast<double>(heights.size());
+        }
+        std::vector<Heights>& centred = centred_.emplace_back();
+        centred.reserve(heights.size());
+        for (std::size_t d = 0; d < heights.size(); ++d) {
+            work.done(kBins);
+            if (hasStep(heights[d], stepLimit, firstBin)) step_[d] = 1.0;
+            Heights& h = centred.emplace_back(heights[d]);
+            double square = 0.0;
+            for (std::size_t i = 0; i < kBins; ++i) {
+                h[i] -= mean[i];
+                square += h[i] * h[i];
+            }
+            squares_[d] += square;
+        }
+    }
+
+    SideDraws sides_;
+    std::vector<std::vector<Heights>> centred_;  // of each side, centred on their mean
+    std::vector<double> step_;                   // 1 for a draw with a step on one side or both
+    std::vector<double> squares_;                // Σ over the bins of a centred draw's squares
 };
 
 /// Returns evenly spaced quantiles of the expected readings of a bin with these draws.
@@ -149,11 +159,12 @@ std::vector<double> weights(const std::vector<double>& heights, double reading, 
     return w;
 }
 
-/// Returns the mean of V and H over the readings.
-ProbeGain expectedAfter(const Draws& draws, int bin, double armSd, const Poll& poll)
+/// Returns the mean of V and H over the readings of a bin of a side.
+ProbeGain expectedAfter(const Draws& draws, std::size_t side, int bin, double armSd,
+                        const Poll& poll)
 {
     PolledWork work(poll);
-    const std::vector<double> heights = draws.of(static_cast<std::size_t>(bin), work);
+    const std::vector<double> heights = draws.of(side, static_cast<std::size_t>(bin), work);
     ProbeGain after{bin, 0.0, 0.0};
     for (const double z : readings(heights, armSd, work)) {
         const std::vector<double> w = weights(heights, z, armSd, work);
@@ -163,14 +174,23 @@ ProbeGain expectedAfter(const Draws& draws, int bin, double armSd, const Poll& p
     return after;
 }
 
-Draws drawsOf(const TerrainEstimate& estimate, double stepLimit, int firstBin, const Poll& poll)
+Draws drawsOf(SideDraws sides, double stepLimit, int firstBin, const Poll& poll)
 {
     if (!(stepLimit >= 0.0) || !std::isfinite(stepLimit))
         throw std::invalid_argument("probeGains: stepLimit must be finite and 0 m or more");
     if (firstBin < 0 || firstBin >= kBins - 1)
         throw std::invalid_argument("probeGains: no such pair of bins");
-    if (estimate.draws.empty()) throw std::invalid_argument("probeGains: no draws");
-    return {estimate.draws, stepLimit, firstBin, poll};
+    for (const std::vector<Heights>* side : sides) {
+        if (side->empty()) throw std::invalid_argument("probeGains: no draws");
+        if (side->size() != sides.front()->size())
+            throw std::invalid_argument("probeGains: both sides need the same number of draws");
+    }
+    return {std::move(sides), stepLimit, firstBin, poll};
+}
+
+SideDraws bothOf(const TwoTrackEstimate& estimate)
+{
+    return {&estimate.side[0].draws, &estimate.side[1].draws};
 }
 
 Uncertainty uncertaintyOf(const Draws& draws, const Poll& poll)
@@ -180,32 +200,56 @@ Uncertainty uncertaintyOf(const Draws& draws, const Poll& poll)
     return {draws.variance(equal, work), draws.entropy(equal, work)};
 }
 
+/// Returns the gains of the bins in reach, best first. sides: of the draws.
+std::vector<ProbeGain> gainsOf(const Draws& draws, const std::vector<ProbeSide>& sides,
+                               const RobotModel& robot, double armSd, const Poll& poll)
+{
+    if (!(armSd > 0.0) || !std::isfinite(armSd))
+        throw std::invalid_argument("probeGains: armSd must be finite and above 0 m");
+    const Uncertainty before = uncertaintyOf(draws, poll);
+    std::vector<ProbeGain> gains;
+    for (int bin = 0; bin < kBins; ++bin)
+        for (std::size_t side = 0; side < sides.size(); ++side) {
+            if (!robot.armReaches(bin, sides[side])) continue;
+            const ProbeGain after = expectedAfter(draws, side, bin, armSd, poll);
+            gains.push_back({bin, before.variance - after.varianceReduction,
+                             before.entropy - after.entropyReduction, sides[side]});
+        }
+    std::stable_sort(gains.begin(), gains.end(), [](const ProbeGain& a, const ProbeGain& b) {
+        return a.varianceReduction > b.varianceReduction;
+    });
+    return gains;
+}
+
 }  // namespace
 
 Uncertainty uncertainty(const TerrainEstimate& estimate, double stepLimit, int firstBin,
                         const Poll& poll)
 {
-    return uncertaintyOf(drawsOf(estimate, stepLimit, firstBin, poll), poll);
+    return uncertaintyOf(drawsOf({&estimate.draws}, stepLimit, firstBin, poll), poll);
+}
+
+Uncertainty uncertainty(const TwoTrackEstimate& estimate, double stepLimit, int firstBin,
+                        const Poll& poll)
+{
+    if (estimate.onePlane) return uncertainty(estimate.side[0], stepLimit, firstBin, poll);
+    return uncertaintyOf(drawsOf(bothOf(estimate), stepLimit, firstBin, poll), poll);
 }
 
 std::vector<ProbeGain> probeGains(const TerrainEstimate& estimate, const RobotModel& robot,
                                   double armSd, double stepLimit, int firstBin, const Poll& poll)
 {
-    if (!(armSd > 0.0) || !std::isfinite(armSd))
-        throw std::invalid_argument("probeGains: armSd must be finite and above 0 m");
-    const Draws draws = drawsOf(estimate, stepLimit, firstBin, poll);
-    const Uncertainty before = uncertaintyOf(draws, poll);
-    std::vector<ProbeGain> gains;
-    for (int bin = 0; bin < kBins; ++bin) {
-        if (!robot.armReaches(bin)) continue;
-        const ProbeGain after = expectedAfter(draws, bin, armSd, poll);
-        gains.push_back({bin, before.variance - after.varianceReduction,
-                         before.entropy - after.entropyReduction});
-    }
-    std::stable_sort(gains.begin(), gains.end(), [](const ProbeGain& a, const ProbeGain& b) {
-        return a.varianceReduction > b.varianceReduction;
-    });
-    return gains;
+    return gainsOf(drawsOf({&estimate.draws}, stepLimit, firstBin, poll), {ProbeSide::Middle},
+                   robot, armSd, poll);
+}
+
+std::vector<ProbeGain> probeGains(const TwoTrackEstimate& estimate, const RobotModel& robot,
+                                  double armSd, double stepLimit, int firstBin, const Poll& poll)
+{
+    if (estimate.onePlane)
+        return probeGains(estimate.side[0], robot, armSd, stepLimit, firstBin, poll);
+    return gainsOf(drawsOf(bothOf(estimate), stepLimit, firstBin, poll),
+                   {ProbeSide::Left, ProbeSide::Right}, robot, armSd, poll);
 }
 
 std::optional<ProbeGain> bestProbe(const TerrainEstimate& estimate, const RobotModel& robot,

@@ -4,17 +4,21 @@
 #include <vector>
 
 #include "core/base/poll.h"
-#include "core/infer/estimate/estimate.h"
+#include "core/infer/estimate/two_track_estimate.h"
 #include "core/robot/robot_model.h"
 
 namespace terratact {
 
-/// Expected information about all bins from touching one bin with the arm.
+/// Expected information about all bins, of both sides if both were estimated, from touching one bin
+/// with the arm.
 struct ProbeGain {
     int bin = 0;
     double varianceReduction = 0.0;  ///< reduction of Σ_i Var(h_i) [m²]
     /// Reduction of the entropy of "there is a step of more than stepLimit" [nat].
     double entropyReduction = 0.0;
+    ProbeSide side = ProbeSide::Middle;  ///< Middle: of one plane
+
+    ProbePlace place() const { return {bin, side}; }
     bool operator==(const ProbeGain&) const = default;
 };
 
@@ -50,6 +54,16 @@ Uncertainty uncertainty(const TerrainEstimate& estimate, double stepLimit, int f
 /// sampling, Owen, "Monte Carlo theory, methods and examples" (2013) ch. 9; expected gain of an
 /// experiment, Lindley, Ann. Math. Stat. 27 (1956).
 std::vector<ProbeGain> probeGains(const TerrainEstimate& estimate, const RobotModel& robot,
+                                  double armSd, double stepLimit, int firstBin = 0,
+                                  const Poll& poll = {});
+
+/// Return the same of both sides. V sums the variances of all bins of both sides. H is the entropy of
+/// "there is a step on either side": draw d of both sides is one joint draw. A reading of one side
+/// reweights the joint draws, and so informs about the other side too. Of equal gains the nearer bin
+/// comes first, then the left side. An estimate of one plane has the gains above, in the middle.
+Uncertainty uncertainty(const TwoTrackEstimate& estimate, double stepLimit, int firstBin = 0,
+                        const Poll& poll = {});
+std::vector<ProbeGain> probeGains(const TwoTrackEstimate& estimate, const RobotModel& robot,
                                   double armSd, double stepLimit, int firstBin = 0,
                                   const Poll& poll = {});
 

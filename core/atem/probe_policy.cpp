@@ -28,14 +28,14 @@ std::vector<ProbeGain> ranked(const ProbeAdvice& advice, ProbePolicy policy)
 ProbeOffer offerProbe(const ProbeAdvice& advice, StepVerdict verdict, ProbePolicy policy)
 {
     if (policy != ProbePolicy::Variance && verdict != StepVerdict::CannotTell)
-        return {.bin = {}, .why = NoProbe::Decided};
+        return {.place = {}, .why = NoProbe::Decided};
     if (policy == ProbePolicy::Question && !advice.gains.empty()) {
         const ProbeGain best = ranked(advice, policy).front();
         if (best.entropyReduction < kMinBits * std::numbers::ln2)
-            return {.bin = {}, .why = NoProbe::NoGain};
-        return {.bin = best.bin, .why = NoProbe::None};
+            return {.place = {}, .why = NoProbe::NoGain};
+        return {.place = best.place(), .why = NoProbe::None};
     }
-    return {.bin = advice.bin, .why = advice.bin ? NoProbe::None : NoProbe::Certain};
+    return {.place = advice.place, .why = advice.place ? NoProbe::None : NoProbe::Certain};
 }
 
 }  // namespace terratact

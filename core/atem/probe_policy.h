@@ -32,13 +32,13 @@ enum class NoProbe : std::uint8_t {
 };
 
 struct ProbeOffer {
-    std::optional<int> bin;       ///< bin offered to the operator
-    NoProbe why = NoProbe::None;  ///< reason if there is no bin
+    std::optional<ProbePlace> place;  ///< place offered to the operator
+    NoProbe why = NoProbe::None;      ///< reason if there is no place
     bool operator==(const ProbeOffer&) const = default;
 };
 
-/// Returns the advice's bins, best first for this policy: by the expected reduction of variance or
-/// of entropy. Equal bins keep the advice's order.
+/// Returns the advice's places, best first for this policy: by the expected reduction of variance or
+/// of entropy. Equal places keep the advice's order.
 std::vector<ProbeGain> ranked(const ProbeAdvice& advice, ProbePolicy policy);
 
 /// Decides which probe is offered. verdict: the answer without the arm; a withheld verdict is

@@ -11,11 +11,14 @@
 
 namespace terratact {
 
-/// Expected value of probing one bin.
+/// Expected value of probing one place. Variance and entropy are of both sides, if both are estimated.
 struct ProbeWorth {
     int bin = 0;
     double varianceShare = 0.0;  ///< 0 … 1, expected reduction of the summed variance of all bins
     double bitsAfter = 0.0;  ///< [bit] expected entropy of "is there a step ahead?" after the probe
+    ProbeSide side = ProbeSide::Middle;
+
+    ProbePlace place() const { return {bin, side}; }
     bool operator==(const ProbeWorth&) const = default;
 };
 
@@ -31,7 +34,7 @@ struct ProbeProposal {
     double stepLimit = 0.1;           ///< [m] step height that counts as an obstacle
     double bitsBefore = 0.0;          ///< [bit] entropy of "is there a step ahead?" now
     std::optional<ProbeWorth> worth;  ///< worth of this bin; empty: the method cannot compute it
-    std::vector<ProbeWorth> others;   ///< other bins the operator may choose, best first
+    std::vector<ProbeWorth> others;   ///< other places the operator may choose, best first
     StepVerdict answer = StepVerdict::CannotTell;  ///< verdict of the estimate without the probe
 
     /// Returns true if the probe informs the step verdict. Otherwise it only refines the terrain's shape, if its worth

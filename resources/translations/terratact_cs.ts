@@ -546,6 +546,10 @@
         <source>the arm is still out: wait until it is back, or press STOP</source>
         <translation>rameno je ještě venku: počkejte na jeho návrat, nebo stiskněte STOP</translation>
     </message>
+    <message>
+        <source>left and right are estimated separately</source>
+        <translation>vlevo a vpravo se odhaduje zvlášť</translation>
+    </message>
 </context>
 <context>
     <name>Preferences</name>
@@ -4008,6 +4012,30 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>bins of one plane are expected to be of both sides, and others of one</source>
         <translation>u jedné roviny se očekávají body obou stran, jinak body jedné strany</translation>
     </message>
+    <message>
+        <source>the track differential has turned: left and right are estimated as one plane</source>
+        <translation>diferenciál pásů se pootočil: vlevo a vpravo se odhaduje jako jedna rovina</translation>
+    </message>
+    <message>
+        <source>method %1 estimates left and right as one plane, although they differ</source>
+        <translation>metoda %1 odhaduje vlevo a vpravo jako jednu rovinu, ačkoli se liší</translation>
+    </message>
+    <message>
+        <source>the arm&apos;s reading at %1 m lies in the middle and counts for neither side</source>
+        <translation>měření ramene v %1 m leží uprostřed a nepočítá se k žádné straně</translation>
+    </message>
+    <message>
+        <source>left: %1</source>
+        <translation>vlevo: %1</translation>
+    </message>
+    <message>
+        <source>right: %1</source>
+        <translation>vpravo: %1</translation>
+    </message>
+    <message>
+        <source>the estimate contradicts the readings: pitch %1°, roll %2°, front flippers %3° left, %4° right measured; %5°, %6°, %7°, %8° on its ground</source>
+        <translation>odhad odporuje údajům: naměřen náklon %1°, příčný náklon %2°, přední flippery vlevo %3°, vpravo %4°; na jeho terénu %5°, %6°, %7°, %8°</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -5052,10 +5080,6 @@ F1</translation>
         <translation>dál se používá model %1: %2</translation>
     </message>
     <message>
-        <source>arm at %1: %2 m, %3 the band shown before</source>
-        <translation>rameno v %1: %2 m, %3 předtím ukázaného pásma</translation>
-    </message>
-    <message>
         <source>inside</source>
         <translation>uvnitř</translation>
     </message>
@@ -5086,6 +5110,14 @@ F1</translation>
     <message>
         <source>No ghost while telemetry is missing</source>
         <translation>Bez stínu, dokud chybí telemetrie</translation>
+    </message>
+    <message>
+        <source>arm %1: %2 m, between the sides that are estimated</source>
+        <translation>rameno %1: %2 m, mezi odhadovanými stranami</translation>
+    </message>
+    <message>
+        <source>arm %1: %2 m, %3 the band shown before</source>
+        <translation>rameno %1: %2 m, %3 předtím ukázaného pásma</translation>
     </message>
 </context>
 <context>
@@ -5142,14 +5174,6 @@ F1</translation>
         <translation>Odhaduje se …</translation>
     </message>
     <message>
-        <source>probe proposed at %1</source>
-        <translation>návrh sondy v %1</translation>
-    </message>
-    <message>
-        <source>probe at %1 approved</source>
-        <translation>sonda v %1 schválena</translation>
-    </message>
-    <message>
         <source>no answer in time: refused</source>
         <translation>bez odpovědi včas: bez sondy</translation>
     </message>
@@ -5180,10 +5204,6 @@ F1</translation>
     <message>
         <source>No estimate yet: press M, then hold M to arm; then explore (A)</source>
         <translation>Zatím bez odhadu: aktivujte (stisk M, pak držet M); pak průzkum (A)</translation>
-    </message>
-    <message>
-        <source>probe asked for at %1 instead</source>
-        <translation>místo toho žádána sonda v %1</translation>
     </message>
     <message>
         <source>not armed: press M, then hold M</source>
@@ -5242,20 +5262,12 @@ F1</translation>
         <translation>Bez odhadu: STOP drží</translation>
     </message>
     <message>
-        <source>the arm does not reach bin %1</source>
-        <translation>rameno nedosáhne na úsek %1</translation>
-    </message>
-    <message>
         <source>an exploration is running</source>
         <translation>běží průzkum</translation>
     </message>
     <message>
         <source>no probe is asked for: %1</source>
         <translation>o sondu se nežádá: %1</translation>
-    </message>
-    <message>
-        <source>a probe at %1 is requested: the robot presses again, then asks for approval</source>
-        <translation>žádá se sonda v %1: robot znovu přitlačí, pak přijde dotaz</translation>
     </message>
     <message>
         <source>the estimate is hidden: Ctrl+Z restores it</source>
@@ -5280,6 +5292,26 @@ F1</translation>
     <message>
         <source>the robot reports driving, but its tracks do not move</source>
         <translation>robot hlásí, že jede, a jeho pásy se nehýbou</translation>
+    </message>
+    <message>
+        <source>probe proposed %1</source>
+        <translation>návrh sondy %1</translation>
+    </message>
+    <message>
+        <source>probe %1 approved</source>
+        <translation>sonda %1 schválena</translation>
+    </message>
+    <message>
+        <source>a probe %1 is requested: the robot presses again, then asks for approval</source>
+        <translation>žádá se sonda %1: robot znovu přitlačí, pak přijde dotaz</translation>
+    </message>
+    <message>
+        <source>probe asked for %1 instead</source>
+        <translation>místo toho žádána sonda %1</translation>
+    </message>
+    <message>
+        <source>the arm does not reach the ground %1</source>
+        <translation>rameno nedosáhne na terén %1</translation>
     </message>
 </context>
 <context>
@@ -5788,6 +5820,21 @@ F1</translation>
     <message>
         <source>The robot has moved: the next press gives the next estimate</source>
         <translation>Robot se pohnul: další přitlačení přinese další odhad</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::Place</name>
+    <message>
+        <source>at %1</source>
+        <translation>v %1</translation>
+    </message>
+    <message>
+        <source>left at %1</source>
+        <translation>vlevo v %1</translation>
+    </message>
+    <message>
+        <source>right at %1</source>
+        <translation>vpravo v %1</translation>
     </message>
 </context>
 <context>

@@ -546,6 +546,10 @@
         <source>the arm is still out: wait until it is back, or press STOP</source>
         <translation>der Arm ist noch draußen: warten, bis er zurück ist, oder STOP drücken</translation>
     </message>
+    <message>
+        <source>left and right are estimated separately</source>
+        <translation>links und rechts werden getrennt geschätzt</translation>
+    </message>
 </context>
 <context>
     <name>Preferences</name>
@@ -4008,6 +4012,30 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>bins of one plane are expected to be of both sides, and others of one</source>
         <translation>bei einer Ebene werden Felder beider Seiten erwartet, sonst Felder einer Seite</translation>
     </message>
+    <message>
+        <source>the track differential has turned: left and right are estimated as one plane</source>
+        <translation>das Kettendifferential ist verdreht: links und rechts werden als eine Ebene geschätzt</translation>
+    </message>
+    <message>
+        <source>method %1 estimates left and right as one plane, although they differ</source>
+        <translation>Methode %1 schätzt links und rechts als eine Ebene, obwohl sie verschieden sind</translation>
+    </message>
+    <message>
+        <source>the arm&apos;s reading at %1 m lies in the middle and counts for neither side</source>
+        <translation>die Messung des Arms bei %1 m liegt in der Mitte und zählt für keine Seite</translation>
+    </message>
+    <message>
+        <source>left: %1</source>
+        <translation>links: %1</translation>
+    </message>
+    <message>
+        <source>right: %1</source>
+        <translation>rechts: %1</translation>
+    </message>
+    <message>
+        <source>the estimate contradicts the readings: pitch %1°, roll %2°, front flippers %3° left, %4° right measured; %5°, %6°, %7°, %8° on its ground</source>
+        <translation>die Schätzung widerspricht den Messwerten: gemessen Nickwinkel %1°, Rollwinkel %2°, vordere Flipper links %3°, rechts %4°; auf ihrem Boden %5°, %6°, %7°, %8°</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -5052,10 +5080,6 @@ F1</translation>
         <translation>Modell %1 bleibt in Gebrauch: %2</translation>
     </message>
     <message>
-        <source>arm at %1: %2 m, %3 the band shown before</source>
-        <translation>Arm bei %1: %2 m, %3 des zuvor gezeigten Bandes</translation>
-    </message>
-    <message>
         <source>inside</source>
         <translation>innerhalb</translation>
     </message>
@@ -5086,6 +5110,14 @@ F1</translation>
     <message>
         <source>No ghost while telemetry is missing</source>
         <translation>Kein Schatten, solange Telemetrie fehlt</translation>
+    </message>
+    <message>
+        <source>arm %1: %2 m, between the sides that are estimated</source>
+        <translation>Arm %1: %2 m, zwischen den geschätzten Seiten</translation>
+    </message>
+    <message>
+        <source>arm %1: %2 m, %3 the band shown before</source>
+        <translation>Arm %1: %2 m, %3 des zuvor gezeigten Bandes</translation>
     </message>
 </context>
 <context>
@@ -5142,14 +5174,6 @@ F1</translation>
         <translation>Schätzt …</translation>
     </message>
     <message>
-        <source>probe proposed at %1</source>
-        <translation>Sondierung vorgeschlagen bei %1</translation>
-    </message>
-    <message>
-        <source>probe at %1 approved</source>
-        <translation>Sondierung bei %1 genehmigt</translation>
-    </message>
-    <message>
         <source>no answer in time: refused</source>
         <translation>keine Antwort in der Zeit: keine Sondierung</translation>
     </message>
@@ -5180,10 +5204,6 @@ F1</translation>
     <message>
         <source>No estimate yet: press M, then hold M to arm; then explore (A)</source>
         <translation>Noch keine Schätzung: M drücken, dann M halten zum Freigeben; dann erkunden (A)</translation>
-    </message>
-    <message>
-        <source>probe asked for at %1 instead</source>
-        <translation>stattdessen Sondierung bei %1 verlangt</translation>
     </message>
     <message>
         <source>not armed: press M, then hold M</source>
@@ -5242,20 +5262,12 @@ F1</translation>
         <translation>Keine Schätzung: STOP ist eingerastet</translation>
     </message>
     <message>
-        <source>the arm does not reach bin %1</source>
-        <translation>der Arm erreicht den Abschnitt %1 nicht</translation>
-    </message>
-    <message>
         <source>an exploration is running</source>
         <translation>eine Erkundung läuft</translation>
     </message>
     <message>
         <source>no probe is asked for: %1</source>
         <translation>es wird nicht nach einer Sondierung gefragt: %1</translation>
-    </message>
-    <message>
-        <source>a probe at %1 is requested: the robot presses again, then asks for approval</source>
-        <translation>eine Sondierung bei %1 ist gewünscht: der Roboter drückt erneut, dann wird gefragt</translation>
     </message>
     <message>
         <source>the estimate is hidden: Ctrl+Z restores it</source>
@@ -5280,6 +5292,26 @@ F1</translation>
     <message>
         <source>the robot reports driving, but its tracks do not move</source>
         <translation>der Roboter meldet, dass er fährt, und seine Ketten bewegen sich nicht</translation>
+    </message>
+    <message>
+        <source>probe proposed %1</source>
+        <translation>Sondierung vorgeschlagen %1</translation>
+    </message>
+    <message>
+        <source>probe %1 approved</source>
+        <translation>Sondierung %1 genehmigt</translation>
+    </message>
+    <message>
+        <source>a probe %1 is requested: the robot presses again, then asks for approval</source>
+        <translation>eine Sondierung %1 ist gewünscht: der Roboter drückt erneut, dann wird gefragt</translation>
+    </message>
+    <message>
+        <source>probe asked for %1 instead</source>
+        <translation>stattdessen Sondierung %1 verlangt</translation>
+    </message>
+    <message>
+        <source>the arm does not reach the ground %1</source>
+        <translation>der Arm erreicht den Boden %1 nicht</translation>
     </message>
 </context>
 <context>
@@ -5788,6 +5820,21 @@ F1</translation>
     <message>
         <source>The robot has moved: the next press gives the next estimate</source>
         <translation>Der Roboter hat sich bewegt: das nächste Andrücken bringt die nächste Schätzung</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::Place</name>
+    <message>
+        <source>at %1</source>
+        <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>left at %1</source>
+        <translation>links bei %1</translation>
+    </message>
+    <message>
+        <source>right at %1</source>
+        <translation>rechts bei %1</translation>
     </message>
 </context>
 <context>

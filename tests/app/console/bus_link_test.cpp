@@ -57,7 +57,7 @@ TEST_F(BusConsole, reviewShowsOverridesAndTelemetryGaps)
     const auto isWithheld = [&] {
         const auto verdict = exploration.estimation().verdict();
         return verdict
-            && std::ranges::count(verdict->withheldFor, WithholdReason::TelemetryGap) == 1;
+            && std::ranges::count(verdict->side[0].withheldFor, WithholdReason::TelemetryGap) == 1;
     };
     ASSERT_TRUE(eventually(isWithheld));
     window.reset();

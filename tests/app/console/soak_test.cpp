@@ -387,7 +387,7 @@ TEST_F(Soak, showsAnEstimateSoonAndEveryLivePreview)
     NewestValues waits(1000);
     int estimates = 0;  // previews while the flippers move; no two lines give the same estimate
     double scene = 0.0, shown = -1.0;  // time of the newest scene, and of the newest painted scene
-    std::optional<TerrainEstimate> last;
+    std::optional<TwoTrackEstimate> last;
     QObject::connect(&estimation, &Estimation::captured, window.get(),
                      [&] { scene = lines.pressed; });
     const Painted painted(*window, [&] {
@@ -397,7 +397,7 @@ TEST_F(Soak, showsAnEstimateSoonAndEveryLivePreview)
         }
         const auto& drawn = window->terrain()->estimate();
         const bool isLive = drawn && !window->showsEstimate();
-        if (isLive && (!last || last->mean != drawn->mean)) ++estimates;
+        if (isLive && (!last || last->side[0].mean != drawn->side[0].mean)) ++estimates;
         last = drawn;
     });
     ASSERT_TRUE(gui::eventually([&] { return window->exploration().linkAlive(); }));

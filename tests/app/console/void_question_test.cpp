@@ -60,7 +60,7 @@ TEST_F(VoidQuestion, isNotRevivedByAskingForAnotherBin)
     const quint64 id = exploration->proposal()->id;
     const int other = exploration->proposal()->others.front().bin;
     loadAnotherModel();
-    exploration->choose(id, other);
+    exploration->choose(id, {other});
     tick(3);
     EXPECT_EQ(exploration->proposal()->id, id);
     EXPECT_FALSE(mayBeApproved());

@@ -128,19 +128,20 @@ TEST_F(Bench, anyReachableBinCanReplaceTheProposal)
     ASSERT_NO_FATAL_FAILURE(propose());
     const quint64 first = exploration->proposal()->id;
     ASSERT_EQ(exploration->proposal()->bin, kBin06);
-    exploration->askProbe(8);
+    exploration->askProbe({8});
     EXPECT_EQ(exploration->proposal()->bin, 8);
     EXPECT_NE(exploration->proposal()->id, first) << "another question";
     exploration->approve(first);
     tick();
     EXPECT_EQ(phase(), AtemPhase::ProposingProbe) << "the word was for another bin";
-    exploration->askProbe(0);
+    exploration->askProbe({0});
     EXPECT_EQ(exploration->proposal()->bin, 8);
-    EXPECT_TRUE(events.join(' ').contains("does not reach bin")) << events.join('|').toStdString();
+    EXPECT_TRUE(events.join(' ').contains("does not reach the ground at"))
+        << events.join('|').toStdString();
     EXPECT_EQ(sent<ProbeCommand>(), 0) << "asking moves nothing";
     exploration->approve(exploration->proposal()->id);
     ASSERT_TRUE(reaches(AtemPhase::Probing));
-    EXPECT_EQ(exploration->probingBin(), 8);
+    EXPECT_EQ(exploration->probingPlace(), ProbePlace{8});
     EXPECT_EQ(sent<ProbeCommand>(), 1);
 }
 
@@ -149,8 +150,8 @@ TEST_F(Bench, aBinChosenLaterIsProposedAfterANewPress)
     ASSERT_NO_FATAL_FAILURE(propose());
     exploration->refuse(exploration->proposal()->id);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    ASSERT_FALSE(exploration->whyNotAsking(8));
-    exploration->askProbe(8);
+    ASSERT_FALSE(exploration->whyNotAsking({8}));
+    exploration->askProbe({8});
     tick();
     EXPECT_EQ(phase(), AtemPhase::Halting);
     telemetry.activity = RobotActivity::Halted;
@@ -175,7 +176,7 @@ TEST_F(Bench, aRequestedBinIsDroppedOnAbort)
     ASSERT_NO_FATAL_FAILURE(propose());
     exploration->refuse(exploration->proposal()->id);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    exploration->askProbe(8);
+    exploration->askProbe({8});
     tick();
     exploration->abort();
     ASSERT_TRUE(reaches(AtemPhase::Idle));

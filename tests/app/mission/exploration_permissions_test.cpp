@@ -41,7 +41,7 @@ TEST_F(Bench, reasonForNoProbeUsesTheCurrentStepLimit)
     ASSERT_TRUE(settles());
     EXPECT_TRUE(mentions(exploration->whyNotOffered(), "CLEAR is decided"));
     tickInSilence(10);
-    ASSERT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::CannotTell);
+    ASSERT_EQ(exploration->estimation().verdict()->both, StepVerdict::CannotTell);
     EXPECT_TRUE(mentions(exploration->whyNotOffered(), "explore again"));
     exploration->setProbePolicy(ProbePolicy::Variance);
     EXPECT_TRUE(mentions(exploration->whyNotOffered(), "explore again"));
@@ -58,7 +58,7 @@ TEST_F(Bench, aSuspectedPitchWithholdsTheProbe)
     EXPECT_FALSE(exploration->proposal());
     EXPECT_FALSE(exploration->bestProbe()) << "no button may offer it either";
     EXPECT_TRUE(mentions(exploration->whyNotOffered(), "the pitch may be wrong"));
-    exploration->askProbe(kBin06);
+    exploration->askProbe({kBin06});
     EXPECT_EQ(phase(), AtemPhase::Presenting);
     EXPECT_TRUE(events.last().contains("the pitch may be wrong"));
 }

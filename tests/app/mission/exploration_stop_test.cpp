@@ -81,7 +81,8 @@ TEST_F(Bench, theVerdictIsWithheldAsSoonAsTheTelemetryIsStale)
 {
     propose();
     const auto withheld = [this] {
-        const std::vector<WithholdReason> doubts = exploration->estimation().verdict()->withheldFor;
+        const std::vector<WithholdReason> doubts =
+            exploration->estimation().verdict()->side[0].withheldFor;
         return std::ranges::find(doubts, WithholdReason::Stale) != doubts.end();
     };
     const double heard = now;
@@ -111,7 +112,7 @@ struct Outage : Bench {
     }
     std::vector<WithholdReason> doubts() const
     {
-        return exploration->estimation().verdict()->withheldFor;
+        return exploration->estimation().verdict()->side[0].withheldFor;
     }
 };
 
@@ -119,16 +120,16 @@ TEST_F(Outage, longerThanASecondWithholdsVerdictUntilNextPress)
 {
     exploration->refuse(exploration->proposal()->id);
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
-    ASSERT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::Blocked);
+    ASSERT_EQ(exploration->estimation().verdict()->both, StepVerdict::Blocked);
     linkIsLostFor(kMaxSilence - 0.04);
     EXPECT_EQ(doubts(), std::vector<WithholdReason>());
-    EXPECT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::Blocked);
+    EXPECT_EQ(exploration->estimation().verdict()->both, StepVerdict::Blocked);
 
     linkIsLostFor(kMaxSilence + 0.04);
     EXPECT_TRUE(exploration->linkAlive());
     ASSERT_TRUE(exploration->estimation().estimate()) << "it stays to be seen";
     EXPECT_EQ(doubts(), std::vector{WithholdReason::TelemetryGap});
-    EXPECT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::CannotTell);
+    EXPECT_EQ(exploration->estimation().verdict()->both, StepVerdict::CannotTell);
     tick(100);
     EXPECT_EQ(doubts(), std::vector{WithholdReason::TelemetryGap})
         << "however long telemetry comes again";
@@ -136,7 +137,7 @@ TEST_F(Outage, longerThanASecondWithholdsVerdictUntilNextPress)
     telemetry.activity = RobotActivity::Halted;
     propose();
     EXPECT_EQ(doubts(), std::vector<WithholdReason>());
-    EXPECT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::Blocked);
+    EXPECT_EQ(exploration->estimation().verdict()->both, StepVerdict::Blocked);
 }
 
 TEST_F(Outage, withholdsTheVerdictWithoutAPoll)

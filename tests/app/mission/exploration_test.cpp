@@ -33,7 +33,7 @@ TEST_F(Bench, theWholeLoop)
     exploration->approve(exploration->proposal()->id);
     tick();
     EXPECT_EQ(phase(), AtemPhase::Probing);
-    EXPECT_EQ(exploration->probingBin(), kBin06);
+    EXPECT_EQ(exploration->probingPlace(), ProbePlace{kBin06});
     EXPECT_EQ(sent<ProbeCommand>(), 1);
     telemetry.activity = RobotActivity::Probing;
     tick(20);

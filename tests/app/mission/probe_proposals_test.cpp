@@ -46,7 +46,7 @@ TEST_F(Bench, openPolicyProposesNoProbeForADecidedVerdict)
 {
     withDraws = true;
     propose();
-    EXPECT_EQ(exploration->estimation().verdict()->stepVerdict, StepVerdict::Blocked);
+    EXPECT_EQ(exploration->estimation().verdict()->both, StepVerdict::Blocked);
     EXPECT_FALSE(exploration->whyNotOffered());
     exploration->abort();
     ASSERT_TRUE(reaches(AtemPhase::Idle));
@@ -114,7 +114,7 @@ TEST_F(Bench, adviceForAnOlderEstimateIsIgnored)
     ASSERT_TRUE(reaches(AtemPhase::Presenting));
     ASSERT_TRUE(offered);
     EXPECT_EQ(offered->stepLimit, 0.2);
-    EXPECT_NE(offered->bin, kBin06) << "the arm has just been there";
+    EXPECT_NE(offered->place, ProbePlace{kBin06}) << "the arm has just been there";
 }
 
 }  // namespace

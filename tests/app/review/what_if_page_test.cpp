@@ -74,7 +74,7 @@ TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
 TEST_F(ReviewOf, theShippedSessionIsReproduced)
 {
     path = TERRATACT_SOURCE_DIR "/resources/sessions/demo.tts";
-    open({TERRATACT_SOURCE_DIR "/resources/models/default.ttm"});
+    open({TERRATACT_SOURCE_DIR "/resources/models/one_plane.ttm"});
     press(Qt::Key_4);
     for (int estimate = 0; estimate < 2; ++estimate) {
         if (estimate > 0) {

@@ -106,7 +106,7 @@ TEST(ChooseProbe, takesTheBinWithTheLargestGain)
     EXPECT_TRUE(*chosen == 8 || *chosen == 9) << *chosen;
 
     const ProbeAdvice advice = adviseProbe(estimate, robot, 0.1);
-    EXPECT_EQ(advice.bin, chosen);
+    EXPECT_EQ(advice.place, ProbePlace{*chosen});
     EXPECT_EQ(advice.gains.front().bin, *chosen);
     EXPECT_NEAR(advice.before.variance, 0.01 + 0.01 + 0.0121, 0.004);
     EXPECT_GT(advice.gains.front().varianceReduction, 0.5 * advice.before.variance);
@@ -116,19 +116,63 @@ TEST(ChooseProbe, takesTheBinWithTheLargestGain)
 
     estimate.settings.method = Method::Pafc;
     EXPECT_EQ(chooseProbe(estimate, robot), 10);
-    EXPECT_EQ(adviseProbe(estimate, robot, 0.1).bin, 10);
+    EXPECT_EQ(adviseProbe(estimate, robot, 0.1).place, ProbePlace{10});
     estimate.settings.method = Method::Local;
     estimate.sd.fill(0.01);
     EXPECT_EQ(chooseProbe(estimate, robot), std::nullopt);
     const ProbeAdvice unasked = adviseProbe(estimate, robot, 0.1);
-    EXPECT_EQ(unasked.bin, std::nullopt);
+    EXPECT_EQ(unasked.place, std::nullopt);
     EXPECT_EQ(unasked.before, advice.before) << "what it would buy is told all the same";
     EXPECT_EQ(unasked.gains, advice.gains);
 }
 
+/// An estimate whose sides are uncertain at +0.5 m: left by 0.1 m, right by rightSd.
+TwoTrackEstimate unsureSides(double rightSd, bool onePlane = false)
+{
+    std::mt19937_64 rng(3);
+    std::normal_distribution<double> normal;
+    TwoTrackEstimate both;
+    for (TerrainEstimate& side : both.side) side.settings.probeAbove = 0.05;
+    for (int d = 0; d < 1000; ++d)
+        for (std::size_t side = 0; side < 2; ++side) {
+            Heights h{};
+            h[8] = (side == 0 ? 0.1 : rightSd) * normal(rng);
+            both.side[side].draws.push_back(h);
+        }
+    both.side[0].sd[8] = 0.1;
+    both.side[1].sd[8] = rightSd;
+    return onePlane ? equalSides(both.side[0]) : both;
+}
+
+TEST_F(ArmChoice, namesTheLessCertainSide)
+{
+    EXPECT_EQ(adviseProbe(unsureSides(0.2), robot, 0.1).place, (ProbePlace{8, ProbeSide::Right}));
+    EXPECT_EQ(adviseProbe(unsureSides(0.01), robot, 0.1).place, (ProbePlace{8, ProbeSide::Left}));
+    EXPECT_EQ(proposeProbe(unsureSides(0.2), robot), (ProbePlace{8, ProbeSide::Right}));
+    EXPECT_EQ(chooseProbe(unsureSides(0.01), robot), (ProbePlace{8, ProbeSide::Left}));
+    const ProbeAdvice advice = adviseProbe(unsureSides(0.2), robot, 0.1);
+    EXPECT_NEAR(advice.before.variance, 0.01 + 0.04, 0.006) << "of both sides";
+}
+
+TEST_F(ArmChoice, ofOnePlaneIsInTheMiddle)
+{
+    const TwoTrackEstimate plane = unsureSides(0.2, true);
+    const ProbeAdvice advice = adviseProbe(plane, robot, 0.1);
+    EXPECT_EQ(advice, adviseProbe(plane.side[0], robot, 0.1));
+    EXPECT_EQ(advice.place, ProbePlace{8});
+}
+
+TEST_F(ArmChoice, offersNoSideBeyondTheArm)
+{
+    robot.armReachY = robot.lateral.flipperY - 0.01;
+    const ProbeAdvice advice = adviseProbe(unsureSides(0.2), robot, 0.1);
+    EXPECT_FALSE(advice.place);
+    EXPECT_TRUE(advice.gains.empty());
+}
+
 /// Bin 0.6 says most about the terrain, bin 0.7 most about the step.
 const ProbeAdvice kTwoAims{
-    .bin = kBin06,
+    .place = ProbePlace{kBin06},
     .before = {.variance = 0.02, .entropy = 0.6},
     .gains = {{kBin06, 0.01, 0.1}, {kBin05, 0.006, 0.0}, {kBin07, 0.005, 0.4}},
     .stepLimit = 0.1};
@@ -143,12 +187,12 @@ TEST(OfferProbe, followsThePolicyAndNamesTheReason)
     using enum StepVerdict;
     using enum ProbePolicy;
     for (const auto& [policy, verdict, offer] :
-         {Case{Variance, CannotTell, {kBin06, NoProbe::None}},
-          Case{Variance, Blocked, {kBin06, NoProbe::None}},
-          Case{VarianceOpen, CannotTell, {kBin06, NoProbe::None}},
+         {Case{Variance, CannotTell, {ProbePlace{kBin06}, NoProbe::None}},
+          Case{Variance, Blocked, {ProbePlace{kBin06}, NoProbe::None}},
+          Case{VarianceOpen, CannotTell, {ProbePlace{kBin06}, NoProbe::None}},
           Case{VarianceOpen, Blocked, {{}, NoProbe::Decided}},
           Case{VarianceOpen, Clear, {{}, NoProbe::Decided}},
-          Case{Question, CannotTell, {kBin07, NoProbe::None}},
+          Case{Question, CannotTell, {ProbePlace{kBin07}, NoProbe::None}},
           Case{Question, Clear, {{}, NoProbe::Decided}}})
         EXPECT_EQ(offerProbe(kTwoAims, verdict, policy), offer)
             << name(policy) << ", " << name(verdict);
@@ -161,20 +205,20 @@ TEST(OfferProbe, questionPolicyIgnoresSdButNeedsAGain)
 {
     using enum ProbePolicy;
     ProbeAdvice certain = kTwoAims;
-    certain.bin.reset();
+    certain.place.reset();
     EXPECT_EQ(offerProbe(certain, StepVerdict::CannotTell, Variance),
               (ProbeOffer{{}, NoProbe::Certain}));
     EXPECT_EQ(offerProbe(certain, StepVerdict::CannotTell, Question),
-              (ProbeOffer{kBin07, NoProbe::None}));
+              (ProbeOffer{ProbePlace{kBin07}, NoProbe::None}));
     for (ProbeGain& gain : certain.gains) gain.entropyReduction = 0.9 * kMinBits * std::log(2.0);
     EXPECT_EQ(offerProbe(certain, StepVerdict::CannotTell, Question),
               (ProbeOffer{{}, NoProbe::NoGain}));
     certain.gains.clear();  // no draws: the gain of the question is unknown
     EXPECT_EQ(offerProbe(certain, StepVerdict::CannotTell, Question),
               (ProbeOffer{{}, NoProbe::Certain}));
-    certain.bin = kBin05;
+    certain.place = ProbePlace{kBin05};
     EXPECT_EQ(offerProbe(certain, StepVerdict::CannotTell, Question),
-              (ProbeOffer{kBin05, NoProbe::None}));
+              (ProbeOffer{ProbePlace{kBin05}, NoProbe::None}));
 }
 
 TEST(AdviseProbe, isEmptyForARobotWithoutAnArm)
@@ -187,7 +231,7 @@ TEST(AdviseProbe, isEmptyForARobotWithoutAnArm)
     robot.armSd = 0.0;
     const ProbeAdvice advice = adviseProbe(estimate, robot, 0.1);
     EXPECT_TRUE(advice.gains.empty());
-    EXPECT_FALSE(advice.bin);
+    EXPECT_FALSE(advice.place);
     EXPECT_GT(advice.before.variance, 0.0);
 }
 
@@ -200,7 +244,7 @@ TEST(AdviseProbe, leavesOutMeasuredBins)
     estimate.sd[9] = 0.2;
     estimate.origin[8] = Origin::Contact;
     for (const ProbeGain& gain : adviseProbe(estimate, robot, 0.1).gains) EXPECT_NE(gain.bin, 8);
-    EXPECT_EQ(adviseProbe(estimate, robot, 0.1).bin, 9);
+    EXPECT_EQ(adviseProbe(estimate, robot, 0.1).place, ProbePlace{9});
 }
 
 }  // namespace

@@ -168,6 +168,62 @@ TEST(ProbeGains, areFiniteForFewAndDistantDraws)
     }
 }
 
+/// Draws of both sides: like gaussianEstimate(), with a correlation between the sides.
+TwoTrackEstimate gaussianSides(int draws, double correlation, unsigned seed)
+{
+    const TerrainEstimate own = gaussianEstimate(draws, seed),
+                          other = gaussianEstimate(draws, seed + 1);
+    TwoTrackEstimate both{.side = {own, own}};
+    for (std::size_t d = 0; d < own.draws.size(); ++d)
+        for (std::size_t i = 0; i < kBins; ++i)
+            both.side[1].draws[d][i] =
+                correlation * own.draws[d][i]
+                + std::sqrt(1.0 - correlation * correlation) * other.draws[d][i];
+    return both;
+}
+
+TEST(ProbeGains, ofASideCountTheOtherSideToo)
+{
+    constexpr double kCorrelation = 0.5;
+    const auto gains =
+        probeGains(gaussianSides(20000, kCorrelation, 11), robotWithArm(), kArmSd, kStep);
+    ASSERT_EQ(gains.size(), 8U) << "four bins of each side";
+    for (const ProbeGain& gain : gains) {
+        const double exact = (1.0 + kCorrelation * kCorrelation) * exactReduction(gain.bin);
+        EXPECT_NEAR(gain.varianceReduction, exact, 0.05 * exact) << gain.bin;
+        EXPECT_NE(gain.side, ProbeSide::Middle);
+    }
+}
+
+TEST(ProbeGains, askAboutAStepOnEitherSide)
+{
+    TwoTrackEstimate both;
+    for (int d = 0; d < 400; ++d)
+        for (std::size_t side = 0; side < 2; ++side) {
+            Heights h{};
+            if (side == 0 ? d % 2 == 0 : d % 4 < 2) h[9] = h[10] = 0.3;
+            both.side[side].draws.push_back(h);
+        }
+    const auto entropy = [](double p) { return -p * std::log(p) - (1.0 - p) * std::log(1.0 - p); };
+    EXPECT_NEAR(uncertainty(both, kStep).entropy, entropy(0.75), 1e-9);
+    EXPECT_NEAR(uncertainty(both.side[0], kStep).entropy, entropy(0.5), 1e-9);
+    EXPECT_NEAR(uncertainty(equalSides(both.side[0]), kStep).entropy, entropy(0.5), 1e-9);
+    const auto gains = probeGains(both, robotWithArm(), kArmSd, kStep);
+    const auto at = [&](ProbeSide side) {
+        return std::ranges::find_if(gains,
+                                    [side](const ProbeGain& gain) {
+                                        return gain.place() == ProbePlace{9, side};
+                                    })
+            ->entropyReduction;
+    };
+    // A reading of a side that shows its step decides; one that shows none leaves the other side.
+    const double left = entropy(0.75) - 0.5 * entropy(0.5);
+    EXPECT_NEAR(at(ProbeSide::Left), left, 0.01);
+    EXPECT_NEAR(at(ProbeSide::Right), left, 0.01);
+    both.side[1].draws.pop_back();
+    EXPECT_THROW((void)uncertainty(both, kStep), std::invalid_argument);
+}
+
 TEST(BestProbe, isTheLargestGainAmongSampledBins)
 {
     TerrainEstimate e = gaussianEstimate(1000, 6);

@@ -1,0 +1,27 @@
+#include "app/mission/place_text.h"
+
+#include <stdexcept>
+
+#include "app/display/format.h"
+#include "app/display/translated.h"
+
+namespace terratact {
+
+Message placeWords(ProbePlace place)
+{
+    const Message bin = verbatim(format::binName(place.bin));
+    switch (place.side) {
+    case ProbeSide::Middle: return {TR_NOOP("terratact::Place", "at %1"), bin};
+    case ProbeSide::Left: return {TR_NOOP("terratact::Place", "left at %1"), bin};
+    case ProbeSide::Right: return {TR_NOOP("terratact::Place", "right at %1"), bin};
+    }
+    throw std::invalid_argument("placeWords: no such side");
+}
+
+Message placeName(ProbePlace place)
+{
+    if (place.side == ProbeSide::Middle) return verbatim(format::binName(place.bin));
+    return placeWords(place);
+}
+
+}  // namespace terratact
