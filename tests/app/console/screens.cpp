@@ -232,10 +232,11 @@ Result<LoadedModel> Screens::shipped() const
 {
     static std::map<std::string, Result<LoadedModel>>
         inLanguage;  // loaded once, because it takes long
-    const auto found = inLanguage.find(language_);
+    const std::string key = language_ + modelFile;
+    const auto found = inLanguage.find(key);
     if (found != inLanguage.end()) return found->second;
-    const ModelLoader load = modelFileLoader(resourcePath("models/default.ttm"), model);
-    return inLanguage.emplace(language_, load()).first->second;
+    const ModelLoader load = modelFileLoader(resourcePath("models/" + modelFile), model);
+    return inLanguage.emplace(key, load()).first->second;
 }
 
 ModelLoader Screens::altered()

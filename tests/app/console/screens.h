@@ -103,6 +103,7 @@ struct Screens : testing::Test {
     std::unique_ptr<MainWindow> console;
     std::unique_ptr<ReviewWindow> review;      ///< pictured if there is no console
     std::unique_ptr<ScenesWindow> scenes;      ///< pictured if there is neither console nor review
+    std::string modelFile = "default.ttm";     ///< the shipped model that open() loads
     std::atomic<bool> holdsEstimates = false;  ///< following estimates stop half-way
     /// Alters following estimates; empty: no change.
     void alterEstimates(std::function<void(TerrainEstimate&)> how);
