@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/console/main_window.h"
+#include "app/pages/side_keys.h"
 #include "app/shell/key_table.h"
 #include "widgets/base/held_button.h"
 #include "widgets/control/arming_control.h"
@@ -125,6 +126,7 @@ void addExplorationKeys(KeyTable& keys, MainWindow& window, QAction& draws)
     keys.add({{Qt::Key_D},
               MainWindow::tr("show some draws as thin lines"),
               ifSeen(window.viewButton(), [&draws] { draws.toggle(); })});
+    addSideKeys(keys, *window.terrain());
     keys.add({{Qt::Key_Escape},
               MainWindow::tr("abort the exploration; its result stays"),
               [exploration] {

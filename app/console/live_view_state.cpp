@@ -144,10 +144,7 @@ TerrainViewState LiveViewState::terrain(const RobotMoment& moment)
     viewState.proposal = pointer(exploration.proposal());
     if (!viewState.proposal) viewState.bestProbe = exploration.bestProbe();
     viewState.whyNotOffered = translated(exploration.whyNotOffered().value_or(Message()));
-    if (const auto place = exploration.probingPlace()) {
-        viewState.probingBin = place->bin;
-        viewState.probingSide = place->side;
-    }
+    viewState.probingPlace = exploration.probingPlace();
     viewState.probeSeconds = exploration.options().probeSeconds;
     // A preview takes one telemetry period, so its progress would only flicker.
     if (exploration.estimating()) viewState.progress = parts_.worker.progress();

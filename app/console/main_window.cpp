@@ -7,6 +7,7 @@
 #include <QStackedWidget>
 #include <QTime>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -257,17 +258,14 @@ void MainWindow::connectExploration()
     connect(atemPanel(), &AtemPanel::requested, exploration, &Exploration::request);
     connect(atemPanel(), &AtemPanel::aborted, exploration, &Exploration::abort);
     connect(atemPanel(), &AtemPanel::forgetWanted, exploration, &Exploration::forgetResult);
-    const auto ask = [exploration](int bin) { exploration->askProbe({bin, ProbeSide::Middle}); };
-    connect(atemPanel(), &AtemPanel::probeWanted, exploration, ask);
-    connect(terrain(), &TerrainProfileView::binChosen, exploration, ask);
+    connect(atemPanel(), &AtemPanel::probeWanted, exploration, &Exploration::askProbe);
+    connect(terrain(), &TerrainProfileView::binChosen, exploration, &Exploration::askProbe);
     connect(atemPanel(), &AtemPanel::overrideWanted, exploration, &Exploration::overrideWarnings);
     connect(atemPanel(), &AtemPanel::stopReleased, this, &MainWindow::releaseStop);
     connect(strip(), &EstimateStrip::cancelled, exploration, &Exploration::abort);
     connect(probeCard(), &ProbeCard::approved, exploration, &Exploration::approve);
     connect(probeCard(), &ProbeCard::refused, exploration, &Exploration::refuse);
-    connect(probeCard(), &ProbeCard::otherChosen, exploration, [exploration](quint64 id, int bin) {
-        exploration->choose(id, {bin, ProbeSide::Middle});
-    });
+    connect(probeCard(), &ProbeCard::otherChosen, exploration, &Exploration::choose);
     connect(verdict(), &VerdictStrip::limitChosen, this, [this](double metres) {
         preferences_->change([metres](Preferences& p) { p.obstacleLimit = metres; });
     });
@@ -365,14 +363,27 @@ void MainWindow::showWhyNot(const Message& text)
     notice_->show(translated(text), steadyNow());
 }
 
+namespace {
+
+/// Returns the best place to probe on the side that the operator has chosen, else the best one of all.
+ProbePlace onChosenSide(const ProbeProposal& best, const TerrainProfileView& view)
+{
+    const ProbeSide wanted = view.sideToProbe();
+    const bool isChosen = view.shownSides() != ShownSides::Both && wanted != ProbeSide::Middle;
+    if (!isChosen || best.side == wanted) return {best.bin, best.side};
+    const auto other = std::ranges::find(best.others, wanted, &ProbeWorth::side);
+    return other != best.others.end() ? other->place() : ProbePlace{best.bin, wanted};
+}
+
+}  // namespace
+
 void MainWindow::askProbe()
 {
-    const int seen = terrain()->inspector()->bin();
     const auto best = exploration_->bestProbe();
-    if (seen >= 0)
-        exploration_->askProbe({seen, ProbeSide::Middle});
+    if (const auto selected = terrain()->selectedPlace())
+        exploration_->askProbe(*selected);
     else if (best)
-        exploration_->askProbe({best->bin, best->side});
+        exploration_->askProbe(onChosenSide(*best, *terrain()));
     else if (const auto why = exploration_->whyNotOffered())
         log(*why, EventSeverity::Warning);
     else

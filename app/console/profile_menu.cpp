@@ -4,6 +4,7 @@
 
 #include "app/display/format.h"
 #include "app/mission/exploration.h"
+#include "app/pages/side_keys.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
 namespace terratact {
@@ -13,6 +14,8 @@ ProfileMenu::ProfileMenu(TerrainProfileView& view, Exploration& exploration, QWi
 {
     draws_->setCheckable(true);
     connect(draws_, &QAction::toggled, &view, &TerrainProfileView::setDrawsShown);
+    addSeparator();
+    addSideChoice(*this, view);
     addSeparator();
     offerSecondMethods(exploration);
 }

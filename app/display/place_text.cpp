@@ -23,10 +23,10 @@ QString sideWord(Side side)
     return side == Side::Left ? PlaceWords::tr("left") : PlaceWords::tr("right");
 }
 
-QString placeText(int bin, ProbeSide side)
+QString placeText(ProbePlace place)
 {
-    const QString name = format::binName(bin);
-    switch (side) {
+    const QString name = format::binName(place.bin);
+    switch (place.side) {
     case ProbeSide::Middle: return PlaceWords::tr("at %1").arg(name);
     case ProbeSide::Left: return PlaceWords::tr("left at %1").arg(name);
     case ProbeSide::Right: return PlaceWords::tr("right at %1").arg(name);
@@ -34,11 +34,23 @@ QString placeText(int bin, ProbeSide side)
     return name;
 }
 
-QString placeName(int bin, ProbeSide side)
+QString binText(ProbePlace place)
 {
-    const QString name = format::binName(bin);
-    if (side == ProbeSide::Middle) return name;
-    return sideLetter(side == ProbeSide::Left ? Side::Left : Side::Right) + QLatin1Char(' ') + name;
+    const QString name = format::binName(place.bin);
+    switch (place.side) {
+    case ProbeSide::Middle: return PlaceWords::tr("bin %1").arg(name);
+    case ProbeSide::Left: return PlaceWords::tr("left bin %1").arg(name);
+    case ProbeSide::Right: return PlaceWords::tr("right bin %1").arg(name);
+    }
+    return name;
+}
+
+QString shortPlace(ProbePlace place)
+{
+    const QString name = format::binName(place.bin);
+    if (place.side == ProbeSide::Middle) return name;
+    return sideLetter(place.side == ProbeSide::Left ? Side::Left : Side::Right) + QLatin1Char(' ')
+         + format::number(binCentre(place.bin), 1);
 }
 
 }  // namespace terratact

@@ -14,9 +14,12 @@ QString sideLetter(Side side);
 QString sideWord(Side side);
 
 /// Returns where the arm touches: "at 0.5 m", "left at 0.5 m" or "right at 0.5 m".
-QString placeText(int bin, ProbeSide side);
+QString placeText(ProbePlace place);
 
-/// Returns a bin's name with its side, short: "0.5 m", "L 0.5 m" or "R 0.5 m".
-QString placeName(int bin, ProbeSide side);
+/// Returns the name of a bin with its side: "bin 0.5 m", "left bin 0.5 m" or "right bin 0.5 m".
+QString binText(ProbePlace place);
+
+/// Returns the name of a place in short: "0.5 m", "L 0.5" or "R 0.5".
+QString shortPlace(ProbePlace place);
 
 }  // namespace terratact

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/display/format.h"
+#include "app/display/place_text.h"
 
 namespace terratact {
 namespace {
@@ -16,6 +17,19 @@ QString nameOf(const ForceArrayLayout& layout)
 }
 
 }  // namespace
+
+std::vector<ForceArray> rearArraysOf(const Measurement& measurement)
+{
+    std::vector<ForceArray> arrays(2);
+    const SideForces& sides = measurement.rearSides;
+    for (const Side side : {Side::Left, Side::Right}) {
+        ForceArray& array = arrays[indexOf(side)];
+        array.name = sideLetter(side);
+        const auto& forces = side == Side::Left ? sides.left : sides.right;
+        for (std::size_t e = 0; e < forces.size(); ++e) array.elements[e].newtons = forces[e];
+    }
+    return arrays;
+}
 
 static_assert(kMaxForceArrays <= ForceBars::kArrays);
 

@@ -10,6 +10,9 @@
 
 namespace terratact {
 
+/// Returns a left and a right array with the measured forces of the rear flippers, without voltages.
+std::vector<ForceArray> rearArraysOf(const Measurement& measurement);
+
 /// Converts forces for ForceBars, per array of the robot. It tracks the bias drift of each element while nothing
 /// presses on it.
 class ForceArrays {

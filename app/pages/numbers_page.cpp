@@ -23,7 +23,7 @@ namespace {
 QStringList textsOf(const TwoTrackVerdict& verdict, double limit)
 {
     const Verdict& plane = verdict.side[0];
-    if (isOnePlane(verdict))
+    if (verdict.onePlane)
         return {VerdictStrip::answerOf(plane), VerdictStrip::probabilityOf(plane, limit),
                 VerdictStrip::whyOf(plane)};
     Verdict robot = plane;

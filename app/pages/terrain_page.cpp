@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "app/display/format.h"
+#include "app/display/place_text.h"
+#include "app/pages/force_arrays.h"
 #include "core/robot/side_plane.h"
 #include "core/terrain/body_ceiling.h"
 #include "core/terrain/outline.h"
@@ -62,14 +64,14 @@ bool showsWorth(const TerrainViewState& viewState)
 /// Returns what a probe of the bin would gain, in one line.
 QString probeTells(const ProbeProposal& probe)
 {
-    const QString bin = format::binName(probe.bin);
+    const QString place = placeText({probe.bin, probe.side});
     if (!probe.worth)
-        return TerrainPage::tr("probe at %1: its height, ± %2 m instead of ± %3 m")
-            .arg(bin, format::number(probe.armSd, 2), format::number(probe.sd, 2));
+        return TerrainPage::tr("probe %1: its height, ± %2 m instead of ± %3 m")
+            .arg(place, format::number(probe.armSd, 2), format::number(probe.sd, 2));
     const QString bits = format::number(probe.bitsBefore, 2);
-    return probe.informsOnStep() ? TerrainPage::tr("probe at %1: %2 → %3 bit")
-                                       .arg(bin, bits, format::number(probe.worth->bitsAfter, 2))
-                                 : TerrainPage::tr("probe at %1: no gain").arg(bin);
+    return probe.informsOnStep() ? TerrainPage::tr("probe %1: %2 → %3 bit")
+                                       .arg(place, bits, format::number(probe.worth->bitsAfter, 2))
+                                 : TerrainPage::tr("probe %1: no gain").arg(place);
 }
 
 QString whyNoProbe(const TerrainViewState& viewState)
@@ -101,9 +103,10 @@ std::optional<ArmTip> armTipOf(const TerrainViewState& viewState, bool asking)
         return ArmTip{.state = State::Proposed,
                       .bin = viewState.proposal->bin,
                       .side = viewState.proposal->side};
-    if (viewState.probingBin)
-        return ArmTip{
-            .state = State::Probing, .bin = *viewState.probingBin, .side = viewState.probingSide};
+    if (viewState.probingPlace)
+        return ArmTip{.state = State::Probing,
+                      .bin = viewState.probingPlace->bin,
+                      .side = viewState.probingPlace->side};
     if (!viewState.measurement || !viewState.measurement->arm) return std::nullopt;
     const ArmReading& touched = *viewState.measurement->arm;
     return ArmTip{.state = State::Touched,
@@ -217,6 +220,7 @@ Card* TerrainPage::terrainCard()
     terrain_ = new TerrainProfileView(card);
     rear_ = new RearView(rearShapeOf(robot_));
     terrain_->setCorner(rear_);
+    connect(terrain_, &TerrainProfileView::shownSidesChanged, this, &TerrainPage::showOutlines);
     card->note()->hide();
     card->titleRow()->addWidget(strip_, 1);
     card->titleRow()->addWidget(view_);
@@ -244,7 +248,47 @@ Card* TerrainPage::forceCard()
     card->titleRow()->addWidget(forceUnit_);
     thresholdText_ = card->note();
     card->body()->addWidget(forces_, 1);
+    addRearForces(*card);
     return card;
+}
+
+/// Adds the bars of the rear flippers. They take the place of the front ones, which keep their size.
+void TerrainPage::addRearForces(Card& card)
+{
+    forcesCard_ = &card;
+    rearForces_ = new ForceBars(&card);
+    rearForces_->setAccessibleName(tr("Forces on the rear flippers"));
+    rearButton_ = new QPushButton(tr("rear"), &card);
+    rearButton_->setCheckable(true);
+    rearButton_->setFocusPolicy(Qt::TabFocus);
+    rearButton_->setAccessibleName(tr("Forces on the rear flippers instead of the front ones"));
+    setTip(*rearButton_, rearButton_->accessibleName());
+    rearButton_->setVisible(robot_.rearElementShare.has_value());
+    connect(rearButton_, &QPushButton::toggled, this, &TerrainPage::showAxle);
+    connect(forceUnit_, &QPushButton::toggled, rearForces_, [this](bool raw) {
+        rearForces_->setUnit(raw ? ForceBars::Unit::Volts : ForceBars::Unit::Newtons);
+    });
+    card.titleRow()->addWidget(rearButton_);
+    card.body()->addWidget(rearForces_, 1);
+    rearForces_->hide();
+}
+
+void TerrainPage::showAxle()
+{
+    const bool rear = rearButton_->isChecked();
+    forcesCard_->setTitle(rear ? tr("Rear forces") : tr("Front forces"));
+    forces_->setVisible(!rear);
+    rearForces_->setVisible(rear);
+    forceLegend_->setText((rear ? rearForces_ : forces_)->legend());
+}
+
+void TerrainPage::showRearForces(const TerrainViewState& viewState)
+{
+    if (!robot_.rearElementShare) return;
+    const bool known = viewState.measurement && viewState.age <= kStaleAfter && !forcesAge_;
+    if (!known) return rearForces_->clearForces();
+    if (viewState.count != shownCount_)
+        rearForces_->setForces(rearArraysOf(*viewState.measurement), viewState.now);
 }
 
 Card* TerrainPage::robotCard()
@@ -299,6 +343,7 @@ void TerrainPage::setThreshold(double newtons)
 void TerrainPage::showThreshold()
 {
     forces_->setThreshold(threshold_);
+    rearForces_->setThreshold(threshold_);
     if (forcesAge_) {
         thresholdText_->setText(tr("%1 s old").arg(format::number(*forcesAge_, 1)));
         return setTone(*thresholdText_, Tone::Bad);
@@ -340,6 +385,7 @@ void TerrainPage::showRobot(const TerrainViewState& viewState)
         rear_->setPose(std::nullopt);
         forces_->clearForces();
         showForcesAge(viewState);
+        showRearForces(viewState);
         robotAge_->setText(QString());
         return;
     }
@@ -359,14 +405,16 @@ void TerrainPage::showRobot(const TerrainViewState& viewState)
     }
     if (!fresh) showAge(viewState);  // the age grows
     showForcesAge(viewState);
+    showRearForces(viewState);
     if (!fresh || forcesAge_) return forces_->clearForces();
     if (viewState.count == shownCount_ || !viewState.forces) return;
     if (viewState.forcesBefore)
         forces_->setForces(*viewState.forces, viewState.now, *viewState.forcesBefore);
     else
         forces_->setForces(*viewState.forces, viewState.now);
-    if (forceLegend_->text() == forces_->legend()) return;
-    forceLegend_->setText(forces_->legend());
+    const QString legend = (rearButton_->isChecked() ? rearForces_ : forces_)->legend();
+    if (forceLegend_->text() == legend) return;
+    forceLegend_->setText(legend);
     showThreshold();
 }
 
@@ -450,30 +498,33 @@ void TerrainPage::showPreview(const TerrainViewState& viewState)
 void TerrainPage::showPose(const TerrainViewState& viewState)
 {
     if (!viewState.measurement || viewState.count == shownCount_) return;
-    showOutlines(viewState);
+    // The estimate belongs to its scene, so both are drawn in the scene's pose.
+    posed_ = viewState.scene ? *viewState.scene : *viewState.measurement;
+    const TwoTrackEstimate* const estimate =
+        viewState.live ? viewState.live.estimate : viewState.estimate.estimate;
+    isOnePlane_ = estimate ? estimate->onePlane : isSymmetric(twoTrackReadings(*posed_));
+    showOutlines();
     const std::optional<Heights>* truth = viewState.scene ? viewState.sceneTruth : viewState.truth;
-    terrain_->setTruth(truth ? *truth : std::nullopt);
+    // The truth is the mean of both sides, so it is that of neither.
+    terrain_->setTruth(truth && isOnePlane_ ? *truth : std::nullopt);
     shownCount_ = viewState.count;
 }
 
 /// Draws both sides of the robot where they differ: the right side near, and the left side behind it.
-void TerrainPage::showOutlines(const TerrainViewState& viewState)
+void TerrainPage::showOutlines()
 {
-    // The estimate belongs to its scene, so both are drawn in the scene's pose.
-    const Measurement& m = viewState.scene ? *viewState.scene : *viewState.measurement;
-    const TwoTrackEstimate* const estimate =
-        viewState.live ? viewState.live.estimate : viewState.estimate.estimate;
-    const bool isOnePlane = estimate ? estimate->onePlane : isSymmetric(twoTrackReadings(m));
-    if (isOnePlane) {
-        const Proprioception s = proprioception(m);
+    if (!posed_) return;
+    if (isOnePlane_) {
+        const Proprioception s = proprioception(*posed_);
         return terrain_->setOutline(robotOutline(robot_, s.pitch, s.front, s.rear));
     }
+    const auto outline = [this](Side side) { return sideOutline(robot_, *posed_, side); };
     switch (terrain_->shownSides()) {
-    case ShownSides::Left: return terrain_->setOutline(sideOutline(robot_, m, Side::Left));
-    case ShownSides::Right: return terrain_->setOutline(sideOutline(robot_, m, Side::Right));
+    case ShownSides::Left: return terrain_->setOutline(outline(Side::Left));
+    case ShownSides::Right: return terrain_->setOutline(outline(Side::Right));
     case ShownSides::Both: break;
     }
-    terrain_->setOutline(sideOutline(robot_, m, Side::Right), sideOutline(robot_, m, Side::Left));
+    terrain_->setOutline(outline(Side::Right), outline(Side::Left));
 }
 
 void TerrainPage::showVerdict(const TerrainViewState& viewState)
@@ -498,14 +549,15 @@ void TerrainPage::showProbeToAsk(const TerrainViewState& viewState)
 {
     const bool open = viewState.verdict && viewState.verdict->both == StepVerdict::CannotTell;
     if (!open || !isAtRest(viewState)) return atem_->setProbeToAsk(std::nullopt, {});
-    atem_->setProbeToAsk(viewState.bestProbe->bin, probeTells(*viewState.bestProbe));
+    const ProbeProposal& best = *viewState.bestProbe;
+    atem_->setProbeToAsk(ProbePlace{best.bin, best.side}, probeTells(best));
 }
 
 void TerrainPage::showProbe(const TerrainViewState& viewState)
 {
     const bool asking = viewState.proposal && viewState.state.phase == AtemPhase::ProposingProbe;
     // Proposals and motion are shown in every layout.
-    const bool needed = asking || viewState.probingBin;
+    const bool needed = asking || viewState.probingPlace;
     const bool open = viewState.verdict && viewState.verdict->both == StepVerdict::CannotTell;
     probe_->setVisible(
         ((layout_->layout() == Layout::Probe || (open && isAtRest(viewState))) && !isTight())
@@ -521,8 +573,9 @@ void TerrainPage::showProbe(const TerrainViewState& viewState)
         probe_->setProposal(proposal);
         probe_->setPreconditions(viewState.probing);
         probe_->setTimeLeft(viewState.time ? viewState.time->seconds : 0.0);
-    } else if (viewState.probingBin) {
-        probe_->setProbing(*viewState.probingBin, viewState.secondsInPhase, viewState.probeSeconds);
+    } else if (viewState.probingPlace) {
+        probe_->setProbing(*viewState.probingPlace, viewState.secondsInPhase,
+                           viewState.probeSeconds);
     } else if (isAtRest(viewState)) {
         probe_->setWorth(*viewState.bestProbe, whyNoProbe(viewState));
     } else {

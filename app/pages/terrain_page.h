@@ -87,10 +87,9 @@ struct TerrainViewState {
     std::optional<ProbeProposal> bestProbe{};
     /// Reason that bestProbe is not proposed; empty: it was, or is elsewhere.
     QString whyNotOffered{};
-    std::optional<int> probingBin{};
-    ProbeSide probingSide = ProbeSide::Middle;
-    double probeSeconds = 0.0;         ///< [s] expected duration of a probe
-    std::optional<double> progress{};  ///< 0 … 1 of a running estimate
+    std::optional<ProbePlace> probingPlace{};  ///< where the arm probes now
+    double probeSeconds = 0.0;                 ///< [s] expected duration of a probe
+    std::optional<double> progress{};          ///< 0 … 1 of a running estimate
 
     /// Preconditions of exploring, driving, arming, approving a probe and releasing STOP.
     QList<Precondition> preconditions{}, driving{}, arming{}, probing{}, releasing{};
@@ -129,6 +128,9 @@ public:
     EventList* events() const { return events_; }
     ForceBars* forces() const { return forces_; }
     QPushButton* forceUnitButton() const { return forceUnit_; }
+    ForceBars* rearForces() const { return rearForces_; }
+    /// Shows the rear flippers' forces instead of the front ones. Visible if the robot has elements there.
+    QPushButton* rearForcesButton() const { return rearButton_; }
     ProbeCard* probeCard() const { return probe_; }
     RobotReadout* readout() const { return readout_; }
     RearView* rearView() const { return rear_; }
@@ -146,10 +148,13 @@ protected:
 private:
     Card* terrainCard();
     Card* forceCard();
+    void addRearForces(Card& card);
+    void showRearForces(const TerrainViewState& viewState);
+    void showAxle();  ///< shows the forces of the chosen flippers, front or rear
     Card* robotCard();
     Card* eventCard();
     void showRobot(const TerrainViewState& viewState);
-    void showOutlines(const TerrainViewState& viewState);
+    void showOutlines();
     void showAge(const TerrainViewState& viewState);
     void showEstimate(const TerrainViewState& viewState);
     void showPreview(const TerrainViewState& viewState);
@@ -175,6 +180,9 @@ private:
     ForceBars* forces_ = nullptr;
     ElidedLabel* forceLegend_ = nullptr;
     QPushButton* forceUnit_ = nullptr;
+    Card* forcesCard_ = nullptr;
+    ForceBars* rearForces_ = nullptr;
+    QPushButton* rearButton_ = nullptr;
     QLabel* thresholdText_ = nullptr;
     RobotReadout* readout_ = nullptr;
     RearView* rear_ = nullptr;
@@ -188,6 +196,8 @@ private:
     std::optional<std::uint64_t> shown_, shownLive_, shownSecond_;  ///< revisions; empty: none
     QString shownReason_;
     bool shownEstimate_ = false;
+    std::optional<Measurement> posed_;  ///< the robot is drawn in this pose
+    bool isOnePlane_ = true;            ///< posed_ is drawn without its sides
 };
 
 }  // namespace terratact

@@ -151,7 +151,8 @@ void ReviewViewState::addProbe(TerrainViewState& viewState, const ReviewMoment& 
         proposal_ = proposalOf(*row);
         viewState.proposal = &*proposal_;
         viewState.probeSeconds = row->seconds;
-        if (moment.state.phase == AtemPhase::Probing) viewState.probingBin = row->bin;
+        if (moment.state.phase == AtemPhase::Probing)
+            viewState.probingPlace = ProbePlace{row->bin, proposal_->side};
     } else if (moment.estimate) {
         viewState.bestProbe =
             bestProbe({moment.estimate->estimate, adviceOf(moment.estimate, limit(moment)), robot_,

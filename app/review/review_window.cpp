@@ -15,6 +15,7 @@
 
 #include "app/display/format.h"
 #include "app/pages/numbers_page.h"
+#include "app/pages/side_keys.h"
 #include "app/pages/terrain_page.h"
 #include "app/review/review_events_page.h"
 #include "app/review/review_export.h"
@@ -374,6 +375,7 @@ void ReviewWindow::defineKeys()
     keys.add({{Qt::Key_D}, tr("show some draws as thin lines"), [this] {
                   terrain_->terrain()->setDrawsShown(!terrain_->terrain()->drawsShown());
               }});
+    addSideKeys(keys, *terrain_->terrain());
     addViewKeys(keys, *preferences_);
     keys.add({{Qt::Key_Escape}, tr("back from a field to the keys"), [this] { setFocus(); }});
     keys.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the previous one"), {}});

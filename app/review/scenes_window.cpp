@@ -8,6 +8,7 @@
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
+#include "app/pages/side_keys.h"
 #include "app/pages/terrain_page.h"
 #include "widgets/base/theme.h"
 #include "widgets/control/arming_control.h"
@@ -153,7 +154,7 @@ void ScenesWindow::showViewState()
         viewState.estimate = {&*estimate_, estimate_.revision()};
         viewState.estimateSeconds = seconds_;
         viewState.verdict =
-            equalSides(verdictOf(estimate_->side[0], measurement_, {}, options_.stepLimit));
+            verdictOf(*estimate_, options_.robot, measurement_, {}, options_.stepLimit);
         viewState.state.phase = AtemPhase::Presenting;
     }
     viewState.preconditions << Precondition{
@@ -185,6 +186,7 @@ void ScenesWindow::defineKeys()
     step({Qt::Key_Comma, Qt::Key_PageUp}, tr("previous scene"), [this] { go(-1); });
     step({Qt::Key_Home}, tr("first scene"), [this] { showScene(0); });
     step({Qt::Key_End}, tr("last scene"), [this] { showScene(options_.scenes.size()); });
+    addSideKeys(keys, *page_->terrain());
     addHelpKeys();
     addRemoteStop();
 }

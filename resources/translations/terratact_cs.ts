@@ -416,6 +416,18 @@
         <source>right at %1</source>
         <translation>vpravo v %1</translation>
     </message>
+    <message>
+        <source>bin %1</source>
+        <translation>bod %1</translation>
+    </message>
+    <message>
+        <source>left bin %1</source>
+        <translation>levý bod %1</translation>
+    </message>
+    <message>
+        <source>right bin %1</source>
+        <translation>pravý bod %1</translation>
+    </message>
 </context>
 <context>
     <name>PlanarGround</name>
@@ -1006,6 +1018,21 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>stopped</source>
         <translation>zastaven</translation>
+    </message>
+</context>
+<context>
+    <name>SideKeys</name>
+    <message>
+        <source>show the left side, and probe there</source>
+        <translation>ukázat levou stranu a sondovat tam</translation>
+    </message>
+    <message>
+        <source>show the right side, and probe there</source>
+        <translation>ukázat pravou stranu a sondovat tam</translation>
+    </message>
+    <message>
+        <source>show both sides, and probe the side in full</source>
+        <translation>ukázat obě strany, sondovat tu vykreslenou plně</translation>
     </message>
 </context>
 <context>
@@ -4585,16 +4612,16 @@ Poslední deaktivace: %1</translation>
         <translation>Zapomenout (Del)</translation>
     </message>
     <message>
-        <source>Probe at %1 (B)</source>
-        <translation>Sonda v %1 (B)</translation>
-    </message>
-    <message>
         <source>The robot presses again, then the probe is proposed. The arm moves only after your approval</source>
         <translation>Robot znovu přitlačí, pak se navrhne rameno; než je schválíte, rameno se nepohne</translation>
     </message>
     <message>
         <source>Hides the result; Ctrl+Z restores it</source>
         <translation>Odstraní výsledek z obrazovky; Ctrl+Z ho vrátí</translation>
+    </message>
+    <message>
+        <source>Probe %1 (B)</source>
+        <translation>Sonda %1 (B)</translation>
     </message>
 </context>
 <context>
@@ -5868,10 +5895,6 @@ F1</translation>
         <translation>Průběh sondy</translation>
     </message>
     <message>
-        <source>bin %1</source>
-        <translation>bod %1</translation>
-    </message>
-    <message>
         <source>%1 m ± %2 m (sd)</source>
         <translation>%1 m ± %2 m (sd)</translation>
     </message>
@@ -5888,20 +5911,8 @@ F1</translation>
         <translation>≈ %1 s, rameno venku v kouři</translation>
     </message>
     <message>
-        <source>hold to approve probe at %1 (Space)</source>
-        <translation>držet: sonda v %1 (Space)</translation>
-    </message>
-    <message>
-        <source>Hold to approve the probe of bin %1</source>
-        <translation>Držením schválit sondu bodu %1</translation>
-    </message>
-    <message>
         <source>%1 left, then refused</source>
         <translation>zbývá %1, pak ne</translation>
-    </message>
-    <message>
-        <source>The arm is probing bin %1</source>
-        <translation>Rameno sonduje bod %1</translation>
     </message>
     <message>
         <source>%1 of about %2</source>
@@ -5940,10 +5951,6 @@ F1</translation>
         <translation>%1: %2, %3 %</translation>
     </message>
     <message>
-        <source>Ask for bin %1 instead: total variance %2 %, step ahead to %3 bit</source>
-        <translation>Místo toho bod %1: celkový rozptyl %2 %, schod vpředu na %3 bit</translation>
-    </message>
-    <message>
         <source>Expected gain of the probe</source>
         <translation>Co má sonda přinést</translation>
     </message>
@@ -5958,10 +5965,6 @@ F1</translation>
     <message>
         <source>Need for a probe</source>
         <translation>Zda je sonda potřeba</translation>
-    </message>
-    <message>
-        <source>at %1: %2 ± %3 m</source>
-        <translation>v %1: %2 ± %3 m</translation>
     </message>
     <message>
         <source>80 % in %1 … %2 m</source>
@@ -6024,16 +6027,36 @@ F1</translation>
         <translation>neplatí</translation>
     </message>
     <message>
-        <source>approval void: probe at %1</source>
-        <translation>schválení neplatí: sonda v %1</translation>
+        <source>%1: %2 ± %3 m</source>
+        <translation>%1: %2 ± %3 m</translation>
     </message>
     <message>
-        <source>The probe of bin %1 cannot be approved</source>
-        <translation>Sondu bodu %1 nelze schválit</translation>
+        <source>Ask for %1 instead: total variance %2 %, step ahead to %3 bit</source>
+        <translation>Místo toho %1: celkový rozptyl %2 %, schod vpředu na %3 bit</translation>
     </message>
     <message>
-        <source>or at %1: %2 %, %3 bit</source>
-        <translation>nebo v %1: %2 %, %3 bit</translation>
+        <source>or %1: %2 %, %3 bit</source>
+        <translation>nebo %1: %2 %, %3 bit</translation>
+    </message>
+    <message>
+        <source>approval void: probe %1</source>
+        <translation>schválení neplatí: sonda %1</translation>
+    </message>
+    <message>
+        <source>hold to approve probe %1 (Space)</source>
+        <translation>držet: sonda %1 (Space)</translation>
+    </message>
+    <message>
+        <source>The probe of %1 cannot be approved</source>
+        <translation>Sondu nelze schválit: %1</translation>
+    </message>
+    <message>
+        <source>Hold to approve the probe of %1</source>
+        <translation>Držením schválit sondu: %1</translation>
+    </message>
+    <message>
+        <source>The arm is probing %1</source>
+        <translation>Rameno sonduje %1</translation>
     </message>
 </context>
 <context>
@@ -7925,14 +7948,6 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>Flippery se ještě hýbou</translation>
     </message>
     <message>
-        <source>probe at %1: %2 → %3 bit</source>
-        <translation>sonda v %1: %2 → %3 bit</translation>
-    </message>
-    <message>
-        <source>probe at %1: no gain</source>
-        <translation>sonda v %1: bez zisku</translation>
-    </message>
-    <message>
         <source>%1 s old</source>
         <translation>stáří %1 s</translation>
     </message>
@@ -7961,12 +7976,36 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>Rameno se nenabízí; co by zjistilo:</translation>
     </message>
     <message>
-        <source>probe at %1: its height, ± %2 m instead of ± %3 m</source>
-        <translation>sonda v %1: její výška, ± %2 m místo ± %3 m</translation>
-    </message>
-    <message>
         <source>The verdict is withheld: do not rely on a probe&apos;s gain.</source>
         <translation>Verdikt je zadržen: na přínos sondy nespoléhejte.</translation>
+    </message>
+    <message>
+        <source>Forces on the rear flippers</source>
+        <translation>Síly na zadních flipperech</translation>
+    </message>
+    <message>
+        <source>rear</source>
+        <translation>vzadu</translation>
+    </message>
+    <message>
+        <source>Forces on the rear flippers instead of the front ones</source>
+        <translation>Síly na zadních flipperech místo předních</translation>
+    </message>
+    <message>
+        <source>Rear forces</source>
+        <translation>Síly vzadu</translation>
+    </message>
+    <message>
+        <source>probe %1: its height, ± %2 m instead of ± %3 m</source>
+        <translation>sonda %1: její výška, ± %2 m místo ± %3 m</translation>
+    </message>
+    <message>
+        <source>probe %1: %2 → %3 bit</source>
+        <translation>sonda %1: %2 → %3 bit</translation>
+    </message>
+    <message>
+        <source>probe %1: no gain</source>
+        <translation>sonda %1: bez zisku</translation>
     </message>
 </context>
 <context>

@@ -416,6 +416,18 @@
         <source>right at %1</source>
         <translation>rechts bei %1</translation>
     </message>
+    <message>
+        <source>bin %1</source>
+        <translation>Feld %1</translation>
+    </message>
+    <message>
+        <source>left bin %1</source>
+        <translation>linkes Feld %1</translation>
+    </message>
+    <message>
+        <source>right bin %1</source>
+        <translation>rechtes Feld %1</translation>
+    </message>
 </context>
 <context>
     <name>PlanarGround</name>
@@ -1006,6 +1018,21 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>stopped</source>
         <translation>gestoppt</translation>
+    </message>
+</context>
+<context>
+    <name>SideKeys</name>
+    <message>
+        <source>show the left side, and probe there</source>
+        <translation>die linke Seite zeigen und dort sondieren</translation>
+    </message>
+    <message>
+        <source>show the right side, and probe there</source>
+        <translation>die rechte Seite zeigen und dort sondieren</translation>
+    </message>
+    <message>
+        <source>show both sides, and probe the side in full</source>
+        <translation>beide Seiten zeigen, die ganz gezeichnete sondieren</translation>
     </message>
 </context>
 <context>
@@ -4585,16 +4612,16 @@ Zuletzt gesperrt: %1</translation>
         <translation>Vergessen (Entf)</translation>
     </message>
     <message>
-        <source>Probe at %1 (B)</source>
-        <translation>Sonde %1 (B)</translation>
-    </message>
-    <message>
         <source>The robot presses again, then the probe is proposed. The arm moves only after your approval</source>
         <translation>Der Roboter drückt erneut, dann wird der Arm vorgeschlagen; nichts bewegt den Arm, bevor Sie ihn genehmigen</translation>
     </message>
     <message>
         <source>Hides the result; Ctrl+Z restores it</source>
         <translation>Nimmt das Ergebnis vom Schirm; Strg+Z bringt es zurück</translation>
+    </message>
+    <message>
+        <source>Probe %1 (B)</source>
+        <translation>Sonde %1 (B)</translation>
     </message>
 </context>
 <context>
@@ -5868,10 +5895,6 @@ F1</translation>
         <translation>Fortschritt der Sondierung</translation>
     </message>
     <message>
-        <source>bin %1</source>
-        <translation>Feld %1</translation>
-    </message>
-    <message>
         <source>%1 m ± %2 m (sd)</source>
         <translation>%1 m ± %2 m (sd)</translation>
     </message>
@@ -5888,20 +5911,8 @@ F1</translation>
         <translation>≈ %1 s, Arm im Rauch</translation>
     </message>
     <message>
-        <source>hold to approve probe at %1 (Space)</source>
-        <translation>halten: Sondierung bei %1 (Space)</translation>
-    </message>
-    <message>
-        <source>Hold to approve the probe of bin %1</source>
-        <translation>Halten, um die Sondierung von Feld %1 zu genehmigen</translation>
-    </message>
-    <message>
         <source>%1 left, then refused</source>
         <translation>noch %1, dann nein</translation>
-    </message>
-    <message>
-        <source>The arm is probing bin %1</source>
-        <translation>Der Arm sondiert Feld %1</translation>
     </message>
     <message>
         <source>%1 of about %2</source>
@@ -5940,10 +5951,6 @@ F1</translation>
         <translation>%1: %2, %3 %</translation>
     </message>
     <message>
-        <source>Ask for bin %1 instead: total variance %2 %, step ahead to %3 bit</source>
-        <translation>Stattdessen Feld %1: Gesamtvarianz %2 %, Stufe voraus auf %3 bit</translation>
-    </message>
-    <message>
         <source>Expected gain of the probe</source>
         <translation>Was die Sonde bringen soll</translation>
     </message>
@@ -5958,10 +5965,6 @@ F1</translation>
     <message>
         <source>Need for a probe</source>
         <translation>Ob eine Sondierung nötig ist</translation>
-    </message>
-    <message>
-        <source>at %1: %2 ± %3 m</source>
-        <translation>bei %1: %2 ± %3 m</translation>
     </message>
     <message>
         <source>80 % in %1 … %2 m</source>
@@ -6024,16 +6027,36 @@ F1</translation>
         <translation>ungültig</translation>
     </message>
     <message>
-        <source>approval void: probe at %1</source>
-        <translation>Genehmigung ungültig: Sondierung bei %1</translation>
+        <source>%1: %2 ± %3 m</source>
+        <translation>%1: %2 ± %3 m</translation>
     </message>
     <message>
-        <source>The probe of bin %1 cannot be approved</source>
-        <translation>Die Sondierung von Feld %1 kann nicht genehmigt werden</translation>
+        <source>Ask for %1 instead: total variance %2 %, step ahead to %3 bit</source>
+        <translation>Stattdessen %1: Gesamtvarianz %2 %, Stufe voraus auf %3 bit</translation>
     </message>
     <message>
-        <source>or at %1: %2 %, %3 bit</source>
-        <translation>oder bei %1: %2 %, %3 bit</translation>
+        <source>or %1: %2 %, %3 bit</source>
+        <translation>oder %1: %2 %, %3 bit</translation>
+    </message>
+    <message>
+        <source>approval void: probe %1</source>
+        <translation>Genehmigung ungültig: Sondierung %1</translation>
+    </message>
+    <message>
+        <source>hold to approve probe %1 (Space)</source>
+        <translation>halten: Sondierung %1 (Space)</translation>
+    </message>
+    <message>
+        <source>The probe of %1 cannot be approved</source>
+        <translation>Die Sondierung kann nicht genehmigt werden: %1</translation>
+    </message>
+    <message>
+        <source>Hold to approve the probe of %1</source>
+        <translation>Halten, um die Sondierung zu genehmigen: %1</translation>
+    </message>
+    <message>
+        <source>The arm is probing %1</source>
+        <translation>Der Arm sondiert: %1</translation>
     </message>
 </context>
 <context>
@@ -7925,14 +7948,6 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Die Flipper bewegen sich noch</translation>
     </message>
     <message>
-        <source>probe at %1: %2 → %3 bit</source>
-        <translation>Sondierung bei %1: %2 → %3 bit</translation>
-    </message>
-    <message>
-        <source>probe at %1: no gain</source>
-        <translation>Sondierung bei %1: kein Gewinn</translation>
-    </message>
-    <message>
         <source>%1 s old</source>
         <translation>%1 s alt</translation>
     </message>
@@ -7961,12 +7976,36 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>Keine Probe vorgeschlagen; was eine ergäbe:</translation>
     </message>
     <message>
-        <source>probe at %1: its height, ± %2 m instead of ± %3 m</source>
-        <translation>Sondierung bei %1: ihre Höhe, ± %2 m statt ± %3 m</translation>
-    </message>
-    <message>
         <source>The verdict is withheld: do not rely on a probe&apos;s gain.</source>
         <translation>Das Urteil wird zurückgehalten: nicht auf den Gewinn einer Sondierung verlassen.</translation>
+    </message>
+    <message>
+        <source>Forces on the rear flippers</source>
+        <translation>Kräfte an den hinteren Flippern</translation>
+    </message>
+    <message>
+        <source>rear</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>Forces on the rear flippers instead of the front ones</source>
+        <translation>Kräfte an den hinteren Flippern statt an den vorderen</translation>
+    </message>
+    <message>
+        <source>Rear forces</source>
+        <translation>Kräfte hinten</translation>
+    </message>
+    <message>
+        <source>probe %1: its height, ± %2 m instead of ± %3 m</source>
+        <translation>Sondierung %1: ihre Höhe, ± %2 m statt ± %3 m</translation>
+    </message>
+    <message>
+        <source>probe %1: %2 → %3 bit</source>
+        <translation>Sondierung %1: %2 → %3 bit</translation>
+    </message>
+    <message>
+        <source>probe %1: no gain</source>
+        <translation>Sondierung %1: kein Gewinn</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/display/format.h"
+#include "app/display/place_text.h"
 #include "app/display/translated.h"
 #include "core/atem/following.h"
 #include "widgets/base/held_button.h"
@@ -139,7 +140,7 @@ AtemPanel::AtemPanel(QWidget* parent) : Card(tr("Exploration (ATEM)"), parent)
             emit aborted();
     });
     connect(ask_, &QPushButton::clicked, this, [this] {
-        if (askBin_) emit probeWanted(*askBin_);
+        if (askPlace_) emit probeWanted(*askPlace_);
     });
     connect(release_, &HoldToConfirmButton::confirmed, this, &AtemPanel::stopReleased);
     setState({}, std::nullopt);
@@ -287,10 +288,10 @@ void AtemPanel::setResultStands(bool stands)
     if (std::exchange(resultStands_, stands) != stands) showButtons();
 }
 
-void AtemPanel::setProbeToAsk(std::optional<int> bin, const QString& gain)
+void AtemPanel::setProbeToAsk(std::optional<ProbePlace> place, const QString& gain)
 {
-    if (bin == askBin_ && gain == askGain_) return;
-    askBin_ = bin;
+    if (place == askPlace_ && gain == askGain_) return;
+    askPlace_ = place;
     askGain_ = gain;
     showButtons();
 }
@@ -406,7 +407,7 @@ void AtemPanel::showButtons()
                     || (!busy && resultStands_);
 
     request_->setVisible(!stopped && !(narrow_ && busy));
-    const bool asks = askBin_ && !busy && !stopped && !state_.followed && doubtful.isEmpty();
+    const bool asks = askPlace_ && !busy && !stopped && !state_.followed && doubtful.isEmpty();
     abort_->setVisible(!stopped && !asks);
     ask_->setVisible(asks);
     release_->setVisible(stopped);
@@ -428,7 +429,7 @@ void AtemPanel::showButtons()
     abort_->setEnabled(busy || ended);
     abort_->setText(clears ? tr("Forget (Del)") : tr("Abort (Esc)"));
     if (asks) {
-        ask_->setText(tr("Probe at %1 (B)").arg(format::binName(*askBin_)));
+        ask_->setText(tr("Probe %1 (B)").arg(placeText(*askPlace_)));
         ask_->setEnabled(missing.isEmpty());
         setTip(*ask_,
                (missing.isEmpty() ? tr("The robot presses again, then the probe is proposed. The "

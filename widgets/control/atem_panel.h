@@ -6,6 +6,7 @@
 #include "app/display/precondition.h"
 #include "core/atem/atem_machine.h"
 #include "core/atem/phase_time.h"
+#include "core/robot/probe_side.h"
 #include "widgets/base/card.h"
 
 class QBoxLayout;
@@ -44,9 +45,9 @@ public:
     /// Tells whether an estimate is on the screen that can be cleared, in any state.
     void setResultStands(bool stands);
 
-    /// Sets the bin for which the operator may now request a probe, and the text of its expected gain; empty: none. Its
-    /// button replaces the one that clears the estimate.
-    void setProbeToAsk(std::optional<int> bin, const QString& gain);
+    /// Sets the place for which the operator may now request a probe, and the text of its expected gain; empty: none.
+    /// Its button replaces the one that clears the estimate.
+    void setProbeToAsk(std::optional<ProbePlace> place, const QString& gain);
 
     /// Makes the panel display-only: no button is visible.
     void forbidCommands();
@@ -67,7 +68,7 @@ signals:
     void requested();
     void aborted();
     void forgetWanted();
-    void probeWanted(int bin);
+    void probeWanted(terratact::ProbePlace place);
     void stopReleased();
     void overrideWanted();
 
@@ -103,7 +104,7 @@ private:
     QPushButton* request_ = nullptr;
     QPushButton* abort_ = nullptr;  ///< aborts an exploration, or clears its result
     QPushButton* ask_ = nullptr;
-    std::optional<int> askBin_;
+    std::optional<ProbePlace> askPlace_;
     QString askGain_;
     QPushButton* override_ = nullptr;
     HoldToConfirmButton* release_ = nullptr;

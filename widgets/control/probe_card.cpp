@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "app/display/format.h"
+#include "app/display/place_text.h"
 #include "app/display/translated.h"
 #include "widgets/base/covered.h"
 #include "widgets/base/held_button.h"
@@ -31,6 +32,11 @@ constexpr int kProbeGap = 6;  // [px] between facts and answers
 QString percent(double share)
 {
     return format::number(-100.0 * share, 0);
+}
+
+ProbePlace placeOf(const ProbeProposal& proposal)
+{
+    return {proposal.bin, proposal.side};
 }
 
 QString wordOf(StepVerdict answer)
@@ -138,7 +144,7 @@ QWidget* ProbeCard::answers()
         instead->addWidget(others_[i], 1);
         connect(others_[i], &QPushButton::clicked, this, [this, i] {
             if (asks() && i < proposal_->others.size())
-                emit otherChosen(proposal_->id, proposal_->others[i].bin);
+                emit otherChosen(proposal_->id, proposal_->others[i].place());
         });
     }
     approve_ = new HoldToConfirmButton(QString(), &Theme::decide, all);
@@ -262,7 +268,7 @@ void ProbeCard::setWorth(const ProbeProposal& probe, const QString& why)
 
 void ProbeCard::showFacts()
 {
-    where_->setText(tr("bin %1").arg(format::binName(displayed()->bin)));
+    where_->setText(binText(placeOf(*displayed())));
     answers_->setVisible(asks());
     showAnswer();
     showWorth();
@@ -279,7 +285,7 @@ void ProbeCard::showWorth()
     const QString height = format::signedNumber(p.height, 2), sd = format::number(p.sd, 2);
     const QString q10 = format::signedNumber(p.q10, 2), q90 = format::signedNumber(p.q90, 2);
     const QString seconds = format::number(p.seconds, 0);
-    predicted_->setText(narrow_ ? tr("at %1: %2 ± %3 m").arg(format::binName(p.bin), height, sd)
+    predicted_->setText(narrow_ ? tr("%1: %2 ± %3 m").arg(placeText(placeOf(p)), height, sd)
                                 : tr("%1 m ± %2 m (sd)").arg(height, sd));
     band_->setText(narrow_ ? tr("80 % in %1 … %2 m").arg(q10, q90) : tr("%1 … %2 m").arg(q10, q90));
     const QString worth = p.worth ? tr("total variance %1 %").arg(percent(p.worth->varianceShare))
@@ -351,13 +357,13 @@ void ProbeCard::showOthers()
         others_[i]->setEnabled(!isVoid());
         if (i >= offered.size()) continue;
         const ProbeWorth& other = offered[i];
-        const QString bin = format::binName(other.bin);
+        const QString place = shortPlace(other.place());
         others_[i]->setText(
-            narrow_ ? QStringLiteral("%1: %2").arg(i + 1).arg(bin)
-                    : tr("%1: %2, %3 %").arg(i + 1).arg(bin, percent(other.varianceShare)));
-        const QString all =
-            tr("Ask for bin %1 instead: total variance %2 %, step ahead to %3 bit")
-                .arg(bin, percent(other.varianceShare), format::number(other.bitsAfter, 2));
+            narrow_ ? QStringLiteral("%1: %2").arg(i + 1).arg(place)
+                    : tr("%1: %2, %3 %").arg(i + 1).arg(place, percent(other.varianceShare)));
+        const QString all = tr("Ask for %1 instead: total variance %2 %, step ahead to %3 bit")
+                                .arg(binText(other.place()), percent(other.varianceShare),
+                                     format::number(other.bitsAfter, 2));
         setTip(*others_[i], isVoid() ? tr("Cannot be approved: %1").arg(whyVoid_) : all);
         others_[i]->setAccessibleName(all);
     }
@@ -368,8 +374,8 @@ void ProbeCard::showRanking()
     QStringList bins;  // one bin per line, because wrapped lines cannot be compared
     for (const ProbeWorth& other : displayed()->others) {
         if (bins.size() == static_cast<qsizetype>(kOthers)) break;
-        bins << tr("or at %1: %2 %, %3 bit")
-                    .arg(format::binName(other.bin), percent(other.varianceShare),
+        bins << tr("or %1: %2 %, %3 bit")
+                    .arg(placeText(other.place()), percent(other.varianceShare),
                          format::number(other.bitsAfter, 2));
     }
     ranking_->setText(bins.join(QLatin1Char('\n')));
@@ -403,21 +409,22 @@ void ProbeCard::setPreconditions(const QList<Precondition>& preconditions)
 
 void ProbeCard::showApproval()
 {
-    const QString bin = format::binName(proposal_->bin);
+    const ProbePlace place = placeOf(*proposal_);
+    const QString where = placeText(place), bin = binText(place);
     approve_->setEnabled(!isVoid());
-    approve_->setText(isVoid() ? tr("approval void: probe at %1").arg(bin)
-                               : tr("hold to approve probe at %1 (Space)").arg(bin));
-    approve_->setAccessibleName(isVoid() ? tr("The probe of bin %1 cannot be approved").arg(bin)
-                                         : tr("Hold to approve the probe of bin %1").arg(bin));
+    approve_->setText(isVoid() ? tr("approval void: probe %1").arg(where)
+                               : tr("hold to approve probe %1 (Space)").arg(where));
+    approve_->setAccessibleName(isVoid() ? tr("The probe of %1 cannot be approved").arg(bin)
+                                         : tr("Hold to approve the probe of %1").arg(bin));
 }
 
-void ProbeCard::setProbing(int bin, double elapsed, double expected)
+void ProbeCard::setProbing(ProbePlace place, double elapsed, double expected)
 {
     proposal_.reset();
     worth_.reset();
     setAccessibleDescription(QString());
     note()->clear();
-    probingText_->setText(tr("The arm is probing bin %1").arg(format::binName(bin)));
+    probingText_->setText(tr("The arm is probing %1").arg(binText(place)));
     const double share =
         expected > 0.0 && std::isfinite(elapsed) ? std::clamp(elapsed / expected, 0.0, 1.0) : 0.0;
     probingBar_->setValue(static_cast<int>(share * 1000.0));

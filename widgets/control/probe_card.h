@@ -34,8 +34,8 @@ public:
     /// Sets the preconditions of approving, shown as its tip. A Missing one makes the proposal void: it cannot be
     /// approved, and the card gives the reason.
     void setPreconditions(const QList<Precondition>& preconditions);
-    /// Shows that the arm has been probing `bin` for `elapsed` of about `expected` seconds.
-    void setProbing(int bin, double elapsed, double expected);
+    /// Shows that the arm has been probing a place for `elapsed` of about `expected` seconds.
+    void setProbing(ProbePlace place, double elapsed, double expected);
     /// Shows the expected gain of a probe that is not proposed, and why not. The probe's id and answer are ignored.
     void setWorth(const ProbeProposal& probe, const QString& why);
     void setNothing(const QString& why);
@@ -62,7 +62,7 @@ protected:
 signals:
     void approved(quint64 id);
     void refused(quint64 id);
-    void otherChosen(quint64 id, int bin);
+    void otherChosen(quint64 id, terratact::ProbePlace place);
 
 private:
     QLabel* fact(QGridLayout& rows, const QString& name, Tone tone);

@@ -74,8 +74,9 @@ RearView::RearView(const Shape& shape, QWidget* parent) : QWidget(parent), shape
 
 QSize RearView::sizeHint() const
 {
-    const int more = static_cast<int>(text_.count(u'\n')) * fontMetrics().height();
-    return {scaled(kSize.width()), scaled(kSize.height()) + more};
+    const QSize words = fontMetrics().size(0, text_);
+    return {std::max(scaled(kSize.width()), words.width()),
+            scaled(kSize.height()) + words.height() - fontMetrics().height()};
 }
 
 QSize RearView::minimumSizeHint() const

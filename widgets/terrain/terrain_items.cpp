@@ -120,7 +120,13 @@ BinZones::Kind BinZones::kindOf(std::size_t bin) const
 void BinZones::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& /*y*/,
                     const QRectF& canvas) const
 {
-    words_.clear();
+    for (const Zone& zone : zonesOn(x, canvas)) drawZone(*painter, zone);
+    drawHorizons(*painter, x, canvas);
+}
+
+std::vector<BinZones::Zone> BinZones::zonesOn(const QwtScaleMap& x, const QRectF& canvas) const
+{
+    std::vector<Zone> zones;
     for (std::size_t i = 0; i < kBins; ++i) {
         const Kind kind = kindOf(i);
         if (!kind || (i > 0 && kindOf(i - 1) == kind)) continue;
@@ -128,40 +134,59 @@ void BinZones::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& 
         while (last + 1 < kBins && kindOf(last + 1) == kind) ++last;
         const double from = std::round(x.transform(binBegin(static_cast<int>(i))));
         const double to = std::round(x.transform(binEnd(static_cast<int>(last))));
-        drawZone(*painter, kind, {from, canvas.top(), to - from, canvas.height()}, canvas);
+        zones.push_back({kind, {from, canvas.top(), to - from, canvas.height()}});
     }
-    drawHorizons(*painter, x, canvas);
+    return zones;
 }
 
+void BinZones::drawWords(QPainter& painter, const QwtScaleMap& x, const QRectF& canvas) const
+{
+    words_.clear();
+    painter.setFont(sized(plot()->font(), 13));
+    painter.setPen(theme().doubt);
+    for (const Zone& zone : zonesOn(x, canvas)) drawWord(painter, zone, canvas);
+    const Unfelt& side = nearest();
+    if (!side.horizon) return;
+    const bool isOfBoth = !light || light->horizon == full.horizon;
+    drawHorizonWord(painter, side, isOfBoth ? QString() : side.letter + QLatin1Char(' '),
+                    std::round(x.transform(*side.horizon)) + 0.5, canvas);
+}
+
+/// Returns the word of a zone. Where both sides are not felt, but differ, it is that of the side in full. A bin that is
+/// only bounded, of the lighter side alone, has lines but no word.
 QString BinZones::wordOf(const Kind& kind) const
 {
     const auto word = [](Touch touch) {
         return touch == Touch::Unrecorded ? TerrainProfileView::tr("prior only") : touchWord(touch);
     };
     if (!light || kind.full == kind.light) return word(*kind.full);
-    QStringList words;
-    if (kind.full) words << full.letter + QLatin1Char(' ') + word(*kind.full);
-    if (kind.light) words << light->letter + QLatin1Char(' ') + word(*kind.light);
-    return words.join(QStringLiteral(", "));
+    if (kind.full) return full.letter + QLatin1Char(' ') + word(*kind.full);
+    return kind.light == Touch::Bounded ? QString()
+                                        : light->letter + QLatin1Char(' ') + word(*kind.light);
 }
 
-void BinZones::drawZone(QPainter& painter, const Kind& kind, const QRectF& zone,
-                        const QRectF& canvas) const
+void BinZones::drawZone(QPainter& painter, const Zone& zone) const
 {
+    const Kind& kind = zone.kind;
     const bool isWhole = !light || (kind.full && kind.light);
     const bool bounded = (kind.full ? *kind.full : *kind.light) == Touch::Bounded;
     QColor fill = theme().priorZone;
     fill.setAlpha(isWhole ? 0xc0 : 0x70);
-    painter.fillRect(zone, fill);
+    painter.fillRect(zone.place, fill);
     QColor hatch = theme().doubt;
     hatch.setAlpha(isWhole ? 0x60 : 0x30);
-    painter.fillRect(zone, QBrush(hatch, bounded ? Qt::HorPattern : Qt::BDiagPattern));
-    painter.setPen(theme().doubt);
-    painter.setFont(sized(plot()->font(), 13));
-    const QString label = wordOf(kind);
+    painter.fillRect(zone.place, QBrush(hatch, bounded ? Qt::HorPattern : Qt::BDiagPattern));
+}
+
+void BinZones::drawWord(QPainter& painter, const Zone& zone, const QRectF& canvas) const
+{
+    const QString label = wordOf(zone.kind);
+    if (label.isEmpty()) return;
+    const bool bounded = (zone.kind.full ? *zone.kind.full : *zone.kind.light) == Touch::Bounded;
     const double width = painter.fontMetrics().horizontalAdvance(label);
-    QRectF place(zone.center().x() - width / 2.0 - 2.0,
-                 zone.top() + 5.0 + (bounded ? scaled(20) : 0.0),  // one line below the others
+    QRectF place(zone.place.center().x() - width / 2.0 - 2.0,
+                 zone.place.top() + 5.0
+                     + (bounded ? scaled(20) : 0.0),  // one line below the others
                  width + 4.0, scaled(20));
     place.moveLeft(std::min(place.left(), canvas.right() - place.width()));
     if (light) place = free(place, canvas);
@@ -185,33 +210,50 @@ QRectF BinZones::free(QRectF place, const QRectF& canvas) const
     return place;
 }
 
-void BinZones::drawHorizons(QPainter& painter, const QwtScaleMap& x, const QRectF& canvas) const
+/// Of two sides the nearer horizon has words and a thicker line, because CLEAR reaches to it at most.
+const BinZones::Unfelt& BinZones::nearest() const
 {
-    const auto draw = [&](const Unfelt& side, const QString& letter) {
-        if (side.horizon)
-            drawHorizon(painter, side, letter, std::round(x.transform(*side.horizon)) + 0.5,
-                        canvas);
-    };
-    if (!light || light->horizon == full.horizon) return draw(full, QString());
-    draw(full, full.letter + QLatin1Char(' '));
-    draw(*light, light->letter + QLatin1Char(' '));
+    if (!light || !light->horizon) return full;
+    return full.horizon && *full.horizon <= *light->horizon ? full : *light;
 }
 
-void BinZones::drawHorizon(QPainter& painter, const Unfelt& side, const QString& letter, double px,
-                           const QRectF& canvas) const
+void BinZones::drawHorizons(QPainter& painter, const QwtScaleMap& x, const QRectF& canvas) const
 {
-    painter.setPen(QPen(theme().doubt, 2.0, Qt::DashLine));
-    painter.drawLine(QPointF(px, canvas.top()), QPointF(px, canvas.bottom()));
-    painter.setFont(sized(plot()->font(), 13));
+    const auto line = [&](const std::optional<double>& horizon, double width) {
+        if (!horizon) return;
+        const double px = std::round(x.transform(*horizon)) + 0.5;
+        painter.setPen(QPen(theme().doubt, width, Qt::DashLine));
+        painter.drawLine(QPointF(px, canvas.top()), QPointF(px, canvas.bottom()));
+    };
+    const Unfelt& near = nearest();
+    if (light) line((&near == &full ? *light : full).horizon, 1.0);
+    line(near.horizon, 2.0);
+}
+
+void BinZones::drawHorizonWord(QPainter& painter, const Unfelt& side, const QString& letter,
+                               double px, const QRectF& canvas) const
+{
     const QString label =
         letter + TerrainProfileView::tr("felt to %1 m").arg(format::signedNumber(*side.horizon, 2));
     const double width = painter.fontMetrics().horizontalAdvance(label) + 6.0;
     QRectF place(px - width - 3.0, canvas.top() + 5.0 + 2.0 * scaled(20), width, scaled(20));
     if (light) place = free(place, canvas);
     painter.fillRect(place, theme().priorZone);
-    painter.setPen(theme().doubt);
     painter.drawText(place, Qt::AlignCenter, label);
     words_.push_back(place);
+}
+
+ZoneWords::ZoneWords(const BinZones& zones) : zones_(zones)
+{
+    constexpr double kAboveRobot = 6.0;
+    setZ(kAboveRobot);
+    setItemAttribute(QwtPlotItem::Legend, false);
+}
+
+void ZoneWords::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& /*y*/,
+                     const QRectF& canvas) const
+{
+    zones_.drawWords(*painter, x, canvas);
 }
 
 ArmMark::ArmMark(const BinZones& zones) : QwtPlotItem(QwtText("arm")), zones_(zones)

@@ -79,6 +79,7 @@ public:
     bool isShown() const;
     /// Returns the rectangles of the words in the last drawing [px].
     const std::vector<QRectF>& words() const { return words_; }
+    void drawWords(QPainter& painter, const QwtScaleMap& x, const QRectF& canvas) const;
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
               const QRectF& canvas) const override;
@@ -92,14 +93,32 @@ private:
     };
     Kind kindOf(std::size_t bin) const;
     QString wordOf(const Kind& kind) const;
-    void drawZone(QPainter& painter, const Kind& kind, const QRectF& zone,
-                  const QRectF& canvas) const;
+    /// A run of bins of one kind.
+    struct Zone {
+        Kind kind;
+        QRectF place;  ///< [px]
+    };
+    std::vector<Zone> zonesOn(const QwtScaleMap& x, const QRectF& canvas) const;
+    void drawZone(QPainter& painter, const Zone& zone) const;
+    void drawWord(QPainter& painter, const Zone& zone, const QRectF& canvas) const;
     void drawHorizons(QPainter& painter, const QwtScaleMap& x, const QRectF& canvas) const;
-    void drawHorizon(QPainter& painter, const Unfelt& side, const QString& letter, double px,
-                     const QRectF& canvas) const;
+    const Unfelt& nearest() const;  ///< side with the nearer horizon
+    void drawHorizonWord(QPainter& painter, const Unfelt& side, const QString& letter, double px,
+                         const QRectF& canvas) const;
     QRectF free(QRectF place, const QRectF& canvas) const;
 
     mutable std::vector<QRectF> words_;
+};
+
+/// The words of the zones, above the robot. The zones must outlive it.
+class ZoneWords final : public QwtPlotItem {
+public:
+    explicit ZoneWords(const BinZones& zones);
+    void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
+              const QRectF& canvas) const override;
+
+private:
+    const BinZones& zones_;
 };
 
 /// The arm's last link, upright, with its tip on the bin. It is dashed and open until a probe is approved. Its word

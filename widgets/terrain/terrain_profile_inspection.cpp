@@ -158,7 +158,7 @@ bool TerrainProfileView::eventFilter(QObject* object, QEvent* event)
     if (object == canvas() && event->type() == QEvent::MouseButtonDblClick) {
         const auto* click = static_cast<QMouseEvent*>(event);
         const std::optional<int> bin = binOf(pointAt(click->position()).x());
-        if (bin && click->button() == Qt::LeftButton) emit binChosen(*bin, sideToProbe());
+        if (bin && click->button() == Qt::LeftButton) emit binChosen({*bin, sideToProbe()});
     }
     if (object == canvas() && event->type() == QEvent::Leave) inspect(std::nullopt);
     return QwtPlot::eventFilter(object, event);
@@ -169,7 +169,7 @@ void TerrainProfileView::keyPressEvent(QKeyEvent* event)
     const int now = inspector_->bin();
     if (event->key() == Qt::Key_Right) return inspect(now < 0 ? 0 : std::min(now + 1, kBins - 1));
     const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (enters && now >= 0) return void(emit binChosen(now, sideToProbe()));
+    if (enters && now >= 0) return void(emit binChosen({now, sideToProbe()}));
     if (event->key() == Qt::Key_Left) return inspect(now < 0 ? kBins - 1 : std::max(now - 1, 0));
     QwtPlot::keyPressEvent(event);
 }

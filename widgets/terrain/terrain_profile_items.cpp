@@ -47,6 +47,7 @@ TerrainProfileView::TerrainProfileView(QWidget* parent)
     (new BandKey)->attach(this);
     zones_ = new BinZones;
     zones_->attach(this);
+    (new ZoneWords(*zones_))->attach(this);
 
     grid_ = new QwtPlotGrid;
     grid_->enableX(false);

@@ -68,6 +68,12 @@ ProbeSide TerrainProfileView::sideToProbe() const
     return *side == Side::Left ? ProbeSide::Left : ProbeSide::Right;
 }
 
+std::optional<ProbePlace> TerrainProfileView::selectedPlace() const
+{
+    if (inspector_->bin() < 0) return std::nullopt;
+    return ProbePlace{inspector_->bin(), sideToProbe()};
+}
+
 const TerrainEstimate* TerrainProfileView::full() const
 {
     return estimate_ ? &of(sideInFull().value_or(Side::Left)) : nullptr;
@@ -84,6 +90,7 @@ void TerrainProfileView::setShownSides(ShownSides sides)
     if (sides == shownSides_) return;
     shownSides_ = sides;
     showEstimate();
+    emit shownSidesChanged();
 }
 
 void TerrainProfileView::setFullSide(Side side)

@@ -78,6 +78,8 @@ public:
     std::optional<Side> sideInFull() const;
     /// Returns the side of which a probe is asked for at a bin that is chosen in the picture.
     ProbeSide sideToProbe() const;
+    /// Returns the bin shown in detail, on that side; empty: none.
+    std::optional<ProbePlace> selectedPlace() const;
     void clearEstimate(const QString& why);  ///< shows the reason instead of a flat line
     /// far: the robot's other side, drawn lighter behind it; empty: both sides look the same.
     void setOutline(const Outline& outline, const Outline& far = {});
@@ -110,9 +112,10 @@ public:
     bool drawsShown() const { return drawsShown_; }
 
 signals:
-    /// Emitted when the operator chooses a bin: by a double click, or by Enter on the bin shown in detail. side: of two
-    /// sides, the one in full.
-    void binChosen(int bin, ProbeSide side);
+    /// Emitted when the operator chooses a bin: by a double click, or by Enter on the bin shown in detail. Of
+    /// two sides it is on the one in full.
+    void binChosen(terratact::ProbePlace place);
+    void shownSidesChanged();
 
 public:
     /// Applies the current theme and font; runs by itself soon after they change.

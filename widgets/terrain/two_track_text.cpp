@@ -83,12 +83,6 @@ QString whyOfSide(const Verdict& side, bool isBrief, bool isOfTwo)
 
 }  // namespace
 
-bool isOnePlane(const TwoTrackVerdict& verdict)
-{
-    return verdict.side[0] == verdict.side[1] && verdict.both == verdict.side[0].stepVerdict
-        && crossSlopeText(verdict).isEmpty();
-}
-
 QString sidesText(const TwoTrackVerdict& verdict, bool isShort)
 {
     const auto answerOf = isShort ? shortAnswerOfSide : answerOfSide;

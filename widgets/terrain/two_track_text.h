@@ -8,9 +8,6 @@ namespace terratact {
 
 // Texts of the verdict of two tracks. A verdict of one plane has the texts of VerdictStrip.
 
-/// Returns true if both sides have the same verdict, and it is the robot's.
-bool isOnePlane(const TwoTrackVerdict& verdict);
-
 /// Returns "left ✘ BLOCKED at +0.4 m · right ✔ CLEAR to +0.55 m". Equal answers follow "each side"; if they are the
 /// robot's answer, too, the text is empty. isShort: "L ✘ BLOCKED 0.4 · R ✔ CLEAR 0.55 m".
 QString sidesText(const TwoTrackVerdict& verdict, bool isShort = false);

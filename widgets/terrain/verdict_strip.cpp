@@ -310,7 +310,7 @@ void VerdictStrip::nameQuestion(bool isOfSides)
 
 void VerdictStrip::setVerdict(const TwoTrackVerdict& verdict, const QString& probe)
 {
-    if (isOnePlane(verdict)) return setVerdict(verdict.side[0], probe);
+    if (verdict.onePlane) return setVerdict(verdict.side[0], probe);
     setTwoTracks(verdict, probe);
 }
 

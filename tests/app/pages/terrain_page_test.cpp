@@ -1,18 +1,24 @@
-// Tests ages and live previews on the terrain page.
+// Tests ages, live previews, both sides and rear forces on the terrain page.
 #include "app/pages/terrain_page.h"
 
 #include <gtest/gtest.h>
+#include <qwt_plot_shapeitem.h>
 
+#include <QKeyEvent>
 #include <QLabel>
+#include <QPushButton>
 
 #include "app/console/main_window.h"
 #include "app/display/format.h"
+#include "app/pages/side_keys.h"
+#include "app/shell/key_table.h"
 #include "core/infer/verdict/verdict.h"
 #include "tests/support/absolem.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
 #include "widgets/control/robot_readout.h"
 #include "widgets/terrain/estimate_strip.h"
+#include "widgets/terrain/rear_view.h"
 #include "widgets/terrain/terrain_profile_view.h"
 #include "widgets/terrain/verdict_strip.h"
 
@@ -95,6 +101,125 @@ TEST(TerrainPageAlone, showsMovingFlippersOnlyWhileTheyMove)
     EXPECT_EQ(computing.count("flippers still move"), 0) << computing.toStdString();
     EXPECT_EQ(computing.count("estimate is being computed"), 2) << computing.toStdString();
     EXPECT_FALSE(computing.contains("LIVE"));
+}
+
+/// Returns a line of telemetry with the left side up.
+Measurement rolled()
+{
+    Measurement m;
+    m.roll = 0.15;
+    m.frontLeft = 0.4;
+    return m;
+}
+
+TEST(TerrainPageAlone, drawsBothSidesOfARobotThatRolls)
+{
+    TerrainPage page(absolem());
+    gui::showActive(page);
+    const auto far = [&page] {  // the far side is drawn below all other parts
+        int parts = 0;
+        for (const QwtPlotItem* item : page.terrain()->itemList())
+            parts += item->z() >= 4.0 && item->z() < 5.0
+                          && !static_cast<const QwtPlotShapeItem*>(item)->shape().isEmpty()
+                       ? 1
+                       : 0;
+        return parts;
+    };
+    const Measurement level, tilted = rolled();
+    TerrainViewState viewState;
+    viewState.measurement = &level;
+    viewState.count = 1;
+    page.setViewState(viewState);
+    EXPECT_EQ(far(), 0);
+    viewState.measurement = &tilted;
+    viewState.count = 2;
+    page.setViewState(viewState);
+    EXPECT_GT(far(), 0);
+    page.terrain()->setShownSides(ShownSides::Left);
+    EXPECT_EQ(far(), 0) << "at once";
+    page.terrain()->setShownSides(ShownSides::Both);
+    const TwoTrackEstimate plane = equalSides(stepEstimate());
+    viewState.estimate = {&plane, 1};
+    viewState.scene = &tilted;
+    viewState.count = 3;
+    page.setViewState(viewState);
+    EXPECT_EQ(far(), 0) << "an estimate of one plane has one robot";
+}
+
+TEST(TerrainPageAlone, showsTheCrossSlopeOfBothSidesFromBehind)
+{
+    TerrainPage page(absolem());
+    gui::showActive(page);
+    const Measurement m = rolled();
+    TwoTrackEstimate estimate = leftStepEstimate();
+    TerrainViewState viewState;
+    viewState.measurement = viewState.scene = &m;
+    viewState.estimate = {&estimate, 1};
+    viewState.verdict = equalSides(Verdict{});
+    viewState.verdict->crossSlope.steepest = 0.2;
+    viewState.verdict->side[1].stepVerdict = StepVerdict::Clear;
+    page.setViewState(viewState);
+    EXPECT_TRUE(page.rearView()->text().contains(QStringLiteral("cross slope 11.5° L up")))
+        << page.rearView()->text().toStdString();
+    EXPECT_EQ(page.terrain()->sideInFull(), Side::Left) << "the right side is clear";
+    estimate.onePlane = true;
+    page.setViewState(viewState);
+    EXPECT_FALSE(page.rearView()->text().contains("cross slope"));
+}
+
+TEST(TerrainPageAlone, showsRearForcesOnlyOnARobotThatHasThem)
+{
+    RobotModel robot = absolem();
+    {
+        TerrainPage without(robot);
+        gui::showActive(without);
+        EXPECT_FALSE(without.rearForcesButton()->isVisible());
+    }
+    robot.rearElementShare.emplace();
+    TerrainPage page(robot);
+    gui::showActive(page);
+    Measurement m;
+    m.rearSides.left[2] = 7.0;
+    m.rearSides.right[2] = 4.0;
+    TerrainViewState viewState;
+    viewState.measurement = &m;
+    viewState.count = 1;
+    page.setViewState(viewState);
+    EXPECT_TRUE(page.forces()->isVisible());
+    EXPECT_FALSE(page.rearForces()->isVisible());
+    page.rearForcesButton()->click();
+    EXPECT_TRUE(page.rearForces()->isVisible());
+    EXPECT_FALSE(page.forces()->isVisible());
+    EXPECT_EQ(page.rearForces()->numberText(2, 0), "7.0");
+    EXPECT_EQ(page.rearForces()->numberText(2, 1), "4.0");
+    EXPECT_EQ(page.rearForces()->numberText(0, 0), "--");
+    EXPECT_TRUE(page.rearForces()->legend().contains("L"));
+    viewState.age = 1.0;
+    viewState.count = 2;
+    page.setViewState(viewState);
+    EXPECT_EQ(page.rearForces()->numberText(2, 0), "--") << "old";
+}
+
+TEST(SideKeys, chooseTheSidesOfThePicture)
+{
+    KeyTable keys;
+    TerrainProfileView view;
+    addSideKeys(keys, view);
+    gui::showActive(view);
+    const auto press = [&](Qt::Key key) {
+        const QKeyEvent event(QEvent::KeyPress, key, Qt::AltModifier);
+        const KeyTable::Entry* entry = keys.entryOf(event);
+        ASSERT_TRUE(entry && entry->applies());
+        entry->pressed();
+    };
+    press(Qt::Key_L);
+    EXPECT_EQ(view.shownSides(), ShownSides::Left);
+    press(Qt::Key_R);
+    EXPECT_EQ(view.shownSides(), ShownSides::Right);
+    press(Qt::Key_B);
+    EXPECT_EQ(view.shownSides(), ShownSides::Both);
+    EXPECT_FALSE(keys.entryOf(QKeyEvent(QEvent::KeyPress, Qt::Key_R, Qt::NoModifier)))
+        << "R alone releases STOP";
 }
 
 }  // namespace

@@ -170,9 +170,10 @@ TEST_F(Probe, showsThatTheVerdictIsAlreadyDecided)
 TEST_F(Probe, listsTheOtherBinsAndTheirGain)
 {
     QList<int> bins;
-    QObject::connect(&card, &ProbeCard::otherChosen, [&](quint64 id, int bin) {
+    QObject::connect(&card, &ProbeCard::otherChosen, [&](quint64 id, ProbePlace place) {
         EXPECT_EQ(id, 7u);
-        bins << bin;
+        EXPECT_EQ(place.side, ProbeSide::Middle);
+        bins << place.bin;
     });
     card.setProposal(kProposal);
     EXPECT_TRUE(card.otherButton(0)->text().contains(QStringLiteral("0.7 m, −58 %")));
@@ -180,6 +181,32 @@ TEST_F(Probe, listsTheOtherBinsAndTheirGain)
     EXPECT_FALSE(card.otherButton(2)->isVisible());
     QTest::mouseClick(card.otherButton(1), Qt::LeftButton);
     EXPECT_EQ(bins, QList<int>{8});
+    for (const std::string& text : gui::cutText(card)) ADD_FAILURE() << text;
+}
+
+TEST_F(Probe, namesTheSideEverywhere)
+{
+    ProbeProposal left = kProposal;
+    left.side = ProbeSide::Left;
+    left.others[0].side = ProbeSide::Right;
+    std::vector<ProbePlace> chosen;
+    QObject::connect(&card, &ProbeCard::otherChosen,
+                     [&](quint64, ProbePlace place) { chosen.push_back(place); });
+    card.setProposal(left);
+    EXPECT_TRUE(card.approveButton()->text().contains("left at 0.6 m"))
+        << card.approveButton()->text().toStdString();
+    EXPECT_EQ(card.approveButton()->accessibleName(),
+              "Hold to approve the probe of left bin 0.6 m");
+    EXPECT_TRUE(allText().contains("left bin 0.6 m"));
+    EXPECT_TRUE(card.otherButton(0)->text().contains(QStringLiteral("R 0.7, −58 %")));
+    EXPECT_TRUE(
+        card.otherButton(0)->accessibleName().startsWith("Ask for right bin 0.7 m instead"));
+    QTest::mouseClick(card.otherButton(0), Qt::LeftButton);
+    EXPECT_EQ(chosen, (std::vector<ProbePlace>{{10, ProbeSide::Right}}));
+    card.setWorth(left, "why");
+    EXPECT_TRUE(allText().contains("or right at 0.7 m"));
+    card.setProbing({9, ProbeSide::Left}, 3.0, 45.0);
+    EXPECT_TRUE(allText().contains("The arm is probing left bin 0.6 m"));
     for (const std::string& text : gui::cutText(card)) ADD_FAILURE() << text;
 }
 
@@ -330,7 +357,7 @@ TEST_F(Probe, withoutAProposalThereIsNothingToApprove)
 
 TEST_F(Probe, showsTheArmOnItsWay)
 {
-    card.setProbing(9, 31.0, 45.0);
+    card.setProbing({9}, 31.0, 45.0);
     EXPECT_TRUE(allText().contains("bin 0.6 m"));
     EXPECT_FALSE(card.asks());
 }
@@ -353,7 +380,7 @@ TEST_F(Probe, hostileNumbersReadAsNothing)
         ASSERT_FALSE(gui::painted(card).isNull());
         card.setWorth(p, {});
         ASSERT_FALSE(gui::painted(card).isNull());
-        card.setProbing(9, bad, bad);
+        card.setProbing({9}, bad, bad);
         ASSERT_FALSE(gui::painted(card).isNull());
     }
 }

@@ -180,9 +180,9 @@ TEST_F(Sides, aBinUpCloseHasBothSides)
 TEST_F(Sides, aChosenBinCarriesTheSideInFull)
 {
     view.setEstimate(leftStepEstimate());
-    std::vector<std::pair<int, ProbeSide>> chosen;
+    std::vector<ProbePlace> chosen;
     QObject::connect(&view, &TerrainProfileView::binChosen,
-                     [&](int bin, ProbeSide side) { chosen.emplace_back(bin, side); });
+                     [&](ProbePlace place) { chosen.push_back(place); });
     view.inspect(9);
     QTest::keyClick(&view, Qt::Key_Return);
     view.setShownSides(ShownSides::Left);
@@ -191,7 +191,7 @@ TEST_F(Sides, aChosenBinCarriesTheSideInFull)
     view.setEstimate(stepEstimate());
     view.inspect(8);
     QTest::keyClick(&view, Qt::Key_Return);
-    const std::vector<std::pair<int, ProbeSide>> expected{
+    const std::vector<ProbePlace> expected{
         {9, ProbeSide::Right}, {7, ProbeSide::Left}, {8, ProbeSide::Middle}};
     EXPECT_EQ(chosen, expected);
 }

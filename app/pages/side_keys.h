@@ -1,0 +1,17 @@
+#pragma once
+
+class QMenu;
+
+namespace terratact {
+
+class KeyTable;
+class TerrainProfileView;
+
+/// Adds the keys that show the left side, the right side or both sides of a two-track estimate. They act while the
+/// picture is visible.
+void addSideKeys(KeyTable& keys, TerrainProfileView& view);
+
+/// Adds the same choice to a menu. The menu shows the present choice.
+void addSideChoice(QMenu& menu, TerrainProfileView& view);
+
+}  // namespace terratact
