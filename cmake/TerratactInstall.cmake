@@ -22,7 +22,7 @@ install(TARGETS ${_programs})
 install(FILES ${_resources}/models/default.ttm ${_resources}/models/default.card.toml ${_resources}/models/default.presets.csv ${_resources}/models/one_plane.ttm
   DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/models)
 install(FILES ${_resources}/robots/absolem.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/robots)
-install(FILES ${_resources}/sessions/demo.tts DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/sessions)
+install(FILES ${_resources}/sessions/demo.tts ${_resources}/sessions/two_tracks.tts DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/sessions)
 install(FILES ${_resources}/dbc/terratact.dbc DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/dbc)
 install(FILES ${_resources}/panels/example.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/panels)
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <optional>
 #include <string>
@@ -12,10 +13,17 @@
 
 namespace terratact {
 
+/// True heights at the robot's pose.
+struct TrueHeights {
+    Heights middle{};                ///< means of both sides
+    std::array<Heights, 2> sides{};  ///< left, right
+};
+
 /// A measurement, and the true terrain, which only a simulation has.
 struct Sample {
     Measurement measurement;
-    std::optional<Heights> truth;
+    std::optional<Heights> truth;                       ///< means of both sides
+    std::optional<std::array<Heights, 2>> sideTruth{};  ///< left, right
     ElementForces forces{};  ///< of the same line; not carried if the source is no bus
 };
 

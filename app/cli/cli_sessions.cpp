@@ -97,6 +97,8 @@ void addSessionScenes(CLI::App& session, Job& job)
     addTextOutput(*c, "--out", o->out, "Scenes CSV to write")->required();
     c->add_flag("--measured", o->measured,
                 "Where no truth is known, the heights that contacts and the arm measured");
+    c->add_flag("--tracks", o->tracks,
+                "Readings and heights of left and right, for --tracks of those commands");
     c->callback([o, &job] { job = [o] { return exportScenes(*o); }; });
 }
 

@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "app/cli/session_commands.h"
 #include "app/recording/payload_signals.h"
-#include "app/recording/scene_origins.h"
 #include "app/recording/session_text.h"
 #include "app/recording/what_if.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/text_output.h"
 #include "core/base/text.h"
-#include "core/infer/estimate/measured_bins.h"
-#include "core/learn/data/columns.h"
-#include "core/learn/data/scene_file.h"
 #include "core/log/session_reader.h"
 #include "core/store/file_read.h"
-#include "core/terrain/body_ceiling.h"
 
 namespace terratact {
 
@@ -121,50 +115,6 @@ bool verify(SessionReader& session, const std::string& link)
     return holds;
 }
 
-/// Adds heights that were touched, by the rules of the methods. If flipper and arm touched a bin, the arm's height
-/// counts.
-void addMeasured(const SessionReader& session, const RobotModel& robot, const SceneRow& row,
-                 Scene& scene)
-{
-    std::vector<ArmReading> readings;
-    Settings settings;
-    for (const EstimateRow& estimate : session.estimates()) {
-        if (estimate.scene != row.id) continue;
-        readings = estimate.readings;
-        settings = estimate.estimate.side[0].settings;
-    }
-    const Heights ceiling = bodyCeiling(robot, scene.s.pitch, scene.s.front, scene.s.rear);
-    const MeasuredBins measured = measureBins(robot, scene.s, readings, ceiling, settings);
-    for (std::size_t i = 0; i < kBins; ++i)
-        if (measured.bin[i]) scene.truth[i] = measured.bin[i]->height;
-}
-
-Status addScenes(const std::string& path, bool measured, SceneOrigins& origins,
-                 std::vector<Scene>& scenes)
-{
-    const auto session = SessionReader::open(path);
-    if (!session) return session.error();
-    const auto robot = robotOf(*session);
-    if (measured && !robot) return robot.error();
-    const std::set<std::int64_t> repeated = origins.add(*session);
-    for (const SceneRow& row : session->scenes()) {
-        if (repeated.contains(row.id)) continue;
-        Scene scene{.run = driveName(path),
-                    .time = secondsOf(row.time),
-                    .s = proprioception(row.measurement),
-                    .truth = {}};
-        if (row.truth)
-            for (std::size_t i = 0; i < kBins; ++i) scene.truth[i] = (*row.truth)[i];
-        else if (measured)
-            addMeasured(*session, *robot, row, scene);
-        scenes.push_back(std::move(scene));
-    }
-    for (const SessionDamage& damage : session->damage())
-        printText(stderr, "terratact: {}: left out: {}\n", path,
-                  damageText(session->start(), damage));
-    return Done{};
-}
-
 }  // namespace
 
 Status showSessions(const std::vector<std::string>& files)
@@ -193,24 +143,6 @@ Status verifySessions(const VerifyOptions& options)
     }
     if (bad == 0) return Done{};
     return Error{fmt::format("{} of {} sessions do not hold", bad, options.files.size())};
-}
-
-Status exportScenes(const SessionScenesOptions& options)
-{
-    std::vector<Scene> scenes;
-    SceneOrigins origins;
-    for (const std::string& file : options.files)
-        if (Status added = addScenes(file, options.measured, origins, scenes); !added) return added;
-    if (scenes.empty()) return Error{options.files.front() + ": no scene was captured"};
-    if (Status written = writeText(options.out, scenesText(scenes)); !written) return written;
-    std::size_t heights = 0;
-    for (const Scene& scene : scenes)
-        heights += static_cast<std::size_t>(
-            std::count_if(scene.truth.begin(), scene.truth.end(),
-                          [](const auto& height) { return height.has_value(); }));
-    printText(messagesBeside(options.out), "{} scenes with {} known heights written to {}\n",
-              scenes.size(), heights, options.out);
-    return Done{};
 }
 
 Status exportSession(const SessionExportOptions& options)

@@ -6,6 +6,7 @@
 
 #include "app/cli/session_commands.h"
 #include "app/modelling/session_reruns.h"
+#include "app/recording/recorded_sides.h"
 #include "app/recording/session_text.h"
 #include "app/runtime/interrupt.h"
 #include "app/runtime/parallel.h"
@@ -18,10 +19,14 @@ namespace terratact {
 
 namespace {
 
-std::string words(const Verdict& verdict)
+std::string words(const TwoTrackVerdict& verdict)
 {
-    return fmt::format("{} (step ahead {:.0f} %)", describeStepVerdict(verdict),
-                       100.0 * verdict.step.p);
+    if (verdict.onePlane)
+        return fmt::format("{} (step ahead {:.0f} %)", describe(verdict),
+                           100.0 * verdict.side[0].step.p);
+    return fmt::format("{} (step ahead left {:.0f} %, right {:.0f} %, either side {:.0f} %)",
+                       describe(verdict), 100.0 * verdict.side[0].step.p,
+                       100.0 * verdict.side[1].step.p, 100.0 * verdict.either.p);
 }
 
 /// Prints what was recomputed.
@@ -70,19 +75,31 @@ private:
             printText(messages_, "now {}{}\n", name(r.again.side[0].settings.method),
                       identical ? ", the same bit for bit" : "");
         if (identical) return;
+        for (const RecordedSide& side : recordedSides(d.onePlane, nullptr)) printBins(r, side);
+        printText(messages_, "  moved most at {:+.1f} m{}, by {:.0f} mm; {} then, {} now\n",
+                  binCentre(d.largestBin),
+                  d.onePlane           ? ""
+                  : d.largestSide == 0 ? " left"
+                                       : " right",
+                  1000.0 * d.largest(), words(d.before), words(d.after));
+    }
+
+    void printBins(const Rerun& r, const RecordedSide& side) const
+    {
+        const Differences& d = r.differences;
+        if (!d.onePlane) printText(messages_, "  {}\n", side.name);
         printText(messages_, "   bin   height [m]           sd [mm]      80 % band [m]\n"
                              "   [m]   then     now  moved  then  now   then              now\n");
         for (std::size_t i = 0; i < kBins; ++i) {
-            const TerrainEstimate &a = r.row.estimate.side[0], &b = r.again.side[0];
+            const TerrainEstimate& a = r.row.estimate.side.at(side.index);
+            const TerrainEstimate& b = r.again.side.at(side.index);
             printText(messages_,
                       "  {:+.1f} {:+.3f}  {:+.3f}  {:+5.0f} {:5.0f} {:4.0f}   {:+.3f} … {:+.3f}   "
                       "{:+.3f} … {:+.3f}\n",
                       binCentre(static_cast<int>(i)), a.height[i], b.height[i],
-                      1000.0 * d.bin[i].height, 1000.0 * a.sd[i], 1000.0 * b.sd[i], a.q10[i],
-                      a.q90[i], b.q10[i], b.q90[i]);
+                      1000.0 * d.side.at(side.index)[i].height, 1000.0 * a.sd[i], 1000.0 * b.sd[i],
+                      a.q10[i], a.q90[i], b.q10[i], b.q90[i]);
         }
-        printText(messages_, "  moved most at {:+.1f} m, by {:.0f} mm; {} then, {} now\n",
-                  binCentre(d.largestBin), 1000.0 * d.largest(), words(d.before), words(d.after));
     }
 
     void summarise() const
@@ -93,7 +110,7 @@ private:
         for (const Rerun& r : all) {
             same += r.differences.likeness == Match::Identical;
             lastBits += r.differences.likeness == Match::LastBits;
-            other += r.differences.before.stepVerdict != r.differences.after.stepVerdict;
+            other += r.differences.before.both != r.differences.after.both;
             moved.push_back(r.differences.largest());
         }
         std::sort(moved.begin(), moved.end());

@@ -37,6 +37,7 @@ struct SessionScenesOptions {
     std::vector<std::string> files;
     std::string out;        ///< CSV of scenes
     bool measured = false;  ///< heights of contacts and arm if the truth is unknown
+    bool tracks = false;    ///< readings and heights of both sides
 };
 Status exportScenes(const SessionScenesOptions& options);
 

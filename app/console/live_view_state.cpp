@@ -22,6 +22,7 @@ void addEstimation(TerrainViewState& viewState, const Estimation& estimation)
     if (const auto& scene = estimation.scene()) {
         viewState.scene = &scene->measurement;
         viewState.sceneTruth = &scene->truth;
+        viewState.sceneSideTruth = &scene->sideTruth;
     }
     const Estimation::Revisions revisions = estimation.revisions();
     viewState.estimate = {pointer(estimation.estimate()), revisions.estimate};

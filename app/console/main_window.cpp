@@ -123,7 +123,7 @@ void MainWindow::build(const Options& options)
         &QPushButton::clicked, this, &MainWindow::open);
     if (options.replay) addBelowPages(replayBar_ = new ReplayBar(*options.replay, this));
     addViewTool(*preferences_, tr("restarts the console"));
-    addHelpTool(demonstration(), [this](const QString& path) {
+    addHelpTool(demonstrations(), [this](const QString& path) {
         openInAnotherWindow(path, sharedStop_->line(), notOpened());
     });
     arrange();

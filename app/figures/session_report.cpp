@@ -9,11 +9,14 @@
 
 #include "app/figures/canvas.h"
 #include "app/figures/figure_colours.h"
+#include "app/recording/recorded_sides.h"
 #include "app/recording/session_text.h"
 #include "app/recording/what_if.h"
 #include "core/base/text.h"
 #include "core/infer/estimate/provenance.h"
-#include "core/infer/verdict/verdict.h"
+#include "core/infer/verdict/estimate_text.h"
+#include "core/infer/verdict/two_track_verdict.h"
+#include "core/robot/side_plane.h"
 #include "core/store/file_read.h"
 #include "core/store/file_write.h"
 #include "core/terrain/body_ceiling.h"
@@ -41,23 +44,33 @@ std::string settingsText(const Settings& s)
         s.inducing, s.seed, s.probeAbove);
 }
 
-std::string poseText(const Measurement& m)
+std::string forcesText(const std::array<std::optional<double>, kForceElements>& forces)
+{
+    std::string text;
+    for (const std::optional<double>& force : forces)
+        text += force ? fmt::format(" {:.1f}", *force) : " --";
+    return text;
+}
+
+std::string poseText(const Measurement& m, bool onePlane)
 {
     std::string forces;
-    for (std::size_t e = 0; e < m.force.size(); ++e)
-        forces += m.missing[kFirstForceFeature + e] ? " --" : fmt::format(" {:.1f}", m.force[e]);
+    if (onePlane)
+        for (std::size_t e = 0; e < m.force.size(); ++e)
+            forces +=
+                m.missing[kFirstForceFeature + e] ? " --" : fmt::format(" {:.1f}", m.force[e]);
+    else
+        forces = " left" + forcesText(m.sides.left) + ", right" + forcesText(m.sides.right);
     return fmt::format("pitch {:+.1f}°, roll {:+.1f}°; flippers front {:+.1f}° {:+.1f}°, rear "
                        "{:+.1f}° {:+.1f}°; forces{} N",
                        degrees(m.pitch), degrees(m.roll), degrees(m.frontLeft),
                        degrees(m.frontRight), degrees(m.rearLeft), degrees(m.rearRight), forces);
 }
 
-std::string verdictText(const EstimateRow& row, const SceneRow& scene)
+/// Returns what a verdict of one profile adds to its answer: why it is not CLEAR, or withheld.
+std::string reasonsText(const Verdict& v)
 {
-    const Verdict v = verdictOf(row.estimate.side[0], scene.measurement, {}, row.stepLimit);
-    std::string text =
-        fmt::format("{}: a step ahead of more than {:.2f} m has probability {:.0f} %",
-                    describeStepVerdict(v), row.stepLimit, 100.0 * v.step.p);
+    std::string text;
     if (v.shortfall != Shortfall::None) text.append("; ").append(describe(v.shortfall).english);
     if (!v.unfelt.empty()) text += "; " + describeUnfelt(v);
     for (const WithholdReason reason : v.withheldFor)
@@ -65,23 +78,104 @@ std::string verdictText(const EstimateRow& row, const SceneRow& scene)
     return text;
 }
 
-std::vector<std::vector<std::string>> tableOf(const TerrainEstimate& e, const SceneRow& scene)
+std::string stepText(const Verdict& v, double limit)
+{
+    return fmt::format("{}: a step ahead of more than {:.2f} m has probability {:.0f} %",
+                       describeStepVerdict(v), limit, 100.0 * v.step.p)
+         + reasonsText(v);
+}
+
+std::string crossSlopeText(const CrossSlope& slope)
+{
+    return fmt::format("{:+.1f}° (left higher) at {:+.1f} m; more than {:.1f}° to a side has "
+                       "probability {:.0f} %",
+                       degrees(slope.steepest), binCentre(slope.bin), degrees(slope.limit),
+                       100.0 * slope.beyond.p);
+}
+
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
+/// Returns the verdict of each side and what both sides mean together; nothing of one plane.
+Facts verdictFacts(const TwoTrackVerdict& v, double limit)
+{
+    if (v.onePlane) return {};
+    return {{"left", stepText(v.side[0], limit)},
+            {"right", stepText(v.side[1], limit)},
+            {"either side", fmt::format("a step ahead of more than {:.2f} m has probability "
+                                        "{:.0f} %",
+                                        limit, 100.0 * v.either.p)},
+            {"cross slope", crossSlopeText(v.crossSlope)}};
+}
+
+void addRows(std::vector<std::vector<std::string>>& table, const TerrainEstimate& e,
+             const RecordedSide& side, bool names)
+{
+    for (std::size_t i = 0; i < kBins; ++i) {
+        const int bin = static_cast<int>(i);
+        std::vector<std::string>& row = table.emplace_back();
+        if (names) row.emplace_back(side.name);
+        for (std::string& cell : std::vector<std::string>{
+                 signedNumber(binCentre(bin), 1), signedNumber(e.height[i], 3),
+                 fmt::format("{:.0f}", 1000.0 * e.sd[i]), signedNumber(e.q10[i], 3),
+                 signedNumber(e.q90[i], 3),
+                 std::isfinite(e.ceiling[i]) ? signedNumber(e.ceiling[i], 3) : "none",
+                 std::string(name(provenance(e, bin))), std::string(name(e.touch[i])),
+                 rhatText(e.rhat[i]), fmt::format("{:.0f}", e.ess[i])})
+            row.push_back(std::move(cell));
+        if (table.front().back() == "truth [m]")
+            row.push_back(side.truth ? signedNumber(side.truth->at(i), 3) : "");
+    }
+}
+
+std::vector<std::vector<std::string>> tableOf(const TwoTrackEstimate& e, const SceneRow& scene)
 {
     std::vector<std::vector<std::string>> table{{"bin [m]", "height [m]", "sd [mm]", "q10 [m]",
                                                  "q90 [m]", "ceiling [m]", "known by", "touch",
                                                  "R-hat", "ESS"}};
-    if (scene.truth) table.front().emplace_back("truth [m]");
-    for (std::size_t i = 0; i < kBins; ++i) {
-        const int bin = static_cast<int>(i);
-        table.push_back({signedNumber(binCentre(bin), 1), signedNumber(e.height[i], 3),
-                         fmt::format("{:.0f}", 1000.0 * e.sd[i]), signedNumber(e.q10[i], 3),
-                         signedNumber(e.q90[i], 3),
-                         std::isfinite(e.ceiling[i]) ? signedNumber(e.ceiling[i], 3) : "none",
-                         std::string(name(provenance(e, bin))), std::string(name(e.touch[i])),
-                         rhatText(e.rhat[i]), fmt::format("{:.0f}", e.ess[i])});
-        if (scene.truth) table.back().push_back(signedNumber(scene.truth->at(i), 3));
-    }
+    const std::vector<RecordedSide> sides = recordedSides(e.onePlane, &scene);
+    if (!e.onePlane) table.front().insert(table.front().begin(), "side");
+    if (std::ranges::any_of(sides, [](const auto& side) { return side.truth.has_value(); }))
+        table.front().emplace_back("truth [m]");
+    for (const RecordedSide& side : sides) addRows(table, e.side.at(side.index), side, !e.onePlane);
     return table;
+}
+
+/// Returns the outline of the robot, in the vertical plane of a side if there are two.
+Outline outlineOf(const RobotModel& robot, const Measurement& m, bool onePlane, std::size_t index)
+{
+    if (onePlane) {
+        const Proprioception s = proprioception(m);
+        return robotOutline(robot, s.pitch, s.front, s.rear);
+    }
+    const Side side = index == 0 ? Side::Left : Side::Right;
+    const Proprioception s = sideReadings(twoTrackReadings(m), side);
+    return robotOutline(inSidePlane(robot, m.roll, signOf(side) * robot.lateral.flipperY), s.pitch,
+                        s.front, s.rear);
+}
+
+/// Returns the profile of one plane, or of the left and the right side. before: the estimate before
+/// this one; null: none.
+std::vector<FigureInput> figuresOf(const EstimateRow& row, const EstimateRow* before,
+                                   const SceneRow& scene, const RobotModel& robot,
+                                   const std::string& title)
+{
+    const bool onePlane = row.estimate.onePlane;
+    std::vector<FigureInput> figures;
+    for (const RecordedSide& side : recordedSides(onePlane, &scene))
+        figures.push_back({.estimate = row.estimate.side.at(side.index),
+                           .previous = before ? std::optional(before->estimate.side.at(side.index))
+                                              : std::nullopt,
+                           .outline = outlineOf(robot, scene.measurement, onePlane, side.index),
+                           .truth = side.truth,
+                           .title = onePlane ? title : fmt::format("{}: {}", side.name, title),
+                           .proposedBin = std::nullopt});
+    return figures;
+}
+
+/// Returns the warnings of an estimate, with their side if only one side has them.
+std::string warningsText(const TwoTrackEstimate& e)
+{
+    return english(ofBothSides(e.side[0].warnings, e.side[1].warnings), "; ");
 }
 
 /// Returns the operator's actions from this scene until the next.
@@ -121,10 +215,7 @@ public:
         y_ = 62.0;
         write(report.title, {.colour = kFigureText, .size = 27.0, .bold = true}, 34.0);
         write(report.verdict, {.colour = kFigureText, .size = 20.0, .bold = true}, 28.0);
-        const double scale = (kPageWidth - 2.0 * kPageMargin) / kProfileWidth;
-        canvas_.place({kPageMargin, y_ - 18.0}, scale,
-                      [&](Canvas& canvas) { drawProfile(canvas, report.figure); });
-        y_ += scale * kProfileHeight;
+        drawProfiles(report.figures);
         drawTable(report.table);
         for (const auto& [what, text] : report.facts) drawFact(what, text);
         drawEvents(report.events);
@@ -140,13 +231,26 @@ private:
         }
     }
 
+    /// Draws the profiles side by side.
+    void drawProfiles(const std::vector<FigureInput>& figures)
+    {
+        const double width = (kPageWidth - 2.0 * kPageMargin) / static_cast<double>(figures.size());
+        const double scale = width / kProfileWidth;
+        for (std::size_t k = 0; k < figures.size(); ++k)
+            canvas_.place({kPageMargin + width * static_cast<double>(k), y_ - 18.0}, scale,
+                          [&](Canvas& canvas) { drawProfile(canvas, figures[k]); });
+        y_ += scale * kProfileHeight;
+    }
+
     void drawTable(const std::vector<std::vector<std::string>>& table)
     {
         const double column =
             (kPageWidth - 2.0 * kPageMargin) / static_cast<double>(table.front().size());
+        constexpr std::size_t kRoomy = 11;  // columns that the usual size of letters leaves apart
+        const double size = table.front().size() > kRoomy ? 13.5 : 16.0;
         for (std::size_t row = 0; row < table.size(); ++row) {
             const TextStyle style{.colour = row == 0 ? kFigureMuted : kFigureText,
-                                  .size = 16.0,
+                                  .size = size,
                                   .bold = row == 0,
                                   .align = Align::Right};
             for (std::size_t k = 0; k < table[row].size(); ++k)
@@ -221,9 +325,12 @@ std::string escaped(std::string_view text)
 
 std::string htmlOf(const SessionReport& report)
 {
-    std::string svg = svgText(kProfileWidth, kProfileHeight,
-                              [&](Canvas& canvas) { drawProfile(canvas, report.figure); });
-    svg.erase(0, svg.find("<svg"));
+    std::string svg;
+    for (const FigureInput& figure : report.figures) {
+        const std::string profile = svgText(kProfileWidth, kProfileHeight,
+                                            [&](Canvas& canvas) { drawProfile(canvas, figure); });
+        svg += profile.substr(profile.find("<svg"));
+    }
     std::string html = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title>\n"
         "<style>body{{font-family:sans-serif;color:#16222e;max-width:1200px;margin:2em "
@@ -262,8 +369,10 @@ std::string readingsText(const EstimateRow& row)
 {
     std::string text;
     for (const ArmReading& r : row.readings)
-        text += fmt::format("{}{:+.3f} m at {:+.1f} m (sd {:.0f} mm)", text.empty() ? "" : ", ",
-                            r.height, binCentre(r.bin), 1000.0 * r.sd);
+        text += fmt::format("{}{:+.3f} m at {:+.1f} m{} (sd {:.0f} mm)", text.empty() ? "" : ", ",
+                            r.height, binCentre(r.bin),
+                            r.side == ProbeSide::Middle ? "" : fmt::format(" {}", name(r.side)),
+                            1000.0 * r.sd);
     return text.empty() ? "none" : text;
 }
 
@@ -288,7 +397,6 @@ Result<SessionReport> reportOf(SessionReader& session, std::int64_t wanted,
 
     const SessionStart& start = session.start();
     const ModelRow* model = session.model(row.model);
-    const Proprioception s = proprioception(scene->measurement);
     bool goesOn = true;
     const SessionVerification found =
         session.verify([&](double share) { return goesOn = !progress || progress(share); });
@@ -296,16 +404,14 @@ Result<SessionReport> reportOf(SessionReader& session, std::int64_t wanted,
     SessionReport report;
     report.title = fmt::format("Scene {} of {}", scene->id,
                                std::filesystem::path(session.path()).filename().string());
-    report.verdict = verdictText(row, *scene);
-    report.figure = {
-        .estimate = row.estimate.side[0],
-        .previous =
-            rows.size() > 1 ? std::optional(rows[rows.size() - 2]->estimate.side[0]) : std::nullopt,
-        .outline = robotOutline(*robot, s.pitch, s.front, s.rear),
-        .truth = scene->truth,
-        .title = fmt::format("Estimate {}, {}", row.id, utcText(wallTimeOf(start, row.time))),
-        .proposedBin = std::nullopt};
-    report.table = tableOf(row.estimate.side[0], *scene);
+    const TwoTrackVerdict verdict =
+        verdictOf(row.estimate, *robot, scene->measurement, {}, row.stepLimit);
+    report.verdict =
+        verdict.onePlane ? stepText(verdict.side[0], row.stepLimit) : describe(verdict);
+    report.figures =
+        figuresOf(row, rows.size() > 1 ? rows[rows.size() - 2] : nullptr, *scene, *robot,
+                  fmt::format("Estimate {}, {}", row.id, utcText(wallTimeOf(start, row.time))));
+    report.table = tableOf(row.estimate, *scene);
     report.facts = {
         {"source",
          fmt::format("{}, bus {}, recorded by {}", start.source, start.bus, start.program)},
@@ -316,7 +422,7 @@ Result<SessionReport> reportOf(SessionReader& session, std::int64_t wanted,
                      row.estimate.side[0].ending == Ending::NotSampled
                          ? ""
                          : fmt::format(", sampling ended: {}", name(row.estimate.side[0].ending)))},
-        {"pose", poseText(scene->measurement)},
+        {"pose", poseText(scene->measurement, row.estimate.onePlane)},
         {"arm", readingsText(row)},
         {"settings", settingsText(row.estimate.side[0].settings)},
         {"robot", fmt::format("{}, SHA-256 {}", robot->name, start.robotHash)},
@@ -326,9 +432,10 @@ Result<SessionReport> reportOf(SessionReader& session, std::int64_t wanted,
                      found.damage.empty() && !found.broken ? "every hash holds"
                                                            : "PARTS ARE NOT WHAT WAS RECORDED",
                      found.chain)}};
-    if (!row.estimate.side[0].warnings.empty())
-        report.facts.insert(report.facts.begin(),
-                            {"warnings", english(row.estimate.side[0].warnings, "; ")});
+    const Facts verdicts = verdictFacts(verdict, row.stepLimit);
+    report.facts.insert(report.facts.begin(), verdicts.begin(), verdicts.end());
+    if (const std::string warnings = warningsText(row.estimate); !warnings.empty())
+        report.facts.insert(report.facts.begin(), {"warnings", warnings});
     report.events = eventsOf(session, *scene);
     return report;
 }

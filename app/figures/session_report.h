@@ -14,8 +14,8 @@ namespace terratact {
 /// The report of one scene as text.
 struct SessionReport {
     std::string title, verdict;
-    FigureInput figure;
-    std::vector<std::vector<std::string>> table;  ///< heading first, then a row per bin
+    std::vector<FigureInput> figures;             ///< one of one plane, or left and right
+    std::vector<std::vector<std::string>> table;  ///< heading first, then a row per side and bin
     std::vector<std::pair<std::string, std::string>> facts;
     std::vector<std::string> events;  ///< operator actions and display changes
 };

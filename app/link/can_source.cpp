@@ -94,9 +94,14 @@ std::optional<Sample> CanSource::consumePending()
         const auto measurement = link_.receive(received.frame, received.echo, received.time);
         tap_.add(received, link_.telemetry().judged());
         if (!measurement) continue;
-        return Sample{.measurement = *measurement,
-                      .truth = options_.truth ? std::optional(options_.truth()) : std::nullopt,
-                      .forces = link_.telemetry().forces()};
+        Sample sample{
+            .measurement = *measurement, .truth = {}, .forces = link_.telemetry().forces()};
+        if (options_.truth) {
+            const TrueHeights truth = options_.truth();
+            sample.truth = truth.middle;
+            sample.sideTruth = truth.sides;
+        }
+        return sample;
     }
     return std::nullopt;
 }

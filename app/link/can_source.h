@@ -50,7 +50,7 @@ public:
         ConsoleLink::Options link{};
         /// Returns the true terrain at the robot's pose for every measurement. Empty if the truth is unknown, as with
         /// every real robot.
-        std::function<Heights()> truth{};
+        std::function<TrueHeights()> truth{};
         bool waits = false;               ///< a replay: next() returns nothing before begin()
         std::optional<double> bitrate{};  ///< [bit/s] for the load; empty: unknown
         bool nominal = false;             ///< the bit rate is assumed, see BitRate

@@ -2,13 +2,19 @@
 
 namespace terratact {
 
+TrueHeights trueHeights(const SimulatedRobot& robot)
+{
+    return {.middle = robot.truth(),
+            .sides = {robot.truth(ProbeSide::Left), robot.truth(ProbeSide::Right)}};
+}
+
 RobotInProcess::RobotInProcess(MemoryBus& bus, const RobotModel& model, const SimulatedRobot& robot,
                                const RobotOnBus::Options& options)
-    : end_(bus.join("robot", 0)), robot_(model, robot, options), truth_(robot.truth()),
+    : end_(bus.join("robot", 0)), robot_(model, robot, options), truth_(trueHeights(robot)),
       thread_([this](const std::stop_token& stop) {
           const auto keepTruth = [this] {
               const std::scoped_lock lock(mutex_);
-              truth_ = robot_.robot().truth();
+              truth_ = trueHeights(robot_.robot());
           };
           (void)serveRobot(  // a MemoryBus never fails
               *end_, robot_, [&] { return !stop.stop_requested(); }, [](const std::string&) {},
@@ -17,7 +23,7 @@ RobotInProcess::RobotInProcess(MemoryBus& bus, const RobotModel& model, const Si
 {
 }
 
-Heights RobotInProcess::truth() const
+TrueHeights RobotInProcess::truth() const
 {
     const std::scoped_lock lock(mutex_);
     return truth_;

@@ -4,9 +4,13 @@
 #include <thread>
 
 #include "app/link/robot_service.h"
+#include "drivers/measurement_source.h"
 #include "drivers/memory_bus.h"
 
 namespace terratact {
+
+/// Returns the true heights at the robot's pose.
+TrueHeights trueHeights(const SimulatedRobot& robot);
 
 /// A simulated robot in its own thread at the end "robot" of a MemoryBus. It runs until its destruction; the bus must
 /// outlive it.
@@ -16,13 +20,13 @@ public:
                    const RobotOnBus::Options& options);
 
     /// Returns the true bin heights at the pose of the newest sample; callable from any thread.
-    Heights truth() const;
+    TrueHeights truth() const;
 
 private:
     std::unique_ptr<CanBus> end_;
     RobotOnBus robot_;  // used by the thread only, with the end of the bus
     mutable std::mutex mutex_;
-    Heights truth_;
+    TrueHeights truth_;
     std::jthread thread_;  // last member: the thread starts after all others exist
 };
 

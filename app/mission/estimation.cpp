@@ -157,7 +157,8 @@ void Estimation::begin(const Received& latest, std::uint64_t since)
     const bool isNew = latest.press && latest.press->count > since;
     const Sample& sample = isNew ? latest.press->sample : latest.sample;
     aside_.reset();
-    scene_ = CapturedScene{.measurement = sample.measurement, .truth = sample.truth};
+    scene_ = CapturedScene{
+        .measurement = sample.measurement, .truth = sample.truth, .sideTruth = sample.sideTruth};
     pose_.emplace(sample.measurement);
     capturedAt_ = isNew ? latest.press->count : latest.count;
     hadTelemetryGap_ = wasSuspected_ = wasPitchSuspected_ = false;

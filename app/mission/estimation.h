@@ -24,6 +24,7 @@ namespace terratact {
 struct CapturedScene {
     Measurement measurement;
     std::optional<Heights> truth;
+    std::optional<std::array<Heights, 2>> sideTruth{};  ///< left, right
 };
 
 /// Texts about the estimator's model.

@@ -87,8 +87,11 @@ void SessionEventLogger::connectTo(Exploration& exploration)
 {
     const Estimation* estimation = &exploration.estimation();
     connect(estimation, &Estimation::captured, this, [this](const CapturedScene& scene) {
-        scene_ = recorder_->record(
-            SceneRow{.id = 0, .time = 0, .measurement = scene.measurement, .truth = scene.truth});
+        scene_ = recorder_->record(SceneRow{.id = 0,
+                                            .time = 0,
+                                            .measurement = scene.measurement,
+                                            .truth = scene.truth,
+                                            .sideTruth = scene.sideTruth});
     });
     connect(estimation, &Estimation::stands, this, &SessionEventLogger::logEstimate);
     connect(&exploration, &Exploration::proposed, this, &SessionEventLogger::logProposal);

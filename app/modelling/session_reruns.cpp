@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "app/recording/recorded_sides.h"
 #include "core/log/later_poses.h"
 #include "core/store/csv_text.h"
 #include "core/store/file_read.h"
@@ -24,13 +25,45 @@ Settings changed(Settings settings, const RerunChanges& changes)
     return settings;
 }
 
-Scene evaluated(const SceneRow& row)
+Scene evaluated(const SceneRow& row, const std::optional<Heights>& truth)
 {
     Scene scene{
         .run = {}, .time = secondsOf(row.time), .s = proprioception(row.measurement), .truth = {}};
-    if (row.truth)
-        for (std::size_t i = 0; i < kBins; ++i) scene.truth[i] = (*row.truth)[i];
+    if (truth)
+        for (std::size_t i = 0; i < kBins; ++i) scene.truth[i] = (*truth)[i];
     return scene;
+}
+
+/// Returns true if a reading of the arm judges the bands of that side. A reading in the middle is of
+/// neither side of two.
+bool judges(const ArmReading& reading, const TwoTrackEstimate& estimate)
+{
+    return estimate.onePlane || reading.side != ProbeSide::Middle;
+}
+
+/// Returns the CSV lines of one profile.
+std::string linesOf(const Rerun& r, const RecordedSide& side)
+{
+    const TerrainEstimate& a = r.row.estimate.side.at(side.index);
+    const TerrainEstimate& b = r.again.side.at(side.index);
+    std::string text;
+    for (std::size_t i = 0; i < kBins; ++i)
+        text +=
+            csvLine({r.session->path(), r.row.id, r.row.scene, secondsOf(r.row.time),
+                     name(b.settings.method), signedTenth(binCentre(static_cast<int>(i))),
+                     a.height[i], b.height[i], a.sd[i], b.sd[i], a.q10[i], b.q10[i], a.q90[i],
+                     b.q90[i], side.truth ? numberText(side.truth->at(i)) : "",
+                     r.differences.likeness == Match::Identical, name(r.differences.before.both),
+                     name(r.differences.after.both), side.name});
+    return text;
+}
+
+void recordReading(CalibrationLedger& ledger, const TwoTrackEstimate& before,
+                   const ArmReading& reading)
+{
+    if (!judges(reading, before)) return;
+    ledger.record(sideOf(before, reading.side), reading.bin, reading.height, reading.sd,
+                  Origin::Arm);
 }
 
 }  // namespace
@@ -111,7 +144,7 @@ Status SessionReruns::repeat(SessionReader& session, const EstimateRow& row)
     Rerun rerun{.session = &session, .row = row, .again = std::move(*again), .differences = {}};
     rerun.row.estimate = std::move(*before);
     rerun.asRecorded = recordedModel && settings == row.estimate.side[0].settings;
-    rerun.differences = differencesBetween(rerun.row.estimate, rerun.again,
+    rerun.differences = differencesBetween(rerun.row.estimate, rerun.again, *robot,
                                            session.scene(row.scene)->measurement, row.stepLimit);
     reruns_.push_back(std::move(rerun));
     return Done{};
@@ -134,11 +167,16 @@ RerunErrors SessionReruns::errors() const
 {
     RerunErrors errors;
     for (std::size_t k = 0; k < reruns_.size(); ++k) {
-        const Scene scene = evaluated(*reruns_[k].session->scene(reruns_[k].row.scene));
-        for (const BinError& e : binErrors(k, scene, "then", reruns_[k].row.estimate.side[0]))
-            errors.then.push_back(e);
-        for (const BinError& e : binErrors(k, scene, "now", reruns_[k].again.side[0]))
-            errors.now.push_back(e);
+        const Rerun& rerun = reruns_[k];
+        const SceneRow& row = *rerun.session->scene(rerun.row.scene);
+        for (const RecordedSide& side : recordedSides(rerun.differences.onePlane, &row)) {
+            const Scene scene = evaluated(row, side.truth);
+            for (const BinError& e :
+                 binErrors(k, scene, "then", rerun.row.estimate.side.at(side.index)))
+                errors.then.push_back(e);
+            for (const BinError& e : binErrors(k, scene, "now", rerun.again.side.at(side.index)))
+                errors.now.push_back(e);
+        }
     }
     return errors;
 }
@@ -156,10 +194,8 @@ RerunLedgers SessionReruns::laterProbes(const SessionReader& session) const
         if (!before) continue;
         for (std::size_t k = before->row.readings.size(); k < later.row.readings.size(); ++k) {
             const ArmReading& reading = later.row.readings[k];
-            ledgers.then.record(before->row.estimate.side[0], reading.bin, reading.height,
-                                reading.sd, Origin::Arm);
-            ledgers.now.record(before->again.side[0], reading.bin, reading.height, reading.sd,
-                               Origin::Arm);
+            recordReading(ledgers.then, before->row.estimate, reading);
+            recordReading(ledgers.now, before->again, reading);
         }
     }
     return ledgers;
@@ -171,22 +207,35 @@ RerunLedgers SessionReruns::laterPoses(SessionReader& session) const
     for (const Rerun& r : reruns_)
         if (r.session == &session && r.row.role != EstimateRole::Second) last[r.row.scene] = &r;
     std::vector<const Rerun*> ofScene;
-    std::vector<EstimateOfScene> estimates;  // recorded and recomputed estimates alternate
+    // Of each scene: left and right as recorded, then left and right as recomputed.
+    std::vector<EstimateOfScene> estimates;
+    std::vector<const Rerun*> ofEstimate;
     for (std::size_t scene = 0; scene < session.scenes().size(); ++scene) {
         const auto found = last.find(session.scenes()[scene].id);
         ofScene.push_back(found == last.end() ? nullptr : found->second);
         if (!ofScene.back()) continue;
-        estimates.push_back({scene, &ofScene.back()->row.estimate.side[0]});
-        estimates.push_back({scene, &ofScene.back()->again.side[0]});
+        for (const TwoTrackEstimate* estimate :
+             {&ofScene.back()->row.estimate, &ofScene.back()->again})
+            for (const TerrainEstimate& side : estimate->side) {
+                estimates.push_back({scene, &side});
+                ofEstimate.push_back(ofScene.back());
+            }
     }
     RerunLedgers ledgers;
     const auto robot = robotOf(session);
     if (!robot || ofScene.size() < 2) return ledgers;
     for (const LaterPose& pose : terratact::laterPoses(session, *robot, estimates)) {
-        if (!ofScene[pose.scene]) continue;
-        CalibrationLedger& ledger = pose.estimate % 2 == 0 ? ledgers.then : ledgers.now;
-        ledger.record(*estimates[pose.estimate].estimate, pose.ghost,
-                      ofScene[pose.scene]->row.estimate.side[0]);
+        const Rerun* const later = ofScene[pose.scene];
+        if (!later) continue;
+        const std::size_t side = pose.estimate % 2;
+        const bool now = pose.estimate % 4 >= 2;
+        const Rerun& earlier = *ofEstimate[pose.estimate];
+        const bool onePlane =
+            (now ? earlier.again : earlier.row.estimate).onePlane && later->row.estimate.onePlane;
+        if (onePlane && side == 1) continue;
+        (now ? ledgers.now : ledgers.then)
+            .record(*estimates[pose.estimate].estimate, pose.ghost,
+                    later->row.estimate.side.at(side));
     }
     return ledgers;
 }
@@ -195,19 +244,11 @@ std::string SessionReruns::csv() const
 {
     std::string text = "file,estimate,scene,t_s,method,bin_m,height_then_m,height_now_m,"
                        "sd_then_m,sd_now_m,q10_then_m,q10_now_m,q90_then_m,q90_now_m,truth_m,"
-                       "identical,verdict_then,verdict_now\n";
-    for (const Rerun& r : reruns_) {
-        const TerrainEstimate &a = r.row.estimate.side[0], &b = r.again.side[0];
-        const SceneRow* scene = r.session->scene(r.row.scene);
-        for (std::size_t i = 0; i < kBins; ++i)
-            text += csvLine(
-                {r.session->path(), r.row.id, r.row.scene, secondsOf(r.row.time),
-                 name(b.settings.method), signedTenth(binCentre(static_cast<int>(i))), a.height[i],
-                 b.height[i], a.sd[i], b.sd[i], a.q10[i], b.q10[i], a.q90[i], b.q90[i],
-                 scene->truth ? numberText(scene->truth->at(i)) : "",
-                 r.differences.likeness == Match::Identical, name(r.differences.before.stepVerdict),
-                 name(r.differences.after.stepVerdict)});
-    }
+                       "identical,verdict_then,verdict_now,side\n";
+    for (const Rerun& r : reruns_)
+        for (const RecordedSide& side :
+             recordedSides(r.differences.onePlane, r.session->scene(r.row.scene)))
+            text += linesOf(r, side);
     return text;
 }
 

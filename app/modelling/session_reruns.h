@@ -92,7 +92,7 @@ public:
     /// which odometry is continuous.
     RerunLedgers laterPoses(SessionReader& session) const;
 
-    /// Returns one CSV line per bin and rerun, below a header.
+    /// Returns one CSV line per bin, side and rerun, below a header. `side` is "both" if both estimates are of one plane.
     std::string csv() const;
 
 private:

@@ -178,6 +178,23 @@ Side decidingSide(const TwoTrackVerdict& verdict)
     return rank(verdict.side[0]) > rank(verdict.side[1]) ? Side::Left : Side::Right;
 }
 
+/// Returns the true heights to draw: those of the side that is drawn in full, if two sides are drawn. The means of both
+/// sides are those of neither.
+std::optional<Heights> truthOf(const TerrainViewState& viewState, bool onePlane, ShownSides shown)
+{
+    if (!onePlane) {
+        if (!viewState.scene || !viewState.sceneSideTruth || !*viewState.sceneSideTruth)
+            return std::nullopt;
+        const Side full = shown == ShownSides::Left  ? Side::Left
+                        : shown == ShownSides::Right ? Side::Right
+                        : viewState.verdict          ? decidingSide(*viewState.verdict)
+                                                     : Side::Right;
+        return (*viewState.sceneSideTruth)->at(full == Side::Left ? 0 : 1);
+    }
+    const std::optional<Heights>* truth = viewState.scene ? viewState.sceneTruth : viewState.truth;
+    return truth ? *truth : std::nullopt;
+}
+
 /// Returns true while the flippers press. A preview stays longer, until the scene's estimate is there.
 bool flippersMove(const TerrainViewState& viewState)
 {
@@ -504,9 +521,7 @@ void TerrainPage::showPose(const TerrainViewState& viewState)
         viewState.live ? viewState.live.estimate : viewState.estimate.estimate;
     isOnePlane_ = estimate ? estimate->onePlane : isSymmetric(twoTrackReadings(*posed_));
     showOutlines();
-    const std::optional<Heights>* truth = viewState.scene ? viewState.sceneTruth : viewState.truth;
-    // The truth is the mean of both sides, so it is that of neither.
-    terrain_->setTruth(truth && isOnePlane_ ? *truth : std::nullopt);
+    terrain_->setTruth(truthOf(viewState, isOnePlane_, terrain_->shownSides()));
     shownCount_ = viewState.count;
 }
 

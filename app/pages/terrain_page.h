@@ -67,6 +67,8 @@ struct TerrainViewState {
 
     const Measurement* scene = nullptr;  ///< the captured scene
     const std::optional<Heights>* sceneTruth = nullptr;
+    /// True terrain of each side: left, right. It is drawn where both sides are estimated.
+    const std::optional<std::array<Heights, 2>>* sceneSideTruth = nullptr;
     DrawnEstimate estimate{};      ///< estimate of the scene
     double estimateSeconds = 0.0;  ///< [s] computation time
     DrawnEstimate second{};        ///< estimate by a second method

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/recording/recorded_sides.h"
 #include "app/recording/session_exporter.h"
 #include "app/recording/session_text.h"
 #include "core/base/message.h"
@@ -46,7 +47,7 @@ public:
         case ExportKind::Estimates:
             out_ << "__time,estimate,scene,role,method,bin_m,height_m,mean_m,sd_m,q10_m,q90_m,"
                     "source,"
-                    "ceiling_m,rhat,ess,truth_m,touch\n";
+                    "ceiling_m,rhat,ess,truth_m,touch,side\n";
             break;
         case ExportKind::Events:
             out_ << "__time,event,kind,subject,text,number,estimate,proposal,shown\n";
@@ -74,15 +75,9 @@ public:
     bool write(const EstimateRow& row) override
     {
         if (what_ != ExportKind::Estimates) return false;
-        const TerrainEstimate& e = row.estimate.side[0];
-        const SceneRow* scene = session_.scene(row.scene);
-        for (std::size_t i = 0; i < kBins; ++i)
-            out_ << csvLine({moment(row.time), row.id, row.scene, name(row.role),
-                             name(e.settings.method), fixed(binCentre(static_cast<int>(i)), 1),
-                             e.height[i], e.mean[i], e.sd[i], e.q10[i], e.q90[i], name(e.origin[i]),
-                             std::isfinite(e.ceiling[i]) ? numberText(e.ceiling[i]) : "", e.rhat[i],
-                             e.ess[i], scene && scene->truth ? numberText(scene->truth->at(i)) : "",
-                             name(e.touch[i])});
+        for (const RecordedSide& side :
+             recordedSides(row.estimate.onePlane, session_.scene(row.scene)))
+            writeSide(row, side);
         return true;
     }
 
@@ -96,6 +91,18 @@ public:
     }
 
 private:
+    void writeSide(const EstimateRow& row, const RecordedSide& side)
+    {
+        const TerrainEstimate& e = row.estimate.side.at(side.index);
+        for (std::size_t i = 0; i < kBins; ++i)
+            out_ << csvLine({moment(row.time), row.id, row.scene, name(row.role),
+                             name(e.settings.method), fixed(binCentre(static_cast<int>(i)), 1),
+                             e.height[i], e.mean[i], e.sd[i], e.q10[i], e.q90[i], name(e.origin[i]),
+                             std::isfinite(e.ceiling[i]) ? numberText(e.ceiling[i]) : "", e.rhat[i],
+                             e.ess[i], side.truth ? numberText(side.truth->at(i)) : "",
+                             name(e.touch[i]), side.name});
+    }
+
     static std::string heading(const FrameLayout& layout, const SignalLayout& signal)
     {
         return signal.unit.empty()

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "app/recording/mcap_writer.h"
+#include "app/recording/recorded_sides.h"
 #include "app/recording/session_exporter.h"
 #include "app/recording/session_text.h"
 #include "core/base/text.h"
@@ -90,6 +92,12 @@ public:
                 channels_.push_back(mcap_.addChannel("/payload/" + message.name, message.name,
                                                      jsonSchemaOf(message)));
         estimate_ = add(ExportKind::Estimates, "/estimate", "terratact.Estimate", kEstimateSchema);
+        if (hasTwoSides()) {
+            sides_[0] =
+                add(ExportKind::Estimates, "/estimate/left", "terratact.Estimate", kEstimateSchema);
+            sides_[1] = add(ExportKind::Estimates, "/estimate/right", "terratact.Estimate",
+                            kEstimateSchema);
+        }
         event_ = add(ExportKind::Events, "/event", "terratact.Event", kEventSchema);
         const SessionStart& start = session_.start();
         mcap_.addMetadata("terratact.session", {{"program", start.program},
@@ -120,8 +128,12 @@ public:
     }
     bool write(const EstimateRow& row) override
     {
-        if (estimate_ != 0) write(estimate_, row.time, estimateJson(row));
-        return estimate_ != 0;
+        if (estimate_ == 0) return false;
+        for (const RecordedSide& side :
+             recordedSides(row.estimate.onePlane, session_.scene(row.scene)))
+            write(row.estimate.onePlane ? estimate_ : sides_.at(side.index), row.time,
+                  estimateJson(row, side));
+        return true;
     }
     bool write(const EventRow& row) override
     {
@@ -211,10 +223,15 @@ private:
         return names.empty() ? names : fmt::format(R"(,"missing":[{}])", names);
     }
 
-    std::string estimateJson(const EstimateRow& row) const
+    bool hasTwoSides() const
     {
-        const TerrainEstimate& e = row.estimate.side[0];
-        const SceneRow* scene = session_.scene(row.scene);
+        return std::ranges::any_of(session_.estimates(),
+                                   [](const EstimateRow& row) { return !row.estimate.onePlane; });
+    }
+
+    static std::string estimateJson(const EstimateRow& row, const RecordedSide& side)
+    {
+        const TerrainEstimate& e = row.estimate.side.at(side.index);
         std::string bins, warnings;
         for (std::size_t i = 0; i < kBins; ++i) {
             bins += fmt::format(
@@ -222,7 +239,7 @@ private:
                 i > 0 ? "," : "", binCentre(static_cast<int>(i)), e.height[i], e.mean[i], e.sd[i],
                 e.q10[i], e.q90[i], jsonText(name(e.origin[i])), jsonText(name(e.touch[i])));
             if (std::isfinite(e.ceiling[i])) bins += fmt::format(",\"ceiling\":{}", e.ceiling[i]);
-            if (scene && scene->truth) bins += fmt::format(",\"truth\":{}", scene->truth->at(i));
+            if (side.truth) bins += fmt::format(",\"truth\":{}", side.truth->at(i));
             bins += "}";
         }
         for (const Message& warning : e.warnings)
@@ -241,6 +258,7 @@ private:
     McapWriter mcap_;
     std::unique_ptr<TelemetryListener> listener_;
     std::uint16_t can_ = 0, measurement_ = 0, estimate_ = 0, event_ = 0;
+    std::array<std::uint16_t, 2> sides_{};  // channels of estimates of two sides
 };
 
 }  // namespace

@@ -127,8 +127,7 @@ Result<TwoTrackEstimate> estimateAgain(const SessionReader& session, const Estim
                                                  modest.error().message));
     try {
         TwoTrackEstimate estimate =
-            estimateMeasured(scene->measurement, row.readings, *robot, models, settings,
-                             watch);  // equals the console
+            estimateMeasured(scene->measurement, row.readings, *robot, models, settings, watch);
         writePosteriorCheck(estimate, scene->measurement, *robot, pollOf(watch));
         return estimate;
     } catch (const std::exception& refused) {  // the recorded scene cannot be estimated
@@ -139,25 +138,28 @@ Result<TwoTrackEstimate> estimateAgain(const SessionReader& session, const Estim
 
 double Differences::largest() const
 {
-    return std::abs(bin[static_cast<std::size_t>(largestBin)].height);
+    return std::abs(side.at(largestSide).at(static_cast<std::size_t>(largestBin)).height);
 }
 
 Differences differencesBetween(const TwoTrackEstimate& before, const TwoTrackEstimate& after,
-                               const Measurement& scene, double stepLimit)
+                               const RobotModel& robot, const Measurement& scene, double stepLimit)
 {
-    const TerrainEstimate &was = before.side[0], &is = after.side[0];
-    Differences result{.before = verdictOf(was, scene, {}, stepLimit),
-                       .after = verdictOf(is, scene, {}, stepLimit),
+    Differences result{.onePlane = before.onePlane && after.onePlane,
+                       .before = verdictOf(before, robot, scene, {}, stepLimit),
+                       .after = verdictOf(after, robot, scene, {}, stepLimit),
                        .likeness = likenessOf(before, after)};
-    for (std::size_t i = 0; i < kBins; ++i) {
-        result.bin[i] = {.mean = is.mean[i] - was.mean[i],
-                         .sd = is.sd[i] - was.sd[i],
-                         .q10 = is.q10[i] - was.q10[i],
-                         .q90 = is.q90[i] - was.q90[i],
-                         .height = is.height[i] - was.height[i]};
-        if (std::abs(result.bin[i].height) > result.largest())
+    for (std::size_t k = 0; k < 2; ++k)
+        for (std::size_t i = 0; i < kBins; ++i) {
+            const TerrainEstimate &was = before.side.at(k), &is = after.side.at(k);
+            result.side.at(k)[i] = {.mean = is.mean[i] - was.mean[i],
+                                    .sd = is.sd[i] - was.sd[i],
+                                    .q10 = is.q10[i] - was.q10[i],
+                                    .q90 = is.q90[i] - was.q90[i],
+                                    .height = is.height[i] - was.height[i]};
+            if (std::abs(result.side.at(k)[i].height) <= result.largest()) continue;
+            result.largestSide = k;
             result.largestBin = static_cast<int>(i);
-    }
+        }
     return result;
 }
 

@@ -7,7 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/infer/estimator.h"
-#include "core/infer/verdict/verdict.h"
+#include "core/infer/verdict/two_track_verdict.h"
 #include "core/log/session_reader.h"
 
 namespace terratact {
@@ -23,7 +23,8 @@ Result<std::string> modelFileOf(const ModelRow& row, std::span<const std::string
 /// Returns a recorded estimate with its draws. Errors name the session's file.
 Result<TwoTrackEstimate> recordedEstimate(SessionReader& session, const EstimateRow& row);
 
-/// Recomputes the estimate of the row's scene with its probe readings, in their order, and the session's robot. models:
+/// Recomputes the estimate of the row's scene by estimateMeasured(), like the console, with its probe readings, in their
+/// order, and the session's robot. models:
 /// for that robot. Errors name the session's file; settings above requireModest() are errors. Throws Cancelled. With
 /// the row's own model and settings the result is bit-identical to the recording. This needs the same version and
 /// vector instructions, one BLAS thread, and a sampling that time did not end (Ending::Time). Otherwise Match::LastBits
@@ -50,22 +51,25 @@ struct BinDifference {
 inline constexpr double kLastBits = 1e-6;
 
 enum class Match {
-    /// Every number, draws included, is bit-identical, and every text is equal.
+    /// Every number of both sides, draws included, is bit-identical, and every text is equal.
     Identical,
     LastBits,  ///< every number within kLastBits, every text equal
     Other
 };
 
 struct Differences {
-    std::array<BinDifference, kBins> bin{};
-    int largestBin = 0;     ///< bin with the largest change of height
-    Verdict before, after;  ///< without telemetry gaps
+    /// Left, right. They are equal if both estimates are of one plane.
+    std::array<std::array<BinDifference, kBins>, 2> side{};
+    bool onePlane = true;         ///< both estimates are of one plane
+    std::size_t largestSide = 0;  ///< side and bin with the largest change of height
+    int largestBin = 0;
+    TwoTrackVerdict before, after;  ///< without telemetry gaps
     Match likeness = Match::Other;
-    double largest() const;  ///< [m] |height change| of largestBin
+    double largest() const;  ///< [m] |height change| of largestSide and largestBin
 };
 
-/// stepLimit: obstacle height of the verdicts [m]. Throws the exceptions of verdictOf().
+/// robot: of the session. stepLimit: obstacle height of the verdicts [m]. Throws the exceptions of verdictOf().
 Differences differencesBetween(const TwoTrackEstimate& before, const TwoTrackEstimate& after,
-                               const Measurement& scene, double stepLimit);
+                               const RobotModel& robot, const Measurement& scene, double stepLimit);
 
 }  // namespace terratact

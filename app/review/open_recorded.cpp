@@ -11,7 +11,7 @@
 #include "app/runtime/resources.h"
 #include "app/shell/window_picture.h"
 #include "app/start/console_setup.h"
-#include "core/learn/data/scene_file.h"
+#include "core/learn/data/two_track_scene_file.h"
 #include "core/store/file_read.h"
 
 namespace terratact {
@@ -71,7 +71,7 @@ Result<int> openReview(Application& application, const ConsoleOptions& options)
 
 Result<int> openScenes(Application& application, const ConsoleOptions& options)
 {
-    auto file = readScenes(options.replay);
+    auto file = readTwoTrackScenes(options.replay);
     if (!file) return file.error();
     if (file->scenes.empty()) return fileError(options.replay, TR_NOOP("core", "has no scenes"));
     LoadedPreferences loaded = preferencesFor(options);

@@ -28,11 +28,48 @@ std::string field(double value)
              : std::string();
 }
 
+/// Returns the known changes of one flipper's forces [N], "--" for others.
+QString forcesWords(const Measurement& from, const Measurement& to, bool isLeft)
+{
+    const auto& before = isLeft ? from.sides.left : from.sides.right;
+    const auto& after = isLeft ? to.sides.left : to.sides.right;
+    QStringList words;
+    for (std::size_t i = 0; i < before.size(); ++i)
+        words << format::signedNumber(before[i] && after[i] ? *after[i] - *before[i] : kNone, 1);
+    return words.join(QLatin1Char(' '));
+}
+
+/// Returns true if left and right changed by other amounts, or the roll changed, beyond the noise of the readings.
+bool changedBySides(const Measurement& from, const Measurement& to)
+{
+    constexpr double kNoise = 0.02;  // [rad]
+    const double front = (to.frontLeft - from.frontLeft) - (to.frontRight - from.frontRight);
+    const double rear = (to.rearLeft - from.rearLeft) - (to.rearRight - from.rearRight);
+    return std::abs(front) > kNoise || std::abs(rear) > kNoise
+        || std::abs(to.roll - from.roll) > kNoise;
+}
+
+QString sidesWords(const ReviewMoment& a, const ReviewMoment& b)
+{
+    const Measurement &from = *a.measurement, &to = *b.measurement;
+    const QString time = format::signedNumber(secondsOf(b.time - a.time), 3);
+    return DifferenceWords::tr(
+               "B − A: %1 s, pitch %2, roll %3, front left %4 right %5, rear left %6 "
+               "right %7, forces left %8 right %9 N")
+        .arg(time, format::degrees(to.pitch - from.pitch), format::degrees(to.roll - from.roll),
+             format::degrees(to.frontLeft - from.frontLeft),
+             format::degrees(to.frontRight - from.frontRight),
+             format::degrees(to.rearLeft - from.rearLeft),
+             format::degrees(to.rearRight - from.rearRight), forcesWords(from, to, true),
+             forcesWords(from, to, false));
+}
+
 }  // namespace
 
 QString differenceWords(const ReviewMoment& a, const ReviewMoment& b)
 {
     const bool both = a.measurement && b.measurement;
+    if (both && changedBySides(*a.measurement, *b.measurement)) return sidesWords(a, b);
     const Measurement from = a.measurement.value_or(Measurement{});
     const Measurement to = b.measurement.value_or(Measurement{});
     const Proprioception first = proprioception(from), second = proprioception(to);
@@ -70,10 +107,14 @@ QString numbersCsv(const ReviewMoment& moment)
         put(kRearCurrentFeature, m->rearLeftCurrent);
         put(kRearCurrentFeature, m->rearRightCurrent);
         for (std::size_t e = 0; e < m->force.size(); ++e) put(kFirstForceFeature + e, m->force[e]);
+        for (const auto& side : {m->sides.left, m->sides.right})
+            for (const auto& force : side) row.push_back(force ? field(*force) : std::string());
     } else {
-        row.resize(12 + kForceElements);
+        row.resize(12 + 3 * kForceElements);
     }
-    for (int i = 1; i <= kForceElements; ++i) header.push_back("force_" + std::to_string(i) + "_n");
+    for (const char* const of : {"", "front_left_", "front_right_"})
+        for (int i = 1; i <= kForceElements; ++i)
+            header.push_back(of + ("force_" + std::to_string(i)) + "_n");
     return QString::fromStdString(csvLine(header) + csvLine(row));
 }
 

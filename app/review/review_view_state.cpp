@@ -14,6 +14,7 @@ ProbeProposal proposalOf(const ProposalRow& row)
 {
     ProbeProposal p{.id = static_cast<quint64>(row.id),
                     .bin = row.bin,
+                    .side = row.side,
                     .height = row.height,
                     .q10 = row.q10,
                     .q90 = row.q90,
@@ -101,6 +102,7 @@ void ReviewViewState::addMeasured(TerrainViewState& viewState, const ReviewMomen
     if (!moment.scene) return;
     viewState.scene = &moment.scene->measurement;
     viewState.sceneTruth = &moment.scene->truth;
+    viewState.sceneSideTruth = &moment.scene->sideTruth;
     if (!viewState.measurement) {
         viewState.measurement = viewState.scene;
         viewState.age = std::numeric_limits<double>::infinity();  // nothing was received yet
@@ -152,7 +154,7 @@ void ReviewViewState::addProbe(TerrainViewState& viewState, const ReviewMoment& 
         viewState.proposal = &*proposal_;
         viewState.probeSeconds = row->seconds;
         if (moment.state.phase == AtemPhase::Probing)
-            viewState.probingPlace = ProbePlace{row->bin, proposal_->side};
+            viewState.probingPlace = ProbePlace{row->bin, row->side};
     } else if (moment.estimate) {
         viewState.bestProbe =
             bestProbe({moment.estimate->estimate, adviceOf(moment.estimate, limit(moment)), robot_,

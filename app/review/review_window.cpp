@@ -139,7 +139,7 @@ void ReviewWindow::addTools()
                     tr("Exports the visible part or the whole session to a file (Ctrl+E)")),
             &QPushButton::clicked, this, &ReviewWindow::exportShown);
     addViewTool(*preferences_, tr("at the next start"));
-    addHelpTool(demonstration(),
+    addHelpTool(demonstrations(),
                 [this](const QString& path) { openInAnotherWindow(path, {}, notOpened()); });
 }
 

@@ -21,32 +21,51 @@
 namespace terratact {
 namespace {
 
-/// Converts a scene to telemetry; left and right are equal.
-Measurement measurementOf(const Scene& scene)
+/// Converts a scene to telemetry.
+Measurement lineOf(const TwoTrackScene& scene)
 {
-    Measurement m;
+    Measurement m = measurementOf(scene.s);
     m.time = scene.time;
-    m.pitch = scene.s.pitch;
-    m.frontLeft = m.frontRight = scene.s.front;
-    m.rearLeft = m.rearRight = scene.s.rear;
-    m.frontLeftCurrent = m.frontRightCurrent = scene.s.frontCurrent.value_or(0.0);
-    m.rearLeftCurrent = m.rearRightCurrent = scene.s.rearCurrent.value_or(0.0);
-    for (std::size_t i = 0; i < m.force.size(); ++i) m.force[i] = scene.s.force[i].value_or(0.0);
-    m.missing = missingFeatures(scene.s);
     m.activity = RobotActivity::Pressed;
     return m;
 }
 
-/// Returns the true heights; NaN, which is not drawn, for unknown ones.
-std::optional<Heights> truthOf(const Scene& scene)
+/// Returns the true heights of both sides; NaN, which is not drawn, for unknown ones.
+std::optional<std::array<Heights, 2>> truthOf(const TwoTrackScene& scene)
 {
-    Heights truth{};
+    std::array<Heights, 2> truth{};
     bool isKnown = false;
-    for (std::size_t i = 0; i < truth.size(); ++i) {
-        truth[i] = scene.truth[i].value_or(std::numeric_limits<double>::quiet_NaN());
-        isKnown = isKnown || scene.truth[i];
-    }
+    for (std::size_t side = 0; side < 2; ++side)
+        for (std::size_t i = 0; i < kBins; ++i) {
+            const std::optional<double>& height = scene.truth.at(side)[i];
+            truth.at(side)[i] = height.value_or(std::numeric_limits<double>::quiet_NaN());
+            isKnown = isKnown || height;
+        }
     return isKnown ? std::optional(truth) : std::nullopt;
+}
+
+/// Returns the means of both sides; NaN where one is unknown.
+std::optional<Heights> meanOf(const std::optional<std::array<Heights, 2>>& sides)
+{
+    if (!sides) return std::nullopt;
+    Heights mean{};
+    for (std::size_t i = 0; i < kBins; ++i) mean[i] = 0.5 * ((*sides)[0][i] + (*sides)[1][i]);
+    return mean;
+}
+
+/// Returns the forces of the front flippers: one array without a name if left and right are equal.
+std::vector<ForceArray> forcesOf(const TwoTrackScene& scene)
+{
+    const auto arrayOf = [&scene](Flipper flipper, const char* name) {
+        ForceArray array{.name = QString::fromLatin1(name)};
+        for (std::size_t i = 0; i < kForceElements; ++i)
+            array.elements[i].newtons = scene.s.forces[indexOf(flipper)][i];
+        return array;
+    };
+    const auto& left = scene.s.forces[indexOf(Flipper::FrontLeft)];
+    const auto& right = scene.s.forces[indexOf(Flipper::FrontRight)];
+    if (left == right) return {arrayOf(Flipper::FrontLeft, "")};
+    return {arrayOf(Flipper::FrontLeft, "L"), arrayOf(Flipper::FrontRight, "R")};
 }
 
 }  // namespace
@@ -118,8 +137,9 @@ ScenesWindow::~ScenesWindow() = default;
 void ScenesWindow::showScene(std::size_t scene)
 {
     scene_ = std::min(scene, options_.scenes.size() - 1);
-    measurement_ = measurementOf(options_.scenes[scene_]);
-    truth_ = truthOf(options_.scenes[scene_]);
+    measurement_ = lineOf(options_.scenes[scene_]);
+    sideTruth_ = truthOf(options_.scenes[scene_]);
+    truth_ = meanOf(sideTruth_);
     ask();
 }
 
@@ -142,12 +162,10 @@ void ScenesWindow::showViewState()
     TerrainViewState viewState;
     viewState.count = ++shows_;
     viewState.measurement = viewState.scene = &measurement_;
-    ForceArray array;
-    for (std::size_t i = 0; i < kForceElements; ++i)
-        array.elements[i].newtons = options_.scenes[scene_].s.force[i];
-    const std::vector<ForceArray> forces{array};
+    const std::vector<ForceArray> forces = forcesOf(options_.scenes[scene_]);
     viewState.forces = &forces;
     viewState.sceneTruth = &truth_;
+    viewState.sceneSideTruth = &sideTruth_;
     viewState.whyNoEstimate = trouble_.empty() ? tr("Estimating …") : translated(trouble_);
     page_->verdict()->setLimit(options_.stepLimit);
     if (estimate_) {
@@ -162,7 +180,7 @@ void ScenesWindow::showViewState()
         TR_NOOP("terratact::ScenesWindow", "A scene of a file commands no robot")};
     viewState.driving = viewState.preconditions;
     page_->setViewState(viewState);
-    const Scene& scene = options_.scenes[scene_];
+    const TwoTrackScene& scene = options_.scenes[scene_];
     state_->setText(tr("SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · "
                        "keys . and , step")
                         .arg(scene_ + 1)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -8,7 +9,7 @@
 #include "app/runtime/revised.h"
 #include "app/shell/console_window.h"
 #include "core/base/message.h"
-#include "core/learn/data/scene.h"
+#include "core/learn/data/two_track_scene.h"
 #include "core/robot/robot_model.h"
 
 class QLabel;
@@ -24,7 +25,7 @@ class ScenesWindow final : public ConsoleWindow {
 public:
     struct Options {
         QString path;
-        std::vector<Scene> scenes;  ///< at least one scene
+        std::vector<TwoTrackScene> scenes;  ///< at least one scene; one plane has equal sides
         RobotModel robot;
         ModelLoader model;
         Settings settings{};
@@ -48,6 +49,7 @@ private:
     Options options_;
     Measurement measurement_;
     std::optional<Heights> truth_;
+    std::optional<std::array<Heights, 2>> sideTruth_;
     std::unique_ptr<EstimatorWorker> worker_;
     std::size_t scene_ = 0;
     std::uint64_t shows_ = 0;

@@ -290,7 +290,7 @@ void WhatIfPage::showAnswer()
 {
     const TwoTrackEstimate& before = recorded_->estimate;
     const Differences found =
-        differencesBetween(before, *answer_, scene_->measurement, recorded_->stepLimit);
+        differencesBetween(before, *answer_, robot_, scene_->measurement, recorded_->stepLimit);
     const bool asRecorded = *asked_ == before.side[0].settings && isRecordedModel();
     QString text;
     Tone tone = Tone::Plain;
@@ -304,38 +304,69 @@ void WhatIfPage::showAnswer()
     } else if (asRecorded && before.side[0].ending == Ending::Time) {
         text = tr("A time limit ended the recorded sampling, so it cannot be repeated bit for bit: "
                   "%1 m at most, at bin %2.")
-                   .arg(format::number(found.largest(), 3), format::binName(found.largestBin));
+                   .arg(format::number(found.largest(), 3), placeName(found));
         tone = Tone::Doubt;
     } else if (asRecorded) {
         text = tr("The recorded settings and model do NOT reproduce the recorded estimate: %1 m at "
                   "most, at bin %2.")
-                   .arg(format::number(found.largest(), 6), format::binName(found.largestBin));
+                   .arg(format::number(found.largest(), 6), placeName(found));
         tone = Tone::Bad;
     } else {
         text = tr("Differs from the recorded estimate by %1 m at most, at bin %2.")
-                   .arg(format::number(found.largest(), 3), format::binName(found.largestBin));
+                   .arg(format::number(found.largest(), 3), placeName(found));
     }
-    text += QLatin1Char('\n')
-          + tr("Steps of more than %1 m: %2 (%3 %) then, %4 (%5 %) now.")
-                .arg(format::number(recorded_->stepLimit, 2),
-                     translated(describe(found.before.stepVerdict)),
-                     format::number(100.0 * found.before.step.p, 1),
-                     translated(describe(found.after.stepVerdict)),
-                     format::number(100.0 * found.after.step.p, 1));
-    showStatus(text, tone);
+    showStatus(text + QLatin1Char('\n') + verdictWords(found), tone);
     showBins(&found);
+}
+
+QString WhatIfPage::placeName(const Differences& found)
+{
+    const QString bin = format::binName(found.largestBin);
+    if (found.onePlane) return bin;
+    return found.largestSide == 0 ? tr("%1 left").arg(bin) : tr("%1 right").arg(bin);
+}
+
+QString WhatIfPage::verdictWords(const Differences& found) const
+{
+    const auto answer = [](StepVerdict verdict, double p) {
+        return QStringLiteral("%1 (%2 %)")
+            .arg(translated(describe(verdict)), format::number(100.0 * p, 1));
+    };
+    QString text = tr("Steps of more than %1 m: %2 then, %3 now.")
+                       .arg(format::number(recorded_->stepLimit, 2),
+                            answer(found.before.both, found.before.either.p),
+                            answer(found.after.both, found.after.either.p));
+    if (found.onePlane) return text;
+    const auto side = [&](const QString& words, std::size_t k) {
+        const Verdict &then = found.before.side.at(k), &now = found.after.side.at(k);
+        text +=
+            QLatin1Char('\n')
+            + words.arg(answer(then.stepVerdict, then.step.p), answer(now.stepVerdict, now.step.p));
+    };
+    side(tr("Left: %1 then, %2 now."), 0);
+    side(tr("Right: %1 then, %2 now."), 1);
+    return text;
 }
 
 void WhatIfPage::showBins(const Differences* found)
 {
+    const bool onePlane = found ? found->onePlane : !recorded_ || recorded_->estimate.onePlane;
+    table_->setRowCount(onePlane ? kBins : 2 * kBins);
+    showSide(found, 0, onePlane ? QString() : tr("left"));
+    if (!onePlane) showSide(found, 1, tr("right"));
+}
+
+void WhatIfPage::showSide(const Differences* found, std::size_t side, const QString& name)
+{
     const double nothing = std::numeric_limits<double>::quiet_NaN();
     for (int bin = 0; bin < kBins; ++bin) {
         const auto i = static_cast<std::size_t>(bin);
-        const TerrainEstimate* before = recorded_ ? &recorded_->estimate.side[0] : nullptr;
-        const TerrainEstimate* now = found ? &answer_->side[0] : nullptr;
-        const BinDifference by =
-            found ? found->bin[i] : BinDifference{nothing, nothing, nothing, nothing, nothing};
-        const QStringList cells{format::signedNumber(binCentre(bin), 1),
+        const TerrainEstimate* before = recorded_ ? &recorded_->estimate.side.at(side) : nullptr;
+        const TerrainEstimate* now = found ? &answer_->side.at(side) : nullptr;
+        const BinDifference by = found ? found->side.at(side)[i]
+                                       : BinDifference{nothing, nothing, nothing, nothing, nothing};
+        const QString place = format::signedNumber(binCentre(bin), 1);
+        const QStringList cells{name.isEmpty() ? place : place + QLatin1Char(' ') + name,
                                 format::signedNumber(before ? before->height[i] : nothing, 3),
                                 format::signedNumber(now ? now->height[i] : nothing, 3),
                                 format::signedNumber(by.height, 3),
@@ -346,7 +377,7 @@ void WhatIfPage::showBins(const Differences* found)
         for (int column = 0; column < cells.size(); ++column) {
             auto* item = new QTableWidgetItem(cells[column]);
             item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-            table_->setItem(bin, column, item);
+            table_->setItem(static_cast<int>(side) * kBins + bin, column, item);
         }
     }
 }

@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 #include <QWindow>
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "app/display/translated.h"
@@ -156,7 +157,7 @@ void ConsoleWindow::addViewTool(PreferenceStore& preferences, const QString& new
     view->setMenu(new ViewMenu(preferences, newWindow, view));
 }
 
-void ConsoleWindow::addHelpTool(const QString& demonstration,
+void ConsoleWindow::addHelpTool(const QStringList& demonstrations,
                                 std::function<void(const QString& path)> open)
 {
     QPushButton* help = addTool(tr("Help\nF1"), tr("All keys, and about this program"));
@@ -170,9 +171,11 @@ void ConsoleWindow::addHelpTool(const QString& demonstration,
     };
     offer(tr("Keys"), kKeysKey, &ConsoleWindow::showKeys);
     offer(tr("About Terratact"), kAboutKey, &ConsoleWindow::showAbout);
-    if (QFileInfo::exists(demonstration))
-        connect(menu->addAction(tr("Recorded demonstration")), &QAction::triggered, this,
-                [demonstration, open = std::move(open)] { open(demonstration); });
+    const std::array titles{tr("Recorded demonstration"), tr("Recorded demonstration, two tracks")};
+    for (qsizetype k = 0; k < std::min<qsizetype>(demonstrations.size(), 2); ++k)
+        if (const QString& path = demonstrations[k]; QFileInfo::exists(path))
+            connect(menu->addAction(titles.at(static_cast<std::size_t>(k))), &QAction::triggered,
+                    this, [path, open] { open(path); });
     help->setMenu(menu);
 }
 

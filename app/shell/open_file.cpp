@@ -67,9 +67,10 @@ void askAndOpenInAnotherWindow(QWidget& parent, const QString& folder, const std
                });
 }
 
-QString demonstration()
+QStringList demonstrations()
 {
-    return QString::fromStdString(resourcePath("sessions/demo.tts"));
+    return {QString::fromStdString(resourcePath("sessions/demo.tts")),
+            QString::fromStdString(resourcePath("sessions/two_tracks.tts"))};
 }
 
 }  // namespace terratact

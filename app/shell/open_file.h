@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -27,7 +28,7 @@ void openInAnotherWindow(const QString& path, const std::string& stopLine,
 void askAndOpenInAnotherWindow(QWidget& parent, const QString& folder, const std::string& stopLine,
                                std::function<void(const QString& why)> failed);
 
-/// Returns the path of the shipped session; it may be missing.
-QString demonstration();
+/// Returns the paths of the shipped sessions, of one plane and of two tracks; they may be missing.
+QStringList demonstrations();
 
 }  // namespace terratact

@@ -42,17 +42,6 @@ void requireFeatures(const TwoTrackReadings& s, const SideModels& models)
             throw std::invalid_argument("a feature of a side is unknown that its model needs");
 }
 
-/// Returns contacts and arm readings of one side.
-MeasuredBins measuredOn(Side side, const TwoTrackReadings& s, std::span<const ArmReading> arm,
-                        const RobotModel& flipperPlane, const TerrainEstimate& estimate)
-{
-    MeasuredBins measured =
-        measureBins(flipperPlane, sideReadings(s, side), arm, estimate.ceiling, estimate.settings);
-    for (std::size_t i = 0; i < std::size_t{kFirstFlipperBin}; ++i)
-        if (measured.bin[i] && measured.bin[i]->origin == Origin::Contact) measured.bin[i].reset();
-    return measured;
-}
-
 void drawBoth(TwoTrackEstimate& estimate, const GaussianMixture& distribution,
               const Settings& settings, const Poll& poll)
 {
@@ -80,6 +69,17 @@ void addOwnHazards(TerrainEstimate& estimate, Side side, const Poll& poll)
 }
 
 }  // namespace
+
+MeasuredBins measuredOnSide(Side side, const TwoTrackReadings& s, std::span<const ArmReading> arm,
+                            const RobotModel& robot, const Heights& ceiling,
+                            const Settings& settings)
+{
+    const RobotModel plane = inSidePlane(robot, s.roll, signOf(side) * robot.lateral.flipperY);
+    MeasuredBins measured = measureBins(plane, sideReadings(s, side), arm, ceiling, settings);
+    for (std::size_t i = 0; i < std::size_t{kFirstFlipperBin}; ++i)
+        if (measured.bin[i] && measured.bin[i]->origin == Origin::Contact) measured.bin[i].reset();
+    return measured;
+}
 
 GaussianMixture sideDistribution(const SideModels& models, const TwoTrackReadings& s,
                                  const ClearanceModel::SideBins& covered, Method method)
@@ -119,10 +119,10 @@ TwoTrackEstimate reconstructBothSides(const TwoTrackReadings& s, const SideArms&
     GaussianMixture distribution = sideDistribution(models, s, covered, settings.method);
     for (const Side side : kSides) {
         TerrainEstimate& own = estimate.side[numberOf(side)];
-        const RobotModel plane = inSidePlane(robot, s.roll, signOf(side) * robot.lateral.flipperY);
-        applyMeasurements(distribution, firstOf(side),
-                          measuredOn(side, s, arms[numberOf(side)], plane, own),
-                          modelOf(models, side), own);
+        applyMeasurements(
+            distribution, firstOf(side),
+            measuredOnSide(side, s, arms[numberOf(side)], robot, own.ceiling, settings),
+            modelOf(models, side), own);
         warnIfNovel(own);
     }
     for (const Side side : kSides)

@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "core/infer/estimate/measured_bins.h"
 #include "core/infer/estimate/two_track_estimate.h"
 #include "core/infer/sampling/gaussian_mixture.h"
 #include "core/learn/model/clearance_model.h"
@@ -19,6 +20,12 @@ struct SideModels {
     const ClearanceModel& left;
     const ClearanceModel& right;
 };
+
+/// Returns contacts and arm readings of one side, by measureBins() in the plane of its flippers
+/// (core/robot/side_plane.h). A contact counts in bins of the flippers' line only. ceiling: of the side.
+MeasuredBins measuredOnSide(Side side, const TwoTrackReadings& s, std::span<const ArmReading> arm,
+                            const RobotModel& robot, const Heights& ceiling,
+                            const Settings& settings);
 
 /// Returns the distribution of the surface coordinates of both sides, left above right: 22
 /// coordinates. It is surfaceDistribution() with the residuals of both sides together, because

@@ -47,7 +47,8 @@ public:
     Measurement measure();
 
     /// Returns the true bin heights at the present pose, the means of both sides.
-    Heights truth() const { return stance_.truth(); }
+    /// Of one side, or the means of both.
+    Heights truth(ProbeSide side = ProbeSide::Middle) const { return stance_.truth(side); }
 
     /// Returns the pose in the vertical plane of the middle.
     const Pose& pose() const { return stance_.pose(); }

@@ -55,7 +55,7 @@ _terratact_buses() {
 _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
-    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | reconstruct:--tracks | evaluate:--tracks | hazards:--tracks | *:--probes | *:--missing | *:--lamps | *:--watch | \
+    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | reconstruct:--tracks | evaluate:--tracks | hazards:--tracks | "session scenes":--tracks | *:--probes | *:--missing | *:--lamps | *:--watch | \
       *:--summary | *:--transmit | *:--safe-mode | *:--errors-in-window | *:--no-record | *:--measured | *:--all | *:--card | \
       "model show:--csv") return 1 ;;
     *:--robot | *:--panel) _terratact_files toml ;;
@@ -129,7 +129,7 @@ _terratact_options() {
     "session verify") echo --link ;;
     "session export") echo --out --format --what --from --to --dbc ;;
     "session recover") echo --out ;;
-    "session scenes") echo --out --measured ;;
+    "session scenes") echo --out --measured --tracks ;;
     "session report") echo --scene --out ;;
     "session merge") echo --out ;;
     "session what-if") echo --estimate --all --method --quality --threshold --seed --model --out ;;

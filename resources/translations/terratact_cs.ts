@@ -747,6 +747,10 @@ značka K</translation>
         <source>B − A: %1 s, pitch %2, front %3, rear %4, forces %5 N</source>
         <translation>B − A: %1 s, sklon %2, přední %3, zadní %4, síly %5 N</translation>
     </message>
+    <message>
+        <source>B − A: %1 s, pitch %2, roll %3, front left %4 right %5, rear left %6 right %7, forces left %8 right %9 N</source>
+        <translation>B − A: %1 s, sklon %2, náklon %3, přední vlevo %4 vpravo %5, zadní vlevo %6 vpravo %7, síly vlevo %8 vpravo %9 N</translation>
+    </message>
 </context>
 <context>
     <name>ReviewDisplay</name>
@@ -4785,6 +4789,10 @@ F1</translation>
     <message>
         <source>Recorded demonstration</source>
         <translation>Nahraná ukázka</translation>
+    </message>
+    <message>
+        <source>Recorded demonstration, two tracks</source>
+        <translation>Nahraná ukázka, dva pásy</translation>
     </message>
 </context>
 <context>
@@ -8937,10 +8945,6 @@ vpředu</translation>
         <translation>Liší se od zobrazeného nejvýše o %1 m, v dílci %2.</translation>
     </message>
     <message>
-        <source>Steps of more than %1 m: %2 (%3 %) then, %4 (%5 %) now.</source>
-        <translation>Stupně přes %1 m: tehdy %2 (%3 %), nyní %4 (%5 %).</translation>
-    </message>
-    <message>
         <source>Estimate again (E)</source>
         <translation>Odhadnout znovu (E)</translation>
     </message>
@@ -8955,6 +8959,34 @@ vpředu</translation>
     <message>
         <source>Cancel the estimate</source>
         <translation>Zrušit odhad</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>%1 vlevo</translation>
+    </message>
+    <message>
+        <source>%1 right</source>
+        <translation>%1 vpravo</translation>
+    </message>
+    <message>
+        <source>Steps of more than %1 m: %2 then, %3 now.</source>
+        <translation>Stupně přes %1 m: tehdy %2, nyní %3.</translation>
+    </message>
+    <message>
+        <source>Left: %1 then, %2 now.</source>
+        <translation>Vlevo: tehdy %1, nyní %2.</translation>
+    </message>
+    <message>
+        <source>Right: %1 then, %2 now.</source>
+        <translation>Vpravo: tehdy %1, nyní %2.</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>vlevo</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>vpravo</translation>
     </message>
 </context>
 </TS>

@@ -747,6 +747,10 @@ Marke K</translation>
         <source>B − A: %1 s, pitch %2, front %3, rear %4, forces %5 N</source>
         <translation>B − A: %1 s, Neigung %2, vorn %3, hinten %4, Kräfte %5 N</translation>
     </message>
+    <message>
+        <source>B − A: %1 s, pitch %2, roll %3, front left %4 right %5, rear left %6 right %7, forces left %8 right %9 N</source>
+        <translation>B − A: %1 s, Neigung %2, Rollen %3, vorn links %4 rechts %5, hinten links %6 rechts %7, Kräfte links %8 rechts %9 N</translation>
+    </message>
 </context>
 <context>
     <name>ReviewDisplay</name>
@@ -4785,6 +4789,10 @@ F1</translation>
     <message>
         <source>Recorded demonstration</source>
         <translation>Aufgezeichnete Vorführung</translation>
+    </message>
+    <message>
+        <source>Recorded demonstration, two tracks</source>
+        <translation>Aufgezeichnete Vorführung, zwei Ketten</translation>
     </message>
 </context>
 <context>
@@ -8937,10 +8945,6 @@ voraus</translation>
         <translation>Weicht vom Gezeigten um höchstens %1 m ab, im Feld %2.</translation>
     </message>
     <message>
-        <source>Steps of more than %1 m: %2 (%3 %) then, %4 (%5 %) now.</source>
-        <translation>Stufen über %1 m: damals %2 (%3 %), jetzt %4 (%5 %).</translation>
-    </message>
-    <message>
         <source>Estimate again (E)</source>
         <translation>Erneut schätzen (E)</translation>
     </message>
@@ -8955,6 +8959,34 @@ voraus</translation>
     <message>
         <source>Cancel the estimate</source>
         <translation>Die Schätzung abbrechen</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>%1 links</translation>
+    </message>
+    <message>
+        <source>%1 right</source>
+        <translation>%1 rechts</translation>
+    </message>
+    <message>
+        <source>Steps of more than %1 m: %2 then, %3 now.</source>
+        <translation>Stufen über %1 m: damals %2, jetzt %3.</translation>
+    </message>
+    <message>
+        <source>Left: %1 then, %2 now.</source>
+        <translation>Links: damals %1, jetzt %2.</translation>
+    </message>
+    <message>
+        <source>Right: %1 then, %2 now.</source>
+        <translation>Rechts: damals %1, jetzt %2.</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
     </message>
 </context>
 </TS>

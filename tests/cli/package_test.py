@@ -233,7 +233,7 @@ class Package(unittest.TestCase):
             self.files())
         shipped = {path.split("terratact/", 1)[1] for path in self.files() if path.startswith(f"{share}/terratact/")}
         self.assertEqual(shipped, {"models/default.ttm", "models/default.card.toml", "models/default.presets.csv", "models/one_plane.ttm",
-                                   "robots/absolem.toml", "sessions/demo.tts",
+                                   "robots/absolem.toml", "sessions/demo.tts", "sessions/two_tracks.tts",
                                    "dbc/terratact.dbc", "panels/example.toml"})
         for line in output("dpkg-deb", "-c", self.package).splitlines():
             self.assertRegex(line, r"^(drwxr-xr-x|-rwxr-xr-x|-rw-r--r--) root/root ")

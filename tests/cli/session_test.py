@@ -120,11 +120,52 @@ class WhatIf(Session):
         self.assertIn("later probes against the bands before them", text)
         self.assertIn("against the truth", text)
 
-    def test_the_shipped_session_is_reproduced(self):
-        text = run("session", "what-if", f"{SOURCE}/resources/sessions/demo.tts")
-        self.assertGreaterEqual(text.count(": estimate "), 2)
-        self.assertEqual(len(re.findall(r"reproduced (?:bit for bit|but for the last bits)", text)),
-                         text.count(": estimate "))
+    def test_the_shipped_sessions_are_reproduced(self):
+        for name in ("demo", "two_tracks"):
+            with self.subTest(name):
+                text = run("session", "what-if", f"{SOURCE}/resources/sessions/{name}.tts")
+                self.assertGreaterEqual(text.count(": estimate "), 2)
+                self.assertEqual(len(re.findall(r"reproduced (?:bit for bit|but for the last bits)", text)),
+                                 text.count(": estimate "))
+
+    def test_another_method_shows_both_sides(self):
+        shown = run("session", "what-if", f"{SOURCE}/resources/sessions/two_tracks.tts", "--estimate", "2", "--method",
+                    "joint", "--out", self.path / "sides.csv")
+        self.assertRegex(shown, r"\n  left\n   bin(?s:.*)\n  right\n   bin")
+        self.assertRegex(shown, r"moved most at \S+ m (left|right), by .* either side \d+ %\) now")
+        lines = (self.path / "sides.csv").read_text().splitlines()
+        self.assertEqual(lines[0].rsplit(",", 1)[1], "side")
+        self.assertEqual([line.rsplit(",", 1)[1] for line in lines[1:]], ["left"] * 11 + ["right"] * 11)
+
+    def test_scenes_of_both_sides_are_written_and_read(self):
+        demo = f"{SOURCE}/resources/sessions/two_tracks.tts"
+        tracks, plane = self.path / "tracks.csv", self.path / "plane.csv"
+        self.assertIn("1 scenes with 22 known heights", run("session", "scenes", demo, "--tracks", "--out", tracks))
+        self.assertIn("roll_rad", tracks.read_text().splitlines()[0])
+        self.assertIn("1 scenes with 11 known heights", run("session", "scenes", demo, "--out", plane))
+        self.assertNotIn("roll_rad", plane.read_text())
+        run("reconstruct", "--tracks", "--data", tracks, "--out", self.path / "estimates.csv")
+        rows = (self.path / "estimates.csv").read_text().splitlines()[1:]
+        self.assertEqual([row.split(",")[2] for row in rows], ["left"] * 11 + ["right"] * 11)
+
+    def test_a_scene_of_means_has_equal_sides(self):
+        tracks = self.path / "equal.csv"
+        run("session", "scenes", f"{SOURCE}/resources/sessions/demo.tts", "--tracks", "--out", tracks)
+        names, values = (line.split(",") for line in tracks.read_text().splitlines())
+        scene = dict(zip(names, values))
+        for name in names:
+            if name.startswith("left_h"):
+                self.assertEqual(scene[name], scene[name.replace("left", "right")])
+        self.assertEqual(scene["roll_rad"], "0")
+
+    def test_the_report_has_both_sides(self):
+        page = self.path / "sides.html"
+        run("session", "report", f"{SOURCE}/resources/sessions/two_tracks.tts", "--out", page)
+        text = page.read_text()
+        self.assertEqual(text.count("<svg"), 2)
+        self.assertEqual(text.count("<tr>"), 1 + 22)
+        for fact in ("left", "right", "either side", "cross slope"):
+            self.assertIn(f"<dt>{fact}</dt>", text)
 
     def test_bands_are_judged_by_later_measurements(self):
         folder = self.path / "folder"

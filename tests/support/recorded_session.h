@@ -10,10 +10,12 @@
 #include "core/atem/arm_choice.h"
 #include "core/atem/console_link.h"
 #include "core/infer/estimator.h"
+#include "core/infer/two_track_estimator.h"
 #include "core/learn/model/model_file.h"
 #include "core/log/session_writer.h"
 #include "core/sim/ground/terrain_shapes.h"
 #include "core/sim/robot_on_bus.h"
+#include "core/sim/two_track_check.h"
 #include "core/store/file_read.h"
 #include "core/store/sha256.h"
 
@@ -74,12 +76,14 @@ public:
         SceneRow scene{.id = ++scenes_,
                        .time = now(),
                        .measurement = *latest_,
-                       .truth = robot_.robot().truth()};
+                       .truth = robot_.robot().truth(),
+                       .sideTruth = {{robot_.robot().truth(ProbeSide::Left),
+                                      robot_.robot().truth(ProbeSide::Right)}}};
         require(writer_.add(scene));
         EstimateRow first = estimate(scene, settings, EstimateRole::First, {});
-        if (const auto bin = chooseProbe(first.estimate.side[0], model_)) {
-            propose(first, *bin);
-            command(ProbeCommand{*bin});
+        if (const auto place = chooseProbe(first.estimate, model_)) {
+            propose(first, *place);
+            command(ProbeCommand{place->bin, place->side});
             waitFor([](const Measurement& m) { return m.arm.has_value(); });
             first = estimate(scene, settings, EstimateRole::Again, {*latest_->arm});
         }
@@ -189,22 +193,23 @@ private:
                         .role = role,
                         .seconds = 0.1,
                         .readings = std::move(readings)};
-        TerrainEstimate plane = estimateTerrain(proprioception(scene.measurement), row.readings,
-                                                model_, models_, settings);
-        for (double& height : plane.height) height += lie_;
-        row.estimate = equalSides(std::move(plane));
+        row.estimate = estimateMeasured(scene.measurement, row.readings, model_, models_, settings);
+        writePosteriorCheck(row.estimate, scene.measurement, model_);
+        for (TerrainEstimate& side : row.estimate.side)
+            for (double& height : side.height) height += lie_;
         require(writer_.add(row));
         return row;
     }
 
-    void propose(const EstimateRow& row, int bin)
+    void propose(const EstimateRow& row, ProbePlace place)
     {
-        const auto i = static_cast<std::size_t>(bin);
-        const TerrainEstimate& e = row.estimate.side[0];
+        const auto i = static_cast<std::size_t>(place.bin);
+        const TerrainEstimate& e = sideOf(row.estimate, place.side);
         require(writer_.add(ProposalRow{.id = ++proposals_,
                                         .time = now(),
                                         .estimate = row.id,
-                                        .bin = bin,
+                                        .bin = place.bin,
+                                        .side = place.side,
                                         .height = e.height[i],
                                         .q10 = e.q10[i],
                                         .q90 = e.q90[i],
@@ -217,12 +222,12 @@ private:
         pass(0.5);
         event({.kind = EventKind::Decision,
                .subject = "approve",
-               .text = "probe of bin " + std::to_string(bin),
-               .number = static_cast<double>(bin),
+               .text = "probe of bin " + std::to_string(place.bin),
+               .number = static_cast<double>(place.bin),
                .estimate = row.id,
                .proposal = proposals_,
                .shown = "sd " + std::to_string(e.sd[i]) + " m"});
-        console_.approve({bin}, time_);
+        console_.approve({place.bin, place.side}, time_);
     }
 
     void event(EventRow row)

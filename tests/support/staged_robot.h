@@ -10,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "app/link/robot_in_process.h"
 #include "app/link/robot_service.h"
 #include "app/runtime/steady_now.h"
 #include "core/sim/robot_on_bus.h"
@@ -39,11 +40,11 @@ class StagedRobot {
 public:
     StagedRobot(MemoryBus& bus, const RobotModel& model, const SimulatedRobot& robot,
                 const RobotOnBus::Options& options)
-        : robot_(model, robot, options), truth_(robot.truth()), end_(*this, bus.join("robot", 0)),
-          thread_([this](const std::stop_token& stop) {
+        : robot_(model, robot, options), truth_(trueHeights(robot)),
+          end_(*this, bus.join("robot", 0)), thread_([this](const std::stop_token& stop) {
               const auto keepTruth = [this] {
                   const std::scoped_lock lock(mutex_);
-                  truth_ = robot_.robot().truth();
+                  truth_ = trueHeights(robot_.robot());
               };
               (void)serveRobot(  // a MemoryBus never fails
                   end_, robot_, [&] { return !stop.stop_requested(); }, [](const std::string&) {},
@@ -59,7 +60,7 @@ public:
         lasting_ = false;
     }
     /// Returns the true bin heights at the pose of the newest sample; callable from any thread.
-    Heights truth() const
+    TrueHeights truth() const
     {
         const std::scoped_lock lock(mutex_);
         return truth_;
@@ -156,7 +157,7 @@ private:
     mutable std::mutex mutex_;  // guards the members below
     Staging staging_;
     bool lasting_ = false;
-    Heights truth_;
+    TrueHeights truth_;
 
     End end_;
     std::jthread thread_;  // last member: the thread starts after all others exist

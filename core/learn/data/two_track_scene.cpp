@@ -17,6 +17,14 @@ TwoTrackScene onBothSides(const Scene& scene)
     return both;
 }
 
+std::vector<TwoTrackScene> onBothSides(const std::vector<Scene>& scenes)
+{
+    std::vector<TwoTrackScene> both;
+    both.reserve(scenes.size());
+    for (const Scene& scene : scenes) both.push_back(onBothSides(scene));
+    return both;
+}
+
 TwoTrackScene mirrored(const TwoTrackScene& scene)
 {
     TwoTrackScene mirror = scene;

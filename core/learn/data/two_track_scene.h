@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "core/learn/data/scene.h"
 #include "core/robot/two_tracks.h"
@@ -21,6 +22,7 @@ struct TwoTrackScene {
 /// Returns a scene of one plane as one of two tracks: roll 0, and every reading and height on both
 /// sides.
 TwoTrackScene onBothSides(const Scene& scene);
+std::vector<TwoTrackScene> onBothSides(const std::vector<Scene>& scenes);
 
 /// Returns a scene with left and right exchanged.
 TwoTrackScene mirrored(const TwoTrackScene& scene);

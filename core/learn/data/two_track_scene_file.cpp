@@ -135,7 +135,7 @@ Result<TwoTrackSceneFile> readTwoTrackScenes(CsvReader csv)
     if (std::ranges::find(csv.fields(), "roll_rad") == csv.fields().end()) {
         Result<SceneFile> plane = readScenesFromHere(std::move(csv));
         if (!plane) return plane.error();
-        std::ranges::transform(plane->scenes, std::back_inserter(file.scenes), onBothSides);
+        file.scenes = onBothSides(plane->scenes);
         file.notices = std::move(plane->notices);
         return file;
     }

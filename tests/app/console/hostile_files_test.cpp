@@ -235,7 +235,7 @@ TEST_F(HostileFiles, aFileOfScenesIsShownLetterByLetter)
     Scene scene;
     scene.run = text;
     ScenesWindow window({.path = QString::fromStdString(named(".csv")),
-                         .scenes = {scene},
+                         .scenes = {onBothSides(scene)},
                          .robot = absolem(),
                          .model = [this]() -> Result<LoadedModel> {
                              return Error{named(".ttm") + ": " + text, 2};

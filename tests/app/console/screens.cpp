@@ -342,8 +342,11 @@ void Screens::openReview()
 void Screens::openScenes()
 {
     close();
-    scenes = std::make_unique<ScenesWindow>(ScenesWindow::Options{
-        .path = "seen/scenes.csv", .scenes = someScenes(3, 5), .robot = model, .model = altered()});
+    scenes = std::make_unique<ScenesWindow>(
+        ScenesWindow::Options{.path = "seen/scenes.csv",
+                              .scenes = onBothSides(someScenes(3, 5)),
+                              .robot = model,
+                              .model = altered()});
     show(*scenes);
 }
 

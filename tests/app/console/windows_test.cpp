@@ -98,7 +98,7 @@ struct Windows : testing::Test {
     {
         auto window = std::make_unique<ScenesWindow>(
             ScenesWindow::Options{.path = "/some/scenes.csv",
-                                  .scenes = std::vector<Scene>(1),
+                                  .scenes = std::vector<TwoTrackScene>(1),
                                   .robot = absolem(),
                                   .model = []() -> Result<LoadedModel> {
                                       return Error{"no model", 2};
@@ -225,30 +225,36 @@ TEST_F(Windows, showTextsOfFilesAsTheyAre)
 
 /// A window with only the help button.
 struct HelpingWindow : ConsoleWindow {
-    explicit HelpingWindow(const QString& demonstration)
+    explicit HelpingWindow(const QStringList& sessions)
     {
-        addHelpTool(demonstration, [this](const QString& path) { opened = path; });
+        addHelpTool(sessions, [this](const QString& path) { opened = path; });
     }
     QString opened;
 };
 
-QAction* demonstrationIn(const ConsoleWindow& window)
+QAction* demonstrationIn(const ConsoleWindow& window,
+                         const QString& title = "Recorded demonstration")
 {
     const auto* help = window.findChild<QPushButton*>(QStringLiteral("help"));
     for (QAction* action : help->menu()->actions())
-        if (action->text() == "Recorded demonstration") return action;
+        if (action->text() == title) return action;
     return nullptr;
 }
 
 TEST_F(Windows, ofTheConsoleOfferTheRecordedDemonstrationWhereItIs)
 {
-    EXPECT_EQ(kindOfFile(demonstration()), FileKind::Session);
-    EXPECT_TRUE(demonstrationIn(*scripted()));
-    HelpingWindow window(demonstration());
-    ASSERT_TRUE(demonstrationIn(window));
-    demonstrationIn(window)->trigger();
-    EXPECT_EQ(window.opened, demonstration());
-    EXPECT_FALSE(demonstrationIn(HelpingWindow("/nowhere/demo.tts")));
+    const QStringList titles{"Recorded demonstration", "Recorded demonstration, two tracks"};
+    ASSERT_EQ(demonstrations().size(), 2);
+    for (int k = 0; k < 2; ++k) {
+        EXPECT_EQ(kindOfFile(demonstrations()[k]), FileKind::Session);
+        EXPECT_TRUE(demonstrationIn(*scripted(), titles[k]));
+        HelpingWindow window(demonstrations());
+        ASSERT_TRUE(demonstrationIn(window, titles[k]));
+        demonstrationIn(window, titles[k])->trigger();
+        EXPECT_EQ(window.opened, demonstrations()[k]);
+    }
+    const HelpingWindow without({"/nowhere/demo.tts", "/nowhere/two_tracks.tts"});
+    for (const QString& title : titles) EXPECT_FALSE(demonstrationIn(without, title));
 }
 
 TEST_F(Windows, ofAConsoleLetStopThrough)

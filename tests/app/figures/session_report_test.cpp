@@ -26,7 +26,8 @@ TEST_F(Drive, theReportHasWhatWasDecidedAndFitsItsPage)
 {
     auto report = *reportOf(reader, 0);
     ASSERT_EQ(report.table.size(), 12U);
-    ASSERT_TRUE(report.figure.previous);
+    ASSERT_EQ(report.figures.size(), 1U);
+    ASSERT_TRUE(report.figures[0].previous);
     ASSERT_FALSE(report.events.empty());
     EXPECT_NE(report.events[0].find("approve"), std::string::npos);
     EXPECT_NE(report.events[0].find("on the screen"), std::string::npos);

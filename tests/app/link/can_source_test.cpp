@@ -122,7 +122,7 @@ TEST_F(Link, bringsTheTrueTerrainOfTheRobotsPose)
     }));
     ASSERT_TRUE(source.send(HaltCommand{}));
     ASSERT_TRUE(does(RobotActivity::Halted));
-    EXPECT_TRUE(comes(robot.truth()));
+    EXPECT_TRUE(comes(robot.truth().middle));
 }
 
 TEST(CanSourceTruth, isAbsentWithoutASimulatedRobot)

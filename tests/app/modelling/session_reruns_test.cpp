@@ -56,6 +56,30 @@ TEST(SessionReruns, aMissingModelLeavesNoRerun)
     EXPECT_EQ(reruns.failed(), 0U);
 }
 
+TEST(SessionReruns, theSessionOfTwoTracksIsReproduced)
+{
+    SessionReruns reruns({.estimate = 0,
+                          .shippedModels = {TERRATACT_SOURCE_DIR "/resources/models/default.ttm"},
+                          .model = {}},
+                         {});
+    const Status done = reruns.add(TERRATACT_SOURCE_DIR "/resources/sessions/two_tracks.tts");
+    ASSERT_TRUE(done) << done.error().text;
+    ASSERT_EQ(reruns.all().size(), 2U);
+    for (const Rerun& rerun : reruns.all()) {
+        EXPECT_TRUE(rerun.asRecorded);
+        EXPECT_FALSE(rerun.failed());
+        EXPECT_FALSE(rerun.differences.onePlane);
+        EXPECT_NE(rerun.again.side[0].height, rerun.again.side[1].height);
+        EXPECT_EQ(rerun.differences.after.side[0].stepVerdict, StepVerdict::Blocked)
+            << "the kerb is on the left side";
+        EXPECT_NE(rerun.differences.after.side[1].stepVerdict, StepVerdict::Blocked);
+    }
+    ASSERT_EQ(reruns.all()[1].row.readings.size(), 1U);
+    EXPECT_EQ(reruns.all()[1].row.readings[0].side, ProbeSide::Left);
+    EXPECT_EQ(reruns.errors().now.size(), 44U) << "the truth of both sides is known";
+    EXPECT_EQ(reruns.laterProbes(*reruns.sessions()[0]).now.entries().size(), 1U);
+}
+
 TEST(SessionReruns, failsOnlyIfNothingExplainsADifference)
 {
     Rerun rerun;

@@ -23,7 +23,8 @@ TEST_F(Drive, estimatesComeOutAgainBitForBit)
         const auto again = estimateAgain(reader, row, *models, row.estimate.side[0].settings);
         ASSERT_TRUE(again) << again.error().text;
         const Measurement& scene = reader.scene(row.scene)->measurement;
-        const Differences same = differencesBetween(*before, *again, scene, row.stepLimit);
+        const Differences same =
+            differencesBetween(*before, *again, *robotOf(reader), scene, row.stepLimit);
         EXPECT_EQ(same.likeness, Match::Identical) << row.id;
         EXPECT_EQ(same.largest(), 0.0);
         EXPECT_EQ(same.before, same.after);
@@ -32,7 +33,9 @@ TEST_F(Drive, estimatesComeOutAgainBitForBit)
         other.seed += 1;
         const auto moved = estimateAgain(reader, row, *models, other);
         ASSERT_TRUE(moved);
-        EXPECT_EQ(differencesBetween(*before, *moved, scene, row.stepLimit).likeness, Match::Other);
+        EXPECT_EQ(
+            differencesBetween(*before, *moved, *robotOf(reader), scene, row.stepLimit).likeness,
+            Match::Other);
     }
 }
 
@@ -82,18 +85,40 @@ TEST(Differences, distinguishesBitsThatCompareEqual)
     minus.mean[3] = -0.0;
     ASSERT_EQ(zero, minus);
     const auto likeness = [&](const TerrainEstimate& other) {
-        return differencesBetween(equalSides(zero), equalSides(other), {}, 0.1).likeness;
+        return differencesBetween(equalSides(zero), equalSides(other), {}, {}, 0.1).likeness;
     };
     EXPECT_EQ(likeness(zero), Match::Identical);
     EXPECT_EQ(likeness(minus), Match::LastBits);
     TerrainEstimate moved = zero;
     moved.height[8] += 0.02;
     moved.height[2] -= 0.05;
-    const Differences d = differencesBetween(equalSides(zero), equalSides(moved), {}, 0.1);
+    const Differences d = differencesBetween(equalSides(zero), equalSides(moved), {}, {}, 0.1);
     EXPECT_EQ(d.largestBin, 2);
     EXPECT_NEAR(d.largest(), 0.05, 1e-12);
-    EXPECT_NEAR(d.bin[8].height, 0.02, 1e-12);
+    EXPECT_NEAR(d.side[1][8].height, 0.02, 1e-12);
     EXPECT_EQ(d.likeness, Match::Other);
+}
+
+TEST(Differences, areJudgedOnBothSides)
+{
+    TerrainEstimate drawn = stepEstimate();
+    drawn.draws.assign(4, drawn.height);
+    const TwoTrackEstimate plane = equalSides(drawn);
+    TwoTrackEstimate sides = plane;
+    sides.onePlane = false;
+    EXPECT_EQ(differencesBetween(plane, sides, {}, {}, 0.1).likeness, Match::Other);
+    EXPECT_EQ(differencesBetween(sides, sides, {}, {}, 0.1).likeness, Match::Identical);
+    TwoTrackEstimate moved = sides;
+    moved.side[1].height[4] += 0.03;
+    const Differences d = differencesBetween(sides, moved, {}, {}, 0.1);
+    EXPECT_EQ(d.likeness, Match::Other);
+    EXPECT_FALSE(d.onePlane);
+    EXPECT_EQ(d.largestSide, 1U);
+    EXPECT_EQ(d.largestBin, 4);
+    EXPECT_NEAR(d.largest(), 0.03, 1e-12);
+    moved = sides;
+    moved.side[1].mean[4] += 1e-9;
+    EXPECT_EQ(differencesBetween(sides, moved, {}, {}, 0.1).likeness, Match::LastBits);
 }
 
 TEST(Differences, areLastBitsIfNumbersAreNearAndTextsEqual)
@@ -104,7 +129,7 @@ TEST(Differences, areLastBitsIfNumbersAreNearAndTextsEqual)
     const auto likenessAfter = [&](const auto& change) {
         TerrainEstimate other = recorded;
         change(other);
-        return differencesBetween(equalSides(recorded), equalSides(other), {}, 0.1).likeness;
+        return differencesBetween(equalSides(recorded), equalSides(other), {}, {}, 0.1).likeness;
     };
     using Estimate = TerrainEstimate;
     EXPECT_EQ(likenessAfter([](Estimate& e) { e.q90[2] += 0.9e-6; }), Match::LastBits);

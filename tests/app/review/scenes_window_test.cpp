@@ -17,6 +17,24 @@ namespace {
 
 using namespace gui;
 
+TEST(ScenesOfAFile, ofTwoTracksAreEstimatedOnBothSides)
+{
+    TwoTrackScene scene;
+    scene.s.roll = 0.15;
+    scene.s.flippers = {0.2, -0.1, 0.0, 0.0};
+    scene.s.currents.fill(1.0);
+    for (auto& forces : scene.s.forces) forces.fill(1.0);
+    ScenesWindow window({.path = "/some/scenes.csv",
+                         .scenes = {scene},
+                         .robot = absolem(),
+                         .model = modelFileLoader(
+                             TERRATACT_SOURCE_DIR "/resources/models/default.ttm", absolem())});
+    showActive(window);
+    ASSERT_TRUE(eventually([&] { return window.estimate().has_value(); }, 60000));
+    EXPECT_FALSE(window.estimate()->onePlane);
+    EXPECT_NE(window.estimate()->side[0].height, window.estimate()->side[1].height);
+}
+
 TEST(ScenesOfAFile, areEstimatedOneByOneWithoutCommands)
 {
     std::vector<Scene> scenes(2);
@@ -27,7 +45,7 @@ TEST(ScenesOfAFile, areEstimatedOneByOneWithoutCommands)
     scenes[1].s.pitch = 0.2;
     scenes[1].truth[3] = -0.2;  // the other bins are unknown
     ScenesWindow window({.path = "/some/scenes.csv",
-                         .scenes = scenes,
+                         .scenes = onBothSides(scenes),
                          .robot = absolem(),
                          .model = modelFileLoader(
                              TERRATACT_SOURCE_DIR "/resources/models/default.ttm", absolem())});

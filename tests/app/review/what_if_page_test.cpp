@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QTableWidget>
+
 #include "app/mission/estimator_worker.h"
 #include "app/review/review_window.h"
 #include "app/review/scenes_window.h"
@@ -68,6 +70,27 @@ TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
     ASSERT_TRUE(eventually([&] { return page.answer().hasValue(); }, 60000));
     EXPECT_TRUE(page.result()->text().contains("except for rounding in the last bits"))
         << page.result()->text().toStdString();
+}
+
+TEST_F(ReviewOf, theShippedSessionOfTwoTracksIsReproduced)
+{
+    path = TERRATACT_SOURCE_DIR "/resources/sessions/two_tracks.tts";
+    open({TERRATACT_SOURCE_DIR "/resources/models/default.ttm"});
+    press(Qt::Key_4);
+    ASSERT_TRUE(window->moment().estimate);
+    WhatIfPage& page = *window->whatIf();
+    EXPECT_EQ(page.table()->rowCount(), 2 * kBins);
+    page.estimate();
+    ASSERT_TRUE(eventually([&] { return page.answer().hasValue(); }, 60000));
+    EXPECT_FALSE(page.answer()->onePlane);
+    const QString text = page.result()->text();
+    EXPECT_TRUE(text.contains("reproduce the recorded estimate")) << text.toStdString();
+    EXPECT_TRUE(text.contains("\nLeft: BLOCKED (")) << text.toStdString();
+    EXPECT_TRUE(text.contains("\nRight: CANNOT TELL (")) << text.toStdString();
+    EXPECT_TRUE(page.table()->item(0, 0)->text().endsWith("left"));
+    EXPECT_TRUE(page.table()->item(kBins, 0)->text().endsWith("right"));
+    window->goTo(0.0);
+    EXPECT_EQ(page.table()->rowCount(), kBins) << "no estimate";
 }
 
 /// Other processors and later versions may round the last bits differently.
