@@ -4,6 +4,7 @@
 # Usage: docs/evaluate.sh path/to/terratact PROFILES.csv [INDEX.csv COLUMN]
 #   PROFILES.csv   terrain to drive over, in the format of `terratact simulate --terrain`
 #   INDEX.csv      its classes: COLUMN of the row whose `row` is the profile's number
+# With TERRATACT_PAIRS=LINES.csv it also makes docs/two_tracks.md (docs/two_tracks.sh).
 set -eu
 terratact=$(realpath "$1")
 profiles=$(realpath "$2")
@@ -106,3 +107,4 @@ for name in imu-noise forces-high forces-low dead-element soft-ground light-robo
 done
 say '```'
 mv "$page" "$docs/evaluation.md"
+if [ -n "${TERRATACT_PAIRS:-}" ]; then "$docs/two_tracks.sh" "$terratact" "$TERRATACT_PAIRS" "$docs/../build/release/tests"; fi

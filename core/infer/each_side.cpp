@@ -1,5 +1,6 @@
 #include "core/infer/each_side.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -32,6 +33,17 @@ void raise(TerrainEstimate& estimate, const Heights& lifts)
     for (Heights& draw : estimate.draws) raised(draw);
 }
 
+/// Returns a watch that reports a side's progress as one half of the whole.
+Watch halfOf(const Watch& watch, Side side)
+{
+    Watch half = watch;
+    if (watch.progress)
+        half.progress = [&watch, from = side == Side::Left ? 0.0 : 0.5](double share) {
+            watch.progress(from + 0.5 * share);
+        };
+    return half;
+}
+
 TerrainEstimate estimateSide(Side side, const TwoTrackReadings& s, std::span<const ArmReading> arm,
                              const RobotModel& robot, const Models& models,
                              const Settings& settings, const Watch& watch)
@@ -43,7 +55,7 @@ TerrainEstimate estimateSide(Side side, const TwoTrackReadings& s, std::span<con
     Settings own = settings;
     own.seed += side == Side::Left ? 0 : 1;
     TerrainEstimate estimate =
-        estimateTerrain(sideReadings(s, side), readings, robot, models, own, watch);
+        estimateTerrain(sideReadings(s, side), readings, robot, models, own, halfOf(watch, side));
     raise(estimate, lifts);
     estimate.settings.seed = settings.seed;
     return estimate;
@@ -55,9 +67,14 @@ TwoTrackEstimate estimateEachSide(const TwoTrackReadings& s, const SideArms& arm
                                   const RobotModel& robot, const Models& models,
                                   const Settings& settings, const Watch& watch)
 {
-    return {.side = {estimateSide(Side::Left, s, arms[0], robot, models, settings, watch),
-                     estimateSide(Side::Right, s, arms[1], robot, models, settings, watch)},
-            .onePlane = false};
+    TwoTrackEstimate estimate{
+        .side = {estimateSide(Side::Left, s, arms[0], robot, models, settings, watch),
+                 estimateSide(Side::Right, s, arms[1], robot, models, settings, watch)},
+        .onePlane = false};
+    const std::size_t count =
+        std::min(estimate.side[0].draws.size(), estimate.side[1].draws.size());
+    for (TerrainEstimate& side : estimate.side) side.draws.resize(count);
+    return estimate;
 }
 
 }  // namespace terratact

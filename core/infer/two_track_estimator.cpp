@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/infer/closed_form_parts.h"
+#include "core/infer/each_side.h"
 #include "core/infer/estimate/missing_sensors.h"
 #include "core/infer/reconstruct.h"
 #include "core/learn/data/side_features.h"
@@ -97,7 +98,8 @@ bool hasSides(const Measurement& line)
 
 bool allowsBothSides(const Measurement& line, Method method)
 {
-    return hasSides(line) && isClosedForm(method) && !hasTurned(line.differential);
+    return hasSides(line) && (isClosedForm(method) || method == Method::Clearance)
+        && !hasTurned(line.differential);
 }
 
 TwoTrackEstimate estimateMeasured(const Measurement& line, std::span<const ArmReading> readings,
@@ -115,8 +117,9 @@ TwoTrackEstimate estimateMeasured(const Measurement& line, std::span<const ArmRe
         warnOfOnePlane(plane, line, settings.method);
         return plane;
     }
-    TwoTrackEstimate estimate =
-        estimateByBothSides(s, {left, right}, robot, models, settings, watch);
+    const auto estimateSides =
+        isClosedForm(settings.method) ? estimateByBothSides : estimateEachSide;
+    TwoTrackEstimate estimate = estimateSides(s, {left, right}, robot, models, settings, watch);
     for (const ArmReading& reading : readingsOn(ProbeSide::Middle, readings))
         warnBoth(estimate, Message(TR_NOOP("core", "the arm's reading at %1 m lies in the middle "
                                                    "and counts for neither side"),

@@ -22,7 +22,9 @@ TwoTrackEstimate estimateTwoTracks(const TwoTrackReadings& s, const SideArms& ar
 bool hasSides(const Measurement& line);
 
 /// Returns true if estimateMeasured() may estimate both sides of such a line by this method, with a
-/// model of two tracks: hasSides(), Joint or Local, and a differential that has not turned.
+/// model of two tracks: hasSides(), Joint, Local or Clearance, and a differential that has not turned.
+/// Clearance estimates each side for itself (each_side.h). The paper's methods gain nothing by that
+/// (docs/two_tracks.md), and stay with one plane.
 bool allowsBothSides(const Measurement& line, Method method);
 
 /// Estimates a line of telemetry: both sides if the model has a part of two tracks, allowsBothSides()

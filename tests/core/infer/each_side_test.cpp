@@ -76,12 +76,14 @@ TEST(EachSide, samplesByAMethodThatHasLearntOnePlane)
 {
     Settings settings = kOf;
     settings.method = Method::Pafc;
-    settings.draws = 200;
+    settings.draws = 4000;
+    settings.seed = 3;
     const TwoTrackReadings s = rolledReadings();
     const TwoTrackEstimate estimate = estimateEachSide(s, {}, absolem(), planeModels(), settings);
     const std::size_t at = s.roll > 0.0 ? 0 : 1;
     EXPECT_GT(estimate.side[at].mean[3], estimate.side[1 - at].mean[3]);
     EXPECT_EQ(estimate.side[0].settings.method, Method::Pafc);
+    EXPECT_EQ(estimate.side[0].draws.size(), estimate.side[1].draws.size());
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "core/infer/closed_form.h"
+#include "core/infer/each_side.h"
 #include "core/infer/reconstruct.h"
+#include "core/learn/model/model_file.h"
 #include "tests/support/toy_model.h"
 #include "tests/support/toy_sides.h"
 
@@ -210,6 +212,18 @@ TEST(EstimateMeasured, warnsWhereOnlyOnePlaneIsPossible)
     EXPECT_TRUE(measured(turned).onePlane);
     EXPECT_NE(sentencesOf(measured(turned)).find("the track differential has turned"),
               std::string::npos);
+}
+
+TEST(EstimateMeasured, clearanceEstimatesEachSideForItself)
+{
+    const auto shipped = readModel(TERRATACT_SOURCE_DIR "/resources/models/default.ttm");
+    ASSERT_TRUE(shipped);
+    const Models trained(shipped->data, absolem());
+    const Settings settings{.method = Method::Clearance, .draws = 20, .inducing = 40};
+    EXPECT_TRUE(allowsBothSides(rolledLine(), Method::Clearance));
+    EXPECT_EQ(estimateMeasured(rolledLine(), {}, absolem(), trained, settings),
+              estimateEachSide(twoTrackReadings(rolledLine()), {}, absolem(), trained, settings));
+    EXPECT_TRUE(estimateMeasured(evenLine(), {}, absolem(), trained, settings).onePlane);
 }
 
 TEST(EstimateMeasured, aReadingBetweenTheSidesCountsForNeither)
