@@ -1,4 +1,6 @@
 // Tests explorations whose estimates are of both sides.
+#include <cmath>
+
 #include "app/mission/estimation.h"
 #include "core/sim/ground/terrain_shapes.h"
 #include "core/sim/simulated_robot.h"
@@ -222,6 +224,7 @@ TEST_F(KerbBench, theArmTouchesTheSideThatWasAsked)
     exploration.askProbe({10, ProbeSide::Right});
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe)) << eventText();
     EXPECT_EQ(exploration.proposal()->side, ProbeSide::Right);
+    const TerrainEstimate shown = exploration.estimation().estimate()->side[1];
     exploration.approve(exploration.proposal()->id);
     ASSERT_TRUE(reaches(AtemPhase::Presenting)) << eventText();
     const TwoTrackEstimate& estimate = *exploration.estimation().estimate();
@@ -230,6 +233,11 @@ TEST_F(KerbBench, theArmTouchesTheSideThatWasAsked)
     const double truth = robot.stance().truth(ProbeSide::Right)[10];
     ASSERT_EQ(exploration.estimation().readings().size(), 1U);
     EXPECT_NEAR(exploration.estimation().readings()[0].height, truth, 0.12);
+    const auto& reading = exploration.estimation().readings()[0];
+    ASSERT_EQ(exploration.estimation().ledger().entries().size(), 1U);
+    EXPECT_NEAR(exploration.estimation().ledger().entries()[0].z,
+                (reading.height - shown.mean[10]) / std::hypot(shown.sd[10], reading.sd), 1e-9)
+        << "the band of the side that was touched";
     EXPECT_NE(eventText().find("arm right at 0.7 m"), std::string::npos) << eventText();
 }
 
