@@ -32,6 +32,8 @@ void addEstimation(TerrainViewState& viewState, const Estimation& estimation)
         viewState.secondName = format::text(name(viewState.second->side[0].settings.method));
     viewState.live = {pointer(estimation.live()), revisions.live};
     viewState.ghost = estimation.ghost();
+    viewState.isGhostOnePlane = estimation.isGhostOnePlane();
+    if (!viewState.isGhostOnePlane) viewState.rightGhost = estimation.ghost(Side::Right);
     viewState.whyNoGhost = translated(estimation.whyNoGhost().value_or(Message()));
     viewState.verdict = estimation.verdict();
 }

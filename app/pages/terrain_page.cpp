@@ -385,7 +385,7 @@ void TerrainPage::setViewState(const TerrainViewState& viewState)
     showProbe(viewState);
     strip_->setProgress(viewState.progress);
     atem_->setState(viewState.state, viewState.time, viewState.stateWords);
-    atem_->setResultStands(viewState.estimate || viewState.ghost);
+    atem_->setResultStands(viewState.estimate || viewState.ghost || viewState.rightGhost);
     showProbeToAsk(viewState);
     atem_->setPreconditions(viewState.preconditions);
     atem_->setNeeds(Commanded::Drive, viewState.driving);
@@ -489,7 +489,10 @@ void TerrainPage::showEstimate(const TerrainViewState& viewState)
         terrain_->clearEstimate(shownReason_);
         strip_->setNothing(QString());
     }
-    terrain_->setGhost(viewState.ghost, viewState.whyNoGhost);
+    if (viewState.isGhostOnePlane)
+        terrain_->setGhost(viewState.ghost, viewState.whyNoGhost);
+    else
+        terrain_->setGhosts(viewState.ghost, viewState.rightGhost, viewState.whyNoGhost);
     if (shownSecond_ != second) {
         shownSecond_ = second;
         terrain_->setSecond(second ? std::optional(*viewState.second) : std::nullopt,

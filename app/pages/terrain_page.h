@@ -75,8 +75,11 @@ struct TerrainViewState {
     QString secondName{};
     DrawnEstimate live{};  ///< live preview, shown instead of the estimate
     QString whyNoEstimate{};
-    std::optional<Ghost> ghost{};  ///< the last estimate, moved by odometry
-    QString whyNoGhost{};          ///< reason that there is no ghost; empty: none to show
+    std::optional<Ghost>
+        ghost{};  ///< the last estimate, moved by odometry: of one plane, or of the left side
+    std::optional<Ghost> rightGhost{};  ///< of the right side
+    bool isGhostOnePlane = true;
+    QString whyNoGhost{};  ///< reason that there is no ghost; empty: none to show
     std::optional<TwoTrackVerdict> verdict{};
 
     AtemState state{};

@@ -104,6 +104,40 @@ QPen twoPen()
     return {theme().doubt, 2.0};
 }
 
+/// Draws one ghost; letter: of its side, empty for one plane.
+void drawGhost(QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y, const Ghost& ghost,
+               const QString& letter)
+{
+    for (const std::vector<int>& run : runsOf(ghost)) {
+        const auto line = [&](double GhostBin::*height) {
+            QPolygonF points;
+            for (const int bin : run)
+                points << pixel(x, y, binCentre(bin),
+                                (*ghost.bin[static_cast<std::size_t>(bin)]).*height);
+            return points;
+        };
+        const QPolygonF low = line(&GhostBin::q10);
+        QPolygonF band = line(&GhostBin::q90);
+        painter.setPen(ghostPen(1.0));
+        painter.drawPolyline(low);
+        painter.drawPolyline(band);
+        if (run.size() == 1) painter.drawLine(low.front(), band.front());
+        std::for_each(low.rbegin(), low.rend(), [&](const QPointF& point) { band << point; });
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(ghostBand());
+        painter.drawPolygon(band);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(ghostPen(2.5));
+        const QPolygonF middle = line(&GhostBin::height);
+        painter.drawPolyline(middle);
+        constexpr double kGap = 6.0;  // [px] between the letter and the line
+        if (!letter.isEmpty())
+            painter.drawText(
+                middle.front() - QPointF(painter.fontMetrics().horizontalAdvance(letter) + kGap, 0),
+                letter);
+    }
+}
+
 }  // namespace
 
 SampleLines::SampleLines()
@@ -220,29 +254,8 @@ GhostLayer::GhostLayer()
 void GhostLayer::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
                       const QRectF& /*canvas*/) const
 {
-    if (!ghost) return;
-    for (const std::vector<int>& run : runsOf(*ghost)) {
-        const auto line = [&](double GhostBin::*height) {
-            QPolygonF points;
-            for (const int bin : run)
-                points << pixel(x, y, binCentre(bin),
-                                (*ghost->bin[static_cast<std::size_t>(bin)]).*height);
-            return points;
-        };
-        const QPolygonF low = line(&GhostBin::q10);
-        QPolygonF band = line(&GhostBin::q90);
-        painter->setPen(ghostPen(1.0));
-        painter->drawPolyline(low);
-        painter->drawPolyline(band);
-        if (run.size() == 1) painter->drawLine(low.front(), band.front());
-        std::for_each(low.rbegin(), low.rend(), [&](const QPointF& point) { band << point; });
-        painter->setPen(Qt::NoPen);
-        painter->setBrush(ghostBand());
-        painter->drawPolygon(band);
-        painter->setBrush(Qt::NoBrush);
-        painter->setPen(ghostPen(2.5));
-        painter->drawPolyline(line(&GhostBin::height));
-    }
+    if (ghost) drawGhost(*painter, x, y, *ghost, isOnePlane ? QString() : QStringLiteral("L"));
+    if (right) drawGhost(*painter, x, y, *right, QStringLiteral("R"));
 }
 
 QwtGraphic GhostLayer::legendIcon(int /*index*/, const QSizeF& /*size*/) const

@@ -35,11 +35,16 @@ public:
     QwtGraphic legendIcon(int index, const QSizeF& size) const override;
 };
 
-/// The last estimate while the robot drives on, shifted by odometry: a dashed line in a band, without marks.
+/// The last estimate while the robot drives on, shifted by odometry: a dashed line in a band, without marks. Ghosts of
+/// both sides begin with L and R.
 class GhostLayer final : public QwtPlotItem {
 public:
     GhostLayer();
-    std::optional<Ghost> ghost;
+    std::optional<Ghost> ghost,
+        right;  ///< ghost: of one plane, or of the left side if there is one of the right
+    bool isOnePlane = true;
+
+    bool isShown() const { return ghost || right; }
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
               const QRectF& canvas) const override;

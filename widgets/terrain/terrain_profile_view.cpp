@@ -85,15 +85,15 @@ void TerrainProfileView::showNote(const QString& note, bool warns)
 
 void TerrainProfileView::showGhostNote(const QString& note)
 {
-    setLabel(*ghostNote_,
-             inked(note, ghost_->ghost ? theme().sampled : theme().muted, sized(font(), 15, true)));
+    setLabel(*ghostNote_, inked(note, ghost_->isShown() ? theme().sampled : theme().muted,
+                                sized(font(), 15, true)));
     arrangeNotes();
 }
 
 void TerrainProfileView::arrangeNotes()
 {
     // In a low plot two lines would cover the robot. Beside a ghost the movement note is less important.
-    const bool isLow = canvas()->height() < scaled(kLowPlot) && ghost_->ghost;
+    const bool isLow = canvas()->height() < scaled(kLowPlot) && ghost_->isShown();
     note_->setVisible(!isLow && !note_->text().text().isEmpty());
     note_->setMargin(zones_->isShown() ? scaled(28) : kNoteMargin);  // below the zones' words
     ghostNote_->setMargin(isLow ? kNoteMargin : scaled(40));  // otherwise below the other note
@@ -132,15 +132,31 @@ void TerrainProfileView::resizeEvent(QResizeEvent* event)
 
 void TerrainProfileView::setGhost(const std::optional<Ghost>& ghost, const QString& why)
 {
-    const QString note = ghost
-                           ? tr("ghost of the last estimate · %1 m driven since · heights ± %2 cm")
-                                 .arg(format::number(ghost->motion.way, 2),
-                                      format::number(100.0 * meanSd(*ghost), 0))
-                           : why;
-    if (ghost == ghost_->ghost && note == ghostNote_->text().text()) return;
-    const bool comesOrGoes = ghost.has_value() != ghost_->ghost.has_value();
+    showGhosts(ghost, std::nullopt, true, why);
+}
+
+void TerrainProfileView::setGhosts(const std::optional<Ghost>& left,
+                                   const std::optional<Ghost>& right, const QString& why)
+{
+    showGhosts(left, right, false, why);
+}
+
+void TerrainProfileView::showGhosts(const std::optional<Ghost>& ghost,
+                                    const std::optional<Ghost>& right, bool isOnePlane,
+                                    const QString& why)
+{
+    const std::optional<Ghost>& any = ghost ? ghost : right;
+    const QString note =
+        any ? tr("ghost of the last estimate · %1 m driven since · heights ± %2 cm")
+                  .arg(format::number(any->motion.way, 2), format::number(100.0 * meanSd(*any), 0))
+            : why;
+    if (ghost == ghost_->ghost && right == ghost_->right && note == ghostNote_->text().text())
+        return;
+    const bool comesOrGoes = any.has_value() != ghost_->isShown();
     ghost_->ghost = ghost;
-    setInLegend(*ghost_, ghost.has_value());
+    ghost_->right = right;
+    ghost_->isOnePlane = isOnePlane;
+    setInLegend(*ghost_, any.has_value());
     if (comesOrGoes) {
         sizeLegend();
         QTimer::singleShot(0, this,
@@ -350,12 +366,14 @@ bool TerrainProfileView::setScales()
                ->estimate) {  // the legend triggers a layout before the second estimate is complete
         for (const double z : second_->estimate->height) include(z);
     }
-    if (ghost_ && ghost_->ghost) {  // the same holds for the ghost
-        for (const auto& bin : ghost_->ghost->bin) {
-            if (!bin) continue;
-            for (const double z : {bin->height, bin->q10, bin->q90}) include(z);
+    if (ghost_)  // the same holds for the ghosts
+        for (const auto* ghost : {&ghost_->ghost, &ghost_->right}) {
+            if (!*ghost) continue;
+            for (const auto& bin : (*ghost)->bin) {
+                if (!bin) continue;
+                for (const double z : {bin->height, bin->q10, bin->q90}) include(z);
+            }
         }
-    }
     return axes_.fit(bottom, top,
                      MarkLetters::reserved(font(), canvas()->height(), light() ? 2 : 1));
 }

@@ -91,6 +91,9 @@ public:
     void setSecond(const std::optional<TwoTrackEstimate>& estimate, const QString& name);
     /// Shows the last estimate moved by odometry. why: the reason shown if there is no ghost; empty: nothing.
     void setGhost(const std::optional<Ghost>& ghost, const QString& why = {});
+    /// The same of both sides.
+    void setGhosts(const std::optional<Ghost>& left, const std::optional<Ghost>& right,
+                   const QString& why = {});
     void inspect(std::optional<int> bin);  ///< shows a bin in detail
     /// Mutes the drawing, which is `age` [s] old; empty: it is current.
     void setStale(std::optional<double> age);
@@ -156,6 +159,8 @@ private:
     const TerrainEstimate* light() const;
     const TerrainEstimate& of(Side side) const { return estimate_->side[indexOf(side)]; }
     void showNote(const QString& note, bool warns);
+    void showGhosts(const std::optional<Ghost>& ghost, const std::optional<Ghost>& right,
+                    bool isOnePlane, const QString& why);
     void showGhostNote(const QString& note);
     void arrangeNotes();
     void placeCorner();

@@ -222,6 +222,24 @@ TEST_F(TerrainView, theGhostIsDashedInABandWithItsDistance)
     EXPECT_EQ(painted(*view.canvas()), without);
 }
 
+TEST_F(TerrainView, ghostsOfBothSidesAreDrawn)
+{
+    view.clearEstimate("moved");
+    const QImage without = painted(*view.canvas());
+    Ghost right = ghost();
+    for (auto& bin : right.bin)
+        if (bin) bin = GhostBin{bin->height + 0.1, bin->sd, bin->q10 + 0.1, bin->q90 + 0.1};
+    view.setGhosts(ghost(), right);
+    EXPECT_NE(colourAt(view, 0.05, -0.27), theme().card) << "the left band";
+    EXPECT_NE(colourAt(view, 0.05, -0.17), theme().card) << "the right band";
+    const QImage both = painted(*view.canvas());
+    view.setGhosts(std::nullopt, right);
+    EXPECT_NE(painted(*view.canvas()), both);
+    EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("0.20 m driven since")));
+    view.setGhosts(std::nullopt, std::nullopt);
+    EXPECT_EQ(painted(*view.canvas()), without);
+}
+
 TEST_F(TerrainView, theBinUnderTheMouseOrTheArrowKeysIsShownUpClose)
 {
     view.setEstimate(divided());
