@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "core/atem/arm_choice.h"
 #include "core/infer/two_track_estimator.h"
 #include "core/robot/side_plane.h"
 #include "core/sim/ground/random_ground.h"
@@ -34,7 +35,7 @@ std::vector<TwoTrackScene> scenesOf(const RobotModel& robot, std::uint64_t seed,
 
 struct Refusals {
     std::size_t scenes = 0, refused = 0, unrested = 0, poses = 0;
-    double seconds = 0.0;
+    double seconds = 0.0, adviceSeconds = 0.0;
 };
 
 void check(const std::vector<TwoTrackScene>& scenes, const RobotModel& robot, const Models& models,
@@ -50,6 +51,10 @@ void check(const std::vector<TwoTrackScene>& scenes, const RobotModel& robot, co
         const TwoTrackCheck result = checkPosterior(estimate, scenes[k].s, robot);
         found.seconds +=
             std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+        const auto checked = std::chrono::steady_clock::now();
+        (void)adviseProbe(estimate, robot, 0.1);
+        found.adviceSeconds +=
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - checked).count();
         ++found.scenes;
         found.refused += result.agrees ? 0 : 1;
         found.unrested += result.rested == 0 ? 1 : 0;
@@ -75,12 +80,12 @@ int main(int count, char** arguments)
     const Models models(shippedModel(), robot);
     Refusals found;
     check(scenesOf(robot, seed, drives), robot, models, found);
+    const auto each = [&found](double all) { return all / static_cast<double>(found.scenes); };
     std::printf(
-        "%zu scenes, %zu refused (%.2f %%), %zu without a rest pose; %.1f poses and %.1f ms "
-        "for a scene\n",
-        found.scenes, found.refused,
-        100.0 * static_cast<double>(found.refused) / static_cast<double>(found.scenes),
-        found.unrested, static_cast<double>(found.poses) / static_cast<double>(found.scenes),
-        1000.0 * found.seconds / static_cast<double>(found.scenes));
+        "%zu scenes, %zu refused (%.2f %%), %zu without a rest pose; a scene takes %.1f poses in "
+        "%.1f ms, and %.0f ms for the advice of a probe\n",
+        found.scenes, found.refused, 100.0 * each(static_cast<double>(found.refused)),
+        found.unrested, each(static_cast<double>(found.poses)), 1000.0 * each(found.seconds),
+        1000.0 * each(found.adviceSeconds));
     return EXIT_SUCCESS;
 }

@@ -325,5 +325,36 @@ TEST_F(BusConsole, aLogHasAnEndAndNoLostLink)
     picture("end-of-the-log");
 }
 
+TEST_F(BusConsole, aKerbOnTheLeftIsProbedOnASideOverTheBus)
+{
+    const TerrainProfile kerb({{0.0, 0.0}, {2.499, 0.0}, {2.5, 0.16}, {6.0, 0.16}});
+    SimulatedRobot::Options simulation;
+    simulation.startX = 1.96;
+    const StagedRobot uneven(
+        bus, model,
+        SimulatedRobot(model, GroundLines({{0.2, kerb}, {-0.2, flatTerrain(6.0)}}), simulation),
+        RobotOnBus::Options{.firstEpoch = 9, .speed = 10.0});
+    window = console(bus.join("can0"), CanSource::Mode::Transmit,
+                     modelFileLoader(resourcePath("models/default.ttm"), model));
+    gui::showActive(*window);
+    const Estimation& estimation = window->exploration().estimation();
+    std::optional<ProbeProposal> asked;
+    std::string before;
+    QObject::connect(&window->exploration(), &Exploration::proposed, window.get(), [&] {
+        asked = window->exploration().proposal();
+        before = describe(*estimation.verdict());
+    });
+    ASSERT_TRUE(inSomeGo([&] { return armsOnce() && exploresAndProbes(); }));
+    EXPECT_EQ(before.find("left BLOCKED at +0.6 m · right CLEAR to +0.55 m"), 0U) << before;
+    ASSERT_TRUE(asked);
+    EXPECT_NE(asked->side, ProbeSide::Middle);
+    ASSERT_EQ(estimation.readings().size(), 1U);
+    EXPECT_EQ(estimation.readings()[0].side, asked->side) << "the arm touched what was approved";
+    EXPECT_EQ(estimation.readings()[0].bin, asked->bin);
+    EXPECT_EQ(
+        sideOf(*estimation.estimate(), asked->side).origin[static_cast<std::size_t>(asked->bin)],
+        Origin::Arm);
+}
+
 }  // namespace
 }  // namespace terratact
