@@ -78,7 +78,7 @@ TEST_F(Recorder, makesASealedFileOfEverything)
         const std::int64_t model = recorder.record(ModelRow{.id = 0, .name = "default.ttm"});
         SceneRow scene = someScene(1, 0);
         const std::int64_t sceneId = recorder.record(scene);
-        EstimateRow estimate = someEstimate(1, 0);
+        EstimateRow estimate = someSides(1, 0);
         estimate.model = model;
         estimate.scene = sceneId;
         const std::int64_t id = recorder.record(estimate);
@@ -96,7 +96,10 @@ TEST_F(Recorder, makesASealedFileOfEverything)
     ASSERT_TRUE(reader) << reader.error().text;
     EXPECT_TRUE(reader->sealed());
     EXPECT_EQ(numbersIn(*reader).size(), 1000U);
-    EXPECT_EQ(reader->estimates().size(), 1U);
+    ASSERT_EQ(reader->estimates().size(), 1U);
+    TwoTrackEstimate recorded = reader->estimates()[0].estimate;
+    setDraws(recorded, *reader->draws(1));
+    EXPECT_EQ(recorded, someSides(1, 0).estimate) << "both sides are recorded";
     EXPECT_TRUE(hasEvent(*reader, EventKind::Session, "begun"));
     EXPECT_TRUE(hasEvent(*reader, EventKind::Decision, "explore"));
     EXPECT_TRUE(hasEvent(*reader, EventKind::Session, "ended"));
