@@ -45,6 +45,12 @@ QString binText(ProbePlace place)
     return name;
 }
 
+QString sidePlace(ProbePlace place)
+{
+    const bool hasSide = place.side != ProbeSide::Middle;
+    return shortPlace(place) + (hasSide ? QStringLiteral(" m") : QString());
+}
+
 QString shortPlace(ProbePlace place)
 {
     const QString name = format::binName(place.bin);

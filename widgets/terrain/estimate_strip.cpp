@@ -133,7 +133,7 @@ void EstimateStrip::showEstimate(const TerrainEstimate& estimate, ProbeSide side
     const auto widest = std::ranges::max_element(estimate.sd) - estimate.sd.begin();
     const auto at = static_cast<std::size_t>(widest);
     const bool doubtful = estimate.sd[at] > estimate.settings.probeAbove;
-    const QString bin = shortPlace({static_cast<int>(widest), side});
+    const QString bin = sidePlace({static_cast<int>(widest), side});
     const QString sd = format::number(estimate.sd[at], 2);
     headline_->setText(doubtful ? tr("Uncertain at %1: ± %2 m").arg(bin, sd)
                                 : tr("Known to ± %1 m, widest at %2").arg(sd, bin));

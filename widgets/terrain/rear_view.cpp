@@ -13,6 +13,7 @@ namespace terratact {
 namespace {
 
 constexpr QSize kSize{128, 78};       // [px] at 100 %
+constexpr QSize kFlat{76, 40};        // [px] at 100 %, the picture of a flat view
 constexpr double kHalfWidthM = 0.42;  // [m] shown to both sides of the middle
 constexpr double kBelowM = 0.14;      // [m] shown below the base
 constexpr double kMinSaid = 0.05;     // [°] below which no side is up
@@ -82,7 +83,8 @@ QSize RearView::sizeHint() const
 QSize RearView::minimumSizeHint() const
 {
     const QString widest = tr("cross %1").arg(shortTilt(-0.7));
-    return {fontMetrics().horizontalAdvance(widest), sizeHint().height()};
+    return {scaled(kFlat.width()) + fontMetrics().horizontalAdvance(widest),
+            std::max(scaled(kFlat.height()), 2 * fontMetrics().height())};
 }
 
 void RearView::setPose(const std::optional<Pose>& pose)
@@ -105,24 +107,34 @@ void RearView::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const QFontMetrics metrics = painter.fontMetrics();
+    painter.setPen(pose_ ? theme().text : theme().muted);
+    if (height() < sizeHint().height()) {  // flat
+        const int beside = scaled(kFlat.width());
+        painter.drawText(QRect(beside, 0, width() - beside, height()),
+                         Qt::AlignLeft | Qt::AlignVCenter, short_);
+        return drawPicture(painter, QRect(0, 0, beside, height()));
+    }
     const int lines = 1 + static_cast<int>(text_.count(u'\n'));
     const int textHeight = lines * metrics.height();
     const bool fits = metrics.size(0, text_).width() <= width();
-    painter.setPen(pose_ ? theme().text : theme().muted);
     painter.drawText(QRect(0, height() - textHeight, width(), textHeight), Qt::AlignCenter,
                      fits ? text_ : short_);
-    const int letter = metrics.horizontalAdvance(u'L') + 3;
-    const QRect picture(0, 0, width(), height() - textHeight);
+    drawPicture(painter, QRect(0, 0, width(), height() - textHeight));
+}
+
+void RearView::drawPicture(QPainter& painter, const QRect& place) const
+{
+    const int letter = painter.fontMetrics().horizontalAdvance(u'L') + 3;
     painter.setPen(theme().text);
-    painter.drawText(picture, Qt::AlignLeft | Qt::AlignBottom, tr("L"));
-    painter.drawText(picture, Qt::AlignRight | Qt::AlignBottom, tr("R"));
+    painter.drawText(place, Qt::AlignLeft | Qt::AlignBottom, tr("L"));
+    painter.drawText(place, Qt::AlignRight | Qt::AlignBottom, tr("R"));
     if (!pose_) return;
-    const double scale = (picture.width() - 2.0 * letter) / (2.0 * kHalfWidthM);
+    const double scale = (place.width() - 2.0 * letter) / (2.0 * kHalfWidthM);
     painter.setPen(QPen(theme().robotLine, 1.0, Qt::DashLine));
-    const double middle = picture.height() - kBelowM * scale;
-    painter.drawLine(QPointF(letter, middle), QPointF(picture.width() - letter, middle));
-    painter.translate(picture.width() / 2.0, middle);
-    painter.setClipRect(QRectF(-picture.width() / 2.0, -middle, picture.width(), picture.height()));
+    const double middle = place.height() - kBelowM * scale;
+    painter.drawLine(QPointF(letter, middle), QPointF(place.width() - letter, middle));
+    painter.translate(place.width() / 2.0, middle);
+    painter.setClipRect(QRectF(-place.width() / 2.0, -middle, place.width(), place.height()));
     painter.rotate(pose_->roll * 180.0 / std::numbers::pi);
     drawRobot(painter, scale);
 }

@@ -6,8 +6,8 @@
 namespace terratact {
 
 /// Small view of the robot from behind: body, both tracks and both front flippers, left (L) at the left. Below it stand
-/// the roll and, where it is known, the cross slope of the ground ahead, in degrees. Where there is little width, the
-/// same stands there in short. Takes values, emits nothing.
+/// the roll and, where it is known, the cross slope of the ground ahead, in degrees. In its minimum size the view
+/// is flat: the same stands in short beside a smaller picture. Takes values, emits nothing.
 class RearView final : public QWidget {
     Q_OBJECT
 public:
@@ -43,6 +43,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void drawPicture(QPainter& painter, const QRect& place) const;
     void drawRobot(QPainter& painter, double pixelsPerMetre) const;
 
     Shape shape_;

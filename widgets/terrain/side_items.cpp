@@ -137,7 +137,10 @@ void SideTags::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& 
         for (const Tag& tag : tags) {
             const QPointF end = isFront ? tag.front : tag.rear;
             if (!drawable(end)) continue;
-            const double centre = x.transform(end.x()) + (isFront ? 1.0 : -1.0) * scaled(22);
+            const double wanted = x.transform(end.x()) + (isFront ? 1.0 : -1.0) * scaled(22);
+            const double centre = std::clamp(
+                wanted, canvas.left() + width / 2.0 + 1.0,
+                std::max(canvas.left() + width / 2.0 + 1.0, canvas.right() - width / 2.0 - 1.0));
             QRectF place(centre - width / 2.0, y.transform(end.y()) - height / 2.0, width, height);
             place.moveTop(std::clamp(place.top(), canvas.top(),
                                      std::max(canvas.top(), canvas.bottom() - height)));

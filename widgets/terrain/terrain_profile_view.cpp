@@ -55,6 +55,16 @@ double meanSd(const Ghost& ghost)
     return bins > 0 ? sum / bins : 0.0;
 }
 
+/// Returns true if all points of the outline up to x = right lie below `bottom` [m].
+bool isOutlineBelow(const Outline& outline, double right, double bottom)
+{
+    return std::ranges::all_of(outline, [&](const OutlinePart& part) {
+        return std::ranges::all_of(part.points, [&](const std::array<double, 2>& point) {
+            return !drawable(point[1]) || point[0] > right || point[1] < bottom;
+        });
+    });
+}
+
 void setInLegend(QwtPlotItem& item, bool shown)
 {
     if (item.testItemAttribute(QwtPlotItem::Legend) != shown)
@@ -111,16 +121,43 @@ void TerrainProfileView::setCorner(QWidget* corner)
 void TerrainProfileView::placeCorner()
 {
     if (!corner_) return;
-    constexpr int kGap = 4;  // [px]
+    constexpr int kGap = 4;          // [px]
+    constexpr double kLeast = 0.72;  // least share of its width
     const QRect frame = canvas()->geometry().adjusted(kGap, kGap, -kGap, -kGap);
     const int bins = canvas()->x() + static_cast<int>(pixelOf(binBegin(0), 0.0).x()) - kGap;
-    const QSize size = corner_->sizeHint().boundedTo(QSize(bins - frame.left(), frame.height()));
+    const QSize wanted = corner_->sizeHint(), flat = corner_->minimumSizeHint();
+    const QSize free(bins - frame.left(), frame.height());
+    const bool isBeside =
+        free.width() >= kLeast * wanted.width() && free.height() >= wanted.height();
+    const QSize size = isBeside ? wanted.boundedTo(free) : flat;
     const bool isCovered = std::ranges::any_of(std::array{note_, ghostNote_}, [&](auto* note) {
         const double half = note->text().textSize(font()).width() / 2.0;
         return note->isVisible() && frame.center().x() - half < frame.left() + size.width();
     });
-    corner_->setGeometry(QRect(frame.topLeft(), size));
-    corner_->setVisible(!isCovered && size == size.expandedTo(corner_->minimumSizeHint()));
+    const QRect place(frame.topLeft(), size);
+    corner_->setGeometry(place);
+    corner_->setVisible(!isCovered && (isBeside || isFreeAbove(place)));
+}
+
+/// Returns true if nothing is drawn at a place at the top, above the bins under the robot's tracks.
+bool TerrainProfileView::isFreeAbove(const QRect& place) const
+{
+    const QPoint corner = canvas()->geometry().topLeft();
+    const double right = pointAt(place.topRight() - corner).x();
+    const double bottom = pointAt(place.bottomLeft() - corner).y();
+    if (!canvas()->geometry().contains(place) || right > binBegin(kFirstAhead)) return false;
+    const auto isBelow = [bottom](double z) { return !drawable(z) || z < bottom; };
+    for (int bin = 0; bin < kBins && binBegin(bin) < right; ++bin) {
+        const auto i = static_cast<std::size_t>(bin);
+        for (const TerrainEstimate* e : {full(), light()})
+            if (e && !(isBelow(e->q90[i]) && isBelow(e->height[i]))) return false;
+        if (ghost_->ghost && ghost_->ghost->bin[i] && !isBelow(ghost_->ghost->bin[i]->q90))
+            return false;
+        if (truth_ && !isBelow((*truth_)[i])) return false;
+        if (second_->estimate && !isBelow(second_->estimate->height[i])) return false;
+    }
+    return isOutlineBelow(robot_.outline(), right, bottom)
+        && isOutlineBelow(farRobot_.outline(), right, bottom);
 }
 
 void TerrainProfileView::resizeEvent(QResizeEvent* event)
@@ -335,7 +372,6 @@ void TerrainProfileView::updateLayout()
 {
     QwtPlot::updateLayout();
     fitAxes();
-    placeCorner();
 }
 
 void TerrainProfileView::fitAxes()
@@ -343,6 +379,7 @@ void TerrainProfileView::fitAxes()
     // New labels may need other margins, which change the size of the canvas.
     constexpr int kRounds = 3;
     for (int round = 0; round < kRounds && setScales(); ++round) QwtPlot::updateLayout();
+    placeCorner();
 }
 
 bool TerrainProfileView::setScales()

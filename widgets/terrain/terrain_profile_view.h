@@ -98,8 +98,9 @@ public:
     /// Mutes the drawing, which is `age` [s] old; empty: it is current.
     void setStale(std::optional<double> age);
 
-    /// Shows a small widget in the upper left corner of the canvas, above the robot's rear. It leaves where it would
-    /// cover a bin or a note. The view takes ownership.
+    /// Shows a small widget in the upper left corner of the canvas, beside the bins. Where there is no room beside them,
+    /// it gets its minimum size above the robot. It leaves where it would cover a note, or anything drawn. The view takes
+    /// ownership.
     void setCorner(QWidget* corner);
 
     /// Returns the canvas position of a point in the DEM frame [m].
@@ -164,6 +165,7 @@ private:
     void showGhostNote(const QString& note);
     void arrangeNotes();
     void placeCorner();
+    bool isFreeAbove(const QRect& place) const;
     void showTruth();
     void showArm();
     double underArm() const;

@@ -51,7 +51,18 @@ TEST_F(TerrainView, aCornerNeverCoversBinsOrNotes)
     EXPECT_TRUE(corner->isVisible());
     view.resize(340, 480);
     QApplication::processEvents();
-    EXPECT_FALSE(corner->isVisible()) << "there is no room beside the bins";
+    EXPECT_TRUE(corner->isVisible()) << "above the robot, where nothing is drawn";
+    EXPECT_EQ(corner->size(), corner->minimumSizeHint());
+    TerrainEstimate high = stepEstimate();
+    high.height[0] = high.q90[0] = 0.9;
+    view.resize(340, 300);
+    view.setEstimate(high);
+    QApplication::processEvents();
+    EXPECT_FALSE(corner->isVisible()) << "a height is drawn there";
+    view.setEstimate(stepEstimate());
+    view.resize(340, 140);
+    QApplication::processEvents();
+    EXPECT_FALSE(corner->isVisible()) << "there is no room";
 }
 
 TEST_F(TerrainView, staleDrawingIsMutedAndShowsItsAge)
