@@ -133,13 +133,16 @@ void ReviewViewState::addEstimates(TerrainViewState& viewState, const ReviewMome
 
 void ReviewViewState::addGhost(TerrainViewState& viewState, const ReviewMoment& moment)
 {
-    const auto [ghost, why] = ghost_.at(moment);
-    if (!ghost && !why) return;
-    const auto whyNoGhost = noGhostWords(why, isTelemetryFresh(moment));
-    if (whyNoGhost)
+    const ReviewGhost::ViewState found = ghost_.at(moment);
+    if (!found.ghost && !found.right && !found.why) return;
+    const auto whyNoGhost = noGhostWords(found.why, isTelemetryFresh(moment));
+    if (whyNoGhost) {
         viewState.whyNoGhost = translated(*whyNoGhost);
-    else
-        viewState.ghost = ghost;
+        return;
+    }
+    viewState.ghost = found.ghost;
+    viewState.rightGhost = found.right;
+    viewState.isGhostOnePlane = found.onePlane;
 }
 
 void ReviewViewState::addProbe(TerrainViewState& viewState, const ReviewMoment& moment,

@@ -26,7 +26,11 @@ ReviewGhost::ViewState ReviewGhost::at(const ReviewMoment& moment)
     while (!followed_.empty() && followed_.back().until > moment.time) followed_.pop_back();
     if (followed_.empty()) begin(*row, *left);
     goTo(moment.time);
-    return {followed_.back().track.ghost(), followed_.back().track.why()};
+    const Followed& now = followed_.back();
+    const auto& [first, second] = now.tracks;
+    if (now.onePlane) return {first.ghost(), first.why()};
+    const bool isAny = first.ghost() || second.ghost();
+    return {first.ghost(), isAny ? std::nullopt : first.why(), second.ghost(), false};
 }
 
 const EstimateRow* ReviewGhost::lastUpTo(SessionTime time) const
@@ -79,12 +83,16 @@ void ReviewGhost::begin(const EstimateRow& row, SessionTime left)
 {
     const SceneRow& scene = *reader_.scene(row.scene);
     Followed& start = followed_.emplace_back(
-        Followed{row.id, GhostTrack(robot_, row.estimate.side[0], scene.measurement),
-                 TelemetryListener(robot_), std::max(row.time, left - sessionTimeOf(kBefore))});
+        Followed{row.id,
+                 {GhostTrack(robot_, row.estimate.side[0], scene.measurement),
+                  GhostTrack(robot_, row.estimate.side[1], scene.measurement)},
+                 row.estimate.onePlane,
+                 TelemetryListener(robot_),
+                 std::max(row.time, left - sessionTimeOf(kBefore))});
     for (const EventRow& event : reader_.events())
         if (event.kind == EventKind::TelemetryGap && event.time >= scene.time
             && event.time <= start.until)
-            start.track.addSilence();
+            for (GhostTrack& track : start.tracks) track.addSilence();
 }
 
 void ReviewGhost::goTo(SessionTime until)
@@ -104,14 +112,15 @@ void ReviewGhost::follow(SessionTime until)
     const SessionTime from = std::exchange(now.until, until);
     for (const EventRow& event : reader_.events())
         if (event.kind == EventKind::TelemetryGap && event.time > from && event.time <= until)
-            now.track.addSilence();
+            for (GhostTrack& track : now.tracks) track.addSilence();
     for (std::size_t i = reader_.batchAt(from + 1);
          i < reader_.batches().size() && reader_.batches()[i].first <= until; ++i) {
-        if (!now.track.ghost()) return;
+        if (!now.tracks[0].ghost() && !now.tracks[1].ghost()) return;
         for (const FrameRow& row : reader_.frames(i)) {
             if (row.time <= from || row.time > until) continue;
-            if (const auto received = now.listener.receive(row.frame, secondsOf(row.time)))
-                now.track.add(*received);
+            const auto received = now.listener.receive(row.frame, secondsOf(row.time));
+            if (!received) continue;
+            for (GhostTrack& track : now.tracks) track.add(*received);
         }
     }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -21,19 +22,22 @@ public:
     ReviewGhost(SessionReader& reader, RobotModel robot);
 
     struct ViewState {
-        std::optional<Ghost> ghost{};
+        std::optional<Ghost> ghost{};  ///< of one plane, or of the left side
         std::optional<NoGhost> why{};  ///< reason why an estimate has no ghost any more
+        std::optional<Ghost> right{};  ///< of the right side; empty for an estimate of one plane
+        bool onePlane = true;          ///< the estimate is of one plane
         bool operator==(const ViewState&) const = default;
     };
-    /// Returns the ghost at a moment. Both fields are empty while an estimate is shown or computed,
+    /// Returns the ghost at a moment. All are empty while an estimate is shown or computed,
     /// before the first estimate, and after kFollowed. They are also empty once the operator
     /// discarded the estimate or loaded another model.
     ViewState at(const ReviewMoment& moment);
 
 private:
     struct Followed {
-        std::int64_t estimate;  ///< its id
-        GhostTrack track;
+        std::int64_t estimate;             ///< its id
+        std::array<GhostTrack, 2> tracks;  ///< left, right
+        bool onePlane;
         TelemetryListener listener;
         SessionTime until;  ///< time up to which it was followed
     };

@@ -66,6 +66,23 @@ TEST_F(GhostOf, anEstimateIsFollowedOnceItIsLeft)
     EXPECT_TRUE(at(kLater).ghost);
 }
 
+TEST_F(GhostOf, bothSidesAreFollowedWhereBothWereEstimated)
+{
+    record({});
+    EXPECT_TRUE(at(kLeft).onePlane);
+    EXPECT_FALSE(at(kLeft).right);
+    auto opened = SessionReader::open(TERRATACT_SOURCE_DIR "/resources/sessions/two_tracks.tts");
+    ASSERT_TRUE(opened) << opened.error().text;
+    reader.emplace(std::move(*opened));
+    const auto forgotten =
+        std::ranges::find(reader->events(), EventKind::Forgotten, &EventRow::kind);
+    ASSERT_NE(forgotten, reader->events().end());
+    const ReviewGhost::ViewState left = at(secondsOf(forgotten->time) + 0.3);
+    EXPECT_FALSE(left.onePlane);
+    ASSERT_TRUE(left.ghost && left.right);
+    EXPECT_NE(*left.ghost, *left.right);
+}
+
 TEST_F(GhostOf, aDiscardedEstimateHasNoGhost)
 {
     record({event(kStood, EventKind::Decision, "abort")});
