@@ -178,23 +178,6 @@ Side decidingSide(const TwoTrackVerdict& verdict)
     return rank(verdict.side[0]) > rank(verdict.side[1]) ? Side::Left : Side::Right;
 }
 
-/// Returns the true heights to draw: those of the side that is drawn in full, if two sides are drawn. The means of both
-/// sides are those of neither.
-std::optional<Heights> truthOf(const TerrainViewState& viewState, bool onePlane, ShownSides shown)
-{
-    if (!onePlane) {
-        if (!viewState.scene || !viewState.sceneSideTruth || !*viewState.sceneSideTruth)
-            return std::nullopt;
-        const Side full = shown == ShownSides::Left  ? Side::Left
-                        : shown == ShownSides::Right ? Side::Right
-                        : viewState.verdict          ? decidingSide(*viewState.verdict)
-                                                     : Side::Right;
-        return (*viewState.sceneSideTruth)->at(full == Side::Left ? 0 : 1);
-    }
-    const std::optional<Heights>* truth = viewState.scene ? viewState.sceneTruth : viewState.truth;
-    return truth ? *truth : std::nullopt;
-}
-
 /// Returns true while the flippers press. A preview stays longer, until the scene's estimate is there.
 bool flippersMove(const TerrainViewState& viewState)
 {
@@ -237,7 +220,10 @@ Card* TerrainPage::terrainCard()
     terrain_ = new TerrainProfileView(card);
     rear_ = new RearView(rearShapeOf(robot_));
     terrain_->setCorner(rear_);
-    connect(terrain_, &TerrainProfileView::shownSidesChanged, this, &TerrainPage::showOutlines);
+    connect(terrain_, &TerrainProfileView::shownSidesChanged, this, [this] {
+        showOutlines();
+        showTruth();
+    });
     card->note()->hide();
     card->titleRow()->addWidget(strip_, 1);
     card->titleRow()->addWidget(view_);
@@ -378,10 +364,10 @@ void TerrainPage::setViewState(const TerrainViewState& viewState)
 {
     showRobot(viewState);
     showEstimate(viewState);
-    showPose(viewState);
     const bool isStale = viewState.measurement && viewState.age > kStaleAfter && !viewState.ended;
     terrain_->setStale(isStale ? std::optional(viewState.age) : std::nullopt);
     showVerdict(viewState);
+    showPose(viewState);  // after the verdict, which decides the side in full
     showProbe(viewState);
     strip_->setProgress(viewState.progress);
     atem_->setState(viewState.state, viewState.time, viewState.stateWords);
@@ -524,8 +510,23 @@ void TerrainPage::showPose(const TerrainViewState& viewState)
         viewState.live ? viewState.live.estimate : viewState.estimate.estimate;
     isOnePlane_ = estimate ? estimate->onePlane : isSymmetric(twoTrackReadings(*posed_));
     showOutlines();
-    terrain_->setTruth(truthOf(viewState, isOnePlane_, terrain_->shownSides()));
+    const std::optional<Heights>* const truth =
+        viewState.scene ? viewState.sceneTruth : viewState.truth;
+    // The means of both sides are those of neither.
+    planeTruth_ = truth && isOnePlane_ ? *truth : std::nullopt;
+    sideTruth_ =
+        viewState.scene && viewState.sceneSideTruth ? *viewState.sceneSideTruth : std::nullopt;
+    showTruth();
     shownCount_ = viewState.count;
+}
+
+/// Draws the true heights: of two sides, those of the side in full.
+void TerrainPage::showTruth()
+{
+    if (const auto side = terrain_->sideInFull())
+        return terrain_->setTruth(sideTruth_ ? std::optional((*sideTruth_)[indexOf(*side)])
+                                             : std::nullopt);
+    terrain_->setTruth(planeTruth_);
 }
 
 /// Draws both sides of the robot where they differ: the right side near, and the left side behind it.

@@ -160,6 +160,7 @@ private:
     Card* eventCard();
     void showRobot(const TerrainViewState& viewState);
     void showOutlines();
+    void showTruth();
     void showAge(const TerrainViewState& viewState);
     void showEstimate(const TerrainViewState& viewState);
     void showPreview(const TerrainViewState& viewState);
@@ -201,8 +202,10 @@ private:
     std::optional<std::uint64_t> shown_, shownLive_, shownSecond_;  ///< revisions; empty: none
     QString shownReason_;
     bool shownEstimate_ = false;
-    std::optional<Measurement> posed_;  ///< the robot is drawn in this pose
-    bool isOnePlane_ = true;            ///< posed_ is drawn without its sides
+    std::optional<Heights> planeTruth_;
+    std::optional<std::array<Heights, 2>> sideTruth_;  ///< left, right
+    std::optional<Measurement> posed_;                 ///< the robot is drawn in this pose
+    bool isOnePlane_ = true;                           ///< posed_ is drawn without its sides
 };
 
 }  // namespace terratact

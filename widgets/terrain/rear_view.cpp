@@ -13,7 +13,8 @@ namespace terratact {
 namespace {
 
 constexpr QSize kSize{128, 78};       // [px] at 100 %
-constexpr QSize kFlat{76, 40};        // [px] at 100 %, the picture of a flat view
+constexpr QSize kFlat{82, 40};        // [px] at 100 %, the picture of a flat view with a gap
+constexpr int kFlatGap = 6;           // [px] at 100 %
 constexpr double kHalfWidthM = 0.42;  // [m] shown to both sides of the middle
 constexpr double kBelowM = 0.14;      // [m] shown below the base
 constexpr double kMinSaid = 0.05;     // [°] below which no side is up
@@ -109,8 +110,8 @@ void RearView::paintEvent(QPaintEvent*)
     const QFontMetrics metrics = painter.fontMetrics();
     painter.setPen(pose_ ? theme().text : theme().muted);
     if (height() < sizeHint().height()) {  // flat
-        const int beside = scaled(kFlat.width());
-        painter.drawText(QRect(beside, 0, width() - beside, height()),
+        const int beside = scaled(kFlat.width() - kFlatGap);
+        painter.drawText(QRect(scaled(kFlat.width()), 0, width() - scaled(kFlat.width()), height()),
                          Qt::AlignLeft | Qt::AlignVCenter, short_);
         return drawPicture(painter, QRect(0, 0, beside, height()));
     }

@@ -151,8 +151,8 @@ bool TerrainProfileView::isFreeAbove(const QRect& place) const
         const auto i = static_cast<std::size_t>(bin);
         for (const TerrainEstimate* e : {full(), light()})
             if (e && !(isBelow(e->q90[i]) && isBelow(e->height[i]))) return false;
-        if (ghost_->ghost && ghost_->ghost->bin[i] && !isBelow(ghost_->ghost->bin[i]->q90))
-            return false;
+        for (const auto* ghost : {&ghost_->ghost, &ghost_->right})
+            if (*ghost && (*ghost)->bin[i] && !isBelow((*ghost)->bin[i]->q90)) return false;
         if (truth_ && !isBelow((*truth_)[i])) return false;
         if (second_->estimate && !isBelow(second_->estimate->height[i])) return false;
     }

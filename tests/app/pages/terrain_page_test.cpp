@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <qwt_plot_shapeitem.h>
+#include <qwt_text.h>
 
 #include <QKeyEvent>
 #include <QLabel>
@@ -165,6 +166,36 @@ TEST(TerrainPageAlone, showsTheCrossSlopeOfBothSidesFromBehind)
     estimate.onePlane = true;
     page.setViewState(viewState);
     EXPECT_FALSE(page.rearView()->text().contains("cross slope"));
+}
+
+TEST(TerrainPageAlone, theTruthIsThatOfTheSideInFull)
+{
+    TerrainPage page(absolem());
+    gui::showActive(page);
+    const Measurement m = rolled();
+    const TwoTrackEstimate estimate = leftStepEstimate();
+    std::array<Heights, 2> truths{};
+    truths[0].fill(-0.33);
+    truths[1].fill(-0.17);
+    const std::optional<std::array<Heights, 2>> sideTruth = truths;
+    TerrainViewState viewState;
+    viewState.measurement = viewState.scene = &m;
+    viewState.sceneSideTruth = &sideTruth;
+    viewState.estimate = {&estimate, 1};
+    viewState.verdict = equalSides(Verdict{});
+    viewState.verdict->onePlane = false;
+    viewState.verdict->side[1].stepVerdict = StepVerdict::Clear;
+    viewState.count = 1;
+    page.setViewState(viewState);
+    const auto height = [&page] {
+        for (const QwtPlotItem* item : page.terrain()->itemList())
+            if (item->title().text() == "truth")
+                return static_cast<const QwtPlotShapeItem*>(item)->shape().boundingRect().top();
+        return 0.0;
+    };
+    EXPECT_NEAR(height(), -0.33, 1e-9) << "the left side decides";
+    page.terrain()->setShownSides(ShownSides::Right);
+    EXPECT_NEAR(height(), -0.17, 1e-9) << "at once";
 }
 
 TEST(TerrainPageAlone, showsRearForcesOnlyOnARobotThatHasThem)
