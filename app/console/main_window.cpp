@@ -7,7 +7,6 @@
 #include <QStackedWidget>
 #include <QTime>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -363,27 +362,13 @@ void MainWindow::showWhyNot(const Message& text)
     notice_->show(translated(text), steadyNow());
 }
 
-namespace {
-
-/// Returns the best place to probe on the side that the operator has chosen, else the best one of all.
-ProbePlace onChosenSide(const ProbeProposal& best, const TerrainProfileView& view)
-{
-    const ProbeSide wanted = view.sideToProbe();
-    const bool isChosen = view.shownSides() != ShownSides::Both && wanted != ProbeSide::Middle;
-    if (!isChosen || best.side == wanted) return {best.bin, best.side};
-    const auto other = std::ranges::find(best.others, wanted, &ProbeWorth::side);
-    return other != best.others.end() ? other->place() : ProbePlace{best.bin, wanted};
-}
-
-}  // namespace
-
 void MainWindow::askProbe()
 {
     const auto best = exploration_->bestProbe();
     if (const auto selected = terrain()->selectedPlace())
         exploration_->askProbe(*selected);
     else if (best)
-        exploration_->askProbe(onChosenSide(*best, *terrain()));
+        exploration_->askProbe({best->bin, best->side});
     else if (const auto why = exploration_->whyNotOffered())
         log(*why, EventSeverity::Warning);
     else
