@@ -11,6 +11,7 @@ constexpr int kEarlyLines = 3;
 constexpr int kMinSettled = 3;
 constexpr double kMoved = 0.1;          // [rad] a larger change is a certain movement
 constexpr double kUnmoved = 0.03;       // [rad]
+constexpr double kMirrored = 0.15;      // [rad] sum of an angle and a flipped one of the same size
 constexpr double kLateAngle = 0.06;     // [rad]
 constexpr double kLateWay = 0.05;       // [m]
 constexpr double kLateCurrent = 0.5;    // [A]
@@ -131,6 +132,15 @@ double PressWatch::rise(Sensor angle) const
     return turnBetween(press_->reference.of(angle), press_->first.of(angle));
 }
 
+bool PressWatch::looksFlipped(Sensor front) const
+{
+    if (rise(front) <= kMoved) return false;
+    const Sensor other = front == kFront[0] ? kFront[1] : kFront[0];
+    const Mean& reference = press_->reference;
+    return reference.count(other) == 0 || rise(other) > kMoved
+        || std::abs(reference.of(front) + reference.of(other)) <= kMirrored;
+}
+
 bool PressWatch::foundGround() const
 {
     return press_->early.of(Sensor::FrontLeft) > kLowest
@@ -142,7 +152,7 @@ void PressWatch::judgeMotion(double now)
     const auto still = [this](Sensor s) { return std::abs(rise(s)) <= kUnmoved; };
     const auto moved = [this](Sensor s) { return std::abs(rise(s)) >= kMoved; };
     for (const Sensor sensor : kFront)
-        if (rise(sensor) > kMoved) suspect(sensor, SensorTrouble::Flipped, now, rise(sensor));
+        if (looksFlipped(sensor)) suspect(sensor, SensorTrouble::Flipped, now, rise(sensor));
     const double way =
         press_->began ? std::abs(press_->first.of(Sensor::Travelled) - *press_->began) : 0.0;
     if (way > kLateWay && press_->first.count(Sensor::Travelled) > 0)

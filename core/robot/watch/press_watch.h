@@ -69,6 +69,9 @@ private:
     void judgePitch(double now);
     void judgeSides(double now);
     void suspect(Sensor sensor, SensorTrouble trouble, double now, double amount);
+    /// A front angle rises. The other one rises, too, or was its mirror image before the press: both
+    /// flippers are held alike. A flipper that an obstacle on one side lifts does not look flipped.
+    bool looksFlipped(Sensor front) const;
     double rise(Sensor angle) const;  ///< change from the reference to the first line at rest [rad]
     bool foundGround() const;
 

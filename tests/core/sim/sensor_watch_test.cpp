@@ -175,6 +175,42 @@ TEST(SensorWatch, DoesNotCallAMissingRollStuck)
     }
 }
 
+/// Suspicions of a press whose front flippers go from one pair of angles [rad] to another.
+std::vector<SensorSuspicion> suspicionsOfPress(std::array<double, 2> from, std::array<double, 2> to)
+{
+    SensorWatch watch(absolem());
+    std::vector<SensorSuspicion> all;
+    for (int k = 0; k < 40; ++k) {
+        Measurement line;
+        line.time = 0.05 * k;
+        line.activity = k < 10 ? RobotActivity::Halted
+                      : k < 20 ? RobotActivity::Pressing
+                               : RobotActivity::Pressed;
+        const auto& angles = k < 10 ? from : to;
+        line.frontLeft = angles[0];
+        line.frontRight = angles[1];
+        line.frontLeftCurrent = line.frontRightCurrent = k < 20 ? 0.0 : 1.5;
+        watch.add(line);
+        for (const SensorSuspicion& each : watch.standing()) all.push_back(each);
+    }
+    std::erase_if(all, [](const auto& each) { return each.trouble != SensorTrouble::Flipped; });
+    return all;
+}
+
+TEST(SensorWatch, AFlipperThatAKerbLiftsIsNotFlipped)
+{
+    EXPECT_TRUE(suspicionsOfPress({0.7, 0.7}, {0.9, -0.2}).empty());
+    EXPECT_TRUE(suspicionsOfPress({0.5, -0.1}, {0.7, -0.2}).empty());
+}
+
+TEST(SensorWatch, AFlippedFrontAngleIsNamed)
+{
+    const auto one = suspicionsOfPress({-0.7, 0.7}, {0.2, -0.2});
+    ASSERT_FALSE(one.empty());
+    EXPECT_EQ(one.front().sensor, Sensor::FrontLeft);
+    EXPECT_FALSE(suspicionsOfPress({-0.7, -0.7}, {0.2, 0.2}).empty());
+}
+
 TEST(SensorWatch, RefusesATimeThatIsNotFinite)
 {
     SensorWatch watch(absolem());
