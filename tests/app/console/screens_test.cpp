@@ -318,7 +318,7 @@ TEST_F(Screens, probe)
         open({});
         ASSERT_NO_FATAL_FAILURE(explore());
         Exploration& exploration = console->exploration();
-        const QString question = ProbeCard::tr("hold to approve probe at %1 (Space)");
+        const QString question = ProbeCard::tr("hold to approve probe %1 (Space)");
         picture("proposed", {question, VerdictStrip::tr("? CANNOT TELL")});
         press(Qt::Key_D);
         exploration.setSecondMethod(Method::Pafc);
@@ -349,7 +349,7 @@ TEST_F(Screens, probe)
         approveButton.setHoldTime(1);
         QTest::keyPress(&window(), Qt::Key_Space);
         picture("probing",
-                {ProbeCard::tr("The arm is probing bin %1"), glance(RobotActivity::Probing)});
+                {ProbeCard::tr("The arm is probing %1"), glance(RobotActivity::Probing)});
         QTest::keyRelease(&window(), Qt::Key_Space);
         robot->stage({});
         picture("probed",
@@ -382,7 +382,7 @@ TEST_F(Screens, probe)
         picture("question_of_another_model",
                 {QCoreApplication::translate(
                      "Preconditions", "scene, settings or model have changed since the question"),
-                 ProbeCard::tr("void"), ProbeCard::tr("approval void: probe at %1")});
+                 ProbeCard::tr("void"), ProbeCard::tr("approval void: probe %1")});
         approve();
         ASSERT_TRUE(reaches(AtemPhase::Failed));
         picture("approval_void", {told(describe(AtemFailure::ApprovalVoid))});

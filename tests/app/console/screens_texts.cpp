@@ -45,7 +45,7 @@ bool isSameEverywhere(const std::string& text)
         "REPLAY|English|Deutsch|Eigen|Qwt|OpenBLAS.*|Linux.*|R-hat|ESS|AVX|rad|STOP|Token|"
         "terratact (simulate|train) .*|[Mm]odel|[Pp]anel|[Rr]obot|Bus|Start|Status|Name|Training|"
         "Signal|Rate|Bytes|REC|Export|Format)\\b|can#|"
-        "\\b(Ctrl|PgUp|PgDown|Home|End|Esc|Del)\\b|"  // key names of these languages
+        "\\b(Ctrl|Alt|PgUp|PgDown|Home|End|Esc|Del)\\b|"  // key names of these languages
         "/usr/share/doc/terratact/copyright|candump|Vector|Foxglove|Čeština|\\bbit\\b|UTC|/min\\b|"
         "[^ ]*\\.(ttm|toml|csv|log|tts|png|svg|pdf|html|mcap|asc)\\b|"
         // texts of the system and of substitute drivers

@@ -28,7 +28,7 @@ TEST_F(Screens, themes)
             console->preferences().change([&](Preferences& p) { p.theme = names.theme; });
             picture(names.notReady, {AtemPanel::tr("not ready")});
             ASSERT_NO_FATAL_FAILURE(explore());
-            picture(names.asked, {ProbeCard::tr("hold to approve probe at %1 (Space)")});
+            picture(names.asked, {ProbeCard::tr("hold to approve probe %1 (Space)")});
             press(Qt::Key_F12);
             picture(names.stopped, {StatusHeader::tr("STOPPED (F12)")});
             robot->stage({.isMute = true});
