@@ -6115,7 +6115,7 @@ F1</translation>
         <translation>K</translation>
     </message>
     <message>
-        <source>R</source>
+        <source>E</source>
         <comment>letter of a mark</comment>
         <translation>B</translation>
     </message>

@@ -38,7 +38,7 @@ inline QString provenanceLetter(Provenance provenance)
     case Provenance::Contact:
         return letter(QT_TRANSLATE_NOOP3("terratact::Provenance", "C", "letter of a mark"));
     case Provenance::Constrained:
-        return letter(QT_TRANSLATE_NOOP3("terratact::Provenance", "R", "letter of a mark"));
+        return letter(QT_TRANSLATE_NOOP3("terratact::Provenance", "E", "letter of a mark"));
     case Provenance::Sampled:
         return letter(QT_TRANSLATE_NOOP3("terratact::Provenance", "S", "letter of a mark"));
     case Provenance::PriorOnly:
