@@ -1,7 +1,7 @@
 #!/bin/sh
 # Makes the pictures of the README and of docs/manual.md again from a release build. They show the console on its
-# simulated robot, the review of the shipped session, and nine states of tests/app/console/screens_test.cpp. Needs
-# imagemagick to make the files smaller.
+# simulated robot, also on ground that differs left and right, the review of the shipped session, and nine states of
+# tests/app/console/screens_test.cpp. Needs imagemagick to make the files smaller.
 #   docs/screens.sh
 set -eu
 cd "$(dirname "$0")/.."
@@ -9,13 +9,40 @@ all=$(mktemp -d)
 trap 'rm -rf "$all"' EXIT
 export QT_QPA_PLATFORM=offscreen LC_ALL=C.UTF-8
 
+# lines KIND: ground under each flipper and track that differs left and right (docs/files.md).
+lines() {
+  awk -v kind="$1" 'BEGIN {
+    print "step_m,y_m,heights_m"
+    n = split("0.272 0.1985 -0.1985 -0.272", ys)
+    for (k = 1; k <= n; ++k) {
+      y = ys[k]
+      printf "0.01,%s", y
+      for (i = 0; i <= 500; ++i) {
+        x = 0.01 * i
+        z = 0
+        if (kind == "kerb") z = y > 0 && x >= 1.8 ? 0.2 : 0
+        if (kind == "diagonal") z = x + 0.7 * y >= 2.0 ? 0.15 : 0
+        if (kind == "slope") z = 0.17 * y + (x >= 1.9 ? 0.15 : 0)
+        if (kind == "hanging") z = x < 1.8 ? 0 : y > 0 ? 0.2 : -0.6
+        printf ",%.4f", z
+      }
+      print ""
+    }
+  }'
+}
+
 small() { convert "$1" +dither -colors 200 -strip "$2"; }
 
 build/release/app/terratact-console --screenshot "$all/console.png"
 build/release/app/terratact-console resources/sessions/demo.tts --at 66 --screenshot "$all/review.png"
 TERRATACT_LANGUAGE=en TERRATACT_PICTURES="$all" build/release/tests/app.console.screens_test \
   --gtest_filter=Screens.start:Screens.verdict:Screens.probe:Screens.result:Screens.trouble:Screens.lying
+for kind in kerb diagonal slope hanging; do
+  lines "$kind" >"$all/$kind.csv"
+  build/release/app/terratact-console --terrain "$all/$kind.csv" --screenshot "$all/$kind.png"
+done
 mkdir -p docs/screens
+for kind in kerb diagonal slope hanging; do small "$all/$kind.png" "docs/screens/$kind.png"; done
 small "$all/console.png" docs/console.png
 small "$all/review.png" docs/screens/review.png
 small "$all"/??-??_not_armed.png docs/screens/start.png

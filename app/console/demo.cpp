@@ -1,6 +1,7 @@
 #include "app/console/demo.h"
 
 #include <QApplication>
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -74,11 +75,15 @@ void ScreenshotDemo::tick()
 bool ScreenshotDemo::seesStep() const
 {
     const auto latest = window_.acquisition().latest();
-    if (!latest || !latest->sample.truth) return false;
-    const Heights& truth = *latest->sample.truth;
+    if (!latest) return false;
     const auto ahead = static_cast<std::size_t>(*binOf(0.5)),
                below = static_cast<std::size_t>(*binOf(0.2));
-    return truth[ahead] - truth[below] >= kStepSeen;
+    const auto rises = [&](const Heights& truth) {
+        return truth[ahead] - truth[below] >= kStepSeen;
+    };
+    const Sample& sample = latest->sample;
+    if (sample.sideTruth) return std::ranges::any_of(*sample.sideTruth, rises);
+    return sample.truth && rises(*sample.truth);
 }
 
 // Performs both actions of arming; begins again if arming fails.
