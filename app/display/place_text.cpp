@@ -25,7 +25,7 @@ QString sideWord(Side side)
 
 QString placeText(ProbePlace place)
 {
-    const QString name = format::binName(place.bin);
+    QString name = format::binName(place.bin);
     switch (place.side) {
     case ProbeSide::Middle: return PlaceWords::tr("at %1").arg(name);
     case ProbeSide::Left: return PlaceWords::tr("left at %1").arg(name);
@@ -36,7 +36,7 @@ QString placeText(ProbePlace place)
 
 QString binText(ProbePlace place)
 {
-    const QString name = format::binName(place.bin);
+    QString name = format::binName(place.bin);
     switch (place.side) {
     case ProbeSide::Middle: return PlaceWords::tr("bin %1").arg(name);
     case ProbeSide::Left: return PlaceWords::tr("left bin %1").arg(name);
@@ -53,7 +53,7 @@ QString sidePlace(ProbePlace place)
 
 QString shortPlace(ProbePlace place)
 {
-    const QString name = format::binName(place.bin);
+    QString name = format::binName(place.bin);
     if (place.side == ProbeSide::Middle) return name;
     return sideLetter(place.side == ProbeSide::Left ? Side::Left : Side::Right) + QLatin1Char(' ')
          + format::number(binCentre(place.bin), 1);

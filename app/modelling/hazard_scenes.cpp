@@ -40,6 +40,7 @@ GroundLines linesOf(const RobotModel& robot, const HazardGround& ground,
                                   ys, rng);
     }
     std::vector<GroundLine> lines;
+    lines.reserve(ys.size());
     for (const double y : ys) lines.push_back({y, flatTerrain(kRandomTerrainLength)});
     if (ground.roughness > 0.0)
         addRoughness(lines, ground.roughness, uniform(rng, kLeastCorrelation, kMostCorrelation),

@@ -321,7 +321,7 @@ void WhatIfPage::showAnswer()
 
 QString WhatIfPage::placeName(const Differences& found)
 {
-    const QString bin = format::binName(found.largestBin);
+    QString bin = format::binName(found.largestBin);
     if (found.onePlane) return bin;
     return found.largestSide == 0 ? tr("%1 left").arg(bin) : tr("%1 right").arg(bin);
 }

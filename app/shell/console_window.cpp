@@ -158,7 +158,7 @@ void ConsoleWindow::addViewTool(PreferenceStore& preferences, const QString& new
 }
 
 void ConsoleWindow::addHelpTool(const QStringList& demonstrations,
-                                std::function<void(const QString& path)> open)
+                                const std::function<void(const QString& path)>& open)
 {
     QPushButton* help = addTool(tr("Help\nF1"), tr("All keys, and about this program"));
     help->setAccessibleName(tr("Help"));

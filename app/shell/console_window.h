@@ -73,7 +73,7 @@ protected:
     /// Adds the help button with the key sheet, the about text, and those demonstrations whose file exists: of one
     /// plane, then of two tracks.
     void addHelpTool(const QStringList& demonstrations = {},
-                     std::function<void(const QString& path)> open = {});
+                     const std::function<void(const QString& path)>& open = {});
     void addBelowPages(QWidget* widget);
     QStackedWidget* pages() const { return pages_; }
 

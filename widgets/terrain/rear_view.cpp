@@ -46,7 +46,7 @@ QString lineOf(const RearView::Pose& pose)
 QString shortTilt(double radians)
 {
     const double degrees = std::abs(radians) * 180.0 / std::numbers::pi;
-    const QString angle = format::number(degrees, 0) + QStringLiteral("°");
+    QString angle = format::number(degrees, 0) + QStringLiteral("°");
     if (degrees < 0.5) return angle;
     return QStringLiteral("↑%1 %2").arg(radians > 0.0 ? RearView::tr("L") : RearView::tr("R"),
                                         angle);
@@ -54,7 +54,7 @@ QString shortTilt(double radians)
 
 QString shortOf(const RearView::Pose& pose)
 {
-    const QString roll = RearView::tr("roll %1").arg(shortTilt(pose.roll));
+    QString roll = RearView::tr("roll %1").arg(shortTilt(pose.roll));
     if (!pose.crossSlope) return roll;
     return roll + u'\n' + RearView::tr("cross %1").arg(shortTilt(*pose.crossSlope));
 }

@@ -29,7 +29,7 @@ const Verdict& of(const TwoTrackVerdict& verdict, Side side)
 
 QString answerOfSide(const Verdict& verdict)
 {
-    const QString answer = VerdictStrip::answerOf(verdict);
+    QString answer = VerdictStrip::answerOf(verdict);
     if (verdict.stepVerdict != StepVerdict::Blocked) return answer;
     return TwoTrackWords::tr("%1 at %2 m")
         .arg(answer, format::signedNumber(binCentre(verdict.likeliest + 1), 1));
@@ -40,7 +40,7 @@ QString shortAnswerOfSide(const Verdict& verdict)
 {
     Verdict plain = verdict;
     plain.touchRecorded = false;  // CLEAR without its horizon
-    const QString answer = VerdictStrip::answerOf(plain) + QLatin1Char(' ');
+    QString answer = VerdictStrip::answerOf(plain) + QLatin1Char(' ');
     if (verdict.stepVerdict == StepVerdict::Blocked)
         return answer + format::number(binCentre(verdict.likeliest + 1), 1);
     const bool reaches = verdict.stepVerdict == StepVerdict::Clear && verdict.touchRecorded;

@@ -52,6 +52,7 @@ std::vector<Message> ofBothSides(const std::vector<Message>& left,
         return std::ranges::find(all, sentence) != all.end();
     };
     std::vector<Message> sentences;
+    sentences.reserve(left.size() + right.size());
     for (const Message& sentence : left)
         sentences.push_back(has(right, sentence) ? sentence
                                                  : Message(TR_NOOP("core", "left: %1"), sentence));
