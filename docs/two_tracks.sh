@@ -56,7 +56,7 @@ show evaluate --tracks --data mild_scenes.csv --methods joint --seed 1 --out joi
 
 say '' '## Methods that have learnt one plane' '' \
   'The first 200 of the scenes over a mild cross slope. `clearance` estimates each side for itself where both sides differ. The' \
-  'paper'"'"'s methods gain nothing by it, and stay with one plane.'
+  'paper'"'"'s four gain little or nothing by it, and stay with one plane as the paper has them.'
 head -n 201 mild_scenes.csv >mild_few.csv
 show evaluate --tracks --data mild_few.csv --methods pa,pac,pafc,clearance --quality balanced --seed 1 --out sampled
 

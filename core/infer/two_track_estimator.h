@@ -23,7 +23,7 @@ bool hasSides(const Measurement& line);
 
 /// Returns true if estimateMeasured() may estimate both sides of such a line by this method, with a
 /// model of two tracks: hasSides(), Joint, Local or Clearance, and a differential that has not turned.
-/// Clearance estimates each side for itself (each_side.h). The paper's methods gain nothing by that
+/// Clearance estimates each side for itself (each_side.h). The paper's four gain little by that
 /// (docs/two_tracks.md), and stay with one plane.
 bool allowsBothSides(const Measurement& line, Method method);
 
