@@ -15,12 +15,12 @@ namespace {
 constexpr std::size_t kReadings = 48;
 
 /// Joint draws of one side or of both.
-using SideDraws = std::vector<const std::vector<Heights>*>;
+using DrawsBySide = std::vector<const std::vector<Heights>*>;
 
 /// Draws of all bins, prepared for V and H.
 class Draws {
 public:
-    Draws(SideDraws sides, double stepLimit, int firstBin, const Poll& poll)
+    Draws(DrawsBySide sides, double stepLimit, int firstBin, const Poll& poll)
         : sides_(std::move(sides)), step_(count()), squares_(count())
     {
         PolledWork work(poll);
@@ -103,7 +103,7 @@ private:
         }
     }
 
-    SideDraws sides_;
+    DrawsBySide sides_;
     std::vector<std::vector<Heights>> centred_;  // of each side, centred on their mean
     std::vector<double> step_;                   // 1 for a draw with a step on one side or both
     std::vector<double> squares_;                // Σ over the bins of a centred draw's squares
@@ -174,7 +174,7 @@ ProbeGain expectedAfter(const Draws& draws, std::size_t side, int bin, double ar
     return after;
 }
 
-Draws drawsOf(SideDraws sides, double stepLimit, int firstBin, const Poll& poll)
+Draws drawsOf(DrawsBySide sides, double stepLimit, int firstBin, const Poll& poll)
 {
     if (!(stepLimit >= 0.0) || !std::isfinite(stepLimit))
         throw std::invalid_argument("probeGains: stepLimit must be finite and 0 m or more");
@@ -188,7 +188,7 @@ Draws drawsOf(SideDraws sides, double stepLimit, int firstBin, const Poll& poll)
     return {std::move(sides), stepLimit, firstBin, poll};
 }
 
-SideDraws bothOf(const TwoTrackEstimate& estimate)
+DrawsBySide bothOf(const TwoTrackEstimate& estimate)
 {
     return {&estimate.side[0].draws, &estimate.side[1].draws};
 }
