@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include "core/base/message.h"
 
 namespace terratact {
 namespace {
 
-constexpr double kTenth = 1.2815515655446004;  // Φ⁻¹(0.9)
-constexpr double kOnABin = 1e-9;               // share of a bin's width
+constexpr double kOnABin = 1e-9;  // share of a bin's width
 
 /// Position of a bin among the bins of the scene: `share` of the way from bin `rear` to the next.
 struct Place {
@@ -41,27 +41,24 @@ double between(const Heights& values, const Place& place)
                               : (1.0 - place.share) * values[i] + place.share * values[i + 1];
 }
 
-/// Returns the sd of the height by slip along the ground, for the steepest slope to a neighbour.
-double slipSd(const Heights& heights, const Place& place, const ImuMotion& motion)
+/// Returns the sd that the motion adds, for the steepest slope to a neighbour.
+double movedSd(const Heights& heights, const Place& place, const ImuMotion& motion)
 {
-    double worst = 0.0;
+    std::vector<double> slopes;
+    slopes.reserve(3);
     const int last = place.share == 0.0 ? place.rear : place.rear + 1;
     for (int bin = std::max(1, place.rear); bin <= std::min(kBins - 1, last + 1); ++bin) {
         const auto i = static_cast<std::size_t>(bin);
-        const double slope = (heights[i] - heights[i - 1]) / kBinWidth;
-        worst = std::max(worst, std::abs(slope * motion.slipForward - motion.slipUp));
+        slopes.push_back((heights[i] - heights[i - 1]) / kBinWidth);
     }
-    return worst;
+    return carriedSd(motion, slopes);
 }
 
-GhostBin widened(const TerrainEstimate& estimate, const Place& place, const ImuMotion& motion)
+GhostBin moved(const TerrainEstimate& estimate, const Place& place, const ImuMotion& motion)
 {
-    const double w = std::hypot(slipSd(estimate.height, place, motion), motion.upSd);
-    const double height = between(estimate.height, place);
-    const double below = std::hypot(height - between(estimate.q10, place), kTenth * w);
-    const double above = std::hypot(between(estimate.q90, place) - height, kTenth * w);
-    const double now = height - motion.up;
-    return {now, std::hypot(between(estimate.sd, place), w), now - below, now + above};
+    const GhostBin bin{between(estimate.height, place), between(estimate.sd, place),
+                       between(estimate.q10, place), between(estimate.q90, place)};
+    return raised(widened(bin, movedSd(estimate.height, place, motion)), -motion.up);
 }
 
 }  // namespace
@@ -73,7 +70,7 @@ Ghost ghostOf(const TerrainEstimate& estimate, const ImuMotion& motion)
     for (int bin = 0; bin < kBins; ++bin) {
         const std::optional<Place> place = placeOf(binCentre(bin) + motion.forward);
         if (place && known(estimate, *place))
-            ghost.bin[static_cast<std::size_t>(bin)] = widened(estimate, *place, motion);
+            ghost.bin[static_cast<std::size_t>(bin)] = moved(estimate, *place, motion);
     }
     return ghost;
 }

@@ -6,29 +6,18 @@
 
 #include "core/base/message.h"
 #include "core/infer/estimate/estimate.h"
+#include "core/strip/dead_reckoning.h"
+#include "core/strip/height_band.h"
 
 namespace terratact {
 
 // The ghost is the last estimate moved by odometry while the robot drives, with the uncertainty
 // that the motion adds.
 
-/// Motion of the IMU since a scene (ghost_track.h). Axes along gravity, as in the DEM frame.
-struct ImuMotion {
-    double forward = 0.0, up = 0.0;  ///< [m]
-    double way = 0.0;  ///< distance rolled by the tracks, forward and backward added [m]
-    /// Displacement by one sd of slip along the ground [m]; the two are fully correlated.
-    double slipForward = 0.0, slipUp = 0.0;
-    double upSd = 0.0;  ///< further sd of the IMU's height [m]
-    bool operator==(const ImuMotion&) const = default;
-};
-
-/// Height that was estimated at an earlier pose [m], in the DEM frame of now.
-struct GhostBin {
-    double height = 0.0, sd = 0.0, q10 = 0.0, q90 = 0.0;
-    bool operator==(const GhostBin&) const = default;
-};
+using GhostBin = HeightBand;
 
 struct Ghost {
+    /// Heights that were estimated at an earlier pose [m], in the DEM frame of now.
     std::array<std::optional<GhostBin>, kBins> bin{};
     ImuMotion motion;
     bool operator==(const Ghost&) const = default;

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-
-#include "core/robot/kinematics.h"
 
 namespace terratact {
 namespace {
@@ -18,47 +15,7 @@ double leastSd(const Ghost& ghost)
     return least;
 }
 
-void requireFinite(double travelled, double pitch)
-{
-    if (!std::isfinite(travelled) || !std::isfinite(pitch))
-        throw std::invalid_argument("DeadReckoning: way and pitch must be finite");
-}
-
 }  // namespace
-
-DeadReckoning::DeadReckoning(const RobotModel& robot, double travelled, double pitch)
-    : share_(robot.travelledSdShare), pitchSd_(robot.pitchSd),
-      pivotSd_(robot.trackAxle / std::sqrt(12.0)), imu_{robot.imu.x,
-                                                        robot.imu.z + robot.baseHeight},
-      travelled_(travelled), startPitch_(pitch), pitch_(pitch)
-{
-    requireFinite(travelled, pitch);
-}
-
-void DeadReckoning::add(double travelled, double pitch)
-{
-    requireFinite(travelled, pitch);
-    const double ds = travelled - travelled_;
-    const Vec2 along = rotated({1.0, 0.0}, (pitch + pitch_) / 2.0);
-    rolled_ = {rolled_.x + ds * along.x, rolled_.z + ds * along.z};
-    way_ += std::abs(ds);
-    wayAlong_ = {wayAlong_.x + std::abs(ds) * along.x, wayAlong_.z + std::abs(ds) * along.z};
-    travelled_ = travelled;
-    pitch_ = pitch;
-    largestChange_ = std::max(largestChange_, std::abs(pitchChange()));
-}
-
-ImuMotion DeadReckoning::motion() const
-{
-    const Vec2 before = rotated(imu_, startPitch_);
-    const Vec2 after = rotated(imu_, pitch_);
-    return {.forward = rolled_.x + after.x - before.x,
-            .up = rolled_.z + after.z - before.z,
-            .way = way_,
-            .slipForward = share_ * wayAlong_.x,
-            .slipUp = share_ * wayAlong_.z,
-            .upSd = std::hypot(pitchSd_ * way_, pivotSd_ * largestChange_)};
-}
 
 GhostTrack::GhostTrack(const RobotModel& robot, const TerrainEstimate& estimate,
                        const Measurement& scene, const GhostLimits& limits)

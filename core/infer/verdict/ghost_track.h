@@ -5,36 +5,9 @@
 #include "core/infer/verdict/ghost.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
+#include "core/strip/dead_reckoning.h"
 
 namespace terratact {
-
-/// Dead reckoning: adds up the steps between lines of telemetry. A step of ds along the tracks
-/// moves the robot by ds (cos θ, sin θ). θ is the mean of its two pitches. The robot turns about a
-/// point of the tracks' lower edge under the base origin. That point is uncertain along the track,
-/// between its axles:
-///   slip  = share (Σ |ds| cos θ, Σ |ds| sin θ)
-///   upSd² = (pitchSd Σ |ds|)² + (trackAxle / √12 · max |θ − θ₀|)²
-/// share and pitchSd are the robot's. The last term is the sd of a point that lies anywhere between
-/// the axles.
-class DeadReckoning {
-public:
-    /// travelled [m], pitch [rad]: of the scene. Both functions throw std::invalid_argument for a
-    /// number that is not finite.
-    DeadReckoning(const RobotModel& robot, double travelled, double pitch);
-
-    void add(double travelled, double pitch);
-    ImuMotion motion() const;
-    double pitchChange() const { return pitch_ - startPitch_; }  ///< [rad]
-
-private:
-    double share_, pitchSd_, pivotSd_;
-    Vec2 imu_;  ///< from the point of the tracks below the base origin to the IMU [m]
-    double travelled_, startPitch_, pitch_;
-    Vec2 rolled_;                 ///< [m]
-    double way_ = 0.0;            ///< [m] Σ |ds|
-    Vec2 wayAlong_;               ///< [m] Σ |ds| (cos θ, sin θ)
-    double largestChange_ = 0.0;  ///< largest change of the pitch [rad]
-};
 
 /// Limits beyond which there is no ghost.
 struct GhostLimits {

@@ -111,30 +111,7 @@ TEST(Ghost, hardlyWidensBySlipAlongItsSlope)
                 std::hypot(0.02, 0.0087 * 0.4, 0.3 * 0.10 * 0.4), 1e-9);
 }
 
-TEST(DeadReckoning, rollsAlongThePitch)
-{
-    const double pitch = 0.3;
-    const ImuMotion m = reckoned({{1.0, pitch}, {1.2, pitch}, {1.5, pitch}}).motion();
-    EXPECT_NEAR(m.forward, 0.5 * std::cos(pitch), 1e-12);
-    EXPECT_NEAR(m.up, 0.5 * std::sin(pitch), 1e-12);
-    EXPECT_NEAR(m.way, 0.5, 1e-12);
-    EXPECT_NEAR(m.slipForward, 0.10 * m.forward, 1e-12);
-    EXPECT_NEAR(m.slipUp, 0.10 * m.up, 1e-12);
-}
-
-TEST(DeadReckoning, turnsTheImuAboutTheTracks)
-{
-    const RobotModel robot = absolem();
-    const double height = robot.imu.z + robot.baseHeight;
-    const ImuMotion m = reckoned({{0.0, 0.0}, {0.0, 0.2}}).motion();
-    EXPECT_NEAR(m.forward, -height * std::sin(0.2), 1e-12);
-    EXPECT_NEAR(m.up, height * (std::cos(0.2) - 1.0), 1e-12);
-    EXPECT_NEAR(m.upSd, 0.2 * robot.trackAxle / std::sqrt(12.0), 1e-12);
-    EXPECT_NEAR(reckoned({{0.0, 0.0}, {0.0, 0.2}, {0.0, 0.0}}).motion().upSd, m.upSd, 1e-12)
-        << "it need not have turned back about the same point";
-}
-
-TEST(DeadReckoning, growsLessCertainForthAndBack)
+TEST(Ghost, growsLessCertainForthAndBack)
 {
     const TerrainEstimate e = ramp(0.3);
     double before = 0.0;
@@ -148,15 +125,6 @@ TEST(DeadReckoning, growsLessCertainForthAndBack)
         EXPECT_EQ(binsOf(ghostOf(e, back)), kBins);
         before = widest(ghostOf(e, there)) + 1e-6;
     }
-}
-
-TEST(DeadReckoning, refusesNumbersThatAreNotFinite)
-{
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THROW(DeadReckoning(absolem(), kNan, 0.0), std::invalid_argument);
-    DeadReckoning reckoning(absolem(), 0.0, 0.0);
-    EXPECT_THROW(reckoning.add(0.0, kNan), std::invalid_argument);
-    EXPECT_THROW(reckoning.add(kNan, 0.0), std::invalid_argument);
 }
 
 TEST(Ghost, isFiniteWhereverItGoes)

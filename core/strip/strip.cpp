@@ -1,0 +1,213 @@
+#include "core/strip/strip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+namespace terratact {
+
+Strip::Strip(const RobotModel& robot, const StripLimits& limits, Fusion fusion)
+    : limits_(limits), fusion_(fusion), way_(robot, limits.way)
+{
+}
+
+void Strip::beginScene(const Measurement& scene)
+{
+    isSceneEntered_ = false;
+    replaced_.clear();
+    way_.beginScene(scene);
+}
+
+StripSection* Strip::sectionOf(std::int64_t segment)
+{
+    for (StripSection& section : sections_)
+        if (section.segment == segment) return &section;
+    return nullptr;
+}
+
+StripSection& Strip::sectionOfScene(const WayPose& pose)
+{
+    const StripWay::ScenePose& scene = *way_.scene();
+    if (StripSection* const section = sectionOf(scene.segment)) return *section;
+    const SectionStart why = sections_.empty() ? SectionStart::First : scene.why;
+    return sections_.emplace_back(StripSection{why, scene.segment, pose, {}});
+}
+
+/// Returns the error of the odometry since the scene before.
+PoseOffset Strip::offsetOf(const TwoTrackEstimate& estimate)
+{
+    const StripWay::ScenePose& scene = *way_.scene();
+    const PoseCovariance prior = way_.prior();
+    const StripSection* const section = sectionOf(scene.segment);
+    if (!section || !limits_.corrects) return {{}, prior};
+    const Vec2 imu = section->imuAt(
+        {.imu = {scene.at.imu.x + scene.chain.shift.x, scene.at.imu.z + scene.chain.shift.z}});
+    std::vector<MatchedBin> bins;
+    bins.reserve(std::size_t{2} * kBins);
+    for (std::size_t side = 0; side < (estimate.onePlane ? 1U : 2U); ++side)
+        for (const EnteredBin& entered : binsOf(estimate.side.at(side), imu, 0)) {
+            const auto found = section->columns.find(entered.column);
+            if (found == section->columns.end() || !found->second.at(side)) continue;
+            const StripBin& held = *found->second.at(side);
+            const double sd =
+                std::hypot(held.band.sd, entered.bin.band.sd,
+                           heightSd(scene.chain.drift - source(held).at.drift, held.slopes));
+            if (sd > 0.0)
+                bins.push_back({held.band.height - entered.bin.band.height,
+                                (held.slopes[0] + held.slopes[1]) / 2.0, sd * sd});
+        }
+    return matched(prior, bins);
+}
+
+void Strip::enter(const TwoTrackEstimate& estimate, std::int64_t id)
+{
+    if (!way_.scene()) return;
+    removeLast();
+    const std::int64_t number = ++lastNumber_;
+    const WayPose pose = way_.settle(offsetOf(estimate));
+    const StripWay::ScenePose& scene = *way_.scene();
+    sources_.push_back({number, id, scene.time, estimate.onePlane, scene.segment, pose});
+    StripSection& section = sectionOfScene(pose);
+    const Vec2 imu = section.imuAt(pose);
+    for (std::size_t side = 0; side < 2; ++side)
+        for (const EnteredBin& entered : binsOf(estimate.side.at(side), imu, number))
+            place(section, side, entered, pose);
+    isSceneEntered_ = true;
+    dropUnused();
+    dropOldest();
+}
+
+/// Returns the rule for a bin. What was felt is not lost to an estimate that did not feel it.
+Fusion Strip::ruleFor(FeltBy older, FeltBy newer) const
+{
+    if (fusion_ != Fusion::FeltFirst) return fusion_;
+    const bool isLess = (isFelt(older) && !isFelt(newer)) || newer == FeltBy::NotFelt;
+    return isLess ? Fusion::MoreCertain : Fusion::Newest;
+}
+
+void Strip::place(StripSection& section, std::size_t side, const EnteredBin& entered,
+                  const WayPose& pose)
+{
+    const StripBin& bin = entered.bin;
+    std::optional<StripBin>& held = section.columns[entered.column].at(side);
+    replaced_.push_back({section.segment, entered.column, side, held});
+    if (!held) {
+        held = bin;
+        return;
+    }
+    const HeightBand older = raised(bandFrom(*held, section, pose), section.imuAt(pose).z);
+    const double apart = std::abs(older.height - bin.band.height);
+    if (apart > kContradiction * std::hypot(older.sd, bin.band.sd)) {
+        held = bin;
+        return;
+    }
+    const HeightBand band = fused(older, bin.band, ruleFor(held->felt, bin.felt));
+    if (band == older) return;  // the bin keeps the moment at which it was felt
+    const FeltBy felt = band == bin.band ? bin.felt : std::min(bin.felt, held->felt);
+    held = bin;
+    held->band = band;
+    held->felt = felt;
+}
+
+void Strip::removeLast()
+{
+    if (!isSceneEntered_) return;
+    isSceneEntered_ = false;
+    way_.unsettle();
+    for (auto it = replaced_.rbegin(); it != replaced_.rend(); ++it) {
+        StripSection* const section = sectionOf(it->segment);
+        if (!section) continue;
+        StripColumn& column = section->columns[it->column];
+        column.at(it->side) = it->bin;
+        if (!column[0] && !column[1]) section->columns.erase(it->column);
+    }
+    replaced_.clear();
+    std::erase_if(sections_, [](const StripSection& section) { return section.columns.empty(); });
+    if (!sources_.empty()) sources_.pop_back();
+}
+
+/// Drops the sources of which no bin remains. The bins that the last scene replaced count as well.
+void Strip::dropUnused()
+{
+    if (sources_.size() <= limits_.sources) return;
+    std::set<std::int64_t> used{lastNumber_};
+    for (const StripSection& section : sections_)
+        for (const auto& [index, column] : section.columns)
+            for (const auto& bin : column)
+                if (bin) used.insert(bin->source);
+    for (const Replaced& before : replaced_)
+        if (before.bin) used.insert(before.bin->source);
+    std::erase_if(sources_,
+                  [&](const StripSource& source) { return !used.contains(source.number); });
+}
+
+std::size_t Strip::columns() const
+{
+    std::size_t count = 0;
+    for (const StripSection& section : sections_) count += section.columns.size();
+    return count;
+}
+
+/// Drops the columns that were felt first, until the limits hold.
+void Strip::dropOldest()
+{
+    std::size_t excess = columns() > limits_.columns ? columns() - limits_.columns : 0;
+    while (excess > 0) {
+        StripSection& oldest = sections_.front();
+        const auto felt = [](const auto& entry) {
+            std::int64_t newest = 0;
+            for (const auto& bin : entry.second)
+                if (bin) newest = std::max(newest, bin->source);
+            return newest;
+        };
+        oldest.columns.erase(std::ranges::min_element(oldest.columns, {}, felt));
+        if (oldest.columns.empty()) sections_.pop_front();
+        --excess;
+    }
+}
+
+const StripSource& Strip::source(const StripBin& bin) const
+{
+    const auto found = std::ranges::lower_bound(sources_, bin.source, {}, &StripSource::number);
+    if (found == sources_.end() || found->number != bin.source)
+        throw std::invalid_argument("Strip: a bin of another strip");
+    return *found;
+}
+
+HeightBand Strip::bandFrom(const StripBin& bin, const StripSection& section,
+                           const WayPose& pose) const
+{
+    const double sd = heightSd(pose.drift - source(bin).at.drift, bin.slopes);
+    return raised(widened(bin.band, sd), -section.imuAt(pose).z);
+}
+
+SeenStrip Strip::seen() const
+{
+    SeenStrip seen;
+    if (whyNothing()) return seen;
+    const StripSection& section = sections_.back();
+    const WayPose pose = *way_.now();
+    const double imu = section.imuAt(pose).x;
+    for (const auto& [index, column] : section.columns)
+        for (std::size_t side = 0; side < 2; ++side) {
+            const std::optional<StripBin>& bin = column.at(side);
+            if (!bin) continue;
+            const StripSource& from = source(*bin);
+            seen.onePlane = seen.onePlane && from.onePlane;
+            seen.side.at(side).push_back({index * kBinWidth - imu, bandFrom(*bin, section, pose),
+                                          bin->felt, from.time,
+                                          std::max(0.0, pose.way - from.at.way)});
+        }
+    return seen;
+}
+
+std::optional<SectionStart> Strip::whyNothing() const
+{
+    if (sections_.empty())
+        return way_.why() == SectionStart::NoOdometry ? way_.why() : SectionStart::First;
+    if (sections_.back().segment != way_.segment() || !way_.now()) return way_.why();
+    return std::nullopt;
+}
+
+}  // namespace terratact

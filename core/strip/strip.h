@@ -1,0 +1,122 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "core/infer/estimate/two_track_estimate.h"
+#include "core/robot/measurement.h"
+#include "core/robot/robot_model.h"
+#include "core/strip/strip_section.h"
+#include "core/strip/strip_way.h"
+
+namespace terratact {
+
+/// Limits of a strip. Its memory is bounded by the columns and sources: below 1 MB.
+struct StripLimits {
+    WayLimits way{};
+    std::size_t columns = 1500;  ///< in all sections: 150 m of ground; the oldest are dropped
+    std::size_t sources = 1500;  ///< estimates above this number are kept while a bin is theirs
+    bool corrects = true;  ///< the ground that scenes share corrects the odometry (strip_match.h)
+};
+
+/// An estimate that the strip holds bins of.
+struct StripSource {
+    std::int64_t number = 0;    ///< counts from 1
+    std::int64_t estimate = 0;  ///< the caller's id
+    double time = 0.0;          ///< of its scene [s], on the source's clock
+    bool onePlane = false;
+    std::int64_t segment = 0;
+    WayPose at{};  ///< pose of its scene
+};
+
+/// A bin of the strip as seen from the robot.
+struct SeenBin {
+    double x = 0.0;   ///< [m] its centre, forward from the IMU
+    HeightBand band;  ///< [m] DEM frame of the robot, with the uncertainty of the way since
+    FeltBy felt = FeltBy::Unrecorded;
+    double time = 0.0;  ///< of its scene [s]
+    double way = 0.0;   ///< rolled since its scene [m]
+    bool operator==(const SeenBin&) const = default;
+};
+
+/// The present section as seen from the robot, rear to front.
+struct SeenStrip {
+    std::array<std::vector<SeenBin>, 2> side{};  ///< left, right
+    bool onePlane = true;                        ///< every estimate of it was of one plane
+    bool isEmpty() const { return side[0].empty() && side[1].empty(); }
+    bool operator==(const SeenStrip&) const = default;
+};
+
+/// Ground felt along the driven path: bins of 0.1 m in an odometry frame, left and right. Every finished estimate is
+/// entered at the pose of its scene. The ground that it shares with the strip first corrects the odometry since the
+/// scene before (strip_match.h). Where it tells of a bin that an earlier estimate told of, `fusion` decides. The errors
+/// of successive estimates are one error, so their agreement is no further evidence. If the two contradict each other by
+/// more than kContradiction sd, the newer one stands. A bin keeps the moment at which it was felt. Seen from the robot,
+/// its sd grows with the way since then. A break begins a new section: nothing is joined over it.
+class Strip {
+public:
+    static constexpr double kContradiction = 3.0;
+
+    explicit Strip(const RobotModel& robot, const StripLimits& limits = {},
+                   Fusion fusion = Fusion::FeltFirst);
+
+    /// Adds the next line of telemetry.
+    void add(const Measurement& line) { way_.add(line); }
+    /// Ends the section because telemetry was silent for too long by the caller's clock.
+    void addSilence() { way_.end(SectionStart::TelemetryGap); }
+
+    /// Marks the pose of a scene that will be estimated. It may be one of the last lines, while the robot stands.
+    void beginScene(const Measurement& scene);
+    /// Enters an estimate at the pose of the last scene. An estimate of the same scene that was entered before is
+    /// replaced. Without odometry nothing is entered.
+    void enter(const TwoTrackEstimate& estimate, std::int64_t id);
+    /// Takes out the estimate of the last scene.
+    void removeLast();
+    /// Begins a new section, because the operator cleared the ground or the model has changed.
+    void endSection() { way_.end(SectionStart::Cleared); }
+
+    /// Returns the sections, oldest first; each has a column.
+    const std::deque<StripSection>& sections() const { return sections_; }
+    /// Returns the source of a bin.
+    const StripSource& source(const StripBin& bin) const;
+    /// Returns the present section as seen from the newest line; empty after a break.
+    SeenStrip seen() const;
+    /// Returns a bin of a section as seen from a pose of its segment, without its place.
+    HeightBand bandFrom(const StripBin& bin, const StripSection& section,
+                        const WayPose& pose) const;
+    /// Returns why nothing is seen: the last break, until an estimate is entered. Empty: something is seen.
+    std::optional<SectionStart> whyNothing() const;
+
+private:
+    /// A bin before the last scene's estimate was entered.
+    struct Replaced {
+        std::int64_t segment = 0;
+        int column = 0;
+        std::size_t side = 0;
+        std::optional<StripBin> bin;
+    };
+
+    StripSection& sectionOfScene(const WayPose& pose);
+    StripSection* sectionOf(std::int64_t segment);
+    PoseOffset offsetOf(const TwoTrackEstimate& estimate);
+    Fusion ruleFor(FeltBy older, FeltBy newer) const;
+    void place(StripSection& section, std::size_t side, const EnteredBin& entered,
+               const WayPose& pose);
+    void dropUnused();
+    void dropOldest();
+    std::size_t columns() const;
+
+    StripLimits limits_;
+    Fusion fusion_;
+    StripWay way_;
+    std::deque<StripSection> sections_;
+    std::deque<StripSource> sources_;  ///< by number
+    std::int64_t lastNumber_ = 0;
+    bool isSceneEntered_ = false;
+    std::vector<Replaced> replaced_;
+};
+
+}  // namespace terratact
