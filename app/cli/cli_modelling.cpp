@@ -243,6 +243,31 @@ void addHazards(CLI::App& app, Job& job)
     });
 }
 
+void addStrip(CLI::App& app, Job& job)
+{
+    auto* c = app.add_subcommand(
+        "strip", "Errors of the strip of felt ground along simulated drives: docs/strip.md");
+    const auto o = std::make_shared<StripOptions>();
+    addRobot(*c, o->robot);
+    addModel(*c, o->model);
+    addTerrain(*c, o->grounds.terrain, "varied, or a CSV file of profiles")->capture_default_str();
+    addNumber(*c, "--drives", o->drives, "Drives; of a file every profile, at most so many")
+        ->check(CLI::Range(1, 100'000));
+    addNumber(*c, "--spacing", o->spacing, "Driven between two scenes [m]")
+        ->check(CLI::Range(0.01, 1.0));
+    addNumber(*c, "--step", o->grounds.step, "Distance of a file's heights [m]")
+        ->check(CLI::Range(0.001, 1.0));
+    c->add_flag("--blocks", o->grounds.blocks,
+                "A file's heights are flat-topped blocks with vertical faces");
+    addNumber(*c, "--seed", o->grounds.seed, "Seed of ground, drives and noise");
+    addMethod(*c, o->settings);
+    c->callback([o, &job] {
+        useShippedRobot(o->robot);
+        useShippedModel(o->model);
+        job = [o] { return judgeStrips(*o); };
+    });
+}
+
 void addMerge(CLI::App& app, Job& job)
 {
     auto* c = app.add_subcommand(
@@ -297,6 +322,7 @@ void addModelling(CLI::App& app, Job& job, const Words& words)
     addReconstruct(app, job);
     addEvaluate(app, job, words);
     addHazards(app, job);
+    addStrip(app, job);
     addMerge(app, job);
     addTradeoff(app, job);
 }

@@ -7,16 +7,15 @@
 #include <utility>
 
 #include "app/cli/commands.h"
+#include "app/modelling/driven_grounds.h"
 #include "app/modelling/scene_estimates.h"
 #include "app/runtime/parallel.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/progress.h"
 #include "core/eval/evaluation.h"
 #include "core/infer/verdict/verdict.h"
-#include "core/learn/data/profile_file.h"
 #include "core/sim/fault_matrix.h"
 #include "core/sim/fault_trial.h"
-#include "core/sim/ground/random_terrain.h"
 #include "core/sim/watched_drive.h"
 
 namespace terratact {
@@ -30,19 +29,9 @@ constexpr double kLeastBack =
 /// Returns the grounds to drive over, twice as many if some robots may not come back.
 Result<std::vector<TerrainProfile>> watchedGrounds(const FaultsOptions& options)
 {
-    std::vector<TerrainProfile> grounds;
     const std::size_t most = static_cast<std::size_t>(options.drives) * (options.comesBack ? 2 : 1);
-    if (options.terrain == "varied") {
-        std::mt19937_64 rng(options.settings.seed);
-        for (std::size_t k = 0; k < most; ++k) grounds.push_back(randomVariedTerrain(rng));
-        return grounds;
-    }
-    auto file = readProfiles(options.terrain, options.step, options.blocks);
-    if (!file) return file.error();
-    const auto& all = file->profiles;
-    for (std::size_t k = 0; k < std::min(most, all.size()); ++k)
-        grounds.push_back(all[k * all.size() / std::min(most, all.size())]);
-    return grounds;
+    return drivenGrounds({options.terrain, options.step, options.blocks, options.settings.seed},
+                         most);
 }
 
 std::vector<WatchedLine> driveOne(const FaultsOptions& options, const RobotModel& robot,

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/modelling/driven_grounds.h"
 #include "app/modelling/scene_evaluation.h"
 #include "core/base/result.h"
 #include "core/infer/estimate/settings.h"
@@ -106,6 +107,16 @@ struct HazardsOptions {
 };
 /// Drives simulated robots towards hazards and prints how often the verdict is wrong (app/modelling/hazard_trials.h).
 Status judgeHazards(const HazardsOptions& options);
+
+struct StripOptions {
+    std::string robot, model;
+    DrivenGrounds grounds;
+    int drives = 40;       ///< of a file at most so many profiles
+    double spacing = 0.3;  ///< [m] between two scenes
+    Settings settings;
+};
+/// Drives simulated robots and prints the errors of the strip of felt ground (app/modelling/strip_trials.h).
+Status judgeStrips(const StripOptions& options);
 
 struct ContactsOptions {
     std::string robot, data;

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/robot/kinematics.h"
+
 namespace terratact {
 namespace {
 
@@ -18,12 +20,13 @@ class Drive {
 public:
     Drive(const RobotModel& robot, const TerrainProfile& terrain, double startX,
           const WatchedStyle& style, std::uint64_t seed, std::size_t most)
-        : style_(style), most_(most), robot_(robot, terrain,
-                                             {.startX = startX,
-                                              .rearAngle = style.flippers.rearAngle,
-                                              .drivingAngle = style.flippers.drivingAngle,
-                                              .noise = {},
-                                              .seed = seed}),
+        : style_(style), most_(most), model_(robot),
+          robot_(robot, terrain,
+                 {.startX = startX,
+                  .rearAngle = style.flippers.rearAngle,
+                  .drivingAngle = style.flippers.drivingAngle,
+                  .noise = {},
+                  .seed = seed}),
           end_(terrain.end() - kRoomBehind)
     {
     }
@@ -48,7 +51,12 @@ public:
 
     double x() const { return robot_.pose().base.x; }
     double pitch() const { return robot_.pose().pitch; }
-    WatchedLine sense() { return {.measurement = robot_.measure(), .truth = std::nullopt}; }
+    WatchedLine sense()
+    {
+        return {.measurement = robot_.measure(),
+                .truth = std::nullopt,
+                .imu = imuPosition(model_, robot_.pose())};
+    }
 
 private:
     /// Returns false once the drive is over.
@@ -88,6 +96,7 @@ private:
 
     WatchedStyle style_;
     std::size_t most_;
+    RobotModel model_;
     SimulatedRobot robot_;
     double end_;
     std::vector<WatchedLine> lines_;

@@ -18,6 +18,8 @@ namespace terratact {
 struct WatchedLine {
     Measurement measurement;
     std::optional<Heights> truth{};
+    Vec2
+        imu{};  ///< [m] true position in the terrain's frame; on the way back that of the turned terrain
 };
 
 /// Style of a drive with telemetry: drive, press the flippers down, stand, and drive on.

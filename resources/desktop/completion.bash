@@ -111,6 +111,7 @@ _terratact_options() {
     reconstruct) echo --robot --model --data --out --tracks --method "$estimates" ;;
     evaluate) echo --robot --model --data --out --methods --step-limit --card --shard --tracks --classes --class-column --probes --missing \
       "$estimates" ;;
+    strip) echo --robot --model --terrain --drives --spacing --step --blocks --seed --method ;;
     hazards) echo --robot --model --drives --step-limit --rates --tracks --seed --method ;;
     tradeoff) echo --robot --model --data --out --methods --reference-sweeps --seed ;;
     merge) echo --robot --out ;;
@@ -142,7 +143,7 @@ _terratact_options() {
 # What may stand where no option does.
 _terratact_argument() {
   case $1 in
-    "") _terratact_words simulate train reconstruct evaluate hazards merge tradeoff contacts faults probes calibrate model panel \
+    "") _terratact_words simulate train reconstruct evaluate hazards strip merge tradeoff contacts faults probes calibrate model panel \
       demo robot can session ;;
     model) _terratact_words show card predict ;;
     panel) _terratact_words check ;;

@@ -1,0 +1,21 @@
+#include "app/cli/commands.h"
+#include "app/modelling/strip_trials.h"
+#include "app/runtime/print_text.h"
+
+namespace terratact {
+
+Status judgeStrips(const StripOptions& options)
+{
+    auto grounds = drivenGrounds(options.grounds, static_cast<std::size_t>(options.drives));
+    if (!grounds) return grounds.error();
+    const auto bundle = openEstimatorBundle(options.robot, options.model);
+    if (!bundle) return bundle.error();
+    const std::string table = stripTable(tryStrips(**bundle, {.grounds = std::move(*grounds),
+                                                              .spacing = options.spacing,
+                                                              .seed = options.grounds.seed,
+                                                              .settings = options.settings}));
+    printText("{}", Lines(table));
+    return Done{};
+}
+
+}  // namespace terratact
