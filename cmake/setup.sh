@@ -24,7 +24,7 @@ os_release=/etc/os-release
 
 declare -A packages=(
   [core]="g++ cmake ninja-build pkg-config libeigen3-dev libopenblas-dev liblapacke-dev libhwy-dev libnlopt-dev
-          libboost-math-dev libsqlite3-dev libsodium-dev zlib1g-dev libtomlplusplus-dev libcli11-dev libfmt-dev
+          libboost-math-dev libsqlite3-dev libsodium-dev zlib1g-dev libbz2-dev liblz4-dev libzstd-dev libtomlplusplus-dev libcli11-dev libfmt-dev
           libcairo2-dev libgpiod-dev fonts-dejavu-core"
   [gui]="qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools qt6-wayland qmake6 libgl-dev libasound2-dev make bzip2 fonts-dejavu-core"
   [unit]="libgtest-dev librapidcheck-dev libbenchmark-dev python3"

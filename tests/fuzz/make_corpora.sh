@@ -6,7 +6,7 @@ terratact=$(realpath "$1")
 cd "$(dirname "$0")/../.."
 corpora=tests/fuzz/corpora
 rm -rf "$corpora"
-mkdir -p "$corpora"/{scene_file,csv_files,candump_log,dbc_file,can_frames}
+mkdir -p "$corpora"/{scene_file,csv_files,candump_log,dbc_file,can_frames,recording_file,ros_message}
 
 scenes=$(mktemp)
 trap 'rm -f "$scenes"' EXIT
@@ -77,3 +77,10 @@ for log in demo absolem; do
       printf '40%s0%s1%x%s\n' "$low" "$high" $((${#data} / 2)) "$(printf '%-16s' "$data" | tr ' ' 0)"
     done | python3 -c 'import sys; sys.stdout.buffer.write(bytes.fromhex(sys.stdin.read()))' >"$corpora/can_frames/$log"
 done
+
+# Recordings: an export of this program, a time series, and messages of ROS behind their definitions.
+"$terratact" session export resources/sessions/demo.tts --from 11.9 --to 12 --out "$corpora/recording_file/signals.mcap" \
+  --what signals >/dev/null
+printf 'time_ms,pitch,front_left\n0,0.1,0.2\n50,0.1,NaN\n' >"$corpora/recording_file/series.csv"
+printf 'float64[] a\nstring[] name\nE e\n===\nMSG: p/E\ntime t\nbool on\n\0\1\0\0\0\0\0\0\0\0\0\370?\1\0\0\0\1\0\0\0f' \
+  >"$corpora/ros_message/joints"

@@ -1,0 +1,40 @@
+#include "core/bags/bag_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "core/store/file_read.h"
+
+namespace terratact {
+
+Result<BagFile> BagFile::open(const std::string& path)
+{
+    std::error_code failed;
+    if (!std::filesystem::is_regular_file(path, failed))
+        return fileError(path, failed ? failed.message() : "is no regular file");
+    std::ifstream file(path, std::ios::binary);
+    const auto size = std::filesystem::file_size(path, failed);
+    if (!file || failed) return fileError(path, "cannot be read");
+    return BagFile(std::move(file), size);
+}
+
+void BagFile::goTo(std::uint64_t offset)
+{
+    at_ = std::min(offset, size_);
+    file_.clear();
+    file_.seekg(static_cast<std::streamoff>(at_));
+}
+
+bool BagFile::read(std::uint64_t count, std::uint64_t most, std::string& into)
+{
+    if (count > most || count > left()) return false;
+    into.resize(static_cast<std::size_t>(count));
+    file_.read(into.data(), static_cast<std::streamsize>(count));
+    if (static_cast<std::uint64_t>(file_.gcount()) != count) return false;
+    at_ += count;
+    return true;
+}
+
+}  // namespace terratact

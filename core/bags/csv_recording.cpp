@@ -1,0 +1,179 @@
+#include "core/bags/csv_recording.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/store/csv_reader.h"
+#include "core/store/file_read.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kNanosecond = 1e-9;
+constexpr std::array<std::string_view, 8> kTimeNames{"__time", "%time", "time",    "timestamp",
+                                                     "stamp",  "t",     "seconds", "time stamp"};
+constexpr std::array<std::pair<std::string_view, double>, 9> kTimeEndings{{{"_ns", 1e-9},
+                                                                           {"_us", 1e-6},
+                                                                           {"_ms", 1e-3},
+                                                                           {"_s", 1.0},
+                                                                           {"[ns]", 1e-9},
+                                                                           {"[us]", 1e-6},
+                                                                           {"[ms]", 1e-3},
+                                                                           {"[s]", 1.0},
+                                                                           {"", 0.0}}};
+
+/// A column's name in small letters without the ending that names its unit.
+struct NamedTime {
+    std::string name;
+    double unit = 0.0;
+};
+
+NamedTime namedTime(std::string_view column)
+{
+    std::string name(column);
+    std::ranges::transform(name, name.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    for (const auto& [ending, unit] : kTimeEndings)
+        if (name.ends_with(ending)) {
+            name.resize(name.size() - ending.size());
+            while (name.ends_with(' ')) name.pop_back();
+            return {std::move(name), unit};
+        }
+    return {std::move(name), 0.0};
+}
+
+double unitOf(double value)
+{
+    if (value > 1e17) return kNanosecond;
+    if (value > 1e14) return 1e-6;
+    return value > 1e11 ? 1e-3 : 1.0;
+}
+
+/// Returns a time [ns] without rounding, if the text is a decimal number of at most 18 digits.
+std::optional<std::int64_t> exactTime(std::string_view text, double unit)
+{
+    int decimals = static_cast<int>(std::lround(std::log10(unit / kNanosecond)));
+    const std::size_t point = std::min(text.find('.'), text.size());
+    std::string digits(text.substr(0, point));
+    for (const char c : text.substr(std::min(point + 1, text.size())))
+        if (decimals-- > 0) digits += c;
+    for (; decimals > 0; --decimals) digits += '0';
+    return integerFrom<std::int64_t>(digits);
+}
+
+class CsvRecording final : public Recording {
+public:
+    CsvRecording(const std::string& path, CsvReader reader, std::vector<std::string> columns,
+                 std::size_t timeColumn, double unit)
+        : Recording(path), reader_(std::move(reader)), columns_(std::move(columns)),
+          timeColumn_(timeColumn), unit_(unit)
+    {
+        topics_.push_back({.name = kCsvTopic, .type = "table", .encoding = "csv"});
+    }
+
+    std::string_view format() const override { return "CSV"; }
+
+    Result<bool> next(RecordedMessage& message) override
+    {
+        if (!isSelected(topics_.front())) return false;
+        auto more = reader_.next();
+        if (!more && reader_.lacksLineEnd()) {
+            remark("ends within its last line, which is left out");
+            return false;
+        }
+        if (!more || !*more) return more;
+        const auto time = readTime();
+        if (!time) return time.error();
+        message = {.topic = 0,
+                   .time = *time,
+                   .offset = static_cast<std::uint64_t>(reader_.line()),
+                   .data = {}};
+        return true;
+    }
+
+    Result<FieldValue> decode(const RecordedMessage&) override
+    {
+        FieldValue row;
+        row.kind = FieldValue::Kind::Members;
+        row.parts.reserve(columns_.size());
+        for (std::size_t i = 0; i < columns_.size(); ++i) {
+            row.parts.push_back(valueOf(i));
+            row.parts.back().name = columns_[i];
+        }
+        return row;
+    }
+
+private:
+    FieldValue valueOf(std::size_t column)
+    {
+        if (reader_.isMissing(column)) return {};
+        if (const auto number = reader_.number(column, columns_[column]))
+            return FieldValue::of(*number);
+        return FieldValue::of(std::string(reader_.fields()[column]));
+    }
+
+    Result<std::int64_t> readTime()
+    {
+        const auto number = reader_.number(timeColumn_, columns_[timeColumn_]);
+        if (!number) return number.error();
+        if (unit_ == 0.0) unit_ = unitOf(*number);
+        if (const auto exact = exactTime(reader_.fields()[timeColumn_], unit_)) return *exact;
+        const double time = *number * unit_ / kNanosecond;
+        if (!(std::abs(time) < 9.2e18))
+            return reader_.error(fmt::format("column {} is no time", shown(columns_[timeColumn_])));
+        return static_cast<std::int64_t>(std::llround(time));
+    }
+
+    CsvReader reader_;
+    std::vector<std::string> columns_;
+    std::size_t timeColumn_;
+    double unit_;  ///< [s]; 0: not known yet
+};
+
+std::string listOf(const std::vector<std::string>& columns)
+{
+    constexpr std::size_t kMost = 12;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(columns.size(), kMost); ++i)
+        list += fmt::format("{}{}", i > 0 ? ", " : "", shown(columns[i]));
+    return columns.size() > kMost ? list + ", …" : list;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Recording>> openCsvRecording(const std::string& path, const CsvTime& time)
+{
+    auto csv = CsvReader::open(path);
+    if (!csv) return csv.error();
+    const auto more = csv->next();
+    if (!more) return more.error();
+    if (!*more) return fileError(path, "holds no row, expected a line with the names of columns");
+    std::vector<std::string> columns(csv->fields().begin(), csv->fields().end());
+    while (!columns.empty() && columns.back().empty()) columns.pop_back();
+    std::optional<std::size_t> timeColumn;
+    double unit = time.unit;
+    for (const std::string_view wanted : kTimeNames)
+        for (std::size_t i = 0; i < columns.size() && !timeColumn; ++i) {
+            const NamedTime named = namedTime(columns[i]);
+            if (!(time.column.empty() ? named.name == wanted : columns[i] == time.column)) continue;
+            timeColumn = i;
+            if (unit == 0.0) unit = named.unit;
+        }
+    if (!timeColumn)
+        return csv->error(fmt::format(
+            "has no column of times{}; its columns are {}; name one in the "
+            "mapping: [csv] time_column",
+            time.column.empty() ? "" : fmt::format(" {}", shown(time.column)), listOf(columns)));
+    csv->useAsHeader(std::vector<std::string>(columns.size()));
+    return std::unique_ptr<Recording>(std::make_unique<CsvRecording>(
+        path, std::move(*csv), std::move(columns), *timeColumn, unit));
+}
+
+}  // namespace terratact

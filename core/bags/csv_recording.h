@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/bags/recording.h"
+
+namespace terratact {
+
+/// Name of the only topic of a CSV file; its fields are the columns.
+inline constexpr const char* kCsvTopic = "/csv";
+
+/// Opens a CSV file of a time series: a line with the names of the columns, then a row for each time. A
+/// field that is no number is a text. Errors name the file, and the line or the missing column.
+Result<std::unique_ptr<Recording>> openCsvRecording(const std::string& path,
+                                                    const CsvTime& time = {});
+
+}  // namespace terratact

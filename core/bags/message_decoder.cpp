@@ -1,0 +1,62 @@
+#include "core/bags/message_decoder.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/bags/json_value.h"
+#include "core/bags/known_messages.h"
+#include "core/bags/ros_message.h"
+#include "core/base/text.h"
+
+namespace terratact {
+namespace {
+
+Error topicError(const RecordedTopic& topic, std::string_view cause)
+{
+    return Error{fmt::format("topic {}: {}", printable(topic.name), cause)};
+}
+
+}  // namespace
+
+Result<MessageDecoder> MessageDecoder::of(const RecordedTopic& topic)
+{
+    if (topic.encoding == "json") return MessageDecoder(Encoding::Json);
+    const bool isRos1 = topic.encoding == "ros1";
+    if (!isRos1 && topic.encoding != "cdr")
+        return topicError(topic,
+                          fmt::format("its messages have the encoding {}, expected json, ros1 "
+                                      "or cdr; record or convert it with one of these",
+                                      shown(topic.encoding)));
+    const char* const wanted = isRos1 ? "ros1msg" : "ros2msg";
+    std::string_view text = topic.schema;
+    if (text.empty()) {
+        text = knownDefinition(topic.type);
+        if (text.empty())
+            return topicError(topic,
+                              fmt::format("the file lacks the definition of {}; record it again "
+                                          "with a newer program, or as MCAP",
+                                          printable(topic.type)));
+    } else if (topic.schemaEncoding != wanted) {
+        return topicError(topic, fmt::format("its definition has the encoding {}, expected {}",
+                                             shown(topic.schemaEncoding), wanted));
+    }
+    auto schema = MessageSchema::parse(
+        topic.type, text, isRos1 ? MessageSchema::Dialect::Ros1 : MessageSchema::Dialect::Ros2);
+    if (!schema) return topicError(topic, schema.error().text);
+    MessageDecoder decoder(isRos1 ? Encoding::Ros1 : Encoding::Cdr);
+    decoder.schema_ = std::move(*schema);
+    return decoder;
+}
+
+Result<FieldValue> MessageDecoder::decode(std::string_view data) const
+{
+    switch (encoding_) {
+    case Encoding::Json: return jsonValue(data);
+    case Encoding::Ros1: return decodeRos1(schema_, data);
+    case Encoding::Cdr: return decodeCdr(schema_, data);
+    }
+    return Error{"has an unknown encoding"};
+}
+
+}  // namespace terratact

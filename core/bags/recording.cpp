@@ -1,0 +1,53 @@
+#include "core/bags/recording.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <utility>
+
+#include "core/bags/csv_recording.h"
+#include "core/bags/mcap_recording.h"
+#include "core/base/text.h"
+#include "core/store/file_read.h"
+
+namespace terratact {
+
+void Recording::remark(std::string text)
+{
+    constexpr std::size_t kMax = 20;  // one damaged file may have a fault in every chunk
+    if (++remarked_ > kMax) return;
+    remarks_.push_back(remarked_ < kMax ? std::move(text) : "more faults are not listed");
+}
+
+std::vector<std::string> Recording::consumeRemarks()
+{
+    return std::exchange(remarks_, {});
+}
+
+Result<FieldValue> Recording::decode(const RecordedMessage& message)
+{
+    auto found = decoders_.find(message.topic);
+    if (found == decoders_.end())
+        found =
+            decoders_.emplace(message.topic, MessageDecoder::of(topics_.at(message.topic))).first;
+    if (!found->second) return fileError(path_, found->second.error().text);
+    auto value = found->second->decode(message.data);
+    if (value) return value;
+    return fileError(path_, fmt::format("topic {}: the message at byte {} {}",
+                                        printable(topics_[message.topic].name), message.offset,
+                                        value.error().text));
+}
+
+Result<std::unique_ptr<Recording>> openRecording(const std::string& path, const CsvTime& csv)
+{
+    std::ifstream file(path, std::ios::binary);
+    std::array<char, 16> head{};
+    file.read(head.data(), head.size());
+    const std::string_view begins(head.data(), static_cast<std::size_t>(file.gcount()));
+    file.close();
+    if (begins.starts_with(kMcapMagic)) return openMcap(path);
+    return openCsvRecording(path, csv);
+}
+
+}  // namespace terratact

@@ -1,0 +1,394 @@
+#include "core/mapping/recorded_series.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/mapping/rotation.h"
+#include "core/mapping/transform_tree.h"
+#include "core/store/file_read.h"
+
+namespace terratact {
+namespace {
+
+/// Pose of a message: a position, if there is one, and a rotation.
+struct PoseSample {
+    std::int64_t time = 0;
+    std::array<double, 3> position{};
+    Rotation rotation{};
+};
+
+/// Position of an activity or refusal among its enumerators; empty for an unknown text.
+std::optional<double> enumeratorOf(Quantity quantity, const std::string& text)
+{
+    const auto find = [&text](auto last) -> std::optional<double> {
+        using Enum = decltype(last);
+        for (int i = 0; i <= static_cast<int>(last); ++i)
+            if (describe(static_cast<Enum>(i)).english == text) return i;
+        return std::nullopt;
+    };
+    if (quantity == Quantity::Activity) return find(RobotActivity::Stopped);
+    return find(Refusal::OutOfLimits);
+}
+
+std::optional<Rotation> quaternionAt(const FieldValue& message, const std::string& path)
+{
+    const auto part = [&](const char* member) {
+        return numberAt(message, path.empty() ? member : path + '.' + member);
+    };
+    const auto x = part("x"), y = part("y"), z = part("z"), w = part("w");
+    if (!x || !y || !z || !w) return std::nullopt;
+    const double length = *x * *x + *y * *y + *z * *z + *w * *w;
+    if (!(length > 1e-6 && length < 1e6)) return Rotation{};  // all zero: not measured
+    return rotationOf(*x, *y, *z, *w);
+}
+
+bool isEmpty(const Rotation& rotation)
+{
+    return rotation == Rotation{};
+}
+
+/// One field that is read into one series.
+struct FieldReader {
+    const FieldSource* source = nullptr;
+    std::string field;
+    Series* into = nullptr;
+    std::optional<Quantity> word{};  ///< the field may be a text
+    std::uint64_t messages = 0, found = 0, notFinite = 0;
+};
+
+class SeriesReader {
+public:
+    SeriesReader(Recording& recording, const Mapping& mapping, const RobotModel& robot)
+        : recording_(recording), mapping_(mapping), robot_(robot)
+    {
+        for (std::size_t q = 0; q < kQuantities; ++q)
+            if (mapping.fields[q]) addField(q);
+        for (std::size_t side = 0; side < mapping.forces.size(); ++side)
+            for (std::size_t e = 0; mapping.forces[side] && e < kForceElements; ++e)
+                fields_.push_back({.source = &*mapping.forces[side],
+                                   .field = mapping.elements[side][e],
+                                   .into = &series_.forces[side][e]});
+        for (const FieldReader& reader : fields_) topics_.insert(reader.source->topic);
+        if (mapping.attitude) {
+            topics_.insert(mapping.attitude->source.topic);
+            if (!mapping.attitude->baseFrame.empty()) topics_.insert({"/tf_static", "/tf"});
+        }
+        if (mapping.odometry) topics_.insert(mapping.odometry->source.topic);
+    }
+
+    Result<RecordedSeries> read()
+    {
+        recording_.select(topics_);
+        for (RecordedMessage message;;) {
+            const Result<bool> more = recording_.next(message);
+            if (!more) return more.error();
+            if (!*more) break;
+            if (const Status added = add(message); !added) return added.error();
+        }
+        if (const Status checked = checkTopics(); !checked) return checked.error();
+        if (const Status finished = finish(); !finished) return finished.error();
+        return std::move(series_);
+    }
+
+private:
+    void addField(std::size_t quantity)
+    {
+        FieldReader reader{.source = &*mapping_.fields[quantity],
+                           .field = mapping_.fields[quantity]->field,
+                           .into = &series_.of[quantity]};
+        const auto q = static_cast<Quantity>(quantity);
+        if (q == Quantity::Activity || q == Quantity::Refusal) reader.word = q;
+        fields_.push_back(std::move(reader));
+    }
+
+    Error fault(const FieldSource& source, std::string_view cause) const
+    {
+        return fileError(recording_.path(),
+                         fmt::format("topic {}: {}; correct [{}] of the mapping",
+                                     printable(source.topic), cause, source.table));
+    }
+
+    Status add(const RecordedMessage& message)
+    {
+        const std::string topic = recording_.topics()[message.topic].name;
+        const auto value = recording_.decode(message);
+        if (!value) return value.error();
+        std::int64_t time = message.time;
+        if (mapping_.byHeader) {
+            const auto stamp = stampOf(*value);
+            if (stamp)
+                time = *stamp;
+            else
+                unstamped_.insert(topic);
+        }
+        for (FieldReader& reader : fields_)
+            if (reader.source->topic == topic) addValue(reader, *value, time);
+        addPoses(topic, *value, time);
+        if (samples_ > kMaxSamples)
+            return fileError(
+                recording_.path(),
+                fmt::format("has more than {} mapped values; cut it into shorter files",
+                            kMaxSamples));
+        return Done{};
+    }
+
+    void addValue(FieldReader& reader, const FieldValue& message, std::int64_t time)
+    {
+        ++reader.messages;
+        const FieldSource& source = *reader.source;
+        auto number = numberAt(message, reader.field);
+        if (!number && reader.word)
+            if (const auto text = textAt(message, reader.field))
+                number = enumeratorOf(*reader.word, *text);
+        if (!number) return;
+        ++reader.found;
+        const bool isMeasured = source.unless.empty() || !hasField(message, source.unless);
+        double value = source.factor * *number;
+        if (source.isTorque) value /= robot_.torquePerAmpere;
+        value += source.offset;
+        if (!std::isfinite(value)) ++reader.notFinite;
+        store(*reader.into, earlier(time, source.delay), value, isMeasured && std::isfinite(value));
+    }
+
+    void store(Series& into, std::int64_t time, double value, bool isMeasured)
+    {
+        ++samples_;
+        into.push_back({time, isMeasured ? value : 0.0, isMeasured});
+    }
+
+    static std::int64_t earlier(std::int64_t time, double delay)
+    {
+        return time - static_cast<std::int64_t>(std::llround(delay * 1e9));
+    }
+
+    void addPoses(const std::string& topic, const FieldValue& message, std::int64_t time)
+    {
+        if (mapping_.attitude && topic == mapping_.attitude->source.topic)
+            addPose(attitude_, mapping_.attitude->source, mapping_.attitude->source.field, message,
+                    time);
+        if (mapping_.attitude && attitudeFrame_.empty() && topic == mapping_.attitude->source.topic)
+            attitudeFrame_ = textAt(message, "header.frame_id").value_or("");
+        if (mapping_.odometry && topic == mapping_.odometry->source.topic)
+            addPose(odometry_, mapping_.odometry->source, mapping_.odometry->orientation, message,
+                    time);
+        if (mapping_.attitude && !mapping_.attitude->baseFrame.empty()
+            && (topic == "/tf_static" || topic == "/tf"))
+            transforms_.add(message);
+    }
+
+    void addPose(std::vector<PoseSample>& into, const FieldSource& source, const std::string& path,
+                 const FieldValue& message, std::int64_t time)
+    {
+        const auto rotation = quaternionAt(message, path);
+        if (!rotation) return;
+        ++samples_;
+        PoseSample pose{.time = earlier(time, source.delay), .position = {}, .rotation = *rotation};
+        if (&into == &odometry_) {
+            constexpr std::array kAxes{".x", ".y", ".z"};
+            for (std::size_t i = 0; i < 3; ++i) {
+                const auto number = numberAt(message, source.field + kAxes[i]);
+                if (!number || !std::isfinite(*number)) return;
+                pose.position[i] = *number;
+            }
+        }
+        into.push_back(pose);
+    }
+
+    std::string topicList() const
+    {
+        constexpr std::size_t kMost = 15;
+        std::string list;
+        const auto& topics = recording_.topics();
+        for (std::size_t i = 0; i < std::min(kMost, topics.size()); ++i)
+            list += fmt::format("{}{}", i > 0 ? ", " : "", printable(topics[i].name));
+        return topics.size() > kMost ? list + ", …" : list;
+    }
+
+    bool hasTopic(const std::string& name) const
+    {
+        return std::ranges::any_of(recording_.topics(),
+                                   [&](const RecordedTopic& topic) { return topic.name == name; });
+    }
+
+    std::string missing(const FieldSource& source, const std::string& field,
+                        std::uint64_t messages) const
+    {
+        if (!hasTopic(source.topic))
+            return fmt::format("the file has no such topic; its topics are {}", topicList());
+        if (messages == 0) return "the topic has no message";
+        return fmt::format(
+            "none of its {} messages has the field {}; `terratact import --probe` lists "
+            "the fields",
+            messages, shown(field));
+    }
+
+    Status checkTopics()
+    {
+        std::set<const FieldSource*> told;  // six elements have one source
+        for (const FieldReader& reader : fields_) {
+            if (reader.notFinite > 0)
+                remark(reader,
+                       fmt::format(
+                           "{} values of {} are null or not finite; they count as not measured",
+                           reader.notFinite, shown(reader.field)));
+            if (reader.found > 0) continue;
+            const std::string cause = missing(*reader.source, reader.field, reader.messages);
+            if (isNeeded(reader)) return fault(*reader.source, cause);
+            if (!reader.source->isOptional && told.insert(reader.source).second)
+                remark(reader, cause + "; it counts as not measured");
+        }
+        if (mapping_.attitude && attitude_.empty())
+            return fault(mapping_.attitude->source,
+                         missing(mapping_.attitude->source, mapping_.attitude->source.field, 1));
+        if (mapping_.odometry && odometry_.empty() && !mapping_.odometry->source.isOptional)
+            remark(mapping_.odometry->source,
+                   missing(mapping_.odometry->source, mapping_.odometry->source.field, 1)
+                       + "; the way counts as not measured");
+        for (const std::string& topic : unstamped_)
+            series_.remarks.push_back(
+                fmt::format("topic {}: messages without header.stamp have the recorder's time",
+                            printable(topic)));
+        return Done{};
+    }
+
+    bool isNeeded(const FieldReader& reader) const
+    {
+        for (const Quantity q : {Quantity::Pitch, Quantity::FrontLeft, Quantity::FrontRight,
+                                 Quantity::RearLeft, Quantity::RearRight})
+            if (reader.into == &series_.of[static_cast<std::size_t>(q)]) return true;
+        return false;
+    }
+
+    void remark(const FieldReader& reader, const std::string& cause)
+    {
+        remark(*reader.source, cause);
+    }
+    void remark(const FieldSource& source, const std::string& cause)
+    {
+        series_.remarks.push_back(
+            fmt::format("topic {}, [{}]: {}", printable(source.topic), source.table, cause));
+    }
+
+    Status finish()
+    {
+        if (const Status status = addAttitude(); !status) return status;
+        addOdometry();
+        for (Series& series : series_.of) sort(series);
+        for (auto& side : series_.forces)
+            for (Series& series : side) sort(series);
+        integrateSpeed();
+        return checkOverlap();
+    }
+
+    static void sort(Series& series) { std::ranges::stable_sort(series, {}, &SeriesSample::time); }
+
+    Status addAttitude()
+    {
+        if (!mapping_.attitude) return Done{};
+        const AttitudeSource& source = *mapping_.attitude;
+        Rotation mount = rotationOfAngles(source.mount[0], source.mount[1], source.mount[2]);
+        if (!source.baseFrame.empty()) {
+            const auto found = transforms_.rotation(source.baseFrame, attitudeFrame_);
+            if (!found)
+                return fault(
+                    source.source,
+                    fmt::format("/tf_static and /tf hold no transforms from {} to {}; give "
+                                "mount_rpy_deg instead of base_frame",
+                                shown(source.baseFrame), shown(attitudeFrame_)));
+            mount = *found;
+        }
+        const Rotation toSensor = transposed(mount);
+        std::uint64_t zeros = 0;
+        for (const PoseSample& pose : attitude_) {
+            const bool isMeasured = !isEmpty(pose.rotation);
+            zeros += isMeasured ? 0 : 1;
+            const BaseAngles angles =
+                isMeasured ? baseAngles(product(pose.rotation, toSensor)) : BaseAngles{};
+            store(series_.series(Quantity::Pitch), pose.time, angles.pitch, isMeasured);
+            store(series_.series(Quantity::Roll), pose.time, angles.roll, isMeasured);
+        }
+        if (zeros == attitude_.size())
+            return fault(source.source, "all quaternions are 0: the sensor gives no orientation");
+        if (zeros > 0)
+            remark(source.source, fmt::format("{} quaternions have no direction; they count as not "
+                                              "measured",
+                                              zeros));
+        return Done{};
+    }
+
+    void addOdometry()
+    {
+        std::ranges::stable_sort(odometry_, {}, &PoseSample::time);
+        double way = 0.0;
+        const PoseSample* before = nullptr;
+        for (const PoseSample& pose : odometry_) {
+            if (isEmpty(pose.rotation)) continue;
+            for (std::size_t i = 0; before && i < 3; ++i)
+                way += (pose.position[i] - before->position[i]) * before->rotation[i][0];
+            before = &pose;
+            store(series_.series(Quantity::Travelled), pose.time, way, true);
+            store(series_.series(Quantity::Turned), pose.time, baseAngles(pose.rotation).heading,
+                  true);
+        }
+    }
+
+    /// Trapezoidal rule; in a gap longer than maxGap the way is not known and stays.
+    void integrateSpeed()
+    {
+        double way = 0.0;
+        const SeriesSample* before = nullptr;
+        for (const SeriesSample& speed : series_.series(Quantity::Speed)) {
+            if (!speed.isMeasured) continue;
+            const double seconds =
+                before ? static_cast<double>(speed.time - before->time) * 1e-9 : 0.0;
+            if (before && seconds <= mapping_.maxGap)
+                way += 0.5 * (speed.value + before->value) * seconds;
+            before = &speed;
+            store(series_.series(Quantity::Travelled), speed.time, way, true);
+        }
+    }
+
+    /// Refuses topics whose clocks differ so much that their times do not overlap with those of pitch.
+    Status checkOverlap() const
+    {
+        const Series& pitch = series_.series(Quantity::Pitch);
+        for (const FieldReader& reader : fields_) {
+            if (reader.into->empty() || !isNeeded(reader)) continue;
+            const std::int64_t later = reader.into->front().time - pitch.back().time;
+            const std::int64_t sooner = pitch.front().time - reader.into->back().time;
+            if (later <= 0 && sooner <= 0) continue;
+            const double seconds = static_cast<double>(std::max(later, sooner)) * 1e-9;
+            return fault(*reader.source,
+                         fmt::format("its times end {:.1f} s {} those of the pitch; use the "
+                                     "recorder's times ([time] source = \"recorder\") or delay_s",
+                                     seconds, later > 0 ? "after" : "before"));
+        }
+        return Done{};
+    }
+
+    Recording& recording_;
+    const Mapping& mapping_;
+    const RobotModel& robot_;
+    RecordedSeries series_;
+    std::vector<FieldReader> fields_;
+    std::set<std::string> topics_, unstamped_;
+    std::vector<PoseSample> attitude_, odometry_;
+    std::string attitudeFrame_;
+    TransformTree transforms_;
+    std::size_t samples_ = 0;
+};
+
+}  // namespace
+
+Result<RecordedSeries> readSeries(Recording& recording, const Mapping& mapping,
+                                  const RobotModel& robot)
+{
+    return SeriesReader(recording, mapping, robot).read();
+}
+
+}  // namespace terratact

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/bags/recording.h"
+#include "core/base/result.h"
+#include "core/mapping/mapping.h"
+#include "core/robot/robot_model.h"
+
+namespace terratact {
+
+/// One value of a quantity at its time.
+struct SeriesSample {
+    std::int64_t time = 0;   ///< [ns]
+    double value = 0.0;      ///< in SI units, finite
+    bool isMeasured = true;  ///< false: the message says that it was not measured
+};
+using Series = std::vector<SeriesSample>;
+
+/// The mapped quantities of a recording, each in the order of its times.
+struct RecordedSeries {
+    std::array<Series, kQuantities> of{};
+    /// Of each force array and element.
+    std::array<std::array<Series, kForceElements>, kForceTables.size()> forces{};
+
+    Series& series(Quantity quantity) { return of.at(static_cast<std::size_t>(quantity)); }
+    const Series& series(Quantity quantity) const
+    {
+        return of.at(static_cast<std::size_t>(quantity));
+    }
+    std::vector<std::string> remarks{};  ///< sentences about what is missing or was left out
+};
+
+/// Reads the mapped topics of a recording. `progress` may be empty. Attitude becomes pitch and roll,
+/// poses and speed become way and heading: the way is summed along the forward axis.
+/// Errors name the file, the topic, and what to do: a topic or field is missing that the pose needs, the
+/// transforms lack a frame, the topics' times do not overlap, or more than kMaxSamples values. Values
+/// that are not finite, and optional fields that are missing, are left out with a remark.
+Result<RecordedSeries> readSeries(Recording& recording, const Mapping& mapping,
+                                  const RobotModel& robot);
+
+inline constexpr std::size_t kMaxSamples = 20'000'000;  ///< 480 MB
+
+}  // namespace terratact

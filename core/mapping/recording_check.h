@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/mapping/mapping.h"
+#include "core/robot/robot_model.h"
+
+namespace terratact {
+
+/// Returns what is doubtful about a recording under a mapping, one sentence each:
+///   - gaps of more than Mapping::maxGap in a topic;
+///   - topics whose header.stamp differs from the recorder's time by more than 1 s, or by more than
+///     0.1 s from that of another topic;
+///   - angles beyond a full turn (a pitch or roll beyond a quarter or half turn): degrees taken for
+///     radians; degrees that never leave ±3.2: radians taken for degrees;
+///   - a sensor that never changes while another one does: stuck;
+///   - a current or force of which at least 2 % and 20 values equal its largest one: saturated.
+/// Errors are those of readSeries().
+Result<std::vector<std::string>> checkRecording(const std::string& path, const Mapping& mapping,
+                                                const RobotModel& robot);
+
+}  // namespace terratact

@@ -1,0 +1,81 @@
+// Tests time series in CSV files.
+#include "core/bags/csv_recording.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_directory.h"
+
+namespace terratact {
+namespace {
+
+struct CsvSeries : testing::Test {
+    /// Returns the times of the rows, and the values of column `pitch`.
+    std::vector<std::pair<std::int64_t, double>> rows(const std::string& content,
+                                                      const CsvTime& time = {})
+    {
+        const std::string file = directory.file("a.csv");
+        std::ofstream(file) << content;
+        auto csv = openRecording(file, time);
+        if (!csv) {
+            why = csv.error().text;
+            return {};
+        }
+        std::vector<std::pair<std::int64_t, double>> found;
+        for (RecordedMessage message;;) {
+            const auto more = (*csv)->next(message);
+            if (!more) why = more.error().text;
+            if (!more || !*more) break;
+            found.emplace_back(message.time,
+                               numberAt(*(*csv)->decode(message), "pitch").value_or(-1.0));
+        }
+        remarks = (*csv)->consumeRemarks();
+        return found;
+    }
+
+    using Rows = std::vector<std::pair<std::int64_t, double>>;
+    std::string why;
+    std::vector<std::string> remarks;
+    TemporaryDirectory directory;
+};
+
+TEST_F(CsvSeries, timesAreExactToTheNanosecond)
+{
+    EXPECT_EQ(rows("__time,pitch\n1793000000.123456789,0.5\n1793000000.223456789,0.25\n"),
+              (Rows{{1'793'000'000'123'456'789, 0.5}, {1'793'000'000'223'456'789, 0.25}}));
+    EXPECT_EQ(rows("%time,pitch\n1793000000123456789,0.5\n"),
+              (Rows{{1'793'000'000'123'456'789, 0.5}}));
+}
+
+TEST_F(CsvSeries, theUnitOfTimesFollowsNameOrSize)
+{
+    EXPECT_EQ(rows("pitch,time_ms\n1,1500\n"), (Rows{{1'500'000'000, 1.0}}));
+    EXPECT_EQ(rows("pitch,T [us]\n1,1500\n"), (Rows{{1'500'000, 1.0}}));
+    EXPECT_EQ(rows("time,pitch\n1793000000123,1\n"), (Rows{{1'793'000'000'123'000'000, 1.0}}));
+    EXPECT_EQ(rows("time,pitch\n0.5,1\n"), (Rows{{500'000'000, 1.0}}));
+    EXPECT_EQ(rows("tick,pitch\n250,1\n", {.column = "tick", .unit = 1e-3}),
+              (Rows{{250'000'000, 1.0}}));
+    EXPECT_EQ(rows("time;pitch\n1,5e0;2,5\n"), (Rows{{1'500'000'000, 2.5}})) << "decimal commas";
+}
+
+TEST_F(CsvSeries, missingColumnsAndTimesAreNamed)
+{
+    EXPECT_TRUE(rows("a,pitch\n1,2\n").empty());
+    EXPECT_NE(
+        why.find("line 1: has no column of times; its columns are 'a', 'pitch'; name one in the "
+                 "mapping: [csv] time_column"),
+        std::string::npos)
+        << why;
+    rows("time,pitch\n1,2\nx,3\n");
+    EXPECT_NE(why.find("line 3: time is not a number"), std::string::npos) << why;
+    rows("time,pitch\n1e300,2\n");
+    EXPECT_NE(why.find("is no time"), std::string::npos) << why;
+}
+
+TEST_F(CsvSeries, aTornLastLineIsLeftOut)
+{
+    EXPECT_EQ(rows("time,pitch,roll\n1,2,3\n2,2"), (Rows{{1'000'000'000, 2.0}}));
+    EXPECT_EQ(remarks, std::vector<std::string>{"ends within its last line, which is left out"});
+}
+
+}  // namespace
+}  // namespace terratact

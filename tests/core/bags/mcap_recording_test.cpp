@@ -1,0 +1,169 @@
+// Tests the reader of MCAP files on files written from the specification.
+#include "core/bags/mcap_recording.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "core/bags/decompress.h"
+#include "tests/support/mcap_bytes.h"
+#include "tests/support/temporary_directory.h"
+
+namespace terratact {
+namespace {
+
+struct McapFiles : testing::Test {
+    struct Found {
+        std::vector<std::string> messages;  ///< "topic time value"
+        std::vector<std::string> remarks;
+    };
+
+    std::string path(const std::string& content)
+    {
+        const std::string file = directory.file("a.mcap");
+        std::ofstream(file, std::ios::binary) << content;
+        return file;
+    }
+
+    Found read(const std::string& content, std::optional<std::set<std::string>> topics = {})
+    {
+        auto recording = openRecording(path(content));
+        EXPECT_TRUE(recording) << recording.error().text;
+        if (!recording) return {};
+        if (topics) (*recording)->select(*topics);
+        Found found;
+        for (RecordedMessage message;;) {
+            const auto more = (*recording)->next(message);
+            EXPECT_TRUE(more);
+            if (!more || !*more) break;
+            const auto value = (*recording)->decode(message);
+            EXPECT_TRUE(value) << value.error().text;
+            found.messages.push_back(
+                (*recording)->topics()[message.topic].name + " " + std::to_string(message.time)
+                + " " + (value ? std::to_string(numberAt(*value, "data").value_or(-1.0)) : "?"));
+        }
+        found.remarks = (*recording)->consumeRemarks();
+        return found;
+    }
+
+    static std::string number(double value) { return MessageBytes::cdr().add(value).bytes(); }
+
+    static McapBytes begun()
+    {
+        McapBytes mcap;
+        mcap.schema(1, "std_msgs/msg/Float64", "ros2msg", "float64 data\n");
+        mcap.channel(1, 1, "/a", "cdr").channel(2, 1, "/b", "cdr");
+        return mcap;
+    }
+
+    static McapBytes someMessages()
+    {
+        McapBytes mcap = begun();
+        mcap.message(1, 5, number(1.5)).message(2, 7, number(2.5)).message(1, 6, number(3.5));
+        return mcap;
+    }
+
+    const std::vector<std::string> all{"/a 5 1.500000", "/b 7 2.500000", "/a 6 3.500000"};
+    TemporaryDirectory directory;
+};
+
+TEST_F(McapFiles, chunksOfEveryCompressionAreRead)
+{
+    EXPECT_EQ(read(someMessages().file()).messages, all) << "no chunks";
+    for (const char* const method : {"", "lz4", "zstd"})
+        EXPECT_EQ(read(someMessages().chunk(method).file()).messages, all) << method;
+    EXPECT_EQ(read(someMessages().chunk("lz4").file(), {{"/b"}}).messages,
+              std::vector<std::string>{"/b 7 2.500000"});
+}
+
+TEST_F(McapFiles, aTornFileIsReadAsFarAsItGoes)
+{
+    McapBytes mcap = someMessages().chunk("zstd");
+    const std::size_t whole = mcap.torn().size();
+    mcap.message(1, 9, number(9.0));
+    for (std::size_t n = whole; n < mcap.torn().size(); ++n) {
+        const Found found = read(mcap.torn().substr(0, n));
+        EXPECT_EQ(found.messages, all) << n;
+        EXPECT_EQ(found.remarks.size(), n == whole ? 1U : 2U) << "no index; the cut record";
+    }
+    EXPECT_EQ(read(mcap.torn()).messages.size(), 4U);
+}
+
+TEST_F(McapFiles, aDamagedChunkIsLeftOut)
+{
+    const auto reason = [&](const McapBytes& mcap) {
+        McapBytes more = mcap;
+        more.message(1, 9, number(9.0));
+        const Found found = read(more.file());
+        EXPECT_EQ(found.messages.size(), 0U) << "the channels were in the chunk";
+        return found.remarks.size() > 1 ? found.remarks[1] : "";
+    };
+    EXPECT_NE(reason(someMessages().chunk("", 1)).find("wrong checksum; it is left out"),
+              std::string::npos);
+    EXPECT_NE(reason(someMessages().chunk("lzma")).find("expected none, lz4, zstd or bz2"),
+              std::string::npos);
+    std::string bytes = someMessages().chunk("zstd").torn();
+    bytes[bytes.size() - 9] = static_cast<char>(bytes[bytes.size() - 9] ^ 0x55);
+    EXPECT_EQ(read(bytes).messages.size(), 0U);
+}
+
+TEST_F(McapFiles, sizesThatAreDeclaredCostNothing)
+{
+    auto head = MessageBytes::ros1();
+    head.add(std::uint8_t{0x06}).add(std::uint64_t{1} << 60U);
+    const Found huge = read(someMessages().torn() + head.bytes());
+    EXPECT_EQ(huge.messages, all);
+    EXPECT_NE(huge.remarks.back().find("ends within the record at byte"), std::string::npos);
+    // Zeros compress well: 80 MB in a few kilobytes are refused.
+    const std::string zeros(std::size_t{80} << 20U, '\0');
+    std::string packed(ZSTD_compressBound(zeros.size()), '\0');
+    packed.resize(ZSTD_compress(packed.data(), packed.size(), zeros.data(), zeros.size(), 1));
+    std::string out;
+    const Status refused = decompress("zstd", packed, out);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().text.find("is larger than 67108864 bytes"), std::string::npos);
+    EXPECT_LE(out.size(), kMaxChunkBytes);
+}
+
+TEST_F(McapFiles, wrongDefinitionsNameFileTopicAndPlace)
+{
+    McapBytes mcap;
+    mcap.schema(1, "p/msg/T", "ros2msg", "float64[] data\n").channel(1, 1, "/a", "cdr");
+    mcap.message(1, 5, number(2.3));
+    auto recording = openRecording(path(mcap.file()));
+    ASSERT_TRUE(recording);
+    RecordedMessage message;
+    ASSERT_TRUE(*(*recording)->next(message));
+    const auto value = (*recording)->decode(message);
+    ASSERT_FALSE(value);
+    EXPECT_EQ(
+        value.error().text.find(directory.file("a.mcap") + ": topic /a: the message at byte "), 0U);
+    EXPECT_NE(value.error().text.find("member 'data'"), std::string::npos) << value.error().text;
+}
+
+TEST_F(McapFiles, messagesOfUnknownChannelsAreLeftOut)
+{
+    McapBytes mcap = begun();
+    mcap.message(77, 5, number(1.5))
+        .message(1, ~std::uint64_t{0}, number(1.0))
+        .message(1, 6, number(2.0));
+    const Found found = read(mcap.file());
+    EXPECT_EQ(found.messages, std::vector<std::string>{"/a 6 2.000000"});
+    EXPECT_EQ(found.remarks.size(), 3U);
+}
+
+TEST(Decompress, everyCutIsRefused)
+{
+    const std::string plain(1000, 'x');
+    std::string lz4(LZ4F_compressFrameBound(plain.size(), nullptr), '\0');
+    lz4.resize(LZ4F_compressFrame(lz4.data(), lz4.size(), plain.data(), plain.size(), nullptr));
+    std::string out;
+    ASSERT_TRUE(decompress("lz4", lz4, out));
+    EXPECT_EQ(out, plain);
+    for (std::size_t n = 0; n < lz4.size(); ++n)
+        EXPECT_FALSE(decompress("lz4", std::string_view(lz4).substr(0, n), out)) << n;
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,233 @@
+// Tests fields of recordings as series, and their lines of telemetry.
+#include "core/mapping/recorded_series.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/bags/json_value.h"
+#include "core/mapping/telemetry_lines.h"
+#include "core/mapping/transform_tree.h"
+#include "tests/support/csv_mapping.h"
+#include "tests/support/mcap_bytes.h"
+#include "tests/support/temporary_directory.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::uint64_t kSecond = 1'000'000'000;
+
+struct SeriesFiles : testing::Test {
+    Result<RecordedSeries> read(const std::string& content, const Mapping& mapping)
+    {
+        auto recording = openRecording(directory.write("a", content), mapping.csv);
+        EXPECT_TRUE(recording) << recording.error().text;
+        return readSeries(**recording, mapping, shippedRobot());
+    }
+    std::vector<TelemetryLine> lines(const std::string& content, const std::string& mapping)
+    {
+        const Mapping parsed = parsedMapping(mapping);
+        const auto series = read(content, parsed);
+        EXPECT_TRUE(series) << series.error().text;
+        if (!series) return {};
+        remarks = series->remarks;
+        return telemetryLines(*series, parsed);
+    }
+    std::string whyNot(const std::string& content, const std::string& mapping)
+    {
+        const auto series = read(content, parsedMapping(mapping));
+        return series ? "" : series.error().text.substr(directory.file("a").size());
+    }
+
+    /// Returns an MCAP file of JSON with the topics /imu and /joints; `shift` moves the latter.
+    static McapBytes robotFile(std::string_view quaternion, std::uint64_t shift = 0)
+    {
+        McapBytes mcap;
+        mcap.channel(1, 0, "/imu", "json")
+            .channel(2, 0, "/joints", "json")
+            .channel(3, 0, "/tf_static", "json");
+        mcap.message(
+            3, kSecond,
+            R"({"transforms":[{"header":{"frame_id":"base"},"child_frame_id":"imu","transform":{"rotation":{"x":0,"y":0,"z":1,"w":0}}}]})");
+        for (std::uint64_t i = 1; i <= 5; ++i) {
+            mcap.message(1, i * kSecond / 10,
+                         R"({"header":{"frame_id":"imu"},"orientation":)" + std::string(quaternion)
+                             + "}");
+            mcap.message(
+                2, shift + i * kSecond / 10,
+                R"({"name":["fl","fr","rl","rr"],"position":[0.1,0.2,0.3,0.4],"effort":[17,17,0,0]})");
+        }
+        return mcap;
+    }
+    static std::string robotMapping(const std::string& attitude, const std::string& more = {})
+    {
+        std::string text =
+            "name = \"t\"\n[attitude]\ntopic = \"/imu\"\nquaternion = \"orientation\"\n" + attitude
+            + more;
+        for (const auto& [table, joint] : {std::pair{"front_left", "fl"},
+                                           {"front_right", "fr"},
+                                           {"rear_left", "rl"},
+                                           {"rear_right", "rr"}})
+            text +=
+                fmt::format("[{}]\ntopic = \"/joints\"\nfield = \"position[{}]\"\n", table, joint);
+        return text;
+    }
+
+    TemporaryDirectory directory;
+    std::vector<std::string> remarks;
+};
+
+TEST_F(SeriesFiles, factorsOffsetsAndDelaysAreApplied)
+{
+    const auto found =
+        lines("t,pitch,front_left,front_right,rear_left,rear_right\n0,10,1,1,1,1\n1,20,1,1,1,1\n",
+              csvMapping("[time]\nmax_gap_s = 2.0\n[pitch]\nfield = \"pitch\"\nunit = "
+                         "\"deg\"\nsign = -1\noffset = 0.5\ndelay_s = -0.5\n"));
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].time, 500'000'000) << "the message is sooner than its measurement";
+    EXPECT_NEAR(found[0].measurement.pitch, 0.5 - 10.0 * M_PI / 180.0, 1e-12);
+    EXPECT_TRUE(found[0].measurement.missing.all() == false);
+    EXPECT_TRUE(found[0].measurement.missing[kFrontCurrentFeature]);
+}
+
+TEST_F(SeriesFiles, valuesAreInterpolatedWithinGaps)
+{
+    const auto found = lines("t,pitch,front_left,front_right,rear_left,rear_right,roll\n0,0,3,1,1,"
+                             "1,\n0.1,0,,1,1,1,0.5\n0.2,0,-3.0831853,1,1,1,\n"
+                             "2,0,1,1,1,1,\n",
+                             csvMapping("[roll]\nfield = \"roll\"\n"));
+    ASSERT_EQ(found.size(), 3U) << "an empty angle is not measured";
+    EXPECT_EQ(found[1].measurement.frontLeft, -3.0831853);
+    EXPECT_EQ(found[0].measurement.roll, 0.0);
+}
+
+TEST_F(SeriesFiles, anglesTurnTheShorterWay)
+{
+    McapBytes mcap;
+    mcap.channel(1, 0, "/p", "json").channel(2, 0, "/f", "json");
+    mcap.message(2, 0, R"({"a":3.1})").message(2, kSecond / 5, R"({"a":-3.1})");
+    mcap.message(1, kSecond / 10, R"({"p":0.1})");
+    std::string text = "name = \"t\"\n[pitch]\ntopic = \"/p\"\nfield = \"p\"\n";
+    for (const char* const table : {"front_left", "front_right", "rear_left", "rear_right"})
+        text += fmt::format("[{}]\ntopic = \"/f\"\nfield = \"a\"\n", table);
+    const auto found = lines(mcap.file(), text);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NEAR(std::abs(turnBetween(found[0].measurement.frontLeft, M_PI)), 0.0, 1e-9);
+}
+
+TEST_F(SeriesFiles, quaternionsBecomeNoseAndLeftSideUp)
+{
+    const double half = 0.1;  // [rad]
+    // ROS turns the nose down by a positive angle about y.
+    const std::string nose =
+        fmt::format(R"({{"x":0,"y":{},"z":0,"w":{}}})", -std::sin(half), std::cos(half));
+    const auto pitched = lines(robotFile(nose).file(), robotMapping(""));
+    ASSERT_EQ(pitched.size(), 5U);
+    EXPECT_NEAR(pitched[0].measurement.pitch, 0.2, 1e-12);
+    EXPECT_NEAR(pitched[0].measurement.roll, 0.0, 1e-12);
+    EXPECT_EQ(pitched[0].measurement.rearLeft, 0.3);
+    const std::string left =
+        fmt::format(R"({{"x":{},"y":0,"z":0,"w":{}}})", std::sin(half), std::cos(half));
+    EXPECT_NEAR(lines(robotFile(left).file(), robotMapping(""))[0].measurement.roll, 0.2, 1e-12);
+    // An IMU that looks backwards, by numbers and through tf.
+    for (const char* const mount : {"mount_rpy_deg = [0, 0, 180]\n", "base_frame = \"base\"\n"})
+        EXPECT_NEAR(lines(robotFile(nose).file(), robotMapping(mount))[0].measurement.pitch, -0.2,
+                    1e-12)
+            << mount;
+}
+
+TEST_F(SeriesFiles, torquesBecomeCurrentsOfTheRobot)
+{
+    std::string currents;
+    for (const auto& [table, joint] :
+         {std::pair{"front_left_current", "fl"}, {"front_right_current", "fr"}})
+        currents += fmt::format(
+            "[{}]\ntopic = \"/joints\"\nfield = \"effort[{}]\"\nunit = \"N m\"\n", table, joint);
+    const auto found =
+        lines(robotFile(R"({"x":0,"y":0,"z":0,"w":1})").file(), robotMapping("", currents));
+    EXPECT_NEAR(found.at(0).measurement.frontLeftCurrent, 3.0, 1e-12) << "17 N m";
+    EXPECT_TRUE(found[0].measurement.missing[kRearCurrentFeature]);
+}
+
+TEST_F(SeriesFiles, speedAndPosesBecomeTheWay)
+{
+    const std::string rows = "t,pitch,front_left,front_right,rear_left,rear_right,v\n0,0,0,0,0,0,"
+                             "1\n0.25,0,0,0,0,0,2\n5,0,0,0,0,0,2\n";
+    const auto driven = lines(rows, csvMapping("[speed]\nfield = \"v\"\n"));
+    ASSERT_EQ(driven.size(), 3U);
+    EXPECT_NEAR(*driven[1].measurement.travelled, 0.375, 1e-12);
+    EXPECT_NEAR(*driven[2].measurement.travelled, 0.375, 1e-12) << "nothing is known of the gap";
+    const std::string poses = "t,pitch,front_left,front_right,rear_left,rear_right,p.x,p.y,p.z,q.x,"
+                              "q.y,q.z,q.w\n0,0,0,0,0,0,1,1,0,0,0,1,1\n"
+                              "0.1,0,0,0,0,0,1,0.5,0,0,0,1,1\n";
+    const auto posed =
+        lines(poses, csvMapping("[odometry]\nposition = \"p\"\norientation = \"q\"\n"));
+    ASSERT_EQ(posed.size(), 2U);
+    EXPECT_NEAR(*posed[1].measurement.travelled, -0.5, 1e-12) << "backwards, heading along y";
+    EXPECT_NEAR(*posed[1].measurement.turned, M_PI / 2, 1e-12);
+}
+
+TEST_F(SeriesFiles, whatIsMissingIsNamed)
+{
+    const std::string rows = "t,pitch,front_left,front_right,rear_left\n0,0,0,0,0\n";
+    EXPECT_EQ(whyNot(rows, csvMapping()), ": topic /csv: none of its 1 messages has the field "
+                                          "'rear_right'; `terratact import --probe` lists "
+                                          "the fields; correct [rear_right] of the mapping");
+    const std::string none = R"({"x":0,"y":0,"z":0,"w":0})";
+    EXPECT_NE(whyNot(robotFile(none).file(), robotMapping("")).find("all quaternions are 0"),
+              std::string::npos);
+    const std::string flat = R"({"x":0,"y":0,"z":0,"w":1})";
+    EXPECT_NE(whyNot(robotFile(flat).file(), robotMapping("base_frame = \"world\"\n"))
+                  .find("hold no transforms from 'world' to 'imu'; give mount_rpy_deg"),
+              std::string::npos);
+    EXPECT_NE(whyNot(robotFile(flat, 7200 * kSecond).file(), robotMapping(""))
+                  .find("topic /joints: its times end 7199.6 s after those of the pitch"),
+              std::string::npos);
+    std::string other = robotMapping("");
+    other.replace(other.find("/joints"), 7, "/legs");
+    EXPECT_NE(whyNot(robotFile(flat).file(), other)
+                  .find("topic /legs: the file has no such topic; its topics are /imu, /joints, "
+                        "/tf_static"),
+              std::string::npos);
+}
+
+TEST_F(SeriesFiles, headerStampsAreUsedOnRequest)
+{
+    const std::string stamped =
+        R"({"header":{"stamp":{"sec":9,"nanosec":5}},"pitch":0,"front_left":0,"front_right":0,"rear_left":0,"rear_right":0})";
+    McapBytes mcap;
+    mcap.channel(1, 0, "/csv", "json").message(1, 5, stamped);
+    EXPECT_EQ(lines(mcap.file(), csvMapping("[time]\nsource = \"header\"\n")).at(0).time,
+              9'000'000'005);
+    EXPECT_EQ(lines(mcap.file(), csvMapping()).at(0).time, 5);
+}
+
+TEST_F(SeriesFiles, nanIsNotMeasured)
+{
+    const auto found = lines(
+        "t,pitch,front_left,front_right,rear_left,rear_right,c\n0,0,0,0,0,0,NaN\n0.1,0,0,0,0,0,2\n",
+        csvMapping("[front_left_current]\nfield = \"c\"\n[front_right_current]\nfield = \"c\"\n"));
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_TRUE(found[0].measurement.missing[kFrontCurrentFeature]);
+    EXPECT_EQ(found[1].measurement.frontLeftCurrent, 2.0);
+    EXPECT_EQ(remarks.size(), 2U) << "both fields";
+}
+
+TEST(TransformTree, chainsAreFollowedBothWays)
+{
+    TransformTree tree;
+    tree.add(*jsonValue(
+        R"({"transforms":[{"header":{"frame_id":"/base"},"child_frame_id":"arm","transform":{"rotation":{"x":0,"y":0,"z":1,"w":1}}},)"
+        R"({"header":{"frame_id":"arm"},"child_frame_id":"imu","transform":{"rotation":{"x":0,"y":0,"z":1,"w":1}}},)"
+        R"({"header":{"frame_id":"a"},"child_frame_id":"b","transform":{"rotation":{"x":0,"y":0,"z":0,"w":1}}},)"
+        R"({"header":{"frame_id":"b"},"child_frame_id":"a","transform":{"rotation":{"x":0,"y":0,"z":0,"w":1}}}]})"));
+    const auto half = tree.rotation("base", "imu");
+    ASSERT_TRUE(half);
+    EXPECT_NEAR((*half)[0][0], -1.0, 1e-12);
+    EXPECT_NEAR((*tree.rotation("imu", "arm"))[1][0], -1.0, 1e-12);
+    EXPECT_FALSE(tree.rotation("base", "other"));
+    tree.rotation("a", "imu");  // a loop ends
+}
+
+}  // namespace
+}  // namespace terratact
