@@ -168,6 +168,35 @@ void addSessionImport(CLI::App& session, Job& job)
     });
 }
 
+void addImport(CLI::App& app, Job& job)
+{
+    auto* c = app.add_subcommand("import", "Make a session of a recording of another program: "
+                                           "docs/import.md");
+    const auto o = std::make_shared<ImportOptions>();
+    addInput(*c, "file", o->file, "Recording: MCAP, or CSV of a time series")->required();
+    addInput(*c, "--mapping", o->mapping,
+             "Mapping file (TOML): which field is which sensor; --probe proposes one");
+    addRobot(*c, o->robot);
+    auto* out = addFileOutput(*c, "--out", o->out, "Session to write (*.tts)");
+    addTextOutput(*c, "--scenes", o->scenes,
+                  "Scenes CSV to write: where the robot stood still with flippers pressed")
+        ->needs(out);
+    auto* probe = c->add_flag("--probe", o->probe,
+                              "List topics, fields, rates and ranges, and propose a mapping");
+    auto* check = c->add_flag("--check", o->check,
+                              "Name gaps, clock offsets, doubtful units, stuck and saturated "
+                              "values; exit code 0: none");
+    probe->excludes(out)->excludes(check);
+    check->excludes(out);
+    c->callback([o, &job] {
+        useShippedRobot(o->robot);
+        if (!o->probe && o->mapping.empty())
+            throw CLI::RequiredError("--mapping (--probe proposes one)");
+        if (!o->probe && !o->check && o->out.empty()) throw CLI::RequiredError("--out");
+        job = [o] { return importOrProbe(*o); };
+    });
+}
+
 }  // namespace
 
 void addSessions(CLI::App& app, Job& job)
@@ -184,6 +213,7 @@ void addSessions(CLI::App& app, Job& job)
     addSessionMerge(*session, job);
     addSessionWhatIf(*session, job);
     addSessionImport(*session, job);
+    addImport(app, job);
 }
 
 }  // namespace terratact

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/cli/session_commands.h"
+#include "app/recording/unfinished_session.h"
 #include "app/runtime/print_text.h"
 #include "core/log/event_text.h"
 #include "core/log/session_writer.h"
@@ -183,11 +184,7 @@ Status importLog(const SessionImportOptions& options)
     if (!log) return log.error();
     Importer importer(options, std::move(*robot));
     Status done = importer.run(*log);
-    if (!done && importer.began()) {
-        std::error_code ignored;
-        for (const char* suffix : {"", "-wal", "-shm"})
-            std::filesystem::remove(options.out + suffix, ignored);
-    }
+    if (!done && importer.began()) removeUnfinishedSession(options.out);
     return done;
 }
 

@@ -79,4 +79,16 @@ struct SessionImportOptions {
 /// Converts a CAN log to a session.
 Status importLog(const SessionImportOptions& options);
 
+struct ImportOptions {
+    std::string file;     ///< recording of another program
+    std::string mapping;  ///< mapping file; empty with `probe`
+    std::string robot;    ///< robot file to store in the session
+    std::string out;      ///< session to write; empty: none
+    std::string scenes;   ///< CSV of scenes to write; empty: none
+    bool probe = false, check = false;
+};
+/// Reads a recording of another program: prints what is in it (probe), or what is doubtful (check), or
+/// writes a session and its scenes. With check, returns an Error if something is doubtful.
+Status importOrProbe(const ImportOptions& options);
+
 }  // namespace terratact

@@ -46,7 +46,7 @@ constexpr const char* kMeasurementSchema =
     R"("front_right_force":{"type":"array","items":{"type":["number","null"]}},)"
     R"("rear_left_force":{"type":"array","items":{"type":["number","null"]}},)"
     R"("rear_right_force":{"type":"array","items":{"type":["number","null"]}},)"
-    R"("differential":{"type":"number"},)"
+    R"("differential":{"type":"number"},"travelled":{"type":"number"},"turned":{"type":"number"},)"
     R"("missing":{"type":"array","items":{"type":"string"}},)"
     R"("activity":{"type":"string"},"refusal":{"type":"string"}}})";
 constexpr const char* kEstimateSchema =
@@ -191,7 +191,7 @@ private:
             sidesJson(m) + missingJson(m.missing));
     }
 
-    /// Returns the forces of each side and the differential, as far as they are known. A force that
+    /// Returns the forces of each side, differential and odometry, as far as they are known. A force that
     /// is not known is null.
     static std::string sidesJson(const Measurement& m)
     {
@@ -208,7 +208,12 @@ private:
         add("front_right_force", m.sides.right);
         add("rear_left_force", m.rearSides.left);
         add("rear_right_force", m.rearSides.right);
-        if (m.differential) text += fmt::format(",\"differential\":{}", *m.differential);
+        const auto addNumber = [&text](const char* name, const std::optional<double>& number) {
+            if (number) text += fmt::format(",\"{}\":{}", name, *number);
+        };
+        addNumber("differential", m.differential);
+        addNumber("travelled", m.travelled);
+        addNumber("turned", m.turned);
         return text;
     }
 

@@ -57,15 +57,15 @@ _terratact_value() {
   case $2:$1 in
     *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | reconstruct:--tracks | evaluate:--tracks | hazards:--tracks | "session scenes":--tracks | *:--probes | *:--missing | *:--lamps | *:--watch | \
       *:--summary | *:--transmit | *:--safe-mode | *:--errors-in-window | *:--no-record | *:--measured | *:--all | *:--card | \
-      "model show:--csv") return 1 ;;
-    *:--robot | *:--panel) _terratact_files toml ;;
+      "model show:--csv" | import:--probe | import:--check) return 1 ;;
+    *:--robot | *:--panel | *:--mapping) _terratact_files toml ;;
     *:--model | train:--plane) _terratact_files ttm ;;
     train:--tracks | *:--data | *:--classes | *:--csv) _terratact_files csv ;;
     simulate:--out | reconstruct:--out) _terratact_files csv ;;
     train:--out | merge:--out) _terratact_files ttm ttp ;;
-    "session merge:--out" | "session import:--out") _terratact_files tts ;;
+    "session merge:--out" | "session import:--out" | import:--out) _terratact_files tts ;;
     "session export:--out") _terratact_files log asc csv mcap ;;
-    "session scenes:--out" | "session what-if:--out") _terratact_files csv ;;
+    "session scenes:--out" | "session what-if:--out" | import:--scenes) _terratact_files csv ;;
     "session report:--out") _terratact_files pdf svg png html ;;
     *:--format) _terratact_words candump asc csv mcap ;;
     *:--what) _terratact_words frames signals estimates events ;;
@@ -135,6 +135,7 @@ _terratact_options() {
     "session merge") echo --out ;;
     "session what-if") echo --estimate --all --method --quality --threshold --seed --model --out ;;
     "session import") echo --out --interface --robot ;;
+    import) echo --mapping --robot --out --scenes --probe --check ;;
     "") echo --version ;;
   esac
   echo --help
@@ -144,13 +145,14 @@ _terratact_options() {
 _terratact_argument() {
   case $1 in
     "") _terratact_words simulate train reconstruct evaluate hazards strip merge tradeoff contacts faults probes calibrate model panel \
-      demo robot can session ;;
+      demo robot can session import ;;
     model) _terratact_words show card predict ;;
     panel) _terratact_words check ;;
     can) _terratact_words decode monitor check ;;
     session) _terratact_words info verify recover export scenes report merge what-if import ;;
     "session import") _terratact_files log asc trc csv gz ;;
     "session "*) _terratact_files tts ;;
+    import) _terratact_files mcap csv ;;
     "model "*) _terratact_files ttm ;;
     "panel check") _terratact_files toml ;;
     "can check") _terratact_files log asc trc csv gz && _terratact_buses ;;

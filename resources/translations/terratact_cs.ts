@@ -4067,6 +4067,14 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>the estimate contradicts the readings: pitch %1°, roll %2°, front flippers %3° left, %4° right measured; %5°, %6°, %7°, %8° on its ground</source>
         <translation>odhad odporuje údajům: naměřen náklon %1°, příčný náklon %2°, přední flippery vlevo %3°, vpravo %4°; na jeho terénu %5°, %6°, %7°, %8°</translation>
     </message>
+    <message>
+        <source>from a recording by the mapping %1</source>
+        <translation>ze záznamu podle mapování %1</translation>
+    </message>
+    <message>
+        <source>the recording does not say what the robot did: pressing, driving and halting follow from its movement and currents</source>
+        <translation>záznam neříká, co robot dělal: tlak, jízda a stání plynou z jeho pohybu a proudů</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

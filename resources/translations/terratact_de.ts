@@ -4067,6 +4067,14 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>the estimate contradicts the readings: pitch %1°, roll %2°, front flippers %3° left, %4° right measured; %5°, %6°, %7°, %8° on its ground</source>
         <translation>die Schätzung widerspricht den Messwerten: gemessen Nickwinkel %1°, Rollwinkel %2°, vordere Flipper links %3°, rechts %4°; auf ihrem Boden %5°, %6°, %7°, %8°</translation>
     </message>
+    <message>
+        <source>from a recording by the mapping %1</source>
+        <translation>aus einer Aufzeichnung nach der Zuordnung %1</translation>
+    </message>
+    <message>
+        <source>the recording does not say what the robot did: pressing, driving and halting follow from its movement and currents</source>
+        <translation>die Aufzeichnung sagt nicht, was der Roboter tat: Drücken, Fahren und Halten folgen aus seiner Bewegung und den Strömen</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -234,7 +234,8 @@ class Package(unittest.TestCase):
         shipped = {path.split("terratact/", 1)[1] for path in self.files() if path.startswith(f"{share}/terratact/")}
         self.assertEqual(shipped, {"models/default.ttm", "models/default.card.toml", "models/default.presets.csv", "models/one_plane.ttm",
                                    "robots/absolem.toml", "sessions/demo.tts", "sessions/two_tracks.tts",
-                                   "dbc/terratact.dbc", "panels/example.toml"})
+                                   "dbc/terratact.dbc", "panels/example.toml", "mappings/ctu_absolem.toml",
+                                   "mappings/terratact.toml", "mappings/terratact_signals.toml"})
         for line in output("dpkg-deb", "-c", self.package).splitlines():
             self.assertRegex(line, r"^(drwxr-xr-x|-rwxr-xr-x|-rw-r--r--) root/root ")
 

@@ -1,0 +1,262 @@
+#include "app/recording/recording_import.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "app/recording/unfinished_session.h"
+#include "core/base/text.h"
+#include "core/log/event_text.h"
+#include "core/log/session_writer.h"
+#include "core/mapping/recorded_frames.h"
+#include "core/mapping/recorded_series.h"
+#include "core/mapping/telemetry_lines.h"
+#include "core/store/file_read.h"
+#include "core/store/sha256.h"
+#include "core/wire/telemetry.h"
+#include "core/wire/telemetry_listener.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::size_t kMaxRobotFile = std::size_t{64} * 1024;
+constexpr std::int64_t kFramesOfBatch = 250;
+constexpr const char* kImportBus = "import";
+
+class RecordingImporter {
+public:
+    RecordingImporter(const RecordingImport& options, Mapping mapping, RobotModel robot,
+                      std::string robotText)
+        : options_(options), mapping_(std::move(mapping)), robot_(std::move(robot)),
+          robotText_(std::move(robotText)), listener_(robot_)
+    {
+    }
+
+    Result<ImportedSession> run()
+    {
+        auto recording = openRecording(options_.file, mapping_.csv);
+        if (!recording) return recording.error();
+        report_.format = (*recording)->format();
+        const Status done = mapping_.frames ? importFrames(**recording) : importLines(**recording);
+        for (std::string& text : (*recording)->consumeRemarks())
+            report_.remarks.push_back(std::move(text));
+        if (!done) return done.error();
+        if (const Status ended = add(event(EventKind::Session, "ended")); !ended)
+            return ended.error();
+        if (const Status sealed = writer_->seal(); !sealed) return sealed.error();
+        report_.frames = writer_->frames();
+        report_.chain = writer_->chain();
+        report_.seconds = secondsOf(last_);
+        return std::move(report_);
+    }
+
+    bool began() const { return writer_.has_value(); }
+
+private:
+    /// Frames, and a mapping with the activity, hold what the robot itself says.
+    PressRule pressRule() const
+    {
+        PressRule rule = mapping_.scenes;
+        rule.byActivity = mapping_.frames || mapping_.of(Quantity::Activity);
+        return rule;
+    }
+
+    template <class Row>
+    Status add(const Row& row)
+    {
+        return writer_->add(row);
+    }
+
+    EventRow event(EventKind kind, std::string subject, Message text = {})
+    {
+        return withText(
+            {.id = ++events_, .time = last_, .kind = kind, .subject = std::move(subject)},
+            std::move(text));
+    }
+
+    /// Begins the session at the wall time of its first row [ns].
+    Status begin(std::int64_t time)
+    {
+        constexpr std::int64_t kLatest = 9'000'000'000'000'000'000;
+        if (time < 0 || time > kLatest)
+            return fileError(
+                options_.file,
+                fmt::format("begins at {:.3f} s since 1970, which no session can have; "
+                            "correct the times, or the unit of the time column",
+                            static_cast<double>(time) * 1e-9));
+        begin_ = time;
+        auto writer = SessionWriter::create(
+            options_.out, {.wallTime = time,
+                           .program = "terratact import",
+                           .source = std::filesystem::path(options_.file).filename().string(),
+                           .bus = kImportBus,
+                           .transmits = false,
+                           .robot = robotText_,
+                           .robotHash = sha256Hex(robotText_)});
+        if (!writer) return writer.error();
+        writer_ = std::move(*writer);
+        return add(
+            event(EventKind::Session, "begun",
+                  Message(TR_NOOP("core", "from a recording by the mapping %1"), mapping_.name)));
+    }
+
+    Status addFrame(const CanFrame& frame, bool sent)
+    {
+        if (const Status added = add(FrameRow{.time = last_, .frame = frame, .sent = sent}); !added)
+            return added;
+        return ++frames_ % kFramesOfBatch == 0 ? writer_->commit() : Status(Done{});
+    }
+
+    Status addScene(const Measurement& measurement)
+    {
+        return add(SceneRow{.id = ++report_.scenes, .time = last_, .measurement = measurement});
+    }
+
+    // Lines of telemetry.
+
+    Status importLines(Recording& recording)
+    {
+        auto series = readSeries(recording, mapping_, robot_);
+        if (!series) return series.error();
+        report_.remarks = series->remarks;
+        const std::vector<TelemetryLine> lines = telemetryLines(*series, mapping_);
+        if (lines.empty())
+            return fileError(
+                options_.file,
+                fmt::format("has no time at which pitch and all four flipper angles are "
+                            "known; their messages are more than {} s apart: raise "
+                            "max_gap_s under [time] of the mapping",
+                            mapping_.maxGap));
+        if (const Status begun = begin(lines.front().time); !begun) return begun;
+        if (!mapping_.of(Quantity::Activity))
+            if (const Status told = add(event(
+                    EventKind::Marker, "",
+                    TR_NOOP("core", "the recording does not say what the robot did: pressing, "
+                                    "driving and halting follow from its movement and currents")));
+                !told)
+                return told;
+        const std::vector<std::size_t> presses = standingPresses(lines, pressRule());
+        auto press = presses.begin();
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            const bool isScene = press != presses.end() && *press == i;
+            press += isScene ? 1 : 0;
+            if (const Status written = writeLine(lines[i], isScene); !written) return written;
+        }
+        report_.lines = lines.size();
+        return Done{};
+    }
+
+    /// Writes the frames that a robot sends for a line, and the scene as a console would capture it.
+    Status writeLine(const TelemetryLine& line, bool isScene)
+    {
+        last_ = line.time - begin_;
+        const RobotStatus status{.activity = line.measurement.activity,
+                                 .refusal = line.measurement.refusal};
+        std::vector<CanFrame> frames =
+            framesOf(sensorLineOf(line.measurement, robot_), counter_, lineExtent(robot_));
+        frames.insert(frames.begin(), frameOf(status, counter_));
+        ++counter_;
+        std::optional<Measurement> received;
+        for (const CanFrame& frame : frames) {
+            if (const Status added = addFrame(frame, false); !added) return added;
+            if (auto measured = listener_.receive(frame, secondsOf(last_))) received = measured;
+        }
+        return isScene && received ? addScene(*received) : Status(Done{});
+    }
+
+    // Frames of a bus.
+
+    Status importFrames(Recording& recording)
+    {
+        const auto presses = pressesOfFrames(recording);
+        if (!presses) return presses.error();
+        auto again = openRecording(options_.file, mapping_.csv);
+        if (!again) return again.error();
+        RecordedFrames frames(**again, *mapping_.frames);
+        auto press = presses->begin();
+        for (;;) {
+            const auto next = frames.next();
+            if (!next) return next.error();
+            if (!*next) break;
+            const RecordedFrame& frame = **next;
+            if (!writer_)
+                if (const Status begun = begin(frame.time); !begun) return begun;
+            last_ = std::max(last_, frame.time - begin_);
+            if (const Status added = addFrame(frame.frame, frame.sent); !added) return added;
+            if (frame.sent) continue;
+            const auto measured = listener_.receive(frame.frame, secondsOf(last_));
+            if (!measured) continue;
+            const bool isScene = press != presses->end() && *press == report_.lines;
+            press += isScene ? 1 : 0;
+            ++report_.lines;
+            if (isScene)
+                if (const Status added = addScene(*measured); !added) return added;
+        }
+        if (!writer_) return fileError(options_.file, frames.emptiness());
+        if (frames.falls() > 0)
+            report_.remarks.push_back(fmt::format(
+                "topic {}: {} frames come before the frame ahead of them; they have its time",
+                printable(mapping_.frames->topic), frames.falls()));
+        return Done{};
+    }
+
+    /// Reads all frames once. Returns the lines of telemetry that become scenes.
+    Result<std::vector<std::size_t>> pressesOfFrames(Recording& recording) const
+    {
+        RecordedFrames frames(recording, *mapping_.frames);
+        TelemetryListener listener(robot_);
+        std::vector<TelemetryLine> lines;
+        std::int64_t first = 0, last = 0;
+        for (bool isFirst = true;; isFirst = false) {
+            const auto next = frames.next();
+            if (!next) return next.error();
+            if (!*next) break;
+            if (isFirst) first = (*next)->time;
+            last = std::max(last, (*next)->time - first);
+            if ((*next)->sent) continue;
+            if (auto measured = listener.receive((*next)->frame, secondsOf(last)))
+                lines.push_back({last, std::move(*measured)});
+            if (lines.size() > kMaxSamples / 10)
+                return fileError(options_.file,
+                                 fmt::format("has more than {} lines of telemetry; cut it into "
+                                             "shorter files",
+                                             kMaxSamples / 10));
+        }
+        return standingPresses(lines, pressRule());
+    }
+
+    const RecordingImport& options_;
+    Mapping mapping_;
+    RobotModel robot_;
+    std::string robotText_;
+    TelemetryListener listener_;
+    ImportedSession report_;
+    std::optional<SessionWriter> writer_;
+    std::int64_t begin_ = 0, frames_ = 0, events_ = 0;
+    SessionTime last_ = 0;
+    std::uint8_t counter_ = 0;
+};
+
+}  // namespace
+
+Result<ImportedSession> importRecording(const RecordingImport& options)
+{
+    auto robotText = readFile(options.robot, kMaxRobotFile);
+    if (!robotText) return robotText.error();
+    auto robot = robotModelFrom(options.robot, *robotText);
+    if (!robot) return robot.error();
+    auto mapping = readMapping(options.mapping);
+    if (!mapping) return mapping.error();
+    RecordingImporter importer(options, std::move(*mapping), std::move(*robot),
+                               std::move(*robotText));
+    auto done = importer.run();
+    if (!done && importer.began()) removeUnfinishedSession(options.out);
+    return done;
+}
+
+}  // namespace terratact

@@ -1,0 +1,177 @@
+// Tests sessions made of recordings: the round trip of our own exports, and bad input.
+#include "app/recording/recording_import.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/log/review_moment.h"
+#include "core/wire/telemetry_listener.h"
+#include "tests/support/csv_mapping.h"
+#include "tests/support/session_files.h"
+
+namespace terratact {
+namespace {
+
+constexpr const char* kDemo = TERRATACT_SOURCE_DIR "/resources/sessions/demo.tts";
+constexpr const char* kShippedRobotFile = TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml";
+
+std::string shippedMapping(const std::string& name)
+{
+    return TERRATACT_SOURCE_DIR "/resources/mappings/" + name + ".toml";
+}
+
+struct ImportedSessions : SessionFiles {
+    std::vector<FrameRow> framesOfSession(const std::string& path)
+    {
+        auto reader = SessionReader::open(path);
+        EXPECT_TRUE(reader) << reader.error().text;
+        std::vector<FrameRow> rows;
+        for (std::size_t batch = 0; batch < reader->batches().size(); ++batch)
+            for (const FrameRow& row : reader->frames(batch)) rows.push_back(row);
+        return rows;
+    }
+
+    std::vector<Measurement> linesOfSession(const std::string& path)
+    {
+        TelemetryListener listener(shippedRobot());
+        std::vector<Measurement> lines;
+        for (const FrameRow& row : framesOfSession(path))
+            if (!row.sent)
+                if (auto m = listener.receive(row.frame, secondsOf(row.time))) lines.push_back(*m);
+        return lines;
+    }
+
+    Result<ImportedSession> imported(const std::string& file, const std::string& mapping,
+                                     const std::string& out)
+    {
+        return importRecording({.file = file,
+                                .mapping = mapping,
+                                .robot = kShippedRobotFile,
+                                .out = directory.file(out)});
+    }
+
+    std::string whyNot(const std::string& content, const std::string& mapping)
+    {
+        const auto done = imported(directory.write("bad", content),
+                                   directory.write("m.toml", mapping), "bad.tts");
+        EXPECT_EQ(directory.entries(), (std::set<std::string>{"bad", "m.toml"}))
+            << "nothing is left";
+        return done ? "" : done.error().text;
+    }
+};
+
+TEST_F(ImportedSessions, framesComeBackBitForBit)
+{
+    exported(kDemo, "demo.mcap");
+    const auto done =
+        imported(directory.file("demo.mcap"), shippedMapping("terratact"), "back.tts");
+    ASSERT_TRUE(done) << done.error().text;
+    EXPECT_TRUE(done->remarks.empty());
+    const auto before = framesOfSession(kDemo), after = framesOfSession(directory.file("back.tts"));
+    ASSERT_EQ(after.size(), before.size());
+    const SessionTime shift = before.front().time;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        ASSERT_EQ(after[i].frame, before[i].frame) << i;
+        ASSERT_EQ(after[i].sent, before[i].sent) << i;
+        ASSERT_EQ(after[i].time, before[i].time - shift) << i;
+    }
+    EXPECT_EQ(done->scenes, 1) << "the robot pressed once";
+    auto reader = SessionReader::open(directory.file("back.tts"));
+    EXPECT_FALSE(reader->verify().broken);
+    EXPECT_TRUE(reader->sealed());
+}
+
+TEST_F(ImportedSessions, signalsLoseNothingOfTheTelemetry)
+{
+    exported(kDemo, "demo.mcap", ExportKind::Signals);
+    const auto done =
+        imported(directory.file("demo.mcap"), shippedMapping("terratact_signals"), "back.tts");
+    ASSERT_TRUE(done) << done.error().text;
+    EXPECT_TRUE(done->remarks.empty()) << done->remarks.front();
+    auto before = linesOfSession(kDemo);
+    const auto after = linesOfSession(directory.file("back.tts"));
+    ASSERT_EQ(after.size(), before.size());
+    const double begin = before.front().time;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        Measurement& a = before[i];
+        const Measurement& b = after[i];
+        EXPECT_NEAR(b.time, a.time - begin, 1e-8) << i;
+        // A voltage below that of the bias is no force, so that it comes back as the bias.
+        for (std::size_t e = 0; e < kForceElements; ++e) {
+            EXPECT_NEAR(*a.sides.left[e], *b.sides.left[e], 1e-3) << i;
+            EXPECT_NEAR(*a.sides.right[e], *b.sides.right[e], 1e-3) << i;
+        }
+        a.time = b.time;
+        a.sides = b.sides;
+        a.force = b.force;
+        a.arm = b.arm;  // not a signal of the export
+        ASSERT_EQ(a, b) << i;
+    }
+}
+
+TEST_F(ImportedSessions, csvBecomesASessionWithScenes)
+{
+    std::string rows = fmt::format("t,{},front_current,s\n", kPoseColumns);
+    for (int i = 0; i < 100; ++i) {
+        const bool presses = i >= 50;
+        rows +=
+            fmt::format("{},{},0.2,0.2,0.1,0.1,{},{}\n", 0.05 * i, presses ? 0.1 : 0.05 * (i % 2),
+                        presses ? 2.0 : 0.0, presses ? 1.0 : 0.02 * i);
+    }
+    std::string more;
+    for (const char* const side : {"left", "right"})
+        more += fmt::format("[front_{}_current]\nfield = \"front_current\"\n", side);
+    more += "[travelled]\nfield = \"s\"\n";
+    const std::string out = directory.file("a.tts");
+    const auto done = imported(directory.write("a.csv", rows),
+                               directory.write("m.toml", csvMapping(more)), "a.tts");
+    ASSERT_TRUE(done) << done.error().text;
+    EXPECT_EQ(done->lines, 100U);
+    EXPECT_EQ(done->scenes, 1);
+    auto reader = SessionReader::open(out);
+    ASSERT_TRUE(reader);
+    const Measurement& scene = reader->scenes().at(0).measurement;
+    EXPECT_NEAR(scene.pitch, 0.1, 1e-4);
+    EXPECT_EQ(scene.activity, RobotActivity::Pressed);
+    EXPECT_FALSE(scene.missing[kFrontCurrentFeature]);
+    EXPECT_TRUE(scene.missing[kRearCurrentFeature]);
+    EXPECT_TRUE(scene.missing[kFirstForceFeature]);
+    ReviewMoments moments(*reader, shippedRobot());
+    const ReviewMoment moment = moments.at(2'000'000'000);
+    ASSERT_TRUE(moment.measurement);
+    EXPECT_EQ(moment.measurement->activity, RobotActivity::Driving);
+    EXPECT_TRUE(moment.linkAlive);
+}
+
+TEST_F(ImportedSessions, badInputLeavesNothing)
+{
+    EXPECT_NE(whyNot("t,pitch\n0,1\n", csvMapping()).find("has the field 'front_left'"),
+              std::string::npos);
+    const std::string head = fmt::format("t,{}\n", kPoseColumns);
+    EXPECT_NE(whyNot(head + "-5,0,0,0,0,0\n", csvMapping()).find("begins at -5.000 s since 1970"),
+              std::string::npos);
+    EXPECT_NE(whyNot(head + "0,0,0,0,0,0\n1,x,0,0,0,0\ny,0,0,0,0,0\n", csvMapping()).find("line 4"),
+              std::string::npos);
+    EXPECT_NE(whyNot(head + "0,0,0,0,0,0\n", "name = \"f\"\n[frames]\ntopic = \"/can\"\n")
+                  .find("holds no message of topic /can"),
+              std::string::npos);
+    EXPECT_NE(whyNot("id,length,data,t\n5000,8,1,0\n", "name = \"f\"\n[frames]\ntopic = \"/csv\"\n")
+                  .find("the field 'id' of the message at 2 is not an identifier"),
+              std::string::npos);
+    EXPECT_NE(whyNot("", csvMapping()).find("is empty"), std::string::npos);
+}
+
+TEST_F(ImportedSessions, anExistingSessionIsKept)
+{
+    const std::string file =
+        directory.write("a.csv", fmt::format("t,{}\n0,0,0,0,0,0\n", kPoseColumns));
+    const std::string mapping = directory.write("m.toml", csvMapping());
+    directory.write("a.tts", "mine");
+    EXPECT_FALSE(imported(file, mapping, "a.tts"));
+    EXPECT_EQ(contentOf(directory.file("a.tts")), "mine");
+}
+
+}  // namespace
+}  // namespace terratact
