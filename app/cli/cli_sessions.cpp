@@ -173,7 +173,9 @@ void addImport(CLI::App& app, Job& job)
     auto* c = app.add_subcommand("import", "Make a session of a recording of another program: "
                                            "docs/import.md");
     const auto o = std::make_shared<ImportOptions>();
-    addInput(*c, "file", o->file, "Recording: MCAP, or CSV of a time series")->required();
+    addInput(*c, "file", o->file,
+             "Recording: MCAP, bag of ROS 1 (.bag) or ROS 2 (.db3), or CSV of a time series")
+        ->required();
     addInput(*c, "--mapping", o->mapping,
              "Mapping file (TOML): which field is which sensor; --probe proposes one");
     addRobot(*c, o->robot);

@@ -101,8 +101,11 @@ private:
         while (at <= text.size() && definitions_.size() < MessageSchema::kMaxStructs) {
             const std::size_t end = std::min(text.find('\n', at), text.size());
             if (isSeparatorLine(withoutBlanks(text.substr(at, end - at)))) {
-                definitions_.try_emplace(name,
-                                         Definition{beginLine, text.substr(begin, at - begin)});
+                // Some writers begin the message itself with such a line, too.
+                const std::string_view part = text.substr(begin, at - begin);
+                const bool isNothing =
+                    begin == 0 && part.find_first_not_of(" \t\r\n") == std::string_view::npos;
+                if (!isNothing) definitions_.try_emplace(name, Definition{beginLine, part});
                 at = std::min(end + 1, text.size());
                 const std::size_t next = std::min(text.find('\n', at), text.size());
                 std::string_view head = withoutBlanks(text.substr(at, next - at));

@@ -6,7 +6,9 @@
 #include <fstream>
 #include <utility>
 
+#include "core/bags/bag_recording.h"
 #include "core/bags/csv_recording.h"
+#include "core/bags/db3_recording.h"
 #include "core/bags/mcap_recording.h"
 #include "core/base/text.h"
 #include "core/store/file_read.h"
@@ -47,6 +49,8 @@ Result<std::unique_ptr<Recording>> openRecording(const std::string& path, const 
     const std::string_view begins(head.data(), static_cast<std::size_t>(file.gcount()));
     file.close();
     if (begins.starts_with(kMcapMagic)) return openMcap(path);
+    if (begins.starts_with(kBagMagic)) return openBag(path);
+    if (begins.starts_with("SQLite format 3")) return openDb3(path);
     return openCsvRecording(path, csv);
 }
 

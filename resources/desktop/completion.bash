@@ -152,7 +152,7 @@ _terratact_argument() {
     session) _terratact_words info verify recover export scenes report merge what-if import ;;
     "session import") _terratact_files log asc trc csv gz ;;
     "session "*) _terratact_files tts ;;
-    import) _terratact_files mcap csv ;;
+    import) _terratact_files mcap bag db3 csv ;;
     "model "*) _terratact_files ttm ;;
     "panel check") _terratact_files toml ;;
     "can check") _terratact_files log asc trc csv gz && _terratact_buses ;;

@@ -153,6 +153,10 @@ TEST(MessageSchema, refusalsNameTypeAndLine)
     for (std::size_t i = 0; i <= MessageSchema::kMaxFields; ++i) many += "bool a\n";
     EXPECT_NE(whyNot(many), "");
     EXPECT_EQ(whyNot("time t\nduration d\n", Dialect::Ros1), "");
+    const auto headed =
+        MessageSchema::parse("p/msg/T", "===\nMSG: p/T\nfloat64 a\n", Dialect::Ros2);
+    ASSERT_TRUE(headed);
+    EXPECT_EQ(headed->structs.at(0).fields.size(), 1U) << "the message itself has a head";
 }
 
 TEST(KnownMessages, allCanBeParsedAndAreOfRos2)

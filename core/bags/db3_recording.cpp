@@ -1,0 +1,125 @@
+#include "core/bags/db3_recording.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <utility>
+
+#include "core/bags/decompress.h"
+#include "core/base/text.h"
+#include "core/store/content_kind.h"
+#include "core/store/file_read.h"
+#include "core/store/sqlite.h"
+
+namespace terratact {
+namespace {
+
+/// A definition of message_definitions.
+struct StoredDefinition {
+    std::string encoding, text;
+};
+
+bool hasTable(SqliteFile& file, const char* name)
+{
+    SqliteStatement query =
+        file.prepare("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name = ?");
+    query.bind(0, name);
+    return query.step() && query.integer(0) == 1;
+}
+
+std::map<std::string, StoredDefinition> definitionsOf(SqliteFile& file)
+{
+    std::map<std::string, StoredDefinition> all;
+    if (!hasTable(file, "message_definitions")) return all;
+    SqliteStatement rows = file.prepare(
+        "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions");
+    while (rows.step() && all.size() < MessageSchema::kMaxStructs)
+        all[rows.text(0)] = {.encoding = rows.text(1), .text = rows.text(2)};
+    return all;
+}
+
+class Db3Recording final : public Recording {
+public:
+    Db3Recording(const std::string& path, SqliteFile file) : Recording(path), file_(std::move(file))
+    {
+        const auto definitions = definitionsOf(file_);
+        SqliteStatement rows =
+            file_.prepare("SELECT id, name, type, serialization_format FROM topics ORDER BY id");
+        while (rows.step() && topics_.size() < kMaxTopics) {
+            RecordedTopic topic{
+                .name = rows.text(1), .type = rows.text(2), .encoding = rows.text(3)};
+            if (const auto found = definitions.find(topic.type); found != definitions.end()) {
+                topic.schemaEncoding = found->second.encoding;
+                topic.schema = found->second.text;
+            }
+            topicOf_[rows.integer(0)] = topics_.size();
+            topics_.push_back(std::move(topic));
+        }
+        messages_ = std::make_unique<SqliteStatement>(
+            file_.prepare("SELECT id, topic_id, timestamp, data FROM messages"));
+    }
+
+    std::string_view format() const override { return "ROS 2 bag (SQLite)"; }
+
+    Result<bool> next(RecordedMessage& message) override
+    {
+        while (!ended_) {
+            try {
+                if (++steps_ % kStepsPerGrant == 0) file_.grantSteps();
+                if (!messages_->step()) break;
+                row_ = static_cast<std::uint64_t>(messages_->integer(0));
+                const auto topic = topicOf_.find(messages_->integer(1));
+                if (topic == topicOf_.end()) {
+                    remark(fmt::format("row {} of messages is of no topic; it is left out", row_));
+                    continue;
+                }
+                if (!isSelected(topics_[topic->second])) continue;
+                data_ = messages_->blob(3);
+                message = {.topic = topic->second,
+                           .time = messages_->integer(2),
+                           .offset = row_,
+                           .data = data_};
+                return true;
+            } catch (const SqliteError& error) {
+                remark(
+                    fmt::format("is damaged behind row {} of messages: {}; it was read up to there",
+                                row_, error.what()));
+                break;
+            }
+        }
+        ended_ = true;
+        return false;
+    }
+
+private:
+    static constexpr std::uint64_t kStepsPerGrant = 100;
+
+    SqliteFile file_;
+    std::unique_ptr<SqliteStatement> messages_;
+    std::map<std::int64_t, std::size_t> topicOf_;  ///< by id
+    std::string data_;
+    std::uint64_t steps_ = 0, row_ = 0;
+    bool ended_ = false;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Recording>> openDb3(const std::string& path)
+{
+    if (contentKindOfFile(path) == ContentKind::Session)
+        return fileError(path, "is a recorded session already; open it in the review");
+    try {
+        SqliteFile file = SqliteFile::openLog(path, static_cast<int>(kMaxChunkBytes));
+        for (const char* const table : {"topics", "messages"})
+            if (!hasTable(file, table))
+                return fileError(path,
+                                 fmt::format("has no table {}, expected a bag of rosbag2", table));
+        return std::unique_ptr<Recording>(std::make_unique<Db3Recording>(path, std::move(file)));
+    } catch (const SqliteError& error) {
+        return fileError(path,
+                         Message::joined(Message::verbatim("cannot be read as a bag of rosbag2"),
+                                         error.message()));
+    }
+}
+
+}  // namespace terratact

@@ -1,0 +1,114 @@
+// Tests the reader of ROS 1 bags on files written from the description of the format.
+#include "core/bags/bag_recording.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/support/bag_bytes.h"
+#include "tests/support/temporary_directory.h"
+
+namespace terratact {
+namespace {
+
+struct BagFiles : testing::Test {
+    struct Found {
+        std::vector<std::string> messages;  ///< "topic time value"
+        std::vector<std::string> remarks;
+    };
+
+    Found read(const std::string& content, std::optional<std::set<std::string>> topics = {})
+    {
+        auto recording = openRecording(directory.write("a.bag", content));
+        EXPECT_TRUE(recording) << recording.error().text;
+        if (!recording) return {};
+        if (topics) (*recording)->select(*topics);
+        Found found;
+        for (RecordedMessage message;;) {
+            const auto more = (*recording)->next(message);
+            EXPECT_TRUE(more);
+            if (!more || !*more) break;
+            const auto value = (*recording)->decode(message);
+            EXPECT_TRUE(value) << value.error().text;
+            found.messages.push_back(
+                (*recording)->topics()[message.topic].name + " " + std::to_string(message.time)
+                + " " + std::to_string(value ? numberAt(*value, "data").value_or(-1.0) : -2.0));
+        }
+        found.remarks = (*recording)->consumeRemarks();
+        return found;
+    }
+
+    static std::string number(double value) { return MessageBytes::ros1().add(value).bytes(); }
+
+    static BagBytes someMessages()
+    {
+        BagBytes bag;
+        bag.connection(0, "/a", "std_msgs/Float64", "float64 data\n")
+            .connection(1, "/b", "std_msgs/Float64", "float64 data\n");
+        bag.message(0, 5, 1, number(1.5)).message(1, 7, 0, number(2.5));
+        return bag;
+    }
+
+    const std::vector<std::string> all{"/a 5000000001 1.500000", "/b 7000000000 2.500000"};
+    TemporaryDirectory directory;
+};
+
+TEST_F(BagFiles, chunksOfEveryCompressionAreRead)
+{
+    for (const char* const method : {"none", "bz2", "lz4"}) {
+        const Found found = read(someMessages().chunk(method).index({0, 1}).bytes());
+        EXPECT_EQ(found.messages, all) << method;
+        EXPECT_TRUE(found.remarks.empty()) << method;
+    }
+    EXPECT_EQ(read(someMessages().bytes()).messages, all) << "no chunk, no index";
+}
+
+TEST_F(BagFiles, theIndexSkipsChunks)
+{
+    // The index claims that the chunk has only /a: a reader of /b trusts it.
+    const std::string bag = someMessages().chunk("bz2").index({0}).bytes();
+    EXPECT_TRUE(read(bag, {{"/b"}}).messages.empty());
+    EXPECT_EQ(read(bag, {{"/a"}}).messages, std::vector<std::string>{all[0]});
+    const auto recording = openRecording(directory.write("b.bag", bag));
+    EXPECT_EQ((*recording)->topics().at(0).messages, 1U);
+}
+
+TEST_F(BagFiles, aTornFileIsReadAsFarAsItGoes)
+{
+    const std::string one = someMessages().chunk("lz4").bytes();
+    const std::string two = someMessages().chunk("lz4").message(0, 9, 0, number(9.0)).bytes();
+    for (std::size_t n = one.size(); n < two.size(); ++n) {
+        const Found found = read(two.substr(0, n));
+        EXPECT_EQ(found.messages, all) << n;
+        EXPECT_EQ(found.remarks.size(), n == one.size() ? 1U : 2U) << "no index; the cut record";
+    }
+    EXPECT_EQ(read(two).messages.size(), 3U);
+    const std::string indexed = someMessages().chunk("bz2").index({0, 1}).bytes();
+    for (std::size_t n = one.size(); n < indexed.size(); n += 7) read(indexed.substr(0, n));
+}
+
+TEST_F(BagFiles, damagedChunksAndMessagesAreLeftOut)
+{
+    const Found unknown = read(someMessages().chunk("zip").bytes());
+    EXPECT_TRUE(unknown.messages.empty());
+    EXPECT_NE(unknown.remarks.back().find(
+                  "has the compression 'zip', expected none, lz4, zstd or bz2; it is left out"),
+              std::string::npos);
+    BagBytes stray = someMessages();
+    EXPECT_EQ(read(stray.message(77, 1, 0, "x").bytes()).messages, all);
+    auto huge = MessageBytes::ros1();
+    huge.add(0xFFFFFFFFU);
+    EXPECT_EQ(read(someMessages().bytes() + huge.bytes()).messages, all);
+}
+
+TEST_F(BagFiles, otherVersionsAreNamed)
+{
+    const auto opened = openRecording(directory.write("a.bag", "#ROSBAG V1.2\nfoo"));
+    ASSERT_FALSE(opened);
+    EXPECT_NE(opened.error().text.find("is a ROS bag of another version, expected 2.0"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace terratact
