@@ -148,11 +148,12 @@ private:
             || topics_.size() >= kMaxTopics)
             return;
         const BagFields about(record.data);
-        RecordedTopic topic{.name = fields.text("topic"),
-                            .type = about.text("type"),
-                            .encoding = "ros1",
-                            .schemaEncoding = "ros1msg",
-                            .schema = about.text("message_definition")};
+        RecordedTopic topic{
+            .name = fields.text("topic"),
+            .type = about.text("type"),
+            .encoding = "ros1",
+            .schemaEncoding = "ros1msg",
+            .schema = std::make_shared<const std::string>(about.text("message_definition"))};
         topicOf_[*id] = topics_.size();
         topics_.push_back(std::move(topic));
     }

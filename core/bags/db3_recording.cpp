@@ -16,7 +16,8 @@ namespace {
 
 /// A definition of message_definitions.
 struct StoredDefinition {
-    std::string encoding, text;
+    std::string encoding;
+    std::shared_ptr<const std::string> text;
 };
 
 bool hasTable(SqliteFile& file, const char* name)
@@ -34,7 +35,8 @@ std::map<std::string, StoredDefinition> definitionsOf(SqliteFile& file)
     SqliteStatement rows = file.prepare(
         "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions");
     while (rows.step() && all.size() < MessageSchema::kMaxStructs)
-        all[rows.text(0)] = {.encoding = rows.text(1), .text = rows.text(2)};
+        all[rows.text(0)] = {.encoding = rows.text(1),
+                             .text = std::make_shared<const std::string>(rows.text(2))};
     return all;
 }
 
@@ -60,6 +62,7 @@ public:
     }
 
     std::string_view format() const override { return "ROS 2 bag (SQLite)"; }
+    std::string_view offsetUnit() const override { return "row"; }
 
     Result<bool> next(RecordedMessage& message) override
     {

@@ -16,25 +16,39 @@ namespace {
 
 using Piece = std::array<char, std::size_t{64} * 1024>;
 
-/// Adds what came out of one step. Returns false if that is too much.
-bool addPiece(std::string& into, const char* piece, std::size_t size)
-{
-    if (size > kMaxChunkBytes - into.size()) return false;
-    into.append(piece, size);
-    return true;
-}
+/// What came out, and how much may.
+class Expanded {
+public:
+    Expanded(std::string& into, std::size_t packed)
+        : into_(into),
+          most_(std::min(kMaxChunkBytes, std::max(kSmallChunkBytes, kMaxExpansion * packed)))
+    {
+    }
 
-Error tooLarge()
-{
-    return Error{fmt::format("is larger than {} bytes, decompressed", kMaxChunkBytes)};
-}
+    /// Adds what came out of one step. Returns false if that is too much.
+    bool add(const char* piece, std::size_t size)
+    {
+        if (size > most_ - into_.size()) return false;
+        into_.append(piece, size);
+        return true;
+    }
+
+    Error tooLarge() const
+    {
+        return Error{fmt::format("is larger than {} bytes, decompressed", most_)};
+    }
+
+private:
+    std::string& into_;
+    std::size_t most_;
+};
 
 Error cutChunk(std::string_view method)
 {
     return Error{fmt::format("ends within its {} bytes", method)};
 }
 
-Status fromLz4(std::string_view bytes, std::string& into)
+Status fromLz4(std::string_view bytes, Expanded& into)
 {
     LZ4F_dctx* raw = nullptr;
     if (LZ4F_isError(LZ4F_createDecompressionContext(&raw, LZ4F_VERSION)) != 0)
@@ -49,7 +63,7 @@ Status fromLz4(std::string_view bytes, std::string& into)
                                  nullptr);
         if (LZ4F_isError(wanted) != 0)
             return Error{fmt::format("is no LZ4: {}", LZ4F_getErrorName(wanted))};
-        if (!addPiece(into, piece->data(), produced)) return tooLarge();
+        if (!into.add(piece->data(), produced)) return into.tooLarge();
         bytes.remove_prefix(consumed);
         if (consumed == 0 && produced == 0) break;
     }
@@ -59,17 +73,18 @@ Status fromLz4(std::string_view bytes, std::string& into)
         wanted =
             LZ4F_decompress(context.get(), piece->data(), &produced, nullptr, &consumed, nullptr);
         if (LZ4F_isError(wanted) != 0 || produced == 0) return cutChunk("LZ4");
-        if (!addPiece(into, piece->data(), produced)) return tooLarge();
+        if (!into.add(piece->data(), produced)) return into.tooLarge();
     }
     return Done{};
 }
 
-Status fromZstd(std::string_view bytes, std::string& into)
+Status fromZstd(std::string_view bytes, Expanded& into)
 {
     const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(),
                                                                           ZSTD_freeDCtx);
     if (!context) throw std::bad_alloc();
-    constexpr int kMaxWindow = 26;  // 2^26 bytes: kMaxChunkBytes
+    // The library allocates the window that a frame declares. 2^24 bytes: kSmallChunkBytes.
+    constexpr int kMaxWindow = 24;
     ZSTD_DCtx_setParameter(context.get(), ZSTD_d_windowLogMax, kMaxWindow);
     const auto piece = std::make_unique<Piece>();
     ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
@@ -78,14 +93,14 @@ Status fromZstd(std::string_view bytes, std::string& into)
         const std::size_t wanted = ZSTD_decompressStream(context.get(), &out, &in);
         if (ZSTD_isError(wanted) != 0)
             return Error{fmt::format("is no Zstandard: {}", ZSTD_getErrorName(wanted))};
-        if (!addPiece(into, piece->data(), out.pos)) return tooLarge();
+        if (!into.add(piece->data(), out.pos)) return into.tooLarge();
         const bool isAll = in.pos == in.size && out.pos < out.size;
         if (isAll && wanted == 0) return Done{};
         if (isAll) return cutChunk("Zstandard");
     }
 }
 
-Status fromBzip2(std::string_view bytes, std::string& into)
+Status fromBzip2(std::string_view bytes, Expanded& into)
 {
     bz_stream stream{};
     if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) throw std::bad_alloc();
@@ -99,7 +114,7 @@ Status fromBzip2(std::string_view bytes, std::string& into)
         stream.avail_out = static_cast<unsigned>(piece->size());
         const int state = BZ2_bzDecompress(&stream);
         const std::size_t produced = piece->size() - stream.avail_out;
-        if (!addPiece(into, piece->data(), produced)) return tooLarge();
+        if (!into.add(piece->data(), produced)) return into.tooLarge();
         if (state == BZ_STREAM_END) return Done{};
         if (state != BZ_OK) return Error{"is no bzip2"};
         if (stream.avail_in == 0 && produced == 0) return cutChunk("bzip2");
@@ -111,14 +126,15 @@ Status fromBzip2(std::string_view bytes, std::string& into)
 Status decompress(std::string_view method, std::string_view bytes, std::string& into)
 {
     into.clear();
-    if (bytes.size() > kMaxChunkBytes) return tooLarge();
+    Expanded out(into, bytes.size());
+    if (bytes.size() > kMaxChunkBytes) return out.tooLarge();
     if (method.empty() || method == "none") {
         into.assign(bytes);
         return Done{};
     }
-    if (method == "lz4") return fromLz4(bytes, into);
-    if (method == "zstd") return fromZstd(bytes, into);
-    if (method == "bz2") return fromBzip2(bytes, into);
+    if (method == "lz4") return fromLz4(bytes, out);
+    if (method == "zstd") return fromZstd(bytes, out);
+    if (method == "bz2") return fromBzip2(bytes, out);
     return Error{
         fmt::format("has the compression {}, expected none, lz4, zstd or bz2", shown(method))};
 }

@@ -34,7 +34,8 @@ constexpr std::uint64_t kFooter = kRecordHead + 20 + 8;          // with the mag
 constexpr std::uint64_t kMaxSummary = std::uint64_t{64} << 20U;  // bytes
 
 struct McapSchema {
-    std::string name, encoding, text;
+    std::string name, encoding;
+    std::shared_ptr<const std::string> text;
 };
 
 /// Place of a chunk and its channels, from the summary.
@@ -53,8 +54,8 @@ public:
         ByteCursor in(record);
         const auto id = in.number<std::uint16_t>();
         McapSchema schema{
-            .name = std::string(in.text()), .encoding = std::string(in.text()), .text{}};
-        schema.text = std::string(in.text());
+            .name = std::string(in.text()), .encoding = std::string(in.text()), .text = {}};
+        schema.text = std::make_shared<const std::string>(in.text());
         if (in.isValid() && schemas_.size() < kMost) schemas_.try_emplace(id, std::move(schema));
     }
 

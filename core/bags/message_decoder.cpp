@@ -10,40 +10,31 @@
 #include "core/base/text.h"
 
 namespace terratact {
-namespace {
-
-Error topicError(const RecordedTopic& topic, std::string_view cause)
-{
-    return Error{fmt::format("topic {}: {}", printable(topic.name), cause)};
-}
-
-}  // namespace
 
 Result<MessageDecoder> MessageDecoder::of(const RecordedTopic& topic)
 {
     if (topic.encoding == "json") return MessageDecoder(Encoding::Json);
     const bool isRos1 = topic.encoding == "ros1";
     if (!isRos1 && topic.encoding != "cdr")
-        return topicError(topic,
-                          fmt::format("its messages have the encoding {}, expected json, ros1 "
-                                      "or cdr; record or convert it with one of these",
-                                      shown(topic.encoding)));
+        return Error(fmt::format("its messages have the encoding {}, expected json, ros1 "
+                                 "or cdr; record or convert it with one of these",
+                                 shown(topic.encoding)));
     const char* const wanted = isRos1 ? "ros1msg" : "ros2msg";
-    std::string_view text = topic.schema;
+    std::string_view text;
+    if (topic.schema) text = *topic.schema;
     if (text.empty()) {
         text = knownDefinition(topic.type);
         if (text.empty())
-            return topicError(topic,
-                              fmt::format("the file lacks the definition of {}; record it again "
-                                          "with a newer program, or as MCAP",
-                                          printable(topic.type)));
+            return Error(fmt::format("the file lacks the definition of {}; record it again "
+                                     "with a newer program, or as MCAP",
+                                     printable(topic.type)));
     } else if (topic.schemaEncoding != wanted) {
-        return topicError(topic, fmt::format("its definition has the encoding {}, expected {}",
-                                             shown(topic.schemaEncoding), wanted));
+        return Error(fmt::format("its definition has the encoding {}, expected {}",
+                                 shown(topic.schemaEncoding), wanted));
     }
     auto schema = MessageSchema::parse(
         topic.type, text, isRos1 ? MessageSchema::Dialect::Ros1 : MessageSchema::Dialect::Ros2);
-    if (!schema) return topicError(topic, schema.error().text);
+    if (!schema) return schema.error();
     MessageDecoder decoder(isRos1 ? Encoding::Ros1 : Encoding::Cdr);
     decoder.schema_ = std::move(*schema);
     return decoder;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,14 +18,15 @@ struct RecordedTopic {
     std::string type{};            ///< "sensor_msgs/Imu"
     std::string encoding{};        ///< of its messages: "ros1", "cdr", "json", "csv", …
     std::string schemaEncoding{};  ///< "ros1msg", "ros2msg", "jsonschema", …
-    std::string schema{};          ///< definition of the messages
+    /// Definition of the messages, which several topics may share; null: the file has none.
+    std::shared_ptr<const std::string> schema{};
     std::optional<std::uint64_t> messages{};  ///< their number, if the file's index says it
 };
 
 /// Decodes the messages of one topic by the definition in the file.
 class MessageDecoder {
 public:
-    /// Errors name the topic and what was expected: the encoding is unknown, or the definition is
+    /// Errors state what was expected, without the topic: the encoding is unknown, or the definition is
     /// missing or cannot be parsed. A definition that is missing is replaced where the type is one of
     /// core/bags/known_messages.h.
     static Result<MessageDecoder> of(const RecordedTopic& topic);

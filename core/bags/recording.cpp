@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <utility>
@@ -27,18 +28,28 @@ std::vector<std::string> Recording::consumeRemarks()
     return std::exchange(remarks_, {});
 }
 
+const Result<MessageDecoder>& Recording::decoderOf(std::size_t topic)
+{
+    decoderOfTopic_.resize(std::max(decoderOfTopic_.size(), topics_.size()));
+    if (!decoderOfTopic_.at(topic)) {
+        const RecordedTopic& t = topics_[topic];
+        const DecoderKey key{t.type, t.encoding, t.schemaEncoding, t.schema.get()};
+        auto found = decoders_.find(key);
+        if (found == decoders_.end()) found = decoders_.emplace(key, MessageDecoder::of(t)).first;
+        decoderOfTopic_[topic] = &found->second;
+    }
+    return *decoderOfTopic_[topic];
+}
+
 Result<FieldValue> Recording::decode(const RecordedMessage& message)
 {
-    auto found = decoders_.find(message.topic);
-    if (found == decoders_.end())
-        found =
-            decoders_.emplace(message.topic, MessageDecoder::of(topics_.at(message.topic))).first;
-    if (!found->second) return fileError(path_, found->second.error().text);
-    auto value = found->second->decode(message.data);
+    const Result<MessageDecoder>& decoder = decoderOf(message.topic);
+    const std::string name = printable(topics_[message.topic].name);
+    if (!decoder) return fileError(path_, fmt::format("topic {}: {}", name, decoder.error().text));
+    auto value = decoder->decode(message.data);
     if (value) return value;
-    return fileError(path_, fmt::format("topic {}: the message at byte {} {}",
-                                        printable(topics_[message.topic].name), message.offset,
-                                        value.error().text));
+    return fileError(path_, fmt::format("topic {}: the message at {} {} {}", name, offsetUnit(),
+                                        message.offset, value.error().text));
 }
 
 Result<std::unique_ptr<Recording>> openRecording(const std::string& path, const CsvTime& csv)

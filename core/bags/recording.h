@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "core/bags/message_decoder.h"
@@ -41,6 +42,8 @@ public:
 
     const std::string& path() const { return path_; }
     virtual std::string_view format() const = 0;  ///< "MCAP", "ROS 1 bag", …
+    /// Returns what RecordedMessage::offset counts.
+    virtual std::string_view offsetUnit() const { return "byte"; }
 
     /// Returns the topics found so far. Files without an index name their topics among the messages.
     const std::vector<RecordedTopic>& topics() const { return topics_; }
@@ -76,7 +79,12 @@ private:
     std::optional<std::set<std::string>> selected_;
     std::vector<std::string> remarks_;
     std::size_t remarked_ = 0;
-    std::map<std::size_t, Result<MessageDecoder>> decoders_;  ///< by topic
+    /// What a decoder depends on: type, encodings and definition. Many topics may share one.
+    using DecoderKey = std::tuple<std::string, std::string, std::string, const std::string*>;
+    const Result<MessageDecoder>& decoderOf(std::size_t topic);
+
+    std::map<DecoderKey, Result<MessageDecoder>> decoders_;
+    std::vector<const Result<MessageDecoder>*> decoderOfTopic_;  ///< null: not used yet
 };
 
 /// Column with the time of each row of a CSV file.

@@ -3,8 +3,10 @@
 all_readers() yields (title, file, arguments of terratact) for files of about `size` bytes.
 """
 
+import bz2
 import gzip
 import pathlib
+import struct
 import subprocess
 
 FRAME = "(1793000000.000000) can0 123#00\n"
@@ -94,6 +96,49 @@ def toml_files(size, robot):
     }
 
 
+def mcap(*records):
+    """Returns an MCAP file without an index. records: (kind, content)."""
+    body = b"".join(struct.pack("<BQ", kind, len(content)) + content for kind, content in records)
+    return b"\x89MCAP0\r\n" + body
+
+
+def mcap_text(text):
+    return struct.pack("<I", len(text)) + text
+
+
+def mcap_channel(number, schema, encoding):
+    return 4, struct.pack("<HH", number, schema) + mcap_text(b"/t%d" % number) + mcap_text(encoding) + mcap_text(b"")
+
+
+def mcap_message(channel, data):
+    return 5, struct.pack("<HIQQ", channel, 0, 1, 1) + data
+
+
+def recordings(size):
+    def json(text):
+        return mcap(mcap_channel(1, 0, b"json"), mcap_message(1, text))
+
+    schema = (3, struct.pack("<H", 1) + mcap_text(b"p/T") + mcap_text(b"ros1msg") + mcap_text(b"bool a\n" * (size // 14)))
+    empties = (3, struct.pack("<H", 1) + mcap_text(b"p/T") + mcap_text(b"ros1msg") + mcap_text(b"E[] e\n===\nMSG: p/E\n"))
+    bomb = bz2.compress(b"\0" * 400 * size)
+    fields = b"".join(mcap_text(f) for f in (b"op=\x05", b"compression=bz2", b"size=" + struct.pack("<I", 400 * size)))
+    first = mcap_text(mcap_text(b"op=\x03") + mcap_text(b"index_pos=" + bytes(8))) + mcap_text(b"")
+    return {
+        "nested arrays.mcap": json(b"[" * 60_000),
+        "empty arrays.mcap": json(b"[" + b"[]," * 20_000 + b"[]]"),
+        "many members.mcap": json(b"{" + b",".join(b'"a%d":1' % i for i in range(6000)) + b"}"),
+        "many messages.mcap": mcap(mcap_channel(1, 0, b"json"), *[mcap_message(1, b"[1]")] * (size // 34)),
+        "channels with one definition.mcap": mcap(schema, *[mcap_channel(i, 1, b"ros1") for i in range(size // 60)],
+                                                  *[mcap_message(i, b"") for i in range(size // 120)]),
+        "elements without bytes.mcap": mcap(empties, mcap_channel(1, 1, b"ros1"), mcap_message(1, b"\xff\xff\xff\xff"))
+                                       + b"\0" * size,
+        "a chunk that declares 2^60 bytes.mcap": mcap((6, b"")) + struct.pack("<BQ", 6, 1 << 60),
+        "zeros in bzip2.bag": b"#ROSBAG V2.0\n" + first + (mcap_text(fields) + mcap_text(bomb)) * 20,
+        "many columns.csv": "t," + lines(size, lambda i: f"c{i},") + "\n" + "1," * 1000 + "\n",
+        "many rows.csv": "t,a\n" + lines(size, lambda i: f"{i},1\n"),
+    }
+
+
 def all_readers(folder, size, program, source):
     """Makes the files in the folder. program: terratact. source: the source tree."""
 
@@ -124,6 +169,9 @@ def all_readers(folder, size, program, source):
         path = written(name, content)
         yield f"log: {name}", path, ("can", "decode", path, "--summary")
         yield f"log to a session: {name}", path, ("session", "import", path, "--out", folder / f"{name}.tts")
+    for name, content in recordings(size).items():
+        path = written(name, content)
+        yield f"recording: {name}", path, ("import", path, "--probe")
     log = written("small.log", FRAME)
     for title, content in dbc_files(size).items():
         path = written("d.dbc", content)

@@ -122,8 +122,8 @@ TEST_F(McapFiles, sizesThatAreDeclaredCostNothing)
     std::string out;
     const Status refused = decompress("zstd", packed, out);
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().text.find("is larger than 67108864 bytes"), std::string::npos);
-    EXPECT_LE(out.size(), kMaxChunkBytes);
+    EXPECT_NE(refused.error().text.find("is larger than 16777216 bytes"), std::string::npos);
+    EXPECT_LE(out.size(), kSmallChunkBytes);
 }
 
 TEST_F(McapFiles, wrongDefinitionsNameFileTopicAndPlace)

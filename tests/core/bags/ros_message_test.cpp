@@ -173,16 +173,15 @@ TEST(KnownMessages, allCanBeParsedAndAreOfRos2)
     EXPECT_TRUE(knownDefinition("").empty());
 }
 
-TEST(MessageDecoder, refusalsNameTheTopic)
+TEST(MessageDecoder, refusalsSayWhatWasExpected)
 {
     const auto why = [](RecordedTopic topic) {
         const auto decoder = MessageDecoder::of(topic);
         return decoder ? "" : decoder.error().text;
     };
-    EXPECT_EQ(
-        why({.name = "/a", .encoding = "protobuf"}),
-        "topic /a: its messages have the encoding 'protobuf', expected json, ros1 or cdr; record "
-        "or convert it with one of these");
+    EXPECT_EQ(why({.name = "/a", .encoding = "protobuf"}),
+              "its messages have the encoding 'protobuf', expected json, ros1 or cdr; record "
+              "or convert it with one of these");
     EXPECT_NE(
         why({.name = "/a", .type = "x/Y", .encoding = "cdr"}).find("lacks the definition of x/Y"),
         std::string::npos);
@@ -190,7 +189,7 @@ TEST(MessageDecoder, refusalsNameTheTopic)
                    .type = "x/Y",
                    .encoding = "cdr",
                    .schemaEncoding = "ros2idl",
-                   .schema = "x"})
+                   .schema = std::make_shared<const std::string>("x")})
                   .find("expected ros2msg"),
               std::string::npos);
     EXPECT_EQ(why({.name = "/a", .type = "std_msgs/msg/Float64", .encoding = "cdr"}), "");
