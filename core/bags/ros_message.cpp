@@ -183,6 +183,7 @@ private:
     {
         const bool isSigned = field.type == FieldType::Duration;
         into.kind = FieldValue::Kind::Members;
+        into.parts.reserve(2);
         for (const char* const part : {"sec", "nsec"})
             into.parts.push_back(named(
                 part, FieldValue::of(number(isSigned ? FieldType::Int32 : FieldType::UInt32))));

@@ -21,7 +21,7 @@ struct ProposedField {
 };
 
 /// Returns a text in the quotes of TOML.
-std::string quoted(std::string_view text)
+std::string tomlText(std::string_view text)
 {
     std::string out = "\"";
     for (const char c : printable(text)) {
@@ -81,14 +81,14 @@ public:
     {
         text_ = fmt::format(
             "# Proposed from the names and types in the file: check each table.\nname = {}\n",
-            quoted(mappingName));
+            tomlText(mappingName));
     }
 
     std::string write()
     {
         if (const TopicSurvey* const frames = topicOfFrames()) {
             text_ += "\n# The frames are the telemetry; every other table would be ignored.\n";
-            text_ += fmt::format("[frames]\ntopic = {}\n", quoted(frames->topic.name));
+            text_ += fmt::format("[frames]\ntopic = {}\n", tomlText(frames->topic.name));
             if (frames->topic.type.ends_with("/Frame"))  // can_msgs
                 text_ += "extended = \"is_extended\"\nremote = \"is_rtr\"\nerror = \"is_error\"\n"
                          "length = \"dlc\"\n";
@@ -163,7 +163,7 @@ private:
         }
         text_ += fmt::format("\n[attitude]\ntopic = {}\nquaternion = \"orientation\"\n"
                              "mount_rpy_deg = [0.0, 0.0, 0.0]  # of the IMU in the base\n",
-                             quoted(imu->topic.name));
+                             tomlText(imu->topic.name));
         hasAttitude_ = true;
     }
 
@@ -183,8 +183,8 @@ private:
             return;
         }
         text_ += fmt::format("\n[{}]  # {:.4g} to {:.4g}\ntopic = {}\nfield = {}\n", name(quantity),
-                             place.field->least, place.field->most, quoted(place.topic->topic.name),
-                             quoted(place.field->path));
+                             place.field->least, place.field->most,
+                             tomlText(place.topic->topic.name), tomlText(place.field->path));
         if (isEffort(*place.field)) text_ += "unit = \"N m\"  # torque of one motor\n";
         constexpr double kMoreThanATurn = 6.3;
         const bool isAngle = quantity <= Quantity::RearRight;
@@ -201,7 +201,7 @@ private:
                     == survey.fields.end())
                     continue;
                 text_ += fmt::format("\n[{0}]\ntopic = {1}\nfield = \"{0}\"\n", table,
-                                     quoted(survey.topic.name));
+                                     tomlText(survey.topic.name));
                 break;
             }
     }
@@ -215,10 +215,10 @@ private:
         if (const TopicSurvey* const odometry = topicOfType("nav_msgs", "Odometry"))
             text_ += fmt::format("\n[odometry]\ntopic = {}\nposition = \"pose.pose.position\"\n"
                                  "orientation = \"pose.pose.orientation\"\n",
-                                 quoted(odometry->topic.name));
+                                 tomlText(odometry->topic.name));
         else if (const TopicSurvey* const twist = topicOfType("geometry_msgs", "TwistStamped"))
             text_ += fmt::format("\n[speed]\ntopic = {}\nfield = \"twist.linear.x\"\n",
-                                 quoted(twist->topic.name));
+                                 tomlText(twist->topic.name));
     }
 
     const std::vector<TopicSurvey>& topics_;
