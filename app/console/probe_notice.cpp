@@ -22,6 +22,7 @@ QString phaseWord(AtemPhase phase)
     case AtemPhase::Probing: return ProbeNotice::tr("probe");
     case AtemPhase::Presenting: return ProbeNotice::tr("result");
     case AtemPhase::Failed: return ProbeNotice::tr("failed");
+    case AtemPhase::Advancing: return ProbeNotice::tr("advancing");
     }
     return {};
 }

@@ -180,7 +180,8 @@ void Exploration::poll(AtemInput& in)
     case AtemPhase::EstimatingAgain:
     case AtemPhase::Presenting:
     case AtemPhase::Stopped:
-    case AtemPhase::Failed: break;
+    case AtemPhase::Failed:
+    case AtemPhase::Advancing: break;
     }
 }
 
@@ -312,6 +313,7 @@ void Exploration::enter(const AtemState& before)
             forget(TR_NOOP("terratact::Exploration", "No estimate: STOP is latched"));
         break;
     case AtemPhase::Failed: fail(); break;
+    case AtemPhase::Advancing: break;  // nothing requests it yet
     }
 }
 

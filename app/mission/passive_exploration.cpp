@@ -74,7 +74,8 @@ void PassiveExploration::enter(const AtemState& state, const Received& latest)
         break;
     case AtemPhase::Presenting:
     case AtemPhase::Halting:
-    case AtemPhase::ProposingProbe: break;
+    case AtemPhase::ProposingProbe:
+    case AtemPhase::Advancing: break;
     }
 }
 

@@ -47,7 +47,8 @@ bool isAtRest(const TerrainViewState& viewState)
     case AtemPhase::Estimating:
     case AtemPhase::ProposingProbe:
     case AtemPhase::Probing:
-    case AtemPhase::EstimatingAgain: return false;
+    case AtemPhase::EstimatingAgain:
+    case AtemPhase::Advancing: return false;
     }
     return false;
 }

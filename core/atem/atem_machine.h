@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/atem/loop_end.h"
 #include "core/base/message.h"
 #include "core/limits.h"
 
@@ -23,6 +24,14 @@ namespace terratact {
 ///   while exploring: a lost link, a disarmed robot, a time limit, a refusal, an error, a moved robot ▶ Failed.
 ///   an approval whose grounds have changed ▶ Failed.
 ///   Presenting and Failed: requested ▶ Halting.
+///
+/// Feel forward is the same as a loop, while the operator holds a control (dead-man):
+///
+///   Idle, Presenting, Failed ── loopRequested, held ──▶ Halting, Pressing, Estimating, Presenting
+///        Presenting ── nothing forbids it ──▶ Advancing ── advanced ──▶ Halting …
+///   A result that forbids the advance, or a proposed probe, ends the loop. The exploration goes on.
+///   Let go: Halting, Pressing and Advancing ▶ Idle. Elsewhere nothing moves, and only the loop ends.
+///   Each end of the loop has a reason: AtemState::loopEnd.
 enum class AtemPhase : std::uint8_t {
     Idle,             ///< nothing requested
     Halting,          ///< the robot is stopping
@@ -34,6 +43,7 @@ enum class AtemPhase : std::uint8_t {
     Presenting,       ///< the result is shown; the operator may drive on or ask again
     Stopped,          ///< STOP was pressed
     Failed,           ///< see AtemState::failure
+    Advancing,        ///< feel forward: the robot drives a short way, then halts
 };
 
 /// Reason why an exploration ended in Failed.
@@ -50,6 +60,10 @@ enum class AtemFailure : std::uint8_t {
     PoseChanged,
     ApprovalVoid,  ///< given for another scene, other settings or another model
     Disarmed,
+    AdvanceTimeout,
+    AdvanceRefused,
+    NotMoved,  ///< the tracks moved less than commanded
+    RanOn,     ///< the tracks moved further than commanded
 };
 
 struct AtemState {
@@ -60,6 +74,9 @@ struct AtemState {
     /// Approval expiry: the last proposal got no answer in time, which means no.
     bool approvalExpired = false;
     bool followed = false;  ///< another console commands the robot, see core/atem/following.h
+    bool loops = false;     ///< feel forward: the robot goes on by itself
+    /// Reason why the last feel forward ended; None: it goes on, or was never requested.
+    LoopEnd loopEnd = LoopEnd::None;
     bool operator==(const AtemState&) const = default;
 };
 
@@ -87,6 +104,19 @@ struct AtemInput {
     bool probeDone = false;
     bool probeRefused = false;
     bool poseChanged = false;  ///< the robot moved since the scene was captured
+
+    // Feel forward.
+    bool loopRequested = false;  ///< the operator has begun to hold the control
+    bool held = false;           ///< the operator holds it now
+    /// Reason that forbids an advance at this pose, see whyNotAdvancing(); None: nothing does.
+    LoopEnd forbids = LoopEnd::NoVerdict;
+    bool telemetryFresh = true;
+    bool advanced = false;        ///< the robot has moved as commanded, and stands still
+    bool advanceRefused = false;  ///< by the gate or by the robot
+    bool notMoved = false;
+    bool ranOn = false;
+    bool tilted = false;      ///< pitch or roll is beyond its limit
+    bool noOdometry = false;  ///< the odometry is missing
 };
 
 /// Time limits [s].
@@ -96,11 +126,13 @@ struct AtemLimits {
     double estimate = 30.0;
     double approval = kApprovalExpiry;
     double probe = 90.0;
+    double advance = 10.0;
 };
 
 /// Computes one tick of Algorithm 1 with faults and time limits. It has no clock, no I/O and no
 /// threads. Priorities within a tick: stop, abort, faults, success, time limit. A late approval
-/// counts as a refusal, and so does an approval together with a refusal. Throws
+/// counts as a refusal, and so does an approval together with a refusal. Letting go comes after abort.
+/// Throws
 /// std::invalid_argument unless in.now is finite.
 AtemState nextState(const AtemState& now, const AtemInput& in, const AtemLimits& limits);
 
@@ -108,7 +140,7 @@ AtemState nextState(const AtemState& now, const AtemInput& in, const AtemLimits&
 /// not.
 std::optional<double> deadline(const AtemState& state, const AtemLimits& limits);
 
-/// Returns true from Halting to EstimatingAgain: the robot is busy with an exploration.
+/// Returns true from Halting to EstimatingAgain, and in Advancing: the robot is busy.
 bool exploring(AtemPhase phase);
 
 /// Returns true if the robot may be driven by hand: no exploration runs and STOP is not latched.

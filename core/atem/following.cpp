@@ -70,7 +70,8 @@ AtemState nextFollowed(const AtemState& now, const FollowInput& in, const AtemLi
     case AtemPhase::Probing: return whenPresenting(now, in);
     case AtemPhase::Halting:
     case AtemPhase::Pressing:
-    case AtemPhase::ProposingProbe: return begin(AtemPhase::Idle, in);
+    case AtemPhase::ProposingProbe:
+    case AtemPhase::Advancing: return begin(AtemPhase::Idle, in);
     case AtemPhase::Idle:
     case AtemPhase::Stopped:
     case AtemPhase::Failed: return now;
@@ -81,7 +82,8 @@ AtemState nextFollowed(const AtemState& now, const FollowInput& in, const AtemLi
 SourceText describeFollowed(AtemPhase phase)
 {
     switch (phase) {
-    case AtemPhase::Idle: return TR_NOOP("core", "following: nothing is explored");
+    case AtemPhase::Idle:
+    case AtemPhase::Advancing: return TR_NOOP("core", "following: nothing is explored");
     case AtemPhase::Halting:
     case AtemPhase::Pressing: return TR_NOOP("core", "following: flippers go down");
     case AtemPhase::Estimating:

@@ -695,6 +695,10 @@
         <source>The proposed probe is void: F2 shows the reason</source>
         <translation>Navržená sonda neplatí: F2 ukáže důvod</translation>
     </message>
+    <message>
+        <source>advancing</source>
+        <translation>postupuje vpřed</translation>
+    </message>
 </context>
 <context>
     <name>RecordingDisplay</name>
@@ -4074,6 +4078,114 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     <message>
         <source>the recording does not say what the robot did: pressing, driving and halting follow from its movement and currents</source>
         <translation>záznam neříká, co robot dělal: tlak, jízda a stání plynou z jeho pohybu a proudů</translation>
+    </message>
+    <message>
+        <source>advancing</source>
+        <translation>postupuje vpřed</translation>
+    </message>
+    <message>
+        <source>the robot did not finish the advance in time</source>
+        <translation>robot nedokončil postup včas</translation>
+    </message>
+    <message>
+        <source>the advance was refused</source>
+        <translation>postup byl odmítnut</translation>
+    </message>
+    <message>
+        <source>the tracks moved less than the advance asked for</source>
+        <translation>pásy ujely méně, než postup žádal</translation>
+    </message>
+    <message>
+        <source>the tracks moved further than the advance asked for</source>
+        <translation>pásy ujely více, než postup žádal</translation>
+    </message>
+    <message>
+        <source>it goes on</source>
+        <translation>pokračuje</translation>
+    </message>
+    <message>
+        <source>the control was let go</source>
+        <translation>ovladač byl puštěn</translation>
+    </message>
+    <message>
+        <source>the operator ended it</source>
+        <translation>ukončila obsluha</translation>
+    </message>
+    <message>
+        <source>STOP was pressed</source>
+        <translation>bylo stisknuto STOP</translation>
+    </message>
+    <message>
+        <source>a fault</source>
+        <translation>porucha</translation>
+    </message>
+    <message>
+        <source>a probe would decide</source>
+        <translation>rozhodla by sonda</translation>
+    </message>
+    <message>
+        <source>telemetry is stale or was interrupted</source>
+        <translation>telemetrie je zastaralá nebo byla přerušena</translation>
+    </message>
+    <message>
+        <source>there is no verdict</source>
+        <translation>není žádný závěr</translation>
+    </message>
+    <message>
+        <source>a sensor is suspected</source>
+        <translation>některý senzor je podezřelý</translation>
+    </message>
+    <message>
+        <source>the readings contradict the estimate</source>
+        <translation>naměřené hodnoty odporují odhadu</translation>
+    </message>
+    <message>
+        <source>the verdict is withheld</source>
+        <translation>závěr je zadržen</translation>
+    </message>
+    <message>
+        <source>BLOCKED: there is a step ahead</source>
+        <translation>PŘEKÁŽKA: vpředu je schod</translation>
+    </message>
+    <message>
+        <source>the ground ahead is not felt</source>
+        <translation>terén vpředu není ohmatán</translation>
+    </message>
+    <message>
+        <source>the ground is felt less far than the flippers reach</source>
+        <translation>terén je ohmatán méně daleko, než dosahují flippery</translation>
+    </message>
+    <message>
+        <source>ground before the horizon is only bounded</source>
+        <translation>terén před horizontem je jen omezen</translation>
+    </message>
+    <message>
+        <source>CANNOT TELL: what was felt does not decide</source>
+        <translation>NELZE ŘÍCI: ohmatané nerozhoduje</translation>
+    </message>
+    <message>
+        <source>the ground is felt no further than the advance</source>
+        <translation>terén není ohmatán dál, než je postup</translation>
+    </message>
+    <message>
+        <source>pitch or roll is near its limit</source>
+        <translation>sklon nebo náklon je blízko meze</translation>
+    </message>
+    <message>
+        <source>nothing has been felt yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot has turned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reported way has jumped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the remembered ground was cleared</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -695,6 +695,10 @@
         <source>The proposed probe is void: F2 shows the reason</source>
         <translation>Die vorgeschlagene Sondierung ist ungültig: F2 zeigt den Grund</translation>
     </message>
+    <message>
+        <source>advancing</source>
+        <translation>rückt vor</translation>
+    </message>
 </context>
 <context>
     <name>RecordingDisplay</name>
@@ -4074,6 +4078,114 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     <message>
         <source>the recording does not say what the robot did: pressing, driving and halting follow from its movement and currents</source>
         <translation>die Aufzeichnung sagt nicht, was der Roboter tat: Drücken, Fahren und Halten folgen aus seiner Bewegung und den Strömen</translation>
+    </message>
+    <message>
+        <source>advancing</source>
+        <translation>rückt vor</translation>
+    </message>
+    <message>
+        <source>the robot did not finish the advance in time</source>
+        <translation>der Roboter ist nicht rechtzeitig vorgerückt</translation>
+    </message>
+    <message>
+        <source>the advance was refused</source>
+        <translation>das Vorrücken wurde abgelehnt</translation>
+    </message>
+    <message>
+        <source>the tracks moved less than the advance asked for</source>
+        <translation>die Ketten fuhren weniger weit als befohlen</translation>
+    </message>
+    <message>
+        <source>the tracks moved further than the advance asked for</source>
+        <translation>die Ketten fuhren weiter als befohlen</translation>
+    </message>
+    <message>
+        <source>it goes on</source>
+        <translation>es geht weiter</translation>
+    </message>
+    <message>
+        <source>the control was let go</source>
+        <translation>die Taste wurde losgelassen</translation>
+    </message>
+    <message>
+        <source>the operator ended it</source>
+        <translation>vom Bediener beendet</translation>
+    </message>
+    <message>
+        <source>STOP was pressed</source>
+        <translation>STOP wurde gedrückt</translation>
+    </message>
+    <message>
+        <source>a fault</source>
+        <translation>eine Störung</translation>
+    </message>
+    <message>
+        <source>a probe would decide</source>
+        <translation>eine Sondierung würde entscheiden</translation>
+    </message>
+    <message>
+        <source>telemetry is stale or was interrupted</source>
+        <translation>die Telemetrie ist veraltet oder war unterbrochen</translation>
+    </message>
+    <message>
+        <source>there is no verdict</source>
+        <translation>es gibt kein Urteil</translation>
+    </message>
+    <message>
+        <source>a sensor is suspected</source>
+        <translation>ein Sensor ist verdächtig</translation>
+    </message>
+    <message>
+        <source>the readings contradict the estimate</source>
+        <translation>die Messwerte widersprechen der Schätzung</translation>
+    </message>
+    <message>
+        <source>the verdict is withheld</source>
+        <translation>das Urteil wird zurückgehalten</translation>
+    </message>
+    <message>
+        <source>BLOCKED: there is a step ahead</source>
+        <translation>VERSPERRT: voraus ist eine Stufe</translation>
+    </message>
+    <message>
+        <source>the ground ahead is not felt</source>
+        <translation>der Boden voraus ist nicht ertastet</translation>
+    </message>
+    <message>
+        <source>the ground is felt less far than the flippers reach</source>
+        <translation>der Boden ist weniger weit ertastet, als die Flipper reichen</translation>
+    </message>
+    <message>
+        <source>ground before the horizon is only bounded</source>
+        <translation>Boden vor dem Horizont ist nur begrenzt</translation>
+    </message>
+    <message>
+        <source>CANNOT TELL: what was felt does not decide</source>
+        <translation>UNKLAR: das Ertastete entscheidet nicht</translation>
+    </message>
+    <message>
+        <source>the ground is felt no further than the advance</source>
+        <translation>der Boden ist nicht weiter ertastet als das Vorrücken</translation>
+    </message>
+    <message>
+        <source>pitch or roll is near its limit</source>
+        <translation>Neigung oder Rollwinkel ist nahe der Grenze</translation>
+    </message>
+    <message>
+        <source>nothing has been felt yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot has turned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reported way has jumped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the remembered ground was cleared</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

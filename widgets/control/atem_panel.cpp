@@ -34,6 +34,7 @@ Tone toneOf(AtemPhase phase)
     case AtemPhase::Estimating:
     case AtemPhase::Probing:
     case AtemPhase::EstimatingAgain:
+    case AtemPhase::Advancing:
     case AtemPhase::ProposingProbe: return Tone::Accent;
     case AtemPhase::Presenting: return Tone::Good;
     case AtemPhase::Stopped:

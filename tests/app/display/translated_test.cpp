@@ -13,6 +13,7 @@
 #include "core/atem/arming.h"
 #include "core/atem/command_gate.h"
 #include "core/atem/following.h"
+#include "core/atem/loop_end.h"
 #include "core/atem/panel.h"
 #include "core/infer/estimate/quality_preset.h"
 #include "core/infer/verdict/estimate_text.h"
@@ -44,8 +45,9 @@ void addAllTo(std::vector<Message>& messages, Enum last)
 std::vector<Message> coreMessages()
 {
     std::vector<Message> messages;
-    addAllTo(messages, AtemPhase::Failed);
-    addAllTo(messages, AtemFailure::Disarmed);
+    addAllTo(messages, AtemPhase::Advancing);
+    addAllTo(messages, AtemFailure::RanOn);
+    addAllTo(messages, LoopEnd::NoOdometry);
     addAllTo(messages, DisarmCause::EpochChanged);
     addAllTo(messages, GateRefusal::OtherBin);
     addAllTo(messages, WithholdReason::Contradiction);
@@ -55,7 +57,7 @@ std::vector<Message> coreMessages()
     addAllTo(messages, QualityPreset::Accurate);
     for (int i = 1; i <= static_cast<int>(ElementState::Short); ++i)  // Sound has no translation
         messages.emplace_back(describe(static_cast<ElementState>(i)));
-    for (int i = 0; i <= static_cast<int>(AtemPhase::Failed); ++i)
+    for (int i = 0; i <= static_cast<int>(AtemPhase::Advancing); ++i)
         messages.emplace_back(describeFollowed(static_cast<AtemPhase>(i)));
     for (std::size_t i = 0; i < kSensors; ++i) messages.emplace_back(describe(sensorAt(i)));
     for (int i = 0; i < kSensorTroubles; ++i)

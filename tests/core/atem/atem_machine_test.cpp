@@ -15,9 +15,10 @@ namespace {
 using enum AtemPhase;
 
 constexpr AtemLimits kLimits{
-    .halt = 3.0, .press = 15.0, .estimate = 30.0, .approval = 20.0, .probe = 90.0};
-constexpr std::array kPhases{Idle,    Halting,         Pressing,   Estimating, ProposingProbe,
-                             Probing, EstimatingAgain, Presenting, Stopped,    Failed};
+    .halt = 3.0, .press = 15.0, .estimate = 30.0, .approval = 20.0, .probe = 90.0, .advance = 10.0};
+constexpr std::array kPhases{Idle,           Halting, Pressing,        Estimating,
+                             ProposingProbe, Probing, EstimatingAgain, Presenting,
+                             Stopped,        Failed,  Advancing};
 
 AtemState at(AtemPhase phase)
 {
@@ -363,7 +364,7 @@ TEST(AtemMachine, hasWordsForEveryPhaseAndFailure)
 {
     std::vector<std::string> words;
     for (const AtemPhase phase : kPhases) words.push_back(describe(phase).english);
-    for (int f = 0; f <= static_cast<int>(AtemFailure::Disarmed); ++f)
+    for (int f = 0; f <= static_cast<int>(AtemFailure::RanOn); ++f)
         words.push_back(describe(static_cast<AtemFailure>(f)).english);
     for (std::size_t i = 0; i < words.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) EXPECT_NE(words[i], words[j]);

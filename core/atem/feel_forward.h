@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "core/atem/loop_end.h"
+#include "core/infer/verdict/two_track_verdict.h"
+#include "core/robot/attitude.h"
+
+namespace terratact {
+
+/// Advance of feel forward [m]: the largest that the robot accepts (core/atem/command_gate.h).
+inline constexpr double kAdvance = 0.1;
+
+/// What is known at a pose before an advance.
+struct FeltAhead {
+    std::optional<TwoTrackVerdict> verdict;  ///< of the scene at this pose; empty: none
+    bool telemetryFresh = false;
+    bool odometry = false;  ///< the robot reports the way of its tracks
+    AttitudeLevel attitude = AttitudeLevel::Red;
+};
+
+/// Returns the ground ahead that CLEAR covers on both sides [m]. It is measured from the front
+/// border of the tracks' bins, binBegin(kFirstAhead), to the nearer felt horizon. 0 unless the
+/// robot's answer is CLEAR and the touch of both sides is recorded.
+double clearWay(const TwoTrackVerdict& verdict);
+
+/// Returns why the robot must not advance by `distance` [m]; None: it may. It may advance only with
+/// fresh telemetry and odometry, at a level attitude, and CLEAR for more than the distance. Reasons
+/// come in the order of LoopEnd, but attitude and odometry come before the verdict.
+LoopEnd whyNotAdvancing(const FeltAhead& ahead, double distance = kAdvance);
+
+}  // namespace terratact

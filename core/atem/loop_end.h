@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "core/base/message.h"
+
+namespace terratact {
+
+/// Reason why feel forward ended. A reason from Stale on forbids the next advance at this pose.
+enum class LoopEnd : std::uint8_t {
+    None,           ///< it goes on, or was never requested
+    LetGo,          ///< the dead-man control was let go
+    Aborted,        ///< the operator ended it, or asked for something else
+    Stop,           ///< STOP
+    Fault,          ///< see AtemState::failure
+    ProbeProposed,  ///< a probe would decide: the operator is asked
+    Stale,          ///< telemetry is stale, or was interrupted since the scene
+    NoVerdict,      ///< there is no estimate
+    SensorFault,    ///< a sensor is suspected
+    Contradiction,  ///< on the estimated ground the robot would read other values
+    Withheld,       ///< the verdict is withheld for another reason
+    Blocked,        ///< the verdict is BLOCKED
+    NotFelt,        ///< the flippers press on nothing, or the touch is not recorded
+    ShortReach,     ///< the ground is felt less far than the flippers reach
+    Bounded,        ///< bins before the horizon are bounded or felt in part
+    Undecided,      ///< CANNOT TELL, although the ground is felt
+    ShortHorizon,   ///< CLEAR, but felt no further than the advance
+    Attitude,       ///< pitch or roll is beyond its limit
+    NoOdometry,     ///< the robot does not report the way of its tracks
+};
+
+/// Returns a text for the operator.
+SourceText describe(LoopEnd end);
+
+/// Return the name that a session file holds, and the value of that name.
+std::string_view name(LoopEnd end);
+std::optional<LoopEnd> loopEndFromName(std::string_view text);
+
+}  // namespace terratact
