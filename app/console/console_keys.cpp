@@ -25,13 +25,16 @@ void addHeld(KeyTable& keys, QList<QKeyCombination> of, const QString& meaning, 
         {std::move(of), meaning, [button] { button->hold(); }, [button] { button->letGoSoon(); }});
 }
 
-/// Adds a hold-to-run drive key (dead-man control). Without effect, it shows the reason.
+using WhyNot = std::optional<Message> (Exploration::*)() const;
+
+/// Adds a hold-to-run key that moves the robot (dead-man control). Without effect, it shows the reason.
 void addDriveKey(KeyTable& keys, QList<QKeyCombination> of, const QString& meaning,
-                 HeldButton* button, MainWindow& window)
+                 HeldButton* button, MainWindow& window,
+                 WhyNot whyNot = &Exploration::whyNotDriving)
 {
-    const auto press = [button, &window] {
+    const auto press = [button, &window, whyNot] {
         if (button->isEnabled() && button->isVisible()) return button->hold();
-        const auto why = window.exploration().whyNotDriving();
+        const auto why = (window.exploration().*whyNot)();
         window.showWhyNot({TR_NOOP("terratact::MainWindow", "not driven: %1"),
                            why.value_or(TR_NOOP("terratact::MainWindow",
                                                 "it is done on the page Terrain (F2)"))});
@@ -96,6 +99,9 @@ void addRobotKeys(KeyTable& keys, MainWindow& window)
                 window.drivePad()->forwardButton(), window);
     addDriveKey(keys, {Qt::Key_S, Qt::Key_Down}, MainWindow::tr("drive back"),
                 window.drivePad()->backButton(), window);
+    addDriveKey(keys, {Qt::Key_F},
+                MainWindow::tr("feel forward: press, estimate and advance while CLEAR"),
+                window.drivePad()->feelButton(), window, &Exploration::whyNotFeelingForward);
     if (window.link())
         keys.add({{Qt::Key_M},
                   MainWindow::tr("arm the robot: press, then hold; again disarms it"),

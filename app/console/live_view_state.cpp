@@ -153,13 +153,14 @@ TerrainViewState LiveViewState::terrain(const RobotMoment& moment)
     if (exploration.estimating()) viewState.progress = parts_.worker.progress();
     viewState.preconditions = exploration.preconditions();
     viewState.driving = exploration.toDrive();
+    viewState.feeling = exploration.toFeelForward();
     viewState.probing = exploration.toProbe();
     viewState.releasing = exploration.toReleaseStop();
     if (moment.bus && !exploration.following())
         viewState.arming = Preconditions::toArm(*moment.bus);
     if (const auto says = panel(now))
-        for (auto* list : {&viewState.preconditions, &viewState.driving, &viewState.arming,
-                           &viewState.probing, &viewState.releasing})
+        for (auto* list : {&viewState.preconditions, &viewState.driving, &viewState.feeling,
+                           &viewState.arming, &viewState.probing, &viewState.releasing})
             if (!list->isEmpty()) *list << *says;
     return viewState;
 }

@@ -270,6 +270,8 @@ void MainWindow::connectExploration()
     });
     connect(drivePad(), &DrivePad::driveRequested, exploration, &Exploration::drive);
     connect(drivePad(), &DrivePad::haltRequested, exploration, &Exploration::halt);
+    connect(drivePad(), &DrivePad::feelForwardRequested, exploration, &Exploration::feelForward);
+    connect(drivePad(), &DrivePad::letGo, exploration, &Exploration::letGo);
     connect(exploration, &Exploration::happened, this, &MainWindow::log);
     connect(exploration, &Exploration::stateChanged, this, &MainWindow::logState);
     if (panel_) connect(panel_.get(), &PanelControl::happened, this, &MainWindow::log);

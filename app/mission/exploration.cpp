@@ -42,7 +42,7 @@ Exploration::Exploration(MeasurementSource& source, RobotModel robot, EstimatorW
 
 void Exploration::addAdvice()
 {
-    ProbeOffer offer = probes_.offer();
+    ProbeOffer offer = state_.loops ? loopOffer() : probes_.offer();
     if (const auto asked = std::exchange(asked_, std::nullopt)) offer = {.place = asked};
     if (estimation_.wasPitchSuspected()) offer.place.reset();
     pending_.estimateReady = true;
@@ -59,12 +59,16 @@ void Exploration::askAnew()
     if (state_.phase == AtemPhase::ProposingProbe) emit proposed();
 }
 
-void Exploration::driveOn()
+bool Exploration::isRobotStillExploring(double endedAt) const
 {
     // After an abort the robot accepts a drive only once its next status reports the end of the exploration.
-    if (!driveWanted_) return;
     const auto robot = bus_ ? bus_->link.robot : std::nullopt;
-    if (robot && robot->exploring && now_ - driveBegan_ < kEndsWithin) return;
+    return robot && robot->exploring && now_ - endedAt < kEndsWithin;
+}
+
+void Exploration::driveOn()
+{
+    if (!driveWanted_ || isRobotStillExploring(driveBegan_)) return;
     if (whyNotDriving()) return driveWanted_.reset();  // driving is no longer allowed
     command(*std::exchange(driveWanted_, std::nullopt));
 }
@@ -103,7 +107,7 @@ StopViewState Exploration::stopViewState() const
             .why = translated(stopTrouble_)};
 }
 
-void Exploration::command(const Command& command)
+bool Exploration::command(const Command& command)
 {
     commandedAt_ = latest_ ? latest_->count : 0;
     const Status sent = source_.send(command);
@@ -111,6 +115,7 @@ void Exploration::command(const Command& command)
         emit happened(Message(TR_NOOP("terratact::Exploration", "command not sent: %1"),
                               troubleOf(link_, sent.error().message)),
                       EventSeverity::Bad);
+    return static_cast<bool>(sent);
 }
 
 bool Exploration::armed() const
@@ -154,6 +159,7 @@ void Exploration::poll(AtemInput& in)
 {
     in.linkAlive = linkAlive_;
     repeatStop(in);  // also without telemetry
+    pollLoop(in);
     if (!latest_) return;
     const Measurement& m = latest_->sample.measurement;
     in.poseChanged = estimation_.hasMoved();
@@ -195,7 +201,8 @@ void Exploration::tick(const RobotMoment& moment)
     };
     linkAlive_ = isFreshWithin(options_.linkLostAfter);
     ended_ = following() && bus_ && bus_->ended;
-    estimation_.poll(latest_, isFreshWithin(options_.staleAfter));
+    telemetryFresh_ = isFreshWithin(options_.staleAfter);
+    estimation_.poll(latest_, telemetryFresh_);
     if (following())
         follow();
     else
@@ -238,6 +245,8 @@ void Exploration::advance()
     const AtemState before = state_;
     state_ = nextState(state_, in, options_.limits);
     if (state_.phase != before.phase) enter(before);
+    showLoop(before);
+    sendAdvance();
     driveOn();
     watchDrive();
 }
@@ -281,8 +290,9 @@ void Exploration::enter(const AtemState& before)
     switch (state_.phase) {
     case AtemPhase::Halting:
         forget(TR_NOOP("terratact::Exploration", "Exploring: the robot halts"));
-        emit happened(TR_NOOP("terratact::Exploration", "exploration requested"),
-                      EventSeverity::Note);
+        if (!before.loops)
+            emit happened(TR_NOOP("terratact::Exploration", "exploration requested"),
+                          EventSeverity::Note);
         command(BeginAtemCommand{});
         break;
     case AtemPhase::Pressing:
@@ -313,7 +323,7 @@ void Exploration::enter(const AtemState& before)
             forget(TR_NOOP("terratact::Exploration", "No estimate: STOP is latched"));
         break;
     case AtemPhase::Failed: fail(); break;
-    case AtemPhase::Advancing: break;  // nothing requests it yet
+    case AtemPhase::Advancing: beginAdvance(); break;
     }
 }
 
@@ -379,6 +389,7 @@ std::optional<PhaseTime> Exploration::time() const
 Message Exploration::stateWords() const
 {
     if (state_.phase == AtemPhase::Failed) return failureWords();
+    if (Message loop = loopWords(); !loop.empty()) return loop;
     switch (const StopViewState stop = stopViewState(); stop.state) {
     case StopViewState::State::Sent:
         return TR_NOOP("terratact::Exploration", "STOP sent, not confirmed by the robot");
@@ -395,8 +406,9 @@ Message Exploration::stateWords() const
 Message Exploration::failureWords() const
 {
     const SourceText what = describe(state_.failure);
-    const bool refused =
-        state_.failure == AtemFailure::PressRefused || state_.failure == AtemFailure::ProbeRefused;
+    const bool refused = state_.failure == AtemFailure::PressRefused
+                      || state_.failure == AtemFailure::ProbeRefused
+                      || state_.failure == AtemFailure::AdvanceRefused;
     if (!refused || refusal_ == Refusal::None) return what;
     return Message::joined(what, describe(refusal_));
 }

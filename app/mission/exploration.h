@@ -16,12 +16,15 @@
 #include "app/mission/passive_exploration.h"
 #include "app/mission/preconditions.h"
 #include "app/mission/probe_proposals.h"
+#include "core/atem/advance_watch.h"
 #include "core/atem/atem_machine.h"
 #include "core/atem/drive_watch.h"
+#include "core/atem/feel_forward.h"
 #include "core/atem/phase_time.h"
 #include "core/atem/probe_proposal.h"
 #include "core/base/message.h"
 #include "core/limits.h"
+#include "core/robot/attitude.h"
 #include "core/robot/robot_model.h"
 #include "drivers/measurement_source.h"
 
@@ -38,6 +41,7 @@ public:
         ProbePolicy probes = ProbePolicy::Variance;
         double pressTorque = 18.0;  ///< [N m] sum of both front flippers
         double driveSpeed = 0.2;    ///< [m/s]
+        AttitudeLimits attitude;    ///< beyond amber, feel forward does not go on
         /// [s] telemetry watchdog: longer silence means a lost link.
         double linkLostAfter = kLinkLostAfter;
         double staleAfter = kStaleAfter;  ///< [s] older telemetry is stale: no verdict, no ghost
@@ -53,6 +57,10 @@ public:
     // Actions of the operator.
     void request();
     void abort();
+    /// Begins feel forward: explores, advances by 0.1 m and explores again, until letGo() or something ends it. The caller
+    /// is a dead-man control: it calls letGo() for any reason that ends the hold.
+    void feelForward();
+    void letGo();  ///< halts feel forward at once; does nothing otherwise
     /// Overrides the present doubtful preconditions. Each override ends when its reason ends or grows.
     void overrideWarnings();
     void approve(quint64 proposal);
@@ -67,6 +75,7 @@ public:
     void forgetResult();                   ///< clears estimate and ghost unless exploring
     void restoreResult();                  ///< restores what forgetResult() cleared
     void setStepLimit(double metres);      ///< obstacle height
+    void setAttitudeLimits(const AttitudeLimits& limits) { options_.attitude = limits; }
     /// Sets the policy of proposals from the next estimate on; bestProbe() uses it at once.
     void setProbePolicy(ProbePolicy policy) { options_.probes = policy; }
     void setEstimateSeconds(double seconds) { options_.seconds = seconds; }  ///< 0: no limit
@@ -116,6 +125,10 @@ public:
     std::optional<Message> whyNotDriving() const { return firstMissing(toDrive()); }
     QList<Precondition> preconditions() const;  ///< preconditions of exploring
     QList<Precondition> toDrive() const;
+    QList<Precondition> toFeelForward() const;
+    /// Returns the first unmet or doubtful precondition of feelForward(); empty: it is allowed.
+    std::optional<Message> whyNotFeelingForward() const;
+    LoopPace pace() const;                ///< of the present or last feel forward
     QList<Precondition> toProbe() const;  ///< preconditions of approving the proposal
     QList<Precondition> toReleaseStop() const;
     /// Returns the overridden values; empty: none.
@@ -154,9 +167,22 @@ private:
     Message failureWords() const;
     void preview();
 
+    // Feel forward.
+    FeltAhead feltAhead() const;
+    ProbeOffer loopOffer() const;  ///< what to propose while the loop goes on
+    void pollLoop(AtemInput& in);
+    void pollAdvance(AtemInput& in);
+    void beginAdvance();
+    void sendAdvance();  ///< as soon as the robot has ended its exploration
+    void endAdvance();
+    void showLoop(const AtemState& before);
+    Message loopWords() const;
+    /// Returns true if the robot still reports the exploration that ended at this time, for a second at most.
+    bool isRobotStillExploring(double endedAt) const;
+
     void driveOn();
     void watchDrive();
-    void command(const Command& command);
+    bool command(const Command& command);  ///< returns false, and reports it, if it was not sent
     bool answered() const;    ///< the newest sample was measured after the last command
     bool hasPressed() const;  ///< the flippers have executed the last press command
     void endOverrides();
@@ -181,10 +207,16 @@ private:
     std::optional<Received> latest_;
     std::optional<CanView> bus_;  ///< empty without a link, or before the first tick
     bool linkAlive_ = false;
+    bool telemetryFresh_ = false;
     bool ended_ = false;
     PlanarGround ground_;
     /// Count of the newest sample at the last command; earlier samples cannot be its answer.
     std::uint64_t commandedAt_ = 0;
+
+    bool held_ = false;                    ///< the operator holds the control of feel forward
+    LoopPace pace_;                        ///< way of the finished advances
+    std::optional<AdvanceWatch> advance_;  ///< since the command was sent
+    bool advanceNotSent_ = false;          ///< the gate or the link refused it
 
     bool driving_ = false;
     DriveWatch driveWatch_;

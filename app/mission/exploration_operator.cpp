@@ -198,6 +198,7 @@ void Exploration::overrideWarnings()
 void Exploration::leave()
 {
     halt();
+    letGo();
     if (exploring(state_.phase) && !following()) command(AbortAtemCommand{});
     if (link_) link_->disarm();
     estimation_.cancel();

@@ -86,7 +86,7 @@ QList<Precondition> Exploration::toDrive() const
     if (following()) return {Preconditions::arming(following_->why())};
     QList<Precondition> list{
         Preconditions::released(state_.phase == AtemPhase::Stopped, linkAlive_),
-        Preconditions::notExploring(exploring(state_.phase)),
+        Preconditions::notExploring(exploring(state_.phase) || state_.loops),
         Preconditions::telemetry(linkAlive_, ended_)};
     if (link_) list << Preconditions::arming(whyNotArmed());
     if (armIsOut()) list << Preconditions::armIsOut();

@@ -68,6 +68,12 @@ Precondition Preconditions::noProbeProposed()
     return missing(TR_NOOP("Preconditions", "no probe is proposed"));
 }
 
+Precondition Preconditions::odometry(bool reported)
+{
+    return reported ? met(TR_NOOP("Preconditions", "the robot reports odometry"))
+                    : missing(TR_NOOP("Preconditions", "the robot reports no odometry"));
+}
+
 Precondition Preconditions::notExploring(bool explores)
 {
     return explores

@@ -31,6 +31,7 @@ public:
     static Precondition nothingToRelease();
     static Precondition noProbeProposed();
     static Precondition notExploring(bool explores);
+    static Precondition odometry(bool reported);  ///< the robot reports the way of its tracks
     /// The proposal still has the data that was shown with it.
     static Precondition stands(bool asThen);
     static Precondition armIsOut();         ///< the robot reports that it probes

@@ -101,9 +101,9 @@ ProbeProposals::ProbeProposals(const Estimation& estimation, const RobotModel& r
 {
 }
 
-ProbeOffer ProbeProposals::offer() const
+ProbeOffer ProbeProposals::offer(ProbePolicy policy) const
 {
-    return offerProbe(estimation_.advice(), estimation_.verdict()->both, policy_);
+    return offerProbe(estimation_.advice(), estimation_.verdict()->both, policy);
 }
 
 ProbeBasis ProbeProposals::basis() const

@@ -33,7 +33,8 @@ public:
                    const ProbePolicy& policy);
 
     /// Returns what to propose for the present estimate, which must exist.
-    ProbeOffer offer() const;
+    ProbeOffer offer() const { return offer(policy_); }
+    ProbeOffer offer(ProbePolicy policy) const;  ///< the same by another policy
 
     /// Returns bestProbe() of the present estimate; empty without one, or if its pitch was suspected.
     std::optional<ProbeProposal> best() const;

@@ -98,6 +98,7 @@ struct TerrainViewState {
 
     /// Preconditions of exploring, driving, arming, approving a probe and releasing STOP.
     QList<Precondition> preconditions{}, driving{}, arming{}, probing{}, releasing{};
+    QList<Precondition> feeling{};  ///< preconditions of feel forward
 };
 
 /// The page of terrain, exploration and probe, used by console and review. They fill it with a TerrainViewState and

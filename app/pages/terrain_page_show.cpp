@@ -183,6 +183,7 @@ void TerrainPage::setViewState(const TerrainViewState& viewState)
     atem_->setNeeds(Commanded::Probe, viewState.probing);
     atem_->setNeeds(Commanded::ReleaseStop, viewState.releasing);
     drive_->setPreconditions(viewState.driving);
+    drive_->setFeelPreconditions(viewState.feeling, viewState.state.loops);
 }
 
 void TerrainPage::showRobot(const TerrainViewState& viewState)

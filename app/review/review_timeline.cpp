@@ -154,6 +154,7 @@ private:
             probes_.begin("probe", {at, at, TimelineWeight::Doubt, sentenceOf(event)});
         if (phase == AtemPhase::Probing)
             probes_.begin("probe", {at, at, TimelineWeight::Accent, sentenceOf(event)});
+        if (phase == AtemPhase::Advancing) mark(ReviewLane::Operator, event, TimelineWeight::Good);
         if (phase == AtemPhase::Stopped || phase == AtemPhase::Failed)
             mark(ReviewLane::Operator, event, TimelineWeight::Bad);
     }

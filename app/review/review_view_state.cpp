@@ -84,7 +84,7 @@ TerrainViewState ReviewViewState::terrain(const ReviewMoment& moment,
     addProbe(viewState, moment, preferences.probes);
     viewState.preconditions << Precondition{
         Precondition::Level::Missing, TR_NOOP("ReviewViewState", "A review commands no robot")};
-    viewState.driving = viewState.preconditions;
+    viewState.driving = viewState.feeling = viewState.preconditions;
     return viewState;
 }
 

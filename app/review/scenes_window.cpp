@@ -178,7 +178,7 @@ void ScenesWindow::showViewState()
     viewState.preconditions << Precondition{
         Precondition::Level::Missing,
         TR_NOOP("terratact::ScenesWindow", "A scene of a file commands no robot")};
-    viewState.driving = viewState.preconditions;
+    viewState.driving = viewState.feeling = viewState.preconditions;
     page_->setViewState(viewState);
     const TwoTrackScene& scene = options_.scenes[scene_];
     state_->setText(tr("SCENE %1 of %2 in %3 · drive %4 at %5 s · estimated now, not recorded · "

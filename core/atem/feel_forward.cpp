@@ -50,6 +50,12 @@ bool isTouchRecorded(const TwoTrackVerdict& verdict)
 
 }  // namespace
 
+double LoopPace::metresPerMinute(double now) const
+{
+    const double seconds = ended.value_or(now) - began;
+    return seconds > 0.0 ? 60.0 * way / seconds : 0.0;
+}
+
 double clearWay(const TwoTrackVerdict& verdict)
 {
     const bool clear = verdict.both == StepVerdict::Clear && isTouchRecorded(verdict)

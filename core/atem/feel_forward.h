@@ -11,6 +11,16 @@ namespace terratact {
 /// Advance of feel forward [m]: the largest that the robot accepts (core/atem/command_gate.h).
 inline constexpr double kAdvance = 0.1;
 
+/// Way and time of one feel forward.
+struct LoopPace {
+    double began = 0.0;             ///< [s]
+    std::optional<double> ended{};  ///< [s] empty: it goes on
+    double way = 0.0;               ///< [m] way of the tracks, by odometry
+
+    /// Returns the pace [m/min] up to its end, or up to `now` [s]; 0 in its first instant.
+    double metresPerMinute(double now) const;
+};
+
 /// What is known at a pose before an advance.
 struct FeltAhead {
     std::optional<TwoTrackVerdict> verdict;  ///< of the scene at this pose; empty: none

@@ -22,8 +22,9 @@ Pose middlePose(const TwoTrackPose& pose)
 
 }  // namespace
 
-RobotStance::RobotStance(RobotModel robot, GroundLines ground)
-    : robot_(std::move(robot)), ground_(std::move(ground)), isOnePlane_(ground_.isOnePlane())
+RobotStance::RobotStance(RobotModel robot, GroundLines ground, const GroundOptions& options)
+    : robot_(std::move(robot)), ground_(std::move(ground)), options_(options),
+      isOnePlane_(ground_.isOnePlane())
 {
     if (!isOnePlane_) tracks_.emplace();
 }
@@ -45,7 +46,7 @@ bool RobotStance::settlePlane(double x, const FlipperTargets& targets)
         targets.torque ? FlipperDrive{PressTorque{*targets.torque, pose_.front + kAbovePress}}
                        : FlipperDrive{HoldAngle{targets.front[indexOf(Side::Left)]}};
     auto rest = restPose(robot_, ground_.lines().front().profile, x, front, HoldAngle{targets.rear},
-                         pose_.pitch);
+                         pose_.pitch, options_);
     if (!rest) return false;
     plane_ = *std::move(rest);
     pose_ = plane_.pose;
@@ -62,7 +63,8 @@ bool RobotStance::settleTracks(double x, const FlipperTargets& targets)
                 : FlipperDrive{HoldAngle{targets.front[indexOf(side)]}};
         drives[indexOf(rearFlipper(side))] = HoldAngle{targets.rear};
     }
-    auto rest = restPose(robot_, ground_, x, drives, {tracks_->pose.pitch, tracks_->pose.roll});
+    auto rest =
+        restPose(robot_, ground_, x, drives, {tracks_->pose.pitch, tracks_->pose.roll}, options_);
     if (!rest) return false;
     tracks_ = *std::move(rest);
     pose_ = middlePose(tracks_->pose);

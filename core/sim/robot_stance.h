@@ -24,7 +24,7 @@ struct FlipperTargets {
 /// flipper angles, torques and contacts (core/sim/rest/two_track_rest.h).
 class RobotStance {
 public:
-    RobotStance(RobotModel robot, GroundLines ground);
+    RobotStance(RobotModel robot, GroundLines ground, const GroundOptions& options = {});
 
     /// Moves to the rest pose at x, from the present attitude. Returns false and stays where there is
     /// no rest pose.
@@ -52,6 +52,7 @@ private:
 
     RobotModel robot_;
     GroundLines ground_;
+    GroundOptions options_;
     bool isOnePlane_ = true;
     Pose pose_;
     RestPose plane_;

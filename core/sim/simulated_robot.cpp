@@ -18,9 +18,9 @@ constexpr double kHighestFlipper = 3.1;  // [rad]
 }  // namespace
 
 SimulatedRobot::SimulatedRobot(RobotModel robot, GroundLines ground, const Options& options)
-    : robot_(std::move(robot)), stance_(robot_, std::move(ground)), options_(options),
-      rng_(options.seed), slipRng_(~options.seed), rollRng_(options.seed ^ 0x5555),
-      sideRng_(options.seed ^ 0x3333),
+    : robot_(std::move(robot)), stance_(robot_, std::move(ground), options.ground),
+      options_(options), rng_(options.seed), slipRng_(~options.seed),
+      rollRng_(options.seed ^ 0x5555), sideRng_(options.seed ^ 0x3333),
       x_(options.startX), frontTargets_{options.drivingAngle, options.drivingAngle},
       rearTarget_(options.rearAngle)
 {
@@ -156,11 +156,13 @@ void SimulatedRobot::step(double dt)
 void SimulatedRobot::drive(double dt)
 {
     const double turn = robot_.flipperSpeed * dt;
+    const double raised = advanceLeft_ ? options_.advancingAngle : options_.drivingAngle;
     bool areRaised = true;
     for (const Side side : {Side::Left, Side::Right}) {
         const double angle = stance_.frontAngle(side);
-        frontTargets_[indexOf(side)] = std::min(angle + turn, options_.drivingAngle);
-        areRaised = areRaised && angle >= options_.drivingAngle - 1e-9;
+        frontTargets_[indexOf(side)] =
+            angle > raised ? std::max(angle - turn, raised) : std::min(angle + turn, raised);
+        areRaised = areRaised && angle >= raised - 1e-9;
     }
     torque_ = 0.0;
     arm_.reset();

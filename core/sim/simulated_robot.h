@@ -24,12 +24,16 @@ public:
         double startX = 0.0;        ///< [m] base origin on the terrain
         double rearAngle = 0.1;     ///< [rad] held
         double drivingAngle = 0.7;  ///< [rad] front flippers while driving
+        /// [rad] front flippers in an advance of at most 0.1 m. Their tips then come no further ahead
+        /// than they were when they pressed, so they cannot meet a wall that was not felt.
+        double advancingAngle = 1.2;
         double probeSeconds = 45.0;
         SensorNoise noise;
         /// Relative error of the tracks' odometry: drawn from N(0, slipShare²) whenever the robot
         /// starts to drive.
         double slipShare = 0.10;
         std::uint64_t seed = 1;
+        GroundOptions ground{};  ///< stiffness, and a soft layer
     };
 
     SimulatedRobot(RobotModel robot, GroundLines ground, const Options& options);

@@ -562,6 +562,14 @@
         <source>left and right are estimated separately</source>
         <translation>vlevo a vpravo se odhaduje zvlášť</translation>
     </message>
+    <message>
+        <source>the robot reports odometry</source>
+        <translation>robot hlásí ujetou dráhu</translation>
+    </message>
+    <message>
+        <source>the robot reports no odometry</source>
+        <translation>robot nehlásí ujetou dráhu</translation>
+    </message>
 </context>
 <context>
     <name>Preferences</name>
@@ -4378,6 +4386,14 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>attitude</source>
         <translation>náklon</translation>
     </message>
+    <message>
+        <source>feel forward</source>
+        <translation>ohmatávat vpřed</translation>
+    </message>
+    <message>
+        <source>let go</source>
+        <translation>puštěno</translation>
+    </message>
 </context>
 <context>
     <name>source</name>
@@ -5168,6 +5184,18 @@ F1</translation>
         <source>Dead-man key: drives while held; also the arrow keys Up and Down</source>
         <translation>Jede, dokud držíte; také šipky nahoru a dolů</translation>
     </message>
+    <message>
+        <source>Hold to feel forward</source>
+        <translation>Podržením ohmatávat vpřed</translation>
+    </message>
+    <message>
+        <source>Dead-man key: while held, the robot presses, estimates and advances, as long as the verdict is CLEAR</source>
+        <translation>Dokud držíte, robot tlačí, odhaduje a postupuje, pokud je závěr VOLNO</translation>
+    </message>
+    <message>
+        <source>hold: feel (F)</source>
+        <translation>držet: hmatat (F)</translation>
+    </message>
 </context>
 <context>
     <name>terratact::EstimateStrip</name>
@@ -5467,6 +5495,26 @@ F1</translation>
     <message>
         <source>the arm does not reach the ground %1</source>
         <translation>rameno nedosáhne na terén %1</translation>
+    </message>
+    <message>
+        <source>advancing %1 m: CLEAR for %2 m ahead of the tracks</source>
+        <translation>postup o %1 m: VOLNO %2 m před pásy</translation>
+    </message>
+    <message>
+        <source>feeling forward while the control is held</source>
+        <translation>ohmatává vpřed, dokud je ovladač držen</translation>
+    </message>
+    <message>
+        <source>feel forward has ended after %1 m, %2 m/min: %3</source>
+        <translation>ohmatávání vpřed skončilo po %1 m, %2 m/min: %3</translation>
+    </message>
+    <message>
+        <source>feel forward: %1 · %2 m · %3 m/min</source>
+        <translation>ohmatávání vpřed: %1 · %2 m · %3 m/min</translation>
+    </message>
+    <message>
+        <source>feel forward has ended after %1 m: %2</source>
+        <translation>ohmatávání vpřed skončilo po %1 m: %2</translation>
     </message>
 </context>
 <context>
@@ -5768,6 +5816,10 @@ F1</translation>
     <message>
         <source>In a review, these keys move in time and no robot: A, B, M, P, K, 1 to 8, Space, Page Up and Down, Up and Down.</source>
         <translation>V prohlížení tyto klávesy posouvají čas, ne robota: A, B, M, P, K, 1 až 8, mezerník, Page Up a Down, šipky nahoru a dolů.</translation>
+    </message>
+    <message>
+        <source>feel forward: press, estimate and advance while CLEAR</source>
+        <translation>ohmatávat vpřed: tlačit, odhadovat a postupovat, dokud je VOLNO</translation>
     </message>
 </context>
 <context>

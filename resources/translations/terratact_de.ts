@@ -562,6 +562,14 @@
         <source>left and right are estimated separately</source>
         <translation>links und rechts werden getrennt geschätzt</translation>
     </message>
+    <message>
+        <source>the robot reports odometry</source>
+        <translation>der Roboter meldet Odometrie</translation>
+    </message>
+    <message>
+        <source>the robot reports no odometry</source>
+        <translation>der Roboter meldet keinen zurückgelegten Weg</translation>
+    </message>
 </context>
 <context>
     <name>Preferences</name>
@@ -4378,6 +4386,14 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>attitude</source>
         <translation>Lage</translation>
     </message>
+    <message>
+        <source>feel forward</source>
+        <translation>vortasten</translation>
+    </message>
+    <message>
+        <source>let go</source>
+        <translation>losgelassen</translation>
+    </message>
 </context>
 <context>
     <name>source</name>
@@ -5168,6 +5184,18 @@ F1</translation>
         <source>Dead-man key: drives while held; also the arrow keys Up and Down</source>
         <translation>Fährt, solange gehalten; auch mit den Pfeiltasten auf und ab</translation>
     </message>
+    <message>
+        <source>Hold to feel forward</source>
+        <translation>Halten zum Vortasten</translation>
+    </message>
+    <message>
+        <source>Dead-man key: while held, the robot presses, estimates and advances, as long as the verdict is CLEAR</source>
+        <translation>Solange gehalten, drückt der Roboter an, schätzt und rückt vor, wenn das Urteil FREI ist</translation>
+    </message>
+    <message>
+        <source>hold: feel (F)</source>
+        <translation>halten: tasten (F)</translation>
+    </message>
 </context>
 <context>
     <name>terratact::EstimateStrip</name>
@@ -5467,6 +5495,26 @@ F1</translation>
     <message>
         <source>the arm does not reach the ground %1</source>
         <translation>der Arm erreicht den Boden %1 nicht</translation>
+    </message>
+    <message>
+        <source>advancing %1 m: CLEAR for %2 m ahead of the tracks</source>
+        <translation>rückt %1 m vor: FREI für %2 m vor den Ketten</translation>
+    </message>
+    <message>
+        <source>feeling forward while the control is held</source>
+        <translation>tastet sich vor, solange die Taste gehalten wird</translation>
+    </message>
+    <message>
+        <source>feel forward has ended after %1 m, %2 m/min: %3</source>
+        <translation>Vortasten nach %1 m beendet, %2 m/min: %3</translation>
+    </message>
+    <message>
+        <source>feel forward: %1 · %2 m · %3 m/min</source>
+        <translation>Vortasten: %1 · %2 m · %3 m/min</translation>
+    </message>
+    <message>
+        <source>feel forward has ended after %1 m: %2</source>
+        <translation>Vortasten nach %1 m beendet: %2</translation>
     </message>
 </context>
 <context>
@@ -5768,6 +5816,10 @@ F1</translation>
     <message>
         <source>In a review, these keys move in time and no robot: A, B, M, P, K, 1 to 8, Space, Page Up and Down, Up and Down.</source>
         <translation>In einer Durchsicht bewegen diese Tasten die Zeit und keinen Roboter: A, B, M, P, K, 1 bis 8, Leertaste, Bild auf und ab, Pfeil auf und ab.</translation>
+    </message>
+    <message>
+        <source>feel forward: press, estimate and advance while CLEAR</source>
+        <translation>vortasten: andrücken, schätzen und vorrücken, solange FREI</translation>
     </message>
 </context>
 <context>

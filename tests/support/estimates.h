@@ -60,4 +60,24 @@ inline TwoTrackEstimate leftStepEstimate()
     return e;
 }
 
+/// Returns an estimate of even ground at −0.25 m that is felt up to bin 0.5, with draws. The verdict is CLEAR to +0.55 m.
+/// The sd of bin 0.6 exceeds the probe threshold.
+inline TerrainEstimate clearEstimate()
+{
+    TerrainEstimate e;
+    e.height.fill(-0.25);
+    e.touch.fill(Touch::Felt);
+    for (std::size_t i = 0; i < kBins; ++i) {
+        e.sd[i] = i == 9 ? 0.09 : 0.01;
+        e.q10[i] = e.height[i] - 1.28 * e.sd[i];
+        e.q90[i] = e.height[i] + 1.28 * e.sd[i];
+        e.ceiling[i] = i <= 8 ? e.height[i] + 0.02 : std::numeric_limits<double>::infinity();
+        e.rhat[i] = 1.0;
+        e.ess[i] = 1000.0;
+        if (i > 8) e.touch[i] = Touch::NotFelt;
+    }
+    e.draws.assign(1000, e.height);
+    return e;
+}
+
 }  // namespace terratact

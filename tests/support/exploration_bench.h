@@ -64,7 +64,9 @@ struct Bench : testing::Test {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         if (watch.cancelled()) throw Cancelled{};
         if (broken) throw std::runtime_error("the covariance is not positive definite");
-        TerrainEstimate e = request.arm.empty() ? stepEstimate() : probedEstimate();
+        TerrainEstimate e = clear               ? clearEstimate()
+                          : request.arm.empty() ? stepEstimate()
+                                                : probedEstimate();
         if (withDraws) e.draws.assign(draws, e.height);  // all draws have the step
         if (stepInHalf)
             for (std::size_t d = 0; d < e.draws.size(); d += 2) e.draws[d].fill(e.height[0]);
@@ -189,6 +191,7 @@ struct Bench : testing::Test {
 
     std::atomic<int> estimates = 0;
     std::atomic<bool> blocked = false, broken = false, withDraws = false, stepInHalf = false;
+    std::atomic<bool> clear = false;  ///< estimates are clearEstimate()
     std::atomic<std::size_t> draws = 200;
     std::atomic<bool> secondBlocked = false;  ///< also blocks previews
     std::atomic<bool> workerHeld = false;

@@ -8,8 +8,8 @@ namespace terratact {
 
 class HeldButton;
 
-/// Hold-to-run drive buttons (dead-man control). Emits a drive request while a button is held, and halt on release for
-/// any reason.
+/// Hold-to-run buttons (dead-man control) to drive and to feel forward. Emits a request when the hold begins, and halt
+/// or letGo on release for any reason.
 class DrivePad final : public QWidget {
     Q_OBJECT
 public:
@@ -17,20 +17,27 @@ public:
 
     /// Buttons are enabled unless a precondition is Missing; the tip lists all preconditions.
     void setPreconditions(const QList<Precondition>& preconditions);
+    /// The same for feel forward, which a doubtful precondition disables, too. feels: it goes on, so that its button
+    /// stays enabled.
+    void setFeelPreconditions(const QList<Precondition>& preconditions, bool feels);
 
     void setNarrow(bool narrow);        ///< compact layout with shorter texts
     void setProminent(bool prominent);  ///< larger buttons for the driving layout
 
     HeldButton* forwardButton() const { return forward_; }
     HeldButton* backButton() const { return back_; }
+    HeldButton* feelButton() const { return feel_; }
 
 signals:
     void driveRequested(int direction);  ///< +1 forward, −1 back
     void haltRequested();
+    void feelForwardRequested();
+    void letGo();  ///< the button of feel forward is not held any more
 
 private:
     HeldButton* forward_ = nullptr;
     HeldButton* back_ = nullptr;
+    HeldButton* feel_ = nullptr;
 };
 
 }  // namespace terratact

@@ -253,6 +253,7 @@ TEST(SimulatedRobot, advancesByTheCommandedDistance)
     ASSERT_TRUE(within(robot, 5.0,
                        [](const Measurement& m) { return m.activity == RobotActivity::Halted; }));
     EXPECT_NEAR(robot.pose().base.x - start, 0.1, 1e-9);
+    EXPECT_NEAR(robot.pose().front, 1.2, 0.05) << "higher than in a drive";
     for (const double distance : {0.0, -0.05, 0.11, std::nan("")}) {
         robot.command(AdvanceCommand{distance});
         EXPECT_EQ(robot.measure().refusal, Refusal::OutOfLimits) << distance;
