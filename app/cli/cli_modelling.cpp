@@ -268,6 +268,31 @@ void addStrip(CLI::App& app, Job& job)
     });
 }
 
+void addFeelForward(CLI::App& app, Job& job)
+{
+    auto* c = app.add_subcommand("feel-forward",
+                                 "How far and how fast feel forward goes, and whether it falls");
+    const auto o = std::make_shared<FeelForwardOptions>();
+    addRobot(*c, o->robot);
+    addModel(*c, o->model);
+    addNumber(*c, "--drives", o->drives, "Drives over generated ground with hazards")
+        ->check(CLI::Range(1, 10'000));
+    addNumber(*c, "--step-limit", o->stepLimit,
+              "Ground that rises or falls by more within two bins is a step [m]")
+        ->check(CLI::Range(0.0, 10.0));
+    addNumber(*c, "--estimate-seconds", o->estimateSeconds,
+              "Duration of an estimate in the time model [s]")
+        ->check(CLI::Range(0.0, 60.0));
+    c->add_flag("--blind", o->isBlind, "Advance whatever the verdict is, for comparison");
+    addNumber(*c, "--seed", o->settings.seed, "Seed of ground, drives and noise");
+    addMethod(*c, o->settings);
+    c->callback([o, &job] {
+        useShippedRobot(o->robot);
+        useShippedModel(o->model);
+        job = [o] { return tryFeelForward(*o); };
+    });
+}
+
 void addMerge(CLI::App& app, Job& job)
 {
     auto* c = app.add_subcommand(
@@ -323,6 +348,7 @@ void addModelling(CLI::App& app, Job& job, const Words& words)
     addEvaluate(app, job, words);
     addHazards(app, job);
     addStrip(app, job);
+    addFeelForward(app, job);
     addMerge(app, job);
     addTradeoff(app, job);
 }

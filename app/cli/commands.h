@@ -118,6 +118,18 @@ struct StripOptions {
 /// Drives simulated robots and prints the errors of the strip of felt ground (app/modelling/strip_trials.h).
 Status judgeStrips(const StripOptions& options);
 
+struct FeelForwardOptions {
+    std::string robot, model;
+    int drives = 50;
+    double stepLimit = 0.1;        ///< [m]
+    double estimateSeconds = 0.2;  ///< [s] duration of an estimate in the time model
+    bool isBlind = false;          ///< advances whatever the verdict is
+    Settings settings;
+};
+/// Drives simulated robots by feel forward and prints falls, collisions, way, pace and why each loop ended
+/// (app/modelling/feel_forward_trials.h).
+Status tryFeelForward(const FeelForwardOptions& options);
+
 struct ContactsOptions {
     std::string robot, data;
     double threshold = Settings{}.forceThreshold;  ///< [N]

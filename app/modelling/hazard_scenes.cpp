@@ -22,32 +22,6 @@ constexpr double kBefore = 1.0;      // [m] judged ground before the hazard
 constexpr double kBehind = 0.5;      // [m] ground behind the latest start of the hazard
 constexpr double kFirstStop = 0.65;  // [m] see stopsOver()
 
-TerrainProfile terrainOf(const HazardGround& ground, std::optional<Hazard> hazard,
-                         std::mt19937_64& rng)
-{
-    if (hazard) return randomHazardTerrain(*hazard, ground.roughness, rng);
-    if (ground.roughness > 0.0) return isoRoughness(ground.roughness, kRandomTerrainLength, rng);
-    return flatTerrain(kRandomTerrainLength);
-}
-
-GroundLines linesOf(const RobotModel& robot, const HazardGround& ground,
-                    std::optional<Hazard> hazard, bool onBothSides, std::mt19937_64& rng)
-{
-    const std::vector<double> ys = groundYs(robot);
-    if (hazard) {
-        const HazardSide one = whole(rng, 0, 1) == 0 ? HazardSide::Left : HazardSide::Right;
-        return randomHazardGround(*hazard, onBothSides ? HazardSide::Both : one, ground.roughness,
-                                  ys, rng);
-    }
-    std::vector<GroundLine> lines;
-    lines.reserve(ys.size());
-    for (const double y : ys) lines.push_back({y, flatTerrain(kRandomTerrainLength)});
-    if (ground.roughness > 0.0)
-        addRoughness(lines, ground.roughness, uniform(rng, kLeastCorrelation, kMostCorrelation),
-                     rng);
-    return GroundLines(std::move(lines));
-}
-
 /// Returns true if a scene that was driven over level ground with hazards stands near these.
 bool isNearHazard(double time)
 {
@@ -74,11 +48,37 @@ std::vector<double> contactsOf(const RobotModel& robot, const RestPose& rest)
 
 }  // namespace
 
+TerrainProfile hazardProfile(const HazardGround& ground, std::optional<Hazard> hazard,
+                             std::mt19937_64& rng)
+{
+    if (hazard) return randomHazardTerrain(*hazard, ground.roughness, rng);
+    if (ground.roughness > 0.0) return isoRoughness(ground.roughness, kRandomTerrainLength, rng);
+    return flatTerrain(kRandomTerrainLength);
+}
+
+GroundLines hazardLines(const RobotModel& robot, const HazardGround& ground,
+                        std::optional<Hazard> hazard, bool onBothSides, std::mt19937_64& rng)
+{
+    const std::vector<double> ys = groundYs(robot);
+    if (hazard) {
+        const HazardSide one = whole(rng, 0, 1) == 0 ? HazardSide::Left : HazardSide::Right;
+        return randomHazardGround(*hazard, onBothSides ? HazardSide::Both : one, ground.roughness,
+                                  ys, rng);
+    }
+    std::vector<GroundLine> lines;
+    lines.reserve(ys.size());
+    for (const double y : ys) lines.push_back({y, flatTerrain(kRandomTerrainLength)});
+    if (ground.roughness > 0.0)
+        addRoughness(lines, ground.roughness, uniform(rng, kLeastCorrelation, kMostCorrelation),
+                     rng);
+    return GroundLines(std::move(lines));
+}
+
 std::vector<HazardScene> driveTowards(const RobotModel& robot, const HazardGround& ground,
                                       std::optional<Hazard> hazard, PressStyle style,
                                       std::mt19937_64& rng)
 {
-    const TerrainProfile terrain = terrainOf(ground, hazard, rng);
+    const TerrainProfile terrain = hazardProfile(ground, hazard, rng);
     std::vector<std::vector<double>> contacts;
     DriveConditions conditions = conditionsOn(ground, rng);
     conditions.rested = [&](const RestPose& rest) { contacts.push_back(contactsOf(robot, rest)); };
@@ -97,7 +97,7 @@ std::vector<TwoTrackScene> driveTracksTowards(const RobotModel& robot, const Haz
                                               std::optional<Hazard> hazard, bool onBothSides,
                                               PressStyle style, std::mt19937_64& rng)
 {
-    const GroundLines lines = linesOf(robot, ground, hazard, onBothSides, rng);
+    const GroundLines lines = hazardLines(robot, ground, hazard, onBothSides, rng);
     const DriveConditions conditions = conditionsOn(ground, rng);
     const DriveStyle drive = style == PressStyle::Random ? randomDriveStyle(rng) : DriveStyle{};
     int skipped = 0;

@@ -12,6 +12,8 @@
 #include "core/robot/robot_model.h"
 #include "core/sim/ground/hazard_terrain.h"
 #include "core/terrain/bins.h"
+#include "core/terrain/ground_lines.h"
+#include "core/terrain/terrain_profile.h"
 
 namespace terratact {
 
@@ -37,6 +39,14 @@ struct HazardScene {
     Scene scene;
     std::vector<double> contacts;  ///< x of every contact force [m], DEM frame, ascending
 };
+
+/// Returns the random ground of driveTowards(): the hazard between kHazardBegin and kHazardEnd, or none, and the ground's
+/// roughness. A soft layer is not part of it.
+TerrainProfile hazardProfile(const HazardGround& ground, std::optional<Hazard> hazard,
+                             std::mt19937_64& rng);
+/// Returns the random ground of driveTracksTowards().
+GroundLines hazardLines(const RobotModel& robot, const HazardGround& ground,
+                        std::optional<Hazard> hazard, bool onBothSides, std::mt19937_64& rng);
 
 /// Drives once over random ground (core/sim/ground/hazard_terrain.h) and returns a scene every 0.1 m. The scenes reach from 1
 /// m before the earliest hazard to 0.5 m behind the latest. Without a hazard, the ground has its roughness alone.

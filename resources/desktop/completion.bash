@@ -55,7 +55,7 @@ _terratact_buses() {
 _terratact_value() {
   local methods="pa pac pafc pafac clearance joint local"
   case $2:$1 in
-    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | reconstruct:--tracks | evaluate:--tracks | hazards:--tracks | "session scenes":--tracks | *:--probes | *:--missing | *:--lamps | *:--watch | \
+    *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | reconstruct:--tracks | evaluate:--tracks | hazards:--tracks | *:--blind | "session scenes":--tracks | *:--probes | *:--missing | *:--lamps | *:--watch | \
       *:--summary | *:--transmit | *:--safe-mode | *:--errors-in-window | *:--no-record | *:--measured | *:--all | *:--card | \
       "model show:--csv" | import:--probe | import:--check) return 1 ;;
     *:--robot | *:--panel | *:--mapping) _terratact_files toml ;;
@@ -113,6 +113,7 @@ _terratact_options() {
       "$estimates" ;;
     strip) echo --robot --model --terrain --drives --spacing --step --blocks --seed --method ;;
     hazards) echo --robot --model --drives --step-limit --rates --tracks --seed --method ;;
+    feel-forward) echo --robot --model --drives --step-limit --estimate-seconds --blind --seed --method ;;
     tradeoff) echo --robot --model --data --out --methods --reference-sweeps --seed ;;
     merge) echo --robot --out ;;
     contacts) echo --robot --data --threshold ;;
@@ -144,7 +145,7 @@ _terratact_options() {
 # What may stand where no option does.
 _terratact_argument() {
   case $1 in
-    "") _terratact_words simulate train reconstruct evaluate hazards strip merge tradeoff contacts faults probes calibrate model panel \
+    "") _terratact_words simulate train reconstruct evaluate hazards strip feel-forward merge tradeoff contacts faults probes calibrate model panel \
       demo robot can session import ;;
     model) _terratact_words show card predict ;;
     panel) _terratact_words check ;;
