@@ -42,6 +42,25 @@ A new section begins, and nothing is joined over its begin, when one of these ha
 
 The strip keeps the last 150 m of ground, with less than 1 MB.
 
+## Export
+
+`terratact session strip drive.tts --out strip.csv` writes a line for each bin and side:
+
+| column | meaning |
+| --- | --- |
+| `section`, `start` | number of the section, and why it begins |
+| `side`, `one_plane` | left or right; 1 if the estimate was of one plane, so both sides are equal |
+| `x_m` | centre of the bin along the way, from the IMU of the section's first scene |
+| `plan_x_m`, `plan_y_m` | the same from above: forward and left, on the line of the track, or of the flipper for bins from +0.3 m |
+| `height_m`, `sd_m`, `q10_m`, `q90_m` | height above that IMU, as certain as when it was felt |
+| `drift_sd_m` | sd of the height by the way since the section's begin |
+| `felt` | how it was felt |
+| `time_s`, `estimate` | time of the scene since the session's begin, and number of the estimate |
+
+`--out strip.ply` writes a point cloud, PLY in ASCII. Each vertex has `float x y z` in metres, which CloudCompare, MeshLab, PCL and RViz (by
+PCL) expect, with z up. `sd`, `time`, `side` (0 left, 1 right), `felt` (0 arm to 6 not recorded) and `section` are further properties.
+Sections have frames of their own; `--section 2` writes one alone.
+
 ## What it is worth
 
 TEXT

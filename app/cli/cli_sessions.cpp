@@ -102,6 +102,19 @@ void addSessionScenes(CLI::App& session, Job& job)
     c->callback([o, &job] { job = [o] { return exportScenes(*o); }; });
 }
 
+void addSessionStrip(CLI::App& session, Job& job)
+{
+    auto* c = session.add_subcommand("strip", "Write the ground felt along the drive as a profile "
+                                              "or a point cloud");
+    const auto o = std::make_shared<SessionStripOptions>();
+    addInput(*c, "file", o->file, "Session (*.tts)")->required();
+    addTextOutput(*c, "--out", o->out, "CSV profile or PLY point cloud to write, by the ending")
+        ->required();
+    c->add_option("--section", o->section, "This stretch without a break alone, by its number")
+        ->check(CLI::Range(1, 1'000'000));
+    c->callback([o, &job] { job = [o] { return exportStrip(*o); }; });
+}
+
 void addSessionReport(CLI::App& session, Job& job)
 {
     auto* c =
@@ -211,6 +224,7 @@ void addSessions(CLI::App& app, Job& job)
     addSessionRecover(*session, job);
     addSessionExport(*session, job);
     addSessionScenes(*session, job);
+    addSessionStrip(*session, job);
     addSessionReport(*session, job);
     addSessionMerge(*session, job);
     addSessionWhatIf(*session, job);

@@ -41,6 +41,14 @@ struct SessionScenesOptions {
 };
 Status exportScenes(const SessionScenesOptions& options);
 
+struct SessionStripOptions {
+    std::string file;
+    std::string out;               ///< its ending decides: .csv or .ply
+    std::optional<int> section{};  ///< the only one, from 1; empty: all
+};
+/// Writes the strip of felt ground of a session as a profile or a point cloud (app/recording/strip_export.h).
+Status exportStrip(const SessionStripOptions& options);
+
 struct SessionExportOptions {
     std::string file, out;
     std::optional<ExportFormat> format;  ///< empty: chosen by the ending of `out`

@@ -63,6 +63,7 @@ _terratact_value() {
     train:--tracks | *:--data | *:--classes | *:--csv) _terratact_files csv ;;
     simulate:--out | reconstruct:--out) _terratact_files csv ;;
     train:--out | merge:--out) _terratact_files ttm ttp ;;
+    "session strip:--out") _terratact_files csv ply ;;
     "session merge:--out" | "session import:--out" | import:--out) _terratact_files tts ;;
     "session export:--out") _terratact_files log asc csv mcap ;;
     "session scenes:--out" | "session what-if:--out" | import:--scenes) _terratact_files csv ;;
@@ -132,6 +133,7 @@ _terratact_options() {
     "session export") echo --out --format --what --from --to --dbc ;;
     "session recover") echo --out ;;
     "session scenes") echo --out --measured --tracks ;;
+    "session strip") echo --out --section ;;
     "session report") echo --scene --out ;;
     "session merge") echo --out ;;
     "session what-if") echo --estimate --all --method --quality --threshold --seed --model --out ;;
@@ -150,7 +152,7 @@ _terratact_argument() {
     model) _terratact_words show card predict ;;
     panel) _terratact_words check ;;
     can) _terratact_words decode monitor check ;;
-    session) _terratact_words info verify recover export scenes report merge what-if import ;;
+    session) _terratact_words info verify recover export scenes strip report merge what-if import ;;
     "session import") _terratact_files log asc trc csv gz ;;
     "session "*) _terratact_files tts ;;
     import) _terratact_files mcap bag db3 csv ;;

@@ -4181,19 +4181,19 @@ soubor z %3, %4 bajtů; obsah %5</translation>
     </message>
     <message>
         <source>nothing has been felt yet</source>
-        <translation type="unfinished"></translation>
+        <translation>zatím nic nebylo ohmatáno</translation>
     </message>
     <message>
         <source>the robot has turned</source>
-        <translation type="unfinished"></translation>
+        <translation>robot se otočil</translation>
     </message>
     <message>
         <source>the reported way has jumped</source>
-        <translation type="unfinished"></translation>
+        <translation>hlášená ujetá dráha skočila</translation>
     </message>
     <message>
         <source>the remembered ground was cleared</source>
-        <translation type="unfinished"></translation>
+        <translation>zapamatovaný terén byl smazán</translation>
     </message>
 </context>
 <context>

@@ -4181,19 +4181,19 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
     </message>
     <message>
         <source>nothing has been felt yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch wurde nichts ertastet</translation>
     </message>
     <message>
         <source>the robot has turned</source>
-        <translation type="unfinished"></translation>
+        <translation>der Roboter hat sich gedreht</translation>
     </message>
     <message>
         <source>the reported way has jumped</source>
-        <translation type="unfinished"></translation>
+        <translation>der gemeldete Weg ist gesprungen</translation>
     </message>
     <message>
         <source>the remembered ground was cleared</source>
-        <translation type="unfinished"></translation>
+        <translation>der gemerkte Boden wurde gelöscht</translation>
     </message>
 </context>
 <context>

@@ -18,6 +18,31 @@ try:
     import can
 except ImportError:
     can = None
+try:
+    import plyfile
+except ImportError:
+    plyfile = None
+
+
+def read_ply(content):
+    """Returns the properties and the vertices of an ASCII PLY file; refuses what the format does not allow."""
+    header, _, body = content.decode("ascii").partition("end_header\n")
+    lines = header.splitlines()
+    assert lines[:2] == ["ply", "format ascii 1.0"], lines[:2]
+    lines = [line.split() for line in lines[2:] if not line.startswith("comment ")]
+    assert lines[0][:2] == ["element", "vertex"] and len(lines[0]) == 3, lines[0]
+    read = {"float": float, "double": float, "uchar": int, "int": int}
+    properties = []
+    for keyword, kind, name in lines[1:]:
+        assert keyword == "property" and kind in read, (keyword, kind)
+        properties.append((name, kind))
+    vertices = []
+    for line in body.splitlines():
+        values = line.split(" ")
+        assert len(values) == len(properties), line
+        vertices.append({name: read[kind](value) for (name, kind), value in zip(properties, values)})
+    assert len(vertices) == int(lines[0][2])
+    return properties, vertices
 
 
 class OtherPrograms(Session):
@@ -63,6 +88,35 @@ class OtherPrograms(Session):
                 for message, (time, _, _) in zip(messages, expected):
                     self.assertAlmostEqual(message.timestamp, time * 1e-9, delta=2e-6)
                 self.assertFalse(any(m.is_extended_id or m.is_error_frame or m.is_remote_frame for m in messages))
+
+    def test_a_strict_reader_opens_the_strip_as_a_point_cloud(self):
+        out, table = self.path / "strip.ply", self.path / "strip.csv"
+        run("session", "strip", self.drive, "--out", out)
+        run("session", "strip", self.drive, "--out", table)
+        names, vertices = read_ply(out.read_bytes())
+        self.assertEqual(names[:3], [("x", "float"), ("y", "float"), ("z", "float")])
+        bins = rows(table)
+        self.assertGreaterEqual(len(vertices), 22)
+        self.assertEqual(len(vertices), len(bins))
+        for vertex, line in zip(vertices, bins):
+            self.assertEqual(vertex["x"], float(line["plan_x_m"]))
+            self.assertEqual(vertex["z"], float(line["height_m"]))
+            self.assertEqual(vertex["side"], ["left", "right"].index(line["side"]))
+            self.assertIn(abs(vertex["y"]), (0.1985, 0.272))
+
+    @unittest.skipUnless(plyfile, "python3-plyfile is not installed")
+    def test_plyfile_reads_the_strip(self):
+        out = self.path / "strip.ply"
+        run("session", "strip", self.drive, "--out", out)
+        vertices = plyfile.PlyData.read(str(out))["vertex"]
+        self.assertEqual(vertices.count, len(read_ply(out.read_bytes())[1]))
+
+    def test_a_strip_needs_a_format_and_a_section_that_is_there(self):
+        out = self.path / "strip.xyz"
+        self.assertIn("expected .csv or .ply", complaint("session", "strip", self.drive, "--out", out))
+        self.assertIn("expected --section 1 to", complaint("session", "strip", self.drive, "--section", 99,
+                                                           "--out", self.path / "strip.ply"))
+        self.assertFalse(out.exists())
 
     def test_sqlites_own_shell_opens_it(self):
         out = subprocess.run(["sqlite3", self.drive, "PRAGMA integrity_check; SELECT count(*) FROM messages"],

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/robot/robot_model.h"
+#include "core/strip/strip.h"
+
+namespace terratact {
+
+/// Returns a strip as CSV, a line for each bin of each side. StripSource::time is written as time_s. Columns:
+///   section, start   number from 1, and why it begins (core/strip/strip_section.h)
+///   side, one_plane  left or right; 1 if the estimate was of one plane
+///   x_m              centre of the bin along the way, from the IMU of the section's first scene
+///   plan_x_m, plan_y_m  the same from above, forward and left, on the line of the track or flipper
+///   height_m, sd_m, q10_m, q90_m  as certain as when it was felt, z up from that IMU
+///   drift_sd_m       sd of the height by the way since the section's begin
+///   felt             arm, contact, track, in part, bounded, not felt or not recorded
+///   time_s, estimate scene's time and estimate's number
+/// section: the only one to write, from 1; empty: all. Both functions throw std::invalid_argument if there is no such
+/// section.
+std::string stripCsv(const Strip& strip, const RobotModel& robot, std::optional<int> section = {});
+
+/// Returns a strip as a point cloud in PLY (ASCII), a vertex for each bin of each side. Properties: x, y, z [m]
+/// (float; x forward, y left, z up from the IMU of the section's first scene), sd [m], time [s], side (0 left, 1 right),
+/// felt (order of FeltBy), section. Each section has a frame of its own. section: as above.
+std::string stripPly(const Strip& strip, const RobotModel& robot, std::optional<int> section = {});
+
+}  // namespace terratact

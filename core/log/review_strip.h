@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/log/review_moment.h"
+#include "core/log/session_strip.h"
+
+namespace terratact {
+
+/// The strip of felt ground at a moment of a session, as the console showed it, computed from the file alone
+/// (core/log/session_strip.h). It begins kShortest to kShortest + kStep before the moment. The same moment gives the same
+/// strip, whatever was asked before. Moving forward or a little back in time is fast.
+class ReviewStrip {
+public:
+    static constexpr double kShortest = 600.0, kStep = 300.0;  ///< [s]
+
+    /// The reader must outlive this object.
+    ReviewStrip(SessionReader& reader, RobotModel robot);
+
+    struct ViewState {
+        SeenStrip seen{};
+        std::optional<SectionStart> why{};  ///< why nothing is seen
+        bool operator==(const ViewState&) const = default;
+    };
+    ViewState at(const ReviewMoment& moment);
+
+private:
+    void begin(SessionTime from);
+    void goTo(SessionTime until);
+
+    SessionReader& reader_;
+    RobotModel robot_;
+    SessionTime from_ = 0;
+    /// The strip at several times, oldest first. The last one moves on.
+    std::vector<SessionStrip> followed_;
+};
+
+}  // namespace terratact

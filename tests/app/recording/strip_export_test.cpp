@@ -1,0 +1,104 @@
+#include "app/recording/strip_export.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/strip/strip_points.h"
+#include "tests/support/absolem.h"
+#include "tests/support/estimates.h"
+
+namespace terratact {
+namespace {
+
+/// A robot that felt a step, turned left on the spot, and felt it again.
+struct StripExport : testing::Test {
+    RobotModel robot = absolem();
+    Strip strip{robot};
+
+    StripExport()
+    {
+        Measurement line;
+        line.travelled = 1.0;
+        line.turned = 0.2;
+        for (const double turn : {0.0, 0.5}) {
+            line.time += 0.1;
+            *line.turned += turn;
+            strip.add(line);
+            strip.beginScene(line);
+            strip.enter(leftStepEstimate(), turn > 0.0 ? 8 : 7);
+        }
+    }
+
+    static std::vector<std::string> lines(const std::string& text)
+    {
+        std::vector<std::string> all;
+        std::istringstream in(text);
+        for (std::string line; std::getline(in, line);) all.push_back(line);
+        return all;
+    }
+};
+
+TEST_F(StripExport, csvNamesEverySectionSideAndTouch)
+{
+    const auto csv = lines(stripCsv(strip, robot));
+    ASSERT_EQ(csv.size(), 1U + 2 * 2 * kBins);
+    EXPECT_EQ(csv[1],
+              "1,first,left,0,-0.3,-0.3000,0.1985,-0.2500,0.0100,-0.2628,-0.2372,0.0000,track,"
+              "0.100,7");
+    EXPECT_NE(csv[2].find(",right,0,-0.3,-0.3000,-0.1985,"), std::string::npos) << csv[2];
+    EXPECT_NE(csv.back().find("2,turned,right,0,0.7,0.7000,-0.2720,"), std::string::npos)
+        << "on the flippers' line, in a frame of its own: " << csv.back();
+    EXPECT_NE(csv.back().find(",not felt,"), std::string::npos);
+}
+
+TEST_F(StripExport, plyHasAVertexForEachBin)
+{
+    const auto ply = lines(stripPly(strip, robot));
+    EXPECT_EQ(ply[0], "ply");
+    EXPECT_EQ(ply[4], "element vertex 44");
+    ASSERT_EQ(ply.size(), 14U + 44U);
+    EXPECT_EQ(ply[14], "-0.3000 0.1985 -0.2500 0.0100 0.100 0 2 1");
+    const auto second = lines(stripPly(strip, robot, 2));
+    EXPECT_EQ(second[4], "element vertex 22");
+    EXPECT_EQ(second[14].back(), '2');
+    EXPECT_THROW(stripPly(strip, robot, 3), std::invalid_argument);
+}
+
+TEST(StripPoints, followACurve)
+{
+    const RobotModel robot = absolem();
+    Strip strip(robot, {.corrects = false});
+    Measurement line;
+    line.travelled = 0.0;
+    line.turned = 0.0;
+    strip.add(line);
+    strip.beginScene(line);
+    strip.enter(leftStepEstimate(), 1);
+    constexpr double kRadius = 4.0;
+    for (int k = 0; k < 100; ++k) {  // 1 m to the left
+        *line.travelled += 0.01;
+        *line.turned += 0.01 / kRadius;
+        strip.add(line);
+    }
+    strip.beginScene(line);
+    strip.enter(leftStepEstimate(), 2);
+    const StripPoint last = pointsOf(strip, robot).back();
+    const double turned = 1.0 / kRadius;
+    const double ahead = robot.imu.x + last.along - 1.0;  // of the middle of the tracks
+    EXPECT_NEAR(last.x,
+                kRadius * std::sin(turned) + ahead * std::cos(turned)
+                    + robot.lateral.flipperY * std::sin(turned) - robot.imu.x,
+                2e-3);
+    EXPECT_NEAR(last.y,
+                kRadius * (1.0 - std::cos(turned)) + ahead * std::sin(turned)
+                    - robot.lateral.flipperY * std::cos(turned),
+                2e-3);
+}
+
+}  // namespace
+}  // namespace terratact

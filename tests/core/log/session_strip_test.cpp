@@ -1,0 +1,124 @@
+#include "core/log/session_strip.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/log/review_strip.h"
+#include "tests/support/robot_session.h"
+#include "tests/support/temporary_directory.h"
+
+namespace terratact {
+namespace {
+
+using At = RobotSessionTimes;
+
+struct StripOfSession : testing::Test {
+    void record(const std::vector<std::variant<EventRow, ModelRow>>& more)
+    {
+        const std::string path = directory.file(std::to_string(++recorded) + ".tts");
+        auto writer = robotSession(path, 4.0);
+        ASSERT_TRUE(writer) << writer.error().text;
+        for (const auto& row : more)
+            std::visit([&](const auto& r) { ASSERT_TRUE(writer->add(r)); }, row);
+        ASSERT_TRUE(writer->seal());
+        open(path);
+    }
+    void open(const std::string& path)
+    {
+        auto opened = SessionReader::open(path);
+        ASSERT_TRUE(opened) << opened.error().text;
+        reader.emplace(std::move(*opened));
+    }
+    EventRow event(double time, EventKind kind, const char* subject = "")
+    {
+        return {.id = ++id, .time = sessionTimeOf(time), .kind = kind, .subject = subject};
+    }
+    Strip at(double time)
+    {
+        SessionStrip strip(*reader, absolem());
+        strip.goTo(sessionTimeOf(time));
+        return strip.strip();
+    }
+    ReviewStrip::ViewState reviewed(double time)
+    {
+        ReviewMoments moments(*reader, absolem());
+        return ReviewStrip(*reader, absolem()).at(moments.at(sessionTimeOf(time)));
+    }
+
+    TemporaryDirectory directory;
+    std::optional<SessionReader> reader;
+    std::int64_t id = 100;
+    int recorded = 0;
+};
+
+constexpr double kStood = At::kForgotten - 0.2, kLater = At::kForgotten + 0.4;
+
+TEST_F(StripOfSession, holdsTheEstimatesThatWereShown)
+{
+    record({});
+    EXPECT_TRUE(at(At::kScene + 0.05).sections().empty());
+    const Strip strip = at(kLater);
+    ASSERT_EQ(strip.sections().size(), 1U);
+    EXPECT_EQ(strip.sections()[0].columns.size(), std::size_t{kBins});
+    const StripSource& source = strip.source(*strip.sections()[0].columns.begin()->second[0]);
+    EXPECT_EQ(source.estimate, 2) << "that with the arm replaced the first";
+    EXPECT_NEAR(source.time, At::kScene, 0.05);
+    EXPECT_FALSE(strip.seen().isEmpty()) << "it stays when the estimate is left";
+}
+
+TEST_F(StripOfSession, aClearedEstimateIsTakenOutAndCanComeBack)
+{
+    record({event(kStood, EventKind::Decision, "forget")});
+    EXPECT_TRUE(at(kStood + 0.05).sections().empty());
+    record({event(kStood, EventKind::Decision, "forget"),
+            event(kStood + 0.05, EventKind::Decision, "restore")});
+    EXPECT_FALSE(at(kStood + 0.1).sections().empty());
+    record({event(kLater - 0.1, EventKind::Decision, "forget")});
+    EXPECT_FALSE(at(kLater).sections().empty()) << "the robot had left it before";
+    EXPECT_EQ(at(kLater).whyNothing(), SectionStart::Cleared);
+    record({event(kStood, EventKind::Decision, "abort")});
+    EXPECT_TRUE(at(kLater).sections().empty());
+    record({event(At::kAgain + 0.02, EventKind::Decision, "abort")});
+    EXPECT_FALSE(at(kLater).sections().empty()) << "that ended the probe alone";
+}
+
+TEST_F(StripOfSession, gapsAndModelsEndASection)
+{
+    record({event(kStood, EventKind::TelemetryGap)});
+    EXPECT_EQ(at(kLater).whyNothing(), SectionStart::TelemetryGap);
+    record({ModelRow{
+        .id = 2, .time = sessionTimeOf(kStood), .name = "mine.ttm", .hash = std::string(64, 'd')}});
+    EXPECT_EQ(at(kLater).whyNothing(), SectionStart::Cleared);
+    EXPECT_EQ(at(kStood - 0.05).whyNothing(), std::nullopt);
+}
+
+TEST_F(StripOfSession, bothSidesOfARecordedDriveDiffer)
+{
+    open(TERRATACT_SOURCE_DIR "/resources/sessions/two_tracks.tts");
+    const Strip strip = at(secondsOf(reader->end()));
+    ASSERT_FALSE(strip.sections().empty());
+    const auto& columns = strip.sections().back().columns;
+    EXPECT_TRUE(std::ranges::any_of(columns, [](const auto& entry) {
+        const auto& [left, right] = entry.second;
+        return left && right && left->band != right->band;
+    }));
+}
+
+TEST_F(StripOfSession, aReviewedMomentIsTheSameForAnyOrderOfRequests)
+{
+    record({event(kLater - 0.1, EventKind::TelemetryGap)});
+    ReviewMoments moments(*reader, absolem());
+    ReviewStrip strips(*reader, absolem());
+    for (const double time : {kLater, kStood, 0.1, kStood + 0.05, kStood, kLater})
+        EXPECT_EQ(strips.at(moments.at(sessionTimeOf(time))), reviewed(time)) << time;
+    EXPECT_EQ(reviewed(kLater).why, SectionStart::TelemetryGap);
+    EXPECT_FALSE(reviewed(kStood).seen.isEmpty());
+}
+
+}  // namespace
+}  // namespace terratact
