@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/atem/arm_choice.h"
 #include "core/atem/probe_grounds.h"
 
 namespace terratact {
@@ -23,17 +24,11 @@ double sdAt(const TwoTrackEstimate& estimate, ProbePlace place)
     return sideOf(estimate, place.side).sd[static_cast<std::size_t>(place.bin)];
 }
 
-std::vector<ProbeSide> sidesOf(const TwoTrackEstimate& estimate)
-{
-    if (estimate.onePlane) return {ProbeSide::Middle};
-    return {ProbeSide::Left, ProbeSide::Right};
-}
-
 /// Returns the unread place in the arm's reach with the largest sd.
 std::optional<ProbePlace> leastCertain(const ProbeBasis& basis)
 {
     std::optional<ProbePlace> widest;
-    for (const ProbeSide side : sidesOf(basis.estimate))
+    for (const ProbeSide side : sidesToProbe(basis.estimate))
         for (int bin = 0; bin < kBins && basis.robot.armSd > 0.0; ++bin) {
             const auto i = static_cast<std::size_t>(bin);
             const Origin origin = sideOf(basis.estimate, side).origin[i];

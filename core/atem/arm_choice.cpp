@@ -12,13 +12,6 @@ namespace {
 constexpr std::array kOfOnePlane{ProbeSide::Middle};
 constexpr std::array kOfBothSides{ProbeSide::Left, ProbeSide::Right};
 
-/// Returns the sides whose bins the arm may touch.
-std::span<const ProbeSide> sidesToProbe(const TwoTrackEstimate& estimate)
-{
-    if (estimate.onePlane) return kOfOnePlane;
-    return kOfBothSides;
-}
-
 /// Returns true if the arm can measure the bin's height and nothing has measured it yet. estimate: of
 /// the place's side.
 bool isOpen(const TerrainEstimate& estimate, const RobotModel& robot, ProbePlace place)
@@ -73,6 +66,12 @@ std::optional<ProbePlace> widestOf(const TerrainEstimate& estimate, const RobotM
 }
 
 }  // namespace
+
+std::span<const ProbeSide> sidesToProbe(const TwoTrackEstimate& estimate)
+{
+    if (estimate.onePlane) return kOfOnePlane;
+    return kOfBothSides;
+}
 
 std::optional<int> proposeProbe(const TerrainEstimate& estimate, const RobotModel& robot)
 {

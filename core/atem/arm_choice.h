@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/atem/probe_gain.h"
@@ -8,6 +9,9 @@
 #include "core/robot/robot_model.h"
 
 namespace terratact {
+
+/// Returns the sides whose bins the arm may touch: the middle of one plane, or left and right.
+std::span<const ProbeSide> sidesToProbe(const TwoTrackEstimate& estimate);
 
 /// Proposes a probe as in section 4.4 of the paper. It returns the sampled bin in the arm's reach
 /// with the largest sd. That sd must exceed the probe threshold settings.probeAbove; otherwise it
