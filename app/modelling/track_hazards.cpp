@@ -7,6 +7,7 @@
 #include "app/runtime/parallel.h"
 #include "core/infer/two_track_estimator.h"
 #include "core/infer/verdict/two_track_verdict.h"
+#include "core/sim/two_track_check.h"
 #include "core/terrain/step.h"
 
 namespace terratact {
@@ -66,8 +67,9 @@ TrackHazardLine judgeTrackDrive(const EstimatorBundle& bundle, const HazardTrial
     for (const TwoTrackScene& scene :
          driveTracksTowards(bundle.robot, kHazardGrounds[kind.ground], kind.hazard,
                             kind.onBothSides, kind.style, rng)) {
-        const TwoTrackEstimate estimate =
+        TwoTrackEstimate estimate =
             estimateTwoTracks(scene.s, {}, bundle.robot, bundle.models, settings);
+        writePosteriorCheck(estimate, measurementOf(scene.s), bundle.robot);
         countScene(scene, bundle.robot, estimate, trial.stepLimit, line);
     }
     return line;
