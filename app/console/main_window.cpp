@@ -401,6 +401,7 @@ void MainWindow::defineKeys()
                    "Space, Page Up and Down, Up and Down."));
     keys.addGroup(tr("View"));
     addViewKeys(keys, *preferences_);
+    addFullScreenKey();
     keys.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the previous one"), {}});
 }
 

@@ -377,6 +377,7 @@ void ReviewWindow::defineKeys()
               }});
     addSideKeys(keys, *terrain_->terrain());
     addViewKeys(keys, *preferences_);
+    addFullScreenKey();
     keys.add({{Qt::Key_Escape}, tr("back from a field to the keys"), [this] { setFocus(); }});
     keys.add({{Qt::Key_Tab, Qt::Key_Backtab}, tr("to the next control, to the previous one"), {}});
 }

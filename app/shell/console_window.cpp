@@ -195,6 +195,13 @@ void ConsoleWindow::addPageKeys()
                    }});
 }
 
+void ConsoleWindow::addFullScreenKey()
+{
+    keys_.add({{Qt::Key_F11}, tr("full screen, and back"), [this] {
+                   setWindowState(windowState() ^ Qt::WindowFullScreen);
+               }});
+}
+
 void ConsoleWindow::addHelpKeys()
 {
     keys_.add({{kKeysKey, Qt::Key_Question}, tr("this sheet"), [this] { showKeys(); }});

@@ -81,7 +81,8 @@ protected:
     void addPageKeys();  ///< keys for the pages added so far
     /// Sets a note below the key sheet that applies to all keys.
     void setKeysNote(const QString& note) { keysNote_ = note; }
-    void addHelpKeys();  ///< F1 and ? show the key sheet, Ctrl+F1 the about text
+    void addFullScreenKey();  ///< F11: full screen, and back to the former state
+    void addHelpKeys();       ///< F1 and ? show the key sheet, Ctrl+F1 the about text
 
     /// Adds STOP to a window without a robot. Button and key stop the robot of the console that opened the window, and
     /// a banner reports the result. Without such a console there is no button, and the key shows a notice.

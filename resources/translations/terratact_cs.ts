@@ -4930,6 +4930,10 @@ F1</translation>
         <source>Recorded demonstration, two tracks</source>
         <translation>Nahraná ukázka, dva pásy</translation>
     </message>
+    <message>
+        <source>full screen, and back</source>
+        <translation>celá obrazovka a zpět</translation>
+    </message>
 </context>
 <context>
     <name>terratact::DiagnosticsPage</name>

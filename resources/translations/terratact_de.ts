@@ -4930,6 +4930,10 @@ F1</translation>
         <source>Recorded demonstration, two tracks</source>
         <translation>Aufgezeichnete Vorführung, zwei Ketten</translation>
     </message>
+    <message>
+        <source>full screen, and back</source>
+        <translation>Vollbild und zurück</translation>
+    </message>
 </context>
 <context>
     <name>terratact::DiagnosticsPage</name>

@@ -36,5 +36,18 @@ TEST_F(Look, safeModeIsShownOnEveryPageAndCutsNothing)
     }
 }
 
+TEST_F(Look, f11ShowsFullScreenAndComesBack)
+{
+    gui::showActive(*window);
+    for (const bool maximized : {false, true}) {
+        window->setWindowState(maximized ? Qt::WindowMaximized : Qt::WindowNoState);
+        QTest::keyClick(window.get(), Qt::Key_F11);
+        EXPECT_TRUE(eventually([&] { return window->isFullScreen(); }));
+        QTest::keyClick(window.get(), Qt::Key_F11);
+        EXPECT_TRUE(eventually([&] { return !window->isFullScreen(); }));
+        EXPECT_EQ(window->isMaximized(), maximized);
+    }
+}
+
 }  // namespace
 }  // namespace terratact
