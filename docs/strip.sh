@@ -42,6 +42,13 @@ A new section begins, and nothing is joined over its begin, when one of these ha
 
 The strip keeps the last 150 m of ground, with less than 1 MB.
 
+## On the screen
+
+The terrain picture draws remembered ground behind, under and ahead of the robot, in the console and in a review: a dashed line in a band
+without marks, dotted where the ground was bounded or felt in part. Its standard deviation stands beside it. While an estimate stands, only the
+ground behind it is drawn. Ground that was not felt is not drawn, nor ground with an sd above 0.15 m. Remembered ground decides nothing: the
+verdict is *NO VERDICT* until the next estimate. The wheel zooms, dragging moves the window, a double click shows the robot again.
+
 ## Export
 
 `terratact session strip drive.tts --out strip.csv` writes a line for each bin and side:

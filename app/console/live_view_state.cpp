@@ -31,10 +31,9 @@ void addEstimation(TerrainViewState& viewState, const Estimation& estimation)
     if (viewState.second)
         viewState.secondName = format::text(name(viewState.second->side[0].settings.method));
     viewState.live = {pointer(estimation.live()), revisions.live};
-    viewState.ghost = estimation.ghost();
-    viewState.isGhostOnePlane = estimation.isGhostOnePlane();
-    if (!viewState.isGhostOnePlane) viewState.rightGhost = estimation.ghost(Side::Right);
-    viewState.whyNoGhost = translated(estimation.whyNoGhost().value_or(Message()));
+    viewState.remembered = estimation.remembered();
+    viewState.whyNothingRemembered =
+        translated(estimation.whyNothingRemembered().value_or(Message()));
     viewState.verdict = estimation.verdict();
 }
 

@@ -17,7 +17,7 @@ constexpr int kLiveDraws = 200;  // enough draws for a preview
 }  // namespace
 
 Estimation::Estimation(EstimatorWorker& worker, const RobotModel& robot, const Options& options)
-    : worker_(worker), robot_(robot), options_(options)
+    : worker_(worker), robot_(robot), options_(options), strip_(robot)
 {
     listenToModels();
     connect(&worker_, &EstimatorWorker::estimated, this, &Estimation::accept);
@@ -50,12 +50,12 @@ void Estimation::listenToModels()
     connect(&worker_, &EstimatorWorker::modelLoaded, this,
             [this](const QString& name, const QString& details, const QString& /*hash*/,
                    const QString& content, bool hasTwoTracks) {
+                if (!model_.name.isEmpty()) strip_.endSection();  // it was felt by another model
                 model_ = {.name = name,
                           .details = details,
                           .content = content,
                           .trouble = {},
                           .hasTwoTracks = hasTwoTracks};
-                if (!estimate_) forgetGhost();  // the ghost belongs to the previous model
                 aside_.reset();
                 emit modelChanged();
                 emit happened(
@@ -91,13 +91,13 @@ void Estimation::poll(const std::optional<Received>& latest, bool telemetryFresh
         emit telemetryGap();
     if (scene_ && !hasMoved() && latest->count >= capturedAt_) suspect(latest->suspicions);
     if (latest->count == tracked_) return;
-    if (tracks_ && latest->unbrokenFrom > tracked_) {
-        for (GhostTrack& track : *tracks_) track.addSilence();
-        if (!scene_) emit telemetryGap();
+    if (tracked_ > 0 && latest->unbrokenFrom > tracked_) {
+        const bool wasSeen = !strip_.whyNothing();
+        strip_.addSilence();
+        if (wasSeen && !scene_) emit telemetryGap();
     }
     tracked_ = latest->count;
-    if (tracks_)
-        for (GhostTrack& track : *tracks_) track.add(newest);
+    strip_.add(newest);
 }
 
 Estimation::Processes Estimation::processesOf(Method method) const
@@ -164,6 +164,7 @@ void Estimation::begin(const Received& latest, std::uint64_t since)
     hadTelemetryGap_ = wasSuspected_ = wasPitchSuspected_ = false;
     suspect(latest.suspicions);
     readings_.clear();
+    strip_.beginScene(scene_->measurement);
     emit captured(*scene_);
     start();
 }
@@ -240,9 +241,9 @@ void Estimation::forget(const Message& why)
 void Estimation::setAside(const Message& why)
 {
     if (estimate_ && scene_ && pose_)
-        aside_ = Aside{*scene_,    *pose_,          capturedAt_, hadTelemetryGap_, readings_,
-                       *estimate_, second_.value(), tracks_,     isGhostOnePlane_};
-    forgetGhost();
+        aside_ = Aside{*scene_,   *pose_,     capturedAt_,    hadTelemetryGap_,
+                       readings_, *estimate_, second_.value()};
+    takeBack();
     forget(why);
 }
 
@@ -257,8 +258,7 @@ bool Estimation::restore()
     readings_ = std::move(aside.readings);
     estimate_ = std::move(aside.estimate);
     second_ = std::move(aside.second);
-    tracks_ = std::move(aside.tracks);
-    isGhostOnePlane_ = aside.isGhostOnePlane;
+    strip_.enter(*estimate_, estimateJob_);
     whyNone_ = {};
     emit stands(false);
     adviseAnew();  // if the limit has changed meanwhile
@@ -333,11 +333,7 @@ void Estimation::accept(int job, const TwoTrackEstimate& estimate, double second
     counts_.contradicting += left.contradicts || right.contradicts ? 1 : 0;
     advice_ = {};
     estimateJob_ = job;
-    tracks_ = SideTracks{GhostTrack(robot_, left, scene_->measurement),
-                         GhostTrack(robot_, right, scene_->measurement)};
-    isGhostOnePlane_ = estimate.onePlane;
-    if (hadTelemetryGap_)
-        for (GhostTrack& track : *tracks_) track.addSilence();
+    strip_.enter(estimate, job);
     emit stands(false);
     announce(estimate);
     unadvised_ = true;
@@ -393,22 +389,33 @@ bool Estimation::estimatesBothSides(const Measurement& line) const
     return model_.hasTwoTracks && allowsBothSides(line, options_.settings.method);
 }
 
-std::optional<Ghost> Estimation::ghost(Side side) const
+void Estimation::takeBack()
 {
-    if (!wantsGhost() || !telemetryFresh_) return std::nullopt;
-    return (*tracks_)[side == Side::Left ? 0 : 1].ghost();
+    if (estimate_)
+        strip_.removeLast();
+    else
+        strip_.endSection();
 }
 
-std::optional<Message> Estimation::whyNoGhost() const
+SeenStrip Estimation::remembered() const
 {
-    return wantsGhost() ? noGhostWords((*tracks_)[0].why(), telemetryFresh_) : std::nullopt;
+    return telemetryFresh_ ? strip_.seen() : SeenStrip{};
 }
 
-std::optional<Message> noGhostWords(std::optional<NoGhost> why, bool telemetryFresh)
+std::optional<Message> Estimation::whyNothingRemembered() const
 {
-    if (why) return Message(TR_NOOP("terratact::Estimation", "No ghost: %1"), describe(*why));
+    if (counts_.estimates == 0) return std::nullopt;
+    return nothingRememberedWords(strip_.whyNothing(), telemetryFresh_);
+}
+
+std::optional<Message> nothingRememberedWords(std::optional<SectionStart> why, bool telemetryFresh)
+{
+    if (why == SectionStart::First) return std::nullopt;
+    if (why)
+        return Message(TR_NOOP("terratact::Estimation", "Nothing is remembered here: %1"),
+                       describe(*why));
     if (telemetryFresh) return std::nullopt;
-    return TR_NOOP("terratact::Estimation", "No ghost while telemetry is missing");
+    return TR_NOOP("terratact::Estimation", "No remembered ground while telemetry is missing");
 }
 
 }  // namespace terratact

@@ -14,9 +14,9 @@
 #include "core/atem/pose_watch.h"
 #include "core/base/message.h"
 #include "core/eval/calibration_ledger.h"
-#include "core/infer/verdict/ghost_track.h"
 #include "core/infer/verdict/two_track_verdict.h"
 #include "core/robot/robot_model.h"
+#include "core/strip/strip.h"
 
 namespace terratact {
 
@@ -36,8 +36,8 @@ struct ModelInUse {
 };
 
 /// Owns the estimates of the present scene, by the settings' method and an optional second method, with the arm's
-/// readings. Before the scene it gives live previews while the flippers move down. After the scene it gives the last
-/// estimate moved by odometry (ghost). The worker computes; answers to outdated requests are dropped. GUI thread only.
+/// readings. Before the scene it gives live previews while the flippers move down. It enters
+/// every estimate into the strip of felt ground, which it follows along telemetry. The worker computes; answers to outdated requests are dropped. GUI thread only.
 class Estimation final : public QObject {
     Q_OBJECT
 public:
@@ -68,11 +68,12 @@ public:
     void setSecondMethod(std::optional<Method> method);  ///< empty: none
     void cancel();                                       ///< cancels all running jobs
     void adviseAnew();  ///< requests advice for the present step limit if it has changed
-    /// Drops scene, readings, estimates and pending answers, but not the ghost or a preview.
+    /// Drops scene, readings, estimates and pending answers, but not a preview. The strip keeps what was felt.
     void forget(const Message& why);
-    void forgetGhost() { tracks_.reset(); }
-    /// Combines forget() and forgetGhost() so that restore() can undo them. Restoring needs the same model and pose,
-    /// and no newer scene.
+    /// Takes the estimate out of the strip; without one, ends the strip's section.
+    void takeBack();
+    /// Does as forget() and takeBack(), so that restore() can undo both. Restoring needs the
+    /// same model and pose, and no newer scene.
     void setAside(const Message& why);
     bool isAside() const { return aside_ && !aside_->pose.hasLeft(); }
     bool restore();  ///< returns false if nothing is set aside
@@ -117,13 +118,12 @@ public:
     /// Returns true if the next estimate of such a line may be of both sides: roll and different flippers are then no
     /// reason for doubt.
     bool estimatesBothSides(const Measurement& line) const;
-    /// Returns a side of the last estimate moved by odometry until a new one exists. It affects no decision. Both sides
-    /// of one plane are equal.
-    std::optional<Ghost> ghost(Side side = Side::Left) const;
-    /// Returns true if ghost() is of an estimate of one plane.
-    bool isGhostOnePlane() const { return isGhostOnePlane_; }
-    /// Reason of the last estimate; empty: there is a ghost, or was no estimate.
-    std::optional<Message> whyNoGhost() const;
+    /// Returns the ground felt along the way, as seen from the newest telemetry; empty while that is missing. It affects
+    /// no decision.
+    SeenStrip remembered() const;
+    /// Returns why nothing is remembered here; empty: there is something, or nothing was felt yet.
+    std::optional<Message> whyNothingRemembered() const;
+    const Strip& strip() const { return strip_; }
     /// Number of finished estimates of scenes, and of those that contradict their readings
     /// (core/sim/posterior_check.h), since the console started.
     struct Counts {
@@ -142,7 +142,7 @@ signals:
     void offered();       ///< the first advice for estimate() with the present step limit is ready
     void failed();        ///< the estimate of scene() failed
     void advised();       ///< new advice for another step limit is ready
-    void telemetryGap();  ///< hadTelemetryGap() became true, or the ghost ended for that reason
+    void telemetryGap();  ///< hadTelemetryGap() became true, or the strip ended for that reason
     void forgotten(const terratact::Message& why);  ///< the estimate was dropped
 
 private:
@@ -155,7 +155,6 @@ private:
     };
     void suspect(const std::vector<SensorSuspicion>& suspicions);
 
-    using SideTracks = std::array<GhostTrack, 2>;  ///< left, right
     /// An estimate that the operator has cleared.
     struct Aside {
         CapturedScene scene;
@@ -165,8 +164,6 @@ private:
         std::vector<ArmReading> readings;
         TwoTrackEstimate estimate;
         std::optional<TwoTrackEstimate> second;
-        std::optional<SideTracks> tracks;
-        bool isGhostOnePlane;
     };
 
     void listenToModels();
@@ -185,7 +182,6 @@ private:
     EstimateRequest requestFor(Method method) const;
     void announce(const TwoTrackEstimate& estimate);
     void score(const ArmReading& reading);
-    bool wantsGhost() const { return tracks_ && !estimate_ && !live_; }
 
     EstimatorWorker& worker_;
     const RobotModel& robot_;
@@ -217,12 +213,11 @@ private:
 
     Counts counts_;
     CalibrationLedger ledger_;
-    std::optional<SideTracks> tracks_;  ///< tracks of the last estimate
-    bool isGhostOnePlane_ = true;
+    Strip strip_;
     std::uint64_t tracked_ = 0;  ///< count of the last sample it used
 };
 
-/// Returns why no ghost is shown: there is none, or no telemetry. Empty: a ghost is shown.
-std::optional<Message> noGhostWords(std::optional<NoGhost> why, bool telemetryFresh);
+/// Returns why nothing is remembered: the strip's reason, or no telemetry. Empty: something is, or nothing was felt yet.
+std::optional<Message> nothingRememberedWords(std::optional<SectionStart> why, bool telemetryFresh);
 
 }  // namespace terratact

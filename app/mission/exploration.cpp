@@ -234,10 +234,9 @@ void Exploration::advance()
     }
     poll(in);
     endOverrides();
-    if (in.aborted && !exploring(state_.phase)) {
-        estimation_.forgetGhost();
-        if (estimation_.estimate())
-            forget(TR_NOOP("terratact::Exploration", "No estimate: explore the terrain (A)"));
+    if (in.aborted && !exploring(state_.phase) && estimation_.estimate()) {
+        estimation_.takeBack();
+        forget(TR_NOOP("terratact::Exploration", "No estimate: explore the terrain (A)"));
     }
     if (estimation_.hasLeft() && estimation_.estimate())
         forget(TR_NOOP("terratact::Exploration", "The robot has moved: explore again (A)"));

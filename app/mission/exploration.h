@@ -44,8 +44,9 @@ public:
         AttitudeLimits attitude;    ///< beyond amber, feel forward does not go on
         /// [s] telemetry watchdog: longer silence means a lost link.
         double linkLostAfter = kLinkLostAfter;
-        double staleAfter = kStaleAfter;  ///< [s] older telemetry is stale: no verdict, no ghost
-        double probeSeconds = 45.0;       ///< expected duration of a probe, shown to the operator
+        double staleAfter =
+            kStaleAfter;  ///< [s] older telemetry is stale: no verdict, nothing remembered
+        double probeSeconds = 45.0;  ///< expected duration of a probe, shown to the operator
         /// Ground file of the simulated robot, or "" for its built-in ground; empty: a real robot.
         std::optional<std::string> groundFile;
     };
@@ -72,7 +73,7 @@ public:
     void askProbe(ProbePlace place);
     std::optional<Message>
     whyNotAsking(ProbePlace place) const;  ///< why askProbe() is refused; empty: it is allowed
-    void forgetResult();                   ///< clears estimate and ghost unless exploring
+    void forgetResult();                   ///< clears the estimate unless exploring
     void restoreResult();                  ///< restores what forgetResult() cleared
     void setStepLimit(double metres);      ///< obstacle height
     void setAttitudeLimits(const AttitudeLimits& limits) { options_.attitude = limits; }

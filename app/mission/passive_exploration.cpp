@@ -26,7 +26,7 @@ void PassiveExploration::poll(FollowInput& in, const Received& latest) const
 void PassiveExploration::tick(AtemState& state, FollowInput in, const Received& latest)
 {
     poll(in, latest);
-    if (in.aborted) estimation_.forgetGhost();
+    if (in.aborted && estimation_.estimate()) estimation_.takeBack();
     if (in.linkLost) {  // the robot may have moved meanwhile
         captured_ = 0;
         lostAt_ = latest.count;

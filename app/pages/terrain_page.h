@@ -8,10 +8,10 @@
 #include "app/pages/terrain_layout.h"
 #include "core/atem/atem_machine.h"
 #include "core/infer/estimate/two_track_estimate.h"
-#include "core/infer/verdict/ghost.h"
 #include "core/infer/verdict/two_track_verdict.h"
 #include "core/robot/attitude.h"
 #include "core/robot/robot_model.h"
+#include "core/strip/strip.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/probe_card.h"
 #include "widgets/control/robot_readout.h"
@@ -75,11 +75,8 @@ struct TerrainViewState {
     QString secondName{};
     DrawnEstimate live{};  ///< live preview, shown instead of the estimate
     QString whyNoEstimate{};
-    std::optional<Ghost>
-        ghost{};  ///< the last estimate, moved by odometry: of one plane, or of the left side
-    std::optional<Ghost> rightGhost{};  ///< of the right side
-    bool isGhostOnePlane = true;
-    QString whyNoGhost{};  ///< reason that there is no ghost; empty: none to show
+    SeenStrip remembered{};          ///< ground that was felt along the way
+    QString whyNothingRemembered{};  ///< reason that nothing is; empty: none to show
     std::optional<TwoTrackVerdict> verdict{};
 
     AtemState state{};

@@ -175,7 +175,7 @@ void TerrainPage::setViewState(const TerrainViewState& viewState)
     showProbe(viewState);
     strip_->setProgress(viewState.progress);
     atem_->setState(viewState.state, viewState.time, viewState.stateWords);
-    atem_->setResultStands(viewState.estimate || viewState.ghost || viewState.rightGhost);
+    atem_->setResultStands(viewState.estimate || !viewState.remembered.isEmpty());
     showProbeToAsk(viewState);
     atem_->setPreconditions(viewState.preconditions);
     atem_->setNeeds(Commanded::Drive, viewState.driving);
@@ -280,10 +280,7 @@ void TerrainPage::showEstimate(const TerrainViewState& viewState)
         terrain_->clearEstimate(shownReason_);
         strip_->setNothing(QString());
     }
-    if (viewState.isGhostOnePlane)
-        terrain_->setGhost(viewState.ghost, viewState.whyNoGhost);
-    else
-        terrain_->setGhosts(viewState.ghost, viewState.rightGhost, viewState.whyNoGhost);
+    terrain_->setRemembered(viewState.remembered, viewState.whyNothingRemembered);
     if (shownSecond_ != second) {
         shownSecond_ = second;
         terrain_->setSecond(second ? std::optional(*viewState.second) : std::nullopt,

@@ -1,6 +1,7 @@
 #include "app/review/review_view_state.h"
 
 #include <limits>
+#include <utility>
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
@@ -45,7 +46,7 @@ bool isTelemetryFresh(const ReviewMoment& moment)
 }  // namespace
 
 ReviewViewState::ReviewViewState(SessionReader& session, const RobotModel& robot)
-    : robot_(robot), felt_(session, robot), ghost_(session, robot)
+    : robot_(robot), felt_(session, robot), strip_(session, robot)
 {
 }
 
@@ -78,7 +79,7 @@ TerrainViewState ReviewViewState::terrain(const ReviewMoment& moment,
     viewState.count = ++shows_;  // every moment is redrawn
     addMeasured(viewState, moment, threshold(moment, preferences));
     addEstimates(viewState, moment, whatIf);
-    addGhost(viewState, moment);
+    addRemembered(viewState, moment);
     viewState.state = moment.state;
     viewState.secondsInPhase = viewState.now - moment.state.since;
     addProbe(viewState, moment, preferences.probes);
@@ -131,18 +132,13 @@ void ReviewViewState::addEstimates(TerrainViewState& viewState, const ReviewMome
         moment.forgotten.empty() ? tr("No estimate at this time") : translated(moment.forgotten);
 }
 
-void ReviewViewState::addGhost(TerrainViewState& viewState, const ReviewMoment& moment)
+void ReviewViewState::addRemembered(TerrainViewState& viewState, const ReviewMoment& moment)
 {
-    const ReviewGhost::ViewState found = ghost_.at(moment);
-    if (!found.ghost && !found.right && !found.why) return;
-    const auto whyNoGhost = noGhostWords(found.why, isTelemetryFresh(moment));
-    if (whyNoGhost) {
-        viewState.whyNoGhost = translated(*whyNoGhost);
-        return;
-    }
-    viewState.ghost = found.ghost;
-    viewState.rightGhost = found.right;
-    viewState.isGhostOnePlane = found.onePlane;
+    ReviewStrip::ViewState found = strip_.at(moment);
+    const bool isFresh = isTelemetryFresh(moment);
+    if (isFresh) viewState.remembered = std::move(found.seen);
+    viewState.whyNothingRemembered =
+        translated(nothingRememberedWords(found.why, isFresh).value_or(Message()));
 }
 
 void ReviewViewState::addProbe(TerrainViewState& viewState, const ReviewMoment& moment,

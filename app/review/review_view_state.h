@@ -11,8 +11,8 @@
 #include "app/runtime/revised.h"
 #include "app/shell/preferences.h"
 #include "core/atem/arm_choice.h"
-#include "core/log/review_ghost.h"
 #include "core/log/review_moment.h"
+#include "core/log/review_strip.h"
 
 namespace terratact {
 
@@ -48,13 +48,13 @@ private:
     void addMeasured(TerrainViewState& viewState, const ReviewMoment& moment, double threshold);
     void addEstimates(TerrainViewState& viewState, const ReviewMoment& moment,
                       const Revised<TwoTrackEstimate>& whatIf) const;
-    void addGhost(TerrainViewState& viewState, const ReviewMoment& moment);
+    void addRemembered(TerrainViewState& viewState, const ReviewMoment& moment);
     void addProbe(TerrainViewState& viewState, const ReviewMoment& moment, ProbePolicy policy);
     const ProbeAdvice& adviceOf(const std::shared_ptr<const EstimateRow>& estimate, double limit);
 
     RobotModel robot_;
     ReviewForces felt_;
-    ReviewGhost ghost_;
+    ReviewStrip strip_;
     std::optional<double> limit_;                 ///< [m] obstacle height chosen by the reviewer
     std::shared_ptr<const EstimateRow> advised_;  ///< estimate that advice_ belongs to
     ProbeAdvice advice_;

@@ -204,8 +204,10 @@ SeenStrip Strip::seen() const
 
 std::optional<SectionStart> Strip::whyNothing() const
 {
-    if (sections_.empty())
-        return way_.why() == SectionStart::NoOdometry ? way_.why() : SectionStart::First;
+    if (sections_.empty()) {
+        const bool isPlaced = way_.why() != SectionStart::NoOdometry || way_.now();
+        return isPlaced ? SectionStart::First : SectionStart::NoOdometry;
+    }
     if (sections_.back().segment != way_.segment() || !way_.now()) return way_.why();
     return std::nullopt;
 }

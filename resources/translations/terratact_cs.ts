@@ -5291,20 +5291,20 @@ F1</translation>
         <translation>odhad za %1</translation>
     </message>
     <message>
-        <source>No ghost: %1</source>
-        <translation>Bez stínu: %1</translation>
-    </message>
-    <message>
-        <source>No ghost while telemetry is missing</source>
-        <translation>Bez stínu, dokud chybí telemetrie</translation>
-    </message>
-    <message>
         <source>arm %1: %2 m, between the sides that are estimated</source>
         <translation>rameno %1: %2 m, mezi odhadovanými stranami</translation>
     </message>
     <message>
         <source>arm %1: %2 m, %3 the band shown before</source>
         <translation>rameno %1: %2 m, %3 předtím ukázaného pásma</translation>
+    </message>
+    <message>
+        <source>Nothing is remembered here: %1</source>
+        <translation>Zde není nic zapamatováno: %1</translation>
+    </message>
+    <message>
+        <source>No remembered ground while telemetry is missing</source>
+        <translation>Bez zapamatovaného terénu, dokud chybí telemetrie</translation>
     </message>
 </context>
 <context>
@@ -8271,10 +8271,6 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>nebo %1 m (%2 %)</translation>
     </message>
     <message>
-        <source>ghost</source>
-        <translation>stín</translation>
-    </message>
-    <message>
         <source>as of %1 ago</source>
         <translation>stav před %1</translation>
     </message>
@@ -8303,10 +8299,6 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
         <translation>z: %1 (%2)</translation>
     </message>
     <message>
-        <source>ghost of the last estimate · %1 m driven since · heights ± %2 cm</source>
-        <translation>stín posledního odhadu · od té doby ujeto %1 m · výšky ± %2 cm</translation>
-    </message>
-    <message>
         <source>felt to %1 m</source>
         <translation>ohmatáno do %1 m</translation>
     </message>
@@ -8321,6 +8313,18 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     <message>
         <source>%1: height %2 m ± %3 m</source>
         <translation>%1: výška %2 m ± %3 m</translation>
+    </message>
+    <message>
+        <source>remembered</source>
+        <translation>zapamatováno</translation>
+    </message>
+    <message>
+        <source>remembered ± %1 cm</source>
+        <translation>zapamatováno ± %1 cm</translation>
+    </message>
+    <message>
+        <source>remembered ground · %1 m driven since · heights ± %2 cm</source>
+        <translation>zapamatovaný terén · od té doby ujeto %1 m · výšky ± %2 cm</translation>
     </message>
 </context>
 <context>

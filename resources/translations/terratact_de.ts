@@ -5291,20 +5291,20 @@ F1</translation>
         <translation>Schätzung in %1</translation>
     </message>
     <message>
-        <source>No ghost: %1</source>
-        <translation>Kein Schatten: %1</translation>
-    </message>
-    <message>
-        <source>No ghost while telemetry is missing</source>
-        <translation>Kein Schatten, solange Telemetrie fehlt</translation>
-    </message>
-    <message>
         <source>arm %1: %2 m, between the sides that are estimated</source>
         <translation>Arm %1: %2 m, zwischen den geschätzten Seiten</translation>
     </message>
     <message>
         <source>arm %1: %2 m, %3 the band shown before</source>
         <translation>Arm %1: %2 m, %3 des zuvor gezeigten Bandes</translation>
+    </message>
+    <message>
+        <source>Nothing is remembered here: %1</source>
+        <translation>Hier ist nichts gemerkt: %1</translation>
+    </message>
+    <message>
+        <source>No remembered ground while telemetry is missing</source>
+        <translation>Kein gemerkter Boden, solange Telemetrie fehlt</translation>
     </message>
 </context>
 <context>
@@ -8271,10 +8271,6 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>oder %1 m (%2 %)</translation>
     </message>
     <message>
-        <source>ghost</source>
-        <translation>Schatten</translation>
-    </message>
-    <message>
         <source>as of %1 ago</source>
         <translation>Stand vor %1</translation>
     </message>
@@ -8303,10 +8299,6 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
         <translation>aus: %1 (%2)</translation>
     </message>
     <message>
-        <source>ghost of the last estimate · %1 m driven since · heights ± %2 cm</source>
-        <translation>Schatten der letzten Schätzung · seither %1 m gefahren · Höhen ± %2 cm</translation>
-    </message>
-    <message>
         <source>felt to %1 m</source>
         <translation>ertastet bis %1 m</translation>
     </message>
@@ -8321,6 +8313,18 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     <message>
         <source>%1: height %2 m ± %3 m</source>
         <translation>%1: Höhe %2 m ± %3 m</translation>
+    </message>
+    <message>
+        <source>remembered</source>
+        <translation>gemerkt</translation>
+    </message>
+    <message>
+        <source>remembered ± %1 cm</source>
+        <translation>gemerkt ± %1 cm</translation>
+    </message>
+    <message>
+        <source>remembered ground · %1 m driven since · heights ± %2 cm</source>
+        <translation>gemerkter Boden · seither %1 m gefahren · Höhen ± %2 cm</translation>
     </message>
 </context>
 <context>

@@ -51,10 +51,21 @@ inline TerrainEstimate divided()
     return e;
 }
 
-/// Returns the ghost of stepEstimate() after 0.2 m.
-inline Ghost ghost()
+/// Returns stepEstimate() as remembered after 0.2 m. The estimate was felt where it is not prior only.
+inline SeenStrip remembered()
 {
-    return ghostOf(stepEstimate(), {.forward = 0.2, .way = 0.2, .upSd = 0.03});
+    const TerrainEstimate e = stepEstimate();
+    SeenStrip strip;
+    for (int bin = 0; bin < kBins; ++bin) {
+        const auto i = static_cast<std::size_t>(bin);
+        strip.side[0].push_back({.x = binCentre(bin) - 0.2,
+                                 .band = widened({e.height[i], e.sd[i], e.q10[i], e.q90[i]}, 0.03),
+                                 .felt = e.priorOnly(bin) ? FeltBy::NotFelt : FeltBy::Track,
+                                 .time = 0.0,
+                                 .way = 0.2});
+    }
+    strip.side[1] = strip.side[0];
+    return strip;
 }
 
 }  // namespace terratact

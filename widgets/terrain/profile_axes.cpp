@@ -19,6 +19,14 @@ namespace {
 constexpr std::array<int, 2> kAxes{QwtPlot::xBottom, QwtPlot::yLeft};
 constexpr int kLetters = 13;  // [px] at 100 %
 
+/// Returns the distance of two labels [m], at least `least`.
+double tickStep(double least)
+{
+    for (const double step : {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0})
+        if (step >= least) return step;
+    return 50.0;
+}
+
 }  // namespace
 
 MetreScale::MetreScale(bool withPlus) : withPlus_(withPlus)
@@ -83,24 +91,24 @@ bool ProfileAxes::fit(double bottom, double top, double below)
     const double width = plot_.canvasMap(QwtPlot::xBottom).pDist();
     const double height = plot_.canvasMap(QwtPlot::yLeft).pDist() - below;
     if (!(width > 10.0 && height > 10.0)) return false;
-    const std::array<double, 4> wanted{bottom, top, width, height};
+    const std::array<double, 6> wanted{bottom, top, width, height, zoom_, shift_};
     if (wanted == fitted_) return false;
     fitted_ = wanted;
-    const double scale = std::min(width / (kRight - kLeft), height / (top - bottom));  // [px/m]
-    const double spareX = width / scale - (kRight - kLeft);
+    const double scale = std::min(width / (right() - left()), height / (top - bottom));  // [px/m]
+    const double spareX = width / scale - (right() - left());
     const double spareZ = height / scale - (top - bottom);
 
     const auto setScale = [this, scale](int axis, double from, double to) {
         QList<double> centres;
         const double least =
             scaled(axis == QwtPlot::xBottom ? 44 : 22);  // [px] minimum distance between labels
-        const double step = 0.1 * scale >= least ? 0.1 : 0.2 * scale >= least ? 0.2 : 0.5;
+        const double step = tickStep(least / scale);
         const auto last = static_cast<int>(std::floor(to / step + 1e-9));
         for (auto tick = static_cast<int>(std::ceil(from / step - 1e-9)); tick <= last; ++tick)
             centres << tick * step;
         plot_.setAxisScaleDiv(axis, QwtScaleDiv(from, to, {}, {}, centres));
     };
-    setScale(QwtPlot::xBottom, kLeft - spareX / 2.0, kRight + spareX / 2.0);
+    setScale(QwtPlot::xBottom, left() - spareX / 2.0, right() + spareX / 2.0);
     setScale(QwtPlot::yLeft, bottom - spareZ * 0.6 - below / scale, top + spareZ * 0.4);
     plot_.updateAxes();
     return true;

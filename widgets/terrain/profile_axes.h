@@ -26,6 +26,18 @@ public:
 
     explicit ProfileAxes(QwtPlot& plot);
 
+    /// Shows `zoom` times the extent in x, shifted forward by `shift` [m]. Takes effect with fit().
+    void setWindow(double zoom, double shift)
+    {
+        zoom_ = zoom;
+        shift_ = shift;
+    }
+    double zoom() const { return zoom_; }
+    double shift() const { return shift_; }  ///< [m]
+    /// Return the ends of the window [m].
+    double left() const { return middle() - zoom_ * (kRight - kLeft) / 2.0; }
+    double right() const { return middle() + zoom_ * (kRight - kLeft) / 2.0; }
+
     void restyle();  ///< applies the current theme and font
     void name();     ///< names the axes as the width allows
     /// Fits the heights from bottom to top [m] into the canvas, with `below` [px] left free at the lower edge. Returns
@@ -33,9 +45,12 @@ public:
     bool fit(double bottom, double top, double below);
 
 private:
+    double middle() const { return (kLeft + kRight) / 2.0 + shift_; }
+
     QwtPlot& plot_;
-    /// The bottom, top [m], width and height [px] above `below` of the last fit.
-    std::array<double, 4> fitted_{};
+    double zoom_ = 1.0, shift_ = 0.0;
+    /// The bottom, top [m], width and height [px] above `below`, zoom and shift of the last fit.
+    std::array<double, 6> fitted_{};
 };
 
 }  // namespace terratact

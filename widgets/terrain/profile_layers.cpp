@@ -70,72 +70,9 @@ QPen secondPen(Qt::PenStyle style)
     return {theme().muted, 1.5, style};
 }
 
-QPen ghostPen(double width)
-{
-    QPen pen(theme().sampled, width, Qt::CustomDashLine, Qt::FlatCap);
-    pen.setDashPattern({4.0, 3.0});
-    return pen;
-}
-
-QColor ghostBand()
-{
-    QColor colour = theme().sampled;
-    colour.setAlpha(0x2c);
-    return colour;
-}
-
-/// Returns runs of neighbouring bins that are drawable.
-std::vector<std::vector<int>> runsOf(const Ghost& ghost)
-{
-    std::vector<std::vector<int>> runs;
-    bool pen = false;
-    for (int i = 0; i < kBins; ++i) {
-        const auto& bin = ghost.bin[static_cast<std::size_t>(i)];
-        const bool there = bin && drawable(bin->height) && drawable(bin->q10) && drawable(bin->q90);
-        if (there && !pen) runs.emplace_back();
-        if (there) runs.back().push_back(i);
-        pen = there;
-    }
-    return runs;
-}
-
 QPen twoPen()
 {
     return {theme().doubt, 2.0};
-}
-
-/// Draws one ghost; letter: of its side, empty for one plane.
-void drawGhost(QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y, const Ghost& ghost,
-               const QString& letter)
-{
-    for (const std::vector<int>& run : runsOf(ghost)) {
-        const auto line = [&](double GhostBin::*height) {
-            QPolygonF points;
-            for (const int bin : run)
-                points << pixel(x, y, binCentre(bin),
-                                (*ghost.bin[static_cast<std::size_t>(bin)]).*height);
-            return points;
-        };
-        const QPolygonF low = line(&GhostBin::q10);
-        QPolygonF band = line(&GhostBin::q90);
-        painter.setPen(ghostPen(1.0));
-        painter.drawPolyline(low);
-        painter.drawPolyline(band);
-        if (run.size() == 1) painter.drawLine(low.front(), band.front());
-        std::for_each(low.rbegin(), low.rend(), [&](const QPointF& point) { band << point; });
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(ghostBand());
-        painter.drawPolygon(band);
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(ghostPen(2.5));
-        const QPolygonF middle = line(&GhostBin::height);
-        painter.drawPolyline(middle);
-        constexpr double kGap = 6.0;  // [px] between the letter and the line
-        if (!letter.isEmpty())
-            painter.drawText(
-                middle.front() - QPointF(painter.fontMetrics().horizontalAdvance(letter) + kGap, 0),
-                letter);
-    }
 }
 
 }  // namespace
@@ -241,29 +178,6 @@ void StaleOverlay::draw(QPainter* painter, const QwtScaleMap& /*x*/, const QwtSc
     painter->setPen(theme().bad);
     painter->drawRect(place);
     painter->drawText(place, Qt::AlignCenter, words);
-}
-
-GhostLayer::GhostLayer()
-    : QwtPlotItem(QwtText(text(QT_TRANSLATE_NOOP("terratact::TerrainProfileView", "ghost"))))
-{
-    setZ(17.0);
-    setRenderHint(QwtPlotItem::RenderAntialiased);
-    setItemAttribute(QwtPlotItem::Legend);
-}
-
-void GhostLayer::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
-                      const QRectF& /*canvas*/) const
-{
-    if (ghost) drawGhost(*painter, x, y, *ghost, isOnePlane ? QString() : QStringLiteral("L"));
-    if (right) drawGhost(*painter, x, y, *right, QStringLiteral("R"));
-}
-
-QwtGraphic GhostLayer::legendIcon(int /*index*/, const QSizeF& /*size*/) const
-{
-    return icon(ghostPen(2.5), [](QPainter& painter) {
-        painter.fillRect(QRectF(0, 2, 26, 12), ghostBand());
-        painter.drawLine(QPointF(0, 8), QPointF(26, 8));
-    });
 }
 
 TwoHeights::TwoHeights()

@@ -8,7 +8,6 @@
 
 #include "core/infer/estimate/estimate.h"
 #include "core/infer/verdict/bimodality.h"
-#include "core/infer/verdict/ghost.h"
 
 namespace terratact {
 
@@ -29,22 +28,6 @@ class SecondEstimate final : public QwtPlotItem {
 public:
     SecondEstimate();
     std::optional<TerrainEstimate> estimate;
-
-    void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
-              const QRectF& canvas) const override;
-    QwtGraphic legendIcon(int index, const QSizeF& size) const override;
-};
-
-/// The last estimate while the robot drives on, shifted by odometry: a dashed line in a band, without marks. Ghosts of
-/// both sides begin with L and R.
-class GhostLayer final : public QwtPlotItem {
-public:
-    GhostLayer();
-    std::optional<Ghost> ghost,
-        right;  ///< ghost: of one plane, or of the left side if there is one of the right
-    bool isOnePlane = true;
-
-    bool isShown() const { return ghost || right; }
 
     void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
               const QRectF& canvas) const override;

@@ -30,6 +30,16 @@ QwtText inked(const QString& words, const QColor& colour, const QFont& font)
     return result;
 }
 
+void setLabel(QwtPlotTextLabel& label, QwtText words)
+{
+    words.setRenderFlags(Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap);
+    QColor behind = theme().card;
+    behind.setAlpha(0xe0);
+    words.setBackgroundBrush(behind);
+    label.setText(words);
+    label.setVisible(!words.text().isEmpty());
+}
+
 QwtGraphic LineItem::legendIcon(int /*index*/, const QSizeF& /*size*/) const
 {
     QwtGraphic icon;

@@ -22,6 +22,9 @@ QFont sized(QFont font, int pixels, bool bold = false);
 /// Returns styled text for a plot.
 QwtText inked(const QString& words, const QColor& colour, const QFont& font);
 
+/// Sets a text at the top of the canvas; an empty one hides the label.
+void setLabel(QwtPlotTextLabel& label, QwtText words);
+
 /// A line in metres; the legend shows a sample.
 class LineItem final : public QwtPlotShapeItem {
 public:

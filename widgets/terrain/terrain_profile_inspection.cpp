@@ -147,12 +147,13 @@ void TerrainProfileView::describe()
     }
     if (const QString note = note_->text().text(); !note.isEmpty()) lines.prepend(note);
     if (!staleOverlay_->words.isEmpty()) lines.prepend(tr("not live: no telemetry from the robot"));
-    if (!ghostNote_->text().text().isEmpty()) lines << ghostNote_->text().text();
+    if (const QString note = rememberedNote_->text().text(); !note.isEmpty()) lines << note;
     setAccessibleDescription(lines.join(QLatin1Char('\n')));
 }
 
 bool TerrainProfileView::eventFilter(QObject* object, QEvent* event)
 {
+    if (object == canvas() && navigate(*event)) return true;
     if (object == canvas() && event->type() == QEvent::MouseMove)
         inspect(binOf(pointAt(static_cast<QMouseEvent*>(event)->position()).x()));
     if (object == canvas() && event->type() == QEvent::MouseButtonDblClick) {
@@ -166,6 +167,7 @@ bool TerrainProfileView::eventFilter(QObject* object, QEvent* event)
 
 void TerrainProfileView::keyPressEvent(QKeyEvent* event)
 {
+    if (navigateByKey(*event)) return;
     const int now = inspector_->bin();
     if (event->key() == Qt::Key_Right) return inspect(now < 0 ? 0 : std::min(now + 1, kBins - 1));
     const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;

@@ -17,6 +17,7 @@
 #include "widgets/terrain/bin_inspector.h"
 #include "widgets/terrain/profile_layers.h"
 #include "widgets/terrain/provenance_marks.h"
+#include "widgets/terrain/remembered_layer.h"
 #include "widgets/terrain/terrain_items.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
@@ -134,11 +135,11 @@ void TerrainProfileView::addLayers()
     second_->attach(this);
     twoHeights_ = new TwoHeights;
     twoHeights_->attach(this);
-    ghost_ = new GhostLayer;
-    ghost_->attach(this);
+    remembered_ = new RememberedLayer;
+    remembered_->attach(this);
     staleOverlay_ = new StaleOverlay;
     staleOverlay_->attach(this);
-    for (QwtPlotItem* layer : std::initializer_list<QwtPlotItem*>{draws_, second_, ghost_})
+    for (QwtPlotItem* layer : std::initializer_list<QwtPlotItem*>{draws_, second_, remembered_})
         layer->setItemAttribute(QwtPlotItem::Legend,
                                 false);  // no legend entry until there is something to show
 }
@@ -153,7 +154,7 @@ void TerrainProfileView::addNotes()
         return item;
     };
     note_ = label();
-    ghostNote_ = label();
+    rememberedNote_ = label();
 }
 
 void TerrainProfileView::restyle()
@@ -175,7 +176,7 @@ void TerrainProfileView::restyle()
     imu_->setSymbol(symbol(QwtSymbol::Ellipse, theme().text, theme().text, scaled(7)));
     imu_->setLabel(inked(tr("IMU"), theme().muted, sized(font(), 12)));
     showNote(note_->text().text(), estimate_.has_value());
-    showGhostNote(ghostNote_->text().text());
+    showRemembered();
     robot_.restyle();
     farRobot_.restyle();
     for (QwtPlotItem* item : itemList()) item->legendChanged();

@@ -20,6 +20,7 @@
 #include "widgets/terrain/bin_inspector.h"
 #include "widgets/terrain/profile_layers.h"
 #include "widgets/terrain/provenance_marks.h"
+#include "widgets/terrain/remembered_layer.h"
 #include "widgets/terrain/terrain_items.h"
 
 namespace terratact {
@@ -28,32 +29,8 @@ namespace {
 // [m] limits to which the view grows for outlying heights.
 constexpr double kLowest = -1.6, kHighest = 1.2;
 
-/// Sets a text at the top of the canvas.
-void setLabel(QwtPlotTextLabel& label, QwtText words)
-{
-    words.setRenderFlags(Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap);
-    QColor behind = theme().card;
-    behind.setAlpha(0xe0);
-    words.setBackgroundBrush(behind);
-    label.setText(words);
-    label.setVisible(!words.text().isEmpty());
-}
-
 constexpr int kNoteMargin = 12;  // [px]
 constexpr int kLowPlot = 230;    // [px] below this height a plot is low
-
-/// Returns the mean standard deviation [m] over the bins that the ghost has.
-double meanSd(const Ghost& ghost)
-{
-    double sum = 0.0;
-    int bins = 0;
-    for (const auto& bin : ghost.bin) {
-        if (!bin) continue;
-        sum += bin->sd;
-        ++bins;
-    }
-    return bins > 0 ? sum / bins : 0.0;
-}
 
 /// Returns true if all points of the outline up to x = right lie below `bottom` [m].
 bool isOutlineBelow(const Outline& outline, double right, double bottom)
@@ -93,20 +70,14 @@ void TerrainProfileView::showNote(const QString& note, bool warns)
     arrangeNotes();
 }
 
-void TerrainProfileView::showGhostNote(const QString& note)
-{
-    setLabel(*ghostNote_, inked(note, ghost_->isShown() ? theme().sampled : theme().muted,
-                                sized(font(), 15, true)));
-    arrangeNotes();
-}
-
 void TerrainProfileView::arrangeNotes()
 {
-    // In a low plot two lines would cover the robot. Beside a ghost the movement note is less important.
-    const bool isLow = canvas()->height() < scaled(kLowPlot) && ghost_->isShown();
+    // In a low plot two lines would cover the robot. Beside remembered ground the movement note is less important.
+    const bool isLow =
+        canvas()->height() < scaled(kLowPlot) && remembered_->isShown() && !estimate_;
     note_->setVisible(!isLow && !note_->text().text().isEmpty());
     note_->setMargin(zones_->isShown() ? scaled(28) : kNoteMargin);  // below the zones' words
-    ghostNote_->setMargin(isLow ? kNoteMargin : scaled(40));  // otherwise below the other note
+    rememberedNote_->setMargin(isLow ? kNoteMargin : scaled(40));  // otherwise below the other note
     placeCorner();
 }
 
@@ -130,7 +101,7 @@ void TerrainProfileView::placeCorner()
     const bool isBeside =
         free.width() >= kLeast * wanted.width() && free.height() >= wanted.height();
     const QSize size = isBeside ? wanted.boundedTo(free) : flat;
-    const bool isCovered = std::ranges::any_of(std::array{note_, ghostNote_}, [&](auto* note) {
+    const bool isCovered = std::ranges::any_of(std::array{note_, rememberedNote_}, [&](auto* note) {
         const double half = note->text().textSize(font()).width() / 2.0;
         return note->isVisible() && frame.center().x() - half < frame.left() + size.width();
     });
@@ -151,11 +122,12 @@ bool TerrainProfileView::isFreeAbove(const QRect& place) const
         const auto i = static_cast<std::size_t>(bin);
         for (const TerrainEstimate* e : {full(), light()})
             if (e && !(isBelow(e->q90[i]) && isBelow(e->height[i]))) return false;
-        for (const auto* ghost : {&ghost_->ghost, &ghost_->right})
-            if (*ghost && (*ghost)->bin[i] && !isBelow((*ghost)->bin[i]->q90)) return false;
         if (truth_ && !isBelow((*truth_)[i])) return false;
         if (second_->estimate && !isBelow(second_->estimate->height[i])) return false;
     }
+    for (const auto& bins : remembered_->drawn())
+        for (const SeenBin& bin : bins)
+            if (bin.x >= axes_.left() && bin.x < right && !isBelow(bin.band.q90)) return false;
     return isOutlineBelow(robot_.outline(), right, bottom)
         && isOutlineBelow(farRobot_.outline(), right, bottom);
 }
@@ -165,44 +137,6 @@ void TerrainProfileView::resizeEvent(QResizeEvent* event)
     axes_.name();
     QwtPlot::resizeEvent(event);
     arrangeNotes();
-}
-
-void TerrainProfileView::setGhost(const std::optional<Ghost>& ghost, const QString& why)
-{
-    showGhosts(ghost, std::nullopt, true, why);
-}
-
-void TerrainProfileView::setGhosts(const std::optional<Ghost>& left,
-                                   const std::optional<Ghost>& right, const QString& why)
-{
-    showGhosts(left, right, false, why);
-}
-
-void TerrainProfileView::showGhosts(const std::optional<Ghost>& ghost,
-                                    const std::optional<Ghost>& right, bool isOnePlane,
-                                    const QString& why)
-{
-    const std::optional<Ghost>& any = ghost ? ghost : right;
-    const QString note =
-        any ? tr("ghost of the last estimate · %1 m driven since · heights ± %2 cm")
-                  .arg(format::number(any->motion.way, 2), format::number(100.0 * meanSd(*any), 0))
-            : why;
-    if (ghost == ghost_->ghost && right == ghost_->right && note == ghostNote_->text().text())
-        return;
-    const bool comesOrGoes = any.has_value() != ghost_->isShown();
-    ghost_->ghost = ghost;
-    ghost_->right = right;
-    ghost_->isOnePlane = isOnePlane;
-    setInLegend(*ghost_, any.has_value());
-    if (comesOrGoes) {
-        sizeLegend();
-        QTimer::singleShot(0, this,
-                           [this] { updateLayout(); });  // after the legend has laid out its lines
-    }
-    showGhostNote(note);
-    describe();
-    fitAxes();
-    replot();
 }
 
 void TerrainProfileView::setStale(std::optional<double> age)
@@ -220,6 +154,7 @@ void TerrainProfileView::showEstimate()
     showBins(estimate_ ? *full() : TerrainEstimate{});
     showSides();
     const TerrainEstimate* const shown = full();
+    showRemembered();
     twoHeights_->modes = shown ? twoModes(*shown) : decltype(twoHeights_->modes){};
     const bool two = std::any_of(twoHeights_->modes.begin(), twoHeights_->modes.end(),
                                  [](const auto& modes) { return modes.has_value(); });
@@ -403,14 +338,12 @@ bool TerrainProfileView::setScales()
                ->estimate) {  // the legend triggers a layout before the second estimate is complete
         for (const double z : second_->estimate->height) include(z);
     }
-    if (ghost_)  // the same holds for the ghosts
-        for (const auto* ghost : {&ghost_->ghost, &ghost_->right}) {
-            if (!*ghost) continue;
-            for (const auto& bin : (*ghost)->bin) {
-                if (!bin) continue;
-                for (const double z : {bin->height, bin->q10, bin->q90}) include(z);
+    if (remembered_)  // the same holds for remembered ground
+        for (const auto& bins : remembered_->drawn())
+            for (const SeenBin& bin : bins) {
+                if (bin.x < axes_.left() || bin.x > axes_.right()) continue;
+                for (const double z : {bin.band.q10, bin.band.q90}) include(z);
             }
-        }
     return axes_.fit(bottom, top,
                      MarkLetters::reserved(font(), canvas()->height(), light() ? 2 : 1));
 }

@@ -8,9 +8,9 @@
 
 #include "core/infer/estimate/provenance.h"
 #include "core/infer/estimate/two_track_estimate.h"
-#include "core/infer/verdict/ghost.h"
 #include "core/robot/force_sensor.h"
 #include "core/robot/probe_side.h"
+#include "core/strip/strip.h"
 #include "core/terrain/outline.h"
 #include "widgets/terrain/profile_axes.h"
 #include "widgets/terrain/robot_sketch.h"
@@ -28,10 +28,10 @@ namespace terratact {
 class ArmMark;
 class BinInspector;
 class BinZones;
-class GhostLayer;
 class LightSide;
 class LineItem;
 class MarkLetters;
+class RememberedLayer;
 class SampleLines;
 class SecondEstimate;
 class SideKey;
@@ -56,6 +56,8 @@ struct ArmTip {
 /// no room. A bin with bimodal draws shows both heights.
 /// Of two sides, one is drawn in full and the other one lighter, beside it. The right side's line is solid, the left
 /// side's line is hollow, and letters stand at their ends.
+/// Remembered ground (remembered_layer.h) reaches beyond the picture: the wheel, + and − zoom, dragging and Shift with an
+/// arrow key pan, a double click or 0 shows the robot again.
 /// The bin under the pointer, or selected with the arrow keys, is shown in detail. Values that are not finite or beyond
 /// 100 m are left out. GUI thread only.
 class TerrainProfileView final : public QwtPlot {
@@ -89,11 +91,14 @@ public:
     /// Shows a second method's estimate of the same scene; empty: none. name: its legend entry.
     /// Of two sides it is that of the side in full.
     void setSecond(const std::optional<TwoTrackEstimate>& estimate, const QString& name);
-    /// Shows the last estimate moved by odometry. why: the reason shown if there is no ghost; empty: nothing.
-    void setGhost(const std::optional<Ghost>& ghost, const QString& why = {});
-    /// The same of both sides.
-    void setGhosts(const std::optional<Ghost>& left, const std::optional<Ghost>& right,
-                   const QString& why = {});
+    /// Shows the ground that was felt along the way. Beside an estimate it is shown behind it alone. why: the reason shown
+    /// if nothing is remembered; empty: nothing.
+    void setRemembered(const SeenStrip& strip, const QString& why = {});
+    /// Shows `factor` times the width, with x [m] at its place. The whole strip can be seen, and no less than the robot.
+    void zoom(double factor, double x);
+    void pan(double metres);  ///< moves the window forward, within the strip
+    void resetZoom();
+    bool isZoomed() const { return axes_.zoom() != 1.0 || axes_.shift() != 0.0; }
     void inspect(std::optional<int> bin);  ///< shows a bin in detail
     /// Mutes the drawing, which is `age` [s] old; empty: it is current.
     void setStale(std::optional<double> age);
@@ -160,9 +165,11 @@ private:
     const TerrainEstimate* light() const;
     const TerrainEstimate& of(Side side) const { return estimate_->side[indexOf(side)]; }
     void showNote(const QString& note, bool warns);
-    void showGhosts(const std::optional<Ghost>& ghost, const std::optional<Ghost>& right,
-                    bool isOnePlane, const QString& why);
-    void showGhostNote(const QString& note);
+    void showRemembered();
+    void setWindow(double zoom, double shift);
+    void showWindow();
+    bool navigate(QEvent& event);
+    bool navigateByKey(const QKeyEvent& event);
     void arrangeNotes();
     void placeCorner();
     bool isFreeAbove(const QRect& place) const;
@@ -200,8 +207,10 @@ private:
     ArmMark* armMark_ = nullptr;
     SampleLines* draws_ = nullptr;
     SecondEstimate* second_ = nullptr;
-    GhostLayer* ghost_ = nullptr;
-    QwtPlotTextLabel* ghostNote_ = nullptr;
+    RememberedLayer* remembered_ = nullptr;
+    QwtPlotTextLabel* rememberedNote_ = nullptr;
+    QString whyNothingRemembered_;
+    std::optional<double> dragged_;  ///< [m] x under the pointer since it was pressed
     TwoHeights* twoHeights_ = nullptr;
     StaleOverlay* staleOverlay_ = nullptr;
     BinInspector* inspector_ = nullptr;

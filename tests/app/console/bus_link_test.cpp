@@ -14,8 +14,8 @@
 #include "app/console/main_window.h"
 #include "app/recording/session_folder.h"
 #include "app/runtime/resources.h"
-#include "core/log/review_ghost.h"
 #include "core/log/review_moment.h"
+#include "core/log/review_strip.h"
 #include "core/log/session_reader.h"
 #include "core/sim/ground/terrain_shapes.h"
 #include "drivers/log_replay.h"
@@ -77,29 +77,32 @@ TEST_F(BusConsole, reviewShowsOverridesAndTelemetryGaps)
     EXPECT_TRUE(moments.at(last.scene->time).unbroken);
 }
 
-/// Returns the largest difference [m] of distance, heights and sd; infinite if one ghost lacks a bin of the other.
-double farthestApart(const Ghost& a, const Ghost& b)
+/// Returns the largest difference [m] of places, heights and sd; infinite if one strip lacks a bin of the other.
+double farthestApart(const SeenStrip& a, const SeenStrip& b)
 {
-    double most = std::abs(a.motion.forward - b.motion.forward);
-    for (std::size_t bin = 0; bin < kBins; ++bin) {
-        if (a.bin[bin].has_value() != b.bin[bin].has_value())
+    double most = 0.0;
+    for (std::size_t side = 0; side < 2; ++side) {
+        if (a.side[side].size() != b.side[side].size())
             return std::numeric_limits<double>::infinity();
-        if (a.bin[bin])
-            most = std::max({most, std::abs(a.bin[bin]->height - b.bin[bin]->height),
-                             std::abs(a.bin[bin]->sd - b.bin[bin]->sd)});
+        for (std::size_t bin = 0; bin < a.side[side].size(); ++bin) {
+            const SeenBin &one = a.side[side][bin], &other = b.side[side][bin];
+            most = std::max({most, std::abs(one.x - other.x),
+                             std::abs(one.band.height - other.band.height),
+                             std::abs(one.band.sd - other.band.sd)});
+        }
     }
     return most;
 }
 
-TEST_F(BusConsole, aReviewShowsTheGhostThatTheConsoleShowed)
+TEST_F(BusConsole, aReviewRemembersTheGroundThatTheConsoleRemembered)
 {
     const TemporaryDirectory folder;
     startQuickRobot();
     openRecordedOn(folder);
     const Estimation& estimation = window->exploration().estimation();
     const auto hasMoved = [&] {
-        const auto ghost = estimation.ghost();
-        return ghost && ghost->motion.forward > 0.05;
+        const SeenStrip seen = estimation.remembered();
+        return !estimation.estimate() && !seen.isEmpty() && seen.side[0].front().way > 0.05;
     };
     ASSERT_TRUE(inSomeGo([&] {
         if (!exploresAndProbes() || !drives()) return false;
@@ -110,40 +113,31 @@ TEST_F(BusConsole, aReviewShowsTheGhostThatTheConsoleShowed)
     ASSERT_TRUE(robotIs(RobotActivity::Halted));
     QTest::qWait(300);
     QTest::keyClick(window.get(), Qt::Key_K);  // sets a marker at this moment
-    const auto shown = estimation.ghost();
-    ASSERT_TRUE(shown);
+    const SeenStrip shown = estimation.remembered();
+    ASSERT_FALSE(shown.isEmpty());
     QTest::keyClick(window.get(), Qt::Key_Delete);
-    ASSERT_TRUE(eventually([&] { return !estimation.ghost(); })) << "it was forgotten";
+    ASSERT_TRUE(eventually([&] { return estimation.remembered().isEmpty(); })) << "it was cleared";
     QTest::qWait(100);
     window.reset();
     recording.reset();
 
     auto session = SessionReader::open(sessionsIn(folder.file("sessions")).front());
     ASSERT_TRUE(session) << session.error().text;
-    const auto timeOf = [&](EventKind kind) {
-        const auto found = std::ranges::find(session->events(), kind, &EventRow::kind);
-        return found == session->events().end() ? 0 : found->time;
-    };
-    const SessionTime marked = timeOf(EventKind::Marker);
+    const auto marker = std::ranges::find(session->events(), EventKind::Marker, &EventRow::kind);
+    ASSERT_NE(marker, session->events().end());
+    const SessionTime marked = marker->time;
     ReviewMoments moments(*session, model);
-    ReviewGhost ghosts(*session, model);
-    const auto reviewed = ghosts.at(moments.at(marked)).ghost;
-    ASSERT_TRUE(reviewed);
+    ReviewStrip strips(*session, model);
+    const SeenStrip reviewed = strips.at(moments.at(marked)).seen;
+    ASSERT_FALSE(reviewed.isEmpty());
     // The file gives the newest telemetry at the marker only to within a few lines, which differ by pitch noise.
     double nearest = std::numeric_limits<double>::infinity();
     for (auto t = moments.frameAfter(marked - sessionTimeOf(0.3));
          t && *t < marked + sessionTimeOf(0.1); t = moments.frameAfter(*t))
-        if (const auto then = ghosts.at(moments.at(*t)).ghost)
-            nearest = std::min(nearest, farthestApart(*then, *shown));
-    EXPECT_LT(nearest, 2e-3);
-    const SessionTime gone = timeOf(EventKind::Forgotten);
-    ASSERT_GT(gone, 0);
-    EXPECT_EQ(ghosts.at(moments.at(gone - sessionTimeOf(0.1))), ReviewGhost::ViewState{})
-        << "the estimate itself stood";
-    EXPECT_EQ(ghosts.at(moments.at(session->end())), ReviewGhost::ViewState{})
-        << "it was forgotten";
-    (void)ghosts.at(moments.at(gone + sessionTimeOf(0.1)));
-    EXPECT_EQ(ghosts.at(moments.at(marked)).ghost, reviewed) << "however one came there";
+        nearest = std::min(nearest, farthestApart(strips.at(moments.at(*t)).seen, shown));
+    EXPECT_LT(nearest, 5e-3);
+    EXPECT_TRUE(strips.at(moments.at(session->end())).seen.isEmpty()) << "it was cleared";
+    EXPECT_EQ(strips.at(moments.at(marked)).seen, reviewed) << "however one came there";
 }
 
 TEST_F(BusConsole, aPendingDriveEndsWhenItsKeyIsReleased)

@@ -109,8 +109,9 @@ TEST_F(Screens, result)
         console->preferences().change([](Preferences& p) { p.fontScale = 100; });
 
         const auto way = [&] {
-            const auto ghost = console->exploration().estimation().ghost();
-            return ghost ? ghost->motion.way : 0.0;
+            const Estimation& estimation = console->exploration().estimation();
+            const SeenStrip seen = estimation.remembered();
+            return estimation.estimate() || seen.isEmpty() ? 0.0 : seen.side[0].front().way;
         };
         for (int attempt = 0; attempt < 3 && way() < 0.2; ++attempt) {  // repeats on a busy machine
             ASSERT_NO_FATAL_FAILURE(explore());
@@ -124,14 +125,17 @@ TEST_F(Screens, result)
             QTest::keyRelease(&window(), Qt::Key_S);
         }
         const QString moved = Exploration::tr("The robot has moved: explore again (A)");
-        picture("ghost", {moved});
-        EXPECT_GT(way(), 0.2)
-            << console->exploration().estimation().whyNoGhost().value_or(Message()).english();
+        picture("remembered", {moved});
+        EXPECT_GT(way(), 0.2) << console->exploration()
+                                     .estimation()
+                                     .whyNothingRemembered()
+                                     .value_or(Message())
+                                     .english();
         console->setRoom({1200, 680});
         console->resize(1200, 680);
         for (const auto& [theme, name] :
-             {std::pair(ThemeName::NightRed, "ghost_by_night"),
-              std::pair(ThemeName::HighContrast, "ghost_in_high_contrast")}) {
+             {std::pair(ThemeName::NightRed, "remembered_by_night"),
+              std::pair(ThemeName::HighContrast, "remembered_in_high_contrast")}) {
             console->preferences().change([theme = theme](Preferences& p) { p.theme = theme; });
             picture(name, {moved});
         }

@@ -1,4 +1,4 @@
-// Tests the estimates of a scene: preparation, live previews, the ghost, and models.
+// Tests the estimates of a scene: preparation, live previews, the strip, and models.
 #include "app/mission/estimation.h"
 
 #include "tests/support/exploration_bench.h"
@@ -21,74 +21,97 @@ struct DrivingOn : Bench {
         if (telemetry.travelled) *telemetry.travelled += metres;
         tick(2);
     }
+    HeightBand rememberedAt(double x)
+    {
+        const SeenStrip seen = exploration->estimation().remembered();
+        for (const SeenBin& bin : seen.side[0])
+            if (std::abs(bin.x - x) < 1e-6) return bin.band;
+        ADD_FAILURE() << "nothing is remembered at " << x;
+        return {};
+    }
 };
 
-TEST_F(DrivingOn, leavesAGhostThatMovesWithTheTracksAndGoes)
+TEST_F(DrivingOn, remembersTheGroundBehind)
 {
     telemetry.travelled = 7.0;
     stand();
     EXPECT_TRUE(exploration->estimation().estimate());
-    EXPECT_FALSE(exploration->estimation().ghost()) << "the estimate itself stands";
     driveBy(0.1);
-    ASSERT_TRUE(exploration->estimation().ghost());
     EXPECT_FALSE(exploration->estimation().estimate());
     EXPECT_FALSE(exploration->estimation().verdict()) << "it decides nothing";
-    EXPECT_NEAR(exploration->estimation().ghost()->motion.forward, 0.1, 1e-9);
-    EXPECT_NEAR(exploration->estimation().ghost()->bin[6]->height, stepEstimate().height[7], 1e-9);
+    EXPECT_NEAR(rememberedAt(0.3).height, stepEstimate().height[7], 1e-9);
     driveBy(0.3);
-    ASSERT_TRUE(exploration->estimation().ghost());
-    EXPECT_NEAR(exploration->estimation().ghost()->motion.way, 0.4, 1e-9);
-    EXPECT_NEAR(exploration->estimation().ghost()->bin[4]->height, stepEstimate().height[8], 1e-9);
-    EXPECT_FALSE(exploration->estimation().whyNoGhost());
     driveBy(0.7);
-    EXPECT_FALSE(exploration->estimation().ghost());
-    EXPECT_TRUE(mentions(exploration->estimation().whyNoGhost(), "too far"));
+    EXPECT_NEAR(rememberedAt(-0.6).height, stepEstimate().height[8], 1e-9) << "1.1 m on";
+    EXPECT_FALSE(exploration->estimation().whyNothingRemembered());
     telemetry.activity = RobotActivity::Halted;
     press();
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
-    EXPECT_FALSE(exploration->estimation().ghost());
-    EXPECT_FALSE(exploration->estimation().whyNoGhost())
-        << "of the last estimate, not of the one before";
+    EXPECT_EQ(exploration->estimation().remembered().side[0].size(), std::size_t{2} * kBins);
 }
 
-TEST_F(DrivingOn, withoutOdometryLeavesNoGhostButAReason)
+TEST_F(DrivingOn, withoutOdometryRemembersNothingForAReason)
 {
     stand();
     driveBy(0.1);
     EXPECT_FALSE(exploration->estimation().estimate());
-    EXPECT_FALSE(exploration->estimation().ghost());
-    EXPECT_TRUE(mentions(exploration->estimation().whyNoGhost(), "no odometry"));
+    EXPECT_TRUE(exploration->estimation().remembered().isEmpty());
+    EXPECT_TRUE(mentions(exploration->estimation().whyNothingRemembered(), "no odometry"));
 }
 
-TEST_F(DrivingOn, leavesAGhostThatIsNotShownWhileTheLinkIsLost)
+TEST_F(DrivingOn, showsNothingRememberedWhileTheLinkIsLost)
 {
     telemetry.travelled = 0.0;
     stand();
     driveBy(0.1);
     tickInSilence(10);
-    EXPECT_FALSE(exploration->estimation().ghost());
-    EXPECT_TRUE(
-        mentions(exploration->estimation().whyNoGhost(), "No ghost while telemetry is missing"));
+    EXPECT_TRUE(exploration->estimation().remembered().isEmpty());
+    EXPECT_TRUE(mentions(exploration->estimation().whyNothingRemembered(),
+                         "No remembered ground while telemetry is missing"));
     tick();
-    EXPECT_TRUE(exploration->estimation().ghost());
+    EXPECT_FALSE(exploration->estimation().remembered().isEmpty());
     telemetry.time += 2.0;  // two seconds of silence
     tick();
-    EXPECT_FALSE(exploration->estimation().ghost());
-    EXPECT_TRUE(mentions(exploration->estimation().whyNoGhost(), "may have moved"));
+    EXPECT_TRUE(exploration->estimation().remembered().isEmpty());
+    EXPECT_TRUE(mentions(exploration->estimation().whyNothingRemembered(), "may have moved"));
     tickInSilence(10);
-    EXPECT_TRUE(mentions(exploration->estimation().whyNoGhost(), "may have moved"))
+    EXPECT_TRUE(mentions(exploration->estimation().whyNothingRemembered(), "may have moved"))
         << "it is ended for that, not for the silence of now";
 }
 
-TEST_F(DrivingOn, leavesNothingOfAnEstimateThatTheOperatorHasCleared)
+TEST_F(DrivingOn, remembersNothingOfAnEstimateThatTheOperatorHasCleared)
 {
     telemetry.travelled = 0.0;
     stand();
     exploration->abort();
     ASSERT_TRUE(reaches(AtemPhase::Idle));
     driveBy(0.1);
-    EXPECT_FALSE(exploration->estimation().ghost());
-    EXPECT_FALSE(exploration->estimation().whyNoGhost());
+    EXPECT_TRUE(exploration->estimation().remembered().isEmpty());
+    EXPECT_FALSE(exploration->estimation().whyNothingRemembered());
+}
+
+TEST_F(DrivingOn, aRestoredEstimateIsRememberedAgain)
+{
+    telemetry.travelled = 0.0;
+    stand();
+    exploration->forgetResult();
+    tick();
+    EXPECT_TRUE(exploration->estimation().remembered().isEmpty());
+    exploration->restoreResult();
+    tick();
+    EXPECT_FALSE(exploration->estimation().remembered().isEmpty());
+}
+
+TEST_F(DrivingOn, rememberedGroundCanBeCleared)
+{
+    telemetry.travelled = 0.0;
+    stand();
+    driveBy(0.1);
+    ASSERT_FALSE(exploration->estimation().remembered().isEmpty());
+    exploration->forgetResult();
+    tick();
+    EXPECT_TRUE(exploration->estimation().remembered().isEmpty());
+    EXPECT_TRUE(mentions(exploration->estimation().whyNothingRemembered(), "was cleared"));
 }
 
 TEST_F(Bench, telemetryIsEstimatedLiveWhileTheFlippersMove)

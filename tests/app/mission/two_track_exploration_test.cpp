@@ -121,7 +121,7 @@ TEST_F(UnevenBench, anotherSideIsChosenByTheOperator)
     EXPECT_EQ(exploration->proposal()->side, ProbeSide::Left) << "the less certain side";
 }
 
-TEST_F(UnevenBench, theGhostIsOfEachSide)
+TEST_F(UnevenBench, bothSidesAreRemembered)
 {
     telemetry.travelled = 0.0;
     telemetry.turned = 0.0;
@@ -131,13 +131,12 @@ TEST_F(UnevenBench, theGhostIsOfEachSide)
     telemetry.activity = RobotActivity::Driving;
     telemetry.travelled = 0.1;
     tick(3);
-    const auto left = exploration->estimation().ghost(Side::Left),
-               right = exploration->estimation().ghost(Side::Right);
-    ASSERT_TRUE(left && right);
-    EXPECT_FALSE(exploration->estimation().isGhostOnePlane());
-    ASSERT_TRUE(left->bin[7] && right->bin[7]);
-    EXPECT_NEAR(left->bin[7]->height, -0.05, 1e-9) << "the step is nearer now";
-    EXPECT_NEAR(right->bin[7]->height, -0.25, 1e-9);
+    const SeenStrip seen = exploration->estimation().remembered();
+    EXPECT_FALSE(seen.onePlane);
+    ASSERT_EQ(seen.side[0].size(), std::size_t{kBins});
+    EXPECT_NEAR(seen.side[0][8].x, 0.4, 1e-6);
+    EXPECT_NEAR(seen.side[0][8].band.height, -0.05, 1e-9) << "the step is nearer now";
+    EXPECT_NEAR(seen.side[1][8].band.height, -0.25, 1e-9);
 }
 
 /// The simulated robot before a kerb on its left side, with the shipped model. Time is simulated.

@@ -17,13 +17,12 @@ namespace {
 using gui::painted;
 using gui::PaintWatch;
 
-TEST_F(TerrainView, aGhostThatIsNotFiniteOrHasHolesIsDrawnWhereItCanBe)
+TEST_F(TerrainView, rememberedGroundWithHolesIsDrawnWhereItCanBe)
 {
-    Ghost broken = ghost();
-    broken.bin[1]->height = std::numeric_limits<double>::quiet_NaN();
-    broken.bin[3]->q90 = std::numeric_limits<double>::infinity();
-    broken.bin[4].reset();
-    view.setGhost(broken);
+    SeenStrip broken = remembered();  // bin k is at k · 0.1 m − 0.5 m
+    broken.side[0][3].band.height = std::numeric_limits<double>::quiet_NaN();
+    broken.side[0][5].band.q90 = std::numeric_limits<double>::infinity();
+    view.setRemembered(broken);
     const QImage image = painted(*view.canvas());
     ASSERT_FALSE(image.isNull());
     int drawn = 0;  // pixels of the thin dashed line
@@ -69,15 +68,16 @@ TEST_F(TerrainView, hostileNumbersInItsLayersAreLeftOut)
         view.setSecond(equalSides(second), "pafc");
         view.inspect(3);
         ASSERT_FALSE(painted(view).isNull()) << bad;
-        Ghost moved = ghost();
-        moved.bin[1]->height = moved.bin[2]->q10 = moved.bin[3]->q90 = bad;
-        moved.motion = {.forward = bad, .up = bad, .way = bad};
+        SeenStrip moved = remembered();
+        moved.side[0][3].band.height = moved.side[0][4].band.q10 = bad;
+        moved.side[0][5].band.q90 = moved.side[0][6].band.sd = bad;
+        moved.side[0][7].way = bad;
         view.clearEstimate("moved");
-        view.setGhost(moved);
+        view.setRemembered(moved);
         view.setStale(bad);
         ASSERT_FALSE(painted(view).isNull()) << bad;
         view.setStale(std::nullopt);
-        view.setGhost(std::nullopt);
+        view.setRemembered({});
     }
 }
 

@@ -202,11 +202,11 @@ TEST_F(TerrainView, drawsAndASecondMethodAreLayersOnDemand)
     EXPECT_EQ(painted(*view.canvas()), plain);
 }
 
-TEST_F(TerrainView, theGhostIsDashedInABandWithItsDistance)
+TEST_F(TerrainView, rememberedGroundIsDashedInABandWithItsDistance)
 {
     view.clearEstimate("moved");
     const QImage without = painted(*view.canvas());
-    view.setGhost(ghost());
+    view.setRemembered(remembered());
     const auto greens = [&](double z) {  // along bins -0.3 … 0.2
         const QImage image = painted(*view.canvas());
         const int y = static_cast<int>(std::lround(view.pixelOf(0.0, z).y()));
@@ -227,28 +227,126 @@ TEST_F(TerrainView, theGhostIsDashedInABandWithItsDistance)
     EXPECT_EQ(colourAt(view, 0.6, -0.05), theme().card) << "nothing where nothing was estimated";
     EXPECT_TRUE(view.accessibleDescription().contains(
         QStringLiteral("0.20 m driven since · heights ± 3 cm")));
-    view.setGhost(std::nullopt, "No ghost: the robot has turned");
+    view.setRemembered({}, "Nothing is remembered here: the robot has turned");
     EXPECT_TRUE(view.accessibleDescription().contains("has turned"));
-    view.setGhost(std::nullopt);
+    view.setRemembered({});
     EXPECT_EQ(painted(*view.canvas()), without);
 }
 
-TEST_F(TerrainView, ghostsOfBothSidesAreDrawn)
+TEST_F(TerrainView, rememberedGroundOfBothSidesIsDrawn)
 {
     view.clearEstimate("moved");
     const QImage without = painted(*view.canvas());
-    Ghost right = ghost();
-    for (auto& bin : right.bin)
-        if (bin) bin = GhostBin{bin->height + 0.1, bin->sd, bin->q10 + 0.1, bin->q90 + 0.1};
-    view.setGhosts(ghost(), right);
+    SeenStrip both = remembered();
+    both.onePlane = false;
+    for (SeenBin& bin : both.side[1]) bin.band = raised(bin.band, 0.1);
+    view.setRemembered(both);
     EXPECT_NE(colourAt(view, 0.05, -0.27), theme().card) << "the left band";
     EXPECT_NE(colourAt(view, 0.05, -0.17), theme().card) << "the right band";
-    const QImage both = painted(*view.canvas());
-    view.setGhosts(std::nullopt, right);
-    EXPECT_NE(painted(*view.canvas()), both);
+    const QImage drawn = painted(*view.canvas());
+    both.side[0].clear();
+    view.setRemembered(both);
+    EXPECT_NE(painted(*view.canvas()), drawn);
     EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("0.20 m driven since")));
-    view.setGhosts(std::nullopt, std::nullopt);
+    view.setRemembered({});
     EXPECT_EQ(painted(*view.canvas()), without);
+}
+
+TEST_F(TerrainView, besideAnEstimateOnlyTheGroundBehindItIsRemembered)
+{
+    view.setEstimate(stepEstimate());
+    SeenStrip strip = remembered();
+    view.setRemembered(strip);
+    EXPECT_NE(colourAt(view, -0.45, -0.27), theme().card) << "behind";
+    EXPECT_FALSE(view.accessibleDescription().contains("remembered")) << "the estimate stands";
+    strip.side[0].erase(strip.side[0].begin(), strip.side[0].begin() + 2);
+    view.setRemembered(strip);
+    const QImage image = painted(*view.canvas());
+    view.setRemembered({});
+    EXPECT_EQ(painted(*view.canvas()), image) << "the estimate's own place shows the estimate";
+}
+
+TEST_F(TerrainView, groundThatIsNotFeltOrTooUncertainIsNotRemembered)
+{
+    view.clearEstimate("moved");
+    const QImage without = painted(*view.canvas());
+    SeenStrip strip = remembered();
+    for (SeenBin& bin : strip.side[0]) bin.felt = FeltBy::NotFelt;
+    view.setRemembered(strip);
+    EXPECT_EQ(painted(*view.canvas()), without);
+    strip = remembered();
+    for (SeenBin& bin : strip.side[0]) bin.band.sd = 0.16;
+    view.setRemembered(strip);
+    EXPECT_EQ(painted(*view.canvas()), without);
+}
+
+/// Ground remembered over 5 m.
+struct LongStrip : TerrainView {
+    LongStrip()
+    {
+        SeenStrip strip;
+        for (int k = -50; k <= 5; ++k)
+            strip.side[0].push_back({.x = 0.1 * k,
+                                     .band = {-0.25, 0.01, -0.27, -0.23},
+                                     .felt = FeltBy::Track,
+                                     .time = 0.0,
+                                     .way = 0.1});
+        view.clearEstimate("moved");
+        view.setRemembered(strip);
+        QCoreApplication::processEvents();  // the legend gets its line
+    }
+    double left() { return view.pointAt({0.0, 0.0}).x(); }
+};
+
+TEST_F(LongStrip, keysZoomOutToItsBeginAndBack)
+{
+    const double before = left();
+    EXPECT_GT(before, -1.5);
+    for (int k = 0; k < 20; ++k) QTest::keyClick(&view, Qt::Key_Minus);
+    EXPECT_LT(left(), -5.2);
+    EXPECT_GT(left(), -9.0) << "no farther than the strip";
+    EXPECT_NEAR(view.pixelOf(1.0, 0.0).x() - view.pixelOf(0.0, 0.0).x(),
+                view.pixelOf(0.0, 0.0).y() - view.pixelOf(0.0, 1.0).y(), 1e-6)
+        << "a step looks as steep as it is";
+    QTest::keyClick(&view, Qt::Key_0);
+    EXPECT_NEAR(left(), before, 1e-9);
+}
+
+TEST_F(LongStrip, theWheelKeepsThePlaceUnderThePointer)
+{
+    view.pan(-2.0);
+    const QPointF at = view.pixelOf(-2.2, -0.2);
+    QWheelEvent wheel(at, view.canvas()->mapToGlobal(at), {}, {0, -240}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(view.canvas(), &wheel);
+    EXPECT_TRUE(view.isZoomed());
+    EXPECT_NEAR(view.pointAt(at).x(), -2.2, 0.1);
+}
+
+TEST_F(LongStrip, draggingPansWithinTheStripAndADoubleClickResets)
+{
+    const double before = left();
+    const QPoint from = view.pixelOf(0.0, -0.1).toPoint(), to = view.pixelOf(0.5, -0.1).toPoint();
+    const auto send = [&](QEvent::Type type, QPoint at) {
+        QMouseEvent event(type, at, view.canvas()->mapToGlobal(at), Qt::LeftButton,
+                          type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton,
+                          Qt::NoModifier);
+        QCoreApplication::sendEvent(view.canvas(), &event);
+    };
+    send(QEvent::MouseButtonPress, from);
+    send(QEvent::MouseMove, to);
+    send(QEvent::MouseButtonRelease, to);
+    EXPECT_NEAR(left(), before - 0.5, 0.02);
+    for (int k = 0; k < 40; ++k) QTest::keyClick(&view, Qt::Key_Left, Qt::ShiftModifier);
+    EXPECT_LT(left(), -5.0);
+    EXPECT_GT(left(), -6.0);
+    int chosen = 0;
+    QObject::connect(&view, &TerrainProfileView::binChosen, &view, [&] { ++chosen; });
+    send(QEvent::MouseButtonDblClick, from);
+    EXPECT_NEAR(left(), before, 1e-9);
+    EXPECT_EQ(chosen, 0) << "that double click only resets";
+    send(QEvent::MouseButtonDblClick, from);
+    EXPECT_EQ(chosen, 1);
 }
 
 TEST_F(TerrainView, theBinUnderTheMouseOrTheArrowKeysIsShownUpClose)
