@@ -42,13 +42,13 @@ public:
         auto recording = openRecording(options_.file, mapping_.csv);
         if (!recording) return recording.error();
         report_.format = (*recording)->format();
-        const Status done = mapping_.frames ? importFrames(**recording) : importLines(**recording);
+        Status done = mapping_.frames ? importFrames(**recording) : importLines(**recording);
         for (std::string& text : (*recording)->consumeRemarks())
             report_.remarks.push_back(std::move(text));
         if (!done) return done.error();
-        if (const Status ended = add(event(EventKind::Session, "ended")); !ended)
+        if (Status ended = add(event(EventKind::Session, "ended")); !ended)
             return ended.error();
-        if (const Status sealed = writer_->seal(); !sealed) return sealed.error();
+        if (Status sealed = writer_->seal(); !sealed) return sealed.error();
         report_.frames = writer_->frames();
         report_.chain = writer_->chain();
         report_.seconds = secondsOf(last_);
@@ -107,7 +107,7 @@ private:
 
     Status addFrame(const CanFrame& frame, bool sent)
     {
-        if (const Status added = add(FrameRow{.time = last_, .frame = frame, .sent = sent}); !added)
+        if (Status added = add(FrameRow{.time = last_, .frame = frame, .sent = sent}); !added)
             return added;
         return ++frames_ % kFramesOfBatch == 0 ? writer_->commit() : Status(Done{});
     }
@@ -132,9 +132,9 @@ private:
                             "known; their messages are more than {} s apart: raise "
                             "max_gap_s under [time] of the mapping",
                             mapping_.maxGap));
-        if (const Status begun = begin(lines.front().time); !begun) return begun;
+        if (Status begun = begin(lines.front().time); !begun) return begun;
         if (!mapping_.of(Quantity::Activity))
-            if (const Status told = add(event(
+            if (Status told = add(event(
                     EventKind::Marker, "",
                     TR_NOOP("core", "the recording does not say what the robot did: pressing, "
                                     "driving and halting follow from its movement and currents")));
@@ -145,7 +145,7 @@ private:
         for (std::size_t i = 0; i < lines.size(); ++i) {
             const bool isScene = press != presses.end() && *press == i;
             press += isScene ? 1 : 0;
-            if (const Status written = writeLine(lines[i], isScene); !written) return written;
+            if (Status written = writeLine(lines[i], isScene); !written) return written;
         }
         report_.lines = lines.size();
         return Done{};
@@ -163,7 +163,7 @@ private:
         ++counter_;
         std::optional<Measurement> received;
         for (const CanFrame& frame : frames) {
-            if (const Status added = addFrame(frame, false); !added) return added;
+            if (Status added = addFrame(frame, false); !added) return added;
             if (auto measured = listener_.receive(frame, secondsOf(last_))) received = measured;
         }
         return isScene && received ? addScene(*received) : Status(Done{});
@@ -185,9 +185,9 @@ private:
             if (!*next) break;
             const RecordedFrame& frame = **next;
             if (!writer_)
-                if (const Status begun = begin(frame.time); !begun) return begun;
+                if (Status begun = begin(frame.time); !begun) return begun;
             last_ = std::max(last_, frame.time - begin_);
-            if (const Status added = addFrame(frame.frame, frame.sent); !added) return added;
+            if (Status added = addFrame(frame.frame, frame.sent); !added) return added;
             if (frame.sent) continue;
             const auto measured = listener_.receive(frame.frame, secondsOf(last_));
             if (!measured) continue;
@@ -195,7 +195,7 @@ private:
             press += isScene ? 1 : 0;
             ++report_.lines;
             if (isScene)
-                if (const Status added = addScene(*measured); !added) return added;
+                if (Status added = addScene(*measured); !added) return added;
         }
         if (!writer_) return fileError(options_.file, frames.emptiness());
         if (frames.falls() > 0)
@@ -220,7 +220,7 @@ private:
             last = std::max(last, (*next)->time - first);
             if ((*next)->sent) continue;
             if (auto measured = listener.receive((*next)->frame, secondsOf(last)))
-                lines.push_back({last, std::move(*measured)});
+                lines.push_back({last, *measured});
             if (lines.size() > kMaxSamples / 10)
                 return fileError(options_.file,
                                  fmt::format("has more than {} lines of telemetry; cut it into "

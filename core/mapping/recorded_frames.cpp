@@ -46,7 +46,7 @@ Result<std::optional<RecordedFrame>> RecordedFrames::next()
         ++falls_;
     }
     last_ = frame->time;
-    return std::optional(std::move(*frame));
+    return std::optional(*frame);
 }
 
 Result<RecordedFrame> RecordedFrames::frameOf(const RecordedMessage& message)

@@ -88,10 +88,10 @@ public:
             const Result<bool> more = recording_.next(message);
             if (!more) return more.error();
             if (!*more) break;
-            if (const Status added = add(message); !added) return added.error();
+            if (Status added = add(message); !added) return added.error();
         }
-        if (const Status checked = checkTopics(); !checked) return checked.error();
-        if (const Status finished = finish(); !finished) return finished.error();
+        if (Status checked = checkTopics(); !checked) return checked.error();
+        if (Status finished = finish(); !finished) return finished.error();
         return std::move(series_);
     }
 
@@ -276,7 +276,7 @@ private:
 
     Status finish()
     {
-        if (const Status status = addAttitude(); !status) return status;
+        if (Status status = addAttitude(); !status) return status;
         addOdometry();
         for (Series& series : series_.of) sort(series);
         for (auto& side : series_.forces)
