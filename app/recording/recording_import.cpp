@@ -46,8 +46,7 @@ public:
         for (std::string& text : (*recording)->consumeRemarks())
             report_.remarks.push_back(std::move(text));
         if (!done) return done.error();
-        if (Status ended = add(event(EventKind::Session, "ended")); !ended)
-            return ended.error();
+        if (Status ended = add(event(EventKind::Session, "ended")); !ended) return ended.error();
         if (Status sealed = writer_->seal(); !sealed) return sealed.error();
         report_.frames = writer_->frames();
         report_.chain = writer_->chain();
