@@ -21,8 +21,8 @@ namespace {
 
 void addHeld(KeyTable& keys, QList<QKeyCombination> of, const QString& meaning, HeldButton* button)
 {
-    keys.add(
-        {std::move(of), meaning, [button] { button->hold(); }, [button] { button->letGoSoon(); }});
+    keys.add({std::move(of), meaning, [button] { button->hold(); },
+              [button] { button->letGoSoon(); }, [button] { button->holdOn(); }});
 }
 
 using WhyNot = std::optional<Message> (Exploration::*)() const;
@@ -39,7 +39,8 @@ void addDriveKey(KeyTable& keys, QList<QKeyCombination> of, const QString& meani
                            why.value_or(TR_NOOP("terratact::MainWindow",
                                                 "it is done on the page Terrain (F2)"))});
     };
-    keys.add({std::move(of), meaning, press, [button] { button->letGoSoon(); }});
+    keys.add({std::move(of), meaning, press, [button] { button->letGoSoon(); },
+              [button] { button->holdOn(); }});
 }
 
 /// A key acts only if the control it acts on is visible.

@@ -71,6 +71,11 @@ void KeyTable::release(int key) const
     }
 }
 
+bool KeyTable::isRepetition(int key) const
+{
+    return key == releasedKey_ && sinceRelease_.isValid() && sinceRelease_.elapsed() <= kRepetition;
+}
+
 bool KeyTable::filter(const QWidget& window, const QObject& object, const QEvent& event) const
 {
     const bool press = event.type() == QEvent::KeyPress;
@@ -82,7 +87,11 @@ bool KeyTable::filter(const QWidget& window, const QObject& object, const QEvent
         return press;
     }
     // The release of a held key counts everywhere: over a menu, in a dialog, with Ctrl held.
-    if (!press && !key.isAutoRepeat()) release(key.key());
+    if (!press && !key.isAutoRepeat()) {
+        release(key.key());
+        releasedKey_ = key.key();
+        sinceRelease_.start();
+    }
     const auto& widget = static_cast<const QWidget&>(object);
     if (!entry || !entry->pressed || widget.window() != &window || QApplication::activeModalWidget()
         || QApplication::activePopupWidget())
@@ -91,7 +100,10 @@ bool KeyTable::filter(const QWidget& window, const QObject& object, const QEvent
     if (entry->applies && !entry->applies()) return false;
     // Space presses the focused button; it has the table's meaning only without one.
     if (key.key() == Qt::Key_Space && qobject_cast<const QAbstractButton*>(&widget)) return false;
-    if (press && (!key.isAutoRepeat() || entry->repeats)) entry->pressed();
+    if (press && (!key.isAutoRepeat() || entry->repeats)) {
+        const bool repeats = entry->repeated && isRepetition(key.key());
+        (repeats ? entry->repeated : entry->pressed)();
+    }
     return true;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QKeyEvent>
 #include <QList>
 #include <QString>
@@ -22,12 +23,17 @@ public:
         QString meaning;
         std::function<void()> pressed;
         std::function<void()> released = {};  ///< set: the key acts while it is held
+        /// Replaces `pressed` when the key follows its own release within kRepetition. Some X servers repeat a held key
+        /// as release and press.
+        std::function<void()> repeated = {};
         /// Active in every window of the program including dialogs, with any modifier.
         bool everywhere = false;
         bool repeats = false;  ///< acts repeatedly while held
         /// If it returns false, the focused widget receives the key.
         std::function<bool()> applies = {};
     };
+    static constexpr int kRepetition = 40;  ///< [ms]
+
     void addGroup(const QString& name);
     void add(Entry entry);  ///< adds to the last group; throws std::logic_error for a used key
 
@@ -49,8 +55,12 @@ private:
         QString name;
         qsizetype begin;
     };
+    bool isRepetition(int key) const;
+
     QList<Group> groups_;
     QList<Entry> entries_;
+    mutable int releasedKey_ = 0;  ///< the last one
+    mutable QElapsedTimer sinceRelease_;
 };
 
 }  // namespace terratact

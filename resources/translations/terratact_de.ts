@@ -5200,6 +5200,18 @@ F1</translation>
         <source>hold: feel (F)</source>
         <translation>halten: tasten (F)</translation>
     </message>
+    <message>
+        <source>◀ S</source>
+        <translation>◀ S</translation>
+    </message>
+    <message>
+        <source>feel F</source>
+        <translation>tasten F</translation>
+    </message>
+    <message>
+        <source>W ▶</source>
+        <translation>W ▶</translation>
+    </message>
 </context>
 <context>
     <name>terratact::EstimateStrip</name>

@@ -27,6 +27,8 @@ public slots:
     /// Releases after 40 ms unless hold() comes first. Some X servers repeat a held key as release and press, which
     /// passes for the operator's own release.
     void letGoSoon();
+    /// Takes letGoSoon() back, for such a repetition. It begins no hold: one that has ended needs a new press.
+    void holdOn() { release_.stop(); }
 
 signals:
     void holdBegan();

@@ -1,5 +1,7 @@
 #include "widgets/control/drive_pad.h"
 
+#include <QEvent>
+#include <QFontMetrics>
 #include <QHBoxLayout>
 #include <QRegularExpression>
 #include <algorithm>
@@ -64,12 +66,55 @@ void DrivePad::setFeelPreconditions(const QList<Precondition>& preconditions, bo
 
 void DrivePad::setNarrow(bool narrow)
 {
+    narrow_ = narrow;
+    chooseTexts();
+}
+
+QStringList DrivePad::texts(Length length) const
+{
+    if (length == Length::Keys) return {tr("◀ S"), tr("feel F"), tr("W ▶")};
     static const QRegularExpression kHold(
         QStringLiteral("\\S+: "));  // removes "hold: ", which the tip repeats
-    const auto words = [narrow](QString text) { return narrow ? text.remove(kHold) : text; };
-    back_->setText(words(tr("◀ hold: back (S)")));
-    feel_->setText(words(tr("hold: feel (F)")));
-    forward_->setText(words(tr("hold: forward (W) ▶")));
+    QStringList words{tr("◀ hold: back (S)"), tr("hold: feel (F)"), tr("hold: forward (W) ▶")};
+    if (length == Length::Short) words.replaceInStrings(kHold, {});
+    return words;
+}
+
+int DrivePad::widthOf(Length length) const
+{
+    const QFontMetrics metrics = forward_->fontMetrics();
+    const int padding = forward_->sizeHint().width() - metrics.horizontalAdvance(forward_->text());
+    int width = 2 * layout()->spacing();
+    for (const QString& text : texts(length)) width += metrics.horizontalAdvance(text) + padding;
+    return width;
+}
+
+void DrivePad::chooseTexts()
+{
+    Length length = narrow_ ? Length::Short : Length::Full;
+    if (narrow_ && widthOf(length) > width()) length = Length::Keys;
+    const QStringList words = texts(length);
+    back_->setText(words[0]);
+    feel_->setText(words[1]);
+    forward_->setText(words[2]);
+}
+
+QSize DrivePad::minimumSizeHint() const
+{
+    const QSize least = QWidget::minimumSizeHint();
+    return narrow_ ? QSize(widthOf(Length::Keys), least.height()) : least;
+}
+
+void DrivePad::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    chooseTexts();
+}
+
+void DrivePad::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) chooseTexts();
 }
 
 void DrivePad::setProminent(bool prominent)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 
 #include "app/display/precondition.h"
@@ -21,12 +22,15 @@ public:
     /// stays enabled.
     void setFeelPreconditions(const QList<Precondition>& preconditions, bool feels);
 
-    void setNarrow(bool narrow);        ///< compact layout with shorter texts
+    /// Compact layout with shorter texts. Where even these do not fit, the buttons show their keys.
+    void setNarrow(bool narrow);
     void setProminent(bool prominent);  ///< larger buttons for the driving layout
 
     HeldButton* forwardButton() const { return forward_; }
     HeldButton* backButton() const { return back_; }
     HeldButton* feelButton() const { return feel_; }
+
+    QSize minimumSizeHint() const override;
 
 signals:
     void driveRequested(int direction);  ///< +1 forward, −1 back
@@ -34,7 +38,17 @@ signals:
     void feelForwardRequested();
     void letGo();  ///< the button of feel forward is not held any more
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
 private:
+    enum class Length { Full, Short, Keys };
+    QStringList texts(Length length) const;  ///< back, feel, forward
+    int widthOf(Length length) const;        ///< [px]
+    void chooseTexts();
+
+    bool narrow_ = false;
     HeldButton* forward_ = nullptr;
     HeldButton* back_ = nullptr;
     HeldButton* feel_ = nullptr;

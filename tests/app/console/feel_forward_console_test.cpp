@@ -9,6 +9,7 @@
 
 #include "app/console/main_window.h"
 #include "app/review/review_window.h"
+#include "app/shell/key_table.h"
 #include "core/log/event_text.h"
 #include "core/log/session_reader.h"
 #include "tests/support/bus_console_bench.h"
@@ -50,6 +51,7 @@ struct FeelForwardConsole : BusConsole {
     bool feelsFor(double metres)
     {
         QTest::keyRelease(window.get(), Qt::Key_F);
+        QTest::qWait(2 * KeyTable::kRepetition);  // the next press is a new one
         if (arming() != ArmingPhase::Armed && !armsOnce()) return false;
         if (!eventually([&] { return button()->isEnabled(); }, 5000)) return false;
         QTest::keyPress(window.get(), Qt::Key_F);
@@ -84,6 +86,23 @@ TEST_F(FeelForwardConsole, goesOnThroughTheGateWhileItsKeyIsHeld)
     QTest::qWait(500);
     EXPECT_EQ(way(), halted);
     EXPECT_FALSE(state().loops);
+}
+
+TEST_F(FeelForwardConsole, aLoopThatEndedNeedsANewPress)
+{
+    openClear();
+    ASSERT_TRUE(inSomeGo([&] { return feelsFor(0.0); }));
+    button()->letGo();  // as where it is disabled, while the key stays held
+    ASSERT_TRUE(eventually([&] { return !state().loops && button()->isEnabled(); }, 5000));
+    const int events = window->events()->count();
+    for (int k = 0; k < 5; ++k) {
+        sendKey(QEvent::KeyRelease, false);
+        sendKey(QEvent::KeyPress, false);
+    }
+    EXPECT_FALSE(button()->isHeld());
+    QTest::qWait(200);
+    EXPECT_FALSE(state().loops);
+    EXPECT_EQ(window->events()->count(), events);
 }
 
 TEST_F(FeelForwardConsole, endsWhenTheWindowLosesTheFocusOrThePageIsLeft)
