@@ -157,13 +157,16 @@ void SimulatedRobot::drive(double dt)
 {
     const double turn = robot_.flipperSpeed * dt;
     const double raised = advanceLeft_ ? options_.advancingAngle : options_.drivingAngle;
-    bool areRaised = true;
+    bool areRaised = true, areLow = true;
     for (const Side side : {Side::Left, Side::Right}) {
         const double angle = stance_.frontAngle(side);
+        const bool lowers = isRaisedToAdvance_ && angle > raised;
         frontTargets_[indexOf(side)] =
-            angle > raised ? std::max(angle - turn, raised) : std::min(angle + turn, raised);
+            lowers ? std::max(angle - turn, raised) : std::min(angle + turn, raised);
         areRaised = areRaised && angle >= raised - 1e-9;
+        areLow = areLow && !lowers;
     }
+    isRaisedToAdvance_ = advanceLeft_ || !areLow;
     torque_ = 0.0;
     arm_.reset();
     double moved = 0.0;

@@ -92,6 +92,7 @@ private:
     double x_ = 0.0;
     double speed_ = 0.0;
     std::array<double, 2> frontTargets_{};     ///< [rad] held angles by side, while not pressed
+    bool isRaisedToAdvance_ = false;           ///< an advance raised the front flippers
     std::array<bool, 2> hasPressed_{};         ///< sides that have the torque of the present press
     double rearTarget_ = 0.0;                  ///< [rad] held angle
     std::optional<HoldFlippersCommand> hold_;  ///< target of the flippers while halted
