@@ -70,6 +70,15 @@ void TerrainProfileView::showNote(const QString& note, bool warns)
     arrangeNotes();
 }
 
+/// Returns how far a note at the top reaches down [px]; in a narrow plot it has several lines.
+int TerrainProfileView::bottomOf(const QwtPlotTextLabel& note) const
+{
+    if (!note.isVisible()) return 0;
+    const int margin = note.margin();
+    const double width = canvas()->contentsRect().width() - 2.0 * margin;
+    return margin + static_cast<int>(std::ceil(note.text().heightForWidth(width, font())));
+}
+
 void TerrainProfileView::arrangeNotes()
 {
     // In a low plot two lines would cover the robot. Beside remembered ground the movement note is less important.
@@ -77,7 +86,7 @@ void TerrainProfileView::arrangeNotes()
         canvas()->height() < scaled(kLowPlot) && remembered_->isShown() && !estimate_;
     note_->setVisible(!isLow && !note_->text().text().isEmpty());
     note_->setMargin(zones_->isShown() ? scaled(28) : kNoteMargin);  // below the zones' words
-    rememberedNote_->setMargin(isLow ? kNoteMargin : scaled(40));  // otherwise below the other note
+    rememberedNote_->setMargin(isLow ? kNoteMargin : std::max(scaled(40), bottomOf(*note_)));
     placeCorner();
 }
 

@@ -171,6 +171,7 @@ private:
     bool navigate(QEvent& event);
     bool navigateByKey(const QKeyEvent& event);
     void arrangeNotes();
+    int bottomOf(const QwtPlotTextLabel& note) const;
     void placeCorner();
     bool isFreeAbove(const QRect& place) const;
     void showTruth();

@@ -1,6 +1,10 @@
 #include "widgets/terrain/terrain_profile_view.h"
 
 #include <gtest/gtest.h>
+#include <qwt_plot_textlabel.h>
+#include <qwt_text.h>
+
+#include <vector>
 
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
@@ -231,6 +235,26 @@ TEST_F(TerrainView, rememberedGroundIsDashedInABandWithItsDistance)
     EXPECT_TRUE(view.accessibleDescription().contains("has turned"));
     view.setRemembered({});
     EXPECT_EQ(painted(*view.canvas()), without);
+}
+
+TEST_F(TerrainView, notesOfANarrowPictureDoNotOverlap)
+{
+    view.resize(480, 440);
+    view.clearEstimate("The robot has moved since the last scene: explore again (A)");
+    view.setRemembered(remembered());
+    gui::settle(view);
+    std::vector<QRectF> places;
+    for (const QwtPlotItem* item : view.itemList(QwtPlotItem::Rtti_PlotTextLabel)) {
+        const auto& label = static_cast<const QwtPlotTextLabel&>(*item);
+        if (!label.isVisible() || label.text().isEmpty()) continue;
+        const int margin = label.margin();
+        const QRectF room =
+            QRectF(view.canvas()->contentsRect()).adjusted(margin, margin, -margin, -margin);
+        const double height = label.text().heightForWidth(room.width(), view.font());
+        places.emplace_back(room.left(), room.top(), room.width(), height);
+    }
+    ASSERT_EQ(places.size(), 2U);
+    EXPECT_FALSE(places[0].intersects(places[1])) << places[0].bottom() << " " << places[1].top();
 }
 
 TEST_F(TerrainView, rememberedGroundOfBothSidesIsDrawn)
