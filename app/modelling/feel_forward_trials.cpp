@@ -45,9 +45,10 @@ void addKinds(std::vector<FeelForwardLine>& lines, std::span<const FeelForwardDr
             && std::ranges::find(hazards, hazardName(drive)) == hazards.end())
             hazards.push_back(hazardName(drive));
     for (const std::string& hazard : hazards)
-        lines.push_back(sumOf(kind + ", " + hazard, drives, counts, [&](const auto& drive) {
-            return drive.tracks == tracks && hazardName(drive) == hazard;
-        }));
+        lines.push_back(
+            sumOf(fmt::format("{}, {}", kind, hazard), drives, counts, [&](const auto& drive) {
+                return drive.tracks == tracks && hazardName(drive) == hazard;
+            }));
     for (std::size_t g = 0; g < kHazardGrounds.size(); ++g)
         lines.push_back(
             sumOf(fmt::format("{}, {}", kind, kHazardGrounds[g].name), drives, counts,

@@ -115,14 +115,15 @@ void Strip::removeLast()
     if (!isSceneEntered_) return;
     isSceneEntered_ = false;
     way_.unsettle();
-    for (auto it = replaced_.rbegin(); it != replaced_.rend(); ++it) {
-        StripSection* const section = sectionOf(it->segment);
+    while (!replaced_.empty()) {
+        const Replaced last = replaced_.back();
+        replaced_.pop_back();
+        StripSection* const section = sectionOf(last.segment);
         if (!section) continue;
-        StripColumn& column = section->columns[it->column];
-        column.at(it->side) = it->bin;
-        if (!column[0] && !column[1]) section->columns.erase(it->column);
+        StripColumn& column = section->columns[last.column];
+        column.at(last.side) = last.bin;
+        if (!column[0] && !column[1]) section->columns.erase(last.column);
     }
-    replaced_.clear();
     std::erase_if(sections_, [](const StripSection& section) { return section.columns.empty(); });
     if (!sources_.empty()) sources_.pop_back();
 }

@@ -94,8 +94,8 @@ void TerrainProfileView::showRemembered()
     if (isShown && !estimate_)
         note = tr("remembered ground · %1 m driven since · heights ± %2 cm")
                    .arg(format::number(numbers.way, 2), sd);
-    QwtText words = inked(note, isShown ? theme().sampled : theme().muted, sized(font(), 15, true));
-    setLabel(*rememberedNote_, std::move(words));
+    setLabel(*rememberedNote_,
+             inked(note, isShown ? theme().sampled : theme().muted, sized(font(), 15, true)));
     arrangeNotes();
 }
 
