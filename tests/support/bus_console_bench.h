@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/shell/key_table.h"
 #include "core/wire/candump_log.h"
 #include "drivers/log_replay.h"
 #include "tests/support/arming.h"
@@ -169,6 +170,7 @@ struct BusConsole : testing::Test, RobotOnBench {
     bool drives()
     {
         QTest::keyRelease(window.get(), Qt::Key_W);
+        QTest::qWait(2 * KeyTable::kRepetition);  // the next press is a new one
         if (arming() != ArmingPhase::Armed && !armsOnce()) return false;
         if (!gui::eventually([&] { return window->drivePad()->forwardButton()->isEnabled(); },
                              2000))

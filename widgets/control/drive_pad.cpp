@@ -92,7 +92,8 @@ int DrivePad::widthOf(Length length) const
 void DrivePad::chooseTexts()
 {
     Length length = narrow_ ? Length::Short : Length::Full;
-    if (narrow_ && widthOf(length) > width()) length = Length::Keys;
+    if (length == Length::Full && widthOf(length) > width()) length = Length::Short;
+    if (length == Length::Short && widthOf(length) > width()) length = Length::Keys;
     const QStringList words = texts(length);
     back_->setText(words[0]);
     feel_->setText(words[1]);
