@@ -6,7 +6,7 @@ terratact=$(realpath "$1")
 cd "$(dirname "$0")/../.."
 corpora=tests/fuzz/corpora
 rm -rf "$corpora"
-mkdir -p "$corpora"/{scene_file,csv_files,candump_log,dbc_file,can_frames,recording_file,ros_message}
+mkdir -p "$corpora"/{scene_file,csv_files,candump_log,dbc_file,can_frames,recording_file,ros_message,cloud_file}
 
 scenes=$(mktemp)
 trap 'rm -f "$scenes"' EXIT
@@ -84,3 +84,17 @@ done
 printf 'time_ms,pitch,front_left\n0,0.1,0.2\n50,0.1,NaN\n' >"$corpora/recording_file/series.csv"
 printf 'float64[] a\nstring[] name\nE e\n===\nMSG: p/E\ntime t\nbool on\n\0\1\0\0\0\0\0\0\0\0\0\370?\1\0\0\0\1\0\0\0f' \
   >"$corpora/ros_message/joints"
+
+# Clouds and poses. The compressed one is a literal of 13 bytes, and copies.
+printf 'VERSION 0.7\nFIELDS x y z i\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 1\nWIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA ascii\n1 2 3 4\nnan 5 6 7\n' \
+  >"$corpora/cloud_file/ascii.pcd"
+printf 'FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nPOINTS 1\nDATA binary\n\0\0\200\77\0\0\0\100\0\0\100\100' >"$corpora/cloud_file/binary.pcd"
+printf 'FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nPOINTS 2\nDATA binary_compressed\n\10\0\0\0\30\0\0\0\3\0\0\200\77\340\13\3' \
+  >"$corpora/cloud_file/compressed.pcd"
+printf 'ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty double z\nproperty list uchar int i\nend_header\n1 2 3 1 4\n' \
+  >"$corpora/cloud_file/ascii.ply"
+printf 'ply\nformat binary_big_endian 1.0\ncomment c\nelement vertex 1\nproperty short x\nproperty short y\nproperty char z\nend_header\n\0\1\0\2\3' \
+  >"$corpora/cloud_file/big.ply"
+printf 'x,y,z\n1,2,3\n4;5;6\n' >"$corpora/cloud_file/points.csv"
+printf '# tum\n1 0 0 0 0 0 0 1\n1.1 0.1 0 0 0 0 0.7071 0.7071\n' >"$corpora/cloud_file/poses.tum"
+printf 'run,t_s,x_m,y_m,z_m,qx,qy,qz,qw\na,1,2,3,4,0,0,0,1\n' >"$corpora/cloud_file/poses.csv"

@@ -1,0 +1,242 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/text.h"
+#include "core/clouds/cloud_fields.h"
+#include "core/clouds/cloud_file.h"
+#include "core/clouds/cloud_reader.h"
+#include "core/clouds/pose_track.h"
+#include "core/store/csv_field.h"
+#include "core/store/file_read.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::size_t kMaxPoses = 5'000'000;
+constexpr double kMinJump = 0.3;      // [m] a shorter one is noise
+constexpr double kUnitLength = 0.05;  // most difference of a quaternion's length from 1
+
+/// Columns of a pose, in this order.
+constexpr std::array<std::string_view, 8> kPoseColumns{"time", "x",  "y",  "z",
+                                                       "qx",   "qy", "qz", "qw"};
+using PoseNumbers = std::array<double, kPoseColumns.size()>;
+
+/// Collects the poses of each run; refuses those that no drive has.
+class PoseCollector {
+public:
+    explicit PoseCollector(const PoseLimits& limits) : limits_(limits) {}
+
+    /// Returns the sentence about why a pose is refused; empty: it was added.
+    std::string add(const std::string& run, const PoseNumbers& v)
+    {
+        for (std::size_t i = 0; i < v.size(); ++i)
+            if (!std::isfinite(v.at(i)) || (i > 0 && std::abs(v.at(i)) > kFarthestPoint))
+                return fmt::format("{} is {}: a finite number was expected; leave this pose out",
+                                   kPoseColumns.at(i), v.at(i));
+        Eigen::Quaterniond turn(v[7], v[4], v[5], v[6]);
+        if (std::abs(turn.norm() - 1.0) > kUnitLength)
+            return fmt::format(
+                "the quaternion has the length {:.3f}: 1 was expected, in the order qx qy "
+                "qz qw; correct the columns",
+                turn.norm());
+        turn.normalize();
+        if (++count_ > kMaxPoses) return fmt::format("there are more than {} poses", kMaxPoses);
+        auto& entries = runs_[run];
+        const Eigen::Vector3d place{v[1], v[2], v[3]};
+        if (!entries.empty()) {
+            const auto& last = entries.back();
+            const double seconds = v[0] - last.time, way = (place - last.pose.place).norm();
+            if (!(seconds > 0.0))
+                return fmt::format(
+                    "the time {:.3f} s does not rise from {:.3f} s before: sort the poses, "
+                    "and leave double ones out",
+                    v[0], last.time);
+            if (way > kMinJump && way > limits_.maxSpeed * seconds)
+                return fmt::format(
+                    "the pose jumps {:.2f} m in {:.3f} s, faster than {:.2f} m/s: cut the poses "
+                    "there, or raise --max-speed",
+                    way, seconds, limits_.maxSpeed);
+        }
+        entries.push_back({v[0], {place, turn}});
+        return {};
+    }
+
+    PoseTracks tracks() &&
+    {
+        PoseTracks tracks;
+        for (auto& [run, entries] : runs_)
+            tracks.emplace(run, PoseTrack(std::move(entries), limits_.maxGap));
+        return tracks;
+    }
+
+private:
+    PoseLimits limits_;
+    std::map<std::string, std::vector<PoseTrack::Entry>> runs_;
+    std::size_t count_ = 0;
+};
+
+/// Column of a header; kPoseColumns.size(): the run; larger: another one.
+std::size_t poseColumn(std::string_view name)
+{
+    const std::string text = lowerCase(withoutBlanks(name, " \t\"#"));
+    if (text == "run") return kPoseColumns.size();
+    for (const char* time : {"t_s", "t", "timestamp", "stamp", "time_s", "__time"})
+        if (text == time) return 0;
+    for (std::size_t i = 0; i < kPoseColumns.size(); ++i)
+        if (text == kPoseColumns.at(i) || text == std::string(kPoseColumns.at(i)) + "_m") return i;
+    return kPoseColumns.size() + 1;
+}
+
+/// Reads a file of poses line by line.
+class PoseFileReader {
+public:
+    PoseFileReader(CloudFile file, const PoseLimits& limits)
+        : file_(std::move(file)), collector_(limits)
+    {
+        for (std::size_t i = 0; i < columns_.size(); ++i) columns_.at(i) = i;
+    }
+
+    Result<PoseTracks> read()
+    {
+        for (;;) {
+            const auto more = file_.line(line_);
+            if (!more) return more.error();
+            if (!*more) break;
+            if (line_.find('\0') != std::string::npos)
+                return file_.lineError(
+                    "holds bytes that are no text: poses as TUM or CSV were expected; for a "
+                    "bag, name its --mapping");
+            if (line_.starts_with('#')) continue;
+            splitCloudFields(line_, fields_);
+            if (fields_.empty()) continue;
+            const bool isFirst = std::exchange(first_, false);
+            if (isFirst && !cloudCoordinate(fields_[0])) {
+                if (Status done = readHeader(); !done) return done.error();
+                continue;
+            }
+            if (Status done = addLine(); !done) return done.error();
+        }
+        auto tracks = std::move(collector_).tracks();
+        if (tracks.empty())
+            return file_.error("holds no pose: lines with time x y z qx qy qz qw were expected");
+        return tracks;
+    }
+
+private:
+    Status readHeader()
+    {
+        std::array<bool, kPoseColumns.size()> known{};
+        for (std::size_t i = 0; i < fields_.size(); ++i) {
+            const std::size_t column = poseColumn(fields_[i]);
+            if (column == kPoseColumns.size()) run_ = i;
+            if (column >= kPoseColumns.size() || known.at(column)) continue;
+            known.at(column) = true;
+            columns_.at(column) = i;
+        }
+        for (std::size_t i = 0; i < known.size(); ++i)
+            if (!known.at(i))
+                return file_.lineError(
+                    fmt::format("names no column {}: time (or t_s), x, y, z, qx, qy, qz "
+                                "and qw were expected",
+                                kPoseColumns.at(i)));
+        return Done{};
+    }
+
+    Status addLine()
+    {
+        PoseNumbers numbers{};
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            const auto value = columns_.at(i) < fields_.size()
+                                 ? cloudCoordinate(fields_[columns_.at(i)])
+                                 : std::nullopt;
+            if (!value)
+                return file_.lineError(
+                    fmt::format("{} is missing or no number: time x y z qx qy qz qw were "
+                                "expected",
+                                kPoseColumns.at(i)));
+            numbers.at(i) = *value;
+        }
+        const bool hasRun = run_ && *run_ < fields_.size();
+        const std::string refusal = collector_.add(
+            hasRun ? std::string(withoutBlanks(fields_[*run_], " \t\"")) : "", numbers);
+        if (!refusal.empty()) return file_.lineError(refusal);
+        return Done{};
+    }
+
+    CloudFile file_;
+    PoseCollector collector_;
+    std::string line_;
+    std::vector<std::string_view> fields_;
+    std::array<std::size_t, kPoseColumns.size()> columns_{};
+    std::optional<std::size_t> run_;
+    bool first_ = true;
+};
+
+/// Returns the numbers of a message of odometry; empty if a field is missing.
+std::optional<PoseNumbers> poseOf(const FieldValue& message, const OdometrySource& source,
+                                  double time)
+{
+    PoseNumbers numbers{time};
+    std::size_t i = 0;
+    const std::string& turn = source.orientation;
+    for (const std::string& path :
+         {source.source.field + ".x", source.source.field + ".y", source.source.field + ".z",
+          turn + ".x", turn + ".y", turn + ".z", turn + ".w"}) {
+        const auto value = numberAt(message, path);
+        if (!value) return std::nullopt;
+        numbers.at(++i) = *value;
+    }
+    return numbers;
+}
+
+}  // namespace
+
+Result<PoseTracks> readPoses(const std::string& path, const PoseLimits& limits)
+{
+    auto file = CloudFile::open(path);
+    if (!file) return file.error();
+    return PoseFileReader(*std::move(file), limits).read();
+}
+
+Result<PoseTracks> readPoses(Recording& recording, const Mapping& mapping, const PoseLimits& limits)
+{
+    if (!mapping.odometry)
+        return fileError(recording.path(),
+                         "the mapping has no table [odometry]: it says where poses are");
+    const OdometrySource& source = *mapping.odometry;
+    recording.select({source.source.topic});
+    PoseCollector collector(limits);
+    std::size_t messages = 0;
+    for (RecordedMessage message;;) {
+        const auto more = recording.next(message);
+        if (!more) return more.error();
+        if (!*more) break;
+        if (recording.topics().at(message.topic).name != source.source.topic) continue;
+        const auto value = recording.decode(message);
+        if (!value) return value.error();
+        const auto stamp = mapping.byHeader ? stampOf(*value) : std::nullopt;
+        const double time = 1e-9 * static_cast<double>(stamp.value_or(message.time));
+        const auto numbers = poseOf(*value, source, time);
+        const std::string place = fmt::format("topic {}: {} {}", printable(source.source.topic),
+                                              recording.offsetUnit(), message.offset);
+        if (!numbers)
+            return fileError(recording.path(),
+                             fmt::format("{}: has no {} or {}: correct [odometry] of the mapping",
+                                         place, source.source.field, source.orientation));
+        const std::string refusal = collector.add("", *numbers);
+        if (!refusal.empty())
+            return fileError(recording.path(), fmt::format("{}: {}", place, refusal));
+        ++messages;
+    }
+    if (messages == 0)
+        return fileError(
+            recording.path(),
+            fmt::format("has no message of topic {}: correct [odometry] of the mapping",
+                        printable(source.source.topic)));
+    return std::move(collector).tracks();
+}
+
+}  // namespace terratact

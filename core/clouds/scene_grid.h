@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/clouds/cloud_reader.h"
+#include "core/clouds/scene_place.h"
+
+namespace terratact {
+
+inline constexpr double kTruthCell = 0.02;  ///< [m] along a line; five cells make a bin
+inline constexpr std::size_t kCellsOfBin = 5;
+/// Heights of the DEM frame in which points are kept [m]: the ground, not what hangs above the robot.
+inline constexpr double kLowestTruth = -1.5, kHighestTruth = 0.8;
+
+/// Cells under the lines of every scene, which collect the heights of a cloud's points. Each cell keeps a sample of
+/// its heights, every point with the same probability, so that memory does not grow with the cloud. The same
+/// points in the same order give the same sample.
+class SceneGrid {
+public:
+    static constexpr std::size_t kMaxSamples = 48'000'000;  ///< of all cells: 192 MB
+    static constexpr std::size_t kMostOfCell = 48, kLeastOfCell = 8;
+
+    /// passes: further poses of the drive, of which only pitch, roll and the tracks count. The robot was there, so
+    /// the ground was not: no pose of `places` or `passes` has ground above the robot's lower boundary.
+    /// Errors: more scenes than kMaxSamples allow.
+    static Result<SceneGrid> over(const RobotModel& robot, std::vector<ScenePlace> places,
+                                  const std::vector<ScenePlace>& passes = {});
+
+    const std::vector<ScenePlace>& places() const { return places_; }
+    std::size_t cells() const { return cells_; }  ///< of a line
+    /// Returns x of the middle of a cell in the DEM frame [m].
+    double cellX(std::size_t cell) const
+    {
+        return begin_ + (static_cast<double>(cell) + 0.5) * kTruthCell;
+    }
+    /// Returns the first of the five cells of a bin.
+    std::size_t firstCellOf(int bin) const;
+
+    /// Adds points in the cloud's frame.
+    void add(std::span<const CloudPoint> points);
+
+    /// Adds points of a scan in the sensor's frame, whose pose in the base is `mount`. Points within the box that
+    /// the robot can fill with any flipper angles are its own, and left out.
+    void addScan(std::span<const CloudPoint> points, const CloudPose& base, const CloudPose& mount);
+
+    /// Returns the lowest boundary of the robot above the middle of a cell at any pose of the drive, DEM frame;
+    /// +infinity where it never was.
+    double ceiling(std::size_t place, TruthLine line, std::size_t cell) const
+    {
+        return static_cast<double>(ceilings_[indexOfCell(place, line, cell)]);
+    }
+
+    std::uint64_t ownPoints() const { return own_; }  ///< left out by addScan()
+
+    /// Returns the kept heights of a cell, DEM frame [m].
+    std::span<const float> heights(std::size_t place, TruthLine line, std::size_t cell) const;
+    /// Returns the number of points that fell into a cell.
+    std::uint32_t count(std::size_t place, TruthLine line, std::size_t cell) const
+    {
+        return counts_[indexOfCell(place, line, cell)];
+    }
+
+private:
+    struct Strip {
+        double y = 0.0, half = 0.0;
+    };
+    SceneGrid(const RobotModel& robot, std::vector<ScenePlace> places, std::size_t cells);
+
+    std::size_t indexOfCell(std::size_t place, TruthLine line, std::size_t cell) const
+    {
+        return (place * kTruthLines + static_cast<std::size_t>(line)) * cells_ + cell;
+    }
+    void addPoint(const Eigen::Vector3d& point);
+    void addTo(std::size_t place, const Eigen::Vector3d& dem);
+    void keep(std::size_t index, float height);
+    void lowerCeilings(const ScenePlace& robotAt, bool withFlippers);
+
+    RobotModel robot_;
+    std::vector<ScenePlace> places_;
+    std::vector<std::array<Strip, kTruthLines>> strips_;
+    std::size_t cells_ = 0, most_ = 0;
+    double begin_ = 0.0;
+    double reach_ = 0.0;  ///< [m] from an IMU to the farthest corner of its strips
+    std::unordered_map<std::int64_t, std::vector<std::uint32_t>> near_;  ///< places by square metre
+    std::vector<float> samples_, ceilings_;
+    std::vector<std::uint32_t> counts_;
+    std::uint64_t own_ = 0;
+};
+
+}  // namespace terratact

@@ -1,0 +1,81 @@
+// Tests poses: files, limits and interpolation.
+#include "core/clouds/pose_track.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/refusal.h"
+#include "tests/support/temporary_directory.h"
+
+namespace terratact {
+namespace {
+
+struct Poses : testing::Test {
+    Result<PoseTracks> read(const std::string& content)
+    {
+        return readPoses(directory.write("p", content), {});
+    }
+    testing::AssertionResult refuses(const std::string& content,
+                                     std::initializer_list<std::string_view> parts)
+    {
+        return refused(read(content), directory.file("p"), parts);
+    }
+    TemporaryDirectory directory;
+};
+
+TEST_F(Poses, tumIsInterpolatedWithinTheGap)
+{
+    const auto tracks =
+        read("# time x y z q\n10 0 0 0 0 0 0 1\n10.4 0.2 0 0.1 0 0 0.7071068 0.7071068\n"
+             "20 0.2 0 0.1 0 0 0.7071068 0.7071068\n");
+    ASSERT_TRUE(tracks) << tracks.error().text;
+    const PoseTrack& track = tracks->at("");
+    const auto middle = track.at(10.2);
+    ASSERT_TRUE(middle);
+    EXPECT_NEAR(middle->place.x(), 0.1, 1e-12);
+    EXPECT_NEAR(middle->place.z(), 0.05, 1e-12);
+    const Eigen::Vector3d ahead = middle->turn * Eigen::Vector3d::UnitX();
+    EXPECT_NEAR(std::atan2(ahead.y(), ahead.x()), M_PI / 4, 1e-6);
+    EXPECT_FALSE(track.at(15.0)) << "the neighbours are too far apart";
+    EXPECT_TRUE(track.at(20.0));
+    EXPECT_FALSE(track.at(9.9));
+    EXPECT_FALSE(track.at(20.1));
+}
+
+TEST_F(Poses, csvHasRunsAndAnyOrder)
+{
+    const auto tracks =
+        read("run,x_m,y_m,z_m,qx,qy,qz,qw,t_s\na,1,2,3,0,0,0,1,5\nb,4,5,6,0,0,0,1,1\n");
+    ASSERT_TRUE(tracks) << tracks.error().text;
+    EXPECT_EQ(tracks->size(), 2U);
+    EXPECT_EQ(tracks->at("b").at(1.0)->place, Eigen::Vector3d(4, 5, 6));
+    EXPECT_EQ(tracks->at("a").begin(), 5.0);
+}
+
+TEST_F(Poses, everyRefusalNamesTheLine)
+{
+    EXPECT_TRUE(refuses("1 0 0 0 0 0 0 1\n1.1 9 0 0 0 0 0 1\n",
+                        {"line 2: the pose jumps 9.00 m", "--max-speed"}));
+    EXPECT_TRUE(
+        refuses("1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n", {"line 2: the time 1.000 s does not rise"}));
+    EXPECT_TRUE(refuses("1 0 0 0 1 2 0 1\n", {"line 1: the quaternion has the length 2.449"}));
+    EXPECT_TRUE(refuses("1 0 nan 0 0 0 0 1\n", {"line 1: y is nan"}));
+    EXPECT_TRUE(refuses("1 0 0 0 0 0 0\n", {"line 1: qw is missing"}));
+    EXPECT_TRUE(refuses("time,x,y,z,qx,qy,qz\n", {"line 1: names no column qw"}));
+    EXPECT_TRUE(refuses("", {"holds no pose"}));
+    EXPECT_TRUE(refuses(std::string("\0\1", 2), {"line 1: holds bytes that are no text"}));
+}
+
+TEST_F(Poses, mountsAreSixNumbers)
+{
+    const auto mount = mountFrom("0.1 0 0.5  0 0 90");
+    ASSERT_TRUE(mount);
+    EXPECT_TRUE(mount->toCloud({1, 0, 0}).isApprox(Eigen::Vector3d(0.1, 1, 0.5), 1e-9));
+    EXPECT_TRUE(mount->inverse().toCloud({0.1, 1, 0.5}).isApprox(Eigen::Vector3d(1, 0, 0), 1e-9));
+    for (const char* wrong : {"", "1 2 3", "1 2 3 4 5 nan", "1 2 3 4 5 6 7", "a b c d e f"})
+        EXPECT_FALSE(mountFrom(wrong)) << wrong;
+}
+
+}  // namespace
+}  // namespace terratact
