@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs missing packages of the named groups; prints nothing if none is missing:
-#   cmake/setup.sh [--arch ARCHITECTURE] [core] [gui] [unit] [test] [tidy] [package] [publish] [kernel]
+#   cmake/setup.sh [--arch ARCHITECTURE] [core] [gui] [unit] [test] [tidy] [package] [publish] [kernel] [cluster]
 #   core  compiler and libraries of the core, the drivers and the command line
 #   gui   Qt 6, and Qwt for Qt 6: the system's, else built into .deps/qwt
 #   unit  libraries of the tests of the core    test  libraries and tools of all tests
@@ -8,6 +8,7 @@
 #   package  tools to make a Debian package
 #   publish  tools to test packages on clean systems and to make an apt repository: cmake/packages.sh
 #   kernel  tools to build and run the kernel of tests/kernel/; libgpiod 2 in .deps/libgpiod2
+#   cluster  Slurm, for the test of docs/clusters.md on a Slurm of one node
 # Packages are installed by apt (with sudo if needed); the system's apt sources are not changed.
 # --arch arm64: the compiler and the libraries are those for arm64, for a cross build (cmake/arm64.sh). The other tools
 # are this machine's. It is for the groups core, gui, unit and package.
@@ -35,6 +36,7 @@ declare -A packages=(
   [package]="dpkg-dev file gzip"
   [publish]="debootstrap debian-archive-keyring lintian reprepro gnupg"
   [kernel]="linux-source gcc make flex bison bc libelf-dev xz-utils iproute2 can-utils gpiod libgpiod-dev"
+  [cluster]="slurm-wlm munge"
 )
 
 fail() {
@@ -207,7 +209,7 @@ if [ "${1:-}" = --arch ]; then
 fi
 wanted=()
 for group in "$@"; do
-  [ -n "${packages[$group]:-}" ] || fail "unknown group '$group' (core, gui, unit, test, tidy, package, publish, kernel)"
+  [ -n "${packages[$group]:-}" ] || fail "unknown group '$group' (core, gui, unit, test, tidy, package, publish, kernel, cluster)"
   # shellcheck disable=SC2206
   wanted+=(${packages[$group]})
 done

@@ -9,14 +9,8 @@ import subprocess
 import tempfile
 import unittest
 
-from support import CLI, SOURCE, complaint, run
-
-
-def documented(heading):
-    """Returns the lines that docs/clusters.md shows below a heading."""
-    text = (pathlib.Path(SOURCE) / "docs/clusters.md").read_text()
-    section = text.split(f"## {heading}", 1)[1].split("\n## ", 1)[0]
-    return [line.strip() for line in section.splitlines() if line.startswith("    ") or not line]
+from cluster_support import ONE_RUN, Distributed, documented, slurm_commands, slurm_scripts
+from support import SOURCE, complaint, run
 
 
 def job_array():
@@ -55,7 +49,7 @@ if [ "$parsable" ]; then echo "$id"; else echo "Submitted batch job $id"; fi
 """
 
 
-class Shards(unittest.TestCase):
+class Shards(Distributed):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
@@ -77,26 +71,6 @@ class Shards(unittest.TestCase):
     def few(cls, name, count):
         lines = pathlib.Path("scenes.csv").read_text().splitlines(keepends=True)
         pathlib.Path(name).write_text("".join(lines[: count + 1]))
-
-    def shell(self, script, folder):
-        """Runs a script in a folder, with terratact in the PATH."""
-        surroundings = dict(os.environ, HOME=str(self.path), PATH=f"{pathlib.Path(CLI).parent}:{os.environ['PATH']}")
-        done = subprocess.run(["sh", "-e", "-c", script], cwd=folder, env=surroundings, capture_output=True, text=True,
-                              timeout=500)
-        self.assertEqual(done.returncode, 0, f"{script}\n{done.stdout}\n{done.stderr}")
-
-    def assert_same_evaluation(self, one, merged):
-        """Every file must be equal to the byte, except the column of measured times."""
-        one, merged = pathlib.Path(one), pathlib.Path(merged)
-        names = sorted(p.name for p in one.iterdir())
-        self.assertEqual(names, sorted(p.name for p in merged.iterdir() if p.suffix != ".tte"))
-        self.assertIn("errors.csv", names)
-        self.assertIn("fig8.svg", names)
-        for name in names:
-            ours, theirs = (one / name).read_bytes(), (merged / name).read_bytes()
-            if name == "scores.csv":
-                ours, theirs = (re.sub(rb",[^,]*$", b"", text, flags=re.M) for text in (ours, theirs))
-            self.assertEqual(ours, theirs, name)
 
     def assert_same_words(self, one, merged):
         """The text must be equal, except times and the directory's name."""
@@ -218,22 +192,15 @@ class Shards(unittest.TestCase):
         sbatch = pathlib.Path("slurm/bin/sbatch")
         sbatch.write_text(SBATCH)
         sbatch.chmod(0o755)
-        commands, script = [], None
-        for line in documented("Slurm"):
-            if line.startswith("$ cat "):
-                script = pathlib.Path("slurm", line.removeprefix("$ cat "))
-                script.write_text("")
-            elif line.startswith("$ "):
-                commands.append(line.removeprefix("$ "))
-            elif line:
-                few = line.replace("--array=1-32", "--array=1-3")  # each task fits the baselines again
-                script.write_text(f"{script.read_text()}{few}\n")
-        self.assertEqual(len(commands), 4)
+        scripts, commands = slurm_scripts(), slurm_commands()
+        self.assertEqual((len(scripts), len(commands)), (2, 4))
+        for name, text in scripts.items():
+            few = text.replace("--array=1-32", "--array=1-3").replace("ID/32", "ID/3")  # each task fits the baselines again
+            pathlib.Path("slurm", name).write_text(few)
         self.shell("PATH=$PWD/bin:$PATH\n" + "\n".join(commands), "slurm")
         os.makedirs("whole")
         shutil.copy("scenes.csv", "whole")
-        self.shell("terratact train --data scenes.csv --out model.ttm --seed 1\n"
-                   "terratact evaluate --model model.ttm --data scenes.csv --out evaluation", "whole")
+        self.shell(ONE_RUN, "whole")
         self.assertEqual(pathlib.Path("slurm/model.ttm").read_bytes(), pathlib.Path("whole/model.ttm").read_bytes())
         self.assert_same_evaluation("whole/evaluation", "slurm/evaluation")
 
