@@ -14,7 +14,6 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kMaxCsvBytes = std::size_t{64} * 1024 * 1024;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kLineEnds = "\r\n";
 constexpr char kEndOfDosText = '\x1A';  // DOS ended a text file with this character
@@ -73,9 +72,9 @@ CsvReader::CsvReader(std::string name, std::string text)
     while (rest_.ends_with(kEndOfDosText)) rest_.remove_suffix(1);
 }
 
-Result<std::string> CsvReader::textOf(const std::string& path)
+Result<std::string> CsvReader::textOf(const std::string& path, std::size_t most)
 {
-    return readFile(path, kMaxCsvBytes);
+    return readFile(path, most);
 }
 
 Result<CsvReader> CsvReader::open(const std::string& path)

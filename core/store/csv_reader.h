@@ -35,8 +35,10 @@ public:
     static constexpr std::size_t kMaxFields = 100'000;      ///< fields of a record
     static constexpr std::size_t kMaxFieldLength = 65'536;  ///< bytes
 
-    /// Returns the bytes of a file or pipe. Errors: it cannot be read, or is larger than 64 MiB.
-    static Result<std::string> textOf(const std::string& path);
+    static constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;  ///< of most files
+
+    /// Returns the bytes of a file or pipe. Errors: it cannot be read, or has more than `most` bytes.
+    static Result<std::string> textOf(const std::string& path, std::size_t most = kMaxBytes);
 
     /// Calls textOf() and over().
     static Result<CsvReader> open(const std::string& path);

@@ -1,53 +1,15 @@
 #include "core/learn/data/scene_file.h"
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
 
-#include "core/learn/data/columns.h"
 #include "core/learn/data/scene_rows.h"
+#include "core/learn/data/scene_values.h"
 #include "core/store/file_read.h"
 #include "core/store/file_write.h"
 #include "core/store/sha256.h"
 
 namespace terratact {
-namespace {
-
-/// Returns features and heights of one plane; pitch and the flipper angles are never empty.
-const SceneColumns& planeColumns()
-{
-    static const SceneColumns columns = [] {
-        SceneColumns c{.columns = {featureColumns().begin(), featureColumns().end()},
-                       .neverEmpty = 3,
-                       .required = kFeatures,
-                       .heightPrefixes = {"h_"},
-                       .heightColumns = "h_-0.3_m … h_+0.0_m … h_+0.7_m"};
-        c.columns.insert(c.columns.end(), heightColumns().begin(), heightColumns().end());
-        return c;
-    }();
-    return columns;
-}
-
-Scene sceneOf(SceneFileRow& row)
-{
-    FeatureValues features{};
-    OptionalHeights truth{};
-    std::copy_n(row.values.begin(), features.size(), features.begin());
-    std::copy_n(row.values.begin() + kFeatures, truth.size(), truth.begin());
-    return Scene{row.run, row.time, proprioception(features), truth};
-}
-
-SceneFileRow rowOf(const Scene& scene)
-{
-    SceneFileRow row{scene.run, scene.time, {}};
-    const FeatureValues features = featureValues(scene.s);
-    row.values.assign(features.begin(), features.end());
-    row.values.insert(row.values.end(), scene.truth.begin(), scene.truth.end());
-    return row;
-}
-
-}  // namespace
-
 Result<SceneFile> readScenes(const std::string& path)
 {
     Result<std::string> text = CsvReader::textOf(path);
@@ -69,8 +31,10 @@ Result<SceneFile> readScenes(CsvReader csv)
 Result<SceneFile> readScenesFromHere(CsvReader csv)
 {
     SceneFile file;
-    auto notices = readSceneRows(csv, planeColumns(),
-                                 [&](SceneFileRow& row) { file.scenes.push_back(sceneOf(row)); });
+    auto notices = readSceneRows(csv, planeSceneColumns(), [&](const SceneFileRow& row) {
+        file.scenes.push_back(planeSceneOf(row));
+        return Status(Done{});
+    });
     if (!notices) return notices.error();
     file.notices = *std::move(notices);
     return file;
@@ -97,8 +61,8 @@ std::string scenesText(const std::vector<Scene>& scenes)
     if (scenes.size() > kMaxScenes)
         throw std::invalid_argument("writeScenes: more than " + std::to_string(kMaxScenes)
                                     + " scenes, which is what a file may hold");
-    std::string content = sceneHeader(planeColumns());
-    for (const Scene& scene : scenes) content += sceneLine(planeColumns(), rowOf(scene));
+    std::string content = sceneHeader(planeSceneColumns());
+    for (const Scene& scene : scenes) content += sceneLine(planeSceneColumns(), sceneRow(scene));
     return content;
 }
 

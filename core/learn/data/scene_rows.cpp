@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "core/base/text.h"
-#include "core/learn/data/scene_file.h"
 #include "core/store/csv_text.h"
 #include "core/wire/dbc/dbc_text.h"
 
@@ -16,7 +15,8 @@ namespace {
 constexpr int kUnknown = -1;
 constexpr int kRun = 0;
 constexpr int kTime = 1;
-constexpr int kFirstNumber = 2;
+constexpr int kKind = 2;
+constexpr int kFirstNumber = 3;
 constexpr std::size_t kMaxColumns = 200;
 constexpr std::size_t kMaxRunNameLength = 4096;  ///< bytes
 
@@ -31,6 +31,9 @@ public:
     explicit Slots(const SceneColumns& columns) : columns_(columns) {}
 
     int count() const { return kFirstNumber + static_cast<int>(columns_.columns.size()); }
+    bool hasKinds() const { return !columns_.kinds.empty(); }
+    /// Returns false for the column kind in a file that has no kinds.
+    bool isUsed(int slot) const { return slot != kKind || hasKinds(); }
     int required() const { return kFirstNumber + static_cast<int>(columns_.required); }
     bool mayBeEmpty(int slot) const
     {
@@ -40,18 +43,19 @@ public:
     {
         if (slot == kRun) return "run";
         if (slot == kTime) return "t_s";
+        if (slot == kKind) return "kind";
         return columns_.columns[index(slot)].name;
     }
     std::string unit(int slot) const
     {
-        if (slot == kRun) return {};
+        if (slot == kRun || slot == kKind) return {};
         if (slot == kTime) return "s";
         return std::string(columns_.columns[index(slot)].unit);
     }
     int named(std::string_view name) const
     {
         for (int slot = 0; slot < count(); ++slot)
-            if (this->name(slot) == name) return slot;
+            if (isUsed(slot) && this->name(slot) == name) return slot;
         return kUnknown;
     }
     /// Returns why a value is refused in a column; empty if it is accepted. An infinity is beyond
@@ -74,6 +78,7 @@ public:
         });
     }
     std::string_view heightColumns() const { return columns_.heightColumns; }
+    const std::vector<std::string_view>& kinds() const { return columns_.kinds; }
 
 private:
     const SceneColumns& columns_;
@@ -115,7 +120,7 @@ Result<Layout> layoutOf(CsvReader& csv, const Slots& known)
         unknown += (unknown.empty() ? "" : ", ") + shown(name);
     }
     for (int slot = 0; slot < known.required(); ++slot)
-        if (std::count(layout.slots.begin(), layout.slots.end(), slot) == 0)
+        if (known.isUsed(slot) && std::count(layout.slots.begin(), layout.slots.end(), slot) == 0)
             return csv.error(
                 unknown.empty()
                     ? Message(TR_NOOP("core", "the column %1 is missing"), known.name(slot))
@@ -145,10 +150,26 @@ Status readRun(const CsvReader& csv, std::size_t field, SceneFileRow& row)
     return Done{};
 }
 
+Status readKind(const CsvReader& csv, std::size_t field, const std::vector<std::string_view>& kinds,
+                SceneFileRow& row)
+{
+    const std::string_view text = csv.fields()[field];
+    const auto kind = std::ranges::find(kinds, text);
+    if (kind == kinds.end()) {
+        std::string expected;
+        for (const std::string_view word : kinds)
+            expected += (expected.empty() ? "" : " or ") + std::string(word);
+        return csv.error("kind is " + shown(text) + ", expected " + expected);
+    }
+    row.kind = static_cast<std::size_t>(kind - kinds.begin());
+    return Done{};
+}
+
 Status readField(CsvReader& csv, std::size_t field, int slot, const Slots& known, SceneFileRow& row)
 {
     if (slot == kUnknown || (known.mayBeEmpty(slot) && csv.isMissing(field))) return Done{};
     if (slot == kRun) return readRun(csv, field, row);
+    if (slot == kKind) return readKind(csv, field, known.kinds(), row);
     const Result<double> value = csv.number(field, known.name(slot));
     if (!value) return value.error();
     if (const Message cause = known.refusal(slot, *value); !cause.empty()) return csv.error(cause);
@@ -167,6 +188,14 @@ Status readRow(CsvReader& csv, const Layout& layout, const Slots& known, SceneFi
     return Done{};
 }
 
+Message tooMany(const Slots& known, std::size_t most)
+{
+    if (known.hasKinds())
+        return Message::verbatim("is one line more than the " + std::to_string(most)
+                                 + " allowed in a file");
+    return {TR_NOOP("core", "is one scene more than the %1 allowed in a file"), most};
+}
+
 /// Returns one number as text. Throws for what the reader would refuse.
 std::string field(const std::optional<double>& value, int slot, const Slots& known)
 {
@@ -179,7 +208,7 @@ std::string field(const std::optional<double>& value, int slot, const Slots& kno
 }  // namespace
 
 Result<std::vector<Message>> readSceneRows(CsvReader& csv, const SceneColumns& columns,
-                                           const std::function<void(SceneFileRow&)>& add)
+                                           const std::function<Status(const SceneFileRow&)>& add)
 {
     const Slots known(columns);
     Result<Layout> layout = layoutOf(csv, known);
@@ -191,13 +220,14 @@ Result<std::vector<Message>> readSceneRows(CsvReader& csv, const SceneColumns& c
         const Result<bool> more = csv.next();
         if (!more) return more.error();
         if (!*more) break;
-        if (count == kMaxScenes)
-            return csv.error(Message(
-                TR_NOOP("core", "is one scene more than the %1 allowed in a file"), kMaxScenes));
+        if (count == columns.most) return csv.error(tooMany(known, columns.most));
         if (const Status status = readRow(csv, *layout, known, row); !status) return status.error();
-        add(row);
+        if (const Status status = add(row); !status) return status.error();
     }
-    if (count == 0) return csv.error(TR_NOOP("core", "is the header, and no scene follows it"));
+    if (count == 0)
+        return known.hasKinds()
+                 ? csv.error("is the header, and no line follows it")
+                 : csv.error(TR_NOOP("core", "is the header, and no scene follows it"));
     if (csv.lacksLineEnd())
         layout->notices.emplace_back(
             TR_NOOP("core", "%1: the last line has no line end; it was read as it is"), csv.name());
@@ -209,7 +239,8 @@ std::string sceneHeader(const SceneColumns& columns)
     const Slots known(columns);
     std::vector<CsvValue> fields;
     fields.reserve(static_cast<std::size_t>(known.count()));
-    for (int slot = 0; slot < known.count(); ++slot) fields.emplace_back(known.name(slot));
+    for (int slot = 0; slot < known.count(); ++slot)
+        if (known.isUsed(slot)) fields.emplace_back(known.name(slot));
     return csvLine(fields);
 }
 
@@ -219,6 +250,7 @@ std::string sceneLine(const SceneColumns& columns, const SceneFileRow& row)
     if (!isRunName(row.run))
         throw std::invalid_argument("writeScenes: run is not a name: " + shown(row.run));
     std::vector<CsvValue> fields{row.run, field(row.time, kTime, known)};
+    if (known.hasKinds()) fields.emplace_back(columns.kinds.at(row.kind));
     int slot = kFirstNumber;
     for (const std::optional<double>& value : row.values)
         fields.emplace_back(field(value, slot++, known));

@@ -13,11 +13,14 @@
 
 namespace terratact {
 
-// Rows of every kind of scenes file: a run, a time and numbers.
+// Rows of every kind of file of scenes or drives: a run, a time and numbers.
 
-/// Numbers of a scenes file, after the columns run and t_s.
+/// Numbers of a file of scenes or drives, after the columns run and t_s, and kind if it has kinds.
 struct SceneColumns {
     std::vector<Column> columns;
+    /// Words of the text column "kind", which is then required. Empty: there is no such column.
+    std::vector<std::string_view> kinds;
+    std::size_t most = 0;        ///< largest number of rows in a file
     std::size_t neverEmpty = 0;  ///< the first columns have a number in every row
     std::size_t required = 0;  ///< the first columns must be in the file, the others may be missing
     std::vector<std::string_view> heightPrefixes;  ///< before the number in a height column: "h_"
@@ -27,14 +30,16 @@ struct SceneColumns {
 struct SceneFileRow {
     std::string run;
     double time = 0.0;                          ///< [s]
+    std::size_t kind = 0;                       ///< index in SceneColumns::kinds
     std::vector<std::optional<double>> values;  ///< in the order of SceneColumns
 };
 
 /// Reads rows from a CSV whose current record is the header, and calls `add` for each. Returns
 /// notices, such as unknown columns that were ignored. Errors are those of readScenes()
-/// (core/learn/data/scene_file.h). The row belongs to the reader and is overwritten after `add`.
+/// (core/learn/data/scene_file.h) and of `add`, which ends the reading. The row belongs to the
+/// reader and is overwritten after `add`.
 Result<std::vector<Message>> readSceneRows(CsvReader& csv, const SceneColumns& columns,
-                                           const std::function<void(SceneFileRow&)>& add);
+                                           const std::function<Status(const SceneFileRow&)>& add);
 
 /// Returns the header of the file.
 std::string sceneHeader(const SceneColumns& columns);

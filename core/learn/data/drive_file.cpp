@@ -1,0 +1,188 @@
+#include "core/learn/data/drive_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <unordered_set>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/learn/data/scene_values.h"
+#include "core/robot/two_tracks.h"
+#include "core/store/csv_reader.h"
+
+namespace terratact {
+namespace {
+
+constexpr std::size_t kWayKind = 0, kSceneKind = 1;
+constexpr std::size_t kDriveColumns = 1;  // numbers before those of a scene: travelled_m
+
+SceneColumns withTravelled(SceneColumns columns)
+{
+    columns.columns.insert(columns.columns.begin(),
+                           Column{"travelled_m", "m", -1e6, 1e6, {"", "is it in mm?"}});
+    columns.neverEmpty += kDriveColumns;
+    columns.required += kDriveColumns;
+    columns.kinds = {"way", "scene"};
+    columns.most = kMaxDriveLines;
+    return columns;
+}
+
+const SceneColumns& driveColumns(bool onePlane)
+{
+    static const SceneColumns plane = withTravelled(planeSceneColumns());
+    static const SceneColumns tracks = withTravelled(twoTrackSceneColumns());
+    return onePlane ? plane : tracks;
+}
+
+DriveLine driveLineOf(const TwoTrackScene& scene, bool isScene, double travelled)
+{
+    DriveLine line{.line = measurementOf(scene.s), .isScene = isScene, .truth = scene.truth};
+    line.line.time = scene.time;
+    line.line.activity = isScene ? RobotActivity::Pressed : RobotActivity::Driving;
+    line.line.travelled = travelled;
+    line.line.turned = 0.0;
+    return line;
+}
+
+DriveLine driveLineOf(const SceneFileRow& row, bool onePlane)
+{
+    return driveLineOf(onePlane ? onBothSides(planeSceneOf(row, kDriveColumns))
+                                : twoTrackSceneOf(row, kDriveColumns),
+                       row.kind == kSceneKind, row.values[0].value());
+}
+
+bool hasHeights(const std::array<OptionalHeights, 2>& truth)
+{
+    return std::ranges::any_of(truth, [](const OptionalHeights& side) {
+        return std::ranges::any_of(side, [](const auto& h) { return h.has_value(); });
+    });
+}
+
+/// Collects the lines of each drive, and passes it on when the next one begins.
+class DriveCollector {
+public:
+    DriveCollector(const CsvReader& csv, bool onePlane,
+                   const std::function<void(DriveLines&&)>& add)
+        : csv_(csv), add_(add), drive_{.run = {}, .onePlane = onePlane, .lines = {}}
+    {
+    }
+
+    Status add(const SceneFileRow& row)
+    {
+        if (row.run != drive_.run)
+            if (Status begun = begin(row.run); !begun) return begun;
+        DriveLine line = driveLineOf(row, drive_.onePlane);
+        if (!line.isScene && hasHeights(line.truth))
+            return csv_.error("has heights, which only lines of kind scene have");
+        if (!drive_.lines.empty() && line.line.time < drive_.lines.back().line.time)
+            return csv_.error("t_s is " + numberText(line.line.time) + " after "
+                              + numberText(drive_.lines.back().line.time)
+                              + ", expected lines of a run in the order of time");
+        drive_.lines.push_back(line);
+        return Done{};
+    }
+
+    void finish()
+    {
+        if (drive_.lines.empty()) return;
+        add_(DriveLines{drive_.run, drive_.onePlane, std::exchange(drive_.lines, {})});
+    }
+
+private:
+    Status begin(const std::string& run)
+    {
+        finish();
+        if (!seen_.insert(run).second)
+            return csv_.error("is of run " + shown(run)
+                              + ", whose lines do not stand together: others precede it");
+        drive_.run = run;
+        return Done{};
+    }
+
+    const CsvReader& csv_;
+    const std::function<void(DriveLines&&)>& add_;
+    DriveLines drive_;
+    std::unordered_set<std::string> seen_;
+};
+
+double toResolution(double value)
+{
+    // + 0.0: no negative zero.  Divided: the nearest double to the decimal number.
+    return std::round(value / kDriveResolution) / std::round(1.0 / kDriveResolution) + 0.0;
+}
+
+/// Returns the row of a line of a drive in one plane.
+SceneFileRow planeRow(const DriveLine& line)
+{
+    const Scene scene{
+        .run = {}, .time = {}, .s = proprioception(line.line), .truth = line.truth[0]};
+    if (onBothSides(scene).s != twoTrackReadings(line.line) || line.truth[1] != line.truth[0])
+        throw std::invalid_argument("driveText: the sides of one plane differ");
+    return sceneRow(scene);
+}
+
+SceneFileRow trackRow(const DriveLine& line)
+{
+    return sceneRow(TwoTrackScene{
+        .run = {}, .time = {}, .s = twoTrackReadings(line.line), .truth = line.truth});
+}
+
+SceneFileRow driveRow(const DriveLines& drive, const DriveLine& line)
+{
+    if (!line.line.travelled) throw std::invalid_argument("driveText: a line without travelled");
+    if (!line.isScene && hasHeights(line.truth))
+        throw std::invalid_argument("driveText: a line of the way has heights");
+    SceneFileRow row = drive.onePlane ? planeRow(line) : trackRow(line);
+    row.run = drive.run;
+    row.time = toResolution(line.line.time);
+    row.kind = line.isScene ? kSceneKind : kWayKind;
+    row.values.insert(row.values.begin(), line.line.travelled);
+    for (std::optional<double>& value : row.values)
+        if (value) value = toResolution(*value);
+    return row;
+}
+
+}  // namespace
+
+Result<std::vector<Message>> readDrives(const std::string& path,
+                                        const std::function<void(DriveLines&&)>& add)
+{
+    Result<std::string> text = CsvReader::textOf(path, kMaxDriveFileBytes);
+    if (!text) return text.error();
+    Result<CsvReader> csv = CsvReader::over(path, *std::move(text));
+    if (!csv) return csv.error();
+    if (const Result<bool> first = csv->next(); !first) return first.error();
+    const bool onePlane = std::ranges::find(csv->fields(), "roll_rad") == csv->fields().end();
+    DriveCollector collector(*csv, onePlane, add);
+    auto notices = readSceneRows(*csv, driveColumns(onePlane),
+                                 [&](const SceneFileRow& row) { return collector.add(row); });
+    if (notices) collector.finish();
+    return notices;
+}
+
+Result<DriveFile> readDrives(const std::string& path)
+{
+    DriveFile file;
+    auto notices =
+        readDrives(path, [&](DriveLines&& drive) { file.drives.push_back(std::move(drive)); });
+    if (!notices) return notices.error();
+    file.notices = *std::move(notices);
+    return file;
+}
+
+std::string drivesHeader(bool onePlane)
+{
+    return sceneHeader(driveColumns(onePlane));
+}
+
+std::string driveText(const DriveLines& drive)
+{
+    std::string text;
+    for (const DriveLine& line : drive.lines)
+        text += sceneLine(driveColumns(drive.onePlane), driveRow(drive, line));
+    return text;
+}
+
+}  // namespace terratact

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/base/message.h"
+#include "core/base/result.h"
+#include "core/learn/data/drive_lines.h"
+
+namespace terratact {
+
+inline constexpr std::size_t kMaxDriveLines = 1'000'000;  ///< of one file
+inline constexpr std::size_t kMaxDriveFileBytes = std::size_t{256} << 20U;
+
+/// Numbers of a file are multiples of this, in the units of its columns: 10 µm, 10 µrad, 10 µN.
+inline constexpr double kDriveResolution = 1e-5;
+
+/// Reads drives from CSV (core/store/csv_reader.h): a header, then one line of a drive per line.
+/// Columns in any order:
+///   run,t_s,kind,travelled_m   kind: "way" or "scene"
+/// and those of scenes of one plane (core/learn/data/scene_file.h), or with a column roll_rad those
+/// of two tracks (core/learn/data/two_track_scene_file.h). A way line has no heights. Lines of one run
+/// stand together, and their time never falls.
+/// Calls `add` for each drive when its last line is read, and holds one drive at a time. Returns
+/// notices, such as unknown columns that were ignored.
+/// Errors name file, line and cause: those of readScenes(), a line that breaks the rules above, more
+/// than kMaxDriveLines lines or kMaxDriveFileBytes. `add` may have been called before.
+Result<std::vector<Message>> readDrives(const std::string& path,
+                                        const std::function<void(DriveLines&&)>& add);
+
+struct DriveFile {
+    std::vector<DriveLines> drives;
+    std::vector<Message> notices;
+};
+
+/// Reads the same into memory: about 1 kB for each line.
+Result<DriveFile> readDrives(const std::string& path);
+
+/// Returns the header of the file of drives in one plane, or on two tracks.
+std::string drivesHeader(bool onePlane);
+
+/// Returns the lines of a drive below this header, rounded to kDriveResolution. Throws
+/// std::invalid_argument for what the reader would refuse in one of these lines, and for a drive of
+/// one plane whose sides differ.
+std::string driveText(const DriveLines& drive);
+
+}  // namespace terratact
