@@ -61,6 +61,34 @@ std::optional<std::variant<Disturbance, SensorFault>> disturbedFrom(const std::s
     return std::nullopt;
 }
 
+/// Adds the options of drives with telemetry on the way. Returns --drives.
+CLI::Option* addDrives(CLI::App& c, SimulateOptions& o)
+{
+    CLI::Option* const drives =
+        c.add_option(
+             "--drives", o.drives,
+             "Record so many drives with telemetry on the way, over varied ground or a file")
+            ->check(CLI::Range(1, 100'000));
+    c.add_option("--spacing", o.way.spacing,
+                 "Distance of two stops of a drive [m] (default random, 0.08 to 0.35)")
+        ->check(CLI::Range(0.01, 100.0))
+        ->needs(drives);
+    addNumber(c, "--slip", o.way.slipShare, "Sd of the tracks' slip, as a share of the way")
+        ->check(CLI::Range(0.0, 1.0))
+        ->needs(drives);
+    addNumber(c, "--pitch-bias", o.pitchBiasDegrees, "Added to every reading of pitch [degrees]")
+        ->check(CLI::Range(-45.0, 45.0))
+        ->needs(drives);
+    addNumber(c, "--press-share", o.way.pressShare,
+              "Share of the stops at which the robot presses; the others have no scene")
+        ->check(CLI::Range(0.0, 1.0))
+        ->needs(drives);
+    addNumber(c, "--gap", o.way.gap, "Telemetry lost once per drive [s]")
+        ->check(CLI::Range(0.0, 1000.0))
+        ->needs(drives);
+    return drives;
+}
+
 void addSimulate(CLI::App& app, Job& job)
 {
     auto* c =
@@ -72,10 +100,12 @@ void addSimulate(CLI::App& app, Job& job)
                "profiles: two columns x,z in "
                "m, or rows of heights in m")
         ->required();
-    addTextOutput(*c, "--out", o->out, "Scenes CSV to write")->required();
+    addTextOutput(*c, "--out", o->out, "Scenes CSV to write; drives CSV with --drives")->required();
     addNumber(*c, "--seed", o->seed, "Seed of terrain and noise");
-    c->add_option("--count", o->count, "Scenes (default: 1400, or every stop over a file)")
-        ->check(CLI::Range(1, static_cast<int>(kMaxScenes)));
+    CLI::Option* const count =
+        c->add_option("--count", o->count, "Scenes (default: 1400, or every stop over a file)")
+            ->check(CLI::Range(1, static_cast<int>(kMaxScenes)));
+    CLI::Option* const drives = addDrives(*c, *o)->excludes(count);
     addNumber(*c, "--step", o->step, "Distance of a file's heights [m]")
         ->check(CLI::Range(0.001, 1.0));
     c->add_flag("--blocks", o->blocks,
@@ -93,12 +123,15 @@ void addSimulate(CLI::App& app, Job& job)
               fmt::format("is none of {}, nor {}", kDisturbWords, sensorFaultSyntax()),
               "What the estimator does not know of (default none): of the world, or of sensors "
               "that lie (stuck:pitch, late:front; FAULTS in the manual page)")
-        ->excludes(tracks);
+        ->excludes(tracks)
+        ->excludes(drives);
     c->callback([o, disturbed, &job] {
+        if (o->drives > 0 && (o->terrain == "boxes" || o->terrain == "hazards"))
+            throw CLI::ValidationError("--drives", "needs --terrain varied or a file");
         if (const auto* known = std::get_if<Disturbance>(disturbed.get())) o->disturbance = *known;
         if (const auto* fault = std::get_if<SensorFault>(disturbed.get())) o->sensorFault = *fault;
         useShippedRobot(o->robot);
-        job = [o] { return simulate(*o); };
+        job = [o] { return o->drives > 0 ? recordDrives(*o) : simulate(*o); };
     });
 }
 

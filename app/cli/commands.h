@@ -12,6 +12,7 @@
 #include "core/learn/data/bin_set.h"
 #include "core/sim/disturbance.h"
 #include "core/sim/sensor_fault.h"
+#include "core/sim/way_drive.h"
 
 namespace terratact {
 
@@ -32,8 +33,14 @@ struct SimulateOptions {
     double softDrives = 0.0;                   ///< share of drives over soft ground
     /// Scenes of two tracks on ground lines; without disturbance and sensor fault.
     bool tracks = false;
+    /// Number of drives with telemetry on the way, without `count` and disturbance; 0: scenes alone.
+    int drives = 0;
+    WayDriveOptions way{};          ///< of these drives, without the bias of pitch
+    double pitchBiasDegrees = 0.0;  ///< of these drives
 };
 Status simulate(const SimulateOptions& options);
+/// Records options.drives with telemetry on the way (app/modelling/simulated_drives.h).
+Status recordDrives(const SimulateOptions& options);
 
 struct TrainOptions {
     std::string robot, data, out;

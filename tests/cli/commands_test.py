@@ -157,6 +157,26 @@ class Commands(unittest.TestCase):
         self.assertGreater(sum(below[1]) / len(below[1]), sum(below[0]) / len(below[0]) + 0.005)
         complaint("simulate", "--terrain", "boxes", "--soft-drives", 1.5, "--out", none, code=2)
 
+    def test_drives_have_telemetry_between_scenes(self):
+        out = self.path / "drives.csv"
+        drives = ("simulate", "--terrain", "varied", "--drives", 2, "--seed", 3, "--out", out)
+        said = run(*drives, "--spacing", 0.6, "--slip", 0, "--gap", 1)
+        lines = rows(out)
+        scenes = sum(row["kind"] == "scene" for row in lines)
+        self.assertIn(f"2 drives over varied with {len(lines)} lines and {scenes} scenes", said)
+        self.assertGreater(len(lines), 10 * scenes)
+        self.assertTrue(all((row["h_+0.7_m"] != "") == (row["kind"] == "scene") for row in lines))
+        level = [float(row["pitch_rad"]) for row in lines]
+        run(*drives, "--spacing", 0.6, "--slip", 0, "--gap", 1, "--pitch-bias", 3)
+        tilted = [float(row["pitch_rad"]) for row in rows(out)]
+        self.assertTrue(all(abs(b - a - 0.05236) < 2e-5 for a, b in zip(level, tilted, strict=True)))
+        run(*drives, "--spacing", 0.6, "--press-share", 0, "--tracks")
+        self.assertEqual({row["kind"] for row in rows(out)}, {"way"})
+        self.assertIn("left_h_+0.7_m", rows(out)[0])
+        self.assertIn("--drives", complaint("simulate", "--terrain", "boxes", "--drives", 2, "--out", out, code=2))
+        complaint(*drives, "--count", 5, code=2)
+        complaint("simulate", "--terrain", "varied", "--gap", 2, "--out", out, code=2)
+
     def test_faults_prints_which_faults_are_noticed(self):
         text = run("faults", "--model", self.model, "--drives", 2)
         rows_ = {line[:38].strip(): line[38:].split() for line in text.splitlines() if re.match(r".{38} +\d+\.\d", line)}

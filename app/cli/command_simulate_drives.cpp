@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "app/cli/commands.h"
+#include "app/modelling/simulated_drives.h"
+#include "app/runtime/print_text.h"
+#include "app/runtime/text_output.h"
+
+namespace terratact {
+namespace {
+
+SimulatedDrives wantedDrives(const SimulateOptions& options)
+{
+    SimulatedDrives drives{.grounds = {.terrain = options.terrain,
+                                       .step = options.step,
+                                       .blocks = options.blocks,
+                                       .seed = options.seed},
+                           .drives = options.drives,
+                           .tracks = options.tracks,
+                           .way = options.way,
+                           .softDrives = options.softDrives,
+                           .exactTruth = options.exactTruth};
+    drives.way.pitchBias = options.pitchBiasDegrees * std::numbers::pi / 180.0;
+    return drives;
+}
+
+Status writeParts(const std::string& path, const std::vector<std::string>& parts)
+{
+    Result<TextOutput> out = TextOutput::begin(path);
+    if (!out) return out.error();
+    for (const std::string& part : parts) out->stream() << part;
+    return out->commit();
+}
+
+}  // namespace
+
+Status recordDrives(const SimulateOptions& options)
+{
+    const auto robot = readRobotModel(options.robot);
+    if (!robot) return robot.error();
+    const auto recording = simulateDrives(*robot, wantedDrives(options));
+    if (!recording) return recording.error();
+    if (recording->lines == 0)
+        return Error{
+            fmt::format("{}: the robot finds no rest pose anywhere on it", options.terrain), 0};
+    if (Status written = writeParts(options.out, recording->parts); !written) return written;
+    std::FILE* const messages = messagesBeside(options.out);
+    printText(messages, "{} drives over {} with {} lines and {} scenes written to {}",
+              recording->drives, options.terrain, recording->lines, recording->scenes, options.out);
+    if (recording->skipped > 0)
+        printText(messages, " ({} stops left out: no rest pose)", recording->skipped);
+    printText(messages, "\n");
+    return Done{};
+}
+
+}  // namespace terratact
