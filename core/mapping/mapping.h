@@ -11,22 +11,14 @@
 #include "core/base/named.h"
 #include "core/base/result.h"
 #include "core/mapping/standing_presses.h"
+#include "core/robot/angles_and_currents.h"
 #include "core/robot/measurement.h"
 
 namespace terratact {
 
 /// What a field of a recording measures. Signs and units are those of Measurement.
 enum class Quantity : std::uint8_t {
-    Pitch,
-    Roll,
-    FrontLeft,
-    FrontRight,
-    RearLeft,
-    RearRight,
-    FrontLeftCurrent,
-    FrontRightCurrent,
-    RearLeftCurrent,
-    RearRightCurrent,
+    TERRATACT_ANGLES_AND_CURRENTS,
     Travelled,     ///< [m] along the tracks since any time
     Speed,         ///< [m/s] forward; integrated to Travelled
     Turned,        ///< [rad] left positive

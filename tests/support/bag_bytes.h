@@ -1,13 +1,12 @@
 #pragma once
 
-#include <bzlib.h>
-#include <lz4frame.h>
-
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tests/support/message_bytes.h"
+#include "tests/support/packed.h"
 
 namespace terratact {
 
@@ -40,23 +39,10 @@ public:
     {
         const std::string plain = bytes_.substr(begin_);
         bytes_.resize(begin_);
-        std::string packed = plain;
-        if (method == "lz4") {
-            packed.resize(LZ4F_compressFrameBound(plain.size(), nullptr));
-            packed.resize(LZ4F_compressFrame(packed.data(), packed.size(), plain.data(),
-                                             plain.size(), nullptr));
-        } else if (method == "bz2") {
-            std::string copy = plain;
-            auto size = static_cast<unsigned>(plain.size() + plain.size() / 50 + 700);
-            packed.resize(size);
-            BZ2_bzBuffToBuffCompress(packed.data(), &size, copy.data(),
-                                     static_cast<unsigned>(copy.size()), 9, 0, 0);
-            packed.resize(size);
-        }
         lastChunk_ = bytes_.size();
         bytes_ += record(op(5) + field("compression", method)
                              + number("size", static_cast<std::uint32_t>(plain.size())),
-                         packed);
+                         packed(method, plain));
         begin_ = bytes_.size();
         return *this;
     }

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <lz4frame.h>
-#include <zstd.h>
-
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "tests/support/message_bytes.h"
+#include "tests/support/packed.h"
 
 namespace terratact {
 
@@ -43,23 +41,14 @@ public:
     {
         const std::string plain = bytes_.substr(begin_);
         bytes_.resize(begin_);
-        std::string packed = plain;
-        if (method == "lz4") {
-            packed.resize(LZ4F_compressFrameBound(plain.size(), nullptr));
-            packed.resize(LZ4F_compressFrame(packed.data(), packed.size(), plain.data(),
-                                             plain.size(), nullptr));
-        } else if (method == "zstd") {
-            packed.resize(ZSTD_compressBound(plain.size()));
-            packed.resize(
-                ZSTD_compress(packed.data(), packed.size(), plain.data(), plain.size(), 1));
-        }
+        const std::string content = packed(method, plain);
         auto b = MessageBytes::ros1();
         b.add(std::uint64_t{0})
             .add(std::uint64_t{0})
             .add(std::uint64_t{plain.size()})
             .add(checksum);
-        b.text(method).add(std::uint64_t{packed.size()});
-        record(0x06, b.bytes() + packed);
+        b.text(method).add(std::uint64_t{content.size()});
+        record(0x06, b.bytes() + content);
         begin_ = bytes_.size();
         return *this;
     }

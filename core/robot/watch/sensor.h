@@ -6,22 +6,14 @@
 #include <optional>
 
 #include "core/base/message.h"
+#include "core/robot/angles_and_currents.h"
 #include "core/robot/measurement.h"
 
 namespace terratact {
 
 /// One reading of a line of telemetry.
 enum class Sensor : std::uint8_t {
-    Pitch,
-    Roll,
-    FrontLeft,
-    FrontRight,
-    RearLeft,
-    RearRight,
-    FrontLeftCurrent,
-    FrontRightCurrent,
-    RearLeftCurrent,
-    RearRightCurrent,
+    TERRATACT_ANGLES_AND_CURRENTS,
     Force1,  ///< mean of left and right
     Force2,
     Force3,

@@ -9,23 +9,15 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/atem_loop.h"
+
 namespace terratact {
 namespace {
 
 using enum AtemPhase;
-
-constexpr AtemLimits kLimits{
-    .halt = 3.0, .press = 15.0, .estimate = 30.0, .approval = 20.0, .probe = 90.0, .advance = 10.0};
-constexpr std::array kPhases{Idle,           Halting, Pressing,        Estimating,
-                             ProposingProbe, Probing, EstimatingAgain, Presenting,
-                             Stopped,        Failed,  Advancing};
-
-AtemState at(AtemPhase phase)
-{
-    return {.phase = phase,
-            .failure = phase == Failed ? AtemFailure::PressTimeout : AtemFailure::None,
-            .since = 100.0};
-}
+using atem_loop::at;
+using atem_loop::kLimits;
+using atem_loop::kPhases;
 
 /// One arrow of the diagram in atem_machine.h, or one that must not exist.
 struct Arrow {

@@ -11,25 +11,19 @@
 #include "core/atem/atem_machine.h"
 #include "core/robot/attitude.h"
 #include "core/terrain/step.h"
+#include "tests/support/atem_loop.h"
 
 namespace terratact {
 namespace {
 
 using enum AtemPhase;
 
-constexpr AtemLimits kLoopLimits{
-    .halt = 3.0, .press = 15.0, .estimate = 30.0, .approval = 20.0, .probe = 90.0, .advance = 10.0};
-constexpr std::array kAllPhases{Idle,           Halting, Pressing,        Estimating,
-                                ProposingProbe, Probing, EstimatingAgain, Presenting,
-                                Stopped,        Failed,  Advancing};
-
 /// A state of the loop that began at 100 s.
 AtemState loopAt(AtemPhase phase, bool loops = true)
 {
-    return {.phase = phase,
-            .failure = phase == Failed ? AtemFailure::PressTimeout : AtemFailure::None,
-            .since = 100.0,
-            .loops = loops};
+    AtemState state = atem_loop::at(phase);
+    state.loops = loops;
+    return state;
 }
 
 /// Input with the control held and nothing that forbids an advance.
@@ -76,7 +70,7 @@ TEST_P(FeelForwardArrow, leadsToItsStateAndReason)
     const LoopArrow& arrow = GetParam();
     AtemInput in = arrow.in;
     in.now += arrow.from.since;
-    const AtemState after = nextState(arrow.from, in, kLoopLimits);
+    const AtemState after = nextState(arrow.from, in, atem_loop::kLimits);
     EXPECT_EQ(name(after.phase), name(arrow.to));
     EXPECT_EQ(after.loops, arrow.loops);
     EXPECT_EQ(name(after.loopEnd), name(arrow.end));
@@ -206,7 +200,7 @@ TEST(FeelForward, stopAbortLinkAndDisarmEndItInEveryPhase)
     for (const AtemPhase phase : {Halting, Pressing, Estimating, Presenting, Advancing}) {
         const auto after = [&](AtemInput in) {
             in.now = 101.0;
-            return nextState(loopAt(phase), in, kLoopLimits);
+            return nextState(loopAt(phase), in, atem_loop::kLimits);
         };
         const AtemState stopped = after(held({&AtemInput::stop}));
         EXPECT_EQ(stopped.phase, Stopped) << name(phase);
@@ -237,7 +231,7 @@ TEST(FeelForward, movesOnlyWhileItIsHeldAndNothingForbidsIt)
             || phase == Advancing;
     };
     int advances = 0;
-    for (const AtemPhase phase : kAllPhases)
+    for (const AtemPhase phase : atem_loop::kPhases)
         for (unsigned bits = 0; bits < 1U << kFlags.size(); ++bits)
             for (const bool loops : {false, true}) {
                 if (loops && !mayLoop(phase)) continue;
@@ -247,7 +241,7 @@ TEST(FeelForward, movesOnlyWhileItIsHeldAndNothingForbidsIt)
                 // Results are judged without these two flags.
                 in.now = in.tilted ? 101.0 : 1000.0;
                 in.forbids = in.noOdometry ? LoopEnd::None : LoopEnd::Undecided;
-                const AtemState next = nextState(loopAt(phase, loops), in, kLoopLimits);
+                const AtemState next = nextState(loopAt(phase, loops), in, atem_loop::kLimits);
                 ASSERT_FALSE(next.loops && next.loopEnd != LoopEnd::None);
                 if (next.loops) {
                     ASSERT_TRUE(mayLoop(next.phase) && in.held && !in.stop && in.linkAlive

@@ -6,14 +6,14 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/support/atem_loop.h"
+
 namespace terratact {
 namespace {
 
 using enum AtemPhase;
 using Activity = RobotActivity;
-
-constexpr AtemLimits kLimits{
-    .halt = 3.0, .press = 15.0, .estimate = 30.0, .approval = 20.0, .probe = 90.0};
+using atem_loop::kLimits;
 
 /// One arrow of the diagram in passive_exploration.h, or one that must not be there.
 struct Arrow {
@@ -31,10 +31,9 @@ void PrintTo(const Arrow& arrow, std::ostream* out)
 
 AtemState at(AtemPhase phase)
 {
-    return {.phase = phase,
-            .failure = phase == Failed ? AtemFailure::EstimateError : AtemFailure::None,
-            .since = 100.0,
-            .followed = true};
+    AtemState state = atem_loop::at(phase, AtemFailure::EstimateError);
+    state.followed = true;
+    return state;
 }
 
 class FollowedArrow : public testing::TestWithParam<Arrow> {};

@@ -7,36 +7,17 @@
 #include <vector>
 
 #include "tests/support/bag_bytes.h"
+#include "tests/support/read_recording.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {
 namespace {
 
 struct BagFiles : testing::Test {
-    struct Found {
-        std::vector<std::string> messages;  ///< "topic time value"
-        std::vector<std::string> remarks;
-    };
-
-    Found read(const std::string& content, std::optional<std::set<std::string>> topics = {})
+    ReadRecording read(const std::string& content,
+                       const std::optional<std::set<std::string>>& topics = {})
     {
-        auto recording = openRecording(directory.write("a.bag", content));
-        EXPECT_TRUE(recording) << recording.error().text;
-        if (!recording) return {};
-        if (topics) (*recording)->select(*topics);
-        Found found;
-        for (RecordedMessage message;;) {
-            const auto more = (*recording)->next(message);
-            EXPECT_TRUE(more);
-            if (!more || !*more) break;
-            const auto value = (*recording)->decode(message);
-            EXPECT_TRUE(value) << value.error().text;
-            found.messages.push_back(
-                (*recording)->topics()[message.topic].name + " " + std::to_string(message.time)
-                + " " + std::to_string(value ? numberAt(*value, "data").value_or(-1.0) : -2.0));
-        }
-        found.remarks = (*recording)->consumeRemarks();
-        return found;
+        return readRecording(directory.write("a.bag", content), topics);
     }
 
     static std::string number(double value) { return MessageBytes::ros1().add(value).bytes(); }
@@ -57,7 +38,7 @@ struct BagFiles : testing::Test {
 TEST_F(BagFiles, chunksOfEveryCompressionAreRead)
 {
     for (const char* const method : {"none", "bz2", "lz4"}) {
-        const Found found = read(someMessages().chunk(method).index({0, 1}).bytes());
+        const ReadRecording found = read(someMessages().chunk(method).index({0, 1}).bytes());
         EXPECT_EQ(found.messages, all) << method;
         EXPECT_TRUE(found.remarks.empty()) << method;
     }
@@ -79,7 +60,7 @@ TEST_F(BagFiles, aTornFileIsReadAsFarAsItGoes)
     const std::string one = someMessages().chunk("lz4").bytes();
     const std::string two = someMessages().chunk("lz4").message(0, 9, 0, number(9.0)).bytes();
     for (std::size_t n = one.size(); n < two.size(); ++n) {
-        const Found found = read(two.substr(0, n));
+        const ReadRecording found = read(two.substr(0, n));
         EXPECT_EQ(found.messages, all) << n;
         EXPECT_EQ(found.remarks.size(), n == one.size() ? 1U : 2U) << "no index; the cut record";
     }
@@ -90,7 +71,7 @@ TEST_F(BagFiles, aTornFileIsReadAsFarAsItGoes)
 
 TEST_F(BagFiles, damagedChunksAndMessagesAreLeftOut)
 {
-    const Found unknown = read(someMessages().chunk("zip").bytes());
+    const ReadRecording unknown = read(someMessages().chunk("zip").bytes());
     EXPECT_TRUE(unknown.messages.empty());
     EXPECT_NE(unknown.remarks.back().find(
                   "has the compression 'zip', expected none, lz4, zstd or bz2; it is left out"),

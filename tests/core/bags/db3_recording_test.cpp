@@ -5,9 +5,11 @@
 #include <sqlite3.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/support/message_bytes.h"
+#include "tests/support/read_recording.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {
@@ -54,24 +56,11 @@ struct Db3Files : testing::Test {
     static std::string number(double value) { return MessageBytes::cdr().add(value).bytes(); }
 
     std::vector<std::string> read(const std::string& path,
-                                  std::optional<std::set<std::string>> topics = {})
+                                  const std::optional<std::set<std::string>>& topics = {})
     {
-        auto bag = openRecording(path);
-        EXPECT_TRUE(bag) << bag.error().text;
-        if (!bag) return {};
-        if (topics) (*bag)->select(*topics);
-        std::vector<std::string> found;
-        for (RecordedMessage m;;) {
-            const auto more = (*bag)->next(m);
-            EXPECT_TRUE(more);
-            if (!more || !*more) break;
-            const auto value = (*bag)->decode(m);
-            found.push_back((*bag)->topics()[m.topic].name + " " + std::to_string(m.time) + " "
-                            + (value ? std::to_string(numberAt(*value, "data").value_or(-1.0))
-                                     : value.error().text));
-        }
-        remarks = (*bag)->consumeRemarks();
-        return found;
+        ReadRecording read = readRecording(path, topics);
+        remarks = std::move(read.remarks);
+        return std::move(read.messages);
     }
 
     TemporaryDirectory directory;

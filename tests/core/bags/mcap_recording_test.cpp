@@ -8,43 +8,19 @@
 
 #include "core/bags/decompress.h"
 #include "tests/support/mcap_bytes.h"
+#include "tests/support/read_recording.h"
 #include "tests/support/temporary_directory.h"
 
 namespace terratact {
 namespace {
 
 struct McapFiles : testing::Test {
-    struct Found {
-        std::vector<std::string> messages;  ///< "topic time value"
-        std::vector<std::string> remarks;
-    };
+    std::string path(const std::string& content) { return directory.write("a.mcap", content); }
 
-    std::string path(const std::string& content)
+    ReadRecording read(const std::string& content,
+                       const std::optional<std::set<std::string>>& topics = {})
     {
-        const std::string file = directory.file("a.mcap");
-        std::ofstream(file, std::ios::binary) << content;
-        return file;
-    }
-
-    Found read(const std::string& content, std::optional<std::set<std::string>> topics = {})
-    {
-        auto recording = openRecording(path(content));
-        EXPECT_TRUE(recording) << recording.error().text;
-        if (!recording) return {};
-        if (topics) (*recording)->select(*topics);
-        Found found;
-        for (RecordedMessage message;;) {
-            const auto more = (*recording)->next(message);
-            EXPECT_TRUE(more);
-            if (!more || !*more) break;
-            const auto value = (*recording)->decode(message);
-            EXPECT_TRUE(value) << value.error().text;
-            found.messages.push_back(
-                (*recording)->topics()[message.topic].name + " " + std::to_string(message.time)
-                + " " + (value ? std::to_string(numberAt(*value, "data").value_or(-1.0)) : "?"));
-        }
-        found.remarks = (*recording)->consumeRemarks();
-        return found;
+        return readRecording(path(content), topics);
     }
 
     static std::string number(double value) { return MessageBytes::cdr().add(value).bytes(); }
@@ -83,7 +59,7 @@ TEST_F(McapFiles, aTornFileIsReadAsFarAsItGoes)
     const std::size_t whole = mcap.torn().size();
     mcap.message(1, 9, number(9.0));
     for (std::size_t n = whole; n < mcap.torn().size(); ++n) {
-        const Found found = read(mcap.torn().substr(0, n));
+        const ReadRecording found = read(mcap.torn().substr(0, n));
         EXPECT_EQ(found.messages, all) << n;
         EXPECT_EQ(found.remarks.size(), n == whole ? 1U : 2U) << "no index; the cut record";
     }
@@ -95,7 +71,7 @@ TEST_F(McapFiles, aDamagedChunkIsLeftOut)
     const auto reason = [&](const McapBytes& mcap) {
         McapBytes more = mcap;
         more.message(1, 9, number(9.0));
-        const Found found = read(more.file());
+        const ReadRecording found = read(more.file());
         EXPECT_EQ(found.messages.size(), 0U) << "the channels were in the chunk";
         return found.remarks.size() > 1 ? found.remarks[1] : "";
     };
@@ -112,7 +88,7 @@ TEST_F(McapFiles, sizesThatAreDeclaredCostNothing)
 {
     auto head = MessageBytes::ros1();
     head.add(std::uint8_t{0x06}).add(std::uint64_t{1} << 60U);
-    const Found huge = read(someMessages().torn() + head.bytes());
+    const ReadRecording huge = read(someMessages().torn() + head.bytes());
     EXPECT_EQ(huge.messages, all);
     EXPECT_NE(huge.remarks.back().find("ends within the record at byte"), std::string::npos);
     // Zeros compress well: 80 MB in a few kilobytes are refused.
@@ -148,7 +124,7 @@ TEST_F(McapFiles, messagesOfUnknownChannelsAreLeftOut)
     mcap.message(77, 5, number(1.5))
         .message(1, ~std::uint64_t{0}, number(1.0))
         .message(1, 6, number(2.0));
-    const Found found = read(mcap.file());
+    const ReadRecording found = read(mcap.file());
     EXPECT_EQ(found.messages, std::vector<std::string>{"/a 6 2.000000"});
     EXPECT_EQ(found.remarks.size(), 3U);
 }
