@@ -33,7 +33,7 @@ install(FILES ${_pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES
   ${_docs}/can.md ${_docs}/can_absolem.log ${_docs}/can_demo.log ${_docs}/can_payload.dbc ${_docs}/can_payload.log ${_docs}/clusters.md ${_docs}/evaluation.md ${_docs}/robot.md ${_docs}/two_tracks.md
   ${_docs}/extremes.md ${_docs}/faults.md ${_docs}/feel_forward.md ${_docs}/fig8.svg ${_docs}/fig9.svg ${_docs}/hazards.md ${_docs}/link.md ${_docs}/manual.md ${_docs}/panel.md
-  ${_docs}/cli.md ${_docs}/files.md ${_docs}/import.md ${_docs}/sessions.md ${_docs}/strip.md
+  ${_docs}/cli.md ${_docs}/files.md ${_docs}/import.md ${_docs}/truth.md ${_docs}/sessions.md ${_docs}/strip.md
   ${_docs}/console.png ${_docs}/pit.svg ${_docs}/tradeoff.md ${_docs}/tradeoff.svg
   ${_resources}/desktop/changelog ${_resources}/desktop/copyright
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/terratact)

@@ -32,6 +32,7 @@ int realMain(int argc, char** argv)
     addModelling(app, job, {argv + 1, argv + argc});
     addInspection(app, job);
     addBuses(app, job);
+    addTruth(app, job);
     addSessions(app, job);
     try {
         app.parse(argc, argv);

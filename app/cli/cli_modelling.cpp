@@ -89,6 +89,28 @@ CLI::Option* addDrives(CLI::App& c, SimulateOptions& o)
     return drives;
 }
 
+/// Adds the options of a laser map of the simulated drives. Returns --cloud.
+CLI::Option* addSimulatedMap(CLI::App& c, SimulatedMapOptions& map)
+{
+    auto* cloud = addFileOutput(c, "--cloud", map.cloud,
+                                "Point cloud of the ground to write (PCD), for truth");
+    auto* poses = addFileOutput(c, "--poses", map.poses, "CSV of the scenes' poses in it to write");
+    cloud->needs(poses);
+    poses->needs(cloud);
+    addNumber(c, "--cloud-noise", map.made.noise, "Sd of the cloud's heights [m]")
+        ->check(CLI::Range(0.0, 1.0));
+    addNumber(c, "--cloud-holes", map.made.holes, "Share of the ground without points")
+        ->check(CLI::Range(0.0, 0.9));
+    addNumber(c, "--cloud-offset", map.made.offset,
+              "Added to the cloud's heights, not to poses [m]")
+        ->check(CLI::Range(-1.0, 1.0));
+    addNumber(c, "--cloud-tilt", map.tilt, "Tilt of the map, cloud and poses [rad]")
+        ->check(CLI::Range(-0.5, 0.5));
+    addNumber(c, "--cloud-own", map.made.own, "Points of the robot itself at each pose")
+        ->check(CLI::Range(0, 100'000));
+    return cloud;
+}
+
 void addSimulate(CLI::App& app, Job& job)
 {
     auto* c =
@@ -118,6 +140,7 @@ void addSimulate(CLI::App& app, Job& job)
         c->add_flag("--tracks", o->tracks,
                     "Scenes of left and right: ground under two tracks; a file may have lines "
                     "with y_m");
+    addSimulatedMap(*c, o->map)->excludes(drives);
     const auto disturbed = std::make_shared<std::variant<Disturbance, SensorFault>>();
     addParsed(*c, "--disturb", *disturbed, disturbedFrom, kDisturbWords,
               fmt::format("is none of {}, nor {}", kDisturbWords, sensorFaultSyntax()),
@@ -131,6 +154,7 @@ void addSimulate(CLI::App& app, Job& job)
         if (const auto* known = std::get_if<Disturbance>(disturbed.get())) o->disturbance = *known;
         if (const auto* fault = std::get_if<SensorFault>(disturbed.get())) o->sensorFault = *fault;
         useShippedRobot(o->robot);
+        o->map.seed = o->seed;
         job = [o] { return o->drives > 0 ? recordDrives(*o) : simulate(*o); };
     });
 }

@@ -22,6 +22,8 @@ void addModelling(CLI::App& app, Job& job, const std::vector<std::string>& words
 void addInspection(CLI::App& app, Job& job);
 /// Adds panel, demo, robot, can.
 void addBuses(CLI::App& app, Job& job);
+/// Adds truth.
+void addTruth(CLI::App& app, Job& job);
 /// Adds session and its subcommands, and import.
 void addSessions(CLI::App& app, Job& job);
 

@@ -70,7 +70,31 @@ template <class AnyScene>
 struct Recording {
     std::vector<AnyScene> scenes;
     int skipped = 0;
+    SimulatedMap map;
 };
+
+/// Drives over the stops, and adds the scenes and the drive's part of the map.
+template <class AnyScene, class Ground>
+void addDrive(Recording<AnyScene>& recording, const RobotModel& robot, const Ground& terrain,
+              const std::vector<double>& stops, const std::string& run, const DriveStyle& style,
+              DriveConditions conditions, std::mt19937_64& rng)
+{
+    std::vector<TwoTrackPose> poses;
+    if constexpr (std::is_same_v<Ground, GroundLines>)
+        conditions.stood = [&](const TwoTrackPose& pose) { poses.push_back(pose); };
+    else
+        conditions.rested = [&](const RestPose& rest) {
+            const Pose& p = rest.pose;
+            poses.push_back(
+                {.base = p.base, .pitch = p.pitch, .flippers = {p.front, p.front, p.rear, p.rear}});
+        };
+    auto scenes = driveOver(robot, terrain, stops, run, style, conditions, rng, recording.skipped);
+    std::vector<double> times;
+    times.reserve(scenes.size());
+    for (const AnyScene& scene : scenes) times.push_back(scene.time);
+    recording.map.add(run, GroundLines(terrain), std::move(poses), std::move(times));
+    std::move(scenes.begin(), scenes.end(), std::back_inserter(recording.scenes));
+}
 
 /// Kind of a drive's scenes: of one plane over profiles, of two tracks over ground lines.
 template <class Ground>
@@ -84,7 +108,7 @@ Recording<SceneOver<Ground>> drivePreset(const RobotModel& robot, const Simulate
                                          const std::function<DriveStyle(std::mt19937_64&)>& style)
 {
     std::mt19937_64 rng(options.seed);
-    Recording<SceneOver<Ground>> recording;
+    Recording<SceneOver<Ground>> recording{.scenes = {}, .map = SimulatedMap(options.map)};
     for (int run = 0; run < runs; ++run) {
         const Ground terrain = ground(rng);
         const int stops = (count * (run + 1)) / runs - (count * run) / runs;
@@ -97,9 +121,8 @@ Recording<SceneOver<Ground>> drivePreset(const RobotModel& robot, const Simulate
                                                           * static_cast<double>(all.size()))]);
         if (chosen.empty()) continue;
         const DriveConditions conditions = nextConditions(options, robot, rng);
-        auto scenes = driveOver(robot, terrain, chosen, std::to_string(run + 1), style(rng),
-                                conditions, rng, recording.skipped);
-        std::move(scenes.begin(), scenes.end(), std::back_inserter(recording.scenes));
+        addDrive(recording, robot, terrain, chosen, std::to_string(run + 1), style(rng), conditions,
+                 rng);
     }
     return recording;
 }
@@ -123,7 +146,7 @@ Recording<SceneOver<Ground>> driveProfiles(const RobotModel& robot, const Simula
         order.resize(static_cast<std::size_t>(options.count));
         std::sort(order.begin(), order.end());
     }
-    Recording<SceneOver<Ground>> recording;
+    Recording<SceneOver<Ground>> recording{.scenes = {}, .map = SimulatedMap(options.map)};
     std::size_t firstOfProfile = 0;
     auto next = order.begin();
     for (std::size_t p = 0; p < profiles.size(); ++p) {
@@ -133,9 +156,8 @@ Recording<SceneOver<Ground>> driveProfiles(const RobotModel& robot, const Simula
         firstOfProfile += stops[p].size();
         if (chosen.empty()) continue;
         const DriveConditions conditions = nextConditions(options, robot, rng);
-        auto scenes = driveOver(robot, profiles[p], chosen, std::to_string(p + 1),
-                                randomDriveStyle(rng), conditions, rng, recording.skipped);
-        std::move(scenes.begin(), scenes.end(), std::back_inserter(recording.scenes));
+        addDrive(recording, robot, profiles[p], chosen, std::to_string(p + 1),
+                 randomDriveStyle(rng), conditions, rng);
     }
     return recording;
 }
@@ -224,7 +246,8 @@ Result<Recording<TwoTrackScene>> driveOnTracks(const RobotModel& robot,
 
 /// Writes a recording that `text` makes to a file, and says so.
 template <class AnyScene>
-Status writeRecording(const Result<Recording<AnyScene>>& recording, const SimulateOptions& options,
+Status writeRecording(const Result<Recording<AnyScene>>& recording, const RobotModel& robot,
+                      const SimulateOptions& options,
                       std::string (*text)(const std::vector<AnyScene>&))
 {
     if (!recording) return recording.error();
@@ -238,6 +261,11 @@ Status writeRecording(const Result<Recording<AnyScene>>& recording, const Simula
     if (recording->skipped > 0)
         printText(messages, " ({} stops left out: no rest pose)", recording->skipped);
     printText(messages, "\n");
+    if (!recording->map.isWanted()) return Done{};
+    const auto points = recording->map.write(robot);
+    if (!points) return points.error();
+    printText(messages, "{} points written to {}, poses to {}\n", *points, options.map.cloud,
+              options.map.poses);
     return Done{};
 }
 
@@ -248,9 +276,9 @@ Status simulate(const SimulateOptions& options)
     const auto robot = readRobotModel(options.robot);
     if (!robot) return robot.error();
     if (options.tracks)
-        return writeRecording(driveOnTracks(*robot, options), options, twoTrackScenesText);
-    return writeRecording(driveOnPlane(disturbed(*robot, options.disturbance), options), options,
-                          scenesText);
+        return writeRecording(driveOnTracks(*robot, options), *robot, options, twoTrackScenesText);
+    return writeRecording(driveOnPlane(disturbed(*robot, options.disturbance), options), *robot,
+                          options, scenesText);
 }
 
 }  // namespace terratact

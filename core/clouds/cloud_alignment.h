@@ -16,7 +16,7 @@ struct SceneContact {
 
 /// Returns the correction that lets the robot rest on the cloud: each side's tracks and flippers touch it in front of
 /// and behind the centre of mass, and are nowhere inside it. Of each side the gap between robot and cloud has a
-/// line below it that touches it there. It is raised by 1.3 sd of its cells, because the least of noisy gaps is
+/// line below it that touches it there. It is raised by 0.6 sd of its cells, because the least of noisy gaps is
 /// too small.
 /// Empty if one side has fewer than five known cells in front of or behind the centre of mass.
 std::optional<SceneContact> contactAt(const SceneGrid& grid, const RobotModel& robot,
@@ -41,7 +41,7 @@ struct CloudAlignment {
 
 /// Estimates the alignment over all scenes. The tilt is the robot's (an IMU or a sensor is mounted askew) or the
 /// map's, whichever leaves the smaller residuals. Empty if no scene has a contact. Points higher above the robot's
-/// lower edge than 0.1 m count as its own; 0.5 m if fewer than half of the scenes have a contact then.
+/// lower boundary than 0.1 m count as its own; 0.5 m if fewer than half of the scenes have a contact then.
 std::optional<CloudAlignment> alignmentOf(const SceneGrid& grid, const RobotModel& robot,
                                           const TruthRule& rule);
 

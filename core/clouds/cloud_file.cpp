@@ -9,7 +9,7 @@
 namespace terratact {
 namespace {
 
-constexpr std::size_t kCloudBuffer = std::size_t{256} * 1024;
+constexpr std::size_t kCloudBuffer = std::size_t{64} * 1024;
 
 }  // namespace
 

@@ -14,6 +14,9 @@ constexpr double kLevelShare = 0.1;      // of the points
 constexpr std::size_t kOwnSpread = 4;    // points from which a cell has a spread of its own
 constexpr double kUnknownSpread = 0.03;  // [m] if no cell of a line has one
 constexpr int kMinKnownCells = 3;
+constexpr double kMarginSd = 3.0, kWidestMargin = 0.06;  // [m]
+constexpr double kHoleShare = 0.5;    // of the rise across a hole: a step may lie anywhere in it
+constexpr double kOpenHoleSd = 0.05;  // [m] of a cell whose hole does not end within a bin
 
 /// Returns √(p (1 − p)) / φ(Φ⁻¹(p)): sd of a percentile of n normal values, times √n.
 double percentileFactor(double percentile)
@@ -66,62 +69,111 @@ void leaveOutHanging(std::vector<CellGround>& cells, const std::vector<bool>& is
     }
 }
 
-/// Fills cells without points from their neighbours. Returns the heights of the bin's cells.
-std::array<double, kCellsOfBin> filledCells(const std::vector<CellGround>& cells, std::size_t first)
+/// Height of a cell without points, from its nearest known neighbours.
+struct FilledCell {
+    double height = 0.0, sd = 0.0;
+};
+
+/// Returns the nearest known cell at or beside `at`, at most a bin away; null: there is none.
+const CellGround* knownBeside(const std::vector<CellGround>& cells, std::size_t at, bool ahead,
+                              std::size_t& distance)
 {
-    std::array<double, kCellsOfBin> heights{};
-    for (std::size_t k = 0; k < kCellsOfBin; ++k) {
-        const auto at = static_cast<std::ptrdiff_t>(first + k);
-        const auto known = [&](std::ptrdiff_t step) {
-            for (std::ptrdiff_t d = 0; d < static_cast<std::ptrdiff_t>(kCellsOfBin); ++d) {
-                const std::ptrdiff_t i = at + step * d;
-                if (i < 0 || i >= static_cast<std::ptrdiff_t>(cells.size())) break;
-                if (cells[static_cast<std::size_t>(i)].isKnown) return std::pair(d, i);
-            }
-            return std::pair(std::ptrdiff_t{-1}, std::ptrdiff_t{0});
-        };
-        const auto [back, from] = known(-1);
-        const auto [ahead, to] = known(1);
-        const auto height = [&](std::ptrdiff_t i) {
-            return cells[static_cast<std::size_t>(i)].height;
-        };
-        if (back >= 0 && ahead >= 0)
-            heights.at(k) = back + ahead == 0
-                              ? height(from)
-                              : height(from)
-                                    + (height(to) - height(from)) * static_cast<double>(back)
-                                          / static_cast<double>(back + ahead);
-        else
-            heights.at(k) = back >= 0 ? height(from) : height(to);
+    for (distance = 0; distance < kCellsOfBin; ++distance) {
+        if (ahead ? at + distance >= cells.size() : distance > at) return nullptr;
+        const CellGround& cell = cells[ahead ? at + distance : at - distance];
+        if (cell.isKnown) return &cell;
     }
-    return heights;
+    return nullptr;
+}
+
+FilledCell filledCell(const std::vector<CellGround>& cells, std::size_t at)
+{
+    std::size_t back = 0, ahead = 0;
+    const CellGround* const behind = knownBeside(cells, at, false, back);
+    const CellGround* const before = knownBeside(cells, at, true, ahead);
+    if (!behind || !before) return {(behind ? behind : before)->height, kOpenHoleSd};
+    const double share = static_cast<double>(back) / static_cast<double>(back + ahead);
+    const double rise = before->height - behind->height;
+    return {behind->height + share * rise, kHoleShare * std::abs(rise)};
 }
 
 BinTruth binTruth(const std::vector<CellGround>& cells, std::size_t first, const TruthRule& rule)
 {
     BinTruth bin;
-    std::vector<double> known;
-    known.reserve(kCellsOfBin);
-    double squares = 0.0, worst = 0.0;
+    for (std::size_t k = first; k < first + kCellsOfBin; ++k) bin.cells += cells[k].isKnown ? 1 : 0;
+    if (bin.cells < kMinKnownCells) return bin;
+    double sum = 0.0, squares = 0.0, holes = 0.0, worst = 0.0;
     for (std::size_t k = first; k < first + kCellsOfBin; ++k) {
-        if (!cells[k].isKnown) continue;
-        known.push_back(cells[k].height);
+        const FilledCell filled =
+            cells[k].isKnown ? FilledCell{cells[k].height, 0.0} : filledCell(cells, k);
+        sum += filled.height;
+        holes += filled.sd;
         squares += cells[k].sd * cells[k].sd;
         worst = std::max(worst, cells[k].sd * cells[k].sd);
     }
-    bin.cells = static_cast<int>(known.size());
-    if (bin.cells < kMinKnownCells) return bin;
-    const double all = static_cast<double>(kCellsOfBin);
+    const auto all = static_cast<double>(kCellsOfBin);
     const double missing = all - static_cast<double>(bin.cells);
-    const double hole = missing / all * spreadOf(known);
-    bin.sd = std::sqrt(rule.placeSd * rule.placeSd + (squares + missing * worst) / (all * all)
-                       + hole * hole);
-    if (bin.sd > rule.maxSd) return bin;
-    double sum = 0.0;
-    for (const double h : filledCells(cells, first)) sum += h;
-    bin.height = sum / all;
+    bin.sd = std::sqrt(rule.placeSd * rule.placeSd
+                       + (squares + missing * worst + holes * holes) / (all * all));
+    if (bin.sd <= rule.maxSd) bin.height = sum / all;
     return bin;
 }
+
+/// Ground under a line, and the usual spread of a cell's points [m].
+struct LineGround {
+    std::vector<CellGround> cells;
+    double spread = kUnknownSpread;
+};
+
+/// Cells of a line at a scene.
+struct LineOfCells {
+    const SceneGrid& grid;
+    std::size_t place;
+    TruthLine line;
+    double y;
+    const CloudCorrection& correction;
+    const TruthRule& rule;
+
+    /// Returns the sorted heights of a cell up to `margin` above the robot's lower boundary.
+    void collect(std::size_t cell, double margin, std::vector<double>& heights) const
+    {
+        heights.clear();
+        const double added =
+            correction.offset + correction.tiltX * grid.cellX(cell) + correction.tiltY * y;
+        const double highest = grid.ceiling(place, line, cell) + margin;
+        for (const float h : grid.heights(place, line, cell))
+            if (const double z = static_cast<double>(h) + added; z <= highest) heights.push_back(z);
+        std::ranges::sort(heights);
+    }
+
+    LineGround measured(double margin) const
+    {
+        const double factor = percentileFactor(rule.percentile);
+        LineGround ground{.cells = std::vector<CellGround>(grid.cells())};
+        std::vector<bool> isBelowOther(grid.cells());
+        std::vector<double> heights, spreads, alone(grid.cells(), 0.0);
+        for (std::size_t k = 0; k < grid.cells(); ++k) {
+            collect(k, margin, heights);
+            if (heights.empty()) continue;
+            const std::span<const double> level = lowerLevel(heights);
+            isBelowOther[k] = level.size() < heights.size();
+            ground.cells[k] = {true, percentileOf(level, rule.percentile), 0.0};
+            const double root = std::sqrt(static_cast<double>(level.size()));
+            if (level.size() >= kOwnSpread) {
+                spreads.push_back(spreadOf(level));
+                ground.cells[k].sd = factor * spreads.back() / root;
+            } else {
+                alone[k] = factor / root;
+            }
+        }
+        std::ranges::sort(spreads);
+        if (!spreads.empty()) ground.spread = percentileOf(spreads, 50.0);
+        for (std::size_t k = 0; k < grid.cells(); ++k)
+            ground.cells[k].sd += alone[k] * ground.spread;
+        leaveOutHanging(ground.cells, isBelowOther);
+        return ground;
+    }
+};
 
 }  // namespace
 
@@ -129,40 +181,12 @@ std::vector<CellGround> groundOf(const SceneGrid& grid, const RobotModel& robot,
                                  TruthLine line, const CloudCorrection& correction,
                                  const TruthRule& rule)
 {
-    const double factor = percentileFactor(rule.percentile);
-    const TwoTrackReadings& s = grid.places()[place].s;
-    const double y = lineY(robot, line, s.roll);
-    std::vector<CellGround> cells(grid.cells());
-    std::vector<bool> isBelowOther(grid.cells());
-    std::vector<double> heights, spreads, alone(grid.cells(), 0.0);
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-        const double x = grid.cellX(k);
-        const double added = correction.offset + correction.tiltX * x + correction.tiltY * y;
-        const double highest = grid.ceiling(place, line, k) + rule.ownMargin;
-        heights.clear();
-        for (const float h : grid.heights(place, line, k))
-            if (const double z = static_cast<double>(h) + added; z <= highest) heights.push_back(z);
-        if (heights.empty()) continue;
-        std::ranges::sort(heights);
-        const std::span<const double> level = lowerLevel(heights);
-        isBelowOther[k] = level.size() < heights.size();
-        cells[k] = {true, percentileOf(level, rule.percentile), 0.0};
-        const double root = std::sqrt(static_cast<double>(level.size()));
-        if (level.size() >= kOwnSpread) {
-            spreads.push_back(spreadOf(level));
-            cells[k].sd = factor * spreads.back() / root;
-        } else {
-            alone[k] = factor / root;
-        }
-    }
-    double usual = kUnknownSpread;
-    if (!spreads.empty()) {
-        std::ranges::sort(spreads);
-        usual = percentileOf(spreads, 50.0);
-    }
-    for (std::size_t k = 0; k < cells.size(); ++k) cells[k].sd += alone[k] * usual;
-    leaveOutHanging(cells, isBelowOther);
-    return cells;
+    const LineOfCells at{grid,       place, line, lineY(robot, line, grid.places()[place].s.roll),
+                         correction, rule};
+    LineGround ground = at.measured(rule.ownMargin);
+    const double wanted = std::min(kWidestMargin, kMarginSd * ground.spread);
+    if (wanted > rule.ownMargin) ground = at.measured(wanted);
+    return ground.cells;
 }
 
 SideTruth sideTruth(const SceneGrid& grid, const RobotModel& robot, std::size_t place, Side side,

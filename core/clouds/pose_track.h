@@ -51,6 +51,7 @@ public:
     double begin() const { return entries_.front().time; }
     double end() const { return entries_.back().time; }
     std::size_t size() const { return entries_.size(); }
+    const std::vector<Entry>& entries() const { return entries_; }
 
     /// Returns the pose at a time: that of an entry at most 1 ms away, else one interpolated between two
     /// entries that are at most maxGap apart. Empty elsewhere.

@@ -7,6 +7,7 @@
 
 #include "core/learn/data/scene.h"
 #include "core/robot/robot_model.h"
+#include "core/robot/two_tracks.h"
 #include "core/sim/rest/rest_pose.h"
 #include "core/sim/sensor_noise.h"
 #include "core/terrain/ground_lines.h"
@@ -37,6 +38,8 @@ struct DriveConditions {
     std::function<Proprioception(const Proprioception&)> reading{};
     /// Receives the rest pose of every scene, before its readings get their noise; empty: nobody does.
     std::function<void(const RestPose&)> rested{};
+    /// The same of a robot with two tracks.
+    std::function<void(const TwoTrackPose&)> stood{};
     /// Largest slide at a stop towards less energy [m]; 0: friction holds the robot.
     double slide = 0.0;
 };

@@ -22,6 +22,7 @@ std::vector<TwoTrackScene> driveOver(const RobotModel& robot, const GroundLines&
             continue;
         }
         start = {rest->pose.pitch, rest->pose.roll};
+        if (conditions.stood) conditions.stood(rest->pose);
         const Vec2 imu = imuPosition(robot, rest->pose);
         TwoTrackScene scene{
             .run = run,

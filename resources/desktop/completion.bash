@@ -57,11 +57,15 @@ _terratact_value() {
   case $2:$1 in
     *:--help | *:--version | *:-h | *:--full | *:--blocks | *:--matrix | *:--return | *:--exact-truth | simulate:--tracks | reconstruct:--tracks | evaluate:--tracks | hazards:--tracks | *:--blind | "session scenes":--tracks | *:--probes | *:--missing | *:--lamps | *:--watch | \
       *:--summary | *:--transmit | *:--safe-mode | *:--errors-in-window | *:--no-record | *:--measured | *:--all | *:--card | \
-      "model show:--csv" | import:--probe | import:--check) return 1 ;;
+      "model show:--csv" | import:--probe | import:--check | truth:--scans | truth:--align) return 1 ;;
     *:--robot | *:--panel | *:--mapping) _terratact_files toml ;;
     *:--model | train:--plane) _terratact_files ttm ;;
     train:--tracks | *:--data | *:--classes | *:--csv) _terratact_files csv ;;
-    simulate:--out | reconstruct:--out) _terratact_files csv ;;
+    simulate:--out | reconstruct:--out | simulate:--poses | truth:--out | *:--support | truth:--scenes) _terratact_files csv ;;
+    truth:--poses) _terratact_files tum txt csv mcap bag db3 ;;
+    truth:--session) _terratact_files tts ;;
+    *:--cloud) _terratact_files pcd ;;
+    *:--sheet) _terratact_files png svg pdf ;;
     train:--out | merge:--out) _terratact_files ttm ttp ;;
     "session strip:--out") _terratact_files csv ply ;;
     "session merge:--out" | "session import:--out" | import:--out) _terratact_files tts ;;
@@ -108,7 +112,8 @@ _terratact_options() {
     console) echo --version --model --robot --terrain --fault --can --transmit --replay --interface --at --speed --panel --dbc --seed \
       --screenshot --size --theme --layout --font-scale --language --safe-mode --sessions --no-record --errors-in-window ;;
     simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --tracks --disturb \
-      --drives --spacing --slip --pitch-bias --press-share --gap ;;
+      --drives --spacing --slip --pitch-bias --press-share --gap \
+      --cloud --poses --cloud-noise --cloud-holes --cloud-offset --cloud-tilt --cloud-own ;;
     train) echo --robot --data --tracks --plane --out --seed --scanner-sd --conditional-rows --bins --inducing ;;
     reconstruct) echo --robot --model --data --out --tracks --method "$estimates" ;;
     evaluate) echo --robot --model --data --out --methods --step-limit --card --shard --tracks --classes --class-column --probes --missing \
@@ -140,6 +145,8 @@ _terratact_options() {
     "session what-if") echo --estimate --all --method --quality --threshold --seed --model --out ;;
     "session import") echo --out --interface --robot ;;
     import) echo --mapping --robot --out --scenes --probe --check ;;
+    truth) echo --scenes --poses --mapping --topic --robot --scans --session --start --run --out --support --sheet --pose-mount \
+      --sensor-mount --percentile --max-sd --align --max-speed --max-gap ;;
     "") echo --version ;;
   esac
   echo --help
@@ -149,7 +156,7 @@ _terratact_options() {
 _terratact_argument() {
   case $1 in
     "") _terratact_words simulate train reconstruct evaluate hazards strip feel-forward merge tradeoff contacts faults probes calibrate model panel \
-      demo robot can session import ;;
+      demo robot can session import truth ;;
     model) _terratact_words show card predict ;;
     panel) _terratact_words check ;;
     can) _terratact_words decode monitor check ;;
@@ -157,6 +164,7 @@ _terratact_argument() {
     "session import") _terratact_files log asc trc csv gz ;;
     "session "*) _terratact_files tts ;;
     import) _terratact_files mcap bag db3 csv ;;
+    truth) _terratact_files pcd ply xyz csv txt pts mcap bag db3 ;;
     "model "*) _terratact_files ttm ;;
     "panel check") _terratact_files toml ;;
     "can check") _terratact_files log asc trc csv gz && _terratact_buses ;;

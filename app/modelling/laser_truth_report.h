@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "app/modelling/laser_truth.h"
+
+namespace terratact {
+
+/// Returns lines for the terminal: points, scenes with and without heights and why, offset and tilt between cloud and
+/// robot, and errors against heights that the file held before.
+std::string truthReport(const LaserTruth& truth, const LaserTruthOptions& options);
+
+/// Returns a CSV with a row for each bin of a scene with a pose:
+///   run, t_s, side (left, right or both), bin_m, height_m, sd_m, points, cells
+/// height_m and sd_m are empty where the cloud does not know.
+std::string truthSupportCsv(const LaserTruth& truth);
+
+/// Returns the scenes with the heights of the cloud, as CSV of the kind that was read.
+std::string truthScenesCsv(const LaserTruth& truth);
+
+}  // namespace terratact

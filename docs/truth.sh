@@ -1,0 +1,129 @@
+#!/bin/sh
+# Writes docs/truth.md: heights of scenes from laser clouds, and their errors.
+# Usage: docs/truth.sh path/to/terratact [SCENES]
+#   SCENES   simulated scenes of each trial, default 400: half a minute on two cores
+set -eu
+terratact=$(realpath "$1")
+scenes=${2:-400}
+cd "$(dirname "$0")"
+page=$(mktemp)
+work=$(mktemp -d)
+trap 'rm -rf "$page" "$work"' EXIT
+
+# trial LABEL CLOUD-OPTIONS TRUTH-OPTIONS: prints a row of the table.
+trial() {
+  # shellcheck disable=SC2086
+  "$terratact" simulate --terrain varied --tracks --exact-truth --count "$scenes" --seed 11 --out "$work/s.csv" \
+    --cloud "$work/c.pcd" --poses "$work/p.csv" $2 >/dev/null
+  # shellcheck disable=SC2086
+  "$terratact" truth "$work/c.pcd" --scenes "$work/s.csv" --poses "$work/p.csv" --out "$work/t.csv" $3 >"$work/report"
+  offset=$(sed -nE 's/.* cloud lies ([0-9.]+) ± ([0-9.]+) mm (above|below).*/\1 ± \2 \3/p' "$work/report")
+  known=$(sed -nE 's/.* scenes with ([0-9]+) known.*/\1/p' "$work/report")
+  all=$(sed -nE 's/^[0-9]+ points .* of ([0-9]+) scenes have.*/\1/p' "$work/report")
+  row="| $1 | $((100 * known / (22 * all))) % | $offset"
+  for part in 'under the tracks' 'ahead,'; do
+    row="$row | $(sed -nE "s/^ *$part.*bias ([-+0-9.]+) mm.*rms ([0-9.]+) mm, worst ([0-9]+) mm, ([0-9]+) % within.*/\1, \2, \3 | \4 %/p" \
+      "$work/report")"
+  done
+  echo "$row |"
+}
+
+{
+  cat <<'TEXT'
+# Truth from laser clouds
+
+`terratact truth` finds the true heights of scenes in point clouds. The scenes come from `terratact import --scenes`
+([import.md](import.md)), from `session scenes`, or from `simulate`. The output is a scenes file with heights, for `train` and `evaluate`.
+
+| input | read |
+|---|---|
+| cloud | PCD: ascii, binary, binary_compressed, every number type. PLY: ascii, both byte orders. Text: x y z in m, by the first columns or by name; PTS. LAS and LAZ are not read: convert them. |
+| scans | with `--scans`, clouds in the sensor's frame, named by their times (`1436509052.25.pcd`); with `--topic`, messages of PointCloud2 in the recordings that `import` reads. `--sensor-mount` says where the sensor is |
+| poses | TUM (`time x y z qx qy qz qw`), CSV with these columns and possibly `run`, or with `--mapping` the odometry of a recording. `--pose-mount` says where their frame is in the base |
+| scenes | of one plane, or of left and right. Their `t_s` counts from the begin of the drive: `--session` or `--start` gives the poses' clock there |
+
+The cloud's frame has z up. Of a pose only place and heading count for a scene: pitch and roll are those that the robot measured.
+
+## From a drive to heights
+
+The first command stands in for a robot's drive and its laser map, which lies 4 cm too high:
+
+    $ terratact simulate --terrain varied --tracks --count 40 --seed 2 --out scenes.csv --cloud map.pcd --poses poses.csv --cloud-holes 0.1 --cloud-offset 0.04
+    40 scenes over varied written to scenes.csv
+    … points written to map.pcd, poses to poses.csv
+    $ terratact truth map.pcd --scenes scenes.csv --poses poses.csv --out truth.csv --align --support support.csv --sheet sheet.png
+    … points of 1 clouds; 40 of 40 scenes have heights
+    alignment: over 40 scenes the cloud lies … mm above the robot's tracks; scatter … mm
+    …
+    alignment: offset and tilt were removed
+    against the heights that scenes.csv held:
+    …
+    40 scenes with … known heights written to truth.csv
+    $ head -n 2 support.csv
+    run,t_s,side,bin_m,height_m,sd_m,points,cells
+    1,0,left,-0.3,…
+
+Look at `sheet.png` before you train: it shows the cloud's slice, the robot and the bins of up to 40 scenes.
+
+## How it works
+
+- **Cells.** Under each scene, points fall into cells of 2 cm along four lines: the left and right track and flippers of the
+  [robot file](robot.md), each as wide as the part. A cell keeps up to 48 heights as a fair sample. Memory grows with the scenes, at most
+  192 MB, and not with the cloud.
+- **Own points.** The ground is nowhere inside the robot. What lies 3 cm above its lower boundary at any pose of the drive is left out; in
+  a noisy cloud three sd, at most 6 cm. Of a scan, all points in the box that the robot can fill are left out, too.
+- **Ground.** A cell's height is the median of its points. Among plants, `--percentile 15` takes the ground below them; on bare ground it
+  is too low by one sd of the noise. Of two levels with a gap of 0.35 m, such as floor and table, the lower one counts.
+- **Bins.** A bin is the mean of its five cells. It needs three; cells in a hole are interpolated. Its sd has the spread and number of
+  points, the rise across holes, and the scatter of the alignment. Bins with an sd above `--max-sd` stay empty. `--support` writes sd,
+  points and cells of each bin.
+- **One plane.** A file of one plane gets the mean of both sides, and half of their difference as sd.
+
+## Alignment
+
+At rest, the robot's tracks and flippers touch the ground in front of and behind its centre of mass. For each scene the line that
+touches the gap between robot and cloud there gives an offset and a tilt. The medians over all scenes are printed. The tilt is the robot's (a mounting) or
+the map's (its z is not gravity), whichever explains more. `--align` removes both. A scene whose offset differs by more than 5 cm and four
+scatters stays empty: its pose jumped. An offset along or across the way cannot be seen so.
+
+If the alignment is large, nothing is known well enough without `--align`: the offset is part of every sd.
+
+## Bad input
+
+Every refusal is one sentence with file, line, what was expected and what to do; nothing is written. A cloud that ends too early, a header
+that does not agree with its points, poses that jump faster than `--max-speed`, times that do not rise, and quaternions of another length
+are refused. Points that are NaN are counted and left out.
+
+    $ head -c 100000 map.pcd > half.pcd
+    $ terratact truth half.pcd --scenes scenes.csv --poses poses.csv --out other.csv
+    terratact: half.pcd: ends within the last … of … points of 12 bytes that its header declares: it is cut; write it again
+    $ terratact truth map.pcd --scenes scenes.csv --poses poses.csv --out other.csv --start 7200
+    terratact: poses.csv: has poses from 0.000 to … s, but the scenes are from 7200.000 to … s, or more than 0.5 s from two poses: give the clock's time at t_s = 0 by --start or --session, or raise --max-gap
+
+## Error of the truth
+
+TEXT
+  echo "Simulated drives, $scenes scenes each, over random ground whose heights are known. The clouds have 4000 points per square metre with 1 cm of"
+  echo 'noise unless the row says otherwise. Errors are bias, rms and the largest one in mm, and the share of errors within the 80 % band'
+  echo '(1.28 sd). `docs/truth.sh` made this table with `simulate --exact-truth --cloud` and `truth`:'
+  echo
+  echo '| cloud | known bins | cloud above or below the tracks [mm] | under the tracks | in band | ahead, from +0.3 m | in band |'
+  echo '|---|---|---|---|---|---|---|'
+  trial 'as above' '' ''
+  trial '2 cm of noise' '--cloud-noise 0.02' ''
+  trial '20 % holes' '--cloud-holes 0.2' ''
+  trial '5 cm too low, `--align`' '--cloud-offset -0.05' '--align'
+  trial '5 cm too high, map tilted by 1.7°, `--align`' '--cloud-offset 0.05 --cloud-tilt 0.03' '--align'
+  trial '300 points of the robot at each pose' '--cloud-own 300' ''
+  trial 'all of it: 2 cm of noise, 20 % holes, 5 cm too high, tilted, own points, `--align`' \
+    '--cloud-noise 0.02 --cloud-holes 0.2 --cloud-offset 0.05 --cloud-tilt 0.03 --cloud-own 300' '--align'
+  trial 'bare ground, `--percentile 15`' '' '--percentile 15'
+  cat <<'TEXT'
+
+The largest errors are bins in which only the robot's own points lie, only one side of a step, or a wall of more than 0.35 m. The bands are too wide on smooth
+clouds, because the scatter of the alignment also has the error of the measured pitch. A real map has errors that these clouds do not have:
+drift of the poses, double walls, beams that graze the ground, ground that gave way. Measure yours: on a flat floor all bins of a scene
+should be equal.
+TEXT
+} >"$page"
+cp "$page" truth.md
