@@ -6,11 +6,11 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
-#include <sstream>
 #include <system_error>
 
 #include "app/cli/cli_options.h"
 #include "app/cli/cli_subcommands.h"
+#include "app/runtime/parse_arguments.h"
 #include "app/runtime/print_text.h"
 #include "core/base/memory_limit.h"
 
@@ -20,7 +20,6 @@ namespace {
 
 constexpr int kDone = 0;
 constexpr int kFailed = 1;
-constexpr int kWrongArguments = 2;
 
 int realMain(int argc, char** argv)
 {
@@ -34,15 +33,7 @@ int realMain(int argc, char** argv)
     addBuses(app, job);
     addTruth(app, job);
     addSessions(app, job);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        std::ostringstream out, complaint;  // may quote a file name
-        const int code = app.exit(error, out, complaint);
-        printText("{}", Lines(out.str()));
-        printText(stderr, "{}", Lines(complaint.str()));
-        return code == 0 ? kDone : kWrongArguments;
-    }
+    if (const auto status = parseArguments(app, argc, argv)) return *status;
     Status done = checkCommandFiles(app.files());
     if (done) done = job();
     if (done) return kDone;

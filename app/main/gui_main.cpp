@@ -3,11 +3,11 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
-#include <sstream>
 
 #include "app/console/open_console.h"
 #include "app/review/open_recorded.h"
 #include "app/runtime/big_blocks.h"
+#include "app/runtime/parse_arguments.h"
 #include "app/runtime/print_text.h"
 #include "app/shell/open_file.h"
 #include "app/start/console_setup.h"
@@ -16,7 +16,7 @@
 namespace terratact {
 namespace {
 
-constexpr int kDone = 0, kFailed = 1, kWrongArguments = 2;
+constexpr int kDone = 0, kFailed = 1;
 // [bytes] minimum besides the libraries; without a limit it uses 750 MB
 constexpr std::size_t kWindowMemory = 700'000'000;
 
@@ -51,15 +51,7 @@ int run(int& argc, char** argv)
     CLI::App app("The operator's console of Terratact: feel the terrain that cannot be seen");
     ConsoleOptions options;
     declareOptions(app, options);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        std::ostringstream out, complaint;  // may quote a file name
-        const int code = app.exit(error, out, complaint);
-        printText("{}", Lines(out.str()));
-        printText(stderr, "{}", Lines(complaint.str()));
-        return code == 0 ? kDone : kWrongArguments;
-    }
+    if (const auto status = parseArguments(app, argc, argv)) return *status;
     if (memoryIsLimited())
         if (const std::string missing = memoryMissing("the window", kWindowMemory);
             !missing.empty())

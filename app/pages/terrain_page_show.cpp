@@ -36,21 +36,8 @@ QString followedProbe(const AtemState& state)
 /// Returns true if a probe's worth is known, nothing is proposed and nothing is running.
 bool isAtRest(const TerrainViewState& viewState)
 {
-    if (!viewState.estimate || viewState.live || !viewState.bestProbe) return false;
-    switch (viewState.state.phase) {
-    case AtemPhase::Presenting:
-    case AtemPhase::Stopped:
-    case AtemPhase::Failed:
-    case AtemPhase::Idle: return true;
-    case AtemPhase::Halting:
-    case AtemPhase::Pressing:
-    case AtemPhase::Estimating:
-    case AtemPhase::ProposingProbe:
-    case AtemPhase::Probing:
-    case AtemPhase::EstimatingAgain:
-    case AtemPhase::Advancing: return false;
-    }
-    return false;
+    return viewState.estimate && !viewState.live && viewState.bestProbe
+        && !exploring(viewState.state.phase);
 }
 
 /// Returns true if the worth of a probe may be shown: at rest, and the verdict is not withheld.

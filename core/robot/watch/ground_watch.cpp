@@ -68,12 +68,7 @@ void GroundWatch::suspect(Sensor first, Sensor last, SensorTrouble trouble, doub
                           double amount)
 {
     for (std::size_t i = indexOf(first); i <= indexOf(last); ++i)
-        found_.push_back({.sensor = sensorAt(i),
-                          .trouble = trouble,
-                          .since = now,
-                          .until = now + kHold,
-                          .amount = amount,
-                          .way = 0.0});
+        found_.push_back(suspicionFor(kHold, sensorAt(i), trouble, now, amount));
 }
 
 void GroundWatch::add(const Measurement& line)

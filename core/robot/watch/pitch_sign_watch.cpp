@@ -54,12 +54,7 @@ void PitchSignWatch::judge(const Recent& down, const Recent& up, double now)
     const double lifted = up.mean() - down.mean();
     sum_ = std::clamp(sum_ - std::clamp(lifted / sd, -kCut, kCut), 0.0, 2.0 * kLimit);
     if (sum_ <= kLimit) return;
-    found_.push_back({.sensor = Sensor::Pitch,
-                      .trouble = SensorTrouble::Flipped,
-                      .since = now,
-                      .until = now + kHold,
-                      .amount = lifted,
-                      .way = 0.0});
+    found_.push_back(suspicionFor(kHold, Sensor::Pitch, SensorTrouble::Flipped, now, lifted));
 }
 
 void PitchSignWatch::add(const Measurement& line)

@@ -268,12 +268,7 @@ void PressWatch::judgeSides(double now)
 void PressWatch::suspect(Sensor sensor, SensorTrouble trouble, double now, double amount)
 {
     press_->isSuspect[indexOf(sensor)] = true;
-    found_.push_back({.sensor = sensor,
-                      .trouble = trouble,
-                      .since = now,
-                      .until = now + kHold,
-                      .amount = amount,
-                      .way = 0.0});
+    found_.push_back(suspicionFor(kHold, sensor, trouble, now, amount));
 }
 
 }  // namespace terratact

@@ -70,12 +70,7 @@ void ReturnWatch::end(double heading, double now)
     if (shifts_.size() < kMinPlaces || *travelled_ - *firstTravelled_ < kMinWay) return;
     shift_ = middleMean();
     if (isCleared()) return;
-    found_.push_back({.sensor = Sensor::Pitch,
-                      .trouble = SensorTrouble::BothWays,
-                      .since = now,
-                      .until = now + kHold,
-                      .amount = *shift_,
-                      .way = 0.0});
+    found_.push_back(suspicionFor(kHold, Sensor::Pitch, SensorTrouble::BothWays, now, *shift_));
 }
 
 const ReturnWatch::Step* ReturnWatch::opposite(const Step& step) const

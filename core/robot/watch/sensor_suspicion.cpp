@@ -18,6 +18,17 @@ Message stuckMessage(const SensorSuspicion& s)
 
 }  // namespace
 
+SensorSuspicion suspicionFor(double seconds, Sensor sensor, SensorTrouble trouble, double now,
+                             double amount)
+{
+    return {.sensor = sensor,
+            .trouble = trouble,
+            .since = now,
+            .until = now + seconds,
+            .amount = amount,
+            .way = 0.0};
+}
+
 bool isSuspected(const std::vector<SensorSuspicion>& suspicions, Sensor sensor)
 {
     return std::any_of(suspicions.begin(), suspicions.end(),

@@ -37,6 +37,10 @@ struct SensorSuspicion {
     bool operator==(const SensorSuspicion&) const = default;
 };
 
+/// Returns a suspicion of a change, or of a reading, that holds for some seconds without further evidence.
+SensorSuspicion suspicionFor(double seconds, Sensor sensor, SensorTrouble trouble, double now,
+                             double amount);
+
 /// Returns true if one of the suspicions is of that sensor.
 bool isSuspected(const std::vector<SensorSuspicion>& suspicions, Sensor sensor);
 

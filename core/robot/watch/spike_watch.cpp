@@ -54,12 +54,7 @@ void SpikeWatch::reset()
 
 void SpikeWatch::suspect(Sensor sensor, SensorTrouble trouble, double now, double amount)
 {
-    found_.push_back({.sensor = sensor,
-                      .trouble = trouble,
-                      .since = now,
-                      .until = now + kHold,
-                      .amount = amount,
-                      .way = 0.0});
+    found_.push_back(suspicionFor(kHold, sensor, trouble, now, amount));
 }
 
 void SpikeWatch::lookForSpike(std::size_t i, const Line& line)

@@ -20,12 +20,8 @@ void UnloadedWatch::reset()
 
 void UnloadedWatch::suspect(Sensor sensor, double now)
 {
-    found_.push_back({.sensor = sensor,
-                      .trouble = SensorTrouble::LoadedFree,
-                      .since = now,
-                      .until = now + kHold,
-                      .amount = elements_[indexOf(sensor)].least,
-                      .way = 0.0});
+    found_.push_back(suspicionFor(kHold, sensor, SensorTrouble::LoadedFree, now,
+                                  elements_[indexOf(sensor)].least));
 }
 
 void UnloadedWatch::add(Element& element, double force, double way)
