@@ -24,7 +24,7 @@ install(FILES ${_resources}/models/default.ttm ${_resources}/models/default.card
 install(FILES ${_resources}/robots/absolem.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/robots)
 install(FILES ${_resources}/sessions/demo.tts ${_resources}/sessions/two_tracks.tts DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/sessions)
 install(FILES ${_resources}/dbc/terratact.dbc DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/dbc)
-install(FILES ${_resources}/mappings/ctu_absolem.toml ${_resources}/mappings/terratact.toml ${_resources}/mappings/terratact_signals.toml
+install(FILES ${_resources}/mappings/ctu_absolem.toml ${_resources}/mappings/simulated_robot.toml ${_resources}/mappings/terratact.toml ${_resources}/mappings/terratact_signals.toml
   DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/mappings)
 install(FILES ${_resources}/panels/example.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/panels)
 
@@ -33,7 +33,7 @@ install(FILES ${_pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES
   ${_docs}/can.md ${_docs}/can_absolem.log ${_docs}/can_demo.log ${_docs}/can_payload.dbc ${_docs}/can_payload.log ${_docs}/clusters.md ${_docs}/evaluation.md ${_docs}/robot.md ${_docs}/two_tracks.md
   ${_docs}/extremes.md ${_docs}/faults.md ${_docs}/feel_forward.md ${_docs}/fig8.svg ${_docs}/fig9.svg ${_docs}/hazards.md ${_docs}/link.md ${_docs}/manual.md ${_docs}/panel.md
-  ${_docs}/cli.md ${_docs}/files.md ${_docs}/import.md ${_docs}/truth.md ${_docs}/sessions.md ${_docs}/strip.md
+  ${_docs}/cli.md ${_docs}/files.md ${_docs}/import.md ${_docs}/truth.md ${_docs}/sessions.md ${_docs}/strip.md ${_docs}/your_robot.md
   ${_docs}/console.png ${_docs}/pit.svg ${_docs}/tradeoff.md ${_docs}/tradeoff.svg
   ${_resources}/desktop/changelog ${_resources}/desktop/copyright
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/terratact)

@@ -89,10 +89,12 @@ void addDrive(Recording<AnyScene>& recording, const RobotModel& robot, const Gro
                 {.base = p.base, .pitch = p.pitch, .flippers = {p.front, p.front, p.rear, p.rear}});
         };
     auto scenes = driveOver(robot, terrain, stops, run, style, conditions, rng, recording.skipped);
-    std::vector<double> times;
-    times.reserve(scenes.size());
-    for (const AnyScene& scene : scenes) times.push_back(scene.time);
-    recording.map.add(run, GroundLines(terrain), std::move(poses), std::move(times));
+    if (recording.map.isWanted()) {
+        if constexpr (std::is_same_v<AnyScene, TwoTrackScene>)
+            recording.map.add(run, terrain, std::move(poses), scenes);
+        else
+            recording.map.add(run, GroundLines(terrain), std::move(poses), onBothSides(scenes));
+    }
     std::move(scenes.begin(), scenes.end(), std::back_inserter(recording.scenes));
 }
 

@@ -5,6 +5,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "app/modelling/simulated_recording.h"
 #include "core/store/csv_text.h"
 #include "core/store/file_write.h"
 
@@ -17,14 +18,14 @@ constexpr double kTurnOfDrive = 0.7;                   // [rad] between the head
 }  // namespace
 
 void SimulatedMap::add(const std::string& run, const GroundLines& ground,
-                       std::vector<TwoTrackPose> poses, std::vector<double> times)
+                       std::vector<TwoTrackPose> poses, std::vector<TwoTrackScene> scenes)
 {
-    if (poses.size() != times.size())
-        throw std::invalid_argument("SimulatedMap: every pose needs a time");
+    if (poses.size() != scenes.size())
+        throw std::invalid_argument("SimulatedMap: every pose needs a scene");
     if (!isWanted() || poses.empty()) return;
     const auto [first, last] =
         std::ranges::minmax(poses, {}, [](const TwoTrackPose& pose) { return pose.base.x; });
-    drives_.push_back({run, ground, std::move(poses), std::move(times), first.base.x - kSeenBehind,
+    drives_.push_back({run, ground, std::move(poses), std::move(scenes), first.base.x - kSeenBehind,
                        last.base.x + kSeenAhead});
 }
 
@@ -47,6 +48,7 @@ Result<std::size_t> SimulatedMap::write(const RobotModel& robot) const
 {
     std::mt19937_64 rng(options_.seed);
     std::vector<CloudPoint> cloud;
+    std::vector<RecordedStop> stops;
     std::string poses = "run,t_s,x_m,y_m,z_m,qx,qy,qz,qw\n";
     for (std::size_t i = 0; i < drives_.size(); ++i) {
         const Drive& d = drives_[i];
@@ -59,14 +61,19 @@ Result<std::size_t> SimulatedMap::write(const RobotModel& robot) const
             seen.place.z() += options_.made.offset;
             const auto own = robotCloud(robot, seen, options_.made.own, rng);
             cloud.insert(cloud.end(), own.begin(), own.end());
+            stops.push_back({d.run, base, d.scenes[k].s});
             const Eigen::Vector3d& p = base.place;
             const Eigen::Quaterniond& q = base.turn;
-            poses += csvLine({d.run, d.times[k], p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()});
+            poses +=
+                csvLine({d.run, d.scenes[k].time, p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()});
         }
     }
     if (Status done = writeFileAtomically(options_.poses, poses); !done) return done.error();
     if (Status done = writeFileAtomically(options_.cloud, pcdText(cloud)); !done)
         return done.error();
+    if (!options_.recording.empty())
+        if (Status done = writeSimulatedRecording(options_.recording, robot, stops); !done)
+            return done.error();
     return cloud.size();
 }
 

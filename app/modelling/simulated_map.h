@@ -6,6 +6,7 @@
 
 #include "core/base/result.h"
 #include "core/clouds/made_cloud.h"
+#include "core/learn/data/two_track_scene.h"
 #include "core/robot/two_tracks.h"
 #include "core/terrain/ground_lines.h"
 
@@ -13,8 +14,9 @@ namespace terratact {
 
 /// Laser map of simulated drives: a cloud of their ground and the poses of their scenes, for terratact truth.
 struct SimulatedMapOptions {
-    std::string cloud;  ///< PCD file to write; empty: no map
-    std::string poses;  ///< CSV of poses to write
+    std::string cloud;        ///< PCD file to write; empty: no map
+    std::string poses;        ///< CSV of poses to write
+    std::string recording{};  ///< MCAP to write (simulated_recording.h); empty: none
     MadeCloud made{};
     double tilt = 0.0;  ///< [rad] of the whole map, cloud and poses, about its y axis
     std::uint64_t seed = 1;
@@ -27,12 +29,11 @@ public:
 
     bool isWanted() const { return !options_.cloud.empty(); }
 
-    /// Adds a drive: its poses and the times of its scenes [s], as many as poses. Throws std::invalid_argument
-    /// otherwise.
+    /// Adds a drive: its poses and its scenes, as many as poses. Throws std::invalid_argument otherwise.
     void add(const std::string& run, const GroundLines& ground, std::vector<TwoTrackPose> poses,
-             std::vector<double> times);
+             std::vector<TwoTrackScene> scenes);
 
-    /// Writes both files. Returns the number of points. Errors name the file.
+    /// Writes the files. Returns the number of points. Errors name the file.
     Result<std::size_t> write(const RobotModel& robot) const;
 
 private:
@@ -40,7 +41,7 @@ private:
         std::string run;
         GroundLines ground;
         std::vector<TwoTrackPose> poses;
-        std::vector<double> times;
+        std::vector<TwoTrackScene> scenes;
         double begin = 0.0, end = 0.0;  ///< [m] of the ground that is seen
     };
     CloudPose placeOf(std::size_t drive) const;

@@ -65,6 +65,7 @@ _terratact_value() {
     truth:--poses) _terratact_files tum txt csv mcap bag db3 ;;
     truth:--session) _terratact_files tts ;;
     *:--cloud) _terratact_files pcd ;;
+    *:--recording) _terratact_files mcap ;;
     *:--sheet) _terratact_files png svg pdf ;;
     train:--out | merge:--out) _terratact_files ttm ttp ;;
     "session strip:--out") _terratact_files csv ply ;;
@@ -113,7 +114,7 @@ _terratact_options() {
       --screenshot --size --theme --layout --font-scale --language --safe-mode --sessions --no-record --errors-in-window ;;
     simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --tracks --disturb \
       --drives --spacing --slip --pitch-bias --press-share --gap \
-      --cloud --poses --cloud-noise --cloud-holes --cloud-offset --cloud-tilt --cloud-own ;;
+      --cloud --poses --recording --cloud-noise --cloud-holes --cloud-offset --cloud-tilt --cloud-own ;;
     train) echo --robot --data --tracks --plane --out --seed --scanner-sd --conditional-rows --bins --inducing ;;
     reconstruct) echo --robot --model --data --out --tracks --method "$estimates" ;;
     evaluate) echo --robot --model --data --out --methods --step-limit --card --shard --tracks --classes --class-column --probes --missing \

@@ -235,7 +235,8 @@ class Package(unittest.TestCase):
         self.assertEqual(shipped, {"models/default.ttm", "models/default.card.toml", "models/default.presets.csv", "models/one_plane.ttm",
                                    "robots/absolem.toml", "sessions/demo.tts", "sessions/two_tracks.tts",
                                    "dbc/terratact.dbc", "panels/example.toml", "mappings/ctu_absolem.toml",
-                                   "mappings/terratact.toml", "mappings/terratact_signals.toml"})
+                                   "mappings/simulated_robot.toml", "mappings/terratact.toml",
+                                   "mappings/terratact_signals.toml"})
         for line in output("dpkg-deb", "-c", self.package).splitlines():
             self.assertRegex(line, r"^(drwxr-xr-x|-rwxr-xr-x|-rw-r--r--) root/root ")
 
