@@ -10,7 +10,9 @@
 #include "widgets/base/palette.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/drive_pad.h"
+#include "widgets/control/drive_strip.h"
 #include "widgets/control/probe_card.h"
+#include "widgets/control/robot_readout.h"
 #include "widgets/terrain/estimate_strip.h"
 #include "widgets/terrain/terrain_profile_view.h"
 #include "widgets/terrain/verdict_strip.h"
@@ -20,7 +22,7 @@ namespace {
 
 constexpr int kBetween = 10;                       // [px] between cards
 constexpr int kToSpare = 10;                       // [px] spare room below which cards leave
-constexpr QSize kMinTerrain{420, 230};             // [px]
+constexpr QSize kMinTerrain{420, 180};             // [px]
 constexpr int kColumn = 404, kNarrowColumn = 281;  // [px] width of the decisions, at 100 %
 // [px] minimum width of the terrain beside them, at 100 %; it is the largest part
 constexpr int kRoomyTerrain = 540, kTightTerrain = 324;
@@ -50,6 +52,7 @@ TerrainLayout::TerrainLayout(QWidget& page, const Parts& parts)
     ground_ = new QVBoxLayout;
     ground_->setSpacing(kBetween);
     ground_->addWidget(parts_.verdict);
+    ground_->addWidget(parts_.driving);
     ground_->addWidget(parts_.terrainCard, 1);
     upper_->addLayout(ground_, 1);
     upper_->addLayout(column_);
@@ -92,6 +95,7 @@ void TerrainLayout::setVerdictBeside(int columnWidth)
     columnWidth_ = columnWidth;
     if (!verdictBeside_) column_->addStretch();  // if only the verdict is beside the terrain
     verdictBeside_ = true;
+    parts_.driving->hide();
     arrange(layout_, fontScale_);
 }
 
@@ -110,6 +114,8 @@ void TerrainLayout::arrange(Layout layout, int fontScale)
     if (window_) {
         const bool tight = tight_;
         measures_ = true;
+        tightRows_ = rowsOfStrip(true);
+        roomyRows_ = rowsOfStrip(false);
         tightNeeds_ = needs(true);
         roomyNeeds_ = needs(false);
         setTight(tight);
@@ -138,13 +144,20 @@ QSize TerrainLayout::needs(bool tight)
     const auto below = [&size](const QSize& part) {
         size = {std::max(size.width(), part.width()), size.height() + kBetween + part.height()};
     };
-    if (rows_->indexOf(parts_.verdict) >= 0) below(parts_.verdict->minimumSizeHint());
+    for (const QWidget* strip :
+         std::initializer_list<const QWidget*>{parts_.verdict, parts_.driving})
+        if (rows_->indexOf(strip) >= 0) below(strip->minimumSizeHint());
     if (!tight) below(lowerPanel_->minimumSizeHint());
     return size.grownBy(margins);
 }
 
 void TerrainLayout::fit()
 {
+    const bool isOther = tightRows_ != rowsOfStrip(true) || roomyRows_ != rowsOfStrip(false);
+    if (window_ && !measures_ && isOther) {
+        roomyNeeds_ = {};
+        return arrange(layout_, fontScale_);
+    }
     fitTightness();
     setColumn();
 }
@@ -166,6 +179,7 @@ void TerrainLayout::setTight(bool tight)
     if (window_) stacked_ = tight;
     const int margin = tight ? 6 : 10;
     rows_->setContentsMargins(12, margin, 12, margin);
+    for (QBoxLayout* const layout : {rows_, ground_}) layout->setSpacing(margin);
     parts_.atem->setNarrow(tight);
     parts_.probe->setNarrow(tight);
     parts_.drive->setNarrow(tight);
@@ -174,6 +188,8 @@ void TerrainLayout::setTight(bool tight)
         parts_.terrain->setMinimumSize(tight ? QSize(0, kMinTerrain.height())
                                              : kMinTerrain - QSize(0, window_->bannerLine()));
     if (window_) parts_.terrainCard->setMinimumWidth(scaled(tight ? kTightTerrain : kRoomyTerrain));
+    // The attitude is shown once on a page: where the robot's card is on this one, by the drive strip.
+    parts_.readout->showAttitude(tight || verdictBeside_);
     // Driving stays on the page; the rest of its card moves.
     if (tight)
         decide_->addWidget(parts_.drive);
@@ -202,17 +218,30 @@ void TerrainLayout::setColumn()
                                                   + parts_.probe->leastHeight());
 }
 
+/// Returns how many rows the drive strip needs in the present width of the page.
+int TerrainLayout::rowsOfStrip(bool tight) const
+{
+    const QMargins margins = rows_->contentsMargins();
+    int room = page_.width() - margins.left() - margins.right();
+    if (fontScale_ <= 100 && !tight) room -= kBetween + scaled(kColumn);
+    return room >= parts_.driving->widthOfOneRow() ? 1 : 2;
+}
+
 void TerrainLayout::placeVerdict()
 {
     // A large font leaves no room for the result beside the card's title. A review's page already has its name.
     QBoxLayout *beside = parts_.terrainCard->titleRow(), *below = parts_.terrainCard->body();
-    const bool large = fontScale_ > 100 || tight_, apart = large && !verdictBeside_;
+    const bool large = fontScale_ > 100 || tight_, apart = fontScale_ > 100 && !verdictBeside_;
     for (QBoxLayout* row : {beside, below}) row->removeWidget(parts_.strip);
     (apart ? below : beside)->insertWidget(apart ? 1 : 2, parts_.strip, apart ? 0 : 1);
     beside->setStretch(0, apart ? 1 : 0);
     beside->itemAt(0)->widget()->setVisible(!large || apart);
     // A large font leaves no room for the verdict above the terrain, so it stands above the whole page.
-    for (QBoxLayout* column : {ground_, rows_, column_}) column->removeWidget(parts_.verdict);
+    for (QBoxLayout* column : {ground_, rows_, column_})
+        for (QWidget* strip : std::initializer_list<QWidget*>{parts_.verdict, parts_.driving})
+            column->removeWidget(strip);
+    (large && !verdictBeside_ ? rows_ : ground_)->insertWidget(0, parts_.driving);
+    parts_.driving->setRows(tight_ ? tightRows_ : roomyRows_);
     (verdictBeside_ ? column_ : large ? rows_ : ground_)->insertWidget(0, parts_.verdict);
     parts_.verdict->setStacked(verdictBeside_);
     if (verdictBeside_) parts_.verdict->setFixedWidth(scaled(columnWidth_));

@@ -15,18 +15,21 @@ class AtemPanel;
 class Card;
 class ConsoleWindow;
 class DrivePad;
+class DriveStrip;
 class EstimateStrip;
 class ProbeCard;
+class RobotReadout;
 class TerrainProfileView;
 class VerdictStrip;
 
-/// Arranges the parts of a TerrainPage. Verdict and terrain are at the left, the decisions beside them; forces, robot
-/// and events stand below. Cards leave the page if they do not fit.
+/// Arranges the parts of a TerrainPage. Verdict, drive strip and terrain are at the left, the decisions beside them;
+/// forces, robot and events stand below. Cards leave the page if they do not fit.
 class TerrainLayout final : public QObject {
     Q_OBJECT
 public:
     struct Parts {
         VerdictStrip* verdict = nullptr;
+        DriveStrip* driving = nullptr;
         Card* terrainCard = nullptr;
         EstimateStrip* strip = nullptr;  ///< in the title of the terrain card
         TerrainProfileView* terrain = nullptr;
@@ -34,7 +37,8 @@ public:
         ProbeCard* probe = nullptr;
         Card* forces = nullptr;
         Card* robot = nullptr;
-        DrivePad* drive = nullptr;  ///< in the robot's card
+        RobotReadout* readout = nullptr;  ///< in the robot's card
+        DrivePad* drive = nullptr;        ///< in the robot's card
         Card* events = nullptr;
     };
     TerrainLayout(QWidget& page, const Parts& parts);
@@ -51,8 +55,8 @@ public:
     /// Returns the panel with exploration and probe beside the terrain; placeDecisions() puts it back.
     QWidget* decisions() const { return decisions_; }
     void placeDecisions();
-    /// Puts verdict and decisions in a column beside the terrain, which then gets the full height. columnWidth: [px at
-    /// 100 %].
+    /// Puts verdict and decisions in a column beside the terrain, which then gets the full height, and leaves out the
+    /// drive strip: recorded scenes are not driven. columnWidth: [px at 100 %].
     void setVerdictBeside(int columnWidth);
     /// Enables the tight arrangement. Cards below the terrain that do not fit move to another place (tightened()). The
     /// decisions then get a narrow column. The window's banner moves no card: its line is taken from the terrain.
@@ -71,6 +75,7 @@ private:
     void fitTightness();
     void setColumn();
     void placeVerdict();
+    int rowsOfStrip(bool tight) const;  ///< of the drive strip
     void share();
 
     QWidget& page_;
@@ -81,9 +86,10 @@ private:
     bool stacked_ = false;                   ///< robot and events
     const ConsoleWindow* window_ = nullptr;  ///< null: tight is not enabled
     bool tight_ = false;
-    bool measures_ = false;          ///< arranged temporarily, to measure sizes
-    QSize roomyNeeds_, tightNeeds_;  ///< [px]
-    int columnWidth_ = 404;          ///< [px] at 100 %
+    bool measures_ = false;              ///< arranged temporarily, to measure sizes
+    QSize roomyNeeds_, tightNeeds_;      ///< [px]
+    int roomyRows_ = 1, tightRows_ = 1;  ///< of the drive strip in these sizes
+    int columnWidth_ = 404;              ///< [px] at 100 %
 
     // Qt's parents own the widgets.
     QBoxLayout* ground_ = nullptr;  ///< verdict and terrain

@@ -13,6 +13,7 @@
 #include "widgets/base/theme.h"
 #include "widgets/base/tips.h"
 #include "widgets/control/drive_pad.h"
+#include "widgets/control/drive_strip.h"
 #include "widgets/signals/event_list.h"
 #include "widgets/terrain/estimate_strip.h"
 #include "widgets/terrain/rear_view.h"
@@ -48,6 +49,7 @@ TerrainPage::TerrainPage(RobotModel robot, QWidget* parent)
     : QWidget(parent), robot_(std::move(robot))
 {
     verdict_ = new VerdictStrip(this);
+    driving_ = new DriveStrip(this);
     terrainCard_ = terrainCard();
     atem_ = new AtemPanel(this);
     probe_ = new ProbeCard(this);
@@ -55,6 +57,7 @@ TerrainPage::TerrainPage(RobotModel robot, QWidget* parent)
     Card* const readoutCard = robotCard();
     Card* const newsCard = eventCard();
     layout_ = new TerrainLayout(*this, {.verdict = verdict_,
+                                        .driving = driving_,
                                         .terrainCard = terrainCard_,
                                         .strip = strip_,
                                         .terrain = terrain_,
@@ -62,6 +65,7 @@ TerrainPage::TerrainPage(RobotModel robot, QWidget* parent)
                                         .probe = probe_,
                                         .forces = forcesCard,
                                         .robot = readoutCard,
+                                        .readout = readout_,
                                         .drive = drive_,
                                         .events = newsCard});
     connect(layout_, &TerrainLayout::tightened, this, &TerrainPage::tightened);
@@ -80,6 +84,7 @@ Card* TerrainPage::terrainCard()
     terrain_->setCorner(rear_);
     connect(terrain_, &TerrainProfileView::shownSidesChanged, this, [this] {
         showOutlines();
+        drawContacts();
         showTruth();
     });
     card->note()->hide();
@@ -198,6 +203,7 @@ void TerrainPage::setThreshold(double newtons)
 {
     if (newtons == threshold_) return;
     threshold_ = newtons;
+    contacts_.setThreshold(newtons);
     showThreshold();
 }
 

@@ -5,8 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include "app/display/drive_view_state.h"
 #include "app/pages/terrain_layout.h"
 #include "core/atem/atem_machine.h"
+#include "core/atem/contact_watch.h"
+#include "core/atem/speed_meter.h"
 #include "core/infer/estimate/two_track_estimate.h"
 #include "core/infer/verdict/two_track_verdict.h"
 #include "core/robot/attitude.h"
@@ -24,6 +27,7 @@ namespace terratact {
 
 class Card;
 class DrivePad;
+class DriveStrip;
 class ElidedLabel;
 class EstimateStrip;
 class EventList;
@@ -128,6 +132,7 @@ public:
 
     AtemPanel* atemPanel() const { return atem_; }
     DrivePad* drivePad() const { return drive_; }
+    DriveStrip* driveStrip() const { return driving_; }
     EventList* events() const { return events_; }
     ForceBars* forces() const { return forces_; }
     QPushButton* forceUnitButton() const { return forceUnit_; }
@@ -157,6 +162,10 @@ private:
     Card* robotCard();
     Card* eventCard();
     void showRobot(const TerrainViewState& viewState);
+    DriveViewState driveViewState(const TerrainViewState& viewState);
+    void showDrive(const TerrainViewState& viewState);
+    void showContacts(const TerrainViewState& viewState);
+    void drawContacts();
     void showOutlines();
     void showTruth();
     void showAge(const TerrainViewState& viewState);
@@ -193,9 +202,14 @@ private:
     QLabel* robotAge_ = nullptr;
     bool numbersFresh_ = false;  ///< the robot's numbers were fresh in the last update
     DrivePad* drive_ = nullptr;
+    DriveStrip* driving_ = nullptr;
     EventList* events_ = nullptr;
     TerrainLayout* layout_ = nullptr;
 
+    bool marksContacts_ = false;  ///< in the picture
+    ContactWatch contacts_{0.0};  ///< setThreshold() sets its threshold
+    SpeedMeter speed_;
+    std::uint64_t driveCount_ = 0;  ///< TerrainViewState::count of their last line
     std::uint64_t shownCount_ = 0;
     std::optional<std::uint64_t> shown_, shownLive_, shownSecond_;  ///< revisions; empty: none
     QString shownReason_;

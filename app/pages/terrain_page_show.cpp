@@ -154,11 +154,13 @@ bool flippersMove(const TerrainViewState& viewState)
 void TerrainPage::setViewState(const TerrainViewState& viewState)
 {
     showRobot(viewState);
+    showDrive(viewState);
     showEstimate(viewState);
     const bool isStale = viewState.measurement && viewState.age > kStaleAfter && !viewState.ended;
     terrain_->setStale(isStale ? std::optional(viewState.age) : std::nullopt);
     showVerdict(viewState);
     showPose(viewState);  // after the verdict, which decides the side in full
+    showContacts(viewState);
     showProbe(viewState);
     strip_->setProgress(viewState.progress);
     atem_->setState(viewState.state, viewState.time, viewState.stateWords);

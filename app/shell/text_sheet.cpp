@@ -118,8 +118,9 @@ void TextSheet::setText(const QString& html, QSize room, int widest)
 {
     for (QPushButton* button : {copy_, close_}) button->setMinimumHeight(scaled(kTarget));
     const int bar = area_->verticalScrollBar()->sizeHint().width();
-    text_->ensurePolished();  // ensures the style sheet's font
-    text_->setHtml(withoutResources(html), std::min(widest, room.width() - bar));
+    text_->ensurePolished();      // ensures the style sheet's font
+    constexpr int kRounding = 2;  // [px] a table may be wider by its columns' rounding
+    text_->setHtml(withoutResources(html), std::min(widest, room.width() - bar - kRounding));
     QSize needed = text_->sizeHint();
     const QSize row = layout()->itemAt(1)->sizeHint();
     needed = {std::max(needed.width(), row.width()), needed.height() + row.height()};

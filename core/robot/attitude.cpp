@@ -18,12 +18,17 @@ Vec2 along(const FlipperGeometry& flipper, double angle, double distance)
     return {flipper.pivot.x + distance * axis.x, flipper.pivot.z + distance * axis.z};
 }
 
-AttitudeLevel levelOf(double angle, double tips, const AttitudeLimits& limits)
+/// Returns the limits in force on a side that tips over at this angle.
+AttitudeLimits limitsInForce(double tips, const AttitudeLimits& limits)
 {
-    const double size = std::abs(angle);
-    if (size >= std::min(limits.red, std::abs(tips) - kRedReserve)) return AttitudeLevel::Red;
-    if (size >= std::min(limits.amber, std::abs(tips) - kAmberReserve)) return AttitudeLevel::Amber;
-    return AttitudeLevel::Level;
+    return {.amber = std::min(limits.amber, std::abs(tips) - kAmberReserve),
+            .red = std::min(limits.red, std::abs(tips) - kRedReserve)};
+}
+
+AttitudeLevel levelOf(double angle, const AttitudeLimits& inForce)
+{
+    if (std::abs(angle) >= inForce.red) return AttitudeLevel::Red;
+    return std::abs(angle) >= inForce.amber ? AttitudeLevel::Amber : AttitudeLevel::Level;
 }
 
 }  // namespace
@@ -58,8 +63,10 @@ Attitude attitudeOf(const Measurement& line, const RobotModel& robot, const Atti
     Attitude attitude;
     attitude.pitchTips = line.pitch >= 0.0 ? tips.noseUp : -tips.noseDown;
     attitude.rollTips = line.roll >= 0.0 ? tips.side : -tips.side;
-    attitude.pitch = levelOf(line.pitch, attitude.pitchTips, limits);
-    attitude.roll = levelOf(line.roll, attitude.rollTips, limits);
+    attitude.pitchLimits = limitsInForce(attitude.pitchTips, limits);
+    attitude.rollLimits = limitsInForce(attitude.rollTips, limits);
+    attitude.pitch = levelOf(line.pitch, attitude.pitchLimits);
+    attitude.roll = levelOf(line.roll, attitude.rollLimits);
     return attitude;
 }
 

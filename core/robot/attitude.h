@@ -34,14 +34,15 @@ inline constexpr double kAmberReserve = 0.3491, kRedReserve = 0.1745;
 
 struct Attitude {
     AttitudeLevel pitch = AttitudeLevel::Level, roll = AttitudeLevel::Level;
-    double pitchTips = 0.0,
-           /// Angle at which it tips over on that side [rad], with the sign of the angle.
-        rollTips = 0.0;
+    /// Angles at which it tips over on that side [rad], with the sign of the angle.
+    double pitchTips = 0.0, rollTips = 0.0;
+    /// Limits in force of |pitch| and |roll| on that side [rad].
+    AttitudeLimits pitchLimits{}, rollLimits{};
     AttitudeLevel worst() const { return pitch > roll ? pitch : roll; }
     bool operator==(const Attitude&) const = default;
 };
 
-/// Returns the levels of pitch and roll. Red begins at the smaller of limits.red and tip-over −
+/// Returns the levels of pitch and roll, and the limits in force. Red begins at the smaller of limits.red and tip-over −
 /// kRedReserve, amber at the smaller of limits.amber and tip-over − kAmberReserve.
 Attitude attitudeOf(const Measurement& line, const RobotModel& robot, const AttitudeLimits& limits);
 

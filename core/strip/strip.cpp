@@ -5,7 +5,19 @@
 #include <set>
 #include <stdexcept>
 
+#include "core/infer/estimate/felt_horizon.h"
+
 namespace terratact {
+namespace {
+
+/// Returns the felt horizon of the side where it is nearer [m]; empty: a side has none.
+std::optional<double> nearerHorizon(const TwoTrackEstimate& estimate)
+{
+    const auto left = feltHorizon(estimate.side[0]), right = feltHorizon(estimate.side[1]);
+    return left && right ? std::optional(std::min(*left, *right)) : std::nullopt;
+}
+
+}  // namespace
 
 Strip::Strip(const RobotModel& robot, const StripLimits& limits, Fusion fusion)
     : limits_(limits), fusion_(fusion), way_(robot, limits.way)
@@ -67,7 +79,8 @@ void Strip::enter(const TwoTrackEstimate& estimate, std::int64_t id)
     const std::int64_t number = ++lastNumber_;
     const WayPose pose = way_.settle(offsetOf(estimate));
     const StripWay::ScenePose& scene = *way_.scene();
-    sources_.push_back({number, id, scene.time, estimate.onePlane, scene.segment, pose});
+    sources_.push_back(
+        {number, id, scene.time, estimate.onePlane, scene.segment, pose, nearerHorizon(estimate)});
     StripSection& section = sectionOfScene(pose);
     const Vec2 imu = section.imuAt(pose);
     for (std::size_t side = 0; side < 2; ++side)
@@ -200,6 +213,10 @@ SeenStrip Strip::seen() const
                                           bin->felt, from.time,
                                           std::max(0.0, pose.way - from.at.way)});
         }
+    if (const StripSource& newest = sources_.back(); newest.segment == section.segment) {
+        seen.way = std::max(0.0, pose.way - newest.at.way);
+        if (newest.feltTo) seen.feltTo = *newest.feltTo + newest.at.imu.x - pose.imu.x;
+    }
     return seen;
 }
 

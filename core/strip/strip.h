@@ -30,6 +30,8 @@ struct StripSource {
     bool onePlane = false;
     std::int64_t segment = 0;
     WayPose at{};  ///< pose of its scene
+    /// feltHorizon() of the side where it is nearer, forward from the IMU at the scene [m]; empty: a side has none.
+    std::optional<double> feltTo{};
 };
 
 /// A bin of the strip as seen from the robot.
@@ -46,6 +48,9 @@ struct SeenBin {
 struct SeenStrip {
     std::array<std::vector<SeenBin>, 2> side{};  ///< left, right
     bool onePlane = true;                        ///< every estimate of it was of one plane
+    std::optional<double> way{};                 ///< rolled since the newest estimate [m]
+    /// The newest estimate felt the ground up to here, forward from the IMU [m], on both sides (feltHorizon()).
+    std::optional<double> feltTo{};
     bool isEmpty() const { return side[0].empty() && side[1].empty(); }
     bool operator==(const SeenStrip&) const = default;
 };

@@ -206,6 +206,37 @@
     </message>
 </context>
 <context>
+    <name>DriveText</name>
+    <message>
+        <source>! STEEP</source>
+        <translation>! STRMĚ</translation>
+    </message>
+    <message>
+        <source>✘ DANGER</source>
+        <translation>✘ POZOR</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>žádný</translation>
+    </message>
+    <message>
+        <source>rear %1</source>
+        <translation>vzadu %1</translation>
+    </message>
+    <message>
+        <source>rear %1 %2: %3 N</source>
+        <translation>vzadu %1 %2: %3 N</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3 N</source>
+        <translation>%1 %2: %3 N</translation>
+    </message>
+    <message>
+        <source>front %1: %2 N</source>
+        <translation>vpředu %1: %2 N</translation>
+    </message>
+</context>
+<context>
     <name>FileDialog</name>
     <message>
         <source>There is no file:</source>
@@ -4936,6 +4967,28 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ContactMap</name>
+    <message>
+        <source>Contact by segment</source>
+        <translation>Kontakt podle prvků</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>není známo</translation>
+    </message>
+    <message>
+        <source>Elements 1 (pivot) to 6 (tip), filled where they touch the ground: %1</source>
+        <translation>Prvky 1 (čep) až 6 (špička), vyplněné tam, kde se dotýkají terénu: %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ContactMarks</name>
+    <message>
+        <source>CONTACT %1</source>
+        <translation>KONTAKT %1</translation>
+    </message>
+</context>
+<context>
     <name>terratact::DiagnosticsPage</name>
     <message>
         <source>Versions</source>
@@ -5211,6 +5264,73 @@ F1</translation>
     <message>
         <source>W ▶</source>
         <translation>W ▶</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::DriveStrip</name>
+    <message>
+        <source>pitch</source>
+        <translation>sklon</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>náklon</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>kontakt</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>rychlost</translation>
+    </message>
+    <message>
+        <source>since estimate</source>
+        <translation>od odhadu</translation>
+    </message>
+    <message>
+        <source>felt to</source>
+        <translation>ohmatáno do</translation>
+    </message>
+    <message>
+        <source>The element of each flipper that touches the ground hardest: its side and its number, 1 (pivot) to 6 (tip)</source>
+        <translation>Prvek každého flipperu, který se terénu dotýká nejsilněji: jeho strana a číslo, 1 (čep) až 6 (špička)</translation>
+    </message>
+    <message>
+        <source>Along the tracks, over the last half second</source>
+        <translation>Podél pásů, za poslední půlsekundu</translation>
+    </message>
+    <message>
+        <source>Distance rolled since the last estimate</source>
+        <translation>Ujetá vzdálenost od posledního odhadu</translation>
+    </message>
+    <message>
+        <source>The ground is felt up to here, forward from the IMU, on both sides; &quot;!&quot; where the tracks are about to leave felt ground</source>
+        <translation>Terén je ohmatán až sem, vpřed od IMU, na obou stranách; „!“ tam, kde pásy opouštějí ohmataný terén</translation>
+    </message>
+    <message>
+        <source>● CONTACT</source>
+        <translation>● KONTAKT</translation>
+    </message>
+    <message>
+        <source>Driving</source>
+        <translation>Jízda</translation>
+    </message>
+    <message>
+        <source>limits of the pitch</source>
+        <translation>meze sklonu</translation>
+    </message>
+    <message>
+        <source>limits of the roll</source>
+        <translation>meze náklonu</translation>
+    </message>
+    <message>
+        <source>STEEP at %1, DANGER at %2, tips over at %3</source>
+        <translation>STRMĚ od %1, POZOR od %2, převrátí se při %3</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>není známo</translation>
     </message>
 </context>
 <context>
@@ -6412,12 +6532,6 @@ F1</translation>
         <translation>náklon %1</translation>
     </message>
     <message>
-        <source>%1
-cross slope %2</source>
-        <translation>%1
-příčný sklon %2</translation>
-    </message>
-    <message>
         <source>From behind: %1; front flippers L %2, R %3</source>
         <translation>Zezadu: %1; přední flippery L %2, P %3</translation>
     </message>
@@ -6440,6 +6554,10 @@ příčný sklon %2</translation>
     <message>
         <source>cross %1</source>
         <translation>příčně %1</translation>
+    </message>
+    <message>
+        <source>cross slope %1</source>
+        <translation>příčný sklon %1</translation>
     </message>
 </context>
 <context>

@@ -206,6 +206,37 @@
     </message>
 </context>
 <context>
+    <name>DriveText</name>
+    <message>
+        <source>! STEEP</source>
+        <translation>! STEIL</translation>
+    </message>
+    <message>
+        <source>✘ DANGER</source>
+        <translation>✘ GEFAHR</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>rear %1</source>
+        <translation>hinten %1</translation>
+    </message>
+    <message>
+        <source>rear %1 %2: %3 N</source>
+        <translation>hinten %1 %2: %3 N</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3 N</source>
+        <translation>%1 %2: %3 N</translation>
+    </message>
+    <message>
+        <source>front %1: %2 N</source>
+        <translation>vorn %1: %2 N</translation>
+    </message>
+</context>
+<context>
     <name>FileDialog</name>
     <message>
         <source>There is no file:</source>
@@ -4936,6 +4967,28 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::ContactMap</name>
+    <message>
+        <source>Contact by segment</source>
+        <translation>Kontakt nach Elementen</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Elements 1 (pivot) to 6 (tip), filled where they touch the ground: %1</source>
+        <translation>Elemente 1 (Drehachse) bis 6 (Spitze), gefüllt, wo sie den Boden berühren: %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::ContactMarks</name>
+    <message>
+        <source>CONTACT %1</source>
+        <translation>KONTAKT %1</translation>
+    </message>
+</context>
+<context>
     <name>terratact::DiagnosticsPage</name>
     <message>
         <source>Versions</source>
@@ -5211,6 +5264,73 @@ F1</translation>
     <message>
         <source>W ▶</source>
         <translation>W ▶</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::DriveStrip</name>
+    <message>
+        <source>pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>since estimate</source>
+        <translation>seit Schätzung</translation>
+    </message>
+    <message>
+        <source>felt to</source>
+        <translation>ertastet bis</translation>
+    </message>
+    <message>
+        <source>The element of each flipper that touches the ground hardest: its side and its number, 1 (pivot) to 6 (tip)</source>
+        <translation>Das Element jedes Flippers, das den Boden am stärksten berührt: Seite und Nummer, 1 (Drehachse) bis 6 (Spitze)</translation>
+    </message>
+    <message>
+        <source>Along the tracks, over the last half second</source>
+        <translation>Entlang der Ketten, über die letzte halbe Sekunde</translation>
+    </message>
+    <message>
+        <source>Distance rolled since the last estimate</source>
+        <translation>Gefahrene Strecke seit der letzten Schätzung</translation>
+    </message>
+    <message>
+        <source>The ground is felt up to here, forward from the IMU, on both sides; &quot;!&quot; where the tracks are about to leave felt ground</source>
+        <translation>Der Boden ist bis hier ertastet, vorwärts ab der IMU, auf beiden Seiten; „!“, wo die Ketten ertasteten Boden verlassen</translation>
+    </message>
+    <message>
+        <source>● CONTACT</source>
+        <translation>● KONTAKT</translation>
+    </message>
+    <message>
+        <source>Driving</source>
+        <translation>Fahren</translation>
+    </message>
+    <message>
+        <source>limits of the pitch</source>
+        <translation>Grenzen des Nickens</translation>
+    </message>
+    <message>
+        <source>limits of the roll</source>
+        <translation>Grenzen des Rollens</translation>
+    </message>
+    <message>
+        <source>STEEP at %1, DANGER at %2, tips over at %3</source>
+        <translation>STEIL ab %1, GEFAHR ab %2, kippt bei %3</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -6412,12 +6532,6 @@ F1</translation>
         <translation>Rollen %1</translation>
     </message>
     <message>
-        <source>%1
-cross slope %2</source>
-        <translation>%1
-Querneigung %2</translation>
-    </message>
-    <message>
         <source>From behind: %1; front flippers L %2, R %3</source>
         <translation>Von hinten: %1; Flipper vorn L %2, R %3</translation>
     </message>
@@ -6440,6 +6554,10 @@ Querneigung %2</translation>
     <message>
         <source>cross %1</source>
         <translation>quer %1</translation>
+    </message>
+    <message>
+        <source>cross slope %1</source>
+        <translation>Querneigung %1</translation>
     </message>
 </context>
 <context>

@@ -147,10 +147,10 @@ struct Console : testing::Test {
             QSize size;
             int largest;  // font scale [%] that must be possible
         };
-        constexpr Screen kScreens[]{{{1200, 680}, 150},
-                                    {{1280, 720}, 160},
-                                    {{1366, 768}, 170},
-                                    {{1440, 900}, 200},
+        constexpr Screen kScreens[]{{{1200, 680}, 140},
+                                    {{1280, 720}, 140},
+                                    {{1366, 768}, 150},
+                                    {{1440, 900}, 180},
                                     {{1920, 1080}, 200}};
         for (const int wanted : letters)
             for (const Screen& screen : kScreens) {

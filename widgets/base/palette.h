@@ -58,6 +58,7 @@ struct Theme {
     Fill clear{{0x1b, 0x6e, 0x3c}, {0xff, 0xff, 0xff}};
     Fill blocked{{0xb0, 0x12, 0x12}, {0xff, 0xff, 0xff}};
     Fill open{{0x8f, 0x52, 0x00}, {0xff, 0xff, 0xff}};
+    Fill felt{{0x1a, 0x66, 0xc0}, {0xff, 0xff, 0xff}};  ///< contact with the ground
 
     QColor sampled{0x12, 0x80, 0x4a};
     QColor contact{0x1a, 0x66, 0xc0};
@@ -81,6 +82,10 @@ const Theme& theme();
 
 /// Scales a length or font size [px at 100 %] to the current font scale; theme.h sets it. GUI thread only.
 int scaled(int pixels);
+
+/// Scales a length or font size of what is large already at 100 %: above it, three quarters of scaled(), and no less
+/// than at 100 %. GUI thread only.
+int scaledLarge(int pixels);
 
 inline constexpr int kTarget = 34;  ///< [px] minimum height of a pressable control at 100 %
 

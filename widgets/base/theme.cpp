@@ -6,6 +6,7 @@
 #include <QPalette>
 #include <QStyle>
 #include <QToolTip>
+#include <algorithm>
 
 #include "widgets/base/focus_mark.h"
 #include "widgets/base/palette.h"
@@ -78,6 +79,11 @@ const Theme& theme()
 int scaled(int pixels)
 {
     return (pixels * inForce.fontScale + 50) / 100;
+}
+
+int scaledLarge(int pixels)
+{
+    return inForce.fontScale <= 100 ? scaled(pixels) : std::max(pixels, scaled(pixels) * 3 / 4);
 }
 
 LookInForce lookInForce()

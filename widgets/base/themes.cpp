@@ -47,6 +47,7 @@ Theme nightRed()
     t.clear = {dim, bright};
     t.blocked = {QColor(0x70, 0x08, 0x04), bright};
     t.open = {QColor(0x48, 0x08, 0x04), bright};
+    t.felt = {bright, black};
     t.sampled = QColor(0xe0, 0x34, 0x20);
     t.contact = bright;
     t.arm = QColor(0xff, 0x5c, 0x44);
@@ -95,6 +96,7 @@ Theme highContrast()
     t.clear = {green, black};
     t.blocked = t.chipBad;
     t.open = {yellow, black};
+    t.felt = {QColor(0x3f, 0xa0, 0xff), black};
     t.sampled = green;
     t.contact = QColor(0x3f, 0xa0, 0xff);
     t.arm = violet;

@@ -30,11 +30,11 @@ RobotReadout::RobotReadout(QWidget* parent) : QWidget(parent)
                                            tr("front currents"), tr("rear currents")};
     for (int row = 0; row < kRows; ++row) {
         const auto i = static_cast<std::size_t>(row);
-        auto* name = new PlainLabel(names[i], this);
-        setTone(*name, Tone::Muted);
+        names_[i] = new PlainLabel(names[i], this);
+        setTone(*names_[i], Tone::Muted);
         values_[i] = new PlainLabel(this);
         values_[i]->setAccessibleName(names[i]);
-        grid->addWidget(name, row, 0);
+        grid->addWidget(names_[i], row, 0);
         grid->addWidget(values_[i], row, 1);
     }
     grid->setRowStretch(kRows, 1);
@@ -104,6 +104,12 @@ void RobotReadout::setMeasurement(const Measurement& m, double age, const Ages& 
             tip += tr("; beside it the value of the captured scene, at which the robot is drawn");
         setTip(*values_[row], tip);
     }
+}
+
+void RobotReadout::showAttitude(bool shown)
+{
+    for (const Row row : {Pitch, Roll})
+        for (QLabel* const label : {names_[row], values_[row]}) label->setVisible(shown);
 }
 
 void RobotReadout::clearMeasurement()

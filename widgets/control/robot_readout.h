@@ -33,6 +33,8 @@ public:
     /// Shows a sample whose values arrive in separate messages. ages: per value; an old value is stale.
     void setMeasurement(const Measurement& measurement, double age, const Ages& ages,
                         std::optional<double> captured = {});
+    /// Shows or hides pitch and roll, which another part of the page may show.
+    void showAttitude(bool shown);
     void clearMeasurement();  ///< nothing was received yet
 
     QString text(int row) const;  ///< shown text; rows in the order of Row
@@ -42,7 +44,7 @@ private:
     void show(Row row, const QString& text, bool known);
     void showAngle(Row row, double angle, AttitudeLevel level);
 
-    std::array<QLabel*, kRows> values_{};
+    std::array<QLabel*, kRows> names_{}, values_{};
     std::array<QString, kRows> ages_;
     Attitude attitude_;
 };

@@ -12,7 +12,7 @@
 namespace terratact {
 namespace {
 
-constexpr QSize kSize{128, 78};       // [px] at 100 %
+constexpr QSize kSize{128, 62};       // [px] at 100 %, the picture
 constexpr QSize kFlat{82, 40};        // [px] at 100 %, the picture of a flat view with a gap
 constexpr int kFlatGap = 6;           // [px] at 100 %
 constexpr double kHalfWidthM = 0.42;  // [m] shown to both sides of the middle
@@ -37,9 +37,8 @@ QString tiltText(double radians)
 
 QString lineOf(const RearView::Pose& pose)
 {
-    QString roll = RearView::tr("roll %1").arg(tiltText(pose.roll));
-    if (!pose.crossSlope) return roll;
-    return RearView::tr("%1\ncross slope %2").arg(roll, tiltText(*pose.crossSlope));
+    return pose.crossSlope ? RearView::tr("cross slope %1").arg(tiltText(*pose.crossSlope))
+                           : QString();
 }
 
 /// Returns an angle with the letter of the side that is up, in short: "L 3°".
@@ -54,16 +53,15 @@ QString shortTilt(double radians)
 
 QString shortOf(const RearView::Pose& pose)
 {
-    QString roll = RearView::tr("roll %1").arg(shortTilt(pose.roll));
-    if (!pose.crossSlope) return roll;
-    return roll + u'\n' + RearView::tr("cross %1").arg(shortTilt(*pose.crossSlope));
+    return pose.crossSlope ? RearView::tr("cross %1").arg(shortTilt(*pose.crossSlope)) : QString();
 }
 
 QString spokenOf(const RearView::Pose& pose)
 {
+    QString roll = RearView::tr("roll %1").arg(tiltText(pose.roll));
+    if (pose.crossSlope) roll += QStringLiteral("; ") + lineOf(pose);
     return RearView::tr("From behind: %1; front flippers L %2, R %3")
-        .arg(lineOf(pose).replace(u'\n', QStringLiteral("; ")), format::degrees(pose.frontLeft),
-             format::degrees(pose.frontRight));
+        .arg(roll, format::degrees(pose.frontLeft), format::degrees(pose.frontRight));
 }
 
 }  // namespace
@@ -76,16 +74,16 @@ RearView::RearView(const Shape& shape, QWidget* parent) : QWidget(parent), shape
 
 QSize RearView::sizeHint() const
 {
-    const QSize words = fontMetrics().size(0, text_);
-    return {std::max(scaled(kSize.width()), words.width()),
-            scaled(kSize.height()) + words.height() - fontMetrics().height()};
+    const int line = text_.isEmpty() ? 0 : fontMetrics().height();
+    return {std::max(scaled(kSize.width()), fontMetrics().horizontalAdvance(text_)),
+            scaled(kSize.height()) + line};
 }
 
 QSize RearView::minimumSizeHint() const
 {
     const QString widest = tr("cross %1").arg(shortTilt(-0.7));
     return {scaled(kFlat.width()) + fontMetrics().horizontalAdvance(widest),
-            std::max(scaled(kFlat.height()), 2 * fontMetrics().height())};
+            std::max(scaled(kFlat.height()), fontMetrics().height())};
 }
 
 void RearView::setPose(const std::optional<Pose>& pose)
@@ -115,8 +113,7 @@ void RearView::paintEvent(QPaintEvent*)
                          Qt::AlignLeft | Qt::AlignVCenter, short_);
         return drawPicture(painter, QRect(0, 0, beside, height()));
     }
-    const int lines = 1 + static_cast<int>(text_.count(u'\n'));
-    const int textHeight = lines * metrics.height();
+    const int textHeight = text_.isEmpty() ? 0 : metrics.height();
     const bool fits = metrics.size(0, text_).width() <= width();
     painter.drawText(QRect(0, height() - textHeight, width(), textHeight), Qt::AlignCenter,
                      fits ? text_ : short_);

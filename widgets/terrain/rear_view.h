@@ -5,8 +5,8 @@
 
 namespace terratact {
 
-/// Small view of the robot from behind: body, both tracks and both front flippers, left (L) at the left. Below it stand
-/// the roll and, where it is known, the cross slope of the ground ahead, in degrees. In its minimum size the view
+/// Small view of the robot from behind: body, both tracks and both front flippers, left (L) at the left. Below it stands
+/// the cross slope of the ground ahead in degrees, where it is known. In its minimum size the view
 /// is flat: the same stands in short beside a smaller picture. Takes values, emits nothing.
 class RearView final : public QWidget {
     Q_OBJECT
@@ -33,8 +33,8 @@ public:
     /// Shows a pose; empty: nothing is known, or it is too old. Angles beyond a turn count as unknown.
     void setPose(const std::optional<Pose>& pose);
 
-    QString text() const { return text_; }  ///< the lines below the picture
-    /// Returns the lines in short: "roll L 3.2°".
+    QString text() const { return text_; }  ///< the line below the picture
+    /// Returns the line in short: "cross ↑L 3°".
     QString shortText() const { return short_; }
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;

@@ -53,7 +53,7 @@ QwtGraphic LineItem::legendIcon(int /*index*/, const QSizeF& /*size*/) const
 bool Key::isEmpty() const
 {
     constexpr int kLow = 160;  // [px] at 100 %
-    constexpr int kMax = 6;    // the legend takes at most 1/6 of the height
+    constexpr int kMax = 8;    // the legend takes at most 1/8 of the height
     return view_.height() < scaled(kLow) || heightForWidth(view_.width()) * kMax > view_.height()
         || QwtLegend::isEmpty();
 }

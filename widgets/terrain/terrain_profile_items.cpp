@@ -113,6 +113,8 @@ void TerrainProfileView::addMarks()
 {
     letters_ = new MarkLetters;
     letters_->attach(this);
+    contacts_ = new ContactMarks;
+    contacts_->attach(this);
 
     imu_ = new QwtPlotMarker;
     imu_->setValue(0.0, 0.0);

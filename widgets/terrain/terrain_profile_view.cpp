@@ -64,6 +64,13 @@ void TerrainProfileView::clearEstimate(const QString& why)
     showEstimate();
 }
 
+void TerrainProfileView::setContacts(std::vector<ContactPoint> points)
+{
+    if (!contacts_->setPoints(std::move(points))) return;
+    describe();
+    replot();
+}
+
 void TerrainProfileView::showNote(const QString& note, bool warns)
 {
     setLabel(*note_, inked(note, warns ? theme().doubt : theme().muted, sized(font(), 16, true)));

@@ -12,6 +12,7 @@
 #include "core/robot/probe_side.h"
 #include "core/strip/strip.h"
 #include "core/terrain/outline.h"
+#include "widgets/terrain/contact_marks.h"
 #include "widgets/terrain/profile_axes.h"
 #include "widgets/terrain/robot_sketch.h"
 #include "widgets/terrain/shown_sides.h"
@@ -87,6 +88,10 @@ public:
     void setOutline(const Outline& outline, const Outline& far = {});
     void setTruth(const std::optional<Heights>& truth);
     void setArmTip(const std::optional<ArmTip>& tip);
+    /// Marks the contacts of the robot's flippers; none: nothing touches the ground.
+    void setContacts(std::vector<ContactPoint> points);
+    /// Returns the words at the contacts: "CONTACT L5 R5"; empty without one.
+    QString contactWords() const { return contacts_->words(); }
     void setDrawsShown(bool shown);  ///< shows some draws as thin lines
     /// Shows a second method's estimate of the same scene; empty: none. name: its legend entry.
     /// Of two sides it is that of the side in full.
@@ -206,6 +211,7 @@ private:
     BinZones* zones_ = nullptr;
     MarkLetters* letters_ = nullptr;
     ArmMark* armMark_ = nullptr;
+    ContactMarks* contacts_ = nullptr;
     SampleLines* draws_ = nullptr;
     SecondEstimate* second_ = nullptr;
     RememberedLayer* remembered_ = nullptr;

@@ -32,25 +32,9 @@ std::vector<WithholdReason> withholdReasons(const TerrainEstimate& estimate,
     return reasons;
 }
 
-bool isTouchRecorded(const TerrainEstimate& estimate)
-{
-    return std::ranges::find(estimate.touch, Touch::Unrecorded) == estimate.touch.end();
-}
-
 Touch touchAt(const TerrainEstimate& estimate, int bin)
 {
     return estimate.touch[static_cast<std::size_t>(bin)];
-}
-
-/// Returns the last bin ahead that is felt or lies behind a loaded element; kFirstAhead − 1: none.
-int horizonBin(const TerrainEstimate& estimate)
-{
-    if (!isTouchRecorded(estimate)) return kBins - 1;
-    int last = kFirstAhead - 1;
-    for (int bin = kFirstAhead; bin < kBins; ++bin)
-        if (touchAt(estimate, bin) == Touch::Felt || binEnd(bin) <= estimate.feltTo + kHorizonSlack)
-            last = bin;
-    return last;
 }
 
 /// Returns the last bin ahead that the robot covers; kFirstAhead − 1: none.
@@ -150,13 +134,6 @@ bool isUnfeltAhead(const TerrainEstimate& estimate, int bin)
     const Touch touch = touchAt(estimate, bin);
     if (touch == Touch::Unrecorded) return estimate.priorOnly(bin);
     return bin >= kFirstAhead && (touch == Touch::Bounded || touch == Touch::NotFelt);
-}
-
-std::optional<double> feltHorizon(const TerrainEstimate& estimate)
-{
-    const int last = horizonBin(estimate);
-    if (last < kFirstAhead || !isTouchRecorded(estimate)) return std::nullopt;
-    return binEnd(last);
 }
 
 SourceText describe(Shortfall shortfall)

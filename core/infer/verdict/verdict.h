@@ -7,6 +7,7 @@
 
 #include "core/base/message.h"
 #include "core/infer/estimate/estimate.h"
+#include "core/infer/estimate/felt_horizon.h"
 #include "core/infer/verdict/obstacle.h"
 #include "core/robot/measurement.h"
 
@@ -89,9 +90,6 @@ std::string describeStepVerdict(const Verdict& verdict);
 /// training set supports the bin (TerrainEstimate::priorOnly). bin: 0 … 10.
 bool isUnfeltAhead(const TerrainEstimate& estimate, int bin);
 
-/// Returns Verdict::horizon; empty if nothing ahead is felt, or the touch is not recorded.
-std::optional<double> feltHorizon(const TerrainEstimate& estimate);
-
 /// Limits of the probability of a step for CLEAR and BLOCKED. The answer needs a distance of two
 /// Monte-Carlo sd.
 inline constexpr double kClearBelow = 0.05;
@@ -99,9 +97,6 @@ inline constexpr double kBlockedAbove = 0.95;
 
 /// Rearmost horizon bin that allows CLEAR: a step takes two bins.
 inline constexpr int kMinHorizonBin = kFirstAhead + 1;
-
-/// The foremost loaded element may lie this far behind a bin's front border [m].
-inline constexpr double kHorizonSlack = 0.01;
 
 /// Front flippers steeper than this [rad] to the horizontal reach further when they lie flatter.
 inline constexpr double kSteepFlipper = 0.35;

@@ -70,7 +70,7 @@ std::vector<Colours> textPairs(const Theme& t)
         {"chip bad", t.chipBad},   {"chip accent", t.chipAccent},
         {"banner", t.banner},      {"done", t.done},
         {"clear", t.clear},        {"blocked", t.blocked},
-        {"open", t.open}};
+        {"open", t.open},          {"felt", t.felt}};
     for (const auto& [name, fill] : fills) pairs.push_back({name, fill.text, fill.area});
     pairs.push_back({"progress not done", t.done.text, t.card});
     return pairs;
