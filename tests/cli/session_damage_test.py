@@ -3,6 +3,7 @@ Argument: the program make_session, which records a simulated drive."""
 
 import os
 import pathlib
+import re
 import shutil
 import signal
 import sqlite3
@@ -39,6 +40,13 @@ def setUpModule():
 
 def tearDownModule():
     Damaged.made.cleanup()
+
+
+def catches(pid, number):
+    """Returns whether a process has a handler for a signal."""
+    status = pathlib.Path(f"/proc/{pid}/status").read_text()
+    caught = int(re.search(r"^SigCgt:\s*(\w+)", status, re.M).group(1), 16)
+    return bool(caught >> (number - 1) & 1)
 
 
 class Damaged(unittest.TestCase):
@@ -296,7 +304,8 @@ class Hostile(Damaged):
             ("UPDATE settings SET chains = 1, burn_in = 1900000, method = 'pafc', inducing = 0, stop_early = 0",))
         process = subprocess.Popen([CLI, "session", "what-if", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                    text=True)
-        time.sleep(2.0)
+        while process.poll() is None and not catches(process.pid, signal.SIGINT):
+            time.sleep(0.01)  # the kernel gives no event for it
         self.assertIsNone(process.poll(), "it has ended before it could be cancelled")
         process.send_signal(signal.SIGINT)
         out, said = process.communicate(timeout=60)

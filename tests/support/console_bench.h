@@ -42,6 +42,7 @@ inline LoadedModel madeUp()
                     for (int i = 0; i < 30; ++i) {
                         if (watch.cancelled()) throw Cancelled{};
                         watch.progress(i / 30.0);
+                        // 60 ms together: tests see progress before the result.
                         std::this_thread::sleep_for(std::chrono::milliseconds(2));
                     }
                     TerrainEstimate e = request.arm.empty() ? stepEstimate() : probedEstimate();

@@ -11,7 +11,6 @@
 #include <mutex>
 #include <optional>
 #include <stdexcept>
-#include <thread>
 #include <variant>
 #include <vector>
 
@@ -21,6 +20,7 @@
 #include "core/base/message.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "tests/support/held_estimate.h"
 #include "tests/support/messages.h"
 #include "tests/support/scripted_source.h"
 
@@ -59,9 +59,7 @@ struct Bench : testing::Test {
             asked = request;
         }
         ++estimates;
-        const auto waits = [&] { return blocked || (secondBlocked && !request.prober); };
-        while (waits() && !watch.cancelled())
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        waitWhile([&] { return blocked || (secondBlocked && !request.prober); }, watch);
         if (watch.cancelled()) throw Cancelled{};
         if (broken) throw std::runtime_error("the covariance is not positive definite");
         TerrainEstimate e = clear               ? clearEstimate()
@@ -135,7 +133,12 @@ struct Bench : testing::Test {
         return static_cast<int>(std::count_if(
             all.begin(), all.end(), [](const Command& c) { return std::holds_alternative<C>(c); }));
     }
-    ~Bench() override { workerHeld = false; }
+    ~Bench() override { releaseWorker(); }
+    void releaseWorker()
+    {
+        workerHeld = false;
+        workerHeld.notify_all();
+    }
 
     /// Lets the blocked estimate end and waits until its answer is queued for this thread, not yet delivered. The
     /// worker stays held while workerHeld is set.
@@ -147,7 +150,7 @@ struct Bench : testing::Test {
             worker.get(), &EstimatorWorker::estimated, worker.get(),
             [this, queued] {
                 queued->set_value();
-                while (workerHeld) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                workerHeld.wait(true);
             },
             static_cast<Qt::ConnectionType>(Qt::DirectConnection | Qt::SingleShotConnection));
         blocked = false;

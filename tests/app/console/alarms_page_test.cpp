@@ -41,7 +41,7 @@ TEST_F(Pages, lostLinkSoundsOnceOpensTheAlarmsAndIsAcknowledged)
     EXPECT_TRUE(eventually([&] {
         return window->header()->alarmsButton()->text() == QString::fromUtf8("▲ alarms: 2");
     }));
-    QTest::qWait(300);
+    QTest::qWait(300);  // waits for an event that must not come
     EXPECT_EQ(sounds, 1) << "bus and link at once";
     QTest::mouseClick(window->header()->alarmsButton(), Qt::LeftButton);
     EXPECT_EQ(window->rail()->chosen(), window->rail()->pageOf(Qt::Key_F4));

@@ -110,11 +110,11 @@ TEST_F(BusConsole, takesTwoActionsToArmAndNothingMovesBefore)
         QStringLiteral("✔ telemetry is live\n✘ not armed")));
     EXPECT_FALSE(window->drivePad()->forwardButton()->isEnabled());
     EXPECT_FALSE(window->atemPanel()->requestButton()->isEnabled());
-    QTest::qWait(400);
+    QTest::qWait(400);  // waits for the robot's ten heartbeats
     QTest::keyClick(window.get(), Qt::Key_M);
     ASSERT_TRUE(eventually([&] { return arming() == ArmingPhase::Confirming; }));
     QTest::keyClick(window.get(), Qt::Key_M);  // shorter than the hold time
-    QTest::qWait(300);
+    QTest::qWait(300);                         // waits for an event that must not come
     EXPECT_NE(arming(), ArmingPhase::Armed);
     ASSERT_TRUE(confirmsArming(*window));
     EXPECT_TRUE(eventually([&] { return window->drivePad()->forwardButton()->isEnabled(); }));

@@ -52,7 +52,7 @@ TEST_F(BusConsole, reviewShowsOverridesAndTelemetryGaps)
     exploration.overrideWarnings();
     ASSERT_TRUE(inSomeGo([&] { return armsOnce() && exploresAndProbes(); }));
     tilted.stage({.roll = 0.2, .isMute = true});
-    QTest::qWait(static_cast<int>(1000.0 * kMaxSilence) + 300);
+    QTest::qWait(static_cast<int>(1000.0 * kMaxSilence) + 300);  // longer than a gap that withholds
     tilted.stage({.roll = 0.2});
     const auto isWithheld = [&] {
         const auto verdict = exploration.estimation().verdict();

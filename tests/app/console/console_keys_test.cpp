@@ -235,7 +235,7 @@ TEST_F(Console, keysActOnlyOnVisibleControls)
     QTest::keyClick(window.get(), Qt::Key_F7);
     for (const Qt::Key key : {Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_A, Qt::Key_W})
         QTest::keyPress(window.get(), key);
-    QTest::qWait(100);
+    QTest::qWait(100);  // waits for an event that must not come
     EXPECT_EQ(window->exploration().options().stepLimit, limit);
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::Idle);
     EXPECT_TRUE(robotIs(RobotActivity::Halted));
@@ -246,7 +246,7 @@ TEST_F(Console, keysActOnlyOnVisibleControls)
     const quint64 asked = window->exploration().proposal()->id;
     for (const Qt::Key key : {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_N})
         QTest::keyClick(window.get(), key);
-    QTest::qWait(100);
+    QTest::qWait(100);  // waits for an event that must not come
     ASSERT_TRUE(window->exploration().proposal());
     EXPECT_EQ(window->exploration().proposal()->id, asked);
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe);
@@ -268,7 +268,7 @@ TEST_F(Console, coveredProposalCanBeRefusedButNotApproved)
         eventually([&] { return says("unless approved: close the window that covers it"); }));
     EXPECT_FALSE(says("F2 shows the question"));
     QTest::keyPress(window.get(), Qt::Key_Space);
-    QTest::qWait(500);
+    QTest::qWait(500);  // longer than the hold time
     QTest::keyRelease(window.get(), Qt::Key_Space);
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe);
     QTest::keyClick(window.get(), Qt::Key_N);

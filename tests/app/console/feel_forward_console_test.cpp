@@ -83,7 +83,7 @@ TEST_F(FeelForwardConsole, goesOnThroughTheGateWhileItsKeyIsHeld)
     EXPECT_TRUE(eventually(
         [&] { return robotDoes(RobotActivity::Halted) || robotDoes(RobotActivity::Pressed); }));
     const double halted = way();
-    QTest::qWait(500);
+    QTest::qWait(500);  // waits for an event that must not come
     EXPECT_EQ(way(), halted);
     EXPECT_FALSE(state().loops);
 }
@@ -100,7 +100,7 @@ TEST_F(FeelForwardConsole, aLoopThatEndedNeedsANewPress)
         sendKey(QEvent::KeyPress, false);
     }
     EXPECT_FALSE(button()->isHeld());
-    QTest::qWait(200);
+    QTest::qWait(200);  // waits for an event that must not come
     EXPECT_FALSE(state().loops);
     EXPECT_EQ(window->events()->count(), events);
 }

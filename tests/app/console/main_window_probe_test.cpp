@@ -7,7 +7,6 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <atomic>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "tests/support/console_bench.h"
 #include "tests/support/estimates.h"
 #include "tests/support/gui.h"
+#include "tests/support/held_estimate.h"
 #include "widgets/base/held_button.h"
 #include "widgets/base/navigation_rail.h"
 #include "widgets/base/theme.h"
@@ -152,13 +152,12 @@ TEST_F(Console, theVerdictFollowsTheLimitAndTheProbeThatIsChosen)
 TEST_F(Console, railShowsExplorationPhaseOnOtherPages)
 {
     answerTime = 300.0;
-    std::atomic<bool> mayEstimate = false;
-    open(fastRobot(robot, 2.1), [&mayEstimate] {
+    std::atomic<bool> held = true;
+    open(fastRobot(robot, 2.1), [&held] {
         LoadedModel model = madeUp();
-        model.estimate = [&mayEstimate, estimate = model.estimate](const EstimateRequest& request,
-                                                                   const Watch& watch) {
-            while (!mayEstimate && !watch.cancelled())
-                std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        model.estimate = [&held, estimate = model.estimate](const EstimateRequest& request,
+                                                            const Watch& watch) {
+            waitWhile([&held] { return held.load(); }, watch);
             return estimate(request, watch);
         };
         return Result<LoadedModel>(std::move(model));
@@ -180,7 +179,7 @@ TEST_F(Console, railShowsExplorationPhaseOnOtherPages)
     EXPECT_EQ(terrain.text(), plain) << "the card says it";
     QTest::keyClick(window.get(), Qt::Key_F3);
     tells("estimating");
-    mayEstimate = true;
+    held = false;
     tells("arm\\? [0-9]:[0-9]{2}");
     QTest::keyClick(window.get(), Qt::Key_F2);
     ASSERT_TRUE(eventually([&] { return window->probeCard()->shown().has_value(); }));

@@ -136,7 +136,7 @@ TEST_F(Console, errorsAreShownWhenTheEventListIsHidden)
     ASSERT_TRUE(readyToExplore());
     source->setDeaf(true);
     window->exploration().drive(+1);
-    QTest::qWait(100);
+    QTest::qWait(100);  // waits for an event that must not come
     EXPECT_FALSE(says("command not sent")) << "it stands in the list";
     QTest::keyClick(window.get(), Qt::Key_F3);
     window->exploration().drive(+1);
@@ -164,7 +164,7 @@ TEST_F(Console, deleteClearsTheEstimateAfterStop)
     QTest::keyRelease(window.get(), Qt::Key_R);
     ASSERT_TRUE(window->exploration().estimation().estimate());
     QTest::keyClick(window.get(), Qt::Key_Escape);
-    QTest::qWait(100);
+    QTest::qWait(100);  // waits for an event that must not come
     EXPECT_TRUE(window->exploration().estimation().estimate()) << "nothing runs that Esc could end";
     QTest::keyClick(window.get(), Qt::Key_Delete);
     EXPECT_TRUE(eventually([&] { return !window->exploration().estimation().estimate(); }));

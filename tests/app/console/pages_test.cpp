@@ -31,10 +31,10 @@ TEST_F(Pages, signalsLiveAndGoStale)
     open();
     QTest::keyClick(window.get(), Qt::Key_F5);
     ASSERT_TRUE(eventually([&] { return valueOf("Pitch") != "no such signal"; }));
-    QTest::qWait(2500);
-    picture("signals");
     EXPECT_TRUE(eventually([&] { return valueOf("Pitch") != "--"; }));
-    EXPECT_TRUE(window->signalsPage()->headline().contains("of 500 kbit/s"));
+    EXPECT_TRUE(
+        eventually([&] { return window->signalsPage()->headline().contains("of 500 kbit/s"); }));
+    picture("signals");
     EXPECT_TRUE(window->signalsPage()->headline().contains("can0 works"));
     EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     robot.reset();
@@ -103,7 +103,8 @@ TEST_F(Pages, diagnosticsCanBeCopied)
     open();
     EXPECT_TRUE(window->diagnosticsPage()->text().contains("panel: --"));
     QTest::keyClick(window.get(), Qt::Key_F8);
-    QTest::qWait(1500);
+    EXPECT_TRUE(eventually(
+        [&] { return window->diagnosticsPage()->text().contains("telemetry to screen: half ≤"); }));
     picture("diagnostics");
     EXPECT_EQ(gui::cutWhenSettled(*window), std::vector<std::string>());
     QTest::mouseClick(window->diagnosticsPage()->copyButton(), Qt::LeftButton);

@@ -118,25 +118,27 @@ TEST_F(PanelConsole, approvalNeedsTheHoldWhileTheProposalIsVisible)
     push(PanelContact::Atem);
     board.close(PanelContact::Approve, true);  // pressed before the proposal
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
-    QTest::qWait(2000);
+    QTest::qWait(2000);  // longer than the hold; the approval must not come
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe)
         << "nobody had seen the question";
     board.close(PanelContact::Approve, false);
     QTest::qWait(100);
     push(PanelContact::Approve);
     QTest::qWait(100);  // longer than contact bounce, which would hide the press
-    EXPECT_TRUE(window->events()->item(0)->text().contains("held for 1.5 s"));
+    EXPECT_TRUE(
+        eventually([&] { return window->events()->item(0)->text().contains("held for 1.5 s"); }));
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe) << "too short";
 
     window->rail()->choose(window->rail()->pageOf(Qt::Key_F7));
     board.close(PanelContact::Approve, true);
-    QTest::qWait(2000);
+    EXPECT_TRUE(eventually([&] {
+        return window->events()->item(0)->text().contains("not on the screen");
+    })) << window->events()->item(0)->text().toStdString();
+    QTest::qWait(2000);  // longer than the hold; the approval must not come
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe)
         << "another page is seen";
-    EXPECT_TRUE(window->events()->item(0)->text().contains("not on the screen"))
-        << window->events()->item(0)->text().toStdString();
     window->rail()->choose(0);
-    QTest::qWait(2000);
+    QTest::qWait(2000);  // longer than the hold; the approval must not come
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::ProposingProbe) << "pressed before";
     board.close(PanelContact::Approve, false);
     QTest::qWait(100);
@@ -195,11 +197,11 @@ TEST_F(PanelConsole, stopLatchesUntilPanelAndWindowReleaseIt)
     board.close(PanelContact::Stop, false);
     ASSERT_TRUE(reaches(AtemPhase::Stopped));
     QTest::keyPress(window.get(), Qt::Key_R);
-    QTest::qWait(400);
+    QTest::qWait(400);  // longer than the hold time
     QTest::keyRelease(window.get(), Qt::Key_R);
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::Stopped) << "it is still pressed";
     board.close(PanelContact::Stop, true);
-    QTest::qWait(200);
+    QTest::qWait(200);  // waits for an event that must not come
     EXPECT_EQ(window->exploration().state().phase, AtemPhase::Stopped) << "it releases nothing";
     QTest::keyPress(window.get(), Qt::Key_R);
     EXPECT_TRUE(reaches(AtemPhase::Idle));
@@ -211,7 +213,7 @@ TEST_F(PanelConsole, stopThatIsPressedFromTheStartForbidsToDrive)
     board.close(PanelContact::Stop, false);
     openSimulated();
     ASSERT_TRUE(eventually([&] { return window->exploration().linkAlive(); }));
-    QTest::qWait(200);
+    QTest::qWait(200);  // waits for an event that must not come
     EXPECT_FALSE(window->drivePad()->forwardButton()->isEnabled());
     board.close(PanelContact::Stop, true);
     EXPECT_TRUE(eventually([&] { return window->drivePad()->forwardButton()->isEnabled(); }));
@@ -359,7 +361,7 @@ TEST_F(PanelConsole, robotOnABusIsDisarmedWithThePanel)
     board.close(PanelContact::Stop, false);
     show(std::move(o));
     ASSERT_TRUE(eventually([&] { return !whyNotArming(window->link()->view()); }));
-    QTest::qWait(100);
+    QTest::qWait(100);  // waits for an event that must not come
     EXPECT_FALSE(window->header()->arming()->armButton()->isEnabled()) << "STOP is pressed";
     board.close(PanelContact::Stop, true);
     window->header()->arming()->confirmButton()->setHoldTime(100);
@@ -376,9 +378,9 @@ TEST_F(PanelConsole, robotOnABusIsDisarmedWithThePanel)
     ASSERT_TRUE(eventually([&] { return board.lit(1); })) << "armed";
     board.unplug();
     EXPECT_TRUE(eventually([&] { return phase() == ArmingPhase::Disarmed; }));
-    QTest::qWait(300);
+    QTest::qWait(300);  // lets frames on their way arrive
     const std::uint64_t heartbeats = window->link()->view().frames.sent;
-    QTest::qWait(500);
+    QTest::qWait(500);  // a rate by the real clock
     EXPECT_LE(window->link()->view().frames.sent - heartbeats, 4U)
         << "without the panel there is no heartbeat, only STOP until the robot has confirmed it";
     window.reset();

@@ -60,7 +60,7 @@ TEST_F(Console, everyPageShowsTheApprovalExpiryOfAProposal)
     EXPECT_TRUE(eventually([&] { return terrain.text() == plain; }))
         << terrain.text().toStdString();
     QTest::keyClick(window.get(), Qt::Key_F3);
-    QTest::qWait(100);
+    QTest::qWait(100);  // waits for an event that must not come
     EXPECT_FALSE(says("not answered in time")) << "it was answered";
 }
 
@@ -79,7 +79,7 @@ TEST_F(Console, expiredProposalIsShownUntilTerrainPageOpens)
     QTest::keyClick(window.get(), Qt::Key_F2);
     EXPECT_TRUE(eventually([&] { return !says("The probe was not answered in time"); }));
     QTest::keyClick(window.get(), Qt::Key_F3);
-    QTest::qWait(100);
+    QTest::qWait(100);  // waits for an event that must not come
     EXPECT_FALSE(says("not answered in time")) << "it has been seen";
 }
 

@@ -10,10 +10,8 @@
 #include <QRegularExpression>
 #include <QScrollBar>
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 #include <map>
-#include <thread>
 
 #include "app/display/format.h"
 #include "app/runtime/resources.h"
@@ -23,6 +21,7 @@
 #include "tests/app/console/screens_texts.h"
 #include "tests/support/arming.h"
 #include "tests/support/gui.h"
+#include "tests/support/held_estimate.h"
 #include "tests/support/sessions.h"
 #include "tests/support/toy_model.h"
 #include "widgets/base/held_button.h"
@@ -35,7 +34,6 @@
 namespace terratact {
 namespace {
 
-using namespace std::chrono_literals;
 using gui::eventually;
 
 constexpr double kSpeed = 10.0;   // simulated seconds per second
@@ -247,11 +245,8 @@ ModelLoader Screens::altered()
         LoadedModel changed = *loaded;
         changed.estimate = [this, estimate = changed.estimate](const EstimateRequest& request,
                                                                const Watch& watch) {
-            while (holdsEstimates) {
-                stopIfCancelled(watch);
-                watch.progress(0.4);
-                std::this_thread::sleep_for(2ms);
-            }
+            if (holdsEstimates) watch.progress(0.4);
+            waitWhile([this] { return holdsEstimates.load(); }, watch);
             TwoTrackEstimate made = estimate(request, watch);
             const std::scoped_lock lock(mutex_);
             for (TerrainEstimate& side : made.side)

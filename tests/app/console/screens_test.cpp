@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
-#include <thread>
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
@@ -32,7 +31,6 @@
 
 namespace terratact {
 
-using namespace std::chrono_literals;
 using gui::eventually;
 
 namespace {
@@ -73,12 +71,13 @@ TEST_F(Screens, start)
 
         std::atomic<bool> go = false;
         open({.model = [&] {
-            while (!go) std::this_thread::sleep_for(5ms);
+            go.wait(false);
             return shipped();
         }});
         picture("model_loading", {MainWindow::tr("model loading …"),
                                   Exploration::tr("No estimate yet: the model is being loaded")});
         go = true;
+        go.notify_all();
         ArmingControl& arming = *console->header()->arming();
         ASSERT_TRUE(eventually([&] { return arming.armButton()->isEnabled(); }));
         picture("not_armed",

@@ -30,7 +30,7 @@ TEST(SessionRetention, closesAndReportsSessionsOfADeadProgram)
     QObject::connect(&house, &SessionRetention::news, &house, [&] {
         for (const Message& sentence : house.consumeNews()) told << translated(sentence);
     });
-    QTest::qWait(100);
+    QTest::qWait(100);  // waits for an event that must not come
     EXPECT_FALSE(SessionReader::open(path)->sealed()) << "nothing before the window is there";
     house.start();
     ASSERT_TRUE(eventually([&] { return !told.isEmpty(); }));
@@ -55,7 +55,7 @@ TEST(SessionRetention, appliesANewLimitAfterTheGracePeriod)
     });
     house.setLimits(small);
     house.setLimits(any);  // a mistake that is undone in time
-    QTest::qWait(900);
+    QTest::qWait(900);     // three times the grace; the deletion must not come
     EXPECT_TRUE(std::filesystem::exists(path));
     house.setLimits(small);
     ASSERT_TRUE(eventually([&] { return !told.isEmpty(); }));
@@ -95,7 +95,7 @@ TEST(SessionRetention, aLimitThatIsTakenBackDeletesNothingFromThenOn)
     SessionRetention house(sessionsIn(folder), folder, {.gigabytes = 1e-9, .confirmed = true});
     house.setLimits({.days = 1.0, .confirmed = true});  // the stricter limit of the two
     house.start();
-    QTest::qWait(500);
+    QTest::qWait(500);  // waits for an event that must not come
     EXPECT_TRUE(std::filesystem::exists(path)) << "although the grace has hardly begun";
 }
 

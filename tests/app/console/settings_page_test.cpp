@@ -214,7 +214,7 @@ TEST_F(SettingsInForce, aModelThatCannotBeLoadedLeavesTheOneInUse)
 {
     ASSERT_TRUE(eventually([&] { return page().modelCard().contains("fake.ttm"); }));
     window->preferences().change([](Preferences& p) { p.model = "/no/such.ttm"; });
-    QTest::qWait(300);
+    QTest::qWait(300);  // waits for an event that must not come
     EXPECT_TRUE(window->modelTrouble().isEmpty());
     EXPECT_TRUE(eventually([&] { return page().modelCard().contains("fake.ttm"); }));
 }

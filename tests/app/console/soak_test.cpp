@@ -63,7 +63,7 @@ public:
                       bus.put({.id = 0x100 + static_cast<std::uint32_t>(sent % 200),
                                .length = 8,
                                .data = {static_cast<std::uint8_t>(sent)}});
-                  std::this_thread::sleep_for(1ms);
+                  std::this_thread::sleep_for(1ms);  // the load is a rate of the real clock
               }
           })
     {

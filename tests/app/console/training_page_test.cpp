@@ -201,7 +201,7 @@ TEST_F(TrainingConsole, trainsComparesAndAdopts)
     EXPECT_TRUE(page->reason()->text().contains("exploration is running"));
     tips.poll(*page);
     QTest::mousePress(page->adoptButton(), Qt::LeftButton);
-    QTest::qWait(300);
+    QTest::qWait(300);  // waits for an event that must not come
     QTest::mouseRelease(page->adoptButton(), Qt::LeftButton);
     EXPECT_EQ(modelInUse(), "old.ttm");
     page->setFocus();

@@ -65,7 +65,7 @@ struct Gate {
                     throw Cancelled{};
                 }
                 watch.progress(0.5);
-                std::this_thread::sleep_for(1ms);
+                std::this_thread::sleep_for(1ms);  // a watch can only be asked
             }
             TerrainEstimate e = stepEstimate();
             e.settings = request.settings;
@@ -234,18 +234,18 @@ TEST(Worker, endsSamplingAtTheTimeLimit)
 {
     std::atomic<int> limited = 0, ended = 0;
     EstimatorWorker worker([&] {
-        return Result<LoadedModel>(LoadedModel{.estimate =
-                                                   [&](const EstimateRequest&, const Watch& watch) {
-                                                       if (watch.outOfTime) ++limited;
-                                                       for (int i = 0;
-                                                            i < 20'000 && watch.outOfTime; ++i) {
-                                                           if (watch.outOfTime() && ++ended) break;
-                                                           std::this_thread::sleep_for(1ms);
-                                                       }
-                                                       return equalSides(stepEstimate());
-                                                   },
-                                               .name = "fake.ttm",
-                                               .details = {}});
+        return Result<LoadedModel>(
+            LoadedModel{.estimate =
+                            [&](const EstimateRequest&, const Watch& watch) {
+                                if (watch.outOfTime) ++limited;
+                                for (int i = 0; i < 20'000 && watch.outOfTime; ++i) {
+                                    if (watch.outOfTime() && ++ended) break;
+                                    std::this_thread::sleep_for(1ms);  // a watch can only be asked
+                                }
+                                return equalSides(stepEstimate());
+                            },
+                        .name = "fake.ttm",
+                        .details = {}});
     });
     Listener heard(worker);
     worker.start();

@@ -23,7 +23,7 @@ TEST_F(Bench, estimateKeepsItsProbeAdviceAfterStop)
     exploration->stop();
     tick();
     EXPECT_EQ(phase(), AtemPhase::Stopped);
-    workerHeld = false;
+    releaseWorker();
     EXPECT_TRUE(gui::eventually([this] { return exploration->bestProbe().has_value(); }));
     EXPECT_FALSE(exploration->proposal());
 }
@@ -48,7 +48,7 @@ TEST_F(WaitingForAdvice, doesNotWaitForTheSecondMethod)
     secondBlocked = true;
     ASSERT_NO_FATAL_FAILURE(wait());
     exploration->setStepLimit(0.3);
-    workerHeld = false;
+    releaseWorker();
     ASSERT_TRUE(reaches(AtemPhase::ProposingProbe))
         << describe(exploration->state().failure).english;
     EXPECT_EQ(exploration->proposal()->stepLimit, 0.3);
@@ -73,7 +73,7 @@ TEST_F(WaitingForAdvice, recordsTheEstimateThatStopEnds)
         ASSERT_NO_FATAL_FAILURE(wait());
         exploration->stop();
         tick();
-        workerHeld = false;
+        releaseWorker();
         ASSERT_EQ(phase(), AtemPhase::Stopped);
         ASSERT_TRUE(exploration->estimation().estimate()) << "it is on the screen";
         ASSERT_TRUE(settles());

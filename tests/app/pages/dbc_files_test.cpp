@@ -107,7 +107,7 @@ TEST_F(ForeignFramesOnThePage, closingWaitsForAtMostOneDbcFile)
         window->preferences().change([this](Preferences& p) { p.dbc = {file("clash.dbc")}; });
     QTest::qWait(300);
     const std::jthread lets([&] {
-        std::this_thread::sleep_for(500ms);
+        std::this_thread::sleep_for(500ms);  // the kernel does not tell when the reader blocks
         first.letGo();
     });
     const double began = steadyNow();

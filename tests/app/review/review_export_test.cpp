@@ -42,19 +42,19 @@ TEST_F(ReviewOf, whatIsShownIsExported)
     terrain.setFixedSize(800, 400);
     for (const Qt::Key theme : {Qt::Key_6, Qt::Key_4})  // fits the font to the remaining room
         QTest::keyClick(window.get(), theme, Qt::ControlModifier);
-    QTest::qWait(50);
+    gui::settle(terrain);
     EXPECT_TRUE(savePicture(terrain, day).isEmpty());
     for (const ThemeName dark : {ThemeName::NightRed, ThemeName::HighContrast}) {
         QTest::keyClick(window.get(), dark == ThemeName::NightRed ? Qt::Key_5 : Qt::Key_6,
                         Qt::ControlModifier);
         ASSERT_EQ(lookInForce().theme, dark);
-        QTest::qWait(50);
+        gui::settle(terrain);
         const QImage shown = gui::painted(terrain);
         const QString to = QString::fromStdString(directory.file("dark.png"));
         EXPECT_TRUE(savePicture(terrain, to).isEmpty());
         EXPECT_EQ(QImage(to), QImage(day)) << "paper is white";
         EXPECT_EQ(lookInForce().theme, dark);
-        QTest::qWait(50);
+        gui::settle(terrain);
         EXPECT_EQ(gui::painted(terrain), shown);
     }
     QTest::keyClick(window.get(), Qt::Key_4, Qt::ControlModifier);

@@ -58,7 +58,8 @@ TEST(ParallelFor, takesNoMoreThreadsThanItMayUse)
     std::mutex mutex;
     std::set<std::thread::id> threads;
     parallelFor(20, [&](int) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));  // lets other threads interleave
+        std::this_thread::sleep_for(
+            std::chrono::milliseconds(1));  // a wrong second thread gets a turn
         const std::scoped_lock lock(mutex);
         threads.insert(std::this_thread::get_id());
     });

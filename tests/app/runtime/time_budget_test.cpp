@@ -2,30 +2,40 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <thread>
-
 namespace terratact {
 namespace {
 
-using namespace std::chrono_literals;
-
 TEST(TimeBudget, beginsWhenItIsFirstAsked)
 {
-    const Watch watch = endingAfter(0.2);
-    std::this_thread::sleep_for(250ms);  // one-time preparation of a model
+    double now = 100.0;
+    const Watch watch = endingAfter(0.2, [&now] { return now; });
+    now += 5.0;  // one-time preparation of a model
     EXPECT_FALSE(watch.outOfTime());
-    std::this_thread::sleep_for(250ms);
+    now += 0.19;
+    EXPECT_FALSE(watch.outOfTime());
+    now += 0.02;
     EXPECT_TRUE(watch.outOfTime());
 }
 
 TEST(TimeBudget, isSharedByCopiesOfTheWatch)
 {
-    const Watch watch = endingAfter(0.2);
+    double now = 100.0;
+    const Watch watch = endingAfter(0.2, [&now] { return now; });
     const Watch copy = watch;
     EXPECT_FALSE(watch.outOfTime());
-    std::this_thread::sleep_for(250ms);
+    now += 0.25;
     EXPECT_TRUE(copy.outOfTime());
+}
+
+TEST(TimeBudget, followsTheSteadyClock)
+{
+    const Watch watch = endingAfter(1e-9);
+    (void)watch.outOfTime();
+    const double begun = steadyNow();
+    while (steadyNow() <= begun) {
+    }
+    EXPECT_TRUE(watch.outOfTime());
+    EXPECT_FALSE(endingAfter(1e6).outOfTime());
 }
 
 TEST(TimeBudget, ofZeroSecondsIsNone)

@@ -129,11 +129,10 @@ TEST(LettersOfTables, resizeRowsAndColumnsOfExistingTables)
     for (QWidget* shown : std::initializer_list<QWidget*>{&trace, &table, &alarms}) shown->show();
     const auto before = sizes();
     applyLook(*qApp, ThemeName::Day, 200);
-    QTest::qWait(50);
-    const auto after = sizes();
-    applyLook(*qApp);
+    const auto grew = [&](std::size_t i) { return sizes()[i] > 1.5 * before[i]; };
     for (std::size_t i = 0; i < before.size(); ++i)
-        EXPECT_GT(after[i], 1.5 * before[i]) << i << ": " << before[i];
+        EXPECT_TRUE(gui::eventually([&] { return grew(i); })) << i << ": " << before[i];
+    applyLook(*qApp);
 }
 
 /// Returns the final font scale of a window and the number of trials.
