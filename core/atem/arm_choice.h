@@ -27,10 +27,10 @@ std::optional<int> proposeProbe(const TerrainEstimate& estimate, const RobotMode
 /// docs/evaluation.md.
 std::optional<int> chooseProbe(const TerrainEstimate& estimate, const RobotModel& robot);
 
-/// Return the same for an estimate of both sides: the place with the largest sd of both sides, and the
-/// place whose reading is expected to reduce the sum of all variances of both sides most. The arm
-/// reaches a side's bin if it reaches its line (RobotModel::armReaches). An estimate of one plane has
-/// the choice above, in the middle.
+/// Return the same for an estimate of both sides. The first is the place with the largest sd of both
+/// sides. The second is the place whose reading is expected to reduce the sum of all variances most.
+/// The arm reaches a side's bin if it reaches its line (RobotModel::armReaches). An estimate of one
+/// plane has the choice above, in the middle.
 std::optional<ProbePlace> proposeProbe(const TwoTrackEstimate& estimate, const RobotModel& robot);
 std::optional<ProbePlace> chooseProbe(const TwoTrackEstimate& estimate, const RobotModel& robot);
 

@@ -14,11 +14,10 @@ struct SceneContact {
     CloudCorrection correction{};  ///< positive offset: the cloud lies too low
 };
 
-/// Returns the correction that lets the robot rest on the cloud: each side's tracks and flippers touch it in front of
-/// and behind the centre of mass, and are nowhere inside it. Of each side the gap between robot and cloud has a
-/// line below it that touches it there. It is raised by 0.6 sd of its cells, because the least of noisy gaps is
-/// too small.
-/// Empty if one side has fewer than five known cells in front of or behind the centre of mass.
+/// Returns the correction that lets the robot rest on the cloud. Each side's tracks and flippers then touch it in
+/// front of and behind the centre of mass. Nowhere are they inside it. Of each side the gap between robot and cloud
+/// has a line below it that touches it there. It is raised by 0.6 sd of its cells, because the least of noisy gaps is
+/// too small. Empty if one side has fewer than five known cells in front of or behind the centre of mass.
 std::optional<SceneContact> contactAt(const SceneGrid& grid, const RobotModel& robot,
                                       std::size_t place, const TruthRule& rule);
 

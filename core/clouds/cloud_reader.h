@@ -38,7 +38,7 @@ public:
     virtual std::string_view format() const = 0;  ///< "PCD, binary", …
 
     /// Replaces `block` by the next points, which may be none. Returns false after the last. Errors name
-    /// the file, the line or the byte, what was expected and what to do: such as a file that ends before
+    /// the file, the line or the byte, what was expected and what to do. One is a file that ends before
     /// the points that its header declares.
     virtual Result<bool> next(std::vector<CloudPoint>& block) = 0;
 

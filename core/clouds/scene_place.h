@@ -44,14 +44,14 @@ ScenePlace placeOf(const RobotModel& robot, std::size_t row, const TwoTrackReadi
                    const CloudPose& base);
 
 /// Returns y of the middle of a line's strip in the DEM frame [m]: where the part's lower edge lies on a rolled
-/// robot, ±Y cos φ + d sin φ with d the IMU's height above the tracks' lower edge.
+/// robot. It is ±Y cos φ + d sin φ; d: the IMU's height above the tracks' lower edge.
 double lineY(const RobotModel& robot, TruthLine line, double roll);
 
 /// Returns half of the strip's width [m]: that of the part, at least 2 cm.
 double lineHalfWidth(const RobotModel& robot, TruthLine line);
 
-/// Returns the lower boundary of the part above a line at x in the DEM frame: the track, or the front and rear
-/// flipper; +infinity where there is none.
+/// Returns the lower boundary of the part above a line at x in the DEM frame. The part is the track, or the
+/// front or rear flipper; +infinity where there is none.
 double partAbove(const RobotModel& robot, const TwoTrackReadings& s, TruthLine line, double x);
 
 /// Returns x of the robot's centre of mass in the DEM frame [m].

@@ -6,13 +6,13 @@
 namespace terratact {
 
 /// Estimates both sides of one scene by settings.method, Joint or Local. A scene that is symmetric
-/// within its sensors' noise (isSymmetric) is estimated as one plane from the means of both sides,
-/// unless the arm measured something; TwoTrackEstimate::onePlane tells. Otherwise models.sides
-/// estimates it. Any current or force may be missing, of one side or both: the processes are then
-/// trained without it (reduced_clearances.h), and the bands widen.
-/// Throws RefusedInput if the model has no two-track part and the scene needs it, and for a
-/// differential that has turned: features describe a locked one. Throws std::invalid_argument for
-/// another method and for settings out of range. Throws Cancelled.
+/// within its sensors' noise (isSymmetric) is estimated as one plane, from the means of both sides.
+/// That is not so if the arm measured something; TwoTrackEstimate::onePlane tells. Otherwise
+/// models.sides estimates it. Any current or force may be missing, of one side or both: the
+/// processes are then trained without it (reduced_clearances.h), and the bands widen. Throws
+/// RefusedInput if the model has no two-track part and the scene needs it, and for a differential
+/// that has turned: features describe a locked one. Throws std::invalid_argument for another method
+/// and for settings out of range. Throws Cancelled.
 TwoTrackEstimate estimateTwoTracks(const TwoTrackReadings& s, const SideArms& arms,
                                    const RobotModel& robot, const Models& models,
                                    const Settings& settings, const Watch& watch = {});
@@ -22,17 +22,17 @@ TwoTrackEstimate estimateTwoTracks(const TwoTrackReadings& s, const SideArms& ar
 bool hasSides(const Measurement& line);
 
 /// Returns true if estimateMeasured() may estimate both sides of such a line by this method, with a
-/// model of two tracks: hasSides(), Joint, Local or Clearance, and a differential that has not turned.
-/// Clearance estimates each side for itself (each_side.h). The paper's four gain little by that
-/// (docs/two_tracks.md), and stay with one plane.
+/// model of two tracks. That takes hasSides(), a method Joint, Local or Clearance, and a differential
+/// that has not turned. Clearance estimates each side for itself (each_side.h). The paper's four gain
+/// little by that (docs/two_tracks.md), and stay with one plane.
 bool allowsBothSides(const Measurement& line, Method method);
 
-/// Estimates a line of telemetry: both sides if the model has a part of two tracks, allowsBothSides()
-/// holds, and the scene is not symmetric within its sensors' noise. A reading of the arm on a side
-/// makes a symmetric scene one of both sides. Otherwise it is estimated as one plane by
-/// estimateTerrain() with warnIfNotPlanar(); sides do not count there. A scene that only its method or
-/// its differential makes one plane gets a warning. Both sides ignore a reading in the middle, which
-/// is of neither line, and say so in a warning. Throws as estimateTerrain().
+/// Estimates a line of telemetry. Both sides are estimated on three conditions. The model has a part
+/// of two tracks, allowsBothSides() holds, and the scene is not symmetric within its sensors' noise. A
+/// reading of the arm on a side makes a symmetric scene one of both sides. Otherwise it is estimated
+/// as one plane by estimateTerrain() with warnIfNotPlanar(); sides do not count there. A scene that
+/// only its method or its differential makes one plane gets a warning. Both sides ignore a reading in
+/// the middle, which is of neither line, and say so in a warning. Throws as estimateTerrain().
 TwoTrackEstimate estimateMeasured(const Measurement& line, std::span<const ArmReading> readings,
                                   const RobotModel& robot, const Models& models,
                                   const Settings& settings, const Watch& watch = {});

@@ -14,8 +14,8 @@ void requireFinite(const SceneRow& row);
 void requireFinite(const EstimateRow& row);
 void requireFinite(const ProposalRow& row);
 
-/// Requires that both sides have the same settings and the same number of draws, and that they are
-/// equal in an estimate of one plane. The exception names the estimate.
+/// Requires that both sides have the same settings and the same number of draws. In an estimate of
+/// one plane the sides must be equal. The exception names the estimate.
 void requireSides(const EstimateRow& row);
 
 /// Requires an id larger than the last one, and makes it the last one.

@@ -36,8 +36,8 @@ public:
 
     // Add rows. Texts are cut after kMaxTextBytes; events get their numbers here. They throw
     // std::invalid_argument and change nothing in four cases. An id is not larger than all earlier
-    // ids of its kind, a row refers to one that was not added, a number is not finite, or the sides
-    // of an estimate contradict each other (EstimateRow).
+    // ids of its kind. A row refers to one that was not added. A number is not finite. The sides of
+    // an estimate contradict each other (EstimateRow).
     Status add(const FrameRow& row);
     Status add(const ModelRow& row);
     Status add(const SceneRow& row);
@@ -78,9 +78,8 @@ inline constexpr int kNotFollowed = ELOOP;
 
 /// Closes a session whose writer died: replays its journal, adds an event at its end and seals it.
 /// evenAlone: also recovers a session whose journal is missing; the journal must then not come
-/// back.
-/// Errors name the file, which stays as it was: it is no session, is damaged, is a symbolic link
-/// (kNotFollowed), its journal is missing, or it cannot be written.
+/// back. Errors name the file, which stays as it was. It is no session, is damaged, or is a
+/// symbolic link (kNotFollowed). Its journal is missing, or it cannot be written.
 Result<SessionRecovery> recoverSession(const std::string& path, bool evenAlone = false);
 
 }  // namespace terratact

@@ -8,10 +8,10 @@
 namespace terratact {
 
 /// Returns a mapping file (TOML) for the topics of a recording, with a comment for each guess and for
-/// what was not found. Guessed are: fields that have the name of a quantity; sensor_msgs/Imu as
-/// attitude; joints of sensor_msgs/JointState by "front", "rear" or "back", "left" and "right" (also fl,
-/// fr, rl, rr) in their names; nav_msgs/Odometry and geometry_msgs/TwistStamped as odometry; a topic of
-/// frames. name: of the mapping.
+/// what was not found. Fields that have the name of a quantity are guessed, and a topic of frames.
+/// sensor_msgs/Imu is taken as attitude, nav_msgs/Odometry and geometry_msgs/TwistStamped as odometry.
+/// Joints of sensor_msgs/JointState are guessed by "front", "rear" or "back", "left" and "right" in
+/// their names (also fl, fr, rl, rr). name: of the mapping.
 std::string proposedMapping(const std::vector<TopicSurvey>& topics, const std::string& name);
 
 }  // namespace terratact

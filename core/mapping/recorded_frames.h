@@ -24,8 +24,8 @@ class RecordedFrames {
 public:
     RecordedFrames(Recording& recording, const FramesSource& source);
 
-    /// Returns the next frame; empty after the last. Errors name the file, the topic and the message: it
-    /// cannot be decoded, lacks id or data, or these are beyond a frame's range.
+    /// Returns the next frame; empty after the last. Errors name the file, the topic and the message. It
+    /// cannot be decoded, lacks id or data, or they are beyond a frame's range.
     Result<std::optional<RecordedFrame>> next();
 
     std::uint64_t falls() const { return falls_; }  ///< frames whose time was raised

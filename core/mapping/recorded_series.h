@@ -39,10 +39,10 @@ struct RecordedSeries {
 };
 
 /// Reads the mapped topics of a recording. `progress` may be empty. Attitude becomes pitch and roll,
-/// poses and speed become way and heading: the way is summed along the forward axis.
-/// Errors name the file, the topic, and what to do: a topic or field is missing that the pose needs, the
-/// transforms lack a frame, the topics' times do not overlap, or more than kMaxSamples values. Values
-/// that are not finite, and optional fields that are missing, are left out with a remark.
+/// poses and speed become way and heading: the way is summed along the forward axis. Errors name the
+/// file, the topic, and what to do. A topic or field is missing that the pose needs, or the transforms
+/// lack a frame. The topics' times do not overlap. There are more than kMaxSamples values. Values that
+/// are not finite, and optional fields that are missing, are left out with a remark.
 Result<RecordedSeries> readSeries(Recording& recording, const Mapping& mapping,
                                   const RobotModel& robot);
 

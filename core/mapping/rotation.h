@@ -18,8 +18,8 @@ Rotation rotationOfAngles(double roll, double pitch, double yaw);
 Rotation product(const Rotation& a, const Rotation& b);
 Rotation transposed(const Rotation& r);
 
-/// Pitch with nose up positive, roll with left side up positive, and heading with left positive [rad] of a
-/// base (x forward, y left, z up) in axes with z up.
+/// Angles [rad] of a base (x forward, y left, z up) in axes with z up. Positive are: pitch with the nose
+/// up, roll with the left side up, heading to the left.
 struct BaseAngles {
     double pitch = 0.0, roll = 0.0, heading = 0.0;
 };

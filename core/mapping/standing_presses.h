@@ -14,10 +14,10 @@ struct TelemetryLine {
     Measurement measurement{};
 };
 
-/// When a robot stood still with flippers pressed. Noise is averaged: it stands still at the end of a
-/// window of `still` seconds if the means of both halves differ by at most maxTurn in pitch, roll and
-/// flipper angles, and its way in the window is at most maxWay. A line presses if the first of these that
-/// the recording knows holds:
+/// When a robot stood still with flippers pressed. Noise is averaged over a window of `still` seconds.
+/// The robot stands still at its end if two conditions hold. The means of both halves differ by at most
+/// maxTurn in pitch, roll and flipper angles. The way in the window is at most maxWay. A line presses if
+/// the first of these that the recording knows holds:
 ///   - the robot says so: its activity is Pressed, or Probing, when its flippers stay pressed;
 ///   - the mean current of the front or of the rear flippers is at least minCurrent;
 ///   - the sum of the mean front forces is at least minForce.
@@ -34,15 +34,15 @@ struct PressRule {
 /// Returns true if the line presses its flippers onto the ground.
 bool presses(const Measurement& measurement, const PressRule& rule);
 
-/// Returns the lines at which a robot stood still with flippers pressed, in the order of time: of each
-/// press and pose the middle of the last window in which it stood still. A press ends with a line that
-/// does not press, or that comes later than `still` after the one before. Within a press there is a new
-/// pose once the mean of a window differs from that of the pose's first window by more than maxTurn or
-/// maxWay. Throws std::invalid_argument if the times of the lines fall.
+/// Returns the lines at which a robot stood still with flippers pressed, in the order of time. Each
+/// press and pose has one line: the middle of the last window in which the robot stood still. A press
+/// ends with a line that does not press, or that comes later than `still` after the one before. A pose
+/// begins with its first window. A new one begins once the mean of a window differs from that by more
+/// than maxTurn or maxWay. Throws std::invalid_argument if the times of the lines fall.
 std::vector<std::size_t> standingPresses(const std::vector<TelemetryLine>& lines,
                                          const PressRule& rule);
 
-/// Returns for each line whether the robot did not stand still in the window that ends with it; the
+/// Returns for each line whether the robot did not stand still in the window that ends with it. The
 /// windows of the first lines are shorter.
 std::vector<bool> movedAt(const std::vector<TelemetryLine>& lines, const PressRule& rule);
 

@@ -36,9 +36,9 @@ using Command = std::variant<StopCommand, ReleaseStopCommand, HaltCommand, Drive
                              PressCommand, ProbeCommand, ArmCommand, BeginAtemCommand,
                              AbortAtemCommand, HoldFlippersCommand, AdvanceCommand>;
 
-/// Returns the safety rank of a command. A rank above 0 can only make a robot safer: the robot
-/// obeys it in any state and any epoch, and the console repeats it until it is sent. A higher rank
-/// includes the effect of every lower one.
+/// Returns the safety rank of a command. A rank above 0 can only make a robot safer. The robot
+/// obeys such a command in any state and any epoch. The console repeats it until it is sent. A
+/// higher rank includes the effect of every lower one.
 inline int safety(const Command& command)
 {
     if (std::holds_alternative<StopCommand>(command)) return 4;

@@ -22,8 +22,8 @@ Proprioception sideReadings(const TwoTrackReadings& s, Side side);
 Proprioception planeReadings(const TwoTrackReadings& s);
 
 /// Returns true if both sides read the same within kSymmetricSd standard deviations of the noise
-/// (core/sim/sensor_noise.h): roll, angles, differential, and the currents and front forces that
-/// both sides have. A reading that one side alone has makes the readings asymmetric.
+/// (core/sim/sensor_noise.h). Compared are roll, angles, differential, and the currents and front
+/// forces that both sides have. A reading that one side alone has makes the readings asymmetric.
 bool isSymmetric(const TwoTrackReadings& s);
 inline constexpr double kSymmetricSd = 3.0;
 

@@ -69,8 +69,8 @@ private:
 };
 
 /// Reads the file's top section with `read`, and refuses keys that `read` did not ask for. Errors
-/// name the file and the cause: it cannot be read, is empty, is larger than 64 KiB, nests too deep
-/// for the parser, is not TOML, or `read` refused it.
+/// name the file and the cause. It cannot be read, is empty, or is larger than 64 KiB. It is not
+/// TOML, or nests too deep for the parser. `read` refused it.
 Status readTomlFile(const std::string& path, const std::function<void(TomlSection&)>& read);
 
 /// Reads the same from a text; errors call it `name`.

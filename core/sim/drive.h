@@ -48,9 +48,9 @@ struct DriveConditions {
 /// … 2.5 cm into flat ground.
 GroundOptions randomSoftGround(std::mt19937_64& rng);
 
-/// Returns the base positions x [m] at which a drive over the terrain stops for a measurement:
-/// every `spacing`, while the robot and its bins stay over the terrain. A terrain that is too short
-/// gives one position, with bin −0.3 on its first point.
+/// Returns the base positions x [m] at which a drive over the terrain stops for a measurement. They
+/// are `spacing` apart, as long as the robot and its bins stay over the terrain. A terrain that is
+/// too short gives one position, with bin −0.3 on its first point.
 std::vector<double> stopsOver(const TerrainProfile& terrain, double spacing);
 /// Returns the same over the x that all lines of a ground cover.
 std::vector<double> stopsOver(const GroundLines& terrain, double spacing);

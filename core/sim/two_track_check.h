@@ -11,13 +11,13 @@
 namespace terratact {
 
 /// Rule of the posterior check of both sides, as PosteriorCheckRule of one plane. The tolerances
-/// refuse 0.51 % of 2768 fault-free scenes over generated ground that differs left and right, and
-/// 1.30 % of 1998 scenes over real ground. The check finds estimates on which no robot could rest so.
-/// It finds few sensor faults, because the estimate follows the faulty reading: 4.4 % of the scenes
-/// with a flipped pitch are refused, 2.2 % with a flipped front flipper, 1.4 % with 10° too much roll,
-/// and no more than without a fault for most others. `terratact-bench-check 2 250` prints these
-/// numbers, and `terratact-bench-check 2 480 PAIRS.csv` those of real ground, with 1.9 and 2.2 poses
-/// for a scene. A pose takes about 0.6 ms.
+/// refuse 0.51 % of 2768 fault-free scenes over generated ground that differs left and right, and 1.30
+/// % of 1998 scenes over real ground. The check finds estimates on which no robot could rest so. It
+/// finds few sensor faults, because the estimate follows the faulty reading. Refused are 4.4 % of the
+/// scenes with a flipped pitch and 2.2 % with a flipped front flipper. With 10° too much roll they are
+/// 1.4 %, and with most other faults no more than without one. `terratact-bench-check 2 250` prints
+/// these numbers, and `terratact-bench-check 2 480 PAIRS.csv` those of real ground, with 1.9 and 2.2
+/// poses for a scene. A pose takes about 0.6 ms.
 struct TwoTrackCheckRule {
     int draws = 24;       ///< most joint draws of the estimate, besides its heights
     double pitch = 0.08;  ///< [rad]

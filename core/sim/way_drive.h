@@ -36,9 +36,9 @@ inline constexpr double kPressingTime = 0.8, kRaisingTime = 0.8;
 ///   time        way along x / kDriveSpeed, plus the durations above
 /// Readings have conditions.noise, and so has the truth unless noise.height is 0. The gap erases
 /// every line in a random interval. Positions without a rest pose have no line; stops with a press
-/// and without a rest pose count in `skipped`.
-/// Throws std::invalid_argument if spacing, slipShare or gap is negative, step is not above 0,
-/// pressShare is not within 0 … 1, or conditions other than noise and ground are set.
+/// and without a rest pose count in `skipped`. Throws std::invalid_argument if spacing, slipShare
+/// or gap is negative, or step is not above 0. It does so, too, if pressShare is not within 0 … 1,
+/// or other conditions than noise and ground are set.
 DriveLines driveWay(const RobotModel& robot, const TerrainProfile& terrain, const std::string& run,
                     const DriveStyle& style, const WayDriveOptions& options,
                     const DriveConditions& conditions, std::mt19937_64& rng, int& skipped);

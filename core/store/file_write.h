@@ -60,8 +60,8 @@ private:
     std::string temporary_;  ///< empty once committed
 };
 
-/// Creates a directory and its parents; does nothing if it exists. Errors name it: also where a part
-/// of the path is a symbolic link that belongs neither to this user nor to root.
+/// Creates a directory and its parents; does nothing if it exists. Errors name it. A part of the
+/// path must not be a symbolic link that belongs neither to this user nor to root.
 Status makeDirectory(const std::string& path, Access access = Access::Everybody);
 
 /// Writes `content` to `path` as NewFile does.

@@ -19,8 +19,8 @@ struct WayLimits {
     double jump = 1.0;             ///< [m] largest way between two lines
 };
 
-/// The way of the robot: dead reckoning between the scenes, corrected at each scene by the ground that it shares with
-/// the scenes before. A break begins a new segment, which has a frame of its own.
+/// The way of the robot, by dead reckoning between the scenes. Each scene corrects it by the ground that it shares
+/// with the scenes before. A break begins a new segment, which has a frame of its own.
 class StripWay {
 public:
     /// Sums since the begin of a segment, up to the last scene that was entered.

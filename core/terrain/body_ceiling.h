@@ -16,10 +16,11 @@ namespace terratact {
 /// finite.
 Heights bodyCeiling(const RobotModel& robot, double pitch, double front, double rear);
 
-/// Returns the ceilings of one side at these readings, with a locked differential: those of the
-/// plane of the side's track for bins −0.3 … 0.2 m, and of the plane of its flippers from 0.3 m on,
-/// like sideHeights() (core/terrain/ground_lines.h). They hold for a robot that fills its width: a
-/// flipper is a ceiling above the track's line too. Throws std::invalid_argument unless finite.
+/// Returns the ceilings of one side at these readings, with a locked differential. For bins −0.3 …
+/// 0.2 m they are those of the plane of the side's track. From 0.3 m on they are those of the plane
+/// of its flippers, like sideHeights() (core/terrain/ground_lines.h). They hold for a robot that
+/// fills its width: a flipper is a ceiling above the track's line too. Throws std::invalid_argument
+/// unless finite.
 Heights sideCeiling(const RobotModel& robot, const TwoTrackReadings& s, Side side);
 
 /// Returns the side view for a picture: body, tracks and flippers as polygons, DEM frame.

@@ -20,8 +20,8 @@ public:
     /// Ground that is equal at every y.
     explicit GroundLines(TerrainProfile everywhere);
 
-    /// Throws std::invalid_argument unless there is a line, every y is finite and differs from the
-    /// others, and all lines have a common range of x.
+    /// Throws std::invalid_argument without a line, or if a y is not finite or stands twice. All
+    /// lines must have a common range of x.
     explicit GroundLines(std::vector<GroundLine> lines);
 
     /// Returns the lines from left to right.

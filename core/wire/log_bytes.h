@@ -13,7 +13,7 @@ namespace terratact {
 
 /// Bytes of a log from a file or a pipe, which may be endless and may be packed by gzip. It holds
 /// at most two blocks in memory. Packed bytes that grow to more than 64 MB and to more than 200
-/// times their size are refused, so that a small file cannot take long to read.
+/// times their size are refused. A small file cannot take long to read.
 class LogBytes {
 public:
     /// Fills the span from its beginning and returns the number of bytes; 0: end of the log. It

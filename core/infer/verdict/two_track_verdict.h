@@ -11,7 +11,8 @@
 namespace terratact {
 
 /// Returns the probability of a step of more than `limit` [m] on either side, within firstBin …
-/// lastBins (left, right): the share of joint draws with a step on one side or both. It is at least
+/// lastBins (left, right). It is the share of joint draws with a step on one side or both. It is at
+/// least
 ///   1 − (1 − r_left) (1 − r_right),   r: unfeltStepRate() of a side.
 /// A side whose last bin is not above firstBin has no step. The error is that of stepProbability().
 /// Throws std::invalid_argument for no draws, different numbers of draws, and a limit below 0 or not
@@ -38,8 +39,8 @@ struct TwoTrackVerdict {
     std::array<Verdict, 2> side;  ///< left, right, each from its own draws
     StepProbability either;       ///< probability of a step ahead on either side
     CrossSlope crossSlope;        ///< of all bins ahead
-    /// Answer for the robot: Blocked if a side or the cross slope is blocked, or a step on either
-    /// side is as probable as Blocked requires. Clear if both sides are clear, and so are the joint
+    /// Answer for the robot. Blocked if a side or the cross slope is blocked, or if a step on either
+    /// side is probable enough for Blocked. Clear if both sides are clear, and so are the joint
     /// probability up to both horizons and the cross slope up to the nearer one. CannotTell else, and
     /// where the verdict of a side is withheld.
     StepVerdict both = StepVerdict::CannotTell;
@@ -62,7 +63,7 @@ TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& ro
 
 /// Decides for the line of telemetry that the estimate rests on. An estimate of one plane has the
 /// verdict of one plane on both sides, with its limits of roll and asymmetry; its cross slope is 0.
-/// An estimate of both sides has the verdict above; without joint draws, nothing is known of the
+/// An estimate of both sides has the verdict above. Without joint draws nothing is known of the
 /// robot: CannotTell, {0, 1}.
 TwoTrackVerdict verdictOf(const TwoTrackEstimate& estimate, const RobotModel& robot,
                           const Measurement& line, const LinkSinceScene& since, double limit);

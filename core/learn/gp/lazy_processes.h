@@ -10,8 +10,8 @@
 
 namespace terratact {
 
-/// Returns the number of inducing rows of a process over `rows` rows: at most `wanted` and at most
-/// `trained`, where 0 means no limit.
+/// Returns the number of inducing rows of a process over `rows` rows. It is at most `wanted` and at
+/// most `trained`; 0 means no limit.
 int rowsToInduce(int wanted, int trained, Eigen::Index rows);
 
 /// One bin's Gaussian processes, by number of inducing rows, each made when it is first needed. It

@@ -30,11 +30,11 @@ struct TrainedSurface {
 };
 
 /// Trains a process: hyper-parameters from at most options.subset rows (log marginal likelihood),
-/// weights from all rows. With fewer than kMinTrainingRows rows, it only has mean and sd: of the
-/// bin's height (open), or of every covered bin's y (covered). places: place of each training row
-/// (placesOf); empty: one row each. Hyper-parameters come from the first row of each place, and a
-/// residual leaves out every row of its place. kept: the inducing rows are among the first `kept`
-/// rows of the model; 0: among all. Weights and residuals always come from all rows.
+/// weights from all rows. With fewer than kMinTrainingRows rows, it only has mean and sd. They are
+/// of the bin's height (open), or of every covered bin's y (covered). places: place of each
+/// training row (placesOf); empty: one row each. Hyper-parameters come from the first row of each
+/// place, and a residual leaves out every row of its place. kept: the inducing rows are among the
+/// first `kept` rows of the model; 0: among all. Weights and residuals always come from all rows.
 TrainedSurface trainSurface(const SurfaceData& model, const Eigen::MatrixXd& ceilings, int bin,
                             bool covered, const TrainingOptions& options, const Poll& poll = {},
                             const std::vector<int>& places = {}, Eigen::Index kept = 0);

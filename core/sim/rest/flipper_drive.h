@@ -11,8 +11,8 @@ struct HoldAngle {
 };
 /// Flippers pressed by a torque until something holds them, or until kLowestFlipper.
 struct PressTorque {
-    /// [N m] pressing down positive: of both flippers of an axle, or of one flipper where a
-    /// function takes one drive for each flipper.
+    /// [N m] pressing down positive, of both flippers of an axle. It is of one flipper where a
+    /// function takes a drive for each.
     double torque = 0.0;
     double startAngle = 1.0;  ///< start of the descent [rad]
 };

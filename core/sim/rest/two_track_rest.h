@@ -50,9 +50,9 @@ Result<TwoTrackRest> restPose(const RobotModel& robot, const GroundLines& terrai
                               const PerFlipper<FlipperDrive>& drives, const RestStart& start = {},
                               const GroundOptions& ground = {});
 
-/// Returns a rest pose whose roll differs from that of `rest` by more than 0.01 rad at the same x, if
-/// the robot finds one when it is lowered with 0.12 rad more or less roll. It is the second stable
-/// roll: the robot may rock from one to the other.
+/// Returns the second stable roll at the same x: the robot may rock from one to the other. It is a
+/// rest pose whose roll differs from that of `rest` by more than 0.01 rad. The robot is lowered with
+/// 0.12 rad more and less roll to find it; empty if neither finds one.
 std::optional<TwoTrackRest> secondStableRoll(const RobotModel& robot, const GroundLines& terrain,
                                              const PerFlipper<FlipperDrive>& drives,
                                              const TwoTrackRest& rest,
