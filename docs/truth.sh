@@ -69,7 +69,8 @@ Look at `sheet.png` before you train: it shows the cloud's slice, the robot and 
 
 - **Cells.** Under each scene, points fall into cells of 2 cm along four lines: the left and right track and flippers of the
   [robot file](robot.md), each as wide as the part. A cell keeps up to 48 heights as a fair sample. Memory grows with the scenes, at most
-  192 MB, and not with the cloud.
+  192 MB, and not with the cloud: 20 million points around 200 scenes in one hall took 20 s and 28 MB on two busy processors. Where
+  thousands of scenes lie on a few square metres, choose runs with `--run`.
 - **Own points.** The ground is nowhere inside the robot. What lies 3 cm above its lower boundary at any pose of the drive is left out; in
   a noisy cloud three sd, at most 6 cm. Of a scan, all points in the box that the robot can fill are left out, too.
 - **Ground.** A cell's height is the median of its points. Among plants, `--percentile 15` takes the ground below them; on bare ground it

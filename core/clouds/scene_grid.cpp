@@ -12,15 +12,15 @@
 namespace terratact {
 namespace {
 
-constexpr double kSquare = 1.0;         // [m]
-constexpr double kOwnMargin = 0.03;     // [m] around the robot's box
-constexpr double kShortestHalf = 0.75;  // [m] the front end of the bins
+constexpr double kSmallSquare = 0.25, kLargeSquare = 1.0;  // [m]
+constexpr double kOwnMargin = 0.03;                        // [m] around the robot's box
+constexpr double kShortestHalf = 0.75;                     // [m] the front end of the bins
 constexpr double kLongestHalf = 1.55;
 
-std::int64_t squareOf(double x, double y)
+std::int64_t squareOf(double x, double y, double size)
 {
-    return static_cast<std::int64_t>(std::floor(x / kSquare)) * 2'000'000'011
-         + static_cast<std::int64_t>(std::floor(y / kSquare));
+    return static_cast<std::int64_t>(std::floor(x / size)) * 2'000'000'011
+         + static_cast<std::int64_t>(std::floor(y / size));
 }
 
 /// Returns the number of cells of a line: as long as the robot to both sides, in whole bins.
@@ -79,17 +79,30 @@ SceneGrid::SceneGrid(const RobotModel& robot, std::vector<ScenePlace> places, st
         }
     }
     reach_ = std::hypot(begin_, widest);
+    turns_.reserve(places_.size());
     for (std::size_t p = 0; p < places_.size(); ++p) {
-        const Eigen::Vector3d& at = places_[p].imu;
-        const auto squares = [&](double from) {
-            return static_cast<int>(std::floor((from + reach_) / kSquare)
-                                    - std::floor((from - reach_) / kSquare));
-        };
-        for (int i = 0; i <= squares(at.x()); ++i)
-            for (int j = 0; j <= squares(at.y()); ++j)
-                near_[squareOf(at.x() - reach_ + i * kSquare, at.y() - reach_ + j * kSquare)]
-                    .push_back(static_cast<std::uint32_t>(p));
+        turns_.push_back({std::cos(places_[p].heading), std::sin(places_[p].heading)});
+        index(p, widest);
     }
+}
+
+void SceneGrid::index(std::size_t place, double widest)
+{
+    const Eigen::Vector3d& at = places_[place].imu;
+    const auto number = static_cast<std::uint32_t>(place);
+    around_[squareOf(at.x(), at.y(), kLargeSquare)].push_back(number);
+    const auto steps = static_cast<int>(std::ceil(reach_ / kSmallSquare)) + 1;
+    const double corner = 0.75 * kSmallSquare;  // from a square's middle
+    for (int i = -steps; i <= steps; ++i)
+        for (int j = -steps; j <= steps; ++j) {
+            const auto middle = [&](double from, int step) {
+                return (std::floor(from / kSmallSquare) + step + 0.5) * kSmallSquare;
+            };
+            const double x = middle(at.x(), i), y = middle(at.y(), j);
+            const Eigen::Vector3d dem = places_[place].toDem({x, y, at.z()});
+            if (std::abs(dem.x()) < -begin_ + corner && std::abs(dem.y()) < widest + corner)
+                over_[squareOf(x, y, kSmallSquare)].push_back(number);
+        }
 }
 
 std::size_t SceneGrid::firstCellOf(int bin) const
@@ -105,26 +118,64 @@ std::span<const float> SceneGrid::heights(std::size_t place, TruthLine line, std
 
 void SceneGrid::lowerCeilings(const ScenePlace& robotAt, bool withFlippers)
 {
-    const auto near = near_.find(squareOf(robotAt.imu.x(), robotAt.imu.y()));
-    if (near == near_.end()) return;
-    for (const std::uint32_t p : near->second) {
-        const ScenePlace& place = places_[p];
-        for (std::size_t i = 0; i < kTruthLines * cells_; ++i) {
-            const auto line = static_cast<TruthLine>(i / cells_);
-            const Eigen::Vector3d there =
-                robotAt.toDem(place.toCloud({cellX(i % cells_), strips_[p].at(i / cells_).y, 0.0}));
-            for (std::size_t k = 0; k < kTruthLines; ++k) {
-                const auto part = static_cast<TruthLine>(k);
-                if (isUnderFlippers(part) && !withFlippers) continue;
-                if (std::abs(there.y() - lineY(robot_, part, robotAt.s.roll))
-                    > lineHalfWidth(robot_, part))
-                    continue;
-                const double above = partAbove(robot_, robotAt.s, part, there.x()) - there.z();
-                float& ceiling = ceilings_[indexOfCell(p, line, i % cells_)];
-                ceiling = std::min(ceiling, static_cast<float>(above));
-            }
+    const std::vector<PartTable> parts = partTables(robotAt, withFlippers);
+    const auto squares = static_cast<int>(std::ceil(2.0 * reach_ / kLargeSquare));
+    for (int i = -squares; i <= squares; ++i)
+        for (int j = -squares; j <= squares; ++j) {
+            const auto near =
+                around_.find(squareOf(robotAt.imu.x() + i * kLargeSquare,
+                                      robotAt.imu.y() + j * kLargeSquare, kLargeSquare));
+            if (near == around_.end()) continue;
+            for (const std::uint32_t p : near->second) lowerCeilingsOf(p, robotAt, parts);
+        }
+}
+
+void SceneGrid::lowerCeilingsOf(std::size_t p, const ScenePlace& robotAt,
+                                const std::vector<PartTable>& parts)
+{
+    const ScenePlace& place = places_[p];
+    if ((place.imu - robotAt.imu).head<2>().norm() > 2.0 * reach_) return;
+    for (std::size_t i = 0; i < kTruthLines; ++i) {
+        const auto line = static_cast<TruthLine>(i);
+        // The line of cells is a straight line in the robot's frame.
+        const Eigen::Vector3d first =
+            robotAt.toDem(place.toCloud({cellX(0), strips_[p].at(i).y, 0.0}));
+        const Eigen::Vector3d step =
+            robotAt.toDem(place.toCloud({cellX(1), strips_[p].at(i).y, 0.0})) - first;
+        for (std::size_t k = 0; k < cells_; ++k) {
+            const Eigen::Vector3d there = first + static_cast<double>(k) * step;
+            float& ceiling = ceilings_[indexOfCell(p, line, k)];
+            for (const PartTable& part : parts)
+                if (std::abs(there.y() - part.y) <= part.half)
+                    ceiling = std::min(ceiling,
+                                       static_cast<float>(part.at(there.x(), begin_) - there.z()));
         }
     }
+}
+
+std::vector<SceneGrid::PartTable> SceneGrid::partTables(const ScenePlace& robotAt,
+                                                        bool withFlippers) const
+{
+    std::vector<PartTable> parts;
+    parts.reserve(kTruthLines);
+    for (std::size_t i = 0; i < kTruthLines; ++i) {
+        const auto part = static_cast<TruthLine>(i);
+        if (isUnderFlippers(part) && !withFlippers) continue;
+        PartTable& table = parts.emplace_back(
+            PartTable{lineY(robot_, part, robotAt.s.roll), lineHalfWidth(robot_, part), {}});
+        table.lower.reserve(cells_);
+        for (std::size_t k = 0; k < cells_; ++k)
+            table.lower.push_back(partAbove(robot_, robotAt.s, part, cellX(k)));
+    }
+    return parts;
+}
+
+double SceneGrid::PartTable::at(double x, double begin) const
+{
+    const double cell = std::floor((x - begin) / kTruthCell);
+    return cell >= 0.0 && cell < static_cast<double>(lower.size())
+             ? lower[static_cast<std::size_t>(cell)]
+             : std::numeric_limits<double>::infinity();
 }
 
 void SceneGrid::add(std::span<const CloudPoint> points)
@@ -152,23 +203,26 @@ void SceneGrid::addScan(std::span<const CloudPoint> points, const CloudPose& bas
 
 void SceneGrid::addPoint(const Eigen::Vector3d& point)
 {
-    const auto near = near_.find(squareOf(point.x(), point.y()));
-    if (near == near_.end()) return;
-    for (const std::uint32_t place : near->second) {
-        const Eigen::Vector3d dem = places_[place].toDem(point);
-        if (dem.z() >= kLowestTruth && dem.z() <= kHighestTruth) addTo(place, dem);
+    const auto over = over_.find(squareOf(point.x(), point.y(), kSmallSquare));
+    if (over == over_.end()) return;
+    for (const std::uint32_t place : over->second) {
+        const Eigen::Vector3d d = point - places_[place].imu;
+        if (d.z() < kLowestTruth || d.z() > kHighestTruth) continue;
+        const Turn& turn = turns_[place];
+        addTo(place, turn.cosine * d.x() + turn.sine * d.y(),
+              turn.cosine * d.y() - turn.sine * d.x(), static_cast<float>(d.z()));
     }
 }
 
-void SceneGrid::addTo(std::size_t place, const Eigen::Vector3d& dem)
+void SceneGrid::addTo(std::size_t place, double x, double y, float height)
 {
-    const double cell = std::floor((dem.x() - begin_) / kTruthCell);
+    const double cell = std::floor((x - begin_) / kTruthCell);
     if (!(cell >= 0.0 && cell < static_cast<double>(cells_))) return;
     for (std::size_t i = 0; i < kTruthLines; ++i) {
         const Strip& strip = strips_[place].at(i);
-        if (std::abs(dem.y() - strip.y) < strip.half)
+        if (std::abs(y - strip.y) < strip.half)
             keep(indexOfCell(place, static_cast<TruthLine>(i), static_cast<std::size_t>(cell)),
-                 static_cast<float>(dem.z()));
+                 height);
     }
 }
 

@@ -76,9 +76,23 @@ private:
         return (place * kTruthLines + static_cast<std::size_t>(line)) * cells_ + cell;
     }
     void addPoint(const Eigen::Vector3d& point);
-    void addTo(std::size_t place, const Eigen::Vector3d& dem);
+    void index(std::size_t place, double widest);
+    void addTo(std::size_t place, double x, double y, float height);
     void keep(std::size_t index, float height);
+    /// Cosine and sine of a place's heading.
+    struct Turn {
+        double cosine = 1.0, sine = 0.0;
+    };
+    /// Lower boundary of a part in the cells of its line.
+    struct PartTable {
+        double y = 0.0, half = 0.0;
+        std::vector<double> lower;
+        double at(double x, double begin) const;
+    };
+    std::vector<PartTable> partTables(const ScenePlace& robotAt, bool withFlippers) const;
     void lowerCeilings(const ScenePlace& robotAt, bool withFlippers);
+    void lowerCeilingsOf(std::size_t place, const ScenePlace& robotAt,
+                         const std::vector<PartTable>& parts);
 
     RobotModel robot_;
     std::vector<ScenePlace> places_;
@@ -86,7 +100,10 @@ private:
     std::size_t cells_ = 0, most_ = 0;
     double begin_ = 0.0;
     double reach_ = 0.0;  ///< [m] from an IMU to the farthest corner of its strips
-    std::unordered_map<std::int64_t, std::vector<std::uint32_t>> near_;  ///< places by square metre
+    using PlacesBySquare = std::unordered_map<std::int64_t, std::vector<std::uint32_t>>;
+    PlacesBySquare over_;    ///< places whose strips a small square may touch
+    PlacesBySquare around_;  ///< places by the square metre of their IMU
+    std::vector<Turn> turns_;
     std::vector<float> samples_, ceilings_;
     std::vector<std::uint32_t> counts_;
     std::uint64_t own_ = 0;
