@@ -10,7 +10,7 @@
 
 namespace terratact {
 
-/// The strip of felt ground (core/strip/strip.h) of a session, computed from the file alone: its telemetry, its scenes,
+/// The strip of felt ground (core/strip/strip.h) of a session, computed from the file alone. It uses telemetry, scenes,
 /// and the estimates that the console showed. Estimates of a second method are left out. An estimate that the operator
 /// cleared is taken out. Remembered ground that was cleared, or another model, begins a new section.
 class SessionStrip {

@@ -52,8 +52,8 @@ struct LateralGeometry {
 };
 
 /// Joint between the tracks. Each track with its flippers turns about the base's y axis against the
-/// body: the left one by +angle, nose up, and the right one by −angle. A locked differential has the
-/// angle 0. An unlocked one turns freely within ±limit, and the robot measures its angle.
+/// body. The left one turns by +angle, nose up, and the right one by −angle. A locked differential
+/// has the angle 0. An unlocked one turns freely within ±limit, and the robot measures its angle.
 struct TrackDifferential {
     bool locked = true;
     double limit = 0.7;  ///< [rad]

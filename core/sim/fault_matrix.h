@@ -19,8 +19,8 @@ struct MatrixCell {
 /// Returns the columns: stuck, drift, spikes, flipped, swapped, late, out of range.
 std::vector<std::string_view> matrixKinds();
 
-/// Returns each kind at each sensor, sensor by sensor: attitude, four angles, four currents, six
-/// forces on both sides, the twelve elements by themselves, odometry.
+/// Returns each kind at each sensor, sensor by sensor. They are attitude, four angles, four
+/// currents, six forces on both sides, the twelve elements by themselves, odometry.
 std::vector<MatrixCell> faultMatrix();
 
 }  // namespace terratact

@@ -12,9 +12,9 @@ namespace terratact {
 /// ground; `terratact faults` prints the value for its own drives. A pose takes about 1 ms. A scene
 /// that agrees mostly needs one to three poses. Currents are not compared. In 0.5 % of 2999
 /// fault-free scenes, they differ by more than 5.4 A on every draw that agrees otherwise. At this
-/// tolerance, one fault of ten contradicts more often than without it: a flipped sign of the rear
-/// currents, in 4 % of 500 scenes. The sensor watch (core/robot/watch/sensor_watch.h) detects this
-/// fault more often.
+/// tolerance, one fault of ten contradicts more often than without it. It is a flipped sign of the
+/// rear currents, in 4 % of 500 scenes. The sensor watch (core/robot/watch/sensor_watch.h) detects
+/// this fault more often.
 struct PosteriorCheckRule {
     int draws = 24;       ///< most draws of the estimate, besides its heights
     double pitch = 0.10;  ///< [rad]

@@ -20,8 +20,8 @@ struct StripPoint {
 };
 
 /// Returns all bins of a strip as points, by section, column and side. A bin lies on the line of its side's track or
-/// flipper (core/terrain/ground_lines.h), at the heading that the robot had in the scene. The pointers are valid until
-/// the strip changes.
+/// flipper (core/terrain/ground_lines.h). That line runs along the heading that the robot had in the scene. The
+/// pointers are valid until the strip changes.
 std::vector<StripPoint> pointsOf(const Strip& strip, const RobotModel& robot);
 
 }  // namespace terratact

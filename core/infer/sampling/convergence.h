@@ -35,19 +35,19 @@ public:
     /// The result is the larger R-hat of the draws and of |draws − median|, as in `rhat()` of
     /// posterior.
     ///
-    /// Two cases that `rhat()` leaves undefined give kRhatNever: fewer than four draws per chain,
-    /// and half chains that are all constant. All draws at the bound give 1. If only the folded
-    /// draws are all equal (two heights in turn), the draws alone decide. Source: Vehtari, Gelman,
-    /// Simpson, Carpenter, Bürkner, Bayesian Analysis 16 (2021).
+    /// Two cases that `rhat()` leaves undefined give kRhatNever. They are fewer than four draws per
+    /// chain, and half chains that are all constant. All draws at the bound give 1. If only the
+    /// folded draws are all equal (two heights in turn), the draws alone decide. Source: Vehtari,
+    /// Gelman, Simpson, Carpenter, Bürkner, Bayesian Analysis 16 (2021).
     double rhat();
 
     /// Returns the bulk effective sample size of the same normal scores, as `ess_bulk()` of
     /// posterior. It is S / τ, at most S log₁₀ S. τ comes from Geyer's initial monotone sequence
     /// over the mean autocovariance of the half chains.
     ///
-    /// Two cases that `ess_bulk()` leaves undefined give the number of chains: fewer than six draws
-    /// per chain, and half chains that are all constant. All draws at the bound give the number of
-    /// draws.
+    /// Two cases that `ess_bulk()` leaves undefined give the number of chains. They are fewer than
+    /// six draws per chain, and half chains that are all constant. All draws at the bound give the
+    /// number of draws.
     double ess();
 
 private:

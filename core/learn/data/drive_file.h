@@ -42,8 +42,8 @@ Result<DriveFile> readDrives(const std::string& path);
 std::string drivesHeader(bool onePlane);
 
 /// Returns the lines of a drive below this header, rounded to kDriveResolution. Throws
-/// std::invalid_argument for what the reader would refuse in one of these lines, and for a drive of
-/// one plane whose sides differ.
+/// std::invalid_argument for what the reader would refuse in one of these lines. A drive of one
+/// plane whose sides differ throws it, too.
 std::string driveText(const DriveLines& drive);
 
 }  // namespace terratact

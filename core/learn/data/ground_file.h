@@ -22,8 +22,9 @@ struct GroundFile {
 ///   y_m        distance of the line from the robot's middle, left positive
 ///   step_m     distance of the heights of this line; `step` without this column
 ///   heights_m  last: the heights at equal steps, as many as there are. The first is at x = 0.
-/// Other columns are ignored, and so are lines of empty fields, lines that begin with # and have no
-/// y, and a line of units below the header. `blocks` is that of TerrainProfile::fromSamples.
+/// Other columns are ignored, and so is a line of units below the header. Lines of empty fields are
+/// ignored, and lines that begin with # and have no y. `blocks` is that of
+/// TerrainProfile::fromSamples.
 ///
 /// Errors name file, line and cause. A column is missing or double. A line has fewer than two
 /// heights, or one that is no number. Two lines of a ground have the same y, or its lines do not

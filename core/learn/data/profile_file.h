@@ -28,10 +28,10 @@ struct ProfileFile {
 ///
 /// Errors name file, line and cause. They are x that decreases or does not advance, a line of
 /// another form, wrong numbers, NaN and infinity. Heights beyond ±5 m of the profile's first and
-/// |x| beyond 1000 m are refused. So are an empty file, a header with a column
-/// y_m (core/learn/data/ground_file.h), more than kMaxProfileNumbers numbers, and
-/// integers that are probably heights with decimal commas. Throws std::invalid_argument unless step
-/// is finite and above 0.
+/// |x| beyond 1000 m are refused. So are an empty file, more than kMaxProfileNumbers numbers, and a
+/// header with a column y_m (core/learn/data/ground_file.h). Integers that are probably heights
+/// with decimal commas are refused, too. Throws std::invalid_argument unless step is finite and
+/// above 0.
 Result<ProfileFile> readProfiles(const std::string& path, double step, bool blocks);
 
 /// Reads the same from an open CSV.
