@@ -31,6 +31,7 @@
 #include "app/shell/loop_meter.h"
 #include "app/shell/preference_store.h"
 #include "app/shell/short_notice.h"
+#include "core/atem/contact_cue.h"
 #include "core/atem/stall_watch.h"
 #include "core/base/message.h"
 
@@ -137,6 +138,7 @@ private:
     void logStall(double seconds);
     void redraw();
     void showTerrain();
+    void soundContact(const FlipperContacts& contacts, const Measurement* measurement);
     void tickPanel(double now);
     void releaseStop();
     void connectStop();
@@ -175,6 +177,7 @@ private:
     std::unique_ptr<ProbeNotice> probeNotice_;
     std::unique_ptr<SharedStop> sharedStop_;
     std::unique_ptr<ConsoleAlarms> alarms_;
+    ContactCue contactCue_;
     std::shared_ptr<SessionRecorder> recorder_;        ///< may be null
     std::unique_ptr<SessionEventLogger> eventLogger_;  ///< may be null
     std::unique_ptr<LiveViewState> viewStates_;

@@ -11,6 +11,7 @@
 #include "app/shell/page.h"
 #include "widgets/base/covered.h"
 #include "widgets/control/atem_panel.h"
+#include "widgets/control/drive_strip.h"
 #include "widgets/control/probe_card.h"
 #include "widgets/control/status_header.h"
 
@@ -117,6 +118,19 @@ void MainWindow::showTerrain()
     viewState.numbersFor = kNumbers + kStaleRedraw;
     if (viewState.numbersDue) numbersShown_ = now;
     terrainPage_->setViewState(viewState);
+    soundContact(terrainPage_->driveStrip()->viewState().contact.value_or(FlipperContacts{}),
+                 viewState.measurement);
+}
+
+/// Plays the ticks of contacts. measurement: the newest; null: none.
+void MainWindow::soundContact(const FlipperContacts& contacts, const Measurement* measurement)
+{
+    using enum RobotActivity;
+    const bool moves =
+        measurement && (measurement->activity == Driving || measurement->activity == Pressing);
+    const std::optional<double> pitch = contactCue_.poll(contacts, moves, moment_.now);
+    const int level = preferences_->current().contactSound;
+    if (pitch && level > 0) alarms_->contactTick(*pitch, level / 100.0);
 }
 
 bool MainWindow::event(QEvent* event)

@@ -289,6 +289,11 @@ void SettingsPage::buildLook(QFormLayout* form)
         [](const Preferences& p) { return static_cast<int>(p.layout); },
         [](Preferences& p, std::size_t i) { p.layout = static_cast<Layout>(i); });
     flag(form, tr("Alarms may be heard"), tr("Off: alarms are only seen"), &Preferences::sound);
+    whole(form, tr("Contacts are heard at"), 0, 100, tr("%"),
+          tr("Ticks while a flipper touches the ground: higher towards the tip, faster with the "
+             "force"),
+          &Preferences::contactSound)
+        ->setSpecialValueText(tr("off"));
 }
 
 void SettingsPage::buildRecording(QFormLayout* form)

@@ -58,6 +58,8 @@ public:
     void silence(double until) { list_.silence(until); }
     void setSoundOn(bool on) { soundOn_ = on; }
     bool soundOn() const { return soundOn_; }
+    /// Plays a tick of a contact (AlarmSound::tick()); silencing the alarms does not silence it.
+    void contactTick(double pitch, double level) { alarmSound_->tick(pitch, level); }
     void trySound();  ///< plays the sound even if muted
     QString soundTrouble() const { return alarmSound_->trouble(); }
 

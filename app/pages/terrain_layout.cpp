@@ -20,9 +20,10 @@
 namespace terratact {
 namespace {
 
-constexpr int kBetween = 10;                       // [px] between cards
-constexpr int kToSpare = 10;                       // [px] spare room below which cards leave
-constexpr QSize kMinTerrain{420, 180};             // [px]
+constexpr int kBetween = 10;            // [px] between cards
+constexpr int kToSpare = 10;            // [px] spare room below which cards leave
+constexpr QSize kMinTerrain{420, 180};  // [px]
+constexpr int kLargeFontTerrain = 230;  // [px] minimum height when tight with a large font
 constexpr int kColumn = 404, kNarrowColumn = 281;  // [px] width of the decisions, at 100 %
 // [px] minimum width of the terrain beside them, at 100 %; it is the largest part
 constexpr int kRoomyTerrain = 540, kTightTerrain = 324;
@@ -185,8 +186,9 @@ void TerrainLayout::setTight(bool tight)
     parts_.drive->setNarrow(tight);
     // A banner takes its line from the terrain and the proposal, so that it never makes the cards leave.
     if (window_)
-        parts_.terrain->setMinimumSize(tight ? QSize(0, kMinTerrain.height())
-                                             : kMinTerrain - QSize(0, window_->bannerLine()));
+        parts_.terrain->setMinimumSize(
+            tight ? QSize(0, fontScale_ > 100 ? kLargeFontTerrain : kMinTerrain.height())
+                  : kMinTerrain - QSize(0, window_->bannerLine()));
     if (window_) parts_.terrainCard->setMinimumWidth(scaled(tight ? kTightTerrain : kRoomyTerrain));
     // The attitude is shown once on a page: where the robot's card is on this one, by the drive strip.
     parts_.readout->showAttitude(tight || verdictBeside_);

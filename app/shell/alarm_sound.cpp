@@ -7,7 +7,9 @@
 #include <limits>
 #include <mutex>
 #include <numbers>
+#include <optional>
 #include <thread>
+#include <utility>
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
@@ -38,26 +40,52 @@ public:
         return trouble_;
     }
 
+    void tick(double pitch, double level) override
+    {
+        const std::lock_guard lock(mutex_);
+        if (wanted_ || sounds_) return;
+        tick_ = Tick{pitch, level};
+        changed_.notify_one();
+    }
+
 private:
+    struct Tick {
+        double pitch, level;
+    };
+
     void run(const std::stop_token& stop)
     {
         const std::vector<std::int16_t> samples = alarmSamples(kRate);
-        for (;;) {
+        while (true) {
+            std::optional<Tick> tick;
             {
                 std::unique_lock lock(mutex_);
-                if (!changed_.wait(lock, stop, [this] { return wanted_; })) return;
-                wanted_ = false;
+                sounds_ = false;
+                if (!changed_.wait(lock, stop, [this] { return wanted_ || tick_; })) return;
+                sounds_ = std::exchange(wanted_, false);
+                tick = std::exchange(tick_, std::nullopt);
+                if (sounds_) tick.reset();  // the alarm has priority
             }
-            const Status played = playAudio("default", samples, kRate);
-            if (!played) QMetaObject::invokeMethod(qApp, [] { QApplication::beep(); });
-            const std::lock_guard lock(mutex_);
-            trouble_ = played ? QString() : translated(played.error().message);
+            if (tick)
+                (void)playAudio("default", contactSamples(kRate, tick->pitch, tick->level), kRate);
+            else
+                playAlarm(samples);
         }
+    }
+
+    void playAlarm(const std::vector<std::int16_t>& samples)
+    {
+        const Status played = playAudio("default", samples, kRate);
+        if (!played) QMetaObject::invokeMethod(qApp, [] { QApplication::beep(); });
+        const std::lock_guard lock(mutex_);
+        trouble_ = played ? QString() : translated(played.error().message);
     }
 
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
-    bool wanted_ = false;
+    bool wanted_ = false;       ///< the alarm is due
+    bool sounds_ = false;       ///< the alarm sounds now
+    std::optional<Tick> tick_;  ///< the tick that is due
     QString trouble_;
     std::jthread thread_{[this](const std::stop_token& stop) {
         run(stop);
@@ -74,6 +102,25 @@ std::unique_ptr<AlarmSound> desktopBeep()
 std::unique_ptr<AlarmSound> alarmTone()
 {
     return std::make_unique<AlarmTone>();
+}
+
+std::vector<std::int16_t> contactSamples(unsigned rate, double pitch, double level)
+{
+    constexpr double kSeconds = 0.06, kDecay = 0.02;  // [s]
+    constexpr double kOctave = 0.4;                   // share of the octave above
+    const double loud = 0.25 * std::numeric_limits<std::int16_t>::max()
+                      * std::clamp(level, 0.0, 1.0) / (1.0 + kOctave);
+    const auto count = static_cast<int>(kSeconds * rate);
+    std::vector<std::int16_t> samples;
+    samples.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        const double t = i / static_cast<double>(rate);
+        const double fade = std::clamp(std::min(t, kSeconds - t) / kFade, 0.0, 1.0);
+        const double turn = 2.0 * std::numbers::pi * pitch * t;
+        const double wave = std::sin(turn) + kOctave * std::sin(2.0 * turn);
+        samples.push_back(static_cast<std::int16_t>(loud * fade * std::exp(-t / kDecay) * wave));
+    }
+    return samples;
 }
 
 std::vector<std::int16_t> alarmSamples(unsigned rate)

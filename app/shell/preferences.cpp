@@ -162,6 +162,7 @@ void visit(Visitor visitor, Values& p)
     visitor.language("language", p.language);
     visitor.oneOf("layout", p.layout, kLayouts);
     visitor.flag("sound", p.sound);
+    visitor.number("contact-sound", p.contactSound, 0, 100);
     visitor.number("obstacle-limit", p.obstacleLimit, kObstacleRange);
     visitor.oneOf("method", p.method, offeredMethods());
     visitor.oneOf("quality", p.preset, kQualityPresets);

@@ -26,6 +26,7 @@ struct Preferences {
     QString language;     ///< "en", "cs" or "de"; empty: the system's
     Layout layout = Layout::Probe;
     bool sound = true;            ///< alarms make sounds
+    int contactSound = 50;        ///< [%] level of the ticks of contacts; 0: off
     double obstacleLimit = 0.10;  ///< [m] obstacle height (hasStep())
     Method method = Method::Local;
     QualityPreset preset = QualityPreset::Balanced;

@@ -7822,6 +7822,18 @@ F1</translation>
         <source>Press again to reset all settings</source>
         <translation>Stiskněte znovu: vše se vrátí</translation>
     </message>
+    <message>
+        <source>Contacts are heard at</source>
+        <translation>Kontakty jsou slyšet na</translation>
+    </message>
+    <message>
+        <source>Ticks while a flipper touches the ground: higher towards the tip, faster with the force</source>
+        <translation>Tikání, když se flipper dotýká terénu: vyšší směrem ke špičce, rychlejší s větší silou</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>vypnuto</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SharedStop</name>

@@ -7822,6 +7822,18 @@ F1</translation>
         <source>Press again to reset all settings</source>
         <translation>Nochmals drücken: alles zurück</translation>
     </message>
+    <message>
+        <source>Contacts are heard at</source>
+        <translation>Kontakte sind zu hören mit</translation>
+    </message>
+    <message>
+        <source>Ticks while a flipper touches the ground: higher towards the tip, faster with the force</source>
+        <translation>Ticken, solange ein Flipper den Boden berührt: höher zur Spitze hin, schneller mit der Kraft</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
 </context>
 <context>
     <name>terratact::SharedStop</name>

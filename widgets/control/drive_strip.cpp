@@ -332,7 +332,6 @@ void DriveStrip::showDistances(const DriveViewState& viewState)
     const Parts& felt = cells_[FeltTo];
     felt.caption->setText(
         withMark(nameOf(FeltTo), viewState.feltEnds ? QStringLiteral("!") : QString()));
-    setTone(*felt.caption, viewState.feltEnds ? Tone::Doubt : Tone::Plain);
 }
 
 QString DriveStrip::text(Cell cell) const

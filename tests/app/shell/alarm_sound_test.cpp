@@ -86,6 +86,42 @@ TEST(AlarmSamples, areTwoTonesThatNeitherClickNorClip)
     EXPECT_LT(step, 4000) << "a jump clicks";
 }
 
+TEST(ContactSamples, areShortSoftAndUnlikeTheAlarm)
+{
+    const std::vector<std::int16_t> samples = contactSamples(kRate, 528.0, 1.0);
+    EXPECT_LT(static_cast<double>(samples.size()) / kRate, 0.1) << "the alarm waits no longer";
+    const auto [least, most] = std::minmax_element(samples.begin(), samples.end());
+    EXPECT_GT(*most, 2000);
+    EXPECT_LT(std::max(-*least, +*most), 9000) << "less than half of the alarm";
+    EXPECT_EQ(samples.front(), 0);
+    EXPECT_NEAR(samples.back(), 0, 50);
+    const auto soft = contactSamples(kRate, 528.0, 0.2);
+    EXPECT_LT(*std::max_element(soft.begin(), soft.end()), *most / 4);
+    const auto silent = contactSamples(kRate, 528.0, 0.0);
+    EXPECT_EQ(*std::max_element(silent.begin(), silent.end()), 0);
+}
+
+TEST_F(SoundCard, isGivenATick)
+{
+    const auto tone = alarmTone();
+    tone->tick(444.0, 0.5);
+    const auto wanted = contactSamples(kRate, 444.0, 0.5);
+    ASSERT_TRUE(gui::eventually([&] { return heard().size() >= wanted.size(); }));
+    EXPECT_EQ(heard(), wanted);
+}
+
+TEST_F(SoundCard, isGivenTheAlarmBeforeATick)
+{
+    const auto tone = alarmTone();
+    tone->sound();
+    tone->tick(444.0, 1.0);
+    auto wanted = alarmSamples(kRate);
+    ASSERT_TRUE(gui::eventually([&] { return heard().size() >= wanted.size(); }));
+    auto begin = heard();
+    begin.resize(wanted.size());
+    EXPECT_EQ(begin, wanted);
+}
+
 TEST_F(SoundCard, isGivenEverySampleOfTheTone)
 {
     const auto tone = alarmTone();

@@ -34,6 +34,7 @@ Preferences unlikeTheDefaults()
     p.language = "cs";
     p.layout = Layout::Review;
     p.sound = false;
+    p.contactSound = 20;
     p.obstacleLimit = 0.1 + 0.2;  // has no short decimal form
     p.method = Method::Joint;
     p.preset = QualityPreset::Accurate;
