@@ -195,10 +195,12 @@ Status writeTruthSheet(const std::string& path, const LaserTruth& truth)
         static_cast<int>(kSheetHead + static_cast<double>(lines) * kTileHeight),
         [&](Canvas& canvas) {
             drawSheetHead(canvas, truth, rows.size());
-            for (std::size_t i = 0; i < rows.size(); ++i)
-                canvas.place({static_cast<double>(i % kTileColumns) * kTileWidth,
-                              kSheetHead + static_cast<double>(i / kTileColumns) * kTileHeight},
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+                const std::size_t column = i % kTileColumns, line = i / kTileColumns;
+                canvas.place({static_cast<double>(column) * kTileWidth,
+                              kSheetHead + static_cast<double>(line) * kTileHeight},
                              1.0, [&](Canvas& tile) { TruthTile(tile, truth, rows[i]).draw(); });
+            }
         });
 }
 

@@ -35,13 +35,14 @@ CloudPose SimulatedMap::placeOf(std::size_t drive) const
     for (const Drive& d : drives_) longest = std::max(longest, std::abs(d.begin) + std::abs(d.end));
     const auto columns =
         static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(drives_.size()))));
+    const std::size_t column = drive % columns, line = drive / columns;
     const double spacing = std::ceil(longest) + 2.0;
     const double heading = kTurnOfDrive * static_cast<double>(drive);
     const CloudPose map{Eigen::Vector3d::Zero(), Eigen::Quaterniond(Eigen::AngleAxisd(
                                                      options_.tilt, Eigen::Vector3d::UnitY()))};
-    return map.with({{spacing * static_cast<double>(drive % columns),
-                      spacing * static_cast<double>(drive / columns), 0.0},
-                     Eigen::Quaterniond(Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()))});
+    return map.with(
+        {{spacing * static_cast<double>(column), spacing * static_cast<double>(line), 0.0},
+         Eigen::Quaterniond(Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()))});
 }
 
 Result<std::size_t> SimulatedMap::write(const RobotModel& robot) const
