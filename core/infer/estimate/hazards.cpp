@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/base/random_unit.h"
 #include "core/infer/estimate/quantile.h"
 
 namespace terratact {
@@ -35,16 +36,11 @@ std::vector<bool> chosenDraws(std::size_t n, double rate, std::mt19937_64& rng)
     return chosen;
 }
 
-/// Returns a number in [0, 1) that is the same with every standard library.
-double unit(std::mt19937_64& rng)
-{
-    return static_cast<double>(rng() >> 11U) * 0x1.0p-53;
-}
-
 double hazardOffset(Touch touch, std::mt19937_64& rng)
 {
-    const double size = kSmallestHazard * std::pow(kLargestHazard / kSmallestHazard, unit(rng));
-    const bool isWall = unit(rng) < 0.5 && touch == Touch::NotFelt;
+    const double size =
+        kSmallestHazard * std::pow(kLargestHazard / kSmallestHazard, randomUnit(rng));
+    const bool isWall = randomUnit(rng) < 0.5 && touch == Touch::NotFelt;
     return isWall ? size : -size;
 }
 

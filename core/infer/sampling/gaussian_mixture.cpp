@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "core/base/random_unit.h"
 #include "core/infer/sampling/truncated_normal.h"
 
 namespace terratact {
@@ -111,7 +112,7 @@ void GaussianMixture::draw(int count, std::mt19937_64& rng,
     PolledWork work(poll);
     const Eigen::MatrixXd root = squareRoot(covariance);
     const double infinity = std::numeric_limits<double>::infinity();
-    const double start = static_cast<double>(rng() >> 11U) * 0x1p-53;
+    const double start = randomUnit(rng);
     Eigen::Index k = 0;
     double sum = weight[0];
     Eigen::VectorXd normal(mean.rows()), drawn(mean.rows());
