@@ -36,7 +36,7 @@ constexpr std::array<std::pair<std::string_view, FieldType>, 18> kPlainTypes{{
     {"octet", FieldType::UInt8},
 }};
 
-std::string_view withoutBlanks(std::string_view text)
+std::string_view trimmed(std::string_view text)
 {
     const auto first = text.find_first_not_of(" \t\r");
     if (first == std::string_view::npos) return {};
@@ -100,7 +100,7 @@ private:
         int beginLine = 1;
         while (at <= text.size() && definitions_.size() < MessageSchema::kMaxStructs) {
             const std::size_t end = std::min(text.find('\n', at), text.size());
-            if (isSeparatorLine(withoutBlanks(text.substr(at, end - at)))) {
+            if (isSeparatorLine(trimmed(text.substr(at, end - at)))) {
                 // Some writers begin the message itself with such a line, too.
                 const std::string_view part = text.substr(begin, at - begin);
                 const bool isNothing =
@@ -108,9 +108,9 @@ private:
                 if (!isNothing) definitions_.try_emplace(name, Definition{beginLine, part});
                 at = std::min(end + 1, text.size());
                 const std::size_t next = std::min(text.find('\n', at), text.size());
-                std::string_view head = withoutBlanks(text.substr(at, next - at));
+                std::string_view head = trimmed(text.substr(at, next - at));
                 if (head.starts_with("MSG:")) head.remove_prefix(4);
-                name = schemaName(withoutBlanks(head));
+                name = schemaName(trimmed(head));
                 ++line;
                 begin = std::min(next + 1, text.size());
                 beginLine = line + 1;
@@ -176,15 +176,15 @@ private:
 
     Status readLine(std::size_t index, const std::string& package, std::string_view text, int line)
     {
-        text = withoutBlanks(text.substr(0, text.find('#')));
+        text = trimmed(text.substr(0, text.find('#')));
         if (text.empty()) return Done{};
         const std::size_t typeEnd = text.find_first_of(" \t");
         if (typeEnd == std::string_view::npos)
             return refused(line, "is not \"TYPE NAME\": " + shown(text));
-        std::string_view name = withoutBlanks(text.substr(typeEnd));
+        std::string_view name = trimmed(text.substr(typeEnd));
         const std::size_t nameEnd = name.find_first_of(" \t=");
-        const bool isConstant = nameEnd != std::string_view::npos
-                             && withoutBlanks(name.substr(nameEnd)).starts_with('=');
+        const bool isConstant =
+            nameEnd != std::string_view::npos && trimmed(name.substr(nameEnd)).starts_with('=');
         if (isConstant) return Done{};
         name = name.substr(0, nameEnd);
         if (++fields_ > MessageSchema::kMaxFields)
