@@ -22,14 +22,6 @@ constexpr Eigen::Index kNoveltyRows = 3000;  // of sides
 constexpr int kNoveltyNeighbour = 10;
 constexpr double kNoveltyShare = 0.99;
 
-/// Returns D² of the n-th nearest, n from 1; of the last if there are fewer.
-double nthSmallest(const Eigen::VectorXd& values, int n)
-{
-    std::vector<double> least(static_cast<std::size_t>(std::min<Eigen::Index>(n, values.size())));
-    std::partial_sort_copy(values.begin(), values.end(), least.begin(), least.end());
-    return least.back();
-}
-
 /// Returns the standardised features of all rows times the metric: d × U.
 Eigen::MatrixXd scenesInMetric(const SurfaceData& model, const Eigen::VectorXd& metric,
                                AbsentFeatures without)
@@ -103,17 +95,6 @@ Eigen::VectorXd alikeForSides(const Eigen::VectorXd& squares)
              + squares[static_cast<Eigen::Index>(otherSideFeature(d))])
             / 2.0;
     return alike;
-}
-
-/// Returns the weights of localResiduals() for sorted squared distances.
-Eigen::VectorXd weightsAt(const Eigen::VectorXd& squared)
-{
-    const auto middle = static_cast<int>(std::max<Eigen::Index>(squared.size() / 2, 1));
-    const double least = squared.minCoeff();
-    const double width = std::max(nthSmallest(squared, middle) - least, 1e-9);
-    Eigen::VectorXd weight = (-0.5 * (squared.array() - least) / width).exp().matrix();
-    weight /= weight.sum();
-    return weight;
 }
 
 /// Returns 1 for each bin that both masks have in the same regime, else 0.
@@ -252,7 +233,7 @@ ResidualSample ClearanceModel::localResiduals(const Eigen::VectorXd& features,
     const Eigen::VectorXd distance = squaredDistances(features);
     const std::vector<int> rows = nearest(
         distance, [&](int u) { return coveredBins_[static_cast<std::size_t>(u)] != covered; });
-    ResidualSample sample{weightsAt(distance(rows)), residuals_(Eigen::all, rows)};
+    ResidualSample sample{residualWeights(distance(rows)), residuals_(Eigen::all, rows)};
     borrow(sample, 0, rows, distance, covered);
     return sample;
 }
@@ -277,7 +258,8 @@ ResidualSample ClearanceModel::sideResiduals(const ClearanceModel& right,
     std::vector<int> others;
     others.reserve(rows.size());
     for (const int u : rows) others.push_back(otherSideRow(u));
-    ResidualSample sample{weightsAt(distance(rows)), Eigen::MatrixXd(2 * kBins, std::ssize(rows))};
+    ResidualSample sample{residualWeights(distance(rows)),
+                          Eigen::MatrixXd(2 * kBins, std::ssize(rows))};
     sample.residual << residuals_(Eigen::all, rows), right.residuals_(Eigen::all, others);
     borrow(sample, 0, rows, distance, covered[0]);
     // The distance of a scene seen from its other side.

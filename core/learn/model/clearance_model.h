@@ -7,19 +7,11 @@
 
 #include "core/base/poll.h"
 #include "core/learn/model/model.h"
+#include "core/learn/model/residual_sample.h"
 #include "core/learn/model/surface_rows.h"
 #include "core/terrain/bins.h"
 
 namespace terratact {
-
-/// Number of training places whose residuals form the errors of method `local`.
-inline constexpr int kNeighbours = 30;
-
-/// Unexplained part of training scenes: K weighted vectors of residuals [y].
-struct ResidualSample {
-    Eigen::VectorXd weight;    ///< K, sum 1
-    Eigen::MatrixXd residual;  ///< 11 × K; of both sides: 22 × K, left above right
-};
 
 /// Surface processes of a model, ready to predict. Immutable; may be shared between threads.
 class ClearanceModel {
@@ -39,7 +31,7 @@ public:
     /// Returns the residuals of the kNeighbours nearest training scenes in s with the same bins
     /// covered, at most one from each place:
     ///   D² = Σ_d (x_d − x'_d)² w_d²,  w_d² = mean over the processes of 1 / ℓ_d²
-    ///   weight ∝ exp(−½ (D² − D²_min) / (D²_median − D²_min))
+    /// with the weights of residualWeights().
     /// If too few scenes have the same bins covered, other scenes follow. A bin whose regime
     /// differs there takes the residual of the nearest scenes with the right regime. A bin that no
     /// training scene has in this regime gets normal quantiles times its residual sd.

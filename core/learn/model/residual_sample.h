@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace terratact {
+
+/// Number of training places whose residuals form the errors of a scene.
+inline constexpr int kNeighbours = 30;
+
+/// Unexplained part of training scenes: K weighted vectors of residuals [y].
+struct ResidualSample {
+    Eigen::VectorXd weight;    ///< K, sum 1
+    Eigen::MatrixXd residual;  ///< 11 × K; of both sides: 22 × K, left above right
+};
+
+/// Returns the weights of scenes at these squared distances:
+///   weight ∝ exp(−½ (D² − D²_min) / (D²_median − D²_min))
+Eigen::VectorXd residualWeights(const Eigen::VectorXd& squared);
+
+/// Returns the n-th smallest value, n from 1; the largest if there are fewer.
+double nthSmallest(const Eigen::VectorXd& values, int n);
+
+}  // namespace terratact
