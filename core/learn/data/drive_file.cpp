@@ -185,4 +185,13 @@ std::string driveText(const DriveLines& drive)
     return text;
 }
 
+bool isPlausible(const DriveLines& drive, const DriveLine& line)
+{
+    const std::vector<Column>& columns = driveColumns(drive.onePlane).columns;
+    const SceneFileRow row = driveRow(drive, line);
+    for (std::size_t i = 0; i < row.values.size(); ++i)
+        if (row.values[i] && !columns[i].holds(*row.values[i])) return false;
+    return true;
+}
+
 }  // namespace terratact

@@ -46,4 +46,7 @@ std::string drivesHeader(bool onePlane);
 /// plane whose sides differ throws it, too.
 std::string driveText(const DriveLines& drive);
 
+/// Returns true if every reading and height of a line is within the range of its column.
+bool isPlausible(const DriveLines& drive, const DriveLine& line);
+
 }  // namespace terratact
