@@ -274,12 +274,13 @@ QList<Precondition> AtemPanel::needsNow(Commanded command) const
     return needs;
 }
 
-/// Returns the preconditions to list. While an exploration runs, met ones are hidden unless the operator looks them up.
+/// Returns the preconditions to list. While an exploration runs, and on a narrow panel, met ones are hidden unless the
+/// operator looks them up.
 QList<Precondition> AtemPanel::listOf(Commanded command) const
 {
     if (lookedUp_) return needsNow(command);
     QList<Precondition> list = needs_[indexOf(command)];
-    if (exploring(state_.phase))
+    if (exploring(state_.phase) || narrow_)
         list.removeIf([](const Precondition& p) { return p.level == Precondition::Level::Met; });
     return list;
 }
@@ -353,6 +354,7 @@ void AtemPanel::setNarrow(bool narrow)
 {
     narrow_ = narrow;
     setTitle(narrow ? tr("Exploration") : tr("Exploration (ATEM)"));
+    showList();
     arrange();
     showButtons();
 }

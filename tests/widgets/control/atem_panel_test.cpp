@@ -112,6 +112,20 @@ TEST_F(Atem, refusesWithTheReasonWhileSomethingIsMissing)
     EXPECT_FALSE(shows("the model is being loaded"));
 }
 
+TEST_F(Atem, aNarrowPanelListsWhatIsNotMet)
+{
+    panel.setPreconditions({{Level::Met, Message::verbatim("telemetry is live")},
+                            {Level::Missing, Message::verbatim("not armed")}});
+    EXPECT_TRUE(shows("telemetry is live"));
+    panel.setNarrow(true);
+    EXPECT_TRUE(shows("not armed") && !shows("telemetry is live"));
+    panel.lookUp(Commanded::Explore);
+    EXPECT_TRUE(shows("telemetry is live"));
+    panel.lookUp({});
+    panel.setNarrow(false);
+    EXPECT_TRUE(shows("telemetry is live"));
+}
+
 TEST_F(Atem, isReadyOnlyIfEveryPreconditionIsMet)
 {
     panel.setState({}, std::nullopt);
