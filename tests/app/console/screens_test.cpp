@@ -23,7 +23,6 @@
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/probe_card.h"
-#include "widgets/control/robot_readout.h"
 #include "widgets/control/status_header.h"
 #include "widgets/terrain/bin_inspector.h"
 #include "widgets/terrain/terrain_profile_view.h"
@@ -139,8 +138,7 @@ TEST_F(Screens, exploring)
         ASSERT_TRUE(reaches(AtemPhase::Estimating))
             << describe(console->exploration().state().failure).english;
         picture("estimating", {told(describe(AtemPhase::Estimating)),
-                               TerrainPage::tr("The estimate is being computed"),
-                               RobotReadout::tr("%1   captured %2")});
+                               TerrainPage::tr("The estimate is being computed")});
         EXPECT_FALSE(reads(TerrainPage::tr("The flippers still move"))) << "they have stopped";
         holdsEstimates = false;
         ASSERT_TRUE(reaches(AtemPhase::ProposingProbe));
