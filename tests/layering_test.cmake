@@ -24,7 +24,7 @@ if(NOT ROOT)
   cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH ROOT)
 endif()
 
-set(core_rooms base store robot robot/watch bags wire wire/dbc mapping terrain learn/data clouds learn/kernels learn/gp learn/net learn/model infer/estimate strip infer/sampling infer infer/verdict eval atem sim/ground sim/rest sim log)
+set(core_rooms base store robot robot/watch bags wire wire/dbc mapping terrain learn/data clouds learn/kernels learn/gp learn/net learn/model infer/estimate strip trail infer/sampling infer infer/verdict eval atem sim/ground sim/rest sim log)
 set(widgets_rooms base terrain control signals)
 set(app_rooms runtime link recording modelling figures cli shell start mission pages review console main)
 set(no_qt "^app/(runtime|link|recording|modelling|figures|cli)/")

@@ -12,6 +12,7 @@ MethodStyle styleOf(Method method)
     case Method::Clearance: return {{0xb8560b}, Shape::Circle, 12.0, "clearance"};
     case Method::Joint: return {{0x0b7f8c}, Shape::Square, 11.0, "joint"};
     case Method::Local: return {{0xb01e4f}, Shape::Diamond, 15.0, "local"};
+    case Method::Trail: return {{0x1d1d1d}, Shape::Triangle, 14.0, "trail"};
     }
     return {};
 }

@@ -102,7 +102,7 @@ QWidget* WhatIfPage::form()
         return box;
     };
     method_ = combo(tr("Method"), tr("Which method estimates"));
-    for (const Method method : kMethods) method_->addItem(format::text(name(method)));
+    for (const Method method : kSceneMethods) method_->addItem(format::text(name(method)));
     quality_ = combo(tr("Quality"), tr("Draws, chains and precision"));
     quality_->addItem(tr("as recorded"));
     for (const QualityPreset preset : kQualityPresets)
@@ -219,7 +219,7 @@ void WhatIfPage::asRecorded()
 Settings WhatIfPage::settings() const
 {
     Settings s = recorded_->estimate.side[0].settings;
-    s.method = kMethods.at(static_cast<std::size_t>(method_->currentIndex()));
+    s.method = kSceneMethods.at(static_cast<std::size_t>(method_->currentIndex()));
     if (const int quality = quality_->currentIndex(); quality > 0)
         s = withPreset(s, kQualityPresets.at(static_cast<std::size_t>(quality - 1)));
     // The form rounds values; an unchanged field keeps the recorded value.

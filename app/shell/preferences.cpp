@@ -216,7 +216,7 @@ std::string_view name(Layout layout)
 
 std::vector<Method> offeredMethods()
 {
-    std::vector<Method> methods(kMethods.begin(), kMethods.end());
+    std::vector<Method> methods(kSceneMethods.begin(), kSceneMethods.end());
     std::erase(methods, Method::Pafac);
     return methods;
 }

@@ -53,28 +53,40 @@ GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::Ve
     return smoothed(mean, model.localResiduals(features, covered));
 }
 
-TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const ArmReading> arm,
-                                      const RobotModel& robot, const ClearanceModel& model,
-                                      const Settings& settings, const Poll& poll)
+unsigned coveredAt(const RobotModel& robot, const Proprioception& s)
 {
-    requireClosedForm(settings);
-    callPoll(poll);
+    return coveredBins(bodyCeiling(robot, s.pitch, s.front, s.rear));
+}
+
+TerrainEstimate estimateFrom(SurfacePrediction prediction, const Proprioception& s,
+                             std::span<const ArmReading> arm, const RobotModel& robot,
+                             const Settings& settings, const Poll& poll)
+{
     TerrainEstimate estimate;
     estimate.settings = settings;
     estimate.ceiling = bodyCeiling(robot, s.pitch, s.front, s.rear);
-    const Eigen::VectorXd x = featuresFor(model, s);
-    estimate.novelty = model.novelty(x);
-    GaussianMixture distribution =
-        surfaceDistribution(model, x, coveredBins(estimate.ceiling), settings.method);
-
+    estimate.novelty = prediction.novelty;
+    GaussianMixture& distribution = prediction.distribution;
     MeasuredBins measured = measureBins(robot, s, arm, estimate.ceiling, settings);
-    applyMeasurements(distribution, 0, std::move(measured), model, estimate);
+    applyMeasurements(distribution, 0, std::move(measured), prediction.contact, estimate);
     warnIfNovel(estimate);
     writeBins(distribution, 0, estimate);
     estimate.draws = heightDraws(distribution, estimate, poll);
     writeTouch(estimate, pressedBins(robot, s, estimate.ceiling));
     addHazards(estimate, settings.hazardRate, poll);
     return finite(std::move(estimate), poll);
+}
+
+TerrainEstimate reconstructClosedForm(const Proprioception& s, std::span<const ArmReading> arm,
+                                      const RobotModel& robot, const ClearanceModel& model,
+                                      const Settings& settings, const Poll& poll)
+{
+    requireClosedForm(settings);
+    callPoll(poll);
+    const Eigen::VectorXd x = featuresFor(model, s);
+    return estimateFrom({surfaceDistribution(model, x, coveredAt(robot, s), settings.method),
+                         contactErrorOf(model), model.novelty(x)},
+                        s, arm, robot, settings, poll);
 }
 
 }  // namespace terratact

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "core/infer/estimate/estimate.h"
@@ -10,6 +11,15 @@
 #include "core/robot/robot_model.h"
 
 namespace terratact {
+
+/// Bias and sd of a contact as a measurement of its bin [m] (core/learn/model/clearance_training.h).
+struct ContactError {
+    double bias = 0.0, sd = 0.0;
+};
+inline ContactError contactErrorOf(const ClearanceModel& model)
+{
+    return {model.contactBias(), model.contactSd()};
+}
 
 /// Smoothing share κ of a local sample. Every residual is the centre of a Gaussian with κ² times
 /// the sample's covariance. The centres move towards their mean by √(1 − κ²), which keeps mean and
@@ -24,6 +34,21 @@ inline constexpr double kSmoothing = 0.25;  ///< κ
 /// Throws std::invalid_argument for another method.
 GaussianMixture surfaceDistribution(const ClearanceModel& model, const Eigen::VectorXd& features,
                                     unsigned covered, Method method);
+
+/// What a closed form predicts of a scene, before any contact or probe.
+struct SurfacePrediction {
+    GaussianMixture distribution;         ///< of the surface coordinates
+    std::optional<ContactError> contact;  ///< empty: contacts act through the inputs alone
+    double novelty = 0.0;                 ///< ClearanceModel::novelty()
+};
+
+/// Returns the bins that the robot covers in the pose of one plane.
+unsigned coveredAt(const RobotModel& robot, const Proprioception& s);
+
+/// Estimates one scene from its prediction, as reconstructClosedForm() does.
+TerrainEstimate estimateFrom(SurfacePrediction prediction, const Proprioception& s,
+                             std::span<const ArmReading> arm, const RobotModel& robot,
+                             const Settings& settings, const Poll& poll = {});
 
 /// Estimates one scene in closed form, without a Markov chain. Contacts (with the model's bias and
 /// sd) and arm readings are measurements (measured_bins.h). Each conditions the mixture exactly in

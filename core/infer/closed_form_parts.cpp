@@ -87,15 +87,17 @@ GaussianMixture smoothed(const Eigen::VectorXd& mean, const ResidualSample& samp
 }
 
 void applyMeasurements(GaussianMixture& distribution, int first, MeasuredBins measured,
-                       const ClearanceModel& model, TerrainEstimate& estimate)
+                       const std::optional<ContactError>& contact, TerrainEstimate& estimate)
 {
     for (std::size_t i = 0; i < kBins; ++i) {
         if (!measured.bin[i]) continue;
         MeasuredHeight& height = *measured.bin[i];
-        if (height.origin == Origin::Contact)
-            height = {height.height + model.contactBias(), model.contactSd(), Origin::Contact};
-        applyMeasurement(distribution, first + static_cast<int>(i), height, estimate.ceiling[i]);
         estimate.origin[i] = height.origin;
+        if (height.origin == Origin::Contact) {
+            if (!contact) continue;
+            height = {height.height + contact->bias, contact->sd, Origin::Contact};
+        }
+        applyMeasurement(distribution, first + static_cast<int>(i), height, estimate.ceiling[i]);
     }
     estimate.warnings = std::move(measured.warnings);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/infer/closed_form.h"
 #include "core/infer/estimate/estimate.h"
 #include "core/infer/estimate/measured_bins.h"
@@ -19,9 +21,9 @@ void requireClosedForm(const Settings& settings);
 GaussianMixture smoothed(const Eigen::VectorXd& mean, const ResidualSample& sample);
 
 /// Conditions the mixture on contacts and arm readings, and writes origins and warnings. The
-/// ceilings must be known. model: gives contacts their bias and sd.
+/// ceilings must be known. contact: error of a contact; empty: contacts act through the inputs alone.
 void applyMeasurements(GaussianMixture& distribution, int first, MeasuredBins measured,
-                       const ClearanceModel& model, TerrainEstimate& estimate);
+                       const std::optional<ContactError>& contact, TerrainEstimate& estimate);
 
 /// Adds a warning if estimate.novelty is above 1.
 void warnIfNovel(TerrainEstimate& estimate);

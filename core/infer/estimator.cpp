@@ -8,6 +8,7 @@
 #include "core/infer/estimate/missing_sensors.h"
 #include "core/infer/reconstruct.h"
 #include "core/infer/reconstruct_clearance.h"
+#include "core/infer/trail_form.h"
 
 namespace terratact {
 
@@ -82,27 +83,34 @@ SceneSampling sceneSampling(const Proprioception& s, std::span<const ArmReading>
 
 TerrainEstimate closedFormEstimate(const Proprioception& s, std::span<const ArmReading> arm,
                                    const RobotModel& robot, const Models& models,
-                                   const Settings& settings, const Watch& watch)
+                                   const Settings& settings, const Watch& watch,
+                                   const TrailHistory* history)
 {
     const Poll poll = pollOf(watch);
     const MissingFeatures missing = missingFor(settings.method, s);
     Settings own = settings;
     own.method = methodWithout(settings.method, missing);
+    if (own.method == Method::Trail && remembers(models, history, robot, s))
+        return trailEstimate(s, *history, arm, robot, models, settings, poll);
+    const bool isForgotten = own.method == Method::Trail;
+    if (isForgotten) own.method = Method::Local;
     const auto reduced =
         missing.any() ? models.reduced.without(missing, watch.sideBySide, poll) : nullptr;
     TerrainEstimate estimate =
         reconstructClosedForm(s, arm, robot, reduced ? *reduced : models.clearance, own, poll);
     estimate.settings = settings;
+    if (isForgotten) warnForgotten(estimate);
     warnMissing(estimate, settings.method, missing);
     return estimate;
 }
 
 TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmReading> arm,
                                 const RobotModel& robot, const Models& models,
-                                const Settings& settings, const Watch& watch)
+                                const Settings& settings, const Watch& watch,
+                                const TrailHistory* history)
 {
     if (isClosedForm(methodWithout(settings.method, missingFor(settings.method, s))))
-        return closedFormEstimate(s, arm, robot, models, settings, watch);
+        return closedFormEstimate(s, arm, robot, models, settings, watch, history);
     return sampleScene(sceneSampling(s, arm, robot, models, settings, watch), watch);
 }
 

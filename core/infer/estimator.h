@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -13,6 +14,8 @@
 #include "core/learn/model/reduced_clearances.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
+#include "core/trail/trail_history.h"
+#include "core/trail/trail_model.h"
 
 namespace terratact {
 
@@ -28,6 +31,8 @@ struct Models {
     /// Both sides of two tracks; empty if the model has learnt one plane only.
     std::optional<ClearanceModel> sides{};
     std::optional<ReducedClearances> reducedSides{};
+    /// Networks of the method Trail; null: none, and Local estimates.
+    std::shared_ptr<const TrailModel> trail{};
 };
 
 /// Makes all Gaussian processes that a sampling method may ask for in any scene; none for a closed
@@ -35,20 +40,23 @@ struct Models {
 /// Cancelled.
 void makeProcesses(const Models& models, const Settings& settings, const Watch& watch = {});
 
-/// Estimates one scene by settings.method. If s lacks currents or forces that the method uses,
+/// Estimates one scene by settings.method. The method Trail uses `history`; without it, or without
+/// models.trail, Local estimates and a warning says so. If s lacks currents or forces that the method uses,
 /// methodWithout() chooses the method (missing_sensors.h). TerrainEstimate::missing and its
 /// warnings then say what is missing.
 /// The same scene, models and settings give the same result, bit for bit on one machine.
 /// Throws std::invalid_argument for settings out of range. Throws Cancelled.
 TerrainEstimate estimateTerrain(const Proprioception& s, std::span<const ArmReading> arm,
                                 const RobotModel& robot, const Models& models,
-                                const Settings& settings, const Watch& watch = {});
+                                const Settings& settings, const Watch& watch = {},
+                                const TrailHistory* history = nullptr);
 
 /// Estimates one scene by a method that needs no chain (isClosedForm of methodWithout). Throws as
 /// estimateTerrain.
 TerrainEstimate closedFormEstimate(const Proprioception& s, std::span<const ArmReading> arm,
                                    const RobotModel& robot, const Models& models,
-                                   const Settings& settings, const Watch& watch = {});
+                                   const Settings& settings, const Watch& watch = {},
+                                   const TrailHistory* history = nullptr);
 
 /// Prepares a scene up to the sampling, for a method that samples. Throws as estimateTerrain. The
 /// result refers to the models.

@@ -11,6 +11,7 @@
 #include "core/infer/each_side.h"
 #include "core/infer/estimate/missing_sensors.h"
 #include "core/infer/reconstruct.h"
+#include "core/infer/trail_form.h"
 #include "core/learn/data/side_features.h"
 #include "core/robot/side_plane.h"
 
@@ -59,10 +60,10 @@ void warnBoth(TwoTrackEstimate& estimate, const Message& sentence)
 
 TwoTrackEstimate asOnePlane(const Measurement& line, std::span<const ArmReading> readings,
                             const RobotModel& robot, const Models& models, const Settings& settings,
-                            const Watch& watch)
+                            const Watch& watch, const TrailHistory* history)
 {
     TerrainEstimate plane =
-        estimateTerrain(proprioception(line), readings, robot, models, settings, watch);
+        estimateTerrain(proprioception(line), readings, robot, models, settings, watch, history);
     warnIfNotPlanar(plane, line);
     return equalSides(std::move(plane));
 }
@@ -104,22 +105,25 @@ bool allowsBothSides(const Measurement& line, Method method)
 
 TwoTrackEstimate estimateMeasured(const Measurement& line, std::span<const ArmReading> readings,
                                   const RobotModel& robot, const Models& models,
-                                  const Settings& settings, const Watch& watch)
+                                  const Settings& settings, const Watch& watch,
+                                  const TrailHistory* history)
 {
     const TwoTrackReadings s = twoTrackReadings(line);
     const std::vector<ArmReading> left = readingsOn(ProbeSide::Left, readings),
                                   right = readingsOn(ProbeSide::Right, readings);
     const bool isEven = left.empty() && right.empty() && isSymmetric(s);
     if (!models.sides || !hasSides(line) || isEven)
-        return asOnePlane(line, readings, robot, models, settings, watch);
+        return asOnePlane(line, readings, robot, models, settings, watch, history);
     if (!allowsBothSides(line, settings.method)) {
-        TwoTrackEstimate plane = asOnePlane(line, readings, robot, models, settings, watch);
+        TwoTrackEstimate plane =
+            asOnePlane(line, readings, robot, models, settings, watch, history);
         warnOfOnePlane(plane, line, settings.method);
         return plane;
     }
-    const auto estimateSides =
-        isClosedForm(settings.method) ? estimateByBothSides : estimateEachSide;
-    TwoTrackEstimate estimate = estimateSides(s, {left, right}, robot, models, settings, watch);
+    TwoTrackEstimate estimate =
+        isClosedForm(settings.method)
+            ? estimateByBothSides(s, {left, right}, robot, models, settings, watch, history)
+            : estimateEachSide(s, {left, right}, robot, models, settings, watch);
     for (const ArmReading& reading : readingsOn(ProbeSide::Middle, readings))
         warnBoth(estimate, Message(TR_NOOP("core", "the arm's reading at %1 m lies in the middle "
                                                    "and counts for neither side"),
@@ -129,15 +133,26 @@ TwoTrackEstimate estimateMeasured(const Measurement& line, std::span<const ArmRe
 
 TwoTrackEstimate estimateByBothSides(const TwoTrackReadings& s, const SideArms& arms,
                                      const RobotModel& robot, const Models& models,
-                                     const Settings& settings, const Watch& watch)
+                                     const Settings& settings, const Watch& watch,
+                                     const TrailHistory* history)
 {
     requireClosedForm(settings);
     requireSides(s, models);
     const Poll poll = pollOf(watch);
-    const Reduced left = reducedFor(absentFeatures(s, Side::Left), models, watch, poll);
+    const AbsentFeatures absentLeft = absentFeatures(s, Side::Left);
+    const bool isTrail = settings.method == Method::Trail;
+    if (isTrail && absentLeft.none() && remembers(models, history, robot, s))
+        return trailEstimate(s, *history, arms, robot, models, settings, poll);
+    Settings scene = settings;
+    if (isTrail) scene.method = Method::Local;
+    const Reduced left = reducedFor(absentLeft, models, watch, poll);
     const Reduced right = reducedFor(absentFeatures(s, Side::Right), models, watch, poll);
     const SideModels own{left ? *left : *models.sides, right ? *right : *models.sides};
-    TwoTrackEstimate estimate = reconstructBothSides(s, arms, robot, own, settings, poll);
+    TwoTrackEstimate estimate = reconstructBothSides(s, arms, robot, own, scene, poll);
+    for (TerrainEstimate& side : estimate.side) {
+        side.settings = settings;
+        if (isTrail && absentLeft.none()) warnForgotten(side);
+    }
     writeMissing(estimate.side[0], sideReadings(s, Side::Left));
     writeMissing(estimate.side[1], sideReadings(s, Side::Right));
     return estimate;

@@ -35,12 +35,15 @@ bool allowsBothSides(const Measurement& line, Method method);
 /// the middle, which is of neither line, and say so in a warning. Throws as estimateTerrain().
 TwoTrackEstimate estimateMeasured(const Measurement& line, std::span<const ArmReading> readings,
                                   const RobotModel& robot, const Models& models,
-                                  const Settings& settings, const Watch& watch = {});
+                                  const Settings& settings, const Watch& watch = {},
+                                  const TrailHistory* history = nullptr);
 
-/// Estimates both sides by models.sides, whatever the symmetry. Throws as estimateTwoTracks().
+/// Estimates both sides by models.sides, or by models.trail with a history, whatever the symmetry.
+/// Throws as estimateTwoTracks().
 TwoTrackEstimate estimateByBothSides(const TwoTrackReadings& s, const SideArms& arms,
                                      const RobotModel& robot, const Models& models,
-                                     const Settings& settings, const Watch& watch = {});
+                                     const Settings& settings, const Watch& watch = {},
+                                     const TrailHistory* history = nullptr);
 
 /// Estimates both sides as one plane from the means of both sides' readings, by any method.
 TwoTrackEstimate estimateAsOnePlane(const TwoTrackReadings& s, const RobotModel& robot,

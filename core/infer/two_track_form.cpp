@@ -99,30 +99,30 @@ GaussianMixture sideDistribution(const SideModels& models, const TwoTrackReading
                     models.left.sideResiduals(models.right, sideFeatures(s, Side::Left), covered));
 }
 
-TwoTrackEstimate reconstructBothSides(const TwoTrackReadings& s, const SideArms& arms,
-                                      const RobotModel& robot, const SideModels& models,
-                                      const Settings& settings, const Poll& poll)
+ClearanceModel::SideBins coveredOnSides(const RobotModel& robot, const TwoTrackReadings& s)
 {
-    requireClosedForm(settings);
-    requireFeatures(s, models);
-    callPoll(poll);
+    return {coveredBins(sideCeiling(robot, s, Side::Left)),
+            coveredBins(sideCeiling(robot, s, Side::Right))};
+}
+
+TwoTrackEstimate estimateFrom(SidesPrediction prediction, const TwoTrackReadings& s,
+                              const SideArms& arms, const RobotModel& robot,
+                              const Settings& settings, const Poll& poll)
+{
     TwoTrackEstimate estimate;
-    ClearanceModel::SideBins covered{};
-    const double novelty = models.left.novelty(sideFeatures(s, Side::Left));
+    GaussianMixture& distribution = prediction.distribution;
     for (const Side side : kSides) {
         TerrainEstimate& own = estimate.side[numberOf(side)];
         own.settings = settings;
-        own.novelty = novelty;
+        own.novelty = prediction.novelty;
         own.ceiling = sideCeiling(robot, s, side);
-        covered[numberOf(side)] = coveredBins(own.ceiling);
     }
-    GaussianMixture distribution = sideDistribution(models, s, covered, settings.method);
     for (const Side side : kSides) {
         TerrainEstimate& own = estimate.side[numberOf(side)];
         applyMeasurements(
             distribution, firstOf(side),
             measuredOnSide(side, s, arms[numberOf(side)], robot, own.ceiling, settings),
-            modelOf(models, side), own);
+            prediction.contact[numberOf(side)], own);
         warnIfNovel(own);
     }
     for (const Side side : kSides)
@@ -136,6 +136,19 @@ TwoTrackEstimate reconstructBothSides(const TwoTrackReadings& s, const SideArms&
         own = finite(std::move(own), poll);
     }
     return estimate;
+}
+
+TwoTrackEstimate reconstructBothSides(const TwoTrackReadings& s, const SideArms& arms,
+                                      const RobotModel& robot, const SideModels& models,
+                                      const Settings& settings, const Poll& poll)
+{
+    requireClosedForm(settings);
+    requireFeatures(s, models);
+    callPoll(poll);
+    return estimateFrom({sideDistribution(models, s, coveredOnSides(robot, s), settings.method),
+                         {contactErrorOf(models.left), contactErrorOf(models.right)},
+                         models.left.novelty(sideFeatures(s, Side::Left))},
+                        s, arms, robot, settings, poll);
 }
 
 }  // namespace terratact

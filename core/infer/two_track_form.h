@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
+#include "core/infer/closed_form.h"
 #include "core/infer/estimate/measured_bins.h"
 #include "core/infer/estimate/two_track_estimate.h"
 #include "core/infer/sampling/gaussian_mixture.h"
@@ -33,6 +35,21 @@ MeasuredBins measuredOnSide(Side side, const TwoTrackReadings& s, std::span<cons
 /// other than Joint and Local.
 GaussianMixture sideDistribution(const SideModels& models, const TwoTrackReadings& s,
                                  const ClearanceModel::SideBins& covered, Method method);
+
+/// What a closed form predicts of both sides of a scene, before any contact or probe.
+struct SidesPrediction {
+    GaussianMixture distribution;  ///< of the surface coordinates, left above right
+    std::array<std::optional<ContactError>, 2> contact;  ///< as in SurfacePrediction
+    double novelty = 0.0;
+};
+
+/// Returns the bins that the robot covers on each side.
+ClearanceModel::SideBins coveredOnSides(const RobotModel& robot, const TwoTrackReadings& s);
+
+/// Estimates both sides from their prediction, as reconstructBothSides() does.
+TwoTrackEstimate estimateFrom(SidesPrediction prediction, const TwoTrackReadings& s,
+                              const SideArms& arms, const RobotModel& robot,
+                              const Settings& settings, const Poll& poll = {});
 
 /// Estimates both sides of one scene in closed form, as reconstructClosedForm() does for one plane.
 /// Ceilings, contacts, felt bins and arm readings are those of each side's plane

@@ -4226,6 +4226,82 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>the remembered ground was cleared</source>
         <translation>zapamatovaný terén byl smazán</translation>
     </message>
+    <message>
+        <source>the memory of the way needs every current and force: it is not used</source>
+        <translation>paměť cesty potřebuje všechny proudy a síly: nepoužívá se</translation>
+    </message>
+    <message>
+        <source>nothing of the way is remembered: this scene alone counts</source>
+        <translation>z cesty není nic zapamatováno: platí jen tato scéna</translation>
+    </message>
+    <message>
+        <source>a table holds numbers of another size</source>
+        <translation>tabulka obsahuje čísla jiné velikosti</translation>
+    </message>
+    <message>
+        <source>its inputs are not those of this program</source>
+        <translation>jeho vstupy nejsou vstupy tohoto programu</translation>
+    </message>
+    <message>
+        <source>a bin&apos;s scale is missing</source>
+        <translation>chybí měřítko místa</translation>
+    </message>
+    <message>
+        <source>a bin has two scales</source>
+        <translation>místo má dvě měřítka</translation>
+    </message>
+    <message>
+        <source>a layer of a network is too wide</source>
+        <translation>vrstva sítě je příliš široká</translation>
+    </message>
+    <message>
+        <source>a layer of a network is missing</source>
+        <translation>chybí vrstva sítě</translation>
+    </message>
+    <message>
+        <source>covered bins are out of range</source>
+        <translation>zakrytá místa jsou mimo rozsah</translation>
+    </message>
+    <message>
+        <source>a scene of the errors is missing, or there are too many</source>
+        <translation>chybí scéna chyb, nebo je jich příliš mnoho</translation>
+    </message>
+    <message>
+        <source>is an SQLite file of another application, not trail networks</source>
+        <translation>je soubor SQLite jiného programu, ne sítě metody trail</translation>
+    </message>
+    <message>
+        <source>is of another format version: `terratact train --drives` makes new networks</source>
+        <translation>má jinou verzi formátu: nové sítě vytvoří `terratact train --drives`</translation>
+    </message>
+    <message>
+        <source>its tables are not those of trail networks</source>
+        <translation>jeho tabulky nejsou tabulky sítí metody trail</translation>
+    </message>
+    <message>
+        <source>its seed is not a number</source>
+        <translation>jeho počáteční hodnota není číslo</translation>
+    </message>
+    <message>
+        <source>it holds no network</source>
+        <translation>neobsahuje žádnou síť</translation>
+    </message>
+    <message>
+        <source>its content does not match its hash: it was changed or damaged</source>
+        <translation>jeho obsah neodpovídá otisku: byl změněn nebo poškozen</translation>
+    </message>
+    <message>
+        <source>it has rows of networks without layers</source>
+        <translation>obsahuje řádky sítí bez vrstev</translation>
+    </message>
+    <message>
+        <source>it has rows of an unknown kind of networks</source>
+        <translation>obsahuje řádky neznámého druhu sítí</translation>
+    </message>
+    <message>
+        <source>the networks of method trail give no finite number</source>
+        <translation>sítě metody trail nedávají konečné číslo</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

@@ -4226,6 +4226,82 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>the remembered ground was cleared</source>
         <translation>der gemerkte Boden wurde gelöscht</translation>
     </message>
+    <message>
+        <source>the memory of the way needs every current and force: it is not used</source>
+        <translation>das Gedächtnis des Wegs braucht alle Ströme und Kräfte: es wird nicht benutzt</translation>
+    </message>
+    <message>
+        <source>nothing of the way is remembered: this scene alone counts</source>
+        <translation>vom Weg ist nichts gemerkt: nur diese Szene zählt</translation>
+    </message>
+    <message>
+        <source>a table holds numbers of another size</source>
+        <translation>eine Tabelle enthält Zahlen anderer Größe</translation>
+    </message>
+    <message>
+        <source>its inputs are not those of this program</source>
+        <translation>ihre Eingänge sind nicht die dieses Programms</translation>
+    </message>
+    <message>
+        <source>a bin&apos;s scale is missing</source>
+        <translation>der Maßstab einer Stelle fehlt</translation>
+    </message>
+    <message>
+        <source>a bin has two scales</source>
+        <translation>eine Stelle hat zwei Maßstäbe</translation>
+    </message>
+    <message>
+        <source>a layer of a network is too wide</source>
+        <translation>eine Schicht eines Netzes ist zu breit</translation>
+    </message>
+    <message>
+        <source>a layer of a network is missing</source>
+        <translation>eine Schicht eines Netzes fehlt</translation>
+    </message>
+    <message>
+        <source>covered bins are out of range</source>
+        <translation>verdeckte Stellen liegen außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>a scene of the errors is missing, or there are too many</source>
+        <translation>eine Szene der Fehler fehlt, oder es sind zu viele</translation>
+    </message>
+    <message>
+        <source>is an SQLite file of another application, not trail networks</source>
+        <translation>ist eine SQLite-Datei eines anderen Programms, keine Netze der Methode trail</translation>
+    </message>
+    <message>
+        <source>is of another format version: `terratact train --drives` makes new networks</source>
+        <translation>hat eine andere Formatversion: `terratact train --drives` erzeugt neue Netze</translation>
+    </message>
+    <message>
+        <source>its tables are not those of trail networks</source>
+        <translation>ihre Tabellen sind nicht die von Netzen der Methode trail</translation>
+    </message>
+    <message>
+        <source>its seed is not a number</source>
+        <translation>ihr Startwert ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>it holds no network</source>
+        <translation>sie enthält kein Netz</translation>
+    </message>
+    <message>
+        <source>its content does not match its hash: it was changed or damaged</source>
+        <translation>ihr Inhalt passt nicht zu ihrer Prüfsumme: sie wurde geändert oder beschädigt</translation>
+    </message>
+    <message>
+        <source>it has rows of networks without layers</source>
+        <translation>sie hat Zeilen von Netzen ohne Schichten</translation>
+    </message>
+    <message>
+        <source>it has rows of an unknown kind of networks</source>
+        <translation>sie hat Zeilen einer unbekannten Art von Netzen</translation>
+    </message>
+    <message>
+        <source>the networks of method trail give no finite number</source>
+        <translation>die Netze der Methode trail ergeben keine endliche Zahl</translation>
+    </message>
 </context>
 <context>
     <name>event</name>

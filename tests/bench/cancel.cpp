@@ -115,7 +115,7 @@ Estimate estimateOf(const Scene& scene, const RobotModel& robot, const Settings&
 void cancelWaits(benchmark::State& state)
 {
     openblas_set_num_threads(1);
-    const auto method = kMethods[static_cast<std::size_t>(state.range(0))];
+    const auto method = kSceneMethods[static_cast<std::size_t>(state.range(0))];
     const auto load = static_cast<Load>(state.range(1));
     const RobotModel robot = absolem();
     const Scene scene = someScenes(1, 7)[3];
@@ -135,10 +135,10 @@ void cancelWaits(benchmark::State& state)
 
 void loads(benchmark::internal::Benchmark* bench)
 {
-    for (std::size_t m = 0; m < kMethods.size(); ++m)
+    for (std::size_t m = 0; m < kSceneMethods.size(); ++m)
         for (const Load load : {Balanced, Accurate, AllChains, ManyRows, ManyDraws}) {
-            const bool closed = isClosedForm(kMethods[m]);
-            const bool sensible = load == ManyRows  ? kMethods[m] == Method::Pafc
+            const bool closed = isClosedForm(kSceneMethods[m]);
+            const bool sensible = load == ManyRows  ? kSceneMethods[m] == Method::Pafc
                                 : load == ManyDraws ? closed
                                                     : !closed || load == Balanced;
             if (sensible) bench->Args({static_cast<long>(m), load});

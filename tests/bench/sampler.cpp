@@ -316,7 +316,7 @@ void registerAll()
     }
     for (const QualityPreset preset : kQualityPresets)
         evaluation(std::string(name(preset)), withPreset({}, preset));
-    for (const Method method : kMethods)
+    for (const Method method : kSceneMethods)
         add("oneBalancedScene/" + std::string(name(method)),
             [=](benchmark::State& s) { oneBalancedScene(s, method); }, {});
     add("oneScene/f32", [](benchmark::State& s) { oneScene(s, Precision::Single); }, {});

@@ -32,6 +32,7 @@ QString methodName(Method method)
     case Method::Clearance: return QStringLiteral("clearance");
     case Method::Joint: return QStringLiteral("joint");
     case Method::Local: return QStringLiteral("local");
+    case Method::Trail: return QStringLiteral("trail");
     }
     return {};
 }

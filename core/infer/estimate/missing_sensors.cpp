@@ -45,7 +45,8 @@ MissingFeatures missingFor(Method method, const Proprioception& s)
 
 Method methodWithout(Method method, MissingFeatures missing)
 {
-    return method == Method::Clearance && missing.any() ? Method::Local : method;
+    const bool isPlain = method == Method::Clearance || method == Method::Trail;
+    return isPlain && missing.any() ? Method::Local : method;
 }
 
 std::vector<Message> missingSentences(Method method, MissingFeatures missing)
@@ -57,6 +58,9 @@ std::vector<Message> missingSentences(Method method, MissingFeatures missing)
     if (method == Method::Clearance)
         sentences.emplace_back(
             TR_NOOP("core", "method clearance needs every current and force: local estimates"));
+    if (method == Method::Trail)
+        sentences.emplace_back(
+            TR_NOOP("core", "the memory of the way needs every current and force: it is not used"));
     if (isOfPaper(method))
         sentences.emplace_back(TR_NOOP("core", "the processes use pitch and flipper angles alone"));
     return sentences;

@@ -8,7 +8,7 @@ namespace terratact {
 namespace {
 
 constexpr auto kMethodNames =
-    namesOf<Method>("pa", "pac", "pafc", "pafac", "clearance", "joint", "local");
+    namesOf<Method>("pa", "pac", "pafc", "pafac", "clearance", "joint", "local", "trail");
 constexpr auto kCeilingRuleNames = namesOf<CeilingRule>("truncate", "clamp", "none");
 constexpr auto kContactRuleNames = namesOf<ContactRule>("isolated", "any", "none");
 constexpr auto kScanOrderNames = namesOf<ScanOrder>("forward", "reverse", "random");
@@ -44,6 +44,12 @@ std::string_view name(Precision precision)
 std::optional<Method> methodFromName(std::string_view text)
 {
     return valueIn<Method>(kMethodNames, text);
+}
+
+std::optional<Method> sceneMethodFromName(std::string_view text)
+{
+    const auto method = methodFromName(text);
+    return method == Method::Trail ? std::nullopt : method;
 }
 
 std::optional<CeilingRule> ceilingRuleFromName(std::string_view text)

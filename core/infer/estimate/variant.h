@@ -9,7 +9,7 @@
 
 namespace terratact {
 
-/// The paper's four methods (section 5) and three methods over clearances. The latter estimate
+/// The paper's four methods (section 5) and four methods over clearances. The latter estimate
 /// under the robot how far the ground lies below the body (core/learn/model/clearance.h).
 ///   Pa        pitch and flipper angles
 ///   Pac       Pa, samples constrained by the robot's body
@@ -18,10 +18,17 @@ namespace terratact {
 ///   Clearance Gibbs sampling like Pafc; the state of a bin under the robot is its log clearance
 ///   Joint     closed form: one Gaussian process per bin on s, one Gaussian for the errors of all bins
 ///   Local     closed form: Joint with the errors of the most similar training scenes
-enum class Method : std::uint8_t { Pa, Pac, Pafc, Pafac, Clearance, Joint, Local };
+///   Trail     closed form: networks on s and on the way before the scene (core/trail/trail_model.h);
+///             Local for a scene without a history
+enum class Method : std::uint8_t { Pa, Pac, Pafc, Pafac, Clearance, Joint, Local, Trail };
 
-inline constexpr std::array kMethods{Method::Pa,        Method::Pac,   Method::Pafc, Method::Pafac,
-                                     Method::Clearance, Method::Joint, Method::Local};
+inline constexpr std::array kMethods{Method::Pa,    Method::Pac,       Method::Pafc,
+                                     Method::Pafac, Method::Clearance, Method::Joint,
+                                     Method::Local, Method::Trail};
+/// Methods that need one scene alone.
+inline constexpr std::array kSceneMethods{Method::Pa,    Method::Pac,       Method::Pafc,
+                                          Method::Pafac, Method::Clearance, Method::Joint,
+                                          Method::Local};
 inline constexpr std::array kPaperMethods{Method::Pa, Method::Pac, Method::Pafc, Method::Pafac};
 
 /// Treatment of a sample above the body's ceiling.
@@ -59,7 +66,7 @@ constexpr bool usesCeiling(Method m)
 /// Returns true for a method without Markov chains (core/infer/closed_form.h).
 constexpr bool isClosedForm(Method m)
 {
-    return m == Method::Joint || m == Method::Local;
+    return m == Method::Joint || m == Method::Local || m == Method::Trail;
 }
 /// Returns true for a method that includes a probe by the arm.
 constexpr bool usesArm(Method m)
@@ -75,6 +82,8 @@ std::string_view name(ContactRule rule);
 std::string_view name(ScanOrder scan);
 std::string_view name(Precision precision);
 std::optional<Method> methodFromName(std::string_view text);
+/// Returns the same for kSceneMethods alone.
+std::optional<Method> sceneMethodFromName(std::string_view text);
 std::optional<CeilingRule> ceilingRuleFromName(std::string_view text);
 std::optional<ContactRule> contactRuleFromName(std::string_view text);
 std::optional<ScanOrder> scanOrderFromName(std::string_view text);

@@ -16,7 +16,7 @@ TEST(MethodStyles, everyMethodHasItsOwnColourAndName)
 {
     std::set<unsigned> colours;
     std::set<std::string> names;
-    for (int i = 0; i <= static_cast<int>(Method::Local); ++i) {
+    for (int i = 0; i <= static_cast<int>(Method::Trail); ++i) {
         const MethodStyle style = styleOf(static_cast<Method>(i));
         EXPECT_TRUE(colours.insert(style.colour.rgb).second) << style.words;
         EXPECT_TRUE(names.insert(style.words).second) << style.words;

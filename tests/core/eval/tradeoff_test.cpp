@@ -65,7 +65,7 @@ Settings withoutWhatVaries(const TradeSetting& t)
 
 TEST(TradeSettings, holdEveryPresetOnceAndVaryOneThingAtATime)
 {
-    for (const Method method : kMethods) {
+    for (const Method method : kSceneMethods) {
         std::set<QualityPreset> presets;
         for (const TradeSetting& t : tradeSettings(method, 7)) {
             EXPECT_EQ(t.settings.method, method);

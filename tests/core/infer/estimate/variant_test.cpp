@@ -10,6 +10,8 @@ namespace {
 TEST(Variant, isFoundByItsName)
 {
     for (const Method m : kMethods) EXPECT_EQ(methodFromName(name(m)), m);
+    for (const Method m : kSceneMethods) EXPECT_EQ(sceneMethodFromName(name(m)), m);
+    EXPECT_FALSE(sceneMethodFromName("trail")) << "one scene alone has no way";
     for (const CeilingRule r : {CeilingRule::Truncate, CeilingRule::Clamp, CeilingRule::None})
         EXPECT_EQ(ceilingRuleFromName(name(r)), r);
     for (const ContactRule r : {ContactRule::Isolated, ContactRule::Any})

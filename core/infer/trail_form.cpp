@@ -1,0 +1,70 @@
+#include "core/infer/trail_form.h"
+
+#include "core/infer/closed_form_parts.h"
+#include "core/learn/data/side_features.h"
+#include "core/terrain/body_ceiling.h"
+#include "core/trail/trail_inputs.h"
+
+namespace terratact {
+namespace {
+
+bool hasWay(const TrailHistory* history)
+{
+    return history && history->way > 0.0;
+}
+
+GaussianMixture distributionOf(const TrailPrediction& prediction)
+{
+    return smoothed(prediction.mean, prediction.errors);
+}
+
+}  // namespace
+
+bool remembers(const Models& models, const TrailHistory* history, const RobotModel& robot,
+               const Proprioception& s)
+{
+    return models.trail && hasWay(history) && models.trail->knowsPlane(coveredAt(robot, s));
+}
+
+bool remembers(const Models& models, const TrailHistory* history, const RobotModel& robot,
+               const TwoTrackReadings& s)
+{
+    return models.trail && hasWay(history) && models.trail->knowsSides(coveredOnSides(robot, s));
+}
+
+TerrainEstimate trailEstimate(const Proprioception& s, const TrailHistory& history,
+                              std::span<const ArmReading> arm, const RobotModel& robot,
+                              const Models& models, const Settings& settings, const Poll& poll)
+{
+    requireClosedForm(settings);
+    callPoll(poll);
+    const Heights ceiling = bodyCeiling(robot, s.pitch, s.front, s.rear);
+    const Eigen::VectorXd inputs = planeInputs(s, history, ceiling);
+    return estimateFrom({distributionOf(models.trail->plane(inputs, coveredBins(ceiling))),
+                         {},
+                         models.clearance.novelty(knownFeatures(s))},
+                        s, arm, robot, settings, poll);
+}
+
+TwoTrackEstimate trailEstimate(const TwoTrackReadings& s, const TrailHistory& history,
+                               const SideArms& arms, const RobotModel& robot, const Models& models,
+                               const Settings& settings, const Poll& poll)
+{
+    requireClosedForm(settings);
+    callPoll(poll);
+    const std::array<Eigen::VectorXd, 2> inputs{
+        sideInputs(s, Side::Left, history, sideCeiling(robot, s, Side::Left)),
+        sideInputs(s, Side::Right, history, sideCeiling(robot, s, Side::Right))};
+    return estimateFrom({distributionOf(models.trail->sides(inputs, coveredOnSides(robot, s))),
+                         {},
+                         models.sides->novelty(sideFeatures(s, Side::Left))},
+                        s, arms, robot, settings, poll);
+}
+
+void warnForgotten(TerrainEstimate& estimate)
+{
+    estimate.warnings.emplace_back(
+        TR_NOOP("core", "nothing of the way is remembered: this scene alone counts"));
+}
+
+}  // namespace terratact

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+
+#include "core/infer/estimator.h"
+#include "core/infer/two_track_form.h"
+
+namespace terratact {
+
+/// Return true if the method Trail can estimate a scene. There must be networks that know the covered
+/// bins' regimes, and a history with a way.
+bool remembers(const Models& models, const TrailHistory* history, const RobotModel& robot,
+               const Proprioception& s);
+bool remembers(const Models& models, const TrailHistory* history, const RobotModel& robot,
+               const TwoTrackReadings& s);
+
+/// Estimates one scene by the networks of one plane (core/trail/trail_model.h), otherwise as
+/// reconstructClosedForm() by Local. A contact acts through the inputs alone. Throws
+/// std::invalid_argument if s lacks a feature.
+TerrainEstimate trailEstimate(const Proprioception& s, const TrailHistory& history,
+                              std::span<const ArmReading> arm, const RobotModel& robot,
+                              const Models& models, const Settings& settings,
+                              const Poll& poll = {});
+
+/// Estimates both sides by the networks of both sides, otherwise as reconstructBothSides() by Local.
+TwoTrackEstimate trailEstimate(const TwoTrackReadings& s, const TrailHistory& history,
+                               const SideArms& arms, const RobotModel& robot, const Models& models,
+                               const Settings& settings, const Poll& poll = {});
+
+/// Adds the warning that nothing is remembered.
+void warnForgotten(TerrainEstimate& estimate);
+
+}  // namespace terratact

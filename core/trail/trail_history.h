@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include "core/terrain/bins.h"
+
+namespace terratact {
+
+/// Places at which a history knows the attitude: 0.1 m, 0.2 m … behind the scene along the tracks.
+inline constexpr std::size_t kTrailPlaces = 10;
+inline constexpr double kTrailPlaceStep = 0.1;  ///< [m]
+
+/// Length of the way before a scene that a history tells of [m].
+inline constexpr double kTrailReach = 1.2;
+
+/// Bins that a history tells of: −0.3 … 0.5 m. The robot has not been farther ahead.
+inline constexpr std::size_t kTrailBins = 9;
+
+/// Vertical planes of a history: the middle of the robot, its left and its right side. `lowest` of a
+/// side is in the plane of its track, `pressed` in that of its flipper.
+inline constexpr std::size_t kTrailPlanes = 3;
+
+/// What the way before a scene tells of the ground in one vertical plane. Heights are in the DEM
+/// frame of the scene [m], carried by dead reckoning.
+struct TrailGround {
+    /// Mean over the bin of the lowest place of the robot that passed above it; +infinity: the robot
+    /// did not pass above all of it.
+    std::array<double, kTrailBins> lowest{};
+    /// Load of the force elements that pressed near the bin at earlier scenes [N]: each force counts
+    /// by 1 at the bin's centre, falling linearly to 0 at 0.1 m.
+    std::array<double, kTrailBins> load{};
+    std::array<double, kTrailBins>
+        pressed{};  ///< mean height of these elements by load; 0 without load
+    bool operator==(const TrailGround&) const = default;
+};
+
+/// What the way before a scene tells. Plain numbers, so that a session can hold them and estimate
+/// again. Shorter ways tell less: `way` says how long it was.
+struct TrailHistory {
+    double way = 0.0;                          ///< [m] known before the scene, at most kTrailReach
+    std::array<double, kTrailPlaces> pitch{};  ///< [rad] mean within ± 0.05 m of each place
+    std::array<double, kTrailPlaces> roll{};   ///< [rad] the same of roll, left side up positive
+    std::array<TrailGround, kTrailPlanes> ground{};  ///< middle, left, right
+    bool operator==(const TrailHistory&) const = default;
+};
+
+/// Returns the history of a scene before which nothing is known.
+TrailHistory emptyHistory(double pitch, double roll);
+
+}  // namespace terratact

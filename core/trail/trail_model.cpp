@@ -1,0 +1,184 @@
+#include "core/trail/trail_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "core/base/message.h"
+#include "core/learn/model/surface_rows.h"
+#include "core/trail/trail_inputs.h"
+
+namespace terratact {
+namespace {
+
+using SideMasks = std::array<unsigned, 2>;
+
+/// Standardised inputs farther than this count as this far: training held none.
+constexpr double kFarthestInput = 10.0;
+
+void requireOfTrail(bool holds, const char* what)
+{
+    if (!holds) throw std::invalid_argument(fmt::format("trail networks: {}", what));
+}
+
+void requireErrors(const TrailErrors& errors, Eigen::Index rows)
+{
+    requireOfTrail(errors.predicted.rows() == rows && errors.residual.rows() == rows
+                       && errors.predicted.cols() == errors.residual.cols()
+                       && std::ssize(errors.covered) == errors.predicted.cols(),
+                   "sizes of the errors disagree");
+    requireOfTrail(errors.predicted.cols() >= kTrailNeighbours,
+                   "too few scenes tell of the errors");
+    requireOfTrail(errors.predicted.allFinite() && errors.residual.allFinite(),
+                   "an error is not finite");
+}
+
+const TrailScale& scaleOf(const TrailNetworks& networks, int bin, unsigned covered)
+{
+    const auto i = static_cast<std::size_t>(bin);
+    return isCovered(covered, bin) ? networks.covered[i] : networks.open[i];
+}
+
+/// A scene of the errors, as it is or mirrored.
+struct Similar {
+    Eigen::Index scene = 0;
+    bool isMirrored = false;
+    double squared = 0.0;
+};
+
+/// Returns a column with the upper and the lower half exchanged.
+Eigen::VectorXf exchanged(const Eigen::VectorXf& column)
+{
+    Eigen::VectorXf other(column.size());
+    const Eigen::Index half = column.size() / 2;
+    other << column.tail(half), column.head(half);
+    return other;
+}
+
+double otherRegimes(const SideMasks& a, const SideMasks& b, Eigen::Index sides)
+{
+    int bins = std::popcount(a[0] ^ b[0]);
+    if (sides == 2) bins += std::popcount(a[1] ^ b[1]);
+    return TrailModel::kOtherRegime * bins;
+}
+
+std::vector<Similar> nearestScenes(const TrailErrors& errors, const Eigen::VectorXf& predicted,
+                                   const SideMasks& covered)
+{
+    const Eigen::Index sides = predicted.size() / kBins;
+    std::vector<Similar> all;
+    all.reserve(errors.covered.size() * static_cast<std::size_t>(sides));
+    for (Eigen::Index k = 0; k < sides; ++k) {
+        const bool mirror = k == 1;
+        const Eigen::VectorXf own = mirror ? exchanged(predicted) : predicted;
+        const SideMasks masks = mirror ? SideMasks{covered[1], covered[0]} : covered;
+        const Eigen::VectorXf squared =
+            (errors.predicted.colwise() - own).colwise().squaredNorm().transpose();
+        for (Eigen::Index u = 0; u < squared.size(); ++u)
+            all.push_back(
+                {u, mirror,
+                 static_cast<double>(squared[u])
+                     + otherRegimes(errors.covered[static_cast<std::size_t>(u)], masks, sides)});
+    }
+    const auto nearer = [](const Similar& a, const Similar& b) { return a.squared < b.squared; };
+    std::partial_sort(all.begin(), all.begin() + kTrailNeighbours, all.end(), nearer);
+    all.resize(std::size_t{kTrailNeighbours});
+    return all;
+}
+
+/// Returns the mean and the errors in y of a prediction in sd of TrailScale.
+TrailPrediction inSurfaceCoordinates(const TrailNetworks& networks,
+                                     const Eigen::VectorXf& predicted, const SideMasks& covered)
+{
+    const std::vector<Similar> similar = nearestScenes(networks.errors, predicted, covered);
+    Eigen::VectorXd squared(std::ssize(similar));
+    Eigen::MatrixXd residual(predicted.size(), squared.size());
+    for (Eigen::Index k = 0; k < squared.size(); ++k) {
+        const Similar& scene = similar[static_cast<std::size_t>(k)];
+        const Eigen::VectorXf own = networks.errors.residual.col(scene.scene);
+        residual.col(k) = (scene.isMirrored ? exchanged(own) : own).cast<double>();
+        squared[k] = scene.squared;
+    }
+    TrailPrediction prediction{Eigen::VectorXd(predicted.size()),
+                               {residualWeights(squared), std::move(residual)}};
+    for (Eigen::Index i = 0; i < predicted.size(); ++i) {
+        const TrailScale& scale = scaleOf(networks, static_cast<int>(i % kBins),
+                                          covered[static_cast<std::size_t>(i / kBins)]);
+        prediction.mean[i] = scale.mean + scale.sd * static_cast<double>(predicted[i]);
+        prediction.errors.residual.row(i) *= scale.sd;
+    }
+    return prediction;
+}
+
+}  // namespace
+
+void requireTrailNetworks(const TrailNetworks& networks, Eigen::Index inputs, Eigen::Index sides)
+{
+    requireOfTrail(networks.inputMean.size() == inputs && networks.inputSd.size() == inputs,
+                   "another number of inputs");
+    requireOfTrail(networks.inputMean.allFinite() && networks.inputSd.allFinite()
+                       && (networks.inputSd.array() > 0.0).all(),
+                   "an input's mean or sd is out of range");
+    for (const auto& scales : {networks.open, networks.covered})
+        for (const TrailScale& scale : scales)
+            requireOfTrail(std::isfinite(scale.mean) && std::isfinite(scale.sd) && scale.sd >= 0.0,
+                           "a bin's mean or sd is out of range");
+    requireOfTrail(!networks.networks.empty(), "there is none");
+    for (const Network& network : networks.networks) {
+        requireNetwork(network);
+        requireOfTrail(network.inputs() == inputs && network.outputs() == Eigen::Index{kBins},
+                       "a network has another number of inputs or outputs");
+    }
+    requireErrors(networks.errors, sides * kBins);
+}
+
+Eigen::VectorXf meanOutput(const TrailNetworks& networks, const Eigen::VectorXd& inputs)
+{
+    if (inputs.size() != networks.inputMean.size() || !inputs.allFinite())
+        throw std::invalid_argument("trail networks need all inputs, finite");
+    const Eigen::VectorXf x = (inputs - networks.inputMean)
+                                  .cwiseQuotient(networks.inputSd)
+                                  .cwiseMax(-kFarthestInput)
+                                  .cwiseMin(kFarthestInput)
+                                  .cast<float>();
+    Eigen::VectorXf sum = Eigen::VectorXf::Zero(Eigen::Index{kBins});
+    for (const Network& network : networks.networks) sum += network.output(x);
+    if (!sum.allFinite())
+        throw RefusedInput(TR_NOOP("core", "the networks of method trail give no finite number"));
+    return sum / static_cast<float>(networks.networks.size());
+}
+
+bool TrailNetworks::knows(unsigned mask) const
+{
+    if (isEmpty()) return false;
+    for (int bin = 0; bin < kBins; ++bin)
+        if (!(scaleOf(*this, bin, mask).sd > 0.0)) return false;
+    return true;
+}
+
+TrailModel::TrailModel(TrailData data) : data_(std::move(data))
+{
+    if (hasPlane()) requireTrailNetworks(data_.plane, kPlaneInputs, 1);
+    if (hasSides()) requireTrailNetworks(data_.side, kSideInputs, 2);
+}
+
+TrailPrediction TrailModel::plane(const Eigen::VectorXd& inputs, unsigned covered) const
+{
+    if (!hasPlane()) throw std::invalid_argument("no trail networks of one plane");
+    return inSurfaceCoordinates(data_.plane, meanOutput(data_.plane, inputs), {covered, covered});
+}
+
+TrailPrediction TrailModel::sides(const std::array<Eigen::VectorXd, 2>& inputs,
+                                  const std::array<unsigned, 2>& covered) const
+{
+    if (!hasSides()) throw std::invalid_argument("no trail networks of both sides");
+    Eigen::VectorXf predicted(Eigen::Index{2} * kBins);
+    predicted << meanOutput(data_.side, inputs[0]), meanOutput(data_.side, inputs[1]);
+    return inSurfaceCoordinates(data_.side, predicted, covered);
+}
+
+}  // namespace terratact

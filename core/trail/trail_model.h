@@ -1,0 +1,101 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/learn/model/residual_sample.h"
+#include "core/learn/net/network.h"
+#include "core/terrain/bins.h"
+
+namespace terratact {
+
+/// Mean and sd of a bin's surface coordinate (core/learn/model/clearance.h) in one regime. The sd is 0
+/// if training had too few scenes of it.
+struct TrailScale {
+    double mean = 0.0, sd = 0.0;
+    bool operator==(const TrailScale&) const = default;
+};
+
+/// Scenes of drives that no network learnt from. Their errors are those of new drives. Numbers are
+/// in sd of TrailScale, one column per scene: 11 rows of one plane, 22 of both sides, left above
+/// right.
+struct TrailErrors {
+    Eigen::MatrixXf predicted;                     ///< mean of the networks
+    Eigen::MatrixXf residual;                      ///< truth minus that mean
+    std::vector<std::array<unsigned, 2>> covered;  ///< covered bins; of one plane: both equal
+};
+
+/// Networks that predict the eleven bins of one plane or of one side, and their errors.
+struct TrailNetworks {
+    Eigen::VectorXd inputMean, inputSd;
+    std::array<TrailScale, kBins> open, covered;
+    std::vector<Network> networks;  ///< of different seeds; their mean counts
+    TrailErrors errors;
+
+    bool isEmpty() const { return networks.empty(); }
+    /// Returns true if training held the regime of every bin. mask: covered bins.
+    bool knows(unsigned mask) const;
+};
+
+/// What a model file of the method `trail` holds.
+struct TrailData {
+    TrailNetworks plane, side;
+    std::string command;  ///< that trained it
+    std::uint64_t seed = 0;
+    std::string planeHash, sideHash;  ///< SHA-256 of the drives, hex; empty: not trained
+};
+
+/// Number of scenes whose errors form those of a scene.
+inline constexpr int kTrailNeighbours = 60;
+
+/// Mean surface coordinates, and the errors of similar scenes: of one plane 11 rows, of both sides
+/// 22, left above right.
+struct TrailPrediction {
+    Eigen::VectorXd mean;
+    ResidualSample errors;
+};
+
+/// The networks, ready to predict. Immutable; may be shared between threads.
+class TrailModel {
+public:
+    /// Throws std::invalid_argument for parts that do not fit each other.
+    explicit TrailModel(TrailData data);
+
+    bool hasPlane() const { return !data_.plane.isEmpty(); }
+    bool hasSides() const { return !data_.side.isEmpty(); }
+    bool knowsPlane(unsigned covered) const { return data_.plane.knows(covered); }
+    bool knowsSides(const std::array<unsigned, 2>& covered) const
+    {
+        return data_.side.knows(covered[0]) && data_.side.knows(covered[1]);
+    }
+
+    /// Predict from planeInputs(), and from sideInputs() of the left and the right side
+    /// (trail_inputs.h). covered: bins of the plane, or of both sides. The errors are those of the
+    /// kTrailNeighbours scenes with the nearest predictions:
+    ///   D² = Σ (p − p')² + kOtherRegime · bins in another regime
+    /// with the weights of residualWeights(). A scene of two tracks and its mirror image count as
+    /// two. Throw std::invalid_argument if the inputs do not fit, or without such networks. Throw
+    /// RefusedInput if the output is not finite.
+    TrailPrediction plane(const Eigen::VectorXd& inputs, unsigned covered) const;
+    TrailPrediction sides(const std::array<Eigen::VectorXd, 2>& inputs,
+                          const std::array<unsigned, 2>& covered) const;
+
+    const TrailData& data() const { return data_; }
+
+    static constexpr double kOtherRegime = 4.0;
+
+private:
+    TrailData data_;
+};
+
+/// Returns the mean output of the networks, in sd of TrailScale.
+Eigen::VectorXf meanOutput(const TrailNetworks& networks, const Eigen::VectorXd& inputs);
+
+/// Throws std::invalid_argument unless all parts fit each other and are finite. inputs: expected
+/// number; sides: 1 for a plane, 2 for both sides.
+void requireTrailNetworks(const TrailNetworks& networks, Eigen::Index inputs, Eigen::Index sides);
+
+}  // namespace terratact

@@ -1,0 +1,232 @@
+#include "core/trail/trail_record.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/robot/kinematics.h"
+#include "core/robot/side_plane.h"
+
+namespace terratact {
+namespace {
+
+constexpr double kUncovered = std::numeric_limits<double>::infinity();
+constexpr double kWindow = 0.05;     // [m] half a window of the attitude
+constexpr double kLeastForce = 0.6;  // [N] twice an element's noise
+constexpr double kRounding = 1e-9;   // [m]
+
+struct PlaneOfLine {
+    RobotModel robot;
+    Proprioception s;
+};
+
+/// Returns the plane of a line: 0 the middle, 1 the left and 2 the right side at this y [m].
+PlaneOfLine planeOf(const RobotModel& robot, const Measurement& line, std::size_t plane, double y)
+{
+    if (plane == 0) return {robot, proprioception(line)};
+    const Side side = plane == 1 ? Side::Left : Side::Right;
+    return {inSidePlane(robot, line.roll, signOf(side) * y),
+            sideReadings(twoTrackReadings(line), side)};
+}
+
+TrailEnvelope envelopeOf(const PlaneOfLine& plane)
+{
+    const RobotShape shape =
+        shapeAt(plane.robot, poseInDem(plane.robot, plane.s.pitch, plane.s.front, plane.s.rear));
+    TrailEnvelope envelope{};
+    for (std::size_t k = 0; k < kEnvelopePoints; ++k)
+        envelope[k] = lowerEnvelope(shape, kEnvelopeBegin + kEnvelopeStep * static_cast<double>(k));
+    return envelope;
+}
+
+/// Returns an envelope at x [m], linear between two points; +infinity beside the robot.
+double envelopeAt(const TrailEnvelope& envelope, double x)
+{
+    const double at = (x - kEnvelopeBegin) / kEnvelopeStep;
+    if (!(at >= 0.0) || at > static_cast<double>(kEnvelopePoints - 1)) return kUncovered;
+    const auto k = std::min(static_cast<std::size_t>(at), kEnvelopePoints - 2);
+    const double share = at - static_cast<double>(k);
+    if (share == 0.0) return envelope[k];
+    if (share == 1.0) return envelope[k + 1];
+    return envelope[k] * (1.0 - share) + envelope[k + 1] * share;
+}
+
+/// Returns the mean over a bin of an envelope: half its centre, a quarter each of its borders.
+double overBin(const TrailEnvelope& envelope, std::size_t bin)
+{
+    const auto centre = static_cast<std::size_t>(
+        std::lround((binCentre(static_cast<int>(bin)) - kEnvelopeBegin) / kEnvelopeStep));
+    return 0.25 * envelope[centre - 1] + 0.5 * envelope[centre] + 0.25 * envelope[centre + 1];
+}
+
+}  // namespace
+
+TrailRecord::TrailRecord(const RobotModel& robot, const WayLimits& limits)
+    : robot_(robot), way_(robot, limits)
+{
+}
+
+void TrailRecord::end(SectionStart why)
+{
+    way_.end(why);
+    forgetAfterBreak();
+}
+
+void TrailRecord::forgetAfterBreak()
+{
+    if (segment_ == way_.segment()) return;
+    segment_ = way_.segment();
+    begin_.reset();
+    places_.clear();
+    presses_.clear();
+}
+
+TrailRecord::Place TrailRecord::placeOf(const WayPose& pose, const Measurement& line,
+                                        bool isScene) const
+{
+    Place place{pose.way, line.travelled.value_or(0.0), pose.imu, line.pitch, line.roll, {},
+                isScene};
+    for (std::size_t p = 0; p < kTrailPlanes; ++p)
+        place.envelope[p] = envelopeOf(planeOf(robot_, line, p, robot_.lateral.trackY));
+    return place;
+}
+
+void TrailRecord::add(const Measurement& line)
+{
+    way_.add(line);
+    newest_ = line.time;
+    forgetAfterBreak();
+    const std::optional<WayPose> pose = way_.now();
+    if (!pose) return;
+    if (!begin_) begin_ = pose->way;
+    const bool isNear = !places_.empty() && pose->way - lastLine_ < kStep;
+    if (isNear) return;
+    lastLine_ = pose->way;
+    places_.push_back(placeOf(*pose, line, false));
+    dropOld(pose->way);
+}
+
+void TrailRecord::dropOld(double way)
+{
+    while (!places_.empty() && way - places_.front().way > kLength) places_.pop_front();
+    while (!presses_.empty() && way - presses_.front().way > kLength) presses_.pop_front();
+    begin_ = std::max(*begin_, way - kLength);
+}
+
+double TrailRecord::length() const
+{
+    const std::optional<WayPose> pose = way_.now();
+    return pose && begin_ ? pose->way - *begin_ : 0.0;
+}
+
+std::optional<WayPose> TrailRecord::poseAt(const Measurement& scene) const
+{
+    if (!newest_ || !scene.travelled || !begin_) return std::nullopt;
+    StripWay way = way_;
+    Measurement now = scene;
+    now.time = std::max(scene.time, *newest_);
+    way.add(now);
+    if (way.segment() != segment_) return std::nullopt;
+    return way.now();
+}
+
+void TrailRecord::addScene(const Measurement& scene)
+{
+    Measurement now = scene;
+    now.time = std::max(scene.time, newest_.value_or(scene.time));
+    add(now);
+    const std::optional<WayPose> pose = way_.now();
+    if (!pose) return;
+    Press press{pose->way, pose->imu, {}};
+    for (std::size_t p = 0; p < kTrailPlanes; ++p) {
+        const PlaneOfLine plane = planeOf(robot_, scene, p, robot_.lateral.flipperY);
+        const Pose inDem = poseInDem(plane.robot, plane.s.pitch, plane.s.front, plane.s.rear);
+        for (std::size_t e = 0; e < std::size_t{kForceElements}; ++e) {
+            const Vec2 at = elementPosition(plane.robot, inDem, plane.robot.elementShare[e]);
+            press.elements[p][e] = {at.x, at.z, plane.s.force[e].value_or(0.0)};
+        }
+    }
+    if (!presses_.empty() && std::abs(pose->way - presses_.back().way) < kStep) {
+        presses_.pop_back();
+        std::erase_if(places_, [&](const Place& place) {
+            return place.isScene && std::abs(place.way - pose->way) < kStep;
+        });
+    }
+    presses_.push_back(press);
+    places_.push_back(placeOf(*pose, scene, true));
+}
+
+TrailHistory TrailRecord::before(const Measurement& scene, double way) const
+{
+    TrailHistory history = emptyHistory(scene.pitch, scene.roll);
+    const std::optional<WayPose> pose = poseAt(scene);
+    if (!pose) return history;
+    history.way = std::clamp(pose->way - *begin_, 0.0, std::min(way, kTrailReach));
+    writeAttitude(history, pose->way, *scene.travelled);
+    writeLowest(history, scene, *pose);
+    writePressed(history, *pose);
+    return history;
+}
+
+void TrailRecord::writeAttitude(TrailHistory& history, double now, double travelled) const
+{
+    for (std::size_t k = 0; k < kTrailPlaces; ++k) {
+        const double back = kTrailPlaceStep * static_cast<double>(k + 1);
+        double pitch = 0.0, roll = 0.0;
+        int count = 0;
+        for (const Place& place : places_) {
+            if (place.isScene || now - place.way > history.way + kRounding
+                || std::abs(travelled - place.travelled - back) > kWindow)
+                continue;
+            pitch += place.pitch;
+            roll += place.roll;
+            ++count;
+        }
+        if (count == 0 && k == 0) continue;  // the scene's own
+        history.pitch[k] = count > 0 ? pitch / count : history.pitch[k - 1];
+        history.roll[k] = count > 0 ? roll / count : history.roll[k - 1];
+    }
+}
+
+void TrailRecord::writeLowest(TrailHistory& history, const Measurement& scene,
+                              const WayPose& pose) const
+{
+    const Place own = placeOf(pose, scene, true);
+    for (std::size_t p = 0; p < kTrailPlanes; ++p) {
+        TrailEnvelope lowest = own.envelope[p];
+        for (const Place& place : places_) {
+            if (pose.way - place.way > history.way + kRounding) continue;
+            const double dx = place.imu.x - pose.imu.x, dz = place.imu.z - pose.imu.z;
+            for (std::size_t k = 0; k < kEnvelopePoints; ++k) {
+                const double x = kEnvelopeBegin + kEnvelopeStep * static_cast<double>(k);
+                lowest[k] = std::min(lowest[k], envelopeAt(place.envelope[p], x - dx) + dz);
+            }
+        }
+        for (std::size_t bin = 0; bin < kTrailBins; ++bin)
+            history.ground[p].lowest[bin] = overBin(lowest, bin);
+    }
+}
+
+void TrailRecord::writePressed(TrailHistory& history, const WayPose& pose) const
+{
+    for (const Press& press : presses_) {
+        if (pose.way - press.way > history.way + kRounding) continue;
+        if (std::abs(pose.way - press.way) < kStep) continue;  // the scene itself
+        const double dx = press.imu.x - pose.imu.x, dz = press.imu.z - pose.imu.z;
+        for (std::size_t p = 0; p < kTrailPlanes; ++p)
+            for (const Element& element : press.elements[p]) {
+                if (element.force < kLeastForce) continue;
+                TrailGround& ground = history.ground[p];
+                for (std::size_t bin = 0; bin < kTrailBins; ++bin) {
+                    const double away = std::abs(element.x + dx - binCentre(static_cast<int>(bin)));
+                    const double load = element.force * std::max(1.0 - away / kBinWidth, 0.0);
+                    ground.load[bin] += load;
+                    ground.pressed[bin] += load * (element.z + dz);
+                }
+            }
+    }
+    for (TrailGround& ground : history.ground)
+        for (std::size_t bin = 0; bin < kTrailBins; ++bin)
+            if (ground.load[bin] > 0.0) ground.pressed[bin] /= ground.load[bin];
+}
+
+}  // namespace terratact

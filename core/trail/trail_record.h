@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+#include "core/robot/measurement.h"
+#include "core/robot/robot_model.h"
+#include "core/strip/strip_way.h"
+#include "core/trail/trail_history.h"
+
+namespace terratact {
+
+/// The robot's lower envelope over x = −0.7 … 1.0 m in steps of 0.05 m [m], DEM frame. It is
+/// +infinity where the robot is not.
+inline constexpr std::size_t kEnvelopePoints = 35;
+inline constexpr double kEnvelopeBegin = -0.7, kEnvelopeStep = 0.05;
+using TrailEnvelope = std::array<double, kEnvelopePoints>;
+
+/// Record of the last stretch of way: attitude and envelope of the robot every kStep, and the forces
+/// of every scene. Dead reckoning (core/strip/dead_reckoning.h) places them; a break of the way
+/// (core/strip/strip_way.h) empties the record. At most kLength of way, below 1 MB. It has no clock.
+class TrailRecord {
+public:
+    static constexpr double kLength = 3.0;  ///< [m]
+    static constexpr double kStep = 0.02;   ///< [m] least way between two lines of the record
+
+    explicit TrailRecord(const RobotModel& robot, const WayLimits& limits = {});
+
+    /// Adds the next line of telemetry.
+    void add(const Measurement& line);
+    /// Empties the record because telemetry was silent for too long by the caller's clock.
+    void addSilence() { end(SectionStart::TelemetryGap); }
+    /// Empties the record for this reason.
+    void end(SectionStart why);
+
+    /// Returns what the way before a scene tells. The scene is the newest line, or one of the last
+    /// lines while the robot stood. way: tells at most this much of the way [m]. Without odometry,
+    /// or right after a break, it is an emptyHistory().
+    TrailHistory before(const Measurement& scene, double way = kTrailReach) const;
+
+    /// Keeps the forces of a scene for the scenes after it. A scene within kStep of the last one
+    /// replaces it. The scene counts as a line of telemetry.
+    void addScene(const Measurement& scene);
+
+    /// Returns why nothing is remembered before the present stretch.
+    SectionStart why() const { return way_.why(); }
+    /// Returns the way that the record knows [m]; 0 without odometry.
+    double length() const;
+
+private:
+    /// Attitude and envelopes at a place of the way.
+    struct Place {
+        double way = 0.0;
+        double travelled = 0.0;  ///< [m] as the robot reported it, forward positive
+        Vec2 imu;                ///< [m] frame of the segment
+        double pitch = 0.0, roll = 0.0;
+        std::array<TrailEnvelope, kTrailPlanes> envelope{};
+        bool isScene = false;
+    };
+    /// An element that pressed at a scene: its place from the IMU, and its force.
+    struct Element {
+        double x = 0.0, z = 0.0, force = 0.0;
+    };
+    using Elements = std::array<Element, std::size_t{kForceElements}>;
+    struct Press {
+        double way = 0.0;
+        Vec2 imu;
+        std::array<Elements, kTrailPlanes> elements{};
+    };
+
+    std::optional<WayPose> poseAt(const Measurement& scene) const;
+    Place placeOf(const WayPose& pose, const Measurement& line, bool isScene) const;
+    void forgetAfterBreak();
+    void dropOld(double way);
+    void writeAttitude(TrailHistory& history, double now, double travelled) const;
+    void writeLowest(TrailHistory& history, const Measurement& scene, const WayPose& pose) const;
+    void writePressed(TrailHistory& history, const WayPose& pose) const;
+
+    RobotModel robot_;
+    StripWay way_;
+    std::int64_t segment_ = 0;
+    std::optional<double> newest_;  ///< time of the newest line [s]
+    std::optional<double> begin_;   ///< way of the first line of the record
+    double lastLine_ = 0.0;         ///< way of the newest line of the record
+    std::deque<Place> places_;
+    std::deque<Press> presses_;
+};
+
+}  // namespace terratact

@@ -1,0 +1,297 @@
+#include "core/trail/trail_training.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+#include <stdexcept>
+#include <utility>
+
+#include "core/base/random_unit.h"
+#include "core/learn/data/side_features.h"
+#include "core/learn/model/clearance.h"
+#include "core/learn/model/surface_rows.h"
+#include "core/terrain/body_ceiling.h"
+#include "core/trail/trail_file.h"
+#include "core/trail/trail_inputs.h"
+#include "core/trail/trail_record.h"
+
+namespace terratact {
+namespace {
+
+constexpr Eigen::Index kTrailSides = 2;
+constexpr double kLeastSd = 1e-6;
+constexpr double kFewestScenes = 30.0;  // of a regime that counts as trained
+
+bool isKnown(const OptionalHeights& heights)
+{
+    return std::ranges::all_of(heights, [](const auto& h) { return h.has_value(); });
+}
+
+/// Returns true if a scene has everything that a row needs.
+bool isUsable(const DriveLine& scene, bool sides)
+{
+    if (!isKnown(scene.truth[0]) || !isKnown(scene.truth[1])) return false;
+    if (!sides) return missingFeatures(proprioception(scene.line)).none();
+    return absentFeatures(twoTrackReadings(scene.line), Side::Left).none();
+}
+
+/// One column of the rows.
+struct TrailRow {
+    Eigen::VectorXd inputs;
+    Heights ceiling{};
+    OptionalHeights truth{};
+};
+
+TrailRow planeRow(const DriveLine& scene, const TrailHistory& history, const RobotModel& robot)
+{
+    const Proprioception s = proprioception(scene.line);
+    const Heights ceiling = bodyCeiling(robot, s.pitch, s.front, s.rear);
+    return {planeInputs(s, history, ceiling), ceiling, scene.truth[0]};
+}
+
+TrailRow sideRow(const DriveLine& scene, Side side, const TrailHistory& history,
+                 const RobotModel& robot)
+{
+    const TwoTrackReadings s = twoTrackReadings(scene.line);
+    const Heights ceiling = sideCeiling(robot, s, side);
+    return {sideInputs(s, side, history, ceiling), ceiling,
+            scene.truth[side == Side::Left ? 0 : 1]};
+}
+
+bool isForErrors(int drive)
+{
+    return drive % kErrorDrives == 0;
+}
+
+std::vector<TrailRow> rowsOfDrive(const DriveLines& drive, bool cuts, const RobotModel& robot,
+                                  bool sides, std::mt19937_64& rng, int& leftOut)
+{
+    std::vector<TrailRow> rows;
+    TrailRecord record(robot);
+    for (const DriveLine& line : drive.lines) {
+        if (!line.isScene) {
+            record.add(line.line);
+            continue;
+        }
+        const double chance = randomUnit(rng), part = randomUnit(rng);
+        const double way = cuts && chance < kCutShare ? part * kTrailReach : kTrailReach;
+        if (isUsable(line, sides)) {
+            const TrailHistory history = record.before(line.line, way);
+            if (sides) {
+                rows.push_back(sideRow(line, Side::Left, history, robot));
+                rows.push_back(sideRow(line, Side::Right, history, robot));
+            } else {
+                rows.push_back(planeRow(line, history, robot));
+            }
+        } else {
+            ++leftOut;
+        }
+        record.addScene(line.line);
+    }
+    return rows;
+}
+
+TrailRows asColumns(const std::vector<TrailRow>& rows, Eigen::Index inputs)
+{
+    const Eigen::Index n = std::ssize(rows);
+    TrailRows all;
+    all.inputs.resize(inputs, n);
+    all.heights.resize(kBins, n);
+    all.ceilings.resize(kBins, n);
+    all.covered.reserve(rows.size());
+    for (Eigen::Index u = 0; u < n; ++u) {
+        const TrailRow& row = rows[static_cast<std::size_t>(u)];
+        all.inputs.col(u) = row.inputs.cast<float>();
+        for (Eigen::Index i = 0; i < kBins; ++i) {
+            const auto bin = static_cast<std::size_t>(i);
+            all.heights(i, u) = *row.truth[bin];
+            all.ceilings(i, u) = row.ceiling[bin];
+        }
+        all.covered.push_back(coveredBins(row.ceiling));
+    }
+    return all;
+}
+
+std::vector<Eigen::Index> columnsWhere(const TrailRows& rows, bool forErrors)
+{
+    std::vector<Eigen::Index> columns;
+    for (std::size_t u = 0; u < rows.drive.size(); ++u)
+        if (isForErrors(rows.drive[u]) == forErrors)
+            columns.push_back(static_cast<Eigen::Index>(u));
+    return columns;
+}
+
+void writeInputScale(TrailNetworks& networks, const Eigen::MatrixXf& inputs)
+{
+    const Eigen::MatrixXd values = inputs.cast<double>();
+    networks.inputMean = values.rowwise().mean();
+    const Eigen::MatrixXd centred = values.colwise() - networks.inputMean;
+    networks.inputSd =
+        (centred.rowwise().squaredNorm() / static_cast<double>(values.cols())).cwiseSqrt();
+    // An input that never varied has no effect in training, and little elsewhere.
+    networks.inputSd = (networks.inputSd.array() < kLeastSd).select(1.0, networks.inputSd);
+}
+
+double surfaceAt(const TrailRows& rows, Eigen::Index bin, Eigen::Index u)
+{
+    return toSurface(rows.heights(bin, u), rows.ceilings(bin, u));
+}
+
+TrailScale& scaleIn(TrailNetworks& networks, Eigen::Index bin, bool covered)
+{
+    auto& scales = covered ? networks.covered : networks.open;
+    return scales[static_cast<std::size_t>(bin)];
+}
+
+void writeScales(TrailNetworks& networks, const TrailRows& rows,
+                 const std::vector<Eigen::Index>& columns)
+{
+    for (Eigen::Index bin = 0; bin < kBins; ++bin)
+        for (const bool covered : {false, true}) {
+            double sum = 0.0, squares = 0.0, count = 0.0;
+            for (const Eigen::Index u : columns) {
+                if (isCovered(rows.covered[static_cast<std::size_t>(u)], static_cast<int>(bin))
+                    != covered)
+                    continue;
+                const double y = surfaceAt(rows, bin, u);
+                sum += y;
+                squares += y * y;
+                count += 1.0;
+            }
+            if (count < kFewestScenes) continue;
+            const double mean = sum / count;
+            scaleIn(networks, bin, covered) = {
+                mean, std::max(std::sqrt(std::max(squares / count - mean * mean, 0.0)), kLeastSd)};
+        }
+}
+
+/// Returns the surface coordinates of a column, in sd of TrailScale; 0 in a regime without scale.
+Eigen::VectorXf targetOf(TrailNetworks& networks, const TrailRows& rows, Eigen::Index u)
+{
+    Eigen::VectorXf target = Eigen::VectorXf::Zero(Eigen::Index{kBins});
+    for (Eigen::Index bin = 0; bin < kBins; ++bin) {
+        const TrailScale& scale =
+            scaleIn(networks, bin,
+                    isCovered(rows.covered[static_cast<std::size_t>(u)], static_cast<int>(bin)));
+        if (scale.sd > 0.0)
+            target[bin] = static_cast<float>((surfaceAt(rows, bin, u) - scale.mean) / scale.sd);
+    }
+    return target;
+}
+
+/// Returns the values in steps of the file.
+Eigen::VectorXf rounded(const Eigen::VectorXf& values)
+{
+    return values.unaryExpr([](float value) { return errorOfSteps(errorSteps(value)); });
+}
+
+void writeErrors(TrailNetworks& networks, const TrailRows& rows, Eigen::Index sides)
+{
+    const std::vector<Eigen::Index> columns = columnsWhere(rows, true);
+    const Eigen::Index scenes =
+        std::min<Eigen::Index>(std::ssize(columns) / sides, kMaxTrailErrors);
+    TrailErrors& errors = networks.errors;
+    errors.predicted.resize(sides * kBins, scenes);
+    errors.residual.resize(sides * kBins, scenes);
+    for (Eigen::Index k = 0; k < scenes; ++k) {
+        std::array<unsigned, 2> covered{};
+        for (Eigen::Index side = 0; side < sides; ++side) {
+            const Eigen::Index u = columns[static_cast<std::size_t>(sides * k + side)];
+            const Eigen::VectorXf predicted =
+                meanOutput(networks, rows.inputs.col(u).cast<double>());
+            errors.predicted.block(side * kBins, k, kBins, 1) = rounded(predicted);
+            errors.residual.block(side * kBins, k, kBins, 1) =
+                rounded(targetOf(networks, rows, u) - predicted);
+            covered[static_cast<std::size_t>(side)] = rows.covered[static_cast<std::size_t>(u)];
+        }
+        if (sides == 1) covered[1] = covered[0];
+        errors.covered.push_back(covered);
+    }
+}
+
+void inTurn(int count, const std::function<void(int)>& work)
+{
+    for (int k = 0; k < count; ++k) work(k);
+}
+
+}  // namespace
+
+TrailRows trailRows(std::span<const DriveLines> drives, int number, const RobotModel& robot,
+                    bool sides, std::uint64_t seed, const Poll& poll)
+{
+    std::vector<TrailRows> parts;
+    parts.reserve(drives.size());
+    for (const DriveLines& drive : drives) {
+        callPoll(poll);
+        std::mt19937_64 rng(seed + static_cast<std::uint64_t>(number));
+        int leftOut = 0;
+        const std::vector<TrailRow> rows =
+            rowsOfDrive(drive, !isForErrors(number), robot, sides, rng, leftOut);
+        TrailRows own = asColumns(rows, sides ? kSideInputs : kPlaneInputs);
+        own.drive.assign(rows.size(), number);
+        own.leftOut = leftOut;
+        parts.push_back(std::move(own));
+        ++number;
+    }
+    return joined(parts);
+}
+
+TrailRows joined(std::span<const TrailRows> parts)
+{
+    Eigen::Index n = 0, inputs = 0;
+    for (const TrailRows& part : parts) {
+        n += part.inputs.cols();
+        inputs = part.inputs.rows();
+    }
+    TrailRows all;
+    all.inputs.resize(inputs, n);
+    all.heights.resize(kBins, n);
+    all.ceilings.resize(kBins, n);
+    Eigen::Index first = 0;
+    for (const TrailRows& part : parts) {
+        const Eigen::Index count = part.inputs.cols();
+        all.inputs.middleCols(first, count) = part.inputs;
+        all.heights.middleCols(first, count) = part.heights;
+        all.ceilings.middleCols(first, count) = part.ceilings;
+        all.covered.insert(all.covered.end(), part.covered.begin(), part.covered.end());
+        all.drive.insert(all.drive.end(), part.drive.begin(), part.drive.end());
+        all.leftOut += part.leftOut;
+        first += count;
+    }
+    return all;
+}
+
+TrailNetworks trainTrail(const TrailRows& rows, bool sides, const TrailOptions& options,
+                         const ForEach& sideBySide, const Poll& poll)
+{
+    if (options.networks < 1) throw std::invalid_argument("trail networks: at least one");
+    const std::vector<Eigen::Index> columns = columnsWhere(rows, false);
+    if (std::ssize(columns) < options.network.batch)
+        throw std::invalid_argument("trail networks: too few scenes to learn from");
+    TrailNetworks networks;
+    const Eigen::MatrixXf raw = rows.inputs(Eigen::all, columns);
+    writeInputScale(networks, raw);
+    writeScales(networks, rows, columns);
+    const Eigen::MatrixXf inputs =
+        (raw.colwise() - networks.inputMean.cast<float>()).array().colwise()
+        / networks.inputSd.cast<float>().array();
+    Eigen::MatrixXf targets(Eigen::Index{kBins}, inputs.cols());
+    for (Eigen::Index u = 0; u < targets.cols(); ++u)
+        targets.col(u) = targetOf(networks, rows, columns[static_cast<std::size_t>(u)]);
+    networks.networks.resize(static_cast<std::size_t>(options.networks));
+    const auto train = [&](int k) {
+        NetworkOptions own = options.network;
+        own.seed += static_cast<std::uint64_t>(k);
+        networks.networks[static_cast<std::size_t>(k)] = trainNetwork(inputs, targets, own, poll);
+    };
+    if (sideBySide)
+        sideBySide(options.networks, train);
+    else
+        inTurn(options.networks, train);
+    writeErrors(networks, rows, sides ? kTrailSides : 1);
+    requireTrailNetworks(networks, rows.inputs.rows(), sides ? kTrailSides : 1);
+    return networks;
+}
+
+}  // namespace terratact

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/for_each.h"
+#include "core/base/poll.h"
+#include "core/learn/data/drive_lines.h"
+#include "core/learn/net/network_training.h"
+#include "core/robot/robot_model.h"
+#include "core/trail/trail_model.h"
+
+namespace terratact {
+
+/// Training rows of the networks, one column each: of one plane a column per scene, of two tracks the
+/// left and then the right side of each scene.
+struct TrailRows {
+    Eigen::MatrixXf inputs;    ///< planeInputs() or sideInputs()
+    Eigen::MatrixXd heights;   ///< 11 × n [m]
+    Eigen::MatrixXd ceilings;  ///< 11 × n [m], +infinity where the robot does not cover the bin
+    std::vector<unsigned> covered;  ///< covered bins
+    std::vector<int> drive;         ///< number of the drive
+    int leftOut = 0;                ///< scenes that lack a feature or a height
+};
+
+/// Share of the scenes for training that know only a part of their way, so that the networks learn
+/// what a cut memory tells.
+inline constexpr double kCutShare = 0.25;
+
+/// Every how many drives one is kept for the errors.
+inline constexpr int kErrorDrives = 10;
+
+/// Returns the rows of drives. number: of the first drive. sides: of both sides. A scene of kCutShare
+/// knows a uniform part of the way, unless its drive is kept for the errors. The same drives and seed
+/// give the same rows. poll: called for each drive.
+TrailRows trailRows(std::span<const DriveLines> drives, int number, const RobotModel& robot,
+                    bool sides, std::uint64_t seed, const Poll& poll = {});
+
+/// Returns all rows in this order.
+TrailRows joined(std::span<const TrailRows> parts);
+
+/// Effort of a training.
+struct TrailOptions {
+    int networks = 5;  ///< of different seeds
+    NetworkOptions network{};
+};
+
+/// Trains the networks on all drives but every kErrorDrives-th, which gives the errors. sides: rows of
+/// both sides. sideBySide: runs the networks' trainings in parallel; empty: one after the other. The
+/// result is the same. Throws std::invalid_argument for too few rows.
+TrailNetworks trainTrail(const TrailRows& rows, bool sides, const TrailOptions& options,
+                         const ForEach& sideBySide = {}, const Poll& poll = {});
+
+}  // namespace terratact

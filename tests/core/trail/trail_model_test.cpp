@@ -1,0 +1,315 @@
+#include "core/trail/trail_model.h"
+
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/infer/two_track_estimator.h"
+#include "core/learn/model/model_file.h"
+#include "core/sim/ground/random_terrain.h"
+#include "core/sim/way_drive.h"
+#include "core/trail/trail_file.h"
+#include "core/trail/trail_inputs.h"
+#include "core/trail/trail_record.h"
+#include "core/trail/trail_training.h"
+#include "tests/support/absolem.h"
+#include "tests/support/temporary_directory.h"
+
+namespace terratact {
+namespace {
+
+DriveConditions exact()
+{
+    DriveConditions conditions;
+    conditions.noise.height = 0.0;
+    return conditions;
+}
+
+DriveLines driveOnPlane(std::uint64_t seed)
+{
+    std::mt19937_64 rng(seed);
+    int skipped = 0;
+    const TerrainProfile terrain = randomVariedTerrain(rng);
+    const DriveStyle style = randomDriveStyle(rng);
+    return driveWay(absolem(), terrain, std::to_string(seed), style, {.spacing = 0.05}, exact(),
+                    rng, skipped);
+}
+
+DriveLines driveOnSides(std::uint64_t seed)
+{
+    std::mt19937_64 rng(seed);
+    int skipped = 0;
+    const TerrainProfile left = randomVariedTerrain(rng);
+    std::vector<Vec2> low = left.points();
+    for (Vec2& point : low) point.z -= 0.04;
+    const RobotModel robot = absolem();
+    const GroundLines ground({{robot.lateral.trackY, left},
+                              {robot.lateral.flipperY, left},
+                              {-robot.lateral.trackY, TerrainProfile(low)},
+                              {-robot.lateral.flipperY, TerrainProfile(low)}});
+    return driveWay(robot, ground, std::to_string(seed), randomDriveStyle(rng), {.spacing = 0.05},
+                    exact(), rng, skipped);
+}
+
+TrailOptions quick()
+{
+    TrailOptions options;
+    options.networks = 2;
+    options.network.hidden = {24};
+    options.network.epochs = 30;
+    options.network.batch = 32;
+    return options;
+}
+
+/// Networks of few drives, made once.
+const TrailData& smallTrail()
+{
+    static const TrailData data = [] {
+        std::vector<DriveLines> plane, sides;
+        plane.reserve(21);
+        sides.reserve(21);
+        for (std::uint64_t k = 0; k < 21; ++k) plane.push_back(driveOnPlane(k));
+        for (std::uint64_t k = 0; k < 21; ++k) sides.push_back(driveOnSides(k));
+        TrailData trail;
+        trail.plane = trainTrail(trailRows(plane, 0, absolem(), false, 1), false, quick());
+        trail.side = trainTrail(trailRows(sides, 0, absolem(), true, 1), true, quick());
+        trail.command = "terratact train";
+        trail.planeHash = std::string(64, 'a');
+        trail.sideHash = std::string(64, 'b');
+        return trail;
+    }();
+    return data;
+}
+
+TEST(TrailModel, FileKeepsEveryBit)
+{
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("small.ttn");
+    ASSERT_TRUE(writeTrail(path, smallTrail()));
+    const auto stored = readTrail(path);
+    ASSERT_TRUE(stored) << stored.error().message.english();
+    EXPECT_EQ(stored->data.command, smallTrail().command);
+    const TrailModel before(smallTrail()), after(stored->data);
+    const Eigen::VectorXd inputs = Eigen::VectorXd::LinSpaced(kPlaneInputs, -1.0, 1.0);
+    EXPECT_EQ(before.plane(inputs, 0x1FF).mean, after.plane(inputs, 0x1FF).mean);
+    EXPECT_EQ(before.plane(inputs, 0x1FF).errors.residual,
+              after.plane(inputs, 0x1FF).errors.residual);
+    const std::array<Eigen::VectorXd, 2> both{Eigen::VectorXd::LinSpaced(kSideInputs, -1.0, 1.0),
+                                              Eigen::VectorXd::LinSpaced(kSideInputs, 1.0, -1.0)};
+    EXPECT_EQ(before.sides(both, {0x1FF, 0xFF}).mean, after.sides(both, {0x1FF, 0xFF}).mean);
+}
+
+TEST(TrailModel, DamagedFilesAreRefused)
+{
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("small.ttn");
+    ASSERT_TRUE(writeTrail(path, smallTrail()));
+    const std::string hash = readTrail(path)->contentHash;
+    std::string bytes;
+    {
+        std::ifstream in(path, std::ios::binary);
+        bytes.assign(std::istreambuf_iterator<char>(in), {});
+    }
+    std::mt19937_64 rng(5);
+    int refused = 0;
+    for (int k = 0; k < 60; ++k) {
+        std::string spoilt = bytes;
+        spoilt[rng() % spoilt.size()] ^= static_cast<char>(1U << (rng() % 8U));
+        std::ofstream(path, std::ios::binary) << spoilt;
+        const auto read = readTrail(path);
+        if (read) {  // a bit in the unused bytes of a page
+            EXPECT_EQ(read->contentHash, hash);
+            continue;
+        }
+        ++refused;
+        EXPECT_NE(read.error().message.english().find("small.ttn"), std::string::npos);
+    }
+    EXPECT_GT(refused, 20);
+    EXPECT_FALSE(readTrail(folder.file("none.ttn")));
+    EXPECT_FALSE(readTrail(TERRATACT_SOURCE_DIR "/resources/models/one_plane.ttm"));
+}
+
+TEST(TrailModel, HostileRowsAreRefused)
+{
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("small.ttn");
+    for (const char* change :
+         {"UPDATE layer SET network = -1", "DELETE FROM layer WHERE layer = 0",
+          "UPDATE layer SET outputs = 1000000, inputs = 1000000", "UPDATE scale SET sd = -1.0",
+          "UPDATE input SET kind = 'other' WHERE kind = 'plane'", "DELETE FROM layer",
+          "UPDATE error SET covered_left = -5", "UPDATE error SET residual = x'00'",
+          "DELETE FROM layer WHERE kind = 'side'",
+          "UPDATE meta SET value = 'x' WHERE key = 'seed'"}) {
+        ASSERT_TRUE(writeTrail(path, smallTrail()));
+        {
+            sqlite3* file = nullptr;
+            ASSERT_EQ(sqlite3_open(path.c_str(), &file), SQLITE_OK);
+            EXPECT_EQ(sqlite3_exec(file, change, nullptr, nullptr, nullptr), SQLITE_OK) << change;
+            sqlite3_close(file);
+        }
+        const auto read = readTrail(path);
+        ASSERT_FALSE(read) << change;
+        EXPECT_NE(read.error().message.english().find("small.ttn"), std::string::npos) << change;
+    }
+}
+
+TEST(TrailModel, ARegimeThatWasNeverTrainedIsNotKnown)
+{
+    TrailData data = smallTrail();
+    data.plane.covered[2].sd = 0.0;
+    const TrailModel model(data);
+    EXPECT_FALSE(model.knowsPlane(0x1FF));
+    EXPECT_EQ(model.knowsPlane(0x1FB), TrailModel(smallTrail()).knowsPlane(0x1FB));
+}
+
+TEST(TrailModel, AMirroredSceneHasAMirroredPrediction)
+{
+    const TrailModel model(smallTrail());
+    const Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(kSideInputs, -1.0, 1.0);
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(kSideInputs, 0.5, -0.2);
+    const TrailPrediction one = model.sides({a, b}, {0x1FF, 0xFF});
+    const TrailPrediction other = model.sides({b, a}, {0xFF, 0x1FF});
+    EXPECT_EQ(one.mean.head(kBins), other.mean.tail(kBins));
+    EXPECT_NEAR((one.errors.residual * one.errors.weight).head(kBins).sum(),
+                (other.errors.residual * other.errors.weight).tail(kBins).sum(), 1e-9);
+}
+
+TEST(TrailModel, MirroredReadingsHaveMirroredInputs)
+{
+    const DriveLines drive = driveOnSides(3);
+    TrailRecord record(absolem());
+    for (const DriveLine& line : drive.lines)
+        if (!line.isScene) record.add(line.line);
+    const Measurement& last = drive.lines.back().line;
+    TrailHistory history = record.before(last);
+    TrailHistory swapped = history;
+    std::swap(swapped.ground[1], swapped.ground[2]);
+    for (double& roll : swapped.roll) roll = -roll;
+    const TwoTrackReadings s = twoTrackReadings(last);
+    Heights ceiling{};
+    EXPECT_EQ(sideInputs(s, Side::Left, history, ceiling),
+              sideInputs(mirrored(s), Side::Right, swapped, ceiling));
+}
+
+TEST(TrailModel, SameDrivesAndSeedLearnTheSame)
+{
+    std::vector<DriveLines> drives;
+    drives.reserve(12);
+    for (std::uint64_t k = 0; k < 12; ++k) drives.push_back(driveOnPlane(k));
+    const TrailRows rows = trailRows(drives, 0, absolem(), false, 1);
+    const TrailRows parts[] = {trailRows({drives.data(), 5}, 0, absolem(), false, 1),
+                               trailRows({drives.data() + 5, 7}, 5, absolem(), false, 1)};
+    EXPECT_EQ(rows.inputs, joined(parts).inputs);
+    EXPECT_EQ(rows.drive, joined(parts).drive);
+    TrailOptions options = quick();
+    options.network.epochs = 2;
+    const ForEach backwards = [](int count, const std::function<void(int)>& work) {
+        for (int k = count - 1; k >= 0; --k) work(k);
+    };
+    const TrailNetworks a = trainTrail(rows, false, options);
+    const TrailNetworks b = trainTrail(rows, false, options, backwards);
+    EXPECT_EQ(a.networks[1].layers[0].weight, b.networks[1].layers[0].weight);
+    EXPECT_EQ(a.errors.residual, b.errors.residual);
+    EXPECT_THROW(trainTrail(TrailRows{}, false, options), std::invalid_argument);
+}
+
+/// The shipped model with the small networks.
+const Models& modelsWithTrail()
+{
+    static const std::unique_ptr<const Models> models = [] {
+        const StoredModel stored = *readModel(TERRATACT_SOURCE_DIR "/resources/models/default.ttm");
+        auto own = std::make_unique<Models>(stored.data, absolem());
+        own->trail = std::make_shared<const TrailModel>(smallTrail());
+        return own;
+    }();
+    return *models;
+}
+
+TEST(TrailModel, EstimatesPlanesAndSidesWithAHistory)
+{
+    const Models& models = modelsWithTrail();
+    Settings settings;
+    settings.method = Method::Trail;
+    for (const DriveLines& drive : {driveOnPlane(90), driveOnSides(91)}) {
+        TrailRecord record(absolem());
+        int scenes = 0;
+        for (const DriveLine& line : drive.lines) {
+            if (!line.isScene) {
+                record.add(line.line);
+                continue;
+            }
+            const TrailHistory history = record.before(line.line);
+            const TwoTrackEstimate estimate =
+                estimateMeasured(line.line, {}, absolem(), models, settings, {}, &history);
+            const bool isFirst = history.way == 0.0;
+            EXPECT_EQ(estimate.side[0].settings.method, Method::Trail);
+            bool isForgotten = false;
+            for (const Message& warning : estimate.side[0].warnings)
+                isForgotten = isForgotten || warning.source.starts_with("nothing of the way");
+            EXPECT_EQ(isForgotten, isFirst);
+            for (std::size_t i = 0; i < kBins; ++i)
+                EXPECT_LE(estimate.side[0].q10[i], estimate.side[0].q90[i]);
+            record.addScene(line.line);
+            ++scenes;
+        }
+        EXPECT_GT(scenes, 3);
+    }
+}
+
+TEST(TrailModel, WithoutAHistoryLocalEstimates)
+{
+    const Models& models = modelsWithTrail();
+    const DriveLines drive = driveOnPlane(90);
+    const auto scene = std::find_if(drive.lines.begin(), drive.lines.end(),
+                                    [](const DriveLine& line) { return line.isScene; });
+    ASSERT_NE(scene, drive.lines.end());
+    Settings settings;
+    settings.method = Method::Trail;
+    const TwoTrackEstimate forgotten =
+        estimateMeasured(scene->line, {}, absolem(), models, settings);
+    settings.method = Method::Local;
+    const TwoTrackEstimate local = estimateMeasured(scene->line, {}, absolem(), models, settings);
+    EXPECT_EQ(forgotten.side[0].height, local.side[0].height);
+    EXPECT_EQ(forgotten.side[0].q90, local.side[0].q90);
+    ASSERT_FALSE(forgotten.side[0].warnings.empty());
+    EXPECT_EQ(forgotten.side[0].warnings.front().source,
+              "nothing of the way is remembered: this scene alone counts");
+}
+
+TEST(TrailModel, AProbeMovesItsBin)
+{
+    const Models& models = modelsWithTrail();
+    const DriveLines drive = driveOnPlane(92);
+    TrailRecord record(absolem());
+    const Measurement* scene = nullptr;
+    for (const DriveLine& line : drive.lines) {
+        scene = line.isScene ? &line.line : nullptr;
+        if (scene && record.length() > 0.5) break;
+        if (scene)
+            record.addScene(line.line);
+        else
+            record.add(line.line);
+    }
+    ASSERT_NE(scene, nullptr);
+    const TrailHistory history = record.before(*scene);
+    Settings settings;
+    settings.method = Method::Trail;
+    const TwoTrackEstimate before =
+        estimateMeasured(*scene, {}, absolem(), models, settings, {}, &history);
+    const double target = before.side[0].height[9] - 0.1;
+    const ArmReading reading{.bin = 9, .height = target, .sd = 0.01};
+    const TwoTrackEstimate after =
+        estimateMeasured(*scene, {&reading, 1}, absolem(), models, settings, {}, &history);
+    EXPECT_NEAR(after.side[0].height[9], target, 0.02);
+    EXPECT_EQ(after.side[0].origin[9], Origin::Arm);
+}
+
+}  // namespace
+}  // namespace terratact

@@ -1,0 +1,201 @@
+#include "core/trail/trail_record.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/robot/kinematics.h"
+#include "core/terrain/body_ceiling.h"
+#include "tests/support/absolem.h"
+
+namespace terratact {
+namespace {
+
+/// A robot on level ground with raised front flippers.
+struct TrailRecordTest : testing::Test {
+    RobotModel robot = absolem();
+    TrailRecord record{robot};
+    Measurement line;
+
+    TrailRecordTest()
+    {
+        line.travelled = 2.0;
+        line.turned = 0.0;
+        line.frontLeft = line.frontRight = 0.7;
+        record.add(line);
+    }
+
+    void drive(double way, double step = 0.03)
+    {
+        const auto steps = static_cast<int>(std::lround(std::abs(way) / step));
+        for (int k = 0; k < steps; ++k) {
+            line.time += 0.1;
+            *line.travelled += std::copysign(step, way);
+            record.add(line);
+        }
+    }
+
+    /// Returns the line with pressed flippers, and 5 N on the element next to the tip.
+    Measurement press() const
+    {
+        Measurement scene = line;
+        scene.frontLeft = scene.frontRight = 0.0;
+        SideForces sides;
+        for (std::size_t e = 0; e < sides.left.size(); ++e)
+            sides.left[e] = sides.right[e] = e == 4 ? 5.0 : 0.0;
+        setSides(scene, sides);
+        return scene;
+    }
+
+    double groundHeight() const { return -robot.baseHeight - robot.imu.z; }
+};
+
+TEST_F(TrailRecordTest, NothingIsKnownAtTheBegin)
+{
+    line.pitch = 0.1;
+    line.roll = -0.05;
+    const TrailHistory history = record.before(line);
+    EXPECT_EQ(history.way, 0.0);
+    for (const double pitch : history.pitch) EXPECT_EQ(pitch, 0.1);
+    for (const double roll : history.roll) EXPECT_EQ(roll, -0.05);
+    for (const TrailGround& ground : history.ground)
+        for (const double load : ground.load) EXPECT_EQ(load, 0.0);
+}
+
+TEST_F(TrailRecordTest, KnowsItsWayUpToTheReach)
+{
+    drive(0.6);
+    EXPECT_NEAR(record.length(), 0.6, 1e-9);
+    EXPECT_NEAR(record.before(line).way, 0.6, 1e-9);
+    EXPECT_NEAR(record.before(line, 0.25).way, 0.25, 1e-9);
+    drive(6.0);
+    EXPECT_NEAR(record.length(), TrailRecord::kLength, 1e-9);
+    EXPECT_EQ(record.before(line).way, kTrailReach);
+}
+
+TEST_F(TrailRecordTest, TellsThePitchAlongTheWay)
+{
+    drive(0.6);
+    line.pitch = 0.2;
+    drive(0.3);
+    const TrailHistory history = record.before(line);
+    EXPECT_NEAR(history.pitch[0], 0.2, 1e-12);  // 0.1 m behind
+    EXPECT_NEAR(history.pitch[1], 0.2, 1e-12);
+    EXPECT_NEAR(history.pitch[4], 0.0, 1e-12);  // 0.5 m behind
+}
+
+TEST_F(TrailRecordTest, ReversingFindsThePlaceAgain)
+{
+    drive(0.6);
+    line.pitch = 0.2;
+    drive(0.3);
+    line.pitch = 0.0;
+    drive(-0.6);
+    const TrailHistory history = record.before(line);
+    EXPECT_NEAR(history.pitch[0], 0.0, 1e-12);
+    EXPECT_NEAR(history.pitch[2], 0.0, 1e-12);
+}
+
+TEST_F(TrailRecordTest, TheBodyThatPassedBoundsTheGround)
+{
+    drive(1.5);
+    const TrailHistory history = record.before(line);
+    for (const std::size_t bin : {std::size_t{0}, std::size_t{2}, std::size_t{5}})
+        EXPECT_NEAR(history.ground[0].lowest[bin], groundHeight(), 1e-3) << bin;
+    drive(-0.4);  // the tracks have been farther ahead than now
+    EXPECT_NEAR(record.before(line).ground[0].lowest[8], groundHeight(), 1e-3);
+}
+
+TEST_F(TrailRecordTest, APressIsFoundWhereItWas)
+{
+    drive(0.6);
+    const Measurement scene = press();
+    const Pose pose = poseInDem(robot, scene.pitch, 0.0, scene.rearLeft);
+    const Vec2 element = elementPosition(robot, pose, robot.elementShare[4]);
+    record.addScene(scene);
+    EXPECT_EQ(record.before(scene).ground[0].load[8], 0.0) << "a scene is no memory of itself";
+    drive(0.3);
+    const TrailHistory history = record.before(line);
+    const double x = element.x - 0.3;
+    for (std::size_t bin = 0; bin < kTrailBins; ++bin) {
+        const double away = std::abs(x - binCentre(static_cast<int>(bin)));
+        const double load = 5.0 * std::max(1.0 - away / 0.1, 0.0);
+        EXPECT_NEAR(history.ground[0].load[bin], load, 1e-6) << bin;
+        if (load > 0.1) {
+            EXPECT_NEAR(history.ground[0].pressed[bin], element.z, 1e-6) << bin;
+        }
+    }
+}
+
+TEST_F(TrailRecordTest, RollLiftsTheGroundOfOneSide)
+{
+    line.roll = 0.1;
+    drive(1.5);
+    const TrailHistory history = record.before(line);
+    const double left = history.ground[1].lowest[3], right = history.ground[2].lowest[3];
+    EXPECT_NEAR(left - right, 2.0 * robot.lateral.trackY * std::sin(0.1), 2e-3);
+    Measurement other = line;
+    other.roll = -0.1;
+    TrailRecord mirrored(robot);
+    other.travelled = 2.0;
+    for (int k = 0; k <= 50; ++k) {
+        mirrored.add(other);
+        other.time += 0.1;
+        *other.travelled += 0.03;
+    }
+    *other.travelled -= 0.03;
+    EXPECT_NEAR(mirrored.before(other).ground[2].lowest[3], left, 1e-9);
+}
+
+TEST_F(TrailRecordTest, ABreakForgets)
+{
+    drive(1.0);
+    record.addScene(press());
+    line.time += kMaxSilence + 0.1;
+    record.add(line);
+    EXPECT_EQ(record.why(), SectionStart::TelemetryGap);
+    EXPECT_EQ(record.before(line).way, 0.0);
+    drive(0.3);
+    Measurement late = line;
+    late.time += kMaxSilence + 0.1;
+    EXPECT_EQ(record.before(late).way, 0.0) << "the silence before a scene counts, too";
+    const TrailHistory history = record.before(line);
+    for (const double load : history.ground[0].load) EXPECT_EQ(load, 0.0);
+    EXPECT_NEAR(history.way, 0.3, 1e-9);
+
+    for (int k = 0; k < 6; ++k) {
+        line.time += 0.1;
+        *line.turned += 0.05;
+        record.add(line);
+    }
+    EXPECT_EQ(record.why(), SectionStart::Turned);
+    EXPECT_LT(record.before(line).way, 0.05);
+
+    line.travelled.reset();
+    record.add(line);
+    EXPECT_EQ(record.why(), SectionStart::NoOdometry);
+    EXPECT_EQ(record.length(), 0.0);
+    EXPECT_EQ(record.before(line).way, 0.0);
+}
+
+TEST_F(TrailRecordTest, MoreTelemetryTellsTheSame)
+{
+    TrailRecord dense(robot);
+    Measurement at = line;
+    dense.add(at);
+    for (int k = 0; k < 500; ++k) {
+        at.time += 0.01;
+        *at.travelled += 0.003;
+        dense.add(at);
+    }
+    drive(1.5);
+    const TrailHistory a = record.before(line), b = dense.before(at);
+    EXPECT_NEAR(a.way, b.way, 1e-6);
+    for (std::size_t bin = 0; bin < kTrailBins; ++bin)
+        if (std::isfinite(a.ground[0].lowest[bin])) {
+            EXPECT_NEAR(a.ground[0].lowest[bin], b.ground[0].lowest[bin], 2e-3) << bin;
+        }
+}
+
+}  // namespace
+}  // namespace terratact
