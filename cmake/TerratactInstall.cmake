@@ -19,7 +19,7 @@ if(TERRATACT_GUI)
 endif()
 
 install(TARGETS ${_programs})
-install(FILES ${_resources}/models/default.ttm ${_resources}/models/default.card.toml ${_resources}/models/default.presets.csv ${_resources}/models/one_plane.ttm
+install(FILES ${_resources}/models/default.ttm ${_resources}/models/default.card.toml ${_resources}/models/default.presets.csv ${_resources}/models/default.ttn ${_resources}/models/one_plane.ttm
   DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/models)
 install(FILES ${_resources}/robots/absolem.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/robots)
 install(FILES ${_resources}/sessions/demo.tts ${_resources}/sessions/two_tracks.tts DESTINATION ${CMAKE_INSTALL_DATADIR}/terratact/sessions)
@@ -33,7 +33,7 @@ install(FILES ${_pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES
   ${_docs}/can.md ${_docs}/can_absolem.log ${_docs}/can_demo.log ${_docs}/can_payload.dbc ${_docs}/can_payload.log ${_docs}/clusters.md ${_docs}/evaluation.md ${_docs}/robot.md ${_docs}/two_tracks.md
   ${_docs}/extremes.md ${_docs}/faults.md ${_docs}/feel_forward.md ${_docs}/fig8.svg ${_docs}/fig9.svg ${_docs}/hazards.md ${_docs}/link.md ${_docs}/manual.md ${_docs}/panel.md
-  ${_docs}/cli.md ${_docs}/files.md ${_docs}/import.md ${_docs}/truth.md ${_docs}/sessions.md ${_docs}/strip.md ${_docs}/your_robot.md
+  ${_docs}/cli.md ${_docs}/files.md ${_docs}/import.md ${_docs}/truth.md ${_docs}/memory.md ${_docs}/sessions.md ${_docs}/strip.md ${_docs}/your_robot.md
   ${_docs}/console.png ${_docs}/pit.svg ${_docs}/tradeoff.md ${_docs}/tradeoff.svg
   ${_resources}/desktop/changelog ${_resources}/desktop/copyright
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/terratact)

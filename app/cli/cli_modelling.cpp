@@ -177,8 +177,24 @@ void addTrain(CLI::App& app, Job& job, const Words& words)
                                  "Model that learns --tracks; it keeps what it knows of one plane")
                             ->needs(tracks)
                             ->excludes(data);
-    addFileOutput(*c, "--out", o->out, "Model to write (*.ttm)")->required();
-    declareFiles(*c, FileRole::Output, [o] { return o->bins ? Paths{} : Paths{cardPath(o->out)}; });
+    auto* const drives = addInput(*c, "--drives", o->drives,
+                                  "Drives CSV: train the networks of the method trail, which "
+                                  "remember the way, instead of a model")
+                             ->excludes(data)
+                             ->excludes(tracks);
+    auto* const trackDrives =
+        addInput(*c, "--track-drives", o->trackDrives, "Drives CSV on two tracks, for the same")
+            ->excludes(data)
+            ->excludes(tracks);
+    addFileOutput(*c, "--out", o->out, "Model (*.ttm) or networks (*.ttn) to write")->required();
+    declareFiles(*c, FileRole::Output, [o] {
+        const bool hasCard = !o->bins && o->drives.empty() && o->trackDrives.empty();
+        return hasCard ? Paths{cardPath(o->out)} : Paths{};
+    });
+    addNumber(*c, "--networks", o->networks, "Networks per kind of drives; their mean counts")
+        ->check(CLI::Range(1, 16));
+    addNumber(*c, "--epochs", o->epochs, "Passes of each network over all scenes of drives")
+        ->check(CLI::Range(1, 1000));
     addNumber(*c, "--seed", o->seed, "Seed of the search");
     addNumber(*c, "--scanner-sd", o->scannerSd,
               "Noise added to the conditionals' heights [m]: for scenes with exact ones")
@@ -194,8 +210,12 @@ void addTrain(CLI::App& app, Job& job, const Words& words)
               "Conditionals predict through at most so many of their scenes, and their "
               "hyper-parameters come from 1400 (default 0: from all, through all)")
         ->check(CLI::Range(0, 20'000));
-    c->callback([o, data, plane, &job, words] {
-        if (data->count() + plane->count() == 0) throw CLI::RequiredError("--data");
+    for (CLI::Option* const ofDrives : {drives, trackDrives})
+        for (const char* other : {"--scanner-sd", "--conditional-rows", "--bins", "--inducing"})
+            ofDrives->excludes(other);
+    c->callback([o, data, plane, drives, trackDrives, &job, words] {
+        if (data->count() + plane->count() + drives->count() + trackDrives->count() == 0)
+            throw CLI::RequiredError("--data");
         o->commandLine = commandLine(words);
         splitAtOut(without("--bins", words), *o);
         useShippedRobot(o->robot);
@@ -229,11 +249,17 @@ void addEvaluate(CLI::App& app, Job& job, const Words& words)
     const auto methods = std::make_shared<std::vector<std::string>>();
     addRobot(*c, o->robot);
     addModel(*c, o->model);
-    addInput(*c, "--data", o->data, "Scenes CSV with heights")->required();
-    addFolderOutput(*c, "--out", o->out, "Directory for the CSV files and the figures", [o] {
-        if (o->tracks) return Paths{"tracks.csv", "track_steps.csv", "missing.csv"};
-        return o->shard ? Paths{shardFile(*o->shard)} : reportFiles();
-    })->required();
+    auto* const data = addInput(*c, "--data", o->data, "Scenes CSV with heights");
+    auto* const drives =
+        addInput(*c, "--drives", o->drives,
+                 "Drives CSV: print the errors of its scenes with the memory of the way")
+            ->excludes(data);
+    addInput(*c, "--trail", o->trail, "Networks of the method trail (*.ttn)")->needs(drives);
+    auto* const out =
+        addFolderOutput(*c, "--out", o->out, "Directory for the CSV files and the figures", [o] {
+            if (o->tracks) return Paths{"tracks.csv", "track_steps.csv", "missing.csv"};
+            return o->shard ? Paths{shardFile(*o->shard)} : reportFiles();
+        });
     declareFiles(*c, FileRole::Update,
                  [o] { return o->card ? Paths{cardPath(o->model)} : Paths{}; });
     addMethods(*c, *methods);
@@ -265,7 +291,17 @@ void addEvaluate(CLI::App& app, Job& job, const Words& words)
                 "Only print the errors of the methods without currents or forces")
         ->excludes(card);
     addSettings(*c, o->settings, o->seconds);
-    c->callback([o, methods, &job, words] {
+    for (const char* other : {"--out", "--card", "--shard", "--tracks", "--classes", "--probes",
+                              "--missing", "--seconds", "--step-limit"})
+        drives->excludes(other);
+    c->callback([o, methods, data, out, &job, words] {
+        if (o->drives.empty() && data->count() == 0) throw CLI::RequiredError("--data");
+        if (o->drives.empty() && out->count() == 0) throw CLI::RequiredError("--out");
+        if (o->drives.empty() && std::ranges::find(*methods, "trail") != methods->end())
+            throw CLI::ValidationError("--methods", "trail needs --drives");
+        if (!o->drives.empty()) useShippedTrail(o->trail);
+        if (!o->drives.empty() && methods->empty())
+            *methods = {std::string(name(Method::Local)), std::string(name(Method::Trail))};
         if (o->tracks && methods->empty()) methods->emplace_back(name(Method::Local));
         o->methods = methodsFrom(*methods);
         o->command = commandLine(without("--out", without("--shard", words)));
@@ -391,6 +427,8 @@ void addTradeoff(CLI::App& app, Job& job)
         ->check(CLI::Range(64, 10'000'000));
     addNumber(*c, "--seed", o->seed, "Seed of the random numbers");
     c->callback([o, methods, &job] {
+        if (std::ranges::find(*methods, "trail") != methods->end())
+            throw CLI::ValidationError("--methods", "trail needs drives: evaluate --drives");
         o->methods = methodsFrom(*methods);
         useShippedRobot(o->robot);
         useShippedModel(o->model);

@@ -164,18 +164,24 @@ void useShippedModel(std::string& model)
     if (model.empty()) model = shippedModelPath();
 }
 
+void useShippedTrail(std::string& trail)
+{
+    if (trail.empty()) trail = shippedTrailPath();
+}
+
 void addMethod(CLI::App& app, Settings& settings)
 {
-    addChoice(app, "--method", settings.method, methodFromName,
+    addChoice(app, "--method", settings.method, sceneMethodFromName,
               "pa|pac|pafc|pafac|clearance|joint|local",
               fmt::format("Method (default {})", name(settings.method)));
 }
 
 void addMethods(CLI::App& app, std::vector<std::string>& methods)
 {
-    app.add_option("--methods", methods, "Methods to compare (default: all)")
+    app.add_option("--methods", methods, "Methods to compare (default: all; trail needs --drives)")
         ->delimiter(',')
-        ->check(CLI::IsMember({"pa", "pac", "pafc", "pafac", "clearance", "joint", "local"}));
+        ->check(
+            CLI::IsMember({"pa", "pac", "pafc", "pafac", "clearance", "joint", "local", "trail"}));
 }
 
 std::vector<Method> methodsFrom(const std::vector<std::string>& names)
@@ -185,7 +191,7 @@ std::vector<Method> methodsFrom(const std::vector<std::string>& names)
         if (const Method method = *methodFromName(text);
             std::find(methods.begin(), methods.end(), method) == methods.end())
             methods.push_back(method);
-    if (methods.empty()) methods.assign(kMethods.begin(), kMethods.end());
+    if (methods.empty()) methods.assign(kSceneMethods.begin(), kSceneMethods.end());
     return methods;
 }
 

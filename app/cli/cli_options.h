@@ -102,6 +102,7 @@ void addRobot(CLI::App& app, std::string& robot);  ///< --robot
 void addModel(CLI::App& app, std::string& model);  ///< --model
 void useShippedRobot(std::string& robot);          ///< used if no --robot is given
 void useShippedModel(std::string& model);          ///< used if no --model is given
+void useShippedTrail(std::string& trail);          ///< used if no --trail is given
 
 void addMethod(CLI::App& app, Settings& settings);
 void addMethods(CLI::App& app, std::vector<std::string>& methods);

@@ -148,7 +148,7 @@ void addSessionWhatIf(CLI::App& session, Job& job)
     c->add_flag_callback(
          "--all", [] {}, "All estimates, which is so without it")
         ->excludes(one);
-    addChoice(*c, "--method", o->rerun.changes.method, methodFromName,
+    addChoice(*c, "--method", o->rerun.changes.method, sceneMethodFromName,
               "pa|pac|pafc|pafac|clearance|joint|local", "Another method");
     addChoice(*c, "--quality", o->rerun.changes.preset, qualityPresetFromName,
               "fast|balanced|accurate",

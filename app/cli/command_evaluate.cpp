@@ -6,6 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/missing_sensor_table.h"
 #include "app/figures/findings_report.h"
+#include "app/modelling/drive_trials.h"
 #include "app/modelling/findings_file.h"
 #include "app/modelling/model_cards.h"
 #include "app/modelling/scene_evaluation.h"
@@ -90,10 +91,23 @@ Status evaluateTwoTracks(const EvaluateOptions& options)
     return reportTracks(file->scenes, **bundle, options);
 }
 
+Status evaluateDrives(const EvaluateOptions& options)
+{
+    const auto bundle = openEstimatorBundle(options.robot, options.model, options.trail);
+    if (!bundle) return bundle.error();
+    const auto findings = judgeDriveFile(
+        options.drives, **bundle, options.methods, options.settings,
+        [](const Message& notice) { printText(stderr, "terratact: {}\n", notice.english()); });
+    if (!findings) return findings.error();
+    printText("{}", Lines(driveTable(*findings)));
+    return Done{};
+}
+
 }  // namespace
 
 Status evaluate(const EvaluateOptions& options)
 {
+    if (!options.drives.empty()) return evaluateDrives(options);
     if (options.tracks) return evaluateTwoTracks(options);
     const auto input = readEvaluationInput(options);
     if (!input) return input.error();

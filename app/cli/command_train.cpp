@@ -8,6 +8,7 @@
 #include "app/modelling/model_cards.h"
 #include "app/modelling/model_conditions.h"
 #include "app/modelling/model_training.h"
+#include "app/modelling/trail_learning.h"
 #include "app/runtime/print_text.h"
 #include "app/runtime/progress.h"
 #include "core/learn/model/model_file.h"
@@ -15,6 +16,7 @@
 #include "core/robot/robot_model.h"
 #include "core/store/file_read.h"
 #include "core/store/sha256.h"
+#include "core/trail/trail_file.h"
 
 namespace terratact {
 
@@ -100,6 +102,24 @@ void printModel(const ModelData& model, const std::string& path)
                   model.sides.heights.rows() / 2);
 }
 
+Status trainTrailNetworks(const TrainOptions& options, const RobotModel& robot)
+{
+    TrailPlan plan{.robot = robot,
+                   .drives = options.drives,
+                   .trackDrives = options.trackDrives,
+                   .commandLine = options.commandLine,
+                   .seed = options.seed};
+    plan.options.networks = options.networks;
+    plan.options.network.epochs = options.epochs;
+    const auto data = learnTrail(
+        plan, [](const std::string& notice) { printText(stderr, "terratact: {}\n", notice); });
+    if (!data) return data.error();
+    if (Status written = writeTrail(options.out, *data); !written) return written;
+    printText("trail networks: {} of one plane, {} of two tracks; written to {}\n",
+              data->plane.networks.size(), data->side.networks.size(), options.out);
+    return Done{};
+}
+
 }  // namespace
 
 Status train(const TrainOptions& options)
@@ -108,6 +128,8 @@ Status train(const TrainOptions& options)
     if (!bytes) return bytes.error();
     const auto robot = robotModelFrom(options.robot, *bytes);
     if (!robot) return robot.error();
+    if (!options.drives.empty() || !options.trackDrives.empty())
+        return trainTrailNetworks(options, *robot);
     auto model = trainVisibly(options, *robot);
     if (!model) return model.error();
     if (options.bins) return writePart(options, *std::move(model), sha256Hex(*bytes));

@@ -66,7 +66,11 @@ struct TrainOptions {
     std::optional<BinSet> bins;  ///< writes a part of a model with these bins
     /// The command line without --bins, split around the value of --out.
     std::string commandBeforeOut, commandAfterOut;
+    /// Drives in one plane and on two tracks: trail networks are trained instead of a model.
+    std::string drives, trackDrives;
+    int networks = 5, epochs = 30;  ///< of trail networks
 };
+/// Trains a model, or with drives the networks of the method trail.
 Status train(const TrainOptions& options);
 
 struct ReconstructOptions {

@@ -15,6 +15,7 @@
 #include "core/atem/arm_choice.h"
 #include "core/infer/estimate_batch.h"
 #include "core/sim/posterior_check.h"
+#include "core/trail/trail_file.h"
 
 namespace terratact {
 
@@ -135,13 +136,19 @@ std::size_t scenesAtOnce(std::size_t scenes, int threads, double seconds)
 }  // namespace
 
 Result<std::unique_ptr<EstimatorBundle>> openEstimatorBundle(const std::string& robotPath,
-                                                             const std::string& modelPath)
+                                                             const std::string& modelPath,
+                                                             const std::string& trailPath)
 {
     auto robot = readRobotModel(robotPath);
     if (!robot) return robot.error();
     auto model = readModel(modelPath);
     if (!model) return model.error();
-    return std::make_unique<EstimatorBundle>(std::move(*robot), std::move(*model));
+    auto bundle = std::make_unique<EstimatorBundle>(std::move(*robot), std::move(*model));
+    if (trailPath.empty()) return bundle;
+    auto trail = readTrail(trailPath);
+    if (!trail) return trail.error();
+    bundle->models.trail = std::make_shared<const TrailModel>(std::move(trail->data));
+    return bundle;
 }
 
 TerrainEstimate estimateWith(const Scene& scene, std::span<const ArmReading> arm,

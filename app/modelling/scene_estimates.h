@@ -26,8 +26,10 @@ struct EstimatorBundle {
     StoredModel model;
     Models models;
 };
+/// trailPath: networks of the method Trail (core/trail/trail_file.h); empty: none.
 Result<std::unique_ptr<EstimatorBundle>> openEstimatorBundle(const std::string& robotPath,
-                                                             const std::string& modelPath);
+                                                             const std::string& modelPath,
+                                                             const std::string& trailPath = {});
 
 /// Estimates one scene with the arm's readings, using the settings' method. Throws the exceptions of reconstruct().
 /// seconds: time limit of the sampling; 0: no limit.

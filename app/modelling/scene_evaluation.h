@@ -30,6 +30,8 @@ struct EvaluateOptions {
     bool missing = false;               ///< evaluates missing sensors instead
     bool tracks = false;                ///< evaluates scenes of two tracks (two_track_evaluation.h)
     std::optional<Shard> shard;         ///< writes only the findings of this part
+    std::string drives;                 ///< file of drives to evaluate instead of scenes
+    std::string trail;                  ///< networks of the method trail
     bool card = false;                  ///< also writes the scores into the model's card
     std::string command;                ///< command line without --shard and --out
 };

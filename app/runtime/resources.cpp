@@ -15,6 +15,11 @@ std::string shippedModelPath()
     return resourcePath("models/default.ttm");
 }
 
+std::string shippedTrailPath()
+{
+    return resourcePath("models/default.ttn");
+}
+
 std::vector<std::string> shippedModelPaths()
 {
     return {shippedModelPath(), resourcePath("models/one_plane.ttm")};

@@ -14,6 +14,9 @@ std::string resourcePath(const std::string& name);
 /// Returns the path of the shipped model, default.ttm, which holds two tracks and one plane.
 std::string shippedModelPath();
 
+/// Returns the path of the shipped networks of the method trail, default.ttn.
+std::string shippedTrailPath();
+
 /// Returns the paths of all shipped models: the former, and one_plane.ttm, the model of recordings from before it.
 std::vector<std::string> shippedModelPaths();
 

@@ -60,14 +60,15 @@ _terratact_value() {
       "model show:--csv" | import:--probe | import:--check | truth:--scans | truth:--align) return 1 ;;
     *:--robot | *:--panel | *:--mapping) _terratact_files toml ;;
     *:--model | train:--plane) _terratact_files ttm ;;
-    train:--tracks | *:--data | *:--classes | *:--csv) _terratact_files csv ;;
+    train:--tracks | train:--drives | train:--track-drives | evaluate:--drives | *:--data | *:--classes | *:--csv) _terratact_files csv ;;
     simulate:--out | reconstruct:--out | simulate:--poses | truth:--out | *:--support | truth:--scenes) _terratact_files csv ;;
     truth:--poses) _terratact_files tum txt csv mcap bag db3 ;;
     truth:--session) _terratact_files tts ;;
     *:--cloud) _terratact_files pcd ;;
     *:--recording) _terratact_files mcap ;;
     *:--sheet) _terratact_files png svg pdf ;;
-    train:--out | merge:--out) _terratact_files ttm ttp ;;
+    train:--out | merge:--out) _terratact_files ttm ttp ttn ;;
+    evaluate:--trail) _terratact_files ttn ;;
     "session strip:--out") _terratact_files csv ply ;;
     "session merge:--out" | "session import:--out" | import:--out) _terratact_files tts ;;
     "session export:--out") _terratact_files log asc csv mcap ;;
@@ -86,7 +87,7 @@ _terratact_value() {
     *:--sessions) _terratact_files ;;
     *:--can | *:--interface) _terratact_buses ;;
     *:--method) _terratact_words "$methods" ;;
-    *:--methods) _terratact_list "$methods" ;;
+    evaluate:--methods | tradeoff:--methods) _terratact_list "$methods trail" ;;
     *:--ceiling) _terratact_words truncate clamp none ;;
     *:--contacts) _terratact_words isolated any none ;;
     *:--quality) _terratact_words fast balanced accurate ;;
@@ -115,9 +116,10 @@ _terratact_options() {
     simulate) echo --robot --terrain --out --seed --count --step --blocks --exact-truth --soft-drives --tracks --disturb \
       --drives --spacing --slip --pitch-bias --press-share --gap \
       --cloud --poses --recording --cloud-noise --cloud-holes --cloud-offset --cloud-tilt --cloud-own ;;
-    train) echo --robot --data --tracks --plane --out --seed --scanner-sd --conditional-rows --bins --inducing ;;
+    train) echo --robot --data --tracks --plane --drives --track-drives --networks --epochs --out --seed --scanner-sd \
+      --conditional-rows --bins --inducing ;;
     reconstruct) echo --robot --model --data --out --tracks --method "$estimates" ;;
-    evaluate) echo --robot --model --data --out --methods --step-limit --card --shard --tracks --classes --class-column --probes --missing \
+    evaluate) echo --robot --model --data --drives --trail --out --methods --step-limit --card --shard --tracks --classes --class-column --probes --missing \
       "$estimates" ;;
     strip) echo --robot --model --terrain --drives --spacing --step --blocks --seed --method ;;
     hazards) echo --robot --model --drives --step-limit --rates --tracks --seed --method ;;

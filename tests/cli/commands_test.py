@@ -177,6 +177,26 @@ class Commands(unittest.TestCase):
         complaint(*drives, "--count", 5, code=2)
         complaint("simulate", "--terrain", "varied", "--gap", 2, "--out", out, code=2)
 
+    def test_networks_learn_from_drives_and_are_evaluated(self):
+        drives, tracks, networks = (self.path / name for name in ("way.csv", "tracks.csv", "small.ttn"))
+        simulate = ("simulate", "--terrain", "varied", "--drives", 22, "--spacing", 0.1, "--exact-truth", "--seed", 4)
+        run(*simulate, "--out", drives)
+        run(*simulate, "--tracks", "--out", tracks)
+        train = ("train", "--drives", drives, "--track-drives", tracks, "--networks", 2, "--epochs", 4)
+        self.assertIn("2 of one plane, 2 of two tracks", run(*train, "--out", networks))
+        learnt = networks.read_bytes()
+        run(*train, "--out", networks)
+        self.assertEqual(learnt, networks.read_bytes(), "the same drives and seed")
+        for data, sides in ((drives, 1), (tracks, 2)):
+            text = run("evaluate", "--drives", data, "--trail", networks)
+            self.assertRegex(text, r"22 drives\n\n\d+ scenes after 0.85 m")
+            for method in ("local", "trail"):
+                self.assertRegex(text, rf"\n{method} +\d+\.\d\d +\d+\.\d\d +\d+\.\d ")
+        self.assertIn("two tracks", complaint("train", "--drives", tracks, "--out", networks))
+        self.assertIn("not trail networks", complaint("evaluate", "--drives", drives, "--trail", self.model))
+        complaint("evaluate", "--drives", drives, "--data", self.data, code=2)
+        complaint("evaluate", "--data", self.data, code=2)
+
     def test_faults_prints_which_faults_are_noticed(self):
         text = run("faults", "--model", self.model, "--drives", 2)
         rows_ = {line[:38].strip(): line[38:].split() for line in text.splitlines() if re.match(r".{38} +\d+\.\d", line)}

@@ -232,7 +232,8 @@ class Package(unittest.TestCase):
              f"{share}/doc/terratact/copyright", f"{share}/doc/terratact/changelog.gz", f"{share}/doc/terratact/can_demo.log"},
             self.files())
         shipped = {path.split("terratact/", 1)[1] for path in self.files() if path.startswith(f"{share}/terratact/")}
-        self.assertEqual(shipped, {"models/default.ttm", "models/default.card.toml", "models/default.presets.csv", "models/one_plane.ttm",
+        self.assertEqual(shipped, {"models/default.ttm", "models/default.card.toml", "models/default.presets.csv", "models/default.ttn",
+                                   "models/one_plane.ttm",
                                    "robots/absolem.toml", "sessions/demo.tts", "sessions/two_tracks.tts",
                                    "dbc/terratact.dbc", "panels/example.toml", "mappings/ctu_absolem.toml",
                                    "mappings/simulated_robot.toml", "mappings/terratact.toml",

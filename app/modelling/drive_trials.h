@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/modelling/scene_estimates.h"
+#include "core/base/result.h"
+#include "core/infer/estimate/settings.h"
+#include "core/terrain/bins.h"
+
+namespace terratact {
+
+/// Way after which a scene has a whole memory [m]: all that a robot's length has felt.
+inline constexpr double kWholeMemory = 0.85;
+
+/// Scores of one method over the scenes of drives. Errors of both sides count on two tracks.
+struct DriveScores {
+    std::string name;                 ///< "local", "trail"
+    double median = 0.0, mean = 0.0;  ///< |error| over the bins −0.3 … 0.5 m [m]
+    double in80 = 0.0;                ///< share of truths within q10 … q90, the same bins
+    std::array<double, kBins> medians{}, means{}, cover{};  ///< by bin
+    double cpu = 0.0;  ///< median processor time of an estimate [s]
+};
+
+struct DriveFindings {
+    std::size_t drives = 0;
+    std::size_t scenes = 0;                 ///< with whole memory
+    std::size_t early = 0;                  ///< scenes after less than kWholeMemory of way
+    std::size_t failed = 0;                 ///< estimates that a method could not make
+    std::vector<DriveScores> whole, begin;  ///< by method, of both kinds of scenes
+};
+
+/// Estimates every scene of a file of drives (core/learn/data/drive_file.h) by each method, with the memory of its
+/// drive, and compares it with the truth. On all processors. notice: receives sentences about the file. Errors name the
+/// file and the line.
+Result<DriveFindings> judgeDriveFile(const std::string& path, const EstimatorBundle& bundle,
+                                     const std::vector<Method>& methods, const Settings& settings,
+                                     const std::function<void(const Message&)>& notice);
+
+/// Returns a table for the terminal [mm].
+std::string driveTable(const DriveFindings& findings);
+
+}  // namespace terratact

@@ -1,0 +1,75 @@
+#!/bin/sh
+# Writes docs/memory.md: estimates with the memory of the way, against those of one scene alone. Minutes on two cores.
+# Usage: docs/memory.sh path/to/terratact LONG_PROFILES.csv TRACK_PAIRS.csv [DRIVES]
+#   LONG_PROFILES.csv, TRACK_PAIRS.csv   real ground of one plane and of two tracks
+#   DRIVES                               most drives of each file, default 400
+set -eu
+terratact=$(realpath "$1")
+profiles=$(realpath "$2")
+pairs=$(realpath "$3")
+drives=${4:-400}
+cd "$(dirname "$0")"
+docs=$PWD
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+ln -s "$profiles" long_profiles.csv
+ln -s "$pairs" track_pairs.csv
+page=$folder/memory.md
+OPENBLAS_NUM_THREADS=1
+export OPENBLAS_NUM_THREADS
+
+# Simulates drives, evaluates them, and prints both commands with the table.
+show() {
+  "$terratact" simulate "$@" --exact-truth --seed 5 --out drives.csv >/dev/null
+  {
+    echo
+    echo "    terratact simulate $* --exact-truth --seed 5 --out drives.csv"
+    echo "    terratact evaluate --drives drives.csv"
+    echo
+    echo '```'
+    "$terratact" evaluate --drives drives.csv
+    echo '```'
+  } >>"$page"
+}
+
+cat >"$page" <<'TEXT'
+# Memory of the way
+
+Ground under the body was under the front flippers a moment ago, and the pitch along the way is a profile of the ground under the tracks.
+The method `trail` estimates a scene from its readings and from that memory. `core/trail` holds it.
+
+- **Record** (`trail_record.h`): the attitude and the lower envelope of the robot every 2 cm of way, and the forces of every press, for the
+  last 3 m. Dead reckoning places them. A tight turn, a second without telemetry or a jump of the odometry empties it.
+- **History** (`trail_history.h`): what the record tells at a scene. Pitch and roll at ten places behind the robot; for each bin the lowest
+  place of the robot that passed above it, and the load and height of the force elements that pressed near it.
+- **Networks** (`trail_model.h`): the mean of a few small networks predicts the eleven bins in the surface coordinate of `local`. They learn from
+  simulated drives, some with a cut memory. One set serves a plane; another one serves both sides of two tracks by mirroring.
+- **Errors**: every tenth drive is kept from the networks. The 60 scenes with the most similar predictions give the bands, and the correlation of
+  bins and sides.
+
+Probes and hazards act as in `local`. A scene without a history, or without a current or a force, is estimated by `local`, and a warning says so.
+`terratact train --drives` trains networks; `resources/models/make_trail.sh` made the shipped ones.
+
+**The console does not use it yet.** `evaluate --drives` compares both. Sessions do not record the history.
+
+`docs/memory.sh` made this page. Errors are |median - truth| in mm. Of two tracks, both sides count. No constant was chosen on real ground.
+
+## Real ground, one plane
+
+TEXT
+show --drives "$drives" --terrain long_profiles.csv --spacing 0.3
+show --drives "$drives" --terrain long_profiles.csv --spacing 0.1
+printf '\n## Real ground, two tracks\n' >>"$page"
+show --drives "$drives" --terrain track_pairs.csv --tracks --spacing 0.3
+show --drives "$drives" --terrain track_pairs.csv --tracks --spacing 0.1
+printf '\n## Generated ground\n' >>"$page"
+show --drives 150 --terrain varied --soft-drives 0.3
+show --drives 150 --terrain varied --soft-drives 0.3 --tracks
+printf '\n## Worse odometry, IMU and telemetry\n\nSlip of 20 %% instead of 10 %%; a pitch that reads 1 degree too much; every other stop without a press; half a second and 1.2 s\nof telemetry lost once per drive.\n' >>"$page"
+show --drives "$drives" --terrain long_profiles.csv --spacing 0.3 --slip 0.2
+show --drives "$drives" --terrain long_profiles.csv --spacing 0.3 --pitch-bias 1
+show --drives "$drives" --terrain long_profiles.csv --spacing 0.3 --press-share 0.5
+show --drives "$drives" --terrain long_profiles.csv --spacing 0.3 --gap 0.5
+show --drives "$drives" --terrain long_profiles.csv --spacing 0.3 --gap 1.2
+cp "$page" "$docs/memory.md"
