@@ -103,7 +103,8 @@ void DrivePad::chooseTexts()
 QSize DrivePad::minimumSizeHint() const
 {
     const QSize least = QWidget::minimumSizeHint();
-    return narrow_ ? QSize(widthOf(Length::Keys), least.height()) : least;
+    // The present words do not count: the layout would then depend on what it was before.
+    return {widthOf(narrow_ ? Length::Keys : Length::Short), least.height()};
 }
 
 void DrivePad::resizeEvent(QResizeEvent* event)

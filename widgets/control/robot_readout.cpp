@@ -1,7 +1,5 @@
 #include "widgets/control/robot_readout.h"
 
-#include <QEvent>
-#include <QFontMetrics>
 #include <QGridLayout>
 #include <QLabel>
 #include <cmath>
@@ -41,22 +39,6 @@ RobotReadout::RobotReadout(QWidget* parent) : QWidget(parent)
     }
     grid->setRowStretch(kRows, 1);
     clearMeasurement();
-    reserveWidth();
-}
-
-void RobotReadout::reserveWidth()
-{
-    QFont bold = font();
-    bold.setBold(true);
-    const QString current = format::signedNumber(0.0, 2) + QStringLiteral(" A");
-    static_cast<QGridLayout*>(layout())->setColumnMinimumWidth(
-        1, QFontMetrics(bold).horizontalAdvance(tr("L %1   R %2").arg(current, current)));
-}
-
-void RobotReadout::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) reserveWidth();
 }
 
 void RobotReadout::show(Row row, const QString& text, bool known)

@@ -40,11 +40,7 @@ public:
     QString text(int row) const;  ///< shown text; rows in the order of Row
     QString ageText(int row) const;
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
-    void reserveWidth();  ///< room of known currents, so that unknown ones move nothing
     void show(Row row, const QString& text, bool known);
     void showAngle(Row row, double angle, AttitudeLevel level);
 
