@@ -64,7 +64,7 @@ QString DriveText::contacts(const FlipperContacts& state)
         (isRear(contact.flipper) ? rear : front) << side + QString::number(contact.element + 1);
     }
     if (front.isEmpty() && rear.isEmpty()) return tr("none");
-    const QString ahead = front.join(QLatin1Char(' '));
+    QString ahead = front.join(QLatin1Char(' '));
     if (rear.isEmpty()) return ahead;
     return (ahead + QLatin1Char(' ') + tr("rear %1").arg(rear.join(QLatin1Char(' ')))).trimmed();
 }
