@@ -98,8 +98,11 @@ void TerrainPage::showDrive(const TerrainViewState& viewState)
         return angle ? std::optional(angle->level) : std::nullopt;
     };
     const bool isOther =
-        levelOf(drive.pitch) != levelOf(shown.pitch) || levelOf(drive.roll) != levelOf(shown.roll);
-    if (!viewState.numbersDue && !isOther) {  // slow enough to read; a contact is shown at once
+        levelOf(drive.pitch) != levelOf(shown.pitch) || levelOf(drive.roll) != levelOf(shown.roll)
+        || drive.way.has_value() != shown.way.has_value()
+        || drive.feltTo.has_value() != shown.feltTo.has_value() || drive.feltEnds != shown.feltEnds;
+    // Slow enough to read. A contact, a new estimate and the end of felt ground are shown at once.
+    if (!viewState.numbersDue && !isOther) {
         const std::optional<FlipperContacts> contact = drive.contact;
         drive = shown;
         drive.contact = contact;
