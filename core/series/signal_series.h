@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/series/bucket_pyramid.h"
@@ -21,7 +23,11 @@ public:
     /// Adds a sample; one that is not finite is left out. An older time than that of the last sample counts as that.
     void add(double time, double value);
 
-    const BucketPyramid& pyramid() const { return pyramid_; }
+    std::uint64_t count() const { return pyramid_.count(); }
+    std::optional<double> first() const { return pyramid_.first(); }
+    std::optional<double> last() const { return pyramid_.last(); }
+    /// Returns the resolution of a span from this time on [s]; 0: every sample is kept.
+    double resolutionFrom(double time) const { return time < exactFrom() ? pyramid_.width() : 0.0; }
     /// Returns the time from which on every sample is kept [s]; infinity without samples.
     double exactFrom() const;
 
