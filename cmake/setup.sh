@@ -2,7 +2,7 @@
 # Installs missing packages of the named groups; prints nothing if none is missing:
 #   cmake/setup.sh [--arch ARCHITECTURE] [core] [gui] [unit] [test] [tidy] [package] [publish] [kernel] [cluster]
 #   core  compiler and libraries of the core, the drivers and the command line
-#   gui   Qt 6, and Qwt for Qt 6: the system's, else built into .deps/qwt
+#   gui   Qt 6, SDL 2 for gamepads, and Qwt for Qt 6: the system's, else built into .deps/qwt
 #   unit  libraries of the tests of the core    test  libraries and tools of all tests
 #   tidy  clang, clang-tidy, clang-format
 #   package  tools to make a Debian package
@@ -27,7 +27,7 @@ declare -A packages=(
   [core]="g++ cmake ninja-build pkg-config libeigen3-dev libopenblas-dev liblapacke-dev libhwy-dev libnlopt-dev
           libboost-math-dev libsqlite3-dev libsodium-dev zlib1g-dev libbz2-dev liblz4-dev libzstd-dev libtomlplusplus-dev libcli11-dev libfmt-dev
           libcairo2-dev libgpiod-dev fonts-dejavu-core"
-  [gui]="qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools qt6-wayland qmake6 libgl-dev libasound2-dev make bzip2 fonts-dejavu-core"
+  [gui]="qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools qt6-wayland qmake6 libgl-dev libasound2-dev libsdl2-dev make bzip2 fonts-dejavu-core"
   [unit]="libgtest-dev librapidcheck-dev libbenchmark-dev python3"
   [test]="libgtest-dev librapidcheck-dev libbenchmark-dev python3 python3-numpy python3-scipy
           python3-can python3-rosbag python3-sensor-msgs python3-nav-msgs can-utils sqlite3 parallel xvfb xauth xdotool
