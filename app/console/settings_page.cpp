@@ -18,6 +18,8 @@
 #include "app/mission/preset_text.h"
 #include "app/shell/file_dialog.h"
 #include "app/shell/font_fit.h"
+#include "app/shell/number_box.h"
+#include "app/shell/second_press.h"
 #include "widgets/base/card.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
@@ -57,9 +59,6 @@ QString languageTip()
     return SettingsPage::tr("Restarts the console");
 }
 
-constexpr int kDefaultsAnswer = 8000,
-              kDefaultsRead = 700;  // [ms] the same as for closing an armed robot's window
-
 QString defaultsTip()
 {
     return SettingsPage::tr("Resets this page, the model and the robot to their defaults");
@@ -86,22 +85,13 @@ SettingsPage::SettingsPage(PreferenceStore& store, QWidget* parent) : Page(paren
     defaults_ = new QPushButton(tr("All back to the defaults"), look);
     setTip(*defaults_, defaultsTip());
     look->body()->addWidget(defaults_);
-    defaultsAsked_.setSingleShot(true);
-    defaultsAsked_.setInterval(kDefaultsAnswer);
-    connect(&defaultsAsked_, &QTimer::timeout, this, &SettingsPage::showDefaults);
-    connect(defaults_, &QPushButton::clicked, this, [this] {
-        if (!defaultsAsked_.isActive()) {
-            defaultsAsked_.start();
-            return showDefaults();
-        }
-        if (defaultsAsked_.remainingTime() > kDefaultsAnswer - kDefaultsRead)
-            return;  // a double click
-        defaultsAsked_.stop();
-        showDefaults();
+    auto* asks = new SecondPress(*defaults_, tr("Press again to reset all settings"));
+    connect(asks, &SecondPress::confirmed, this, [this] {
         store_.change([](Preferences& p) {
             Preferences plain;
             plain.window = p.window;
             plain.dbc = p.dbc;
+            plain.pad = p.pad;  // the page Gamepad resets it
             p = plain;
         });
     });
@@ -163,15 +153,7 @@ QDoubleSpinBox* SettingsPage::number(QFormLayout* form, const QString& label, Pr
                                      int decimals, const QString& suffix, const QString& tip,
                                      double Preferences::*value, double unit)
 {
-    auto* box = new QDoubleSpinBox(this);
-    box->setDecimals(decimals);
-    box->setRange(range.least / unit, range.most / unit);
-    box->setSingleStep(decimals == 2 ? 0.01 : decimals == 1 ? 0.1 : 1.0);
-    box->setSuffix(QLatin1Char(' ') + suffix);
-    box->setKeyboardTracking(false);  // reports only complete numbers
-    box->setMinimumHeight(kTarget);
-    box->setAccessibleName(label);
-    setTip(*box, tip);
+    QDoubleSpinBox* box = numberBox(this, {label, range, decimals, suffix, tip, unit});
     addField(*form, label, box);
     shows_.emplace_back([=](const Preferences& p) { box->setValue(p.*value / unit); });
     connect(box, &QDoubleSpinBox::valueChanged, this,
@@ -405,12 +387,6 @@ void SettingsPage::setReopenBlocked(const QString& why)
     block(shippedRobot_, own ? shippedTip() : shippedInUseTip(), own);
     block(defaults_, defaultsTip());
     block(language_, languageTip());
-}
-
-void SettingsPage::showDefaults()
-{
-    defaults_->setText(defaultsAsked_.isActive() ? tr("Press again to reset all settings")
-                                                 : tr("All back to the defaults"));
 }
 
 QString SettingsPage::modelCard() const

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QTimer>
 #include <functional>
 #include <vector>
 
@@ -75,7 +74,6 @@ private:
     void show();  ///< shows the preferences in the controls
     void change(const std::function<void(Preferences&)>& edit);
     void showCosts();
-    void showDefaults();  ///< shows the defaults button, which asks for a second press
 
     PreferenceStore& store_;
     std::vector<PresetCost> presets_;
@@ -98,7 +96,6 @@ private:
     QPushButton* shippedModel_ = nullptr;
     QPushButton* shippedRobot_ = nullptr;
     QPushButton* defaults_ = nullptr;
-    QTimer defaultsAsked_;  ///< runs while a second press restores the defaults
 };
 
 }  // namespace terratact

@@ -114,6 +114,14 @@ struct Reader {
             return good;
         });
     }
+    void mapping(const char* key, PadMapping& to)
+    {
+        value(key, [&](const QString& text) {
+            const auto parsed = PadMapping::parse(text.toStdString());
+            if (parsed) to = *parsed;
+            return parsed.has_value();
+        });
+    }
     void bytes(const char* key, QByteArray& to)
     {
         value(key, [&](const QString& text) {
@@ -146,6 +154,10 @@ struct Writer {
     void paths(const char* key, const QStringList& value_)
     {
         value(key, value_.join(QLatin1Char('\n')));
+    }
+    void mapping(const char* key, const PadMapping& value_)
+    {
+        value(key, QString::fromStdString(value_.text()));
     }
     void bytes(const char* key, const QByteArray& value_)
     {
@@ -182,6 +194,9 @@ void visit(Visitor visitor, Values& p)
     visitor.path("model", p.model);
     visitor.path("robot", p.robot);
     visitor.paths("dbc", p.dbc);
+    visitor.mapping("gamepad", p.pad.mapping);
+    visitor.number("gamepad-dead-zone", p.pad.deadZone, kDeadZoneRange);
+    visitor.number("gamepad-speed", p.pad.speedLimit, kPadSpeedRange);
     visitor.bytes("window", p.window);
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/link/pad_mapping.h"
 #include "core/atem/probe_policy.h"
 #include "core/base/message.h"
 #include "core/base/result.h"
@@ -44,6 +45,7 @@ struct Preferences {
     bool record = true;                   ///< records sessions
     int keepDays = 0, keepGigabytes = 0;  ///< retention of recordings; 0: no limit
     bool mayDelete = false;  ///< deletes recordings beyond the limits; otherwise only reports them
+    PadSettings pad;         ///< the gamepad
     QByteArray window;       ///< QWidget::saveGeometry(); empty: none yet
     bool operator==(const Preferences&) const = default;
 };
@@ -61,7 +63,9 @@ inline constexpr PreferenceRange kHazardRateRange{0.001, 0.5};                  
 inline constexpr PreferenceRange kRollRange{1.0 * kDegree, 45.0 * kDegree};       ///< [rad]
 inline constexpr PreferenceRange kAsymmetryRange{1.0 * kDegree, 90.0 * kDegree};  ///< [rad]
 inline constexpr PreferenceRange kTiltRange{5.0 * kDegree, 80.0 * kDegree};       ///< [rad]
-inline constexpr int kSmallestFont = 80, kLargestFont = 200;                      ///< [%]
+inline constexpr PreferenceRange kDeadZoneRange{kSmallestDeadZone, kLargestDeadZone};
+inline constexpr PreferenceRange kPadSpeedRange{kSlowestPad, kFastestPad};  ///< [m/s]
+inline constexpr int kSmallestFont = 80, kLargestFont = 200;                ///< [%]
 inline constexpr int kMaxEstimateSeconds = 25;  ///< [s] below the 30 s timeout of an exploration
 inline constexpr int kMaxDays = 10'000, kMaxGigabytes = 100'000;
 inline constexpr qsizetype kMaxDbcFiles = 32;

@@ -53,6 +53,9 @@ Preferences unlikeTheDefaults()
     p.model = QString::fromUtf8("/data/žluťoučký model, 2 = @Variant(x)\\%41;#.ttm");
     p.robot = "@robot.toml";
     p.dbc = QStringList{QString::fromUtf8("/data/p\u0159\u00edklad, 1.dbc"), "b;c.dbc"};
+    p.pad.mapping.assign(PadAction::Explore, PadButton::Y);
+    p.pad.deadZone = 0.25;
+    p.pad.speedLimit = 0.1 + 0.2;
     p.window = QByteArray("\0\xff\n=;geometry", 13);
     return p;
 }
@@ -107,12 +110,31 @@ TEST(PreferencesRecord, namesEveryKeyThatChangesAndNoOther)
     now.sound = false;
     EXPECT_EQ(changesOf(kDefaults, now).section("; ", 0, 0), "sound: true → false");
     const QString all = changesOf(kDefaults, unlikeTheDefaults());
-    for (const char* key :
-         {"theme",          "font-scale",  "language",   "layout",           "sound",
-          "obstacle-limit", "method",      "quality",    "estimate-seconds", "force-threshold",
-          "probe-policy",   "probe-above", "roll-limit", "asymmetry-limit",  "tilt-amber",
-          "tilt-red",       "record",      "keep-days",  "keep-gigabytes",   "model",
-          "robot",          "dbc"})
+    for (const char* key : {"theme",
+                            "font-scale",
+                            "language",
+                            "layout",
+                            "sound",
+                            "obstacle-limit",
+                            "method",
+                            "quality",
+                            "estimate-seconds",
+                            "force-threshold",
+                            "probe-policy",
+                            "probe-above",
+                            "roll-limit",
+                            "asymmetry-limit",
+                            "tilt-amber",
+                            "tilt-red",
+                            "record",
+                            "keep-days",
+                            "keep-gigabytes",
+                            "model",
+                            "robot",
+                            "dbc",
+                            "gamepad",
+                            "gamepad-dead-zone",
+                            "gamepad-speed"})
         EXPECT_TRUE(all.contains(QLatin1String(key) + ": ")) << key;
     EXPECT_TRUE(changesOf(kDefaults, now).contains("quality: balanced → fast; ")
                 && changesOf(kDefaults, now).endsWith(" → 0.125"));
@@ -147,6 +169,11 @@ TEST_F(PreferencesFile, aBadValueBecomesItsDefaultAndIsReported)
         {"quality", "best"},
         {"force-threshold", "0"},
         {"dbc", "a\\x0"},
+        {"gamepad", ""},
+        {"gamepad", "stop:a stop:b"},
+        {"gamepad", "explore:a"},
+        {"gamepad-dead-zone", "0"},
+        {"gamepad-speed", "0.7"},
         {"probe-above", "@Variant(\\0\\0\\0\\x7f\\xff\\xff\\xff\\xff)"},
         {"roll-limit", "@Invalid()"},
         {"asymmetry-limit", "\"\""},
