@@ -82,6 +82,8 @@ public:
     void setEstimateSeconds(double seconds) { options_.seconds = seconds; }  ///< 0: no limit
     /// Sets the method of the second estimate; empty: none.
     void setSecondMethod(std::optional<Method> method);
+    /// Sets the speed [m/s] of drives, also of one in progress, for a control with a way; empty: options().driveSpeed.
+    void setDriveSpeed(std::optional<double> speed);
     void drive(int direction);  ///< starts as soon as the robot has ended its exploration
     void halt();                ///< ends drive(); does nothing otherwise
     /// Sends STOP at once and repeats it until the robot confirms. On a receive-only link it only reports that.
@@ -181,6 +183,7 @@ private:
     /// Returns true if the robot still reports the exploration that ended at this time, for a second at most.
     bool isRobotStillExploring(double endedAt) const;
 
+    DriveCommand driveCommand() const;
     void driveOn();
     void watchDrive();
     bool command(const Command& command);  ///< returns false, and reports it, if it was not sent
@@ -220,6 +223,8 @@ private:
     bool advanceNotSent_ = false;          ///< the gate or the link refused it
 
     bool driving_ = false;
+    int direction_ = 0;                 ///< of the drive
+    std::optional<double> driveSpeed_;  ///< [m/s]
     DriveWatch driveWatch_;
     std::optional<DriveCommand> driveWanted_;  ///< drive command that is not sent yet
     double driveBegan_ = 0.0;                  ///< [s]

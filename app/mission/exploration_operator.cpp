@@ -122,8 +122,23 @@ void Exploration::drive(int direction)
     if (whyNotDriving()) return;
     driving_ = true;
     driveBegan_ = now_;
-    driveWanted_ = DriveCommand{.speed = direction * options_.driveSpeed};
+    direction_ = direction;
+    driveWanted_ = driveCommand();
     emit decided("drive", direction > 0 ? TR_NOOP("event", "forward") : TR_NOOP("event", "back"));
+    driveOn();
+}
+
+DriveCommand Exploration::driveCommand() const
+{
+    return {.speed = direction_ * driveSpeed_.value_or(options_.driveSpeed)};
+}
+
+void Exploration::setDriveSpeed(std::optional<double> speed)
+{
+    if (speed == driveSpeed_) return;
+    driveSpeed_ = speed;
+    if (!driving_) return;
+    driveWanted_ = driveCommand();
     driveOn();
 }
 

@@ -112,6 +112,30 @@ TEST_F(Bench, drivingEndsWithOneHaltIfItHadBegun)
     EXPECT_EQ(sent<HaltCommand>(), before) << "a halt would end the press";
 }
 
+TEST_F(Bench, theSpeedOfADriveFollowsItsControl)
+{
+    const auto speeds = [this] {
+        std::vector<double> found;
+        (void)sent<DriveCommand>();
+        for (const Command& command : all)
+            if (const auto* drive = std::get_if<DriveCommand>(&command))
+                found.push_back(drive->speed);
+        return found;
+    };
+    exploration->setDriveSpeed(0.1);
+    EXPECT_EQ(speeds(), std::vector<double>()) << "a speed alone drives nothing";
+    exploration->drive(-1);
+    exploration->setDriveSpeed(0.15);
+    exploration->setDriveSpeed(0.15);
+    EXPECT_EQ(speeds(), (std::vector{-0.1, -0.15}));
+    exploration->halt();
+    exploration->setDriveSpeed(0.3);
+    exploration->setDriveSpeed({});
+    EXPECT_EQ(speeds().size(), 2U) << "halted";
+    exploration->drive(+1);
+    EXPECT_EQ(speeds().back(), exploration->options().driveSpeed);
+}
+
 TEST_F(Bench, closingHaltsMotionCommandedFromHere)
 {
     exploration->drive(+1);
