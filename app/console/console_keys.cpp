@@ -27,30 +27,14 @@ void addHeld(KeyTable& keys, QList<QKeyCombination> of, const QString& meaning, 
 
 using WhyNot = std::optional<Message> (Exploration::*)() const;
 
-/// Adds a hold-to-run key that moves the robot (dead-man control). Without effect, it shows the reason.
+/// Adds a hold-to-run key that moves the robot.
 void addDriveKey(KeyTable& keys, QList<QKeyCombination> of, const QString& meaning,
                  HeldButton* button, MainWindow& window,
                  WhyNot whyNot = &Exploration::whyNotDriving)
 {
-    const auto press = [button, &window, whyNot] {
-        if (button->isEnabled() && button->isVisible()) return button->hold();
-        const auto why = (window.exploration().*whyNot)();
-        window.showWhyNot({TR_NOOP("terratact::MainWindow", "not driven: %1"),
-                           why.value_or(TR_NOOP("terratact::MainWindow",
-                                                "it is done on the page Terrain (F2)"))});
-    };
-    keys.add({std::move(of), meaning, press, [button] { button->letGoSoon(); },
-              [button] { button->holdOn(); }});
-}
-
-/// A key acts only if the control it acts on is visible.
-enum class Needs { ViewState, Use };
-std::function<void()> ifSeen(const QPushButton* button, std::function<void()> act,
-                             Needs needs = Needs::Use)
-{
-    return [button, needs, act = std::move(act)] {
-        if (button->isVisible() && (button->isEnabled() || needs == Needs::ViewState)) act();
-    };
+    keys.add({std::move(of), meaning,
+              [button, &window, whyNot] { holdToMove(*button, window, whyNot); },
+              [button] { button->letGoSoon(); }, [button] { button->holdOn(); }});
 }
 
 void addAnswerKeys(KeyTable& keys, const ProbeCard* card)
@@ -85,6 +69,22 @@ void addObstacleKeys(KeyTable& keys, const VerdictStrip& verdict)
 }
 
 }  // namespace
+
+void holdToMove(HeldButton& button, MainWindow& window, WhyNot whyNot)
+{
+    if (button.isEnabled() && button.isVisible()) return button.hold();
+    const auto why = (window.exploration().*whyNot)();
+    window.showWhyNot(
+        {TR_NOOP("terratact::MainWindow", "not driven: %1"),
+         why.value_or(TR_NOOP("terratact::MainWindow", "it is done on the page Terrain (F2)"))});
+}
+
+std::function<void()> ifSeen(const QPushButton* button, std::function<void()> act, Needs needs)
+{
+    return [button, needs, act = std::move(act)] {
+        if (button->isVisible() && (button->isEnabled() || needs == Needs::ViewState)) act();
+    };
+}
 
 void addRobotKeys(KeyTable& keys, MainWindow& window)
 {

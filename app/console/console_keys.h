@@ -1,11 +1,29 @@
 #pragma once
 
+#include <functional>
+#include <optional>
+
+#include "app/mission/exploration.h"
+
 class QAction;
+class QPushButton;
 
 namespace terratact {
 
+class HeldButton;
 class KeyTable;
 class MainWindow;
+
+// A key and a control of the gamepad act by the same functions.
+
+/// Holds a button that moves the robot (dead-man control). Without effect, it shows the reason.
+void holdToMove(HeldButton& button, MainWindow& window,
+                std::optional<Message> (Exploration::*whyNot)() const);
+
+/// A control acts only if the button of the same action is visible. Use: and enabled.
+enum class Needs { ViewState, Use };
+std::function<void()> ifSeen(const QPushButton* button, std::function<void()> act,
+                             Needs needs = Needs::Use);
 
 // Key bindings of the console; each function adds one group to the table.
 

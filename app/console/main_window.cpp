@@ -12,6 +12,8 @@
 
 #include "app/console/alarms_page.h"
 #include "app/console/console_keys.h"
+#include "app/console/gamepad_control.h"
+#include "app/console/gamepad_page.h"
 #include "app/console/profile_menu.h"
 #include "app/console/replay_bar.h"
 #include "app/console/settings_page.h"
@@ -72,6 +74,7 @@ MainWindow::MainWindow(Options options)
     setWindowTitle(tr("Terratact — %1").arg(format::sourceName(source_->name())));
     build(options);
     connectAll();
+    addGamepad(std::move(options.gamepad));
     if (recorder_) {
         eventLogger_ = std::make_unique<SessionEventLogger>(recorder_, *exploration_, *worker_);
         connect(events(), &EventList::added, eventLogger_.get(), &SessionEventLogger::word);
@@ -162,6 +165,7 @@ void MainWindow::addPages(const Options& options)
     settings_ = new SettingsPage(*preferences_, this);
     connect(settings_, &SettingsPage::robotChosen, this, &MainWindow::applyRobot);
     addPage(settings_, tr("Settings"), Qt::Key_F7, tr("Method, limits, look, model and robot"));
+    gamepadPage_ = new GamepadPage(*preferences_, this);
     const QString source = format::sourceName(source_->name());
     diagnosticsPage_ = new DiagnosticsPage(
         [this, source] {
@@ -175,6 +179,8 @@ void MainWindow::addPages(const Options& options)
     cards->setContentsMargins(12, 10, 12, 10);
     addScrolledPage(cardsPage_, tr("Robot"), Qt::Key_F9,
                     tr("Forces, attitude and the last events"));
+    addScrolledPage(gamepadPage_, tr("Gamepad"), Qt::Key_F10,
+                    tr("What arrives from the gamepad, and what its controls do"));
     connect(terrainPage_, &TerrainPage::tightened, this, &MainWindow::placeCards);
     terrainPage_->allowTight(*this);
     placeCards();

@@ -34,6 +34,7 @@
 #include "core/atem/contact_cue.h"
 #include "core/atem/stall_watch.h"
 #include "core/base/message.h"
+#include "drivers/gamepad.h"
 
 class QLabel;
 class QPushButton;
@@ -45,6 +46,8 @@ class LogReplay;
 class ReplayBar;
 class SessionEventLogger;
 class ArmingControl;
+class GamepadControl;
+class GamepadPage;
 class SettingsPage;
 class SignalsPage;
 class NumbersPage;
@@ -63,6 +66,7 @@ public:
         CanSource* link = nullptr;             ///< the source, if it is a bus
         LogReplay* replay = nullptr;           ///< replay of the source, if it is a log
         std::unique_ptr<OperatorPanel> panel;  ///< null: no panel
+        std::unique_ptr<Gamepad> gamepad{};    ///< null: gamepads are not read
         ModelLoader model;
         std::string modelPath;  ///< file that `model` loads, for comparing models
         TrainingLoad training = politeLoad();
@@ -95,6 +99,7 @@ public:
     NumbersPage* numbers() const { return numbers_; }
     SettingsPage* settings() const { return settings_; }
     TrainingPage* training() const { return training_; }
+    GamepadPage* gamepadPage() const { return gamepadPage_; }
     VerdictStrip* verdict() const { return terrainPage_->verdict(); }
     QPushButton* viewButton() const { return terrainPage_->viewButton(); }
     ConsoleAlarms& alarms() { return *alarms_; }
@@ -143,6 +148,9 @@ private:
     void releaseStop();
     void connectStop();
     void addTraining(const Options& options);
+    void addGamepad(std::unique_ptr<Gamepad> gamepad);
+    /// frozen: the window has just been frozen, so the gamepad must be released first.
+    void pollGamepad(double now, bool frozen);
     void open();
     std::function<void(const QString& why)> notOpened();
     void defineKeys();
@@ -169,7 +177,8 @@ private:
     std::unique_ptr<EstimatorWorker> worker_;
     std::unique_ptr<Exploration> exploration_;
     std::unique_ptr<ModelChoice> models_;
-    std::unique_ptr<PanelControl> panel_;  ///< may be null
+    std::unique_ptr<PanelControl> panel_;      ///< may be null
+    std::unique_ptr<GamepadControl> gamepad_;  ///< may be null
     std::unique_ptr<LinkStatus> linkStatus_;
     std::unique_ptr<RecordingDisplay> recordingDisplay_;
     std::unique_ptr<StopDisplay> stopDisplay_;
@@ -197,6 +206,7 @@ private:
     QLabel* panelLost_ = nullptr;  ///< a banner
     NumbersPage* numbers_ = nullptr;
     SettingsPage* settings_ = nullptr;
+    GamepadPage* gamepadPage_ = nullptr;
     TerrainPage* terrainPage_ = nullptr;
     TrainingPage* training_ = nullptr;
     QPushButton* recording_ = nullptr;

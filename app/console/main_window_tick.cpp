@@ -35,9 +35,11 @@ void MainWindow::poll()
 {
     lookComes_ = false;
     const double now = steadyNow();
-    if (const auto frozen = stalls_.poll(now)) logStall(*frozen);
+    const auto frozen = stalls_.poll(now);
+    if (frozen) logStall(*frozen);
     sharedStop_->poll();
     tickPanel(now);
+    pollGamepad(now, frozen.has_value());
     if (link_ && (!panel_ || panel_->answers(now))) link_->operatorAlive();
     moment_ = momentOf(now, *acquisition_, link_);
     const AtemPhase before = exploration_->state().phase;

@@ -17,6 +17,7 @@
 #include "app/runtime/print_text.h"
 #include "app/runtime/resources.h"
 #include "app/start/console_setup.h"
+#include "drivers/sdl_gamepad.h"
 
 namespace terratact {
 namespace {
@@ -171,6 +172,7 @@ Result<int> openOnce(Application& application, const ConsoleOptions& options, La
     parts.replay = connection->replay;
     parts.source = std::move(connection->source);
     parts.panel = std::move(*panel);
+    if (!options.isPicture()) parts.gamepad = openSdlGamepad();
     parts.recorder = recorder;
     MainWindow window(std::move(parts));
     QObject::connect(

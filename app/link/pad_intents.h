@@ -28,6 +28,16 @@ public:
     /// mayAct: the operator is at the console's window, so that more than STOP counts.
     PadIntents poll(const GamepadState& state, const PadSettings& settings, bool mayAct);
 
+    /// Return the state of an action's control at the last poll: it is on; it is on and counts.
+    bool isTouched(PadAction action) const
+    {
+        return controls_.at(static_cast<std::size_t>(action)).on;
+    }
+    bool counts(PadAction action) const
+    {
+        return isTouched(action) && controls_.at(static_cast<std::size_t>(action)).counts;
+    }
+
     /// Everything but STOP must be released before it counts again.
     void release();
 

@@ -22,17 +22,8 @@ bool isTrigger(PadAxis axis)
 
 std::optional<PadControl> padControlOf(std::string_view text)
 {
-    for (std::size_t i = 0; i < kPadButtons; ++i)
-        if (name(static_cast<PadButton>(i)) == text) return static_cast<PadButton>(i);
-    for (std::size_t i = 0; i < kPadAxes; ++i) {
-        const auto axis = static_cast<PadAxis>(i);
-        if (isTrigger(axis)) {
-            if (name(axis) == text) return axis;
-        } else if (!text.empty() && name(axis) == text.substr(0, text.size() - 1)) {
-            if (text.back() == '-') return PadStick{axis, -1};
-            if (text.back() == '+') return PadStick{axis, +1};
-        }
-    }
+    for (const PadControl& control : allPadControls())
+        if (textOf(control) == text) return control;
     return std::nullopt;
 }
 
@@ -46,6 +37,23 @@ bool isStop(PadAction action)
 std::string_view name(PadAction action)
 {
     return nameIn(kPadActionNames, action);
+}
+
+std::vector<PadControl> allPadControls()
+{
+    std::vector<PadControl> all;
+    all.reserve(kPadButtons + 2 * kPadAxes);
+    for (std::size_t i = 0; i < kPadButtons; ++i) all.emplace_back(static_cast<PadButton>(i));
+    for (std::size_t i = 0; i < kPadAxes; ++i) {
+        const auto axis = static_cast<PadAxis>(i);
+        if (isTrigger(axis)) {
+            all.emplace_back(axis);
+        } else {
+            all.emplace_back(PadStick{axis, -1});
+            all.emplace_back(PadStick{axis, +1});
+        }
+    }
+    return all;
 }
 
 std::string textOf(const PadControl& control)

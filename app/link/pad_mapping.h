@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "core/atem/command_gate.h"
 #include "drivers/gamepad.h"
@@ -41,6 +42,9 @@ struct PadStick {
 
 /// A control of a gamepad: a button, a trigger (PadAxis::LeftTrigger or RightTrigger), or a stick's axis.
 using PadControl = std::variant<PadButton, PadAxis, PadStick>;
+
+/// Returns every control: buttons, triggers, and the sticks' axes in both directions.
+std::vector<PadControl> allPadControls();
 
 /// Returns the name of a control in files: SDL's, and for a stick the sign of forward: "lefty-".
 std::string textOf(const PadControl& control);

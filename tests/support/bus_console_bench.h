@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -103,6 +104,25 @@ struct BusConsole : testing::Test, RobotOnBench {
         window = console(bus.join("can0"), mode, [] { return Result<LoadedModel>(madeUp()); });
         gui::showActive(*window);
     }
+    /// Opens a console with an estimator that is always CLEAR, and a robot on level ground behind the gate.
+    void openClear()
+    {
+        SimulatedRobot::Options simulation;
+        simulation.startX = 1.0;
+        robot = std::make_unique<RobotInProcess>(
+            bus, model, SimulatedRobot(model, flatTerrain(9.0), simulation),
+            RobotOnBus::Options{.firstEpoch = 9, .speed = 5.0});
+        window = console(bus.join("can0"), CanSource::Mode::Transmit, [] {
+            LoadedModel clear = madeUp();
+            clear.estimate = [](const EstimateRequest& request, const Watch&) {
+                TerrainEstimate e = clearEstimate();
+                e.settings = request.settings;
+                return equalSides(e);
+            };
+            return Result<LoadedModel>(std::move(clear));
+        });
+        gui::showActive(*window);
+    }
     /// Opens the console and records the session below `folder`.
     void openRecordedOn(const TemporaryDirectory& folder)
     {
@@ -125,6 +145,7 @@ struct BusConsole : testing::Test, RobotOnBench {
         MainWindow::Options options = linked(std::move(end), std::move(source));
         options.model = std::move(loader);
         options.recorder = recording;
+        if (gamepads) options.gamepad = gamepads();
         options.exploration.driveSpeed = 0.02;
         options.exploration.settings.probeAbove =
             0.005;  // the low threshold always proposes a probe
@@ -245,7 +266,8 @@ struct BusConsole : testing::Test, RobotOnBench {
     /// [s] dead-man timeout, also at rest. On a busy machine the window may paint for longer than the real 0.1 s and
     /// 1 s, which core/atem tests with a simulated clock. Only tests that freeze the window need the real ones.
     double operatorAge = 60.0;
-    std::shared_ptr<SessionRecorder> recording{};  // used by consoles that are opened later
+    std::function<std::unique_ptr<Gamepad>()> gamepads{};  // empty: none is read
+    std::shared_ptr<SessionRecorder> recording{};          // used by consoles that are opened later
     std::unique_ptr<MainWindow> window;
 };
 

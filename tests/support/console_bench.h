@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
+#include <functional>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -82,6 +83,7 @@ struct Console : testing::Test {
             "measured",
             {{Method::Local, QualityPreset::Fast, 250, 16, 16, 175, 0.5, 0.0, 25.0, 1.0},
              {Method::Pafac, QualityPreset::Fast, 250, 16, 16, 175, 4.0, 11.3, 34.0, 0.13}}};
+        if (gamepads) options.gamepad = gamepads();
         window = std::make_unique<MainWindow>(std::move(options));
         window->probeCard()->approveButton()->setHoldTime(150);
         window->atemPanel()->releaseButton()->setHoldTime(150);
@@ -184,6 +186,7 @@ struct Console : testing::Test {
     RobotModel robot = absolem();
     double answerTime = AtemLimits{}.approval;  // [s]
     int stops = 0;
+    std::function<std::unique_ptr<Gamepad>()> gamepads{};  ///< empty: none is read
     std::unique_ptr<MainWindow> window;
 };
 

@@ -24,26 +24,8 @@ namespace {
 
 using gui::eventually;
 
-/// A console with an estimator that is always CLEAR, and a robot on level ground behind the gate.
+/// A console that feels forward by its key.
 struct FeelForwardConsole : BusConsole {
-    void openClear()
-    {
-        SimulatedRobot::Options simulation;
-        simulation.startX = 1.0;
-        robot = std::make_unique<RobotInProcess>(
-            bus, model, SimulatedRobot(model, flatTerrain(9.0), simulation),
-            RobotOnBus::Options{.firstEpoch = 9, .speed = 5.0});
-        window = console(bus.join("can0"), CanSource::Mode::Transmit, [] {
-            LoadedModel clear = madeUp();
-            clear.estimate = [](const EstimateRequest& request, const Watch&) {
-                TerrainEstimate e = clearEstimate();
-                e.settings = request.settings;
-                return equalSides(e);
-            };
-            return Result<LoadedModel>(std::move(clear));
-        });
-        gui::showActive(*window);
-    }
     const AtemState& state() const { return window->exploration().state(); }
     double way() const { return window->exploration().pace().way; }
     HeldButton* button() const { return window->drivePad()->feelButton(); }

@@ -177,7 +177,7 @@ TEST_F(Console, noUserActionBlocksForLong)
                                    [percent](Preferences& p) { p.fontScale = percent; });
                            }});
     };
-    for (int page = Qt::Key_F3; page <= Qt::Key_F9; ++page)
+    for (int page = Qt::Key_F3; page <= Qt::Key_F10; ++page)
         key("F" + std::to_string(page - Qt::Key_F1 + 1), page);
     key("F2", Qt::Key_F2);
     for (const int theme : {Qt::Key_5, Qt::Key_6, Qt::Key_4})

@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <set>
 #include <string>
+
+#include "app/link/pad_learner.h"
 
 namespace terratact {
 namespace {
@@ -153,6 +156,50 @@ TEST(PadControls, speedNeverPassesItsLimitAndGrowsWithTheStick)
         before = speed;
     }
     EXPECT_DOUBLE_EQ(before, settings.speedLimit);
+}
+
+GamepadState with(const std::function<void(GamepadState&)>& set)
+{
+    GamepadState state;
+    state.connection = 1;
+    set(state);
+    return state;
+}
+
+TEST(PadLearner, findsTheControlThatIsTurnedOn)
+{
+    const GamepadState idle = with([](GamepadState&) {});
+    PadLearner stop(PadAction::Stop);
+    EXPECT_FALSE(stop.poll(idle));
+    EXPECT_FALSE(stop.poll(with([](GamepadState& s) { s[PadAxis::LeftY] = -1.0; }))) << "a stick";
+    EXPECT_EQ(stop.poll(with([](GamepadState& s) { s[PadButton::Start] = true; })),
+              PadControl(PadButton::Start));
+    EXPECT_EQ(stop.poll(with([](GamepadState& s) { s[PadAxis::LeftTrigger] = 0.8; })),
+              PadControl(PadAxis::LeftTrigger));
+
+    PadLearner drive(PadAction::Drive);
+    EXPECT_FALSE(drive.poll(idle));
+    EXPECT_FALSE(drive.poll(with([](GamepadState& s) { s[PadButton::Start] = true; })));
+    EXPECT_FALSE(drive.poll(with([](GamepadState& s) { s[PadAxis::RightY] = 0.6; })));
+    EXPECT_EQ(drive.poll(with([](GamepadState& s) { s[PadAxis::RightY] = 0.8; })),
+              PadControl(PadStick{PadAxis::RightY, +1}));
+    EXPECT_EQ(drive.poll(with([](GamepadState& s) { s[PadAxis::RightX] = -0.8; })),
+              PadControl(PadStick{PadAxis::RightX, -1}));
+}
+
+TEST(PadLearner, aControlThatIsHeldWhenItBeginsMustBeReleasedFirst)
+{
+    GamepadState held = with([](GamepadState& s) { s[PadButton::A] = true; });
+    PadLearner learner(PadAction::Explore);
+    EXPECT_FALSE(learner.poll(held));
+    EXPECT_FALSE(learner.poll(held));
+    held.connection = 2;
+    held[PadButton::B] = true;
+    EXPECT_FALSE(learner.poll(held)) << "another gamepad";
+    held[PadButton::A] = false;
+    EXPECT_FALSE(learner.poll(held));
+    held[PadButton::A] = true;
+    EXPECT_EQ(learner.poll(held), PadControl(PadButton::A));
 }
 
 }  // namespace

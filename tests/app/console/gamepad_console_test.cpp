@@ -1,0 +1,406 @@
+// Tests the gamepad at the console: it acts by the window's own buttons, and whatever ends a hold lets go.
+#include <gtest/gtest.h>
+
+#include <QMenu>
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "app/console/main_window.h"
+#include "drivers/sdl_gamepad.h"
+#include "tests/support/bus_console_bench.h"
+#include "tests/support/fake_gamepad.h"
+#include "tests/support/gui.h"
+#include "tests/support/scripted_source.h"
+#include "tests/support/virtual_pad.h"
+#include "widgets/base/held_button.h"
+#include "widgets/base/navigation_rail.h"
+#include "widgets/control/atem_panel.h"
+#include "widgets/control/drive_pad.h"
+#include "widgets/control/probe_card.h"
+#include "widgets/signals/event_list.h"
+#include "widgets/terrain/verdict_strip.h"
+
+namespace terratact {
+namespace {
+
+using gui::eventually;
+
+/// A console with a scripted robot and a virtual joystick of SDL.
+struct GamepadConsole : BusConsole {
+    void openScripted(std::unique_ptr<Gamepad> gamepad)
+    {
+        auto source = std::make_unique<ScriptedSource>();
+        script = source.get();
+        MainWindow::Options options;
+        options.robot = model;
+        options.source = std::move(source);
+        options.model = [] { return Result<LoadedModel>(madeUp()); };
+        options.exploration.linkLostAfter = options.exploration.staleAfter = 3.0;
+        options.gamepad = std::move(gamepad);
+        window = std::make_unique<MainWindow>(std::move(options));
+        window->probeCard()->approveButton()->setHoldTime(150);
+        window->resize(1280, 720);
+        gui::showActive(*window);
+        ASSERT_TRUE(eventually([&] { return forward()->isEnabled(); }));
+    }
+    void openScripted()
+    {
+        openScripted(openSdlGamepad());
+        ASSERT_TRUE(eventually([&] { return hasEvent("gamepad connected: Test pad"); }));
+    }
+    HeldButton* forward() const { return window->drivePad()->forwardButton(); }
+    HeldButton* back() const { return window->drivePad()->backButton(); }
+    bool hasEvent(const QString& words) const
+    {
+        return !window->events()->findItems(words, Qt::MatchContains).empty();
+    }
+    /// Lets the console see the present state of the pad.
+    static void settle() { QTest::qWait(60); }
+    void deadMan(bool held) { pad->set(PadAxis::RightTrigger, held ? 1.0 : 0.0); }
+    void push(double forward) { pad->set(PadAxis::LeftY, -forward); }
+    bool drives()
+    {
+        push(0.0);
+        deadMan(false);
+        settle();
+        deadMan(true);
+        settle();
+        push(1.0);
+        return eventually([&] { return forward()->isHeld(); }, 3000);
+    }
+    /// Returns true if the robot was told to halt and the pad, as it is held, drives no more.
+    bool haltsForGood()
+    {
+        if (!eventually([&] { return !forward()->isHeld(); }, 3000)) return false;
+        return eventually([&] { return sent<HaltCommand>() > 0; }, 3000) && drivesNothing();
+    }
+    bool drivesNothing()
+    {
+        settle();
+        (void)sent<DriveCommand>();
+        commands.clear();
+        QTest::qWait(150);  // waits for an event that must not come
+        return sent<DriveCommand>() == 0 && !forward()->isHeld();
+    }
+    template <class C>
+    int sent()
+    {
+        for (const Command& command : script->consumeCommands()) commands.push_back(command);
+        return static_cast<int>(std::ranges::count_if(
+            commands, [](const Command& c) { return std::holds_alternative<C>(c); }));
+    }
+    double lastSpeed()
+    {
+        (void)sent<DriveCommand>();
+        double speed = 0.0;
+        for (const Command& command : commands)
+            if (const auto* drive = std::get_if<DriveCommand>(&command)) speed = drive->speed;
+        return speed;
+    }
+    void tap(PadButton button)
+    {
+        pad->set(button, true);
+        settle();
+        pad->set(button, false);
+        settle();
+    }
+
+    std::unique_ptr<VirtualPad> pad = std::make_unique<VirtualPad>();
+    ScriptedSource* script = nullptr;
+    std::vector<Command> commands;
+};
+
+TEST_F(GamepadConsole, drivesAtTheSpeedOfTheStickWhileTheDeadManIsHeld)
+{
+    ASSERT_NO_FATAL_FAILURE(openScripted());
+    push(1.0);
+    ASSERT_TRUE(drivesNothing()) << "the stick alone";
+    ASSERT_TRUE(drives());
+    EXPECT_DOUBLE_EQ(lastSpeed(), 0.2);
+    push(0.575);
+    EXPECT_TRUE(eventually([&] { return lastSpeed() == 0.1; }, 3000)) << lastSpeed();
+    EXPECT_EQ(sent<HaltCommand>(), 0);
+    push(-1.0);
+    EXPECT_TRUE(eventually([&] { return back()->isHeld(); }, 3000));
+    EXPECT_TRUE(eventually([&] { return lastSpeed() == -0.2; }, 3000)) << lastSpeed();
+    EXPECT_EQ(sent<HaltCommand>(), 1) << "before it turns round";
+    EXPECT_FALSE(forward()->isHeld());
+    deadMan(false);
+    EXPECT_TRUE(eventually([&] { return sent<HaltCommand>() == 2; }, 3000));
+    EXPECT_FALSE(back()->isHeld());
+    QTest::keyPress(window.get(), Qt::Key_W);
+    EXPECT_TRUE(
+        eventually([&] { return lastSpeed() == window->exploration().options().driveSpeed; }));
+    QTest::keyRelease(window.get(), Qt::Key_W);
+}
+
+TEST_F(GamepadConsole, theLossOfThePadLetsGo)
+{
+    ASSERT_NO_FATAL_FAILURE(openScripted());
+    ASSERT_TRUE(drives());
+    pad->detach();
+    EXPECT_TRUE(haltsForGood());
+    EXPECT_TRUE(hasEvent("the gamepad is lost: everything that it held is let go"));
+    pad = std::make_unique<VirtualPad>("Other pad");
+    EXPECT_TRUE(eventually([&] { return hasEvent("gamepad connected: Other pad"); }));
+    EXPECT_TRUE(drives());
+}
+
+TEST_F(GamepadConsole, whateverLeavesTheWindowLetsGoUntilTheNextPress)
+{
+    ASSERT_NO_FATAL_FAILURE(openScripted());
+    QWidget other;
+    QMenu menu(window.get());
+    const auto freeze = [] {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
+        while (std::chrono::steady_clock::now() < end) continue;
+    };
+    const std::vector<std::pair<const char*, std::function<void()>>> leaving{
+        {"another window",
+         [&] {
+             gui::showActive(other);
+             EXPECT_TRUE(haltsForGood());
+             other.close();
+             gui::showActive(*window);
+         }},
+        {"another page",
+         [&] {
+             QTest::keyClick(window.get(), Qt::Key_F3);
+             EXPECT_TRUE(haltsForGood());
+             QTest::keyClick(window.get(), Qt::Key_F2);
+         }},
+        {"the gamepad's page",
+         [&] {
+             QTest::keyClick(window.get(), Qt::Key_F10);
+             EXPECT_TRUE(haltsForGood());
+             QTest::keyClick(window.get(), Qt::Key_F2);
+         }},
+        {"a menu",
+         [&] {
+             menu.popup(window->mapToGlobal(QPoint(10, 10)));
+             EXPECT_TRUE(haltsForGood());
+             menu.close();
+         }},
+        {"a freeze", freeze},
+        {"another control", [&] { forward()->letGo(); }}};
+    for (const auto& [name, leave] : leaving) {
+        SCOPED_TRACE(name);
+        ASSERT_TRUE(drives());
+        commands.clear();
+        leave();
+        EXPECT_TRUE(eventually([&] { return !forward()->isHeld(); }, 3000));
+        EXPECT_TRUE(drivesNothing()) << "still held";
+        push(0.0);
+        settle();
+        push(1.0);
+        EXPECT_TRUE(drivesNothing()) << "the dead-man control was not released";
+    }
+    EXPECT_TRUE(drives());
+}
+
+TEST_F(GamepadConsole, whatIsHeldWhenThePadAppearsMeansNothing)
+{
+    GamepadDesk desk;
+    ASSERT_NO_FATAL_FAILURE(openScripted(desk.gamepad()));
+    GamepadState held;
+    held.connection = 1;
+    held.name = "Held pad";
+    held[PadAxis::RightTrigger] = 1.0;
+    held[PadAxis::LeftY] = -1.0;
+    held[PadButton::Back] = held[PadButton::X] = true;
+    desk.set(held);
+    ASSERT_TRUE(eventually([&] { return hasEvent("gamepad connected: Held pad"); }));
+    EXPECT_TRUE(drivesNothing());
+    EXPECT_EQ(window->exploration().state().phase, AtemPhase::Idle) << "neither STOP nor explore";
+    held[PadAxis::RightTrigger] = held[PadAxis::LeftY] = 0.0;
+    desk.set(held);
+    settle();
+    held[PadAxis::RightTrigger] = 1.0;
+    desk.set(held);
+    settle();
+    held[PadAxis::LeftY] = -1.0;
+    desk.set(held);
+    EXPECT_TRUE(eventually([&] { return forward()->isHeld(); }, 3000));
+    desk.hang(true);
+    EXPECT_TRUE(haltsForGood()) << "a gamepad that does not answer is lost";
+    desk.hang(false);
+    EXPECT_TRUE(drivesNothing());
+    window.reset();
+}
+
+TEST_F(GamepadConsole, anUnmetPreconditionIsShown)
+{
+    ASSERT_NO_FATAL_FAILURE(openScripted());
+    QTest::keyClick(window.get(), Qt::Key_F3);
+    push(1.0);
+    deadMan(true);
+    EXPECT_TRUE(eventually([&] { return hasEvent("hold the dead-man control first"); }));
+    push(0.0);
+    settle();
+    push(1.0);
+    EXPECT_TRUE(eventually([&] { return hasEvent("it is done on the page Terrain (F2)"); }));
+    EXPECT_TRUE(drivesNothing());
+}
+
+TEST_F(GamepadConsole, theStepLimitChangesByOneStepPerPress)
+{
+    ASSERT_NO_FATAL_FAILURE(openScripted());
+    const double before = window->exploration().options().stepLimit;
+    tap(PadButton::Up);
+    const double above = window->exploration().options().stepLimit;
+    EXPECT_GT(above, before);
+    tap(PadButton::Down);
+    EXPECT_DOUBLE_EQ(window->exploration().options().stepLimit, before);
+}
+
+/// The same gamepad with a robot behind the command gate.
+struct GamepadThroughTheGate : GamepadConsole {
+    void open()
+    {
+        gamepads = [] { return openSdlGamepad(); };
+        BusConsole::open();
+        ASSERT_TRUE(eventually([&] { return hasEvent("gamepad connected: Test pad"); }));
+    }
+    /// Arms by the keyboard; explores by the gamepad until a probe is proposed.
+    bool asks()
+    {
+        if (arming() != ArmingPhase::Armed && !armsOnce()) return false;
+        if (!eventually([&] { return window->atemPanel()->requestButton()->isEnabled(); }, 5000))
+            return false;
+        tap(PadButton::X);
+        if (!gets(AtemPhase::ProposingProbe)) return failsOnlyDisarmed();
+        return eventually([&] { return window->probeCard()->shown().has_value(); });
+    }
+    AtemPhase phase() const { return window->exploration().state().phase; }
+};
+
+TEST_F(GamepadThroughTheGate, drivesOnlyWhileArmed)
+{
+    ASSERT_NO_FATAL_FAILURE(open());
+    ASSERT_TRUE(eventually([&] {
+        const auto why = window->exploration().whyNotDriving();
+        return why && why->english().starts_with("not armed");
+    }));
+    deadMan(true);
+    settle();
+    push(1.0);
+    EXPECT_TRUE(eventually([&] { return hasEvent("not driven: not armed"); }));
+    EXPECT_FALSE(robotDoes(RobotActivity::Driving));
+    EXPECT_TRUE(inSomeGo([&] {
+        if (arming() != ArmingPhase::Armed && !armsOnce()) return false;
+        return eventually([&] { return forward()->isEnabled(); }, 2000) && GamepadConsole::drives()
+            && robotIs(RobotActivity::Driving);
+    }));
+    deadMan(false);
+    EXPECT_TRUE(robotIs(RobotActivity::Halted));
+}
+
+TEST_F(GamepadThroughTheGate, theLossOfThePadHaltsTheRobot)
+{
+    ASSERT_NO_FATAL_FAILURE(open());
+    ASSERT_TRUE(inSomeGo([&] {
+        if (arming() != ArmingPhase::Armed && !armsOnce()) return false;
+        return eventually([&] { return forward()->isEnabled(); }, 2000) && GamepadConsole::drives()
+            && robotIs(RobotActivity::Driving);
+    }));
+    pad->detach();
+    EXPECT_TRUE(robotIs(RobotActivity::Halted));
+    EXPECT_EQ(arming(), ArmingPhase::Armed);
+}
+
+TEST_F(GamepadThroughTheGate, stopActsUnarmedInAnyWindowAndOnAnyPage)
+{
+    ASSERT_NO_FATAL_FAILURE(open());
+    QWidget other;
+    const std::vector<std::pair<const char*, std::function<void()>>> places{
+        {"its window", [] {}},
+        {"the gamepad's page", [&] { QTest::keyClick(window.get(), Qt::Key_F10); }},
+        {"another window", [&] { gui::showActive(other); }}};
+    for (const auto& [name, go] : places)
+        for (const PadButton button : {PadButton::RightShoulder, PadButton::Back}) {
+            SCOPED_TRACE(name);
+            EXPECT_EQ(arming(), ArmingPhase::Disarmed);
+            go();
+            tap(button);
+            EXPECT_TRUE(robotIs(RobotActivity::Stopped));
+            EXPECT_TRUE(reaches(AtemPhase::Stopped));
+            EXPECT_TRUE(hasEvent("STOP pressed on the gamepad"));
+            window->exploration().releaseStop();
+            EXPECT_TRUE(reaches(AtemPhase::Idle));
+            EXPECT_TRUE(robotIs(RobotActivity::Halted));
+        }
+}
+
+TEST_F(GamepadThroughTheGate, stopDoesNotWaitForAFrozenWindow)
+{
+    ASSERT_NO_FATAL_FAILURE(open());
+    pad->set(PadButton::Back, true);
+    // No event of the window is handled here.
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (!robotDoes(RobotActivity::Stopped) && std::chrono::steady_clock::now() < end) continue;
+    EXPECT_TRUE(robotDoes(RobotActivity::Stopped));
+}
+
+TEST_F(GamepadThroughTheGate, aProbeIsApprovedByAHoldAndAReleaseCancels)
+{
+    ASSERT_NO_FATAL_FAILURE(open());
+    ASSERT_TRUE(inSomeGo([&] {
+        window->probeCard()->approveButton()->setHoldTime(150);
+        pad->set(PadButton::A, true);  // pressed before the question: it approves nothing
+        if (!asks()) return false;
+        settle();
+        EXPECT_FALSE(window->probeCard()->approveButton()->isHeld());
+        pad->set(PadButton::A, false);
+        settle();
+        window->probeCard()->approveButton()->setHoldTime(60'000);
+        pad->set(PadButton::A, true);
+        EXPECT_TRUE(
+            eventually([&] { return window->probeCard()->approveButton()->share() > 0.0; }, 3000));
+        pad->set(PadButton::A, false);
+        EXPECT_TRUE(
+            eventually([&] { return !window->probeCard()->approveButton()->isHeld(); }, 3000));
+        if (phase() != AtemPhase::ProposingProbe) return failsOnlyDisarmed();
+        window->probeCard()->approveButton()->setHoldTime(150);
+        pad->set(PadButton::A, true);
+        return gets(AtemPhase::Presenting) || failsOnlyDisarmed();
+    }));
+    EXPECT_TRUE(window->exploration().state().probed);
+}
+
+TEST_F(GamepadThroughTheGate, aProbeIsRefusedByAPress)
+{
+    ASSERT_NO_FATAL_FAILURE(open());
+    ASSERT_TRUE(inSomeGo([&] {
+        if (!asks()) return false;
+        tap(PadButton::B);
+        return gets(AtemPhase::Presenting) || failsOnlyDisarmed();
+    }));
+    EXPECT_FALSE(window->exploration().state().probed);
+}
+
+TEST_F(GamepadThroughTheGate, feelsForwardWhileItsTriggerIsHeld)
+{
+    gamepads = [] { return openSdlGamepad(); };
+    openClear();
+    const auto loops = [&] { return window->exploration().state().loops; };
+    ASSERT_TRUE(inSomeGo([&] {
+        pad->set(PadAxis::LeftTrigger, 0.0);
+        settle();
+        if (arming() != ArmingPhase::Armed && !armsOnce()) return false;
+        HeldButton* const feel = window->drivePad()->feelButton();
+        if (!eventually([&] { return feel->isEnabled(); }, 5000)) return false;
+        pad->set(PadAxis::LeftTrigger, 1.0);
+        (void)eventually([&] { return loops(); }, 3000);
+        (void)eventually([&] { return !loops() || window->exploration().pace().way > 0.05; },
+                         60000);
+        return loops();
+    }));
+    pad->set(PadAxis::LeftTrigger, 0.0);
+    EXPECT_TRUE(eventually([&] { return !loops(); }, 3000));
+    EXPECT_EQ(window->exploration().state().loopEnd, LoopEnd::LetGo);
+}
+
+}  // namespace
+}  // namespace terratact
