@@ -10,7 +10,7 @@ namespace {
 
 bool hasWay(const TrailHistory* history)
 {
-    return history && history->way > 0.0;
+    return history && isUsable(*history);
 }
 
 GaussianMixture distributionOf(const TrailPrediction& prediction)

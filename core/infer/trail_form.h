@@ -8,7 +8,7 @@
 namespace terratact {
 
 /// Return true if the method Trail can estimate a scene. There must be networks that know the covered
-/// bins' regimes, and a history with a way.
+/// bins' regimes, and a usable history.
 bool remembers(const Models& models, const TrailHistory* history, const RobotModel& robot,
                const Proprioception& s);
 bool remembers(const Models& models, const TrailHistory* history, const RobotModel& robot,

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/log/session_memory.h"
+
 namespace terratact {
 namespace {
 
@@ -45,6 +47,8 @@ void requireFinite(const SceneRow& row)
         for (const auto& side : {sides.left, sides.right})
             for (const auto& force : side) requireFinite({force.value_or(0.0)});
     if (m.arm) requireFinite({m.arm->height, m.arm->sd});
+    if (row.memory && !memoryFrom(bytesOfMemory(*row.memory)))
+        throw std::invalid_argument("SessionWriter: a memory of the way out of its ranges");
     if (row.truth) requireAllFinite(*row.truth);
     if (row.sideTruth)
         for (const Heights& side : *row.sideTruth) requireAllFinite(side);

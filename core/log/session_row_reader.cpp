@@ -10,6 +10,7 @@
 #include "core/log/checked_row.h"
 #include "core/log/message_json.h"
 #include "core/log/recorded_words.h"
+#include "core/log/session_memory.h"
 #include "core/log/session_schema.h"
 #include "core/log/session_tables.h"
 #include "core/robot/side_plane.h"
@@ -129,6 +130,9 @@ ModelRow modelFrom(CheckedRow& row, std::int64_t id)
     model.name = row.text();
     model.hash = row.text();
     model.details = row.text();
+    if (!row.hasMore()) return model;
+    model.trailName = row.text();
+    model.trailHash = row.text();
     return model;
 }
 
@@ -169,6 +173,15 @@ void addOffer(CheckedRow& row, std::vector<ProposalRow>& proposals)
     proposal->offers.push_back(offer);
 }
 
+std::optional<TrailHistory> memoryOrNone(CheckedRow& row)
+{
+    if (row.isNone()) return std::nullopt;
+    const std::optional<TrailHistory> memory = memoryFrom(row.blob());
+    require(memory.has_value(), TR_NOOP("core", "a memory of the way is expected to hold 103 "
+                                                "numbers in their ranges"));
+    return memory;
+}
+
 SceneRow sceneFrom(CheckedRow& row, std::int64_t id)
 {
     SceneRow scene{.id = id, .time = row.time()};
@@ -198,7 +211,11 @@ SceneRow sceneFrom(CheckedRow& row, std::int64_t id)
     m.differential = row.realOrNone();
     for (auto* side : {&m.sides.left, &m.sides.right, &m.rearSides.left, &m.rearSides.right})
         for (std::optional<double>& force : *side) force = row.realOrNone();
-    if (m.arm) m.arm->side = row.named(probeSideFromName);
+    if (m.arm)
+        m.arm->side = row.named(probeSideFromName);
+    else
+        row.skip(1);
+    if (row.hasMore()) scene.memory = memoryOrNone(row);
     return scene;
 }
 

@@ -12,6 +12,7 @@
 #include "core/infer/estimate/two_track_estimate.h"
 #include "core/robot/measurement.h"
 #include "core/terrain/bins.h"
+#include "core/trail/trail_history.h"
 #include "core/wire/can_frame.h"
 
 namespace terratact {
@@ -56,9 +57,11 @@ struct FrameRow {
 struct ModelRow {
     std::int64_t id = 0;
     SessionTime time = 0;
-    std::string name{};     ///< "default.ttm"
-    std::string hash{};     ///< SHA-256 of its file
-    std::string details{};  ///< model card
+    std::string name{};       ///< "default.ttm"
+    std::string hash{};       ///< SHA-256 of its file
+    std::string details{};    ///< model card
+    std::string trailName{};  ///< "default.ttn": networks of the method trail; empty: none
+    std::string trailHash{};  ///< SHA-256 of their file
     bool operator==(const ModelRow&) const = default;
 };
 
@@ -70,6 +73,8 @@ struct SceneRow {
     std::optional<Heights> truth{};  ///< true heights, if the source knows them
     /// True heights of each side: left, right (sideHeights(), core/terrain/ground_lines.h).
     std::optional<std::array<Heights, 2>> sideTruth{};
+    /// What the way before told of the scene; empty: nothing was recorded, or nothing was known.
+    std::optional<TrailHistory> memory{};
     bool operator==(const SceneRow&) const = default;
 };
 

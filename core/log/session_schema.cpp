@@ -207,6 +207,35 @@ constexpr std::array kVersion4{
                 "side TEXT NOT NULL) STRICT"},
 };
 
+/// Tables whose statements differ in version 5.
+constexpr std::array kVersion5{
+    SchemaEntry{"table", "model",
+                "CREATE TABLE model(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+                "t INTEGER NOT NULL, name TEXT NOT NULL, sha256 TEXT NOT NULL, "
+                "details TEXT NOT NULL, trail_name TEXT NOT NULL, "
+                "trail_sha256 TEXT NOT NULL) STRICT"},
+    SchemaEntry{
+        "table", "scene",
+        "CREATE TABLE scene(id INTEGER PRIMARY KEY, batch INTEGER NOT NULL, "
+        "t INTEGER NOT NULL, robot_time_s REAL NOT NULL, pitch_rad REAL NOT NULL, "
+        "roll_rad REAL NOT NULL, front_left_rad REAL NOT NULL, front_right_rad REAL NOT NULL, "
+        "rear_left_rad REAL NOT NULL, rear_right_rad REAL NOT NULL, "
+        "front_left_a REAL, front_right_a REAL, rear_left_a REAL, rear_right_a REAL, "
+        "force1_n REAL, force2_n REAL, force3_n REAL, force4_n REAL, force5_n REAL, "
+        "force6_n REAL, activity INTEGER NOT NULL, refusal INTEGER NOT NULL, "
+        "arm_bin INTEGER, arm_height_m REAL, arm_sd_m REAL, "
+        "travelled_m REAL, turned_rad REAL, differential_rad REAL, "
+        "front_left_force1_n REAL, front_left_force2_n REAL, front_left_force3_n REAL, "
+        "front_left_force4_n REAL, front_left_force5_n REAL, front_left_force6_n REAL, "
+        "front_right_force1_n REAL, front_right_force2_n REAL, front_right_force3_n REAL, "
+        "front_right_force4_n REAL, front_right_force5_n REAL, front_right_force6_n REAL, "
+        "rear_left_force1_n REAL, rear_left_force2_n REAL, rear_left_force3_n REAL, "
+        "rear_left_force4_n REAL, rear_left_force5_n REAL, rear_left_force6_n REAL, "
+        "rear_right_force1_n REAL, rear_right_force2_n REAL, rear_right_force3_n REAL, "
+        "rear_right_force4_n REAL, rear_right_force5_n REAL, rear_right_force6_n REAL, "
+        "arm_side TEXT, memory BLOB) STRICT"},
+};
+
 void replace(SessionSchema& schema, std::span<const SchemaEntry> newer)
 {
     for (const SchemaEntry& entry : newer)
@@ -221,6 +250,7 @@ SessionSchema sessionSchema(std::int64_t version)
     if (version >= 2) replace(schema, kVersion2);
     if (version >= 3) replace(schema, kVersion3);
     if (version >= 4) replace(schema, kVersion4);
+    if (version >= 5) replace(schema, kVersion5);
     return schema;
 }
 

@@ -56,10 +56,7 @@ std::int64_t wallTimeFrom(const std::string& text)
 
 void addBytes(std::string& bytes, const Heights& draw)
 {
-    for (const double height : draw) {
-        const auto value = std::bit_cast<std::uint64_t>(height);
-        for (int i = 0; i < 8; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xFFU);
-    }
+    for (const double height : draw) addLittleEndian(bytes, height);
 }
 
 /// Returns the draw of one side that begins at byte `at`, and moves `at` behind it.
@@ -67,10 +64,8 @@ Heights drawFrom(std::string_view bytes, std::size_t& at)
 {
     Heights draw{};
     for (double& height : draw) {
-        std::uint64_t value = 0;
-        for (int i = 0; i < 8; ++i)
-            value |= std::uint64_t{static_cast<unsigned char>(bytes[at++])} << (8 * i);
-        height = std::bit_cast<double>(value);
+        height = littleEndianAt(bytes, at);
+        at += sizeof(double);
         requireStored(std::isfinite(height), TR_NOOP("core", "has a draw that is not finite"));
     }
     return draw;
@@ -142,6 +137,20 @@ StoredStart readSessionStart(SqliteFile& file)
                        {}};
     stored.hash = hashOf(stored.start);
     return stored;
+}
+
+void addLittleEndian(std::string& bytes, double value)
+{
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    for (int i = 0; i < 8; ++i) bytes += static_cast<char>(bits >> (8 * i) & 0xFFU);
+}
+
+double littleEndianAt(std::string_view bytes, std::size_t at)
+{
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < sizeof(double); ++i)
+        bits |= std::uint64_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
+    return std::bit_cast<double>(bits);
 }
 
 std::string bytesOfDraws(const TwoTrackEstimate& estimate)

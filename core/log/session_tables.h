@@ -28,6 +28,11 @@ StoredStart readSessionStart(SqliteFile& file);
 /// Value of estimate_bin.side for an estimate of one plane; otherwise it is "left" or "right".
 inline constexpr std::string_view kBothSides = "both";
 
+/// Appends 8 bytes, least significant byte first.
+void addLittleEndian(std::string& bytes, double value);
+/// Returns the number whose 8 bytes begin at `at`.
+double littleEndianAt(std::string_view bytes, std::size_t at);
+
 /// Returns the draws of an estimate as they are stored: 8 bytes for each double, least significant
 /// byte first. A draw of one plane has 11 doubles. A joint draw of two sides has 22, the left side's
 /// first. Throws std::invalid_argument if both sides have different numbers of draws.

@@ -12,6 +12,7 @@
 #include "core/log/event_text.h"
 #include "core/log/message_json.h"
 #include "core/log/session_hash.h"
+#include "core/log/session_memory.h"
 #include "core/log/session_row_checks.h"
 #include "core/log/session_schema.h"
 #include "core/log/session_table_insert.h"
@@ -161,6 +162,7 @@ void SessionWriter::Impl::addScene(const SceneRow& scene)
     };
     const auto front = [&m](double value) { return storedFeature(m, kFrontCurrentFeature, value); };
     const auto rear = [&m](double value) { return storedFeature(m, kRearCurrentFeature, value); };
+    const std::string memory = scene.memory ? bytesOfMemory(*scene.memory) : std::string();
     row(sceneTable, scene.id, batch.id, scene.time, m.time, m.pitch, m.roll, m.frontLeft,
         m.frontRight, m.rearLeft, m.rearRight, front(m.frontLeftCurrent),
         front(m.frontRightCurrent), rear(m.rearLeftCurrent), rear(m.rearRightCurrent), f(0), f(1),
@@ -169,7 +171,8 @@ void SessionWriter::Impl::addScene(const SceneRow& scene)
         m.arm ? std::optional(m.arm->height) : std::nullopt,
         m.arm ? std::optional(m.arm->sd) : std::nullopt, m.travelled, m.turned, m.differential,
         m.sides.left, m.sides.right, m.rearSides.left, m.rearSides.right,
-        m.arm ? std::optional(name(m.arm->side)) : std::nullopt);
+        m.arm ? std::optional(name(m.arm->side)) : std::nullopt,
+        scene.memory ? std::optional(Blob{memory}) : std::nullopt);
     if (scene.truth) addTruth(scene.id, ProbeSide::Middle, *scene.truth);
     if (!scene.sideTruth) return;
     addTruth(scene.id, ProbeSide::Left, scene.sideTruth->at(0));
@@ -360,7 +363,7 @@ Status SessionWriter::add(const ModelRow& row)
     return attempt(*impl_, [&] {
         impl_->start(row.time);
         impl_->row(impl_->modelTable, row.id, impl_->batch.id, row.time, row.name, row.hash,
-                   row.details);
+                   row.details, row.trailName, row.trailHash);
     });
 }
 

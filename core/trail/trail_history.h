@@ -40,11 +40,18 @@ struct TrailGround {
 /// again. Shorter ways tell less: `way` says how long it was.
 struct TrailHistory {
     double way = 0.0;                          ///< [m] known before the scene, at most kTrailReach
+    int presses = 0;                           ///< scenes on this way, without the scene itself
     std::array<double, kTrailPlaces> pitch{};  ///< [rad] mean within ± 0.05 m of each place
     std::array<double, kTrailPlaces> roll{};   ///< [rad] the same of roll, left side up positive
     std::array<TrailGround, kTrailPlanes> ground{};  ///< middle, left, right
     bool operator==(const TrailHistory&) const = default;
 };
+
+/// Returns true if the history tells of a way, so that an estimate can use it.
+constexpr bool isUsable(const TrailHistory& history)
+{
+    return history.way > 0.0;
+}
 
 /// Returns the history of a scene before which nothing is known.
 TrailHistory emptyHistory(double pitch, double roll);

@@ -211,6 +211,7 @@ void TrailRecord::writePressed(TrailHistory& history, const WayPose& pose) const
     for (const Press& press : presses_) {
         if (pose.way - press.way > history.way + kRounding) continue;
         if (std::abs(pose.way - press.way) < kStep) continue;  // the scene itself
+        ++history.presses;
         const double dx = press.imu.x - pose.imu.x, dz = press.imu.z - pose.imu.z;
         for (std::size_t p = 0; p < kTrailPlanes; ++p)
             for (const Element& element : press.elements[p]) {

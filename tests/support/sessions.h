@@ -83,6 +83,18 @@ inline EstimateRow someSides(std::int64_t id, SessionTime time)
     return row;
 }
 
+inline TrailHistory someMemory()
+{
+    TrailHistory memory = emptyHistory(0.05, -0.01);
+    memory.way = 0.75;
+    memory.presses = 3;
+    memory.roll[4] = 0.02;
+    memory.ground[0].lowest[2] = -0.125;
+    memory.ground[1].load[5] = 3.5;
+    memory.ground[2].pressed[8] = -0.0625;
+    return memory;
+}
+
 inline SceneRow someScene(std::int64_t id, SessionTime time)
 {
     SceneRow row{.id = id, .time = time};
@@ -94,6 +106,7 @@ inline SceneRow someScene(std::int64_t id, SessionTime time)
     if (id > 1) row.measurement.arm = ArmReading{.bin = 9, .height = -0.04, .sd = 0.03};
     row.measurement.travelled = 1.25;
     row.truth = stepEstimate().height;
+    if (id == 1) row.memory = someMemory();
     return row;
 }
 
@@ -135,7 +148,11 @@ inline Result<SessionWriter> someSession(const std::string& path, std::int64_t f
     auto writer = SessionWriter::create(path, someStart());
     if (!writer) return writer;
     (void)writer->add(EventRow{.id = 1, .kind = EventKind::Session, .subject = "begun"});
-    (void)writer->add(ModelRow{.id = 1, .name = "default.ttm", .hash = std::string(64, 'c')});
+    (void)writer->add(ModelRow{.id = 1,
+                               .name = "default.ttm",
+                               .hash = std::string(64, 'c'),
+                               .trailName = "default.ttn",
+                               .trailHash = std::string(64, 'd')});
     for (std::int64_t n = 0; n < frames; ++n) {
         (void)writer->add(someFrame(n));
         if (n == frames / 4) {

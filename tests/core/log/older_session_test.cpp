@@ -210,6 +210,8 @@ TEST_F(OlderSession, version4HoldsEstimatesOfTwoSides)
     ASSERT_EQ(session.proposals().size(), 1U);
     EXPECT_EQ(session.proposals()[0].offers, someProposal(0).offers);
     EXPECT_EQ(session.scenes().at(1), someScene(2, session.scenes()[1].time));
+    for (const SceneRow& scene : session.scenes()) EXPECT_FALSE(scene.memory);
+    for (const ModelRow& model : session.models()) EXPECT_EQ(model.trailName, "");
 }
 
 TEST_F(OlderSession, aNewSessionHoldsNamesAndMessages)

@@ -9,6 +9,7 @@
 
 #include "core/log/session_reader.h"
 #include "core/log/session_writer.h"
+#include "tests/support/session_rehash.h"
 #include "tests/support/sessions.h"
 #include "tests/support/temporary_directory.h"
 
@@ -38,6 +39,19 @@ inline void change(const std::string& path, const std::string& sql)
     char* message = nullptr;
     EXPECT_EQ(sqlite3_exec(file, sql.c_str(), nullptr, nullptr, &message), SQLITE_OK) << message;
     sqlite3_close(file);
+}
+
+/// Writes a session, changes it, and hashes its rows anew. Returns the reader's complaints.
+inline std::string complaintsAfter(const std::string& path, const std::string& sql)
+{
+    seal(path, 200);
+    change(path, sql);
+    rehash(path);
+    std::string text;
+    const auto reader = SessionReader::open(path);
+    if (!reader) return reader.error().text;
+    for (const SessionDamage& damage : reader->damage()) text += damage.why.english() + '\n';
+    return text;
 }
 
 inline int countFrom(const char* variable, int otherwise)

@@ -9,7 +9,6 @@
 #include "core/log/session_tables.h"
 #include "core/log/session_writer.h"
 #include "tests/core/log/session_fixture.h"
-#include "tests/support/session_rehash.h"
 #include "tests/support/sessions.h"
 
 namespace terratact {
@@ -94,20 +93,6 @@ TEST_F(Session, refusesSidesThatContradictEachOther)
               "SessionWriter: estimate 3: both sides must have the same settings");
     EXPECT_NE(refusalAfter([](Estimate& e) { e.side[1].draws[0][0] = std::nan(""); }), "");
     EXPECT_EQ(refusalAfter([](Estimate&) {}), "");
-}
-
-/// Writes a session with an estimate of two sides, changes it, and hashes its rows anew. Returns the
-/// reader's complaints.
-std::string complaintsAfter(const std::string& path, const std::string& sql)
-{
-    seal(path, 200);
-    change(path, sql);
-    rehash(path);
-    std::string text;
-    const auto reader = SessionReader::open(path);
-    if (!reader) return reader.error().text;
-    for (const SessionDamage& damage : reader->damage()) text += damage.why.english() + '\n';
-    return text;
 }
 
 TEST_F(Session, refusesStoredSidesThatCannotBe)

@@ -114,8 +114,11 @@ TEST_F(TrailRecordTest, APressIsFoundWhereItWas)
     const Vec2 element = elementPosition(robot, pose, robot.elementShare[4]);
     record.addScene(scene);
     EXPECT_EQ(record.before(scene).ground[0].load[8], 0.0) << "a scene is no memory of itself";
+    EXPECT_EQ(record.before(scene).presses, 0);
     drive(0.3);
     const TrailHistory history = record.before(line);
+    EXPECT_EQ(history.presses, 1);
+    EXPECT_EQ(record.before(line, 0.2).presses, 0) << "farther back than the history tells";
     const double x = element.x - 0.3;
     for (std::size_t bin = 0; bin < kTrailBins; ++bin) {
         const double away = std::abs(x - binCentre(static_cast<int>(bin)));

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/trail/trail_history.h"
+
+namespace terratact {
+
+// The memory of a scene as a session stores it in `scene.memory`: 103 doubles of 8 bytes, least
+// significant byte first. They are the way, the number of presses, 10 pitches, 10 rolls, and of the
+// middle, the left and the right plane: 9 lowest heights, 9 loads, 9 pressed heights.
+
+/// Returns the bytes of a memory.
+std::string bytesOfMemory(const TrailHistory& memory);
+
+/// Returns the memory; empty for another number of bytes, or for numbers that no memory has. All
+/// numbers are finite but for `lowest`, which may be +infinity.
+std::optional<TrailHistory> memoryFrom(std::string_view bytes);
+
+}  // namespace terratact
