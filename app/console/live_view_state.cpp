@@ -27,6 +27,7 @@ void addEstimation(TerrainViewState& viewState, const Estimation& estimation)
     const Estimation::Revisions revisions = estimation.revisions();
     viewState.estimate = {pointer(estimation.estimate()), revisions.estimate};
     viewState.estimateSeconds = estimation.seconds();
+    if (viewState.estimate) viewState.memoryWords = translated(estimation.memoryWords());
     viewState.second = {pointer(estimation.second()), revisions.second};
     if (viewState.second)
         viewState.secondName = format::text(name(viewState.second->side[0].settings.method));

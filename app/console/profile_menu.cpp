@@ -34,8 +34,7 @@ void ProfileMenu::offerSecondMethods(Exploration& exploration)
                 [&exploration, method] { exploration.setSecondMethod(method); });
     };
     offer(tr("none"), std::nullopt);
-    for (const Method method : kSceneMethods)
-        if (method != Method::Pafac) offer(format::text(name(method)), method);
+    for (const Method method : offeredMethods()) offer(format::text(name(method)), method);
 }
 
 }  // namespace terratact

@@ -5,6 +5,7 @@
 
 #include "app/display/format.h"
 #include "app/display/translated.h"
+#include "app/mission/memory_text.h"
 #include "app/mission/place_text.h"
 #include "core/infer/two_track_estimator.h"
 #include "core/infer/verdict/estimate_text.h"
@@ -17,7 +18,7 @@ constexpr int kLiveDraws = 200;  // enough draws for a preview
 }  // namespace
 
 Estimation::Estimation(EstimatorWorker& worker, const RobotModel& robot, const Options& options)
-    : worker_(worker), robot_(robot), options_(options), strip_(robot)
+    : worker_(worker), robot_(robot), options_(options), strip_(robot), memory_(robot)
 {
     listenToModels();
     connect(&worker_, &EstimatorWorker::estimated, this, &Estimation::accept);
@@ -49,13 +50,14 @@ void Estimation::listenToModels()
 {
     connect(&worker_, &EstimatorWorker::modelLoaded, this,
             [this](const QString& name, const QString& details, const QString& /*hash*/,
-                   const QString& content, bool hasTwoTracks) {
+                   const QString& content, bool hasTwoTracks, const TrailInUse& trail) {
                 if (!model_.name.isEmpty()) strip_.endSection();  // it was felt by another model
                 model_ = {.name = name,
                           .details = details,
                           .content = content,
                           .trouble = {},
-                          .hasTwoTracks = hasTwoTracks};
+                          .hasTwoTracks = hasTwoTracks,
+                          .trail = trail};
                 aside_.reset();
                 emit modelChanged();
                 emit happened(
@@ -94,10 +96,14 @@ void Estimation::poll(const std::optional<Received>& latest, bool telemetryFresh
     if (tracked_ > 0 && latest->unbrokenFrom > tracked_) {
         const bool wasSeen = !strip_.whyNothing();
         strip_.addSilence();
+        memory_.addSilence();
+        if (aside_) aside_->memory.addSilence();
         if (wasSeen && !scene_) emit telemetryGap();
     }
     tracked_ = latest->count;
     strip_.add(newest);
+    memory_.add(newest, latest->suspicions);
+    if (aside_) aside_->memory.add(newest, latest->suspicions);
 }
 
 Estimation::Processes Estimation::processesOf(Method method) const
@@ -139,11 +145,14 @@ void Estimation::preview(const Received& latest)
         return;
     previewed_ = latest.count;
     if (warmUp(options_.settings.method)) return;
+    const Measurement& line = latest.sample.measurement;
+    const SceneMemory memory =
+        options_.settings.method == Method::Trail ? memory_.before(line) : SceneMemory{};
     Settings settings = options_.settings;
-    settings.method = Method::Local;
+    settings.method = methodWith(Method::Trail, memory, model_.trail);
     settings.draws = kLiveDraws;
     liveJob_ = worker_.request(
-        {.measurement = latest.sample.measurement, .arm = {}, .settings = settings});
+        {.measurement = line, .arm = {}, .settings = settings, .memory = memory.history});
 }
 
 void Estimation::suspect(const std::vector<SensorSuspicion>& suspicions)
@@ -157,8 +166,11 @@ void Estimation::begin(const Received& latest, std::uint64_t since)
     const bool isNew = latest.press && latest.press->count > since;
     const Sample& sample = isNew ? latest.press->sample : latest.sample;
     aside_.reset();
-    scene_ = CapturedScene{
-        .measurement = sample.measurement, .truth = sample.truth, .sideTruth = sample.sideTruth};
+    scene_ = CapturedScene{.measurement = sample.measurement,
+                           .truth = sample.truth,
+                           .sideTruth = sample.sideTruth,
+                           .memory = memory_.before(sample.measurement)};
+    memory_.addScene(sample.measurement);
     pose_.emplace(sample.measurement);
     capturedAt_ = isNew ? latest.press->count : latest.count;
     hadTelemetryGap_ = wasSuspected_ = wasPitchSuspected_ = false;
@@ -241,8 +253,9 @@ void Estimation::forget(const Message& why)
 void Estimation::setAside(const Message& why)
 {
     if (estimate_ && scene_ && pose_)
-        aside_ = Aside{*scene_,   *pose_,     capturedAt_,    hadTelemetryGap_,
-                       readings_, *estimate_, second_.value()};
+        aside_ = Aside{*scene_,    *pose_,          capturedAt_,  hadTelemetryGap_, readings_,
+                       *estimate_, second_.value(), memoryWords_, memory_};
+    memory_.clear();
     takeBack();
     forget(why);
 }
@@ -258,6 +271,8 @@ bool Estimation::restore()
     readings_ = std::move(aside.readings);
     estimate_ = std::move(aside.estimate);
     second_ = std::move(aside.second);
+    memoryWords_ = std::move(aside.memoryWords);
+    memory_ = std::move(aside.memory);
     strip_.enter(*estimate_, estimateJob_);
     whyNone_ = {};
     emit stands(false);
@@ -268,13 +283,16 @@ bool Estimation::restore()
 EstimateRequest Estimation::requestFor(Method method) const
 {
     Settings settings = options_.settings;
-    settings.method = !readings_.empty() && method == Method::Pafc ? Method::Pafac : method;
+    settings.method = methodWith(method, scene_->memory, model_.trail);
+    if (!readings_.empty() && method == Method::Pafc) settings.method = Method::Pafac;
     return {.measurement = scene_->measurement,
             .arm = readings_,
             .settings = settings,
             .prober = {},
             .stepLimit = options_.stepLimit,
-            .seconds = options_.seconds};
+            .seconds = options_.seconds,
+            .prepares = false,
+            .memory = scene_->memory.history};
 }
 
 void Estimation::start()
@@ -286,6 +304,7 @@ void Estimation::start()
     EstimateRequest request = requestFor(options_.settings.method);
     request.prober = robot_;
     askedLimit_ = request.stepLimit;
+    askedMemory_ = terratact::memoryWords(options_.settings.method, scene_->memory, model_.trail);
     job_ = worker_.request(request);
 }
 
@@ -328,6 +347,7 @@ void Estimation::accept(int job, const TwoTrackEstimate& estimate, double second
     live_.reset();
     estimate_ = estimate;
     seconds_ = seconds;
+    memoryWords_ = askedMemory_;
     ++counts_.estimates;
     const auto& [left, right] = estimate.side;
     counts_.contradicting += left.contradicts || right.contradicts ? 1 : 0;
@@ -361,11 +381,30 @@ void Estimation::refuse(int job, const Message& why)
                   EventSeverity::Bad);
 }
 
+Message Estimation::memoryWords() const
+{
+    if (!estimate_ || memoryWords_.empty()) return {};
+    const SceneMemory& memory = scene_->memory;
+    const Message used =
+        terratact::memoryWords(*estimate_, memory.history ? &*memory.history : nullptr);
+    return used.empty() ? memoryWords_ : used;
+}
+
+/// Reports that nothing is remembered, and each new reason.
+void Estimation::announceMemory()
+{
+    const bool isRemembered = estimate_->side[0].settings.method == Method::Trail;
+    const Message why = isRemembered ? Message() : memoryWords_;
+    if (std::exchange(memoryLogged_, why) != why && !why.empty())
+        emit happened(why, EventSeverity::Note);
+}
+
 void Estimation::announce(const TwoTrackEstimate& estimate)
 {
     emit happened(Message(TR_NOOP("terratact::Estimation", "estimate in %1"),
                           verbatim(format::age(seconds_))),
                   EventSeverity::Note);
+    announceMemory();
     const auto& [left, right] = estimate.side;
     for (const Message& warning : ofBothSides(left.warnings, right.warnings))
         emit happened(warning, EventSeverity::Warning);
@@ -406,16 +445,6 @@ std::optional<Message> Estimation::whyNothingRemembered() const
 {
     if (counts_.estimates == 0) return std::nullopt;
     return nothingRememberedWords(strip_.whyNothing(), telemetryFresh_);
-}
-
-std::optional<Message> nothingRememberedWords(std::optional<SectionStart> why, bool telemetryFresh)
-{
-    if (why == SectionStart::First) return std::nullopt;
-    if (why)
-        return Message(TR_NOOP("terratact::Estimation", "Nothing is remembered here: %1"),
-                       describe(*why));
-    if (telemetryFresh) return std::nullopt;
-    return TR_NOOP("terratact::Estimation", "No remembered ground while telemetry is missing");
 }
 
 }  // namespace terratact

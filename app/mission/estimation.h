@@ -10,6 +10,7 @@
 #include "app/display/event_severity.h"
 #include "app/link/acquisition.h"
 #include "app/mission/estimator_worker.h"
+#include "app/mission/way_memory.h"
 #include "app/runtime/revised.h"
 #include "core/atem/pose_watch.h"
 #include "core/base/message.h"
@@ -25,6 +26,7 @@ struct CapturedScene {
     Measurement measurement;
     std::optional<Heights> truth;
     std::optional<std::array<Heights, 2>> sideTruth{};  ///< left, right
+    SceneMemory memory{};                               ///< of the way before
 };
 
 /// Texts about the estimator's model.
@@ -33,11 +35,13 @@ struct ModelInUse {
     QString content{};          ///< LoadedModel::content
     Message trouble{};          ///< reason that there is no model
     bool hasTwoTracks = false;  ///< LoadedModel::hasTwoTracks
+    TrailInUse trail{};         ///< LoadedModel::trail
 };
 
 /// Owns the estimates of the present scene, by the settings' method and an optional second method, with the arm's
 /// readings. Before the scene it gives live previews while the flippers move down. It enters
-/// every estimate into the strip of felt ground, which it follows along telemetry. The worker computes; answers to outdated requests are dropped. GUI thread only.
+/// every estimate into the strip of felt ground, which it follows along telemetry. The method trail gets what the way
+/// before the scene tells; without that, local estimates. The worker computes; answers to outdated requests are dropped. GUI thread only.
 class Estimation final : public QObject {
     Q_OBJECT
 public:
@@ -55,7 +59,7 @@ public:
     void poll(const std::optional<Received>& latest, bool telemetryFresh);
     /// Prepares the model's Gaussian processes for an exploration while the worker is idle.
     void prepare();
-    /// Makes a preview with the local method as often as the worker keeps up with telemetry. It stays until a preview
+    /// Makes a preview with the local method, or trail, as often as the worker keeps up with telemetry. It stays until a preview
     /// fails, an estimate is ready, or endPreview().
     void preview(const Received& latest);
     void endPreview() { live_.reset(); }
@@ -72,7 +76,7 @@ public:
     void forget(const Message& why);
     /// Takes the estimate out of the strip; without one, ends the strip's section.
     void takeBack();
-    /// Does as forget() and takeBack(), so that restore() can undo both. Restoring needs the
+    /// Does as forget() and takeBack(), and forgets the way, so that restore() can undo both. Restoring needs the
     /// same model and pose, and no newer scene.
     void setAside(const Message& why);
     bool isAside() const { return aside_ && !aside_->pose.hasLeft(); }
@@ -96,6 +100,8 @@ public:
     const std::vector<ArmReading>& readings() const { return readings_; }
     const std::optional<TwoTrackEstimate>& estimate() const { return estimate_.value(); }
     double seconds() const { return seconds_; }  ///< computation time of estimate() [s]
+    /// Returns how much of the way estimate() remembers, or why nothing. Empty: another method than trail was wanted.
+    Message memoryWords() const;
     /// Returns why the last request gave no estimate(); empty: no reason that concerns a scene.
     const Message& whyNone() const { return whyNone_; }
     const ProbeAdvice& advice() const { return advice_; }  ///< probe advice for estimate()
@@ -164,6 +170,8 @@ private:
         std::vector<ArmReading> readings;
         TwoTrackEstimate estimate;
         std::optional<TwoTrackEstimate> second;
+        Message memoryWords;
+        WayMemory memory;
     };
 
     void listenToModels();
@@ -180,6 +188,7 @@ private:
     void startSecond();
     void resume();  ///< repeats the request that the worker dropped to load a model
     EstimateRequest requestFor(Method method) const;
+    void announceMemory();
     void announce(const TwoTrackEstimate& estimate);
     void score(const ArmReading& reading);
 
@@ -214,10 +223,11 @@ private:
     Counts counts_;
     CalibrationLedger ledger_;
     Strip strip_;
+    WayMemory memory_;
+    Message askedMemory_;        ///< text about the memory of the current or last request
+    Message memoryWords_;        ///< of the request of estimate_
+    Message memoryLogged_;       ///< newest reason that nothing is remembered
     std::uint64_t tracked_ = 0;  ///< count of the last sample it used
 };
-
-/// Returns why nothing is remembered: the strip's reason, or no telemetry. Empty: something is, or nothing was felt yet.
-std::optional<Message> nothingRememberedWords(std::optional<SectionStart> why, bool telemetryFresh);
 
 }  // namespace terratact

@@ -26,10 +26,14 @@ ModelLoader modelFileLoader(std::string path, RobotModel robot)
         auto stored = readModel(path);
         if (!stored) return stored.error();
         // Shared, because an Estimator must be copyable and models are not.
-        const auto models = std::make_shared<const Models>(stored->data, robot);
+        const auto loaded = std::make_shared<Models>(stored->data, robot);
+        LoadedTrail trail = trailBeside(path, robot);
+        loaded->trail = std::move(trail.model);
+        const std::shared_ptr<const Models> models = loaded;
 
         LoadedModel model;
         model.hasTwoTracks = models->sides.has_value();
+        model.trail = std::move(trail.about);
         model.name = format::fileName(QString::fromStdString(path));
         model.content = QString::fromStdString(stored->contentHash);
         model.details = ModelWords::card(factsOf(path, *stored));
@@ -39,8 +43,9 @@ ModelLoader modelFileLoader(std::string path, RobotModel robot)
                 makeProcesses(*models, request.settings, watch);
                 return TwoTrackEstimate{};
             }
-            TwoTrackEstimate estimate = estimateMeasured(request.measurement, request.arm, robot,
-                                                         *models, request.settings, watch);
+            TwoTrackEstimate estimate =
+                estimateMeasured(request.measurement, request.arm, robot, *models, request.settings,
+                                 watch, request.memory ? &*request.memory : nullptr);
             writePosteriorCheck(estimate, request.measurement, robot, pollOf(watch));
             return estimate;
         };
@@ -135,7 +140,7 @@ void EstimatorWorker::loadModel(const ModelLoader& load)
         if (model) {
             estimate_ = model->estimate;
             emit modelLoaded(model->name, model->details, model->hash, model->content,
-                             model->hasTwoTracks);
+                             model->hasTwoTracks, model->trail);
             return;
         }
         why = model.error().message;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/mission/trail_networks.h"
 #include "core/atem/arm_choice.h"
 #include "core/base/message.h"
 #include "core/base/result.h"
@@ -16,6 +17,7 @@
 #include "core/infer/verdict/obstacle.h"
 #include "core/robot/measurement.h"
 #include "core/robot/robot_model.h"
+#include "core/trail/trail_history.h"
 
 namespace terratact {
 
@@ -30,6 +32,8 @@ struct EstimateRequest {
     double seconds = 0.0;           ///< time limit of the sampling; 0: no limit
     /// Only prepares the Gaussian processes of a sampling method; the estimate is empty.
     bool prepares = false;
+    /// What the way before tells of the scene; the method Trail uses it.
+    std::optional<TrailHistory> memory{};
 };
 
 /// Computes an estimate; throws the exceptions of estimateMeasured().
@@ -43,10 +47,11 @@ struct LoadedModel {
     QString hash{};             ///< SHA-256 of its file
     QString content{};          ///< StoredModel::contentHash
     bool hasTwoTracks = false;  ///< it can estimate both sides
+    TrailInUse trail{};         ///< its networks for the method trail
 };
 using ModelLoader = std::function<Result<LoadedModel>()>;
 
-/// Returns a loader of a model file. The Gaussian processes of sampling methods are factorised on first use.
+/// Returns a loader of a model file and of the networks beside it (trailBeside()). The Gaussian processes of sampling methods are factorised on first use.
 ModelLoader modelFileLoader(std::string path, RobotModel robot);
 
 /// Loads the model and estimates in its own thread. The newest request replaces and cancels the running one. Every
@@ -79,7 +84,7 @@ signals:
                          const terratact::RobotModel& prober,
                          double stepLimit);  ///< to the worker's thread
     void modelLoaded(const QString& name, const QString& details, const QString& hash,
-                     const QString& content, bool hasTwoTracks);
+                     const QString& content, bool hasTwoTracks, const terratact::TrailInUse& trail);
     void modelFailed(const terratact::Message& why);  ///< there is no model
     void modelKept(const terratact::Message& why);    ///< the previous model stays
     /// seconds: computation time.

@@ -91,7 +91,8 @@ void SessionEventLogger::connectTo(Exploration& exploration)
                                             .time = 0,
                                             .measurement = scene.measurement,
                                             .truth = scene.truth,
-                                            .sideTruth = scene.sideTruth});
+                                            .sideTruth = scene.sideTruth,
+                                            .memory = scene.memory.history});
     });
     connect(estimation, &Estimation::stands, this, &SessionEventLogger::logEstimate);
     connect(&exploration, &Exploration::proposed, this, &SessionEventLogger::logProposal);
@@ -104,13 +105,17 @@ void SessionEventLogger::connectTo(Exploration& exploration)
     });
 }
 
-void SessionEventLogger::logModel(const QString& name, const QString& details, const QString& hash)
+void SessionEventLogger::logModel(const QString& name, const QString& details, const QString& hash,
+                                  const QString& /*content*/, bool /*hasTwoTracks*/,
+                                  const TrailInUse& trail)
 {
     model_ = recorder_->record(ModelRow{.id = 0,
                                         .time = 0,
                                         .name = name.toStdString(),
                                         .hash = hash.toStdString(),
-                                        .details = details.toStdString()});
+                                        .details = details.toStdString(),
+                                        .trailName = trail.name.toStdString(),
+                                        .trailHash = trail.hash.toStdString()});
 }
 
 void SessionEventLogger::logEstimate(bool second)

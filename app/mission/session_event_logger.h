@@ -39,7 +39,8 @@ public:
 
 private:
     void connectTo(Exploration& exploration);
-    void logModel(const QString& name, const QString& details, const QString& hash);
+    void logModel(const QString& name, const QString& details, const QString& hash,
+                  const QString& content, bool hasTwoTracks, const TrailInUse& trail);
     void logEstimate(bool second);
     void logProposal();
     void log(EventKind kind, const std::string& subject, const Message& text = {},

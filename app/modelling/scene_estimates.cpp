@@ -141,9 +141,16 @@ Result<std::unique_ptr<EstimatorBundle>> openEstimatorBundle(const std::string& 
 {
     auto robot = readRobotModel(robotPath);
     if (!robot) return robot.error();
+    return openEstimatorBundle(*robot, modelPath, trailPath);
+}
+
+Result<std::unique_ptr<EstimatorBundle>> openEstimatorBundle(const RobotModel& robot,
+                                                             const std::string& modelPath,
+                                                             const std::string& trailPath)
+{
     auto model = readModel(modelPath);
     if (!model) return model.error();
-    auto bundle = std::make_unique<EstimatorBundle>(std::move(*robot), std::move(*model));
+    auto bundle = std::make_unique<EstimatorBundle>(robot, std::move(*model));
     if (trailPath.empty()) return bundle;
     auto trail = readTrail(trailPath);
     if (!trail) return trail.error();

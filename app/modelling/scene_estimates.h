@@ -30,6 +30,10 @@ struct EstimatorBundle {
 Result<std::unique_ptr<EstimatorBundle>> openEstimatorBundle(const std::string& robotPath,
                                                              const std::string& modelPath,
                                                              const std::string& trailPath = {});
+/// Does the same for a robot that was read.
+Result<std::unique_ptr<EstimatorBundle>> openEstimatorBundle(const RobotModel& robot,
+                                                             const std::string& modelPath,
+                                                             const std::string& trailPath);
 
 /// Estimates one scene with the arm's readings, using the settings' method. Throws the exceptions of reconstruct().
 /// seconds: time limit of the sampling; 0: no limit.

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "app/recording/recorded_sides.h"
+#include "app/runtime/resources.h"
+#include "core/base/text.h"
 #include "core/log/later_poses.h"
 #include "core/store/csv_text.h"
 #include "core/store/file_read.h"
@@ -66,6 +68,33 @@ void recordReading(CalibrationLedger& ledger, const TwoTrackEstimate& before,
                   Origin::Arm);
 }
 
+/// Returns the networks beside a model; empty: there are none.
+std::string existingTrail(const std::string& modelPath)
+{
+    std::error_code none;
+    std::string path = trailPathBeside(modelPath);
+    return std::filesystem::exists(path, none) ? path : std::string();
+}
+
+/// Returns true if the networks beside the model are those of the recording.
+bool hasRecordedTrail(const SessionReader& session, const EstimateRow& row,
+                      const std::string& modelPath)
+{
+    const auto hash = sha256OfFile(trailPathBeside(modelPath));
+    return hash && *hash == session.model(row.model)->trailHash;
+}
+
+/// Returns an Error if the networks of the method trail are not there. A scene without a memory needs none: local
+/// estimates it.
+Status requireNetworks(const SessionReader& session, const EstimateRow& row, const Models& models)
+{
+    if (models.trail) return Done{};
+    return fileError(session.path(),
+                     fmt::format("estimate {}: the method trail needs the networks that were "
+                                 "recorded, {}, beside the model with the same name",
+                                 row.id, shown(session.model(row.model)->trailName)));
+}
+
 }  // namespace
 
 SessionReruns::SessionReruns(Options options, Hooks hooks)
@@ -99,9 +128,9 @@ Result<const EstimatorBundle*> SessionReruns::bundleOf(const RobotModel& robot,
 {
     auto& bundle = bundles_[{robotText, path}];
     if (!bundle) {
-        auto model = readModel(path);
-        if (!model) return model.error();
-        bundle = std::make_unique<EstimatorBundle>(robot, std::move(*model));
+        auto opened = openEstimatorBundle(robot, path, existingTrail(path));
+        if (!opened) return opened.error();
+        bundle = std::move(*opened);
     }
     return static_cast<const EstimatorBundle*>(bundle.get());
 }
@@ -139,6 +168,11 @@ Status SessionReruns::repeat(SessionReader& session, const EstimateRow& row)
     const Watch watch = hooks_.watch ? hooks_.watch(row) : Watch{};
     if (watch.cancelled && watch.cancelled()) throw Cancelled{};
     const Settings settings = changed(row.estimate.side[0].settings, options_.changes);
+    if (settings.method == Method::Trail) {
+        if (const Status fits = requireNetworks(session, row, (*bundle)->models); !fits)
+            return fits.error();
+        recordedModel = recordedModel && hasRecordedTrail(session, row, *path);
+    }
     auto again = estimateAgain(session, row, (*bundle)->models, settings, watch);
     if (!again) return again.error();
     Rerun rerun{.session = &session, .row = row, .again = std::move(*again), .differences = {}};

@@ -75,6 +75,7 @@ struct TerrainViewState {
     const std::optional<std::array<Heights, 2>>* sceneSideTruth = nullptr;
     DrawnEstimate estimate{};      ///< estimate of the scene
     double estimateSeconds = 0.0;  ///< [s] computation time
+    QString memoryWords{};         ///< how much of the way the estimate remembers, or why nothing
     DrawnEstimate second{};        ///< estimate by a second method
     QString secondName{};
     DrawnEstimate live{};  ///< live preview, shown instead of the estimate

@@ -260,7 +260,8 @@ void TerrainPage::showEstimate(const TerrainViewState& viewState)
     } else if (estimate) {
         if (shown_ != estimate) {
             terrain_->setEstimate(*viewState.estimate);
-            strip_->setEstimate(*viewState.estimate, viewState.estimateSeconds);
+            strip_->setEstimate(*viewState.estimate, viewState.estimateSeconds,
+                                viewState.memoryWords);
             shown_ = estimate;
         }
     } else if (shown_ || shownLive_ || shownReason_ != viewState.whyNoEstimate) {

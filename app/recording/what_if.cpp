@@ -127,7 +127,8 @@ Result<TwoTrackEstimate> estimateAgain(const SessionReader& session, const Estim
                                                  modest.error().message));
     try {
         TwoTrackEstimate estimate =
-            estimateMeasured(scene->measurement, row.readings, *robot, models, settings, watch);
+            estimateMeasured(scene->measurement, row.readings, *robot, models, settings, watch,
+                             scene->memory ? &*scene->memory : nullptr);
         writePosteriorCheck(estimate, scene->measurement, *robot, pollOf(watch));
         return estimate;
     } catch (const std::exception& refused) {  // the recorded scene cannot be estimated

@@ -81,6 +81,7 @@ Result<int> openScenes(Application& application, const ConsoleOptions& options)
     if (const Status ready = application.start(preferences, options.isPicture()); !ready)
         return ready.error();
     Settings settings = withPreferences({}, preferences);
+    if (settings.method == Method::Trail) settings.method = Method::Local;  // no way before them
     settings.seed = options.seed;
     ScenesWindow window({.path = QString::fromStdString(options.replay),
                          .scenes = std::move(file->scenes),

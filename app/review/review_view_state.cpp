@@ -6,6 +6,7 @@
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/mission/estimation.h"
+#include "app/mission/memory_text.h"
 #include "app/pages/force_arrays.h"
 
 namespace terratact {
@@ -117,6 +118,8 @@ void ReviewViewState::addEstimates(TerrainViewState& viewState, const ReviewMome
     if (row) {
         viewState.estimate = {&row->estimate, revisionOf(row)};
         viewState.estimateSeconds = row->seconds;
+        if (moment.scene && moment.scene->memory)
+            viewState.memoryWords = translated(memoryWords(row->estimate, &*moment.scene->memory));
         viewState.verdict = verdict(moment);
     }
     if (whatIf && row) {

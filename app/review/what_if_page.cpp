@@ -20,6 +20,7 @@
 #include "app/display/format.h"
 #include "app/display/translated.h"
 #include "app/recording/what_if.h"
+#include "app/runtime/resources.h"
 #include "app/shell/file_dialog.h"
 #include "core/infer/estimate/quality_preset.h"
 #include "core/store/sha256.h"
@@ -30,6 +31,14 @@
 #include "widgets/base/tips.h"
 
 namespace terratact {
+namespace {
+
+bool isTrail(const EstimateRow& row)
+{
+    return row.estimate.side[0].settings.method == Method::Trail;
+}
+
+}  // namespace
 
 WhatIfPage::WhatIfPage(RobotModel robot, QStringList models, QWidget* parent)
     : Page(parent), robot_(std::move(robot)), models_(std::move(models))
@@ -102,7 +111,8 @@ QWidget* WhatIfPage::form()
         return box;
     };
     method_ = combo(tr("Method"), tr("Which method estimates"));
-    for (const Method method : kSceneMethods) method_->addItem(format::text(name(method)));
+    for (const Method method : kMethods)
+        method_->addItem(format::text(name(method)), static_cast<int>(method));
     quality_ = combo(tr("Quality"), tr("Draws, chains and precision"));
     quality_->addItem(tr("as recorded"));
     for (const QualityPreset preset : kQualityPresets)
@@ -161,6 +171,7 @@ void WhatIfPage::setRecorded(const std::shared_ptr<const EstimateRow>& estimate,
     if (model) {
         recordedModel_ = format::shownName(model->name);
         recordedHash_ = QString::fromStdString(model->hash);
+        recordedTrail_ = model->trailHash;
     }
     const bool same = estimate && recorded_ && estimate->id == recorded_->id;
     if (same || (!estimate && !recorded_ && !what_->text().isEmpty())) return;
@@ -179,7 +190,18 @@ void WhatIfPage::setRecorded(const std::shared_ptr<const EstimateRow>& estimate,
                              recordedModel_.isEmpty() ? format::kNothing : recordedModel_)
                   : tr("There was no estimate at this time: go to one (key 4 finds the next)."));
     drop();
+    offerMemory();
     if (recorded_) asRecorded();
+}
+
+/// Offers the method trail for a scene with a memory alone.
+void WhatIfPage::offerMemory()
+{
+    const int trail = method_->findData(static_cast<int>(Method::Trail));
+    const bool isOffered = recorded_ && (scene_->memory || isTrail(*recorded_));
+    if (!isOffered && trail >= 0) method_->removeItem(trail);
+    if (isOffered && trail < 0)
+        method_->addItem(format::text(name(Method::Trail)), static_cast<int>(Method::Trail));
 }
 
 void WhatIfPage::drop()
@@ -219,7 +241,7 @@ void WhatIfPage::asRecorded()
 Settings WhatIfPage::settings() const
 {
     Settings s = recorded_->estimate.side[0].settings;
-    s.method = kSceneMethods.at(static_cast<std::size_t>(method_->currentIndex()));
+    s.method = static_cast<Method>(method_->currentData().toInt());
     if (const int quality = quality_->currentIndex(); quality > 0)
         s = withPreset(s, kQualityPresets.at(static_cast<std::size_t>(quality - 1)));
     // The form rounds values; an unchanged field keeps the recorded value.
@@ -237,6 +259,8 @@ void WhatIfPage::useModel(const QString& path)
     modelPath_ = path;
     const auto hash = sha256OfFile(path.toStdString());
     modelHash_ = hash ? *hash : std::string();
+    const auto trail = sha256OfFile(trailPathBeside(path.toStdString()));
+    trailHash_ = trail ? *trail : std::string();
     const ModelLoader loader = modelFileLoader(path.toStdString(), robot_);
     if (worker_) return worker_->load(loader);
     worker_ = std::make_unique<EstimatorWorker>(loader);
@@ -268,6 +292,7 @@ void WhatIfPage::estimate()
     asked_ = settings();
     EstimateRequest request{scene_->measurement, recorded_->readings, *asked_};
     request.stepLimit = recorded_->stepLimit;
+    request.memory = scene_->memory;
     job_ = worker_->request(request);
     showStatus(tr("Estimating …"), Tone::Muted);
 }
@@ -283,7 +308,8 @@ void WhatIfPage::addEstimate(int job, const TwoTrackEstimate& estimate)
 
 bool WhatIfPage::isRecordedModel() const
 {
-    return !modelHash_.empty() && modelHash_ == recordedHash_.toStdString();
+    const bool isModel = !modelHash_.empty() && modelHash_ == recordedHash_.toStdString();
+    return isModel && (!isTrail(*recorded_) || trailHash_ == recordedTrail_);
 }
 
 void WhatIfPage::showAnswer()

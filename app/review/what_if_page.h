@@ -62,6 +62,7 @@ protected:
 private:
     QWidget* form();
     void resizeToFont();
+    void offerMemory();
     Settings settings() const;
     bool isRecordedModel() const;
     void useModel(const QString& path);
@@ -84,6 +85,8 @@ private:
     std::optional<SceneRow> scene_;
     QString recordedModel_, recordedHash_;
     std::string modelHash_;  ///< hash of the file modelPath_
+    std::string recordedTrail_,
+        trailHash_;  ///< hashes of the networks: recorded, and beside modelPath_
     std::optional<Settings> asked_;
     Revised<TwoTrackEstimate> answer_;
 

@@ -20,6 +20,11 @@ std::string shippedTrailPath()
     return resourcePath("models/default.ttn");
 }
 
+std::string trailPathBeside(const std::string& modelPath)
+{
+    return std::filesystem::path(modelPath).replace_extension(".ttn").string();
+}
+
 std::vector<std::string> shippedModelPaths()
 {
     return {shippedModelPath(), resourcePath("models/one_plane.ttm")};

@@ -17,6 +17,9 @@ std::string shippedModelPath();
 /// Returns the path of the shipped networks of the method trail, default.ttn.
 std::string shippedTrailPath();
 
+/// Returns the path of the networks that belong to a model: the same with the ending .ttn.
+std::string trailPathBeside(const std::string& modelPath);
+
 /// Returns the paths of all shipped models: the former, and one_plane.ttm, the model of recordings from before it.
 std::vector<std::string> shippedModelPaths();
 

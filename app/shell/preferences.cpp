@@ -231,7 +231,7 @@ std::string_view name(Layout layout)
 
 std::vector<Method> offeredMethods()
 {
-    std::vector<Method> methods(kSceneMethods.begin(), kSceneMethods.end());
+    std::vector<Method> methods(kMethods.begin(), kMethods.end());
     std::erase(methods, Method::Pafac);
     return methods;
 }

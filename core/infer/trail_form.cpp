@@ -1,5 +1,7 @@
 #include "core/infer/trail_form.h"
 
+#include <algorithm>
+
 #include "core/infer/closed_form_parts.h"
 #include "core/learn/data/side_features.h"
 #include "core/terrain/body_ceiling.h"
@@ -7,6 +9,9 @@
 
 namespace terratact {
 namespace {
+
+constexpr SourceText kForgotten =
+    TR_NOOP("core", "nothing of the way is remembered: this scene alone counts");
 
 bool hasWay(const TrailHistory* history)
 {
@@ -63,8 +68,14 @@ TwoTrackEstimate trailEstimate(const TwoTrackReadings& s, const TrailHistory& hi
 
 void warnForgotten(TerrainEstimate& estimate)
 {
-    estimate.warnings.emplace_back(
-        TR_NOOP("core", "nothing of the way is remembered: this scene alone counts"));
+    estimate.warnings.emplace_back(kForgotten);
+}
+
+bool isForgotten(const TerrainEstimate& estimate)
+{
+    return std::ranges::any_of(estimate.warnings, [](const Message& warning) {
+        return warning.source == kForgotten.english;
+    });
 }
 
 }  // namespace terratact

@@ -29,5 +29,7 @@ TwoTrackEstimate trailEstimate(const TwoTrackReadings& s, const TrailHistory& hi
 
 /// Adds the warning that nothing is remembered.
 void warnForgotten(TerrainEstimate& estimate);
+/// Returns true if the estimate has that warning.
+bool isForgotten(const TerrainEstimate& estimate);
 
 }  // namespace terratact

@@ -4302,6 +4302,10 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>the networks of method trail give no finite number</source>
         <translation>sítě metody trail nedávají konečné číslo</translation>
     </message>
+    <message>
+        <source>a memory of the way is expected to hold 103 numbers in their ranges</source>
+        <translation>paměť cesty má obsahovat 103 čísel ve svých mezích</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -5513,6 +5517,46 @@ F1</translation>
     <message>
         <source>No remembered ground while telemetry is missing</source>
         <translation>Bez zapamatovaného terénu, dokud chybí telemetrie</translation>
+    </message>
+    <message>
+        <source>memory: %1 m, presses: %2</source>
+        <translation>paměť: %1 m, přítlaky: %2</translation>
+    </message>
+    <message>
+        <source>no memory: %1</source>
+        <translation>bez paměti: %1</translation>
+    </message>
+    <message>
+        <source>a current or a force was not measured</source>
+        <translation>některý proud nebo síla nebyly změřeny</translation>
+    </message>
+    <message>
+        <source>the networks do not know such a pose</source>
+        <translation>sítě takovou polohu neznají</translation>
+    </message>
+    <message>
+        <source>the model has no networks for it (%1 is not beside it)</source>
+        <translation>model k ní nemá sítě (%1 není vedle něj)</translation>
+    </message>
+    <message>
+        <source>the networks %1 learnt from another robot</source>
+        <translation>sítě %1 se učily na jiném robotu</translation>
+    </message>
+    <message>
+        <source>the odometry or the pitch is suspected</source>
+        <translation>odometrie nebo podélný sklon jsou podezřelé</translation>
+    </message>
+    <message>
+        <source>the way begins here</source>
+        <translation>cesta zde začíná</translation>
+    </message>
+    <message>
+        <source>memory begins anew: %1</source>
+        <translation>paměť začíná znovu: %1</translation>
+    </message>
+    <message>
+        <source>the model has no networks for it</source>
+        <translation>model k ní nemá sítě</translation>
     </message>
 </context>
 <context>

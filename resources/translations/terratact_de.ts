@@ -4302,6 +4302,10 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>the networks of method trail give no finite number</source>
         <translation>die Netze der Methode trail ergeben keine endliche Zahl</translation>
     </message>
+    <message>
+        <source>a memory of the way is expected to hold 103 numbers in their ranges</source>
+        <translation>ein Gedächtnis des Weges muss 103 Zahlen in ihren Bereichen enthalten</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -5513,6 +5517,46 @@ F1</translation>
     <message>
         <source>No remembered ground while telemetry is missing</source>
         <translation>Kein gemerkter Boden, solange Telemetrie fehlt</translation>
+    </message>
+    <message>
+        <source>memory: %1 m, presses: %2</source>
+        <translation>Gedächtnis: %1 m, Drücke: %2</translation>
+    </message>
+    <message>
+        <source>no memory: %1</source>
+        <translation>kein Gedächtnis: %1</translation>
+    </message>
+    <message>
+        <source>a current or a force was not measured</source>
+        <translation>ein Strom oder eine Kraft wurde nicht gemessen</translation>
+    </message>
+    <message>
+        <source>the networks do not know such a pose</source>
+        <translation>die Netze kennen eine solche Lage nicht</translation>
+    </message>
+    <message>
+        <source>the model has no networks for it (%1 is not beside it)</source>
+        <translation>das Modell hat keine Netze dafür (%1 liegt nicht daneben)</translation>
+    </message>
+    <message>
+        <source>the networks %1 learnt from another robot</source>
+        <translation>die Netze %1 haben von einem anderen Roboter gelernt</translation>
+    </message>
+    <message>
+        <source>the odometry or the pitch is suspected</source>
+        <translation>die Odometrie oder die Längsneigung ist verdächtig</translation>
+    </message>
+    <message>
+        <source>the way begins here</source>
+        <translation>der Weg beginnt hier</translation>
+    </message>
+    <message>
+        <source>memory begins anew: %1</source>
+        <translation>das Gedächtnis beginnt neu: %1</translation>
+    </message>
+    <message>
+        <source>the model has no networks for it</source>
+        <translation>das Modell hat keine Netze dafür</translation>
     </message>
 </context>
 <context>

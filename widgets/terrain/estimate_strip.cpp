@@ -111,25 +111,28 @@ void EstimateStrip::changeEvent(QEvent* event)
     if (event->type() == QEvent::StyleChange && cancel_) resizeToFont();
 }
 
-void EstimateStrip::setEstimate(const TerrainEstimate& plane, double seconds)
+void EstimateStrip::setEstimate(const TerrainEstimate& plane, double seconds, const QString& memory)
 {
-    showEstimate(plane, ProbeSide::Middle, seconds);
+    showEstimate(plane, ProbeSide::Middle, seconds, memory);
     showWarnings(warningsOf(plane));
 }
 
-void EstimateStrip::setEstimate(const TwoTrackEstimate& estimate, double seconds)
+void EstimateStrip::setEstimate(const TwoTrackEstimate& estimate, double seconds,
+                                const QString& memory)
 {
-    if (estimate.onePlane) return setEstimate(estimate.side[0], seconds);
+    if (estimate.onePlane) return setEstimate(estimate.side[0], seconds, memory);
     const auto& [left, right] = estimate.side;
     const bool isLeft = largestSd(left) >= largestSd(right);
-    showEstimate(isLeft ? left : right, isLeft ? ProbeSide::Left : ProbeSide::Right, seconds);
+    showEstimate(isLeft ? left : right, isLeft ? ProbeSide::Left : ProbeSide::Right, seconds,
+                 memory);
     QStringList warnings = warningsOf(left) + warningsOf(right);
     warnings.removeDuplicates();
     showWarnings(warnings);
 }
 
 /// Shows the numbers of an estimate; side: of two tracks, the one with the largest sd.
-void EstimateStrip::showEstimate(const TerrainEstimate& estimate, ProbeSide side, double seconds)
+void EstimateStrip::showEstimate(const TerrainEstimate& estimate, ProbeSide side, double seconds,
+                                 const QString& memory)
 {
     const auto widest = std::ranges::max_element(estimate.sd) - estimate.sd.begin();
     const auto at = static_cast<std::size_t>(widest);
@@ -140,14 +143,17 @@ void EstimateStrip::showEstimate(const TerrainEstimate& estimate, ProbeSide side
                                 : tr("Known to ± %1 m, widest at %2").arg(sd, bin));
     headline_->setVisible(true);
     setTone(*headline_, doubtful ? Tone::Doubt : Tone::Good);
-    details_->setText(tr("%1 · %2 draws · %3")
-                          .arg(methodName(estimate.settings.method))
-                          .arg(estimate.draws.size())
-                          .arg(format::age(seconds)));
+    const QString dot = QStringLiteral(" · ");
+    const QString method = methodName(estimate.settings.method);
+    const QString made =
+        tr("%1 · %2 draws · %3").arg(method).arg(estimate.draws.size()).arg(format::age(seconds));
     const QString ended = endingWords(estimate.ending);
-    const QString all =
-        ended.isEmpty() ? details_->text() : details_->text() + QStringLiteral(" · ") + ended;
-    if (estimate.ending == Ending::Time) details_->setText(all);
+    QString all = ended.isEmpty() ? made : made + dot + ended;
+    const QString shown = estimate.ending == Ending::Time ? all : made;
+    detailTexts_ = memory.isEmpty()
+                     ? QStringList{shown}
+                     : QStringList{shown + dot + memory, method + dot + memory, method};
+    if (!memory.isEmpty()) all += dot + memory;
     for (QLabel* const label : std::initializer_list<QLabel*>{headline_, details_})
         setTip(*label, all);
     arrange();
@@ -174,6 +180,7 @@ void EstimateStrip::setNothing(const QString& why)
     setTip(*headline_, QString());
     setTone(*headline_, Tone::Muted);
     details_->clear();
+    detailTexts_.clear();
     warnings_->clear();
     warnings_->setVisible(false);
 }
@@ -193,13 +200,15 @@ void EstimateStrip::arrange()
 {
     // Showing a part triggers a layout that may call this function again.
     if (std::exchange(arranges_, true)) return;
-    const auto fits = [this] {
-        const int needed =
-            headline_->sizeHint().width() + 3 * layout()->spacing() + details_->sizeHint().width();
-        return progress_->isHidden() && needed <= width();
+    const int room = width() - headline_->sizeHint().width() - 3 * layout()->spacing();
+    const auto fits = [&](const QString& text) {
+        return details_->fontMetrics().size(0, text).width() + 2 * details_->margin() <= room;
     };
-    details_->setVisible(fits());
-    if (!fits()) details_->setVisible(false);
+    const auto fitting = std::ranges::find_if(detailTexts_, fits);
+    const bool isRoom = fitting != detailTexts_.end();
+    const QString text = isRoom ? *fitting : detailTexts_.value(0);
+    if (details_->text() != text) details_->setText(text);
+    details_->setVisible(progress_->isHidden() && isRoom);
     arranges_ = false;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 #include <optional>
 
@@ -21,10 +22,10 @@ class EstimateStrip final : public QWidget {
 public:
     explicit EstimateStrip(QWidget* parent = nullptr);
 
-    void setEstimate(const TwoTrackEstimate& estimate,
-                     double seconds);  ///< seconds: computation time
+    /// seconds: computation time; memory: text about what the estimate remembers of the way.
+    void setEstimate(const TwoTrackEstimate& estimate, double seconds, const QString& memory = {});
     /// Shows an estimate of one plane.
-    void setEstimate(const TerrainEstimate& plane, double seconds);
+    void setEstimate(const TerrainEstimate& plane, double seconds, const QString& memory = {});
     void setLive(const QString& note);  ///< marks the estimate as a live preview; note: its meaning
     void setNothing(const QString& why);
     void setProgress(std::optional<double> share);  ///< empty: no estimate is running
@@ -44,12 +45,14 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void showEstimate(const TerrainEstimate& widest, ProbeSide side, double seconds);
+    void showEstimate(const TerrainEstimate& widest, ProbeSide side, double seconds,
+                      const QString& memory);
     void showWarnings(const QStringList& warnings);
     void resizeToFont();
-    void arrange();  ///< hides the details if the sentence needs their room
+    void arrange();  ///< shortens or hides the details if the sentence needs their room
 
     bool arranges_ = false;
+    QStringList detailTexts_;  ///< texts of the details, the longest first
     QLabel* headline_ = nullptr;
     QLabel* details_ = nullptr;
     QLabel* warnings_ = nullptr;

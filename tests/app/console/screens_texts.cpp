@@ -41,7 +41,7 @@ QRegularExpression patternOf(const QString& text)
 bool isSameEverywhere(const std::string& text)
 {
     static const QRegularExpression kNames(
-        "\\b(pa|pac|pafc|pafac|local|joint|clearance|Absolem|Terratact|SIMULATED ROBOT|"
+        "\\b(pa|pac|pafc|pafac|local|joint|clearance|trail|Absolem|Terratact|SIMULATED ROBOT|"
         "REPLAY|English|Deutsch|Eigen|Qwt|OpenBLAS.*|Linux.*|R-hat|ESS|AVX|rad|STOP|Token|"
         "terratact (simulate|train) .*|[Mm]odel|[Pp]anel|[Rr]obot|Bus|Start|Status|Name|Training|"
         "Signal|Rate|Bytes|REC|Export|Format)\\b|can#|"

@@ -68,8 +68,8 @@ TEST_F(WaitingForAdvice, recordsTheEstimateThatStopEnds)
         const auto recorder = std::make_shared<SessionRecorder>(
             SessionRecorder::Options{.folder = folder, .start = someStart()});
         const SessionEventLogger eventLogger(recorder, *exploration, *worker);
-        emit worker->modelLoaded("fake.ttm", {}, {}, {},
-                                 false);  // no recorder was connected earlier
+        emit worker->modelLoaded("fake.ttm", {}, {}, {}, false,
+                                 {});  // no recorder was connected earlier
         ASSERT_NO_FATAL_FAILURE(wait());
         exploration->stop();
         tick();

@@ -3,9 +3,8 @@
 
 #include "app/mission/estimation.h"
 #include "core/sim/ground/terrain_shapes.h"
-#include "core/sim/simulated_robot.h"
-#include "tests/support/absolem.h"
 #include "tests/support/exploration_bench.h"
+#include "tests/support/simulated_exploration.h"
 
 namespace terratact {
 namespace {
@@ -139,8 +138,8 @@ TEST_F(UnevenBench, bothSidesAreRemembered)
     EXPECT_NEAR(seen.side[1][8].band.height, -0.25, 1e-9);
 }
 
-/// The simulated robot before a kerb on its left side, with the shipped model. Time is simulated.
-struct KerbBench : testing::Test {
+/// The simulated robot before a kerb on its left side, with the shipped model.
+struct KerbBench : testing::Test, SimulatedExploration {
     static constexpr double kKerb = 2.5, kHeight = 0.16;  // [m]
 
     static TerrainProfile kerb()
@@ -154,53 +153,11 @@ struct KerbBench : testing::Test {
         options.probeSeconds = 0.4;
         return options;
     }
-    explicit KerbBench(double x = 1.96)
-        : robot(absolem(), GroundLines({{0.2, kerb()}, {-0.2, flatTerrain(6.0)}}), at(x)),
-          worker(modelFileLoader(TERRATACT_SOURCE_DIR "/resources/models/default.ttm", absolem())),
-          exploration(source, absolem(), worker, options())
+    KerbBench()
+        : SimulatedExploration(GroundLines({{0.2, kerb()}, {-0.2, flatTerrain(6.0)}}), at(1.96))
     {
-        QObject::connect(&exploration, &Exploration::happened,
-                         [this](const Message& text) { events << translated(text); });
-        worker.start();
-        EXPECT_TRUE(
-            gui::eventually([this] { return events.contains("model default.ttm loaded"); }));
-        tick(3);
+        begin();
     }
-    static Exploration::Options options()
-    {
-        Exploration::Options options;
-        options.stepLimit = 0.1;
-        return options;
-    }
-    void tick(int times = 1)
-    {
-        for (int i = 0; i < times; ++i) {
-            for (const Command& command : source.consumeCommands()) robot.command(command);
-            robot.step(0.04);
-            now += 0.04;
-            latest = received(latest, {.measurement = robot.measure(), .truth = std::nullopt},
-                              {SteadyTime(std::chrono::duration_cast<SteadyTime::duration>(
-                                   std::chrono::duration<double>(now))),
-                               now});
-            exploration.tick({now, latest, std::nullopt});
-        }
-    }
-    bool reaches(AtemPhase phase)
-    {
-        return gui::eventually([&] {
-            if (exploration.state().phase != phase) tick();
-            return exploration.state().phase == phase;
-        });
-    }
-    std::string eventText() const { return events.join('\n').toStdString(); }
-
-    SimulatedRobot robot;
-    ScriptedSource source;
-    EstimatorWorker worker;
-    Exploration exploration;
-    std::optional<Received> latest;
-    double now = 1000.0;
-    QStringList events;
 };
 
 TEST_F(KerbBench, aKerbOnTheLeftBlocksTheLeftSide)

@@ -6,11 +6,13 @@
 #include <QTableWidget>
 
 #include "app/mission/estimator_worker.h"
+#include "app/pages/terrain_page.h"
 #include "app/review/review_window.h"
 #include "app/review/scenes_window.h"
 #include "tests/support/gui.h"
 #include "tests/support/review_bench.h"
 #include "tests/support/robot_session.h"
+#include "widgets/terrain/estimate_strip.h"
 #include "widgets/terrain/terrain_profile_view.h"
 
 namespace terratact {
@@ -18,6 +20,57 @@ namespace {
 
 using namespace gui;
 using At = RobotSessionTimes;
+
+/// Writes a session with one scene that has a memory, and one without.
+void recordScenes(const QString& path, const std::string& model, const LoadedModel& loaded)
+{
+    SessionStart start = someStart();
+    start.robot = *readFile(TERRATACT_SOURCE_DIR "/resources/robots/absolem.toml", 1U << 16U);
+    auto writer = SessionWriter::create(path.toStdString(), start);
+    ASSERT_TRUE(writer) << writer.error().text;
+    ASSERT_TRUE(writer->add(ModelRow{.id = 1,
+                                     .name = "default.ttm",
+                                     .hash = *sha256OfFile(model),
+                                     .trailName = loaded.trail.name.toStdString(),
+                                     .trailHash = loaded.trail.hash.toStdString()}));
+    for (const std::int64_t id : {1, 2}) {
+        SceneRow scene = someScene(id, sessionTimeOf(static_cast<double>(id)));
+        EXPECT_EQ(scene.memory.has_value(), id == 1);
+        ASSERT_TRUE(writer->add(scene));
+        EstimateRow row{.id = id, .time = scene.time + 1000, .scene = id, .model = 1};
+        EstimateRequest request;
+        request.measurement = scene.measurement;
+        request.memory = scene.memory;
+        request.settings.method = scene.memory ? Method::Trail : Method::Local;
+        row.estimate = loaded.estimate(request, Watch{});
+        ASSERT_TRUE(writer->add(row));
+    }
+    ASSERT_TRUE(writer->seal());
+}
+
+TEST_F(ReviewOf, anEstimateWithAMemoryIsRepeatedBitForBit)
+{
+    const std::string model = TERRATACT_SOURCE_DIR "/resources/models/default.ttm";
+    const auto loaded = modelFileLoader(model, absolem())();
+    ASSERT_TRUE(loaded) << loaded.error().text;
+    ASSERT_NO_FATAL_FAILURE(recordScenes(path, model, *loaded));
+    open({QString::fromStdString(model)});
+    window->goTo(1.5);
+    WhatIfPage& page = *window->whatIf();
+    EXPECT_EQ(page.method()->currentText(), "trail");
+    page.estimate();
+    ASSERT_TRUE(eventually([&] { return page.answer().hasValue(); }, 60000));
+    EXPECT_TRUE(page.result()->text().contains("bit for bit"))
+        << page.result()->text().toStdString();
+    EXPECT_TRUE(window->terrainPage()->strip()->details().contains("memory: 0.75 m, presses: 3"))
+        << window->terrainPage()->strip()->details().toStdString();
+
+    window->goTo(2.5);
+    EXPECT_EQ(page.method()->currentText(), "local");
+    EXPECT_EQ(page.method()->findText("trail"), -1) << "nothing is remembered there";
+    window->goTo(1.5);
+    EXPECT_EQ(page.method()->currentText(), "trail");
+}
 
 TEST_F(ReviewOf, recordedSettingsGiveTheRecordedEstimateBitForBit)
 {

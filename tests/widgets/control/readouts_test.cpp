@@ -345,6 +345,24 @@ TEST_F(Strip, namesTheBudgetThatEndedSampling)
         tips, [](const QLabel* l) { return l->toolTip().endsWith("ended: converged"); }));
 }
 
+TEST_F(Strip, saysWhatOfTheWayIsRemembered)
+{
+    TerrainEstimate e = stepEstimate();
+    e.settings.method = Method::Trail;
+    strip.resize(1200, 40);
+    strip.show();
+    strip.setEstimate(e, 0.1, "memory: 0.40 m, presses: 1");
+    EXPECT_TRUE(strip.details().startsWith("trail")) << strip.details().toStdString();
+    EXPECT_TRUE(strip.details().endsWith("100 ms · memory: 0.40 m, presses: 1"));
+    const int room = strip.fontMetrics().horizontalAdvance(strip.headline() + strip.details());
+    strip.resize(room - strip.fontMetrics().horizontalAdvance("1000 draws · 100"), 40);
+    EXPECT_EQ(strip.details(), "trail · memory: 0.40 m, presses: 1");
+    strip.resize(1200, 40);
+    EXPECT_TRUE(strip.details().contains("100 ms"));
+    strip.setEstimate(e, 0.1);
+    EXPECT_TRUE(strip.details().endsWith("100 ms"));
+}
+
 TEST_F(Strip, everyWarningIsShown)
 {
     TerrainEstimate e = stepEstimate();

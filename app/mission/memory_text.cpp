@@ -1,0 +1,53 @@
+#include "app/mission/memory_text.h"
+
+#include "app/display/format.h"
+#include "app/display/translated.h"
+#include "core/infer/trail_form.h"
+
+namespace terratact {
+namespace {
+
+Message remembered(const TrailHistory& memory)
+{
+    return {TR_NOOP("terratact::Estimation", "memory: %1 m, presses: %2"),
+            verbatim(format::number(memory.way, 2)), memory.presses};
+}
+
+}  // namespace
+
+Message noMemory(const Message& why)
+{
+    return {TR_NOOP("terratact::Estimation", "no memory: %1"), why};
+}
+
+Message memoryWords(Method wanted, const SceneMemory& memory, const TrailInUse& networks)
+{
+    if (wanted != Method::Trail) return {};
+    if (networks.name.isEmpty())
+        return noMemory(networks.trouble.empty()
+                            ? TR_NOOP("terratact::Estimation", "the model has no networks for it")
+                            : networks.trouble);
+    return memory.history ? remembered(*memory.history) : memory.why;
+}
+
+Message memoryWords(const TwoTrackEstimate& estimate, const TrailHistory* memory)
+{
+    if (estimate.side[0].settings.method != Method::Trail || !memory) return {};
+    if (estimate.side[0].missing.any() || estimate.side[1].missing.any())
+        return noMemory(TR_NOOP("terratact::Estimation", "a current or a force was not measured"));
+    if (isForgotten(estimate.side[0]))
+        return noMemory(TR_NOOP("terratact::Estimation", "the networks do not know such a pose"));
+    return remembered(*memory);
+}
+
+std::optional<Message> nothingRememberedWords(std::optional<SectionStart> why, bool telemetryFresh)
+{
+    if (why == SectionStart::First) return std::nullopt;
+    if (why)
+        return Message(TR_NOOP("terratact::Estimation", "Nothing is remembered here: %1"),
+                       describe(*why));
+    if (telemetryFresh) return std::nullopt;
+    return TR_NOOP("terratact::Estimation", "No remembered ground while telemetry is missing");
+}
+
+}  // namespace terratact

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/mission/trail_networks.h"
+#include "core/base/message.h"
+#include "core/infer/estimate/variant.h"
+#include "core/robot/watch/sensor_suspicion.h"
+#include "core/trail/trail_record.h"
+
+namespace terratact {
+
+/// What is remembered of the way before a scene.
+struct SceneMemory {
+    std::optional<TrailHistory> history{};  ///< empty: nothing that an estimate can use
+    Message why{};                          ///< reason that there is nothing
+};
+
+/// The memory of the way (core/trail/trail_record.h), fed by telemetry. It begins anew after a break of the way, while a
+/// sensor that carries it is suspected, and when the operator clears the ground.
+class WayMemory {
+public:
+    explicit WayMemory(const RobotModel& robot) : record_(robot) {}
+
+    /// Adds the next line of telemetry. suspicions: of that line.
+    void add(const Measurement& line, const std::vector<SensorSuspicion>& suspicions);
+    /// Forgets the way because telemetry was silent for too long by the caller's clock.
+    void addSilence();
+    /// Forgets the way because the operator has cleared the ground.
+    void clear();
+
+    /// Returns what is remembered before a scene.
+    SceneMemory before(const Measurement& scene) const;
+    /// Keeps the presses of a scene for the scenes after it. The scene counts as a line of telemetry.
+    void addScene(const Measurement& scene) { record_.addScene(scene); }
+
+private:
+    Message why() const;
+
+    TrailRecord record_;
+    bool isSuspected_ = false;  ///< a suspected sensor was the last reason to forget
+};
+
+/// Returns the method that estimates: Trail needs networks and a memory, otherwise Local estimates.
+Method methodWith(Method wanted, const SceneMemory& memory, const TrailInUse& networks);
+
+}  // namespace terratact
