@@ -62,15 +62,16 @@ GamepadPage::GamepadPage(PreferenceStore& store, QWidget* parent) : Page(parent)
     auto* left = new QVBoxLayout;
     left->addWidget(buildActions());
     left->addStretch(1);
-    auto* columns = new QHBoxLayout;
-    columns->setSpacing(10);
-    columns->addLayout(left, 1);
-    columns->addLayout(right, 1);
+    columns_ = new QBoxLayout(QBoxLayout::LeftToRight);
+    columns_->setSpacing(10);
+    columns_->addLayout(left, 1);
+    columns_->addLayout(right, 1);
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(12, 10, 12, 10);
     all->setSpacing(10);
     all->addWidget(status_);
-    all->addLayout(columns, 1);
+    all->addLayout(columns_);
+    all->addStretch(1);
 
     learning_.setSingleShot(true);
     learning_.setInterval(kLearnFor);
@@ -209,6 +210,18 @@ void GamepadPage::poll(const GamepadState& state)
 void GamepadPage::refresh(double /*now*/)
 {
     showState();
+    arrange();
+}
+
+/// Puts the columns below each other where they do not fit side by side.
+void GamepadPage::arrange()
+{
+    const QMargins margins = layout()->contentsMargins();
+    int needed = margins.left() + margins.right() + columns_->spacing();
+    for (int i = 0; i < columns_->count(); ++i)
+        needed += columns_->itemAt(i)->minimumSize().width();
+    const int room = parentWidget() ? parentWidget()->width() : width();
+    columns_->setDirection(needed > room ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 void GamepadPage::hideEvent(QHideEvent* event)

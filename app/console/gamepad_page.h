@@ -9,6 +9,7 @@
 #include "app/shell/preference_store.h"
 #include "widgets/control/pad_view.h"
 
+class QBoxLayout;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
@@ -49,6 +50,7 @@ private:
     void learn();
     void endLearning(const QString& answer);
     void assign(PadAction action, const PadControl& control);
+    void arrange();
     void showMapping();
     void showState();
     PadLine lineOf(PadAction action) const;
@@ -65,6 +67,7 @@ private:
     PadView* actions_ = nullptr;
     PadView* axes_ = nullptr;
     PadView* buttons_ = nullptr;
+    QBoxLayout* columns_ = nullptr;
     QLabel* status_ = nullptr;
     QLabel* answer_ = nullptr;
     QDoubleSpinBox* deadZone_ = nullptr;

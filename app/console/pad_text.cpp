@@ -38,8 +38,8 @@ QString actionName(PadAction action)
     switch (action) {
     case PadAction::Stop: return PadText::tr("STOP");
     case PadAction::SecondStop: return PadText::tr("STOP, second control");
-    case PadAction::DeadMan: return PadText::tr("dead-man control of driving (hold)");
-    case PadAction::Drive: return PadText::tr("drive forward and back");
+    case PadAction::DeadMan: return PadText::tr("dead-man control (hold)");
+    case PadAction::Drive: return PadText::tr("drive");
     case PadAction::FeelForward: return PadText::tr("feel forward (hold)");
     case PadAction::Explore: return PadText::tr("explore");
     case PadAction::Approve: return PadText::tr("approve the probe (hold)");
@@ -61,8 +61,8 @@ QString shortName(PadAction action)
     case PadAction::Explore: return PadText::tr("explore");
     case PadAction::Approve: return PadText::tr("approve");
     case PadAction::Refuse: return PadText::tr("refuse");
-    case PadAction::RaiseLimit: return PadText::tr("step limit up");
-    case PadAction::LowerLimit: return PadText::tr("step limit down");
+    case PadAction::RaiseLimit: return PadText::tr("limit up");
+    case PadAction::LowerLimit: return PadText::tr("limit down");
     }
     return {};
 }
@@ -71,9 +71,9 @@ QString axisName(PadAxis axis)
 {
     switch (axis) {
     case PadAxis::LeftX: return PadText::tr("left stick, sideways");
-    case PadAxis::LeftY: return PadText::tr("left stick, forward and back");
+    case PadAxis::LeftY: return PadText::tr("left stick, up and down");
     case PadAxis::RightX: return PadText::tr("right stick, sideways");
-    case PadAxis::RightY: return PadText::tr("right stick, forward and back");
+    case PadAxis::RightY: return PadText::tr("right stick, up and down");
     case PadAxis::LeftTrigger: return PadText::tr("left trigger");
     case PadAxis::RightTrigger: return PadText::tr("right trigger");
     }

@@ -10,7 +10,7 @@ namespace terratact {
 QString actionName(PadAction action);
 QString shortName(PadAction action);
 
-/// Return the names of a gamepad's controls: "A (lower)", "left stick, forward and back".
+/// Return the names of a gamepad's controls: "A (lower)", "left stick, up and down".
 QString controlName(const PadControl& control);
 QString axisName(PadAxis axis);
 

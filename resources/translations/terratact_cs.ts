@@ -244,6 +244,17 @@
     </message>
 </context>
 <context>
+    <name>Gamepad</name>
+    <message>
+        <source>no gamepad is read, because SDL cannot start: %1</source>
+        <translation>gamepad se nečte, protože SDL nelze spustit: %1</translation>
+    </message>
+    <message>
+        <source>“%1” is not used, because SDL knows no layout of it: set SDL_GAMECONTROLLERCONFIG, or use another gamepad</source>
+        <translation>„%1“ se nepoužívá, protože SDL nezná jeho rozložení: nastavte SDL_GAMECONTROLLERCONFIG, nebo použijte jiný gamepad</translation>
+    </message>
+</context>
+<context>
     <name>KeyTable</name>
     <message>
         <source> or </source>
@@ -415,6 +426,157 @@
     <message>
         <source>Sessions, logs and scenes (*.tts *.log *.asc *.trc *.csv *.gz);;All files (*)</source>
         <translation>Relace, záznamy a scény (*.tts *.log *.asc *.trc *.csv *.gz);;Všechny soubory (*)</translation>
+    </message>
+</context>
+<context>
+    <name>PadText</name>
+    <message>
+        <source>A (lower)</source>
+        <translation>A (dole)</translation>
+    </message>
+    <message>
+        <source>B (right)</source>
+        <translation>B (vpravo)</translation>
+    </message>
+    <message>
+        <source>X (left)</source>
+        <translation>X (vlevo)</translation>
+    </message>
+    <message>
+        <source>Y (upper)</source>
+        <translation>Y (nahoře)</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>tlačítko Back</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>tlačítko Guide</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>tlačítko Start</translation>
+    </message>
+    <message>
+        <source>left stick, pressed</source>
+        <translation>levá páčka, stisknutá</translation>
+    </message>
+    <message>
+        <source>right stick, pressed</source>
+        <translation>pravá páčka, stisknutá</translation>
+    </message>
+    <message>
+        <source>left shoulder</source>
+        <translation>levé horní tlačítko</translation>
+    </message>
+    <message>
+        <source>right shoulder</source>
+        <translation>pravé horní tlačítko</translation>
+    </message>
+    <message>
+        <source>cross, up</source>
+        <translation>kříž, nahoru</translation>
+    </message>
+    <message>
+        <source>cross, down</source>
+        <translation>kříž, dolů</translation>
+    </message>
+    <message>
+        <source>cross, left</source>
+        <translation>kříž, vlevo</translation>
+    </message>
+    <message>
+        <source>cross, right</source>
+        <translation>kříž, vpravo</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>STOP, second control</source>
+        <translation>STOP, druhý prvek</translation>
+    </message>
+    <message>
+        <source>dead-man control (hold)</source>
+        <translation>spínač bdělosti (držet)</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>jízda</translation>
+    </message>
+    <message>
+        <source>feel forward (hold)</source>
+        <translation>hmatat vpřed (držet)</translation>
+    </message>
+    <message>
+        <source>explore</source>
+        <translation>prozkoumat</translation>
+    </message>
+    <message>
+        <source>approve the probe (hold)</source>
+        <translation>schválit sondu (držet)</translation>
+    </message>
+    <message>
+        <source>refuse the probe</source>
+        <translation>odmítnout sondu</translation>
+    </message>
+    <message>
+        <source>raise the step limit</source>
+        <translation>zvýšit mez schodu</translation>
+    </message>
+    <message>
+        <source>lower the step limit</source>
+        <translation>snížit mez schodu</translation>
+    </message>
+    <message>
+        <source>dead-man</source>
+        <translation>bdělost</translation>
+    </message>
+    <message>
+        <source>feel forward</source>
+        <translation>hmatat vpřed</translation>
+    </message>
+    <message>
+        <source>approve</source>
+        <translation>schválit</translation>
+    </message>
+    <message>
+        <source>refuse</source>
+        <translation>odmítnout</translation>
+    </message>
+    <message>
+        <source>limit up</source>
+        <translation>mez výš</translation>
+    </message>
+    <message>
+        <source>limit down</source>
+        <translation>mez níž</translation>
+    </message>
+    <message>
+        <source>left stick, sideways</source>
+        <translation>levá páčka, do stran</translation>
+    </message>
+    <message>
+        <source>left stick, up and down</source>
+        <translation>levá páčka, nahoru a dolů</translation>
+    </message>
+    <message>
+        <source>right stick, sideways</source>
+        <translation>pravá páčka, do stran</translation>
+    </message>
+    <message>
+        <source>right stick, up and down</source>
+        <translation>pravá páčka, nahoru a dolů</translation>
+    </message>
+    <message>
+        <source>left trigger</source>
+        <translation>levá spoušť</translation>
+    </message>
+    <message>
+        <source>right trigger</source>
+        <translation>pravá spoušť</translation>
     </message>
 </context>
 <context>
@@ -5820,6 +5982,192 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::GamepadControl</name>
+    <message>
+        <source>the gamepad is lost: everything that it held is let go</source>
+        <translation>gamepad je ztracen: vše, co držel, je puštěno</translation>
+    </message>
+    <message>
+        <source>STOP pressed on the gamepad</source>
+        <translation>STOP stisknut na gamepadu</translation>
+    </message>
+    <message>
+        <source>the gamepad “%1” is not connected any more</source>
+        <translation>gamepad „%1“ už není připojen</translation>
+    </message>
+    <message>
+        <source>gamepad connected: %1</source>
+        <translation>gamepad připojen: %1</translation>
+    </message>
+    <message>
+        <source>the gamepad is connected by radio, whose loss is noticed late: connect it by cable</source>
+        <translation>gamepad je připojen rádiem, jehož výpadek se pozná pozdě: připojte jej kabelem</translation>
+    </message>
+    <message>
+        <source>not driven: hold the dead-man control first, then push the stick from its centre</source>
+        <translation>nejede se: nejdříve držte spínač bdělosti, pak vychylte páčku ze středu</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::GamepadPage</name>
+    <message>
+        <source>Gamepad</source>
+        <translation>Gamepad</translation>
+    </message>
+    <message>
+        <source>Assignment</source>
+        <translation>Přiřazení</translation>
+    </message>
+    <message>
+        <source>Nothing was assigned: no control was moved for 10 s.</source>
+        <translation>Nic nebylo přiřazeno: 10 s se nepohnul žádný prvek.</translation>
+    </message>
+    <message>
+        <source>Actions and their controls</source>
+        <translation>Akce a jejich prvky</translation>
+    </message>
+    <message>
+        <source>Actions that work now</source>
+        <translation>Akce, které teď působí</translation>
+    </message>
+    <message>
+        <source>Action to assign</source>
+        <translation>Akce k přiřazení</translation>
+    </message>
+    <message>
+        <source>The action that gets another control</source>
+        <translation>Akce, která dostane jiný prvek</translation>
+    </message>
+    <message>
+        <source>What arrives</source>
+        <translation>Co přichází</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Osy</translation>
+    </message>
+    <message>
+        <source>Pressed buttons</source>
+        <translation>Stisknutá tlačítka</translation>
+    </message>
+    <message>
+        <source>Driving</source>
+        <translation>Jízda</translation>
+    </message>
+    <message>
+        <source>Dead zone of the stick</source>
+        <translation>Mrtvá zóna páčky</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Share of the stick&apos;s way around its centre that drives nothing</source>
+        <translation>Část dráhy páčky kolem středu, která nic neřídí</translation>
+    </message>
+    <message>
+        <source>Speed at full deflection</source>
+        <translation>Rychlost při plné výchylce</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>The command gate accepts at most 0.6 m/s</source>
+        <translation>Brána příkazů přijme nejvýše 0.6 m/s</translation>
+    </message>
+    <message>
+        <source>Gamepad back to the defaults</source>
+        <translation>Gamepad zpět na výchozí</translation>
+    </message>
+    <message>
+        <source>Resets controls, dead zone and speed</source>
+        <translation>Obnoví prvky, mrtvou zónu a rychlost</translation>
+    </message>
+    <message>
+        <source>Press again to reset the gamepad</source>
+        <translation>Stiskněte znovu pro obnovení gamepadu</translation>
+    </message>
+    <message>
+        <source>Nothing was assigned.</source>
+        <translation>Nic nebylo přiřazeno.</translation>
+    </message>
+    <message>
+        <source>Push the stick that drives in the direction of forward, for at most 10 s.</source>
+        <translation>Vychylte páčku, která řídí jízdu, ve směru vpřed; čeká se 10 s.</translation>
+    </message>
+    <message>
+        <source>Press the button or trigger for: %1. It waits 10 s.</source>
+        <translation>Stiskněte tlačítko nebo spoušť pro: %1. Čeká se 10 s.</translation>
+    </message>
+    <message>
+        <source>On this page the gamepad moves nothing; STOP acts.</source>
+        <translation>Na této stránce gamepad nic nepohne; STOP působí.</translation>
+    </message>
+    <message>
+        <source>Not assigned: “%1” is a control of STOP. Give STOP another one first.</source>
+        <translation>Nepřiřazeno: „%1“ je prvek pro STOP. Dejte nejdříve STOP jiný.</translation>
+    </message>
+    <message>
+        <source>“%1” is now: %2.</source>
+        <translation>„%1“ je nyní: %2.</translation>
+    </message>
+    <message>
+        <source>Without a control now: %1.</source>
+        <translation>Nyní bez prvku: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing was assigned: the gamepad is not connected any more.</source>
+        <translation>Nic nebylo přiřazeno: gamepad už není připojen.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>no control</source>
+        <translation>žádný prvek</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Zrušit</translation>
+    </message>
+    <message>
+        <source>Assign</source>
+        <translation>Přiřadit</translation>
+    </message>
+    <message>
+        <source>Connected: %1</source>
+        <translation>Připojeno: %1</translation>
+    </message>
+    <message>
+        <source>By radio: its loss is noticed late. Connect it by cable.</source>
+        <translation>Rádiem: výpadek se pozná pozdě. Připojte jej kabelem.</translation>
+    </message>
+    <message>
+        <source>No gamepad is connected. Plug one in at any time.</source>
+        <translation>Není připojen žádný gamepad. Připojte jej kdykoli.</translation>
+    </message>
+    <message>
+        <source>Then move the control that shall do this</source>
+        <translation>Pak pohněte prvkem, který to má dělat</translation>
+    </message>
+    <message>
+        <source>No gamepad is connected</source>
+        <translation>Není připojen žádný gamepad</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>release it first</source>
+        <translation>nejdříve pusťte</translation>
+    </message>
+</context>
+<context>
     <name>terratact::MainWindow</name>
     <message>
         <source>Terratact — %1</source>
@@ -6076,6 +6424,14 @@ F1</translation>
     <message>
         <source>feel forward: press, estimate and advance while CLEAR</source>
         <translation>ohmatávat vpřed: tlačit, odhadovat a postupovat, dokud je VOLNO</translation>
+    </message>
+    <message>
+        <source>Gamepad</source>
+        <translation>Gamepad</translation>
+    </message>
+    <message>
+        <source>What arrives from the gamepad, and what its controls do</source>
+        <translation>Co přichází z gamepadu a co dělají jeho prvky</translation>
     </message>
 </context>
 <context>

@@ -244,6 +244,17 @@
     </message>
 </context>
 <context>
+    <name>Gamepad</name>
+    <message>
+        <source>no gamepad is read, because SDL cannot start: %1</source>
+        <translation>kein Gamepad wird gelesen, weil SDL nicht startet: %1</translation>
+    </message>
+    <message>
+        <source>“%1” is not used, because SDL knows no layout of it: set SDL_GAMECONTROLLERCONFIG, or use another gamepad</source>
+        <translation>„%1“ wird nicht verwendet, weil SDL seine Belegung nicht kennt: SDL_GAMECONTROLLERCONFIG setzen oder ein anderes Gamepad verwenden</translation>
+    </message>
+</context>
+<context>
     <name>KeyTable</name>
     <message>
         <source> or </source>
@@ -415,6 +426,157 @@
     <message>
         <source>Sessions, logs and scenes (*.tts *.log *.asc *.trc *.csv *.gz);;All files (*)</source>
         <translation>Sitzungen, Logs und Szenen (*.tts *.log *.asc *.trc *.csv *.gz);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>PadText</name>
+    <message>
+        <source>A (lower)</source>
+        <translation>A (unten)</translation>
+    </message>
+    <message>
+        <source>B (right)</source>
+        <translation>B (rechts)</translation>
+    </message>
+    <message>
+        <source>X (left)</source>
+        <translation>X (links)</translation>
+    </message>
+    <message>
+        <source>Y (upper)</source>
+        <translation>Y (oben)</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Taste Back</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Taste Guide</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Taste Start</translation>
+    </message>
+    <message>
+        <source>left stick, pressed</source>
+        <translation>linker Stick, gedrückt</translation>
+    </message>
+    <message>
+        <source>right stick, pressed</source>
+        <translation>rechter Stick, gedrückt</translation>
+    </message>
+    <message>
+        <source>left shoulder</source>
+        <translation>linke Schultertaste</translation>
+    </message>
+    <message>
+        <source>right shoulder</source>
+        <translation>rechte Schultertaste</translation>
+    </message>
+    <message>
+        <source>cross, up</source>
+        <translation>Kreuz, oben</translation>
+    </message>
+    <message>
+        <source>cross, down</source>
+        <translation>Kreuz, unten</translation>
+    </message>
+    <message>
+        <source>cross, left</source>
+        <translation>Kreuz, links</translation>
+    </message>
+    <message>
+        <source>cross, right</source>
+        <translation>Kreuz, rechts</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>STOP, second control</source>
+        <translation>STOP, zweites Element</translation>
+    </message>
+    <message>
+        <source>dead-man control (hold)</source>
+        <translation>Totmannschalter (halten)</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>fahren</translation>
+    </message>
+    <message>
+        <source>feel forward (hold)</source>
+        <translation>vorwärts tasten (halten)</translation>
+    </message>
+    <message>
+        <source>explore</source>
+        <translation>erkunden</translation>
+    </message>
+    <message>
+        <source>approve the probe (hold)</source>
+        <translation>Sonde genehmigen (halten)</translation>
+    </message>
+    <message>
+        <source>refuse the probe</source>
+        <translation>Sonde ablehnen</translation>
+    </message>
+    <message>
+        <source>raise the step limit</source>
+        <translation>Stufengrenze erhöhen</translation>
+    </message>
+    <message>
+        <source>lower the step limit</source>
+        <translation>Stufengrenze senken</translation>
+    </message>
+    <message>
+        <source>dead-man</source>
+        <translation>Totmann</translation>
+    </message>
+    <message>
+        <source>feel forward</source>
+        <translation>vorwärts tasten</translation>
+    </message>
+    <message>
+        <source>approve</source>
+        <translation>genehmigen</translation>
+    </message>
+    <message>
+        <source>refuse</source>
+        <translation>ablehnen</translation>
+    </message>
+    <message>
+        <source>limit up</source>
+        <translation>Grenze höher</translation>
+    </message>
+    <message>
+        <source>limit down</source>
+        <translation>Grenze tiefer</translation>
+    </message>
+    <message>
+        <source>left stick, sideways</source>
+        <translation>linker Stick, seitwärts</translation>
+    </message>
+    <message>
+        <source>left stick, up and down</source>
+        <translation>linker Stick, auf und ab</translation>
+    </message>
+    <message>
+        <source>right stick, sideways</source>
+        <translation>rechter Stick, seitwärts</translation>
+    </message>
+    <message>
+        <source>right stick, up and down</source>
+        <translation>rechter Stick, auf und ab</translation>
+    </message>
+    <message>
+        <source>left trigger</source>
+        <translation>linker Trigger</translation>
+    </message>
+    <message>
+        <source>right trigger</source>
+        <translation>rechter Trigger</translation>
     </message>
 </context>
 <context>
@@ -5820,6 +5982,192 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::GamepadControl</name>
+    <message>
+        <source>the gamepad is lost: everything that it held is let go</source>
+        <translation>das Gamepad ist verloren: alles, was es hielt, ist losgelassen</translation>
+    </message>
+    <message>
+        <source>STOP pressed on the gamepad</source>
+        <translation>STOP am Gamepad gedrückt</translation>
+    </message>
+    <message>
+        <source>the gamepad “%1” is not connected any more</source>
+        <translation>das Gamepad „%1“ ist nicht mehr angeschlossen</translation>
+    </message>
+    <message>
+        <source>gamepad connected: %1</source>
+        <translation>Gamepad angeschlossen: %1</translation>
+    </message>
+    <message>
+        <source>the gamepad is connected by radio, whose loss is noticed late: connect it by cable</source>
+        <translation>das Gamepad ist per Funk verbunden, dessen Ausfall spät bemerkt wird: über Kabel anschließen</translation>
+    </message>
+    <message>
+        <source>not driven: hold the dead-man control first, then push the stick from its centre</source>
+        <translation>nicht gefahren: zuerst den Totmannschalter halten, dann den Stick aus der Mitte bewegen</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::GamepadPage</name>
+    <message>
+        <source>Gamepad</source>
+        <translation>Gamepad</translation>
+    </message>
+    <message>
+        <source>Assignment</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>Nothing was assigned: no control was moved for 10 s.</source>
+        <translation>Nichts wurde zugeordnet: 10 s lang wurde kein Element bewegt.</translation>
+    </message>
+    <message>
+        <source>Actions and their controls</source>
+        <translation>Aktionen und ihre Elemente</translation>
+    </message>
+    <message>
+        <source>Actions that work now</source>
+        <translation>Aktionen, die jetzt wirken</translation>
+    </message>
+    <message>
+        <source>Action to assign</source>
+        <translation>Zuzuordnende Aktion</translation>
+    </message>
+    <message>
+        <source>The action that gets another control</source>
+        <translation>Die Aktion, die ein anderes Element bekommt</translation>
+    </message>
+    <message>
+        <source>What arrives</source>
+        <translation>Was ankommt</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Pressed buttons</source>
+        <translation>Gedrückte Tasten</translation>
+    </message>
+    <message>
+        <source>Driving</source>
+        <translation>Fahren</translation>
+    </message>
+    <message>
+        <source>Dead zone of the stick</source>
+        <translation>Totzone des Sticks</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Share of the stick&apos;s way around its centre that drives nothing</source>
+        <translation>Anteil des Stickwegs um die Mitte, der nichts fährt</translation>
+    </message>
+    <message>
+        <source>Speed at full deflection</source>
+        <translation>Geschwindigkeit bei vollem Ausschlag</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>m/s</translation>
+    </message>
+    <message>
+        <source>The command gate accepts at most 0.6 m/s</source>
+        <translation>Das Befehlstor nimmt höchstens 0.6 m/s an</translation>
+    </message>
+    <message>
+        <source>Gamepad back to the defaults</source>
+        <translation>Gamepad auf Standard zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Resets controls, dead zone and speed</source>
+        <translation>Setzt Elemente, Totzone und Geschwindigkeit zurück</translation>
+    </message>
+    <message>
+        <source>Press again to reset the gamepad</source>
+        <translation>Noch einmal drücken, um das Gamepad zurückzusetzen</translation>
+    </message>
+    <message>
+        <source>Nothing was assigned.</source>
+        <translation>Nichts wurde zugeordnet.</translation>
+    </message>
+    <message>
+        <source>Push the stick that drives in the direction of forward, for at most 10 s.</source>
+        <translation>Den Stick, der fährt, in Richtung vorwärts drücken; gewartet wird 10 s.</translation>
+    </message>
+    <message>
+        <source>Press the button or trigger for: %1. It waits 10 s.</source>
+        <translation>Taste oder Trigger drücken für: %1. Gewartet wird 10 s.</translation>
+    </message>
+    <message>
+        <source>On this page the gamepad moves nothing; STOP acts.</source>
+        <translation>Auf dieser Seite bewegt das Gamepad nichts; STOP wirkt.</translation>
+    </message>
+    <message>
+        <source>Not assigned: “%1” is a control of STOP. Give STOP another one first.</source>
+        <translation>Nicht zugeordnet: „%1“ ist ein Element von STOP. Zuerst STOP ein anderes geben.</translation>
+    </message>
+    <message>
+        <source>“%1” is now: %2.</source>
+        <translation>„%1“ ist jetzt: %2.</translation>
+    </message>
+    <message>
+        <source>Without a control now: %1.</source>
+        <translation>Jetzt ohne Element: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing was assigned: the gamepad is not connected any more.</source>
+        <translation>Nichts wurde zugeordnet: das Gamepad ist nicht mehr angeschlossen.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>no control</source>
+        <translation>kein Element</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Assign</source>
+        <translation>Zuordnen</translation>
+    </message>
+    <message>
+        <source>Connected: %1</source>
+        <translation>Angeschlossen: %1</translation>
+    </message>
+    <message>
+        <source>By radio: its loss is noticed late. Connect it by cable.</source>
+        <translation>Per Funk: ein Ausfall wird spät bemerkt. Über Kabel anschließen.</translation>
+    </message>
+    <message>
+        <source>No gamepad is connected. Plug one in at any time.</source>
+        <translation>Kein Gamepad ist angeschlossen. Es kann jederzeit angesteckt werden.</translation>
+    </message>
+    <message>
+        <source>Then move the control that shall do this</source>
+        <translation>Dann das Element bewegen, das dies tun soll</translation>
+    </message>
+    <message>
+        <source>No gamepad is connected</source>
+        <translation>Kein Gamepad ist angeschlossen</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>release it first</source>
+        <translation>zuerst loslassen</translation>
+    </message>
+</context>
+<context>
     <name>terratact::MainWindow</name>
     <message>
         <source>Terratact — %1</source>
@@ -6076,6 +6424,14 @@ F1</translation>
     <message>
         <source>feel forward: press, estimate and advance while CLEAR</source>
         <translation>vortasten: andrücken, schätzen und vorrücken, solange FREI</translation>
+    </message>
+    <message>
+        <source>Gamepad</source>
+        <translation>Gamepad</translation>
+    </message>
+    <message>
+        <source>What arrives from the gamepad, and what its controls do</source>
+        <translation>Was vom Gamepad ankommt, und was seine Elemente tun</translation>
     </message>
 </context>
 <context>

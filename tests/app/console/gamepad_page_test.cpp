@@ -119,8 +119,7 @@ TEST_F(GamepadSettings, showsWhatArrivesAndWhatItDoes)
     EXPECT_EQ(line(PadAction::Drive).state, Off);
     state[PadAxis::LeftY] = -1.0;
     show();
-    EXPECT_EQ(line(PadAction::Drive).text,
-              "drive forward and back: left stick, forward and back · 0.20 m/s");
+    EXPECT_EQ(line(PadAction::Drive).text, "drive: left stick, up and down · 0.20 m/s");
     EXPECT_EQ(line(PadAction::Drive).state, On);
 }
 
@@ -163,7 +162,8 @@ TEST_F(GamepadSettings, learnsTheControlOfAnAction)
     learn(PadAction::FeelForward);
     move(PadAxis::RightTrigger);
     EXPECT_EQ(saved().mapping[PadAction::FeelForward], PadControl(PadAxis::RightTrigger));
-    EXPECT_TRUE(answer().contains("Without a control now: dead-man")) << answer().toStdString();
+    EXPECT_TRUE(answer().contains("Without a control now: dead-man control"))
+        << answer().toStdString();
     EXPECT_TRUE(line(PadAction::DeadMan).text.endsWith(": no control"));
 }
 

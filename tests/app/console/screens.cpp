@@ -308,6 +308,7 @@ void Screens::open(const Setting& setting)
         options.panel = std::make_unique<OperatorPanel>(
             PanelConfig{}, [this](const GpioRequest&) { return board->open(); });
     }
+    if (setting.hasGamepad) options.gamepad = desk.gamepad();
     console = std::make_unique<MainWindow>(std::move(options));
     if (setting.safeMode) console->showSafeMode();
     show(*console);

@@ -18,6 +18,7 @@
 #include "app/runtime/steady_now.h"
 #include "drivers/memory_bus.h"
 #include "tests/support/absolem.h"
+#include "tests/support/fake_gamepad.h"
 #include "tests/support/panel_board.h"
 #include "tests/support/staged_robot.h"
 #include "tests/support/temporary_directory.h"
@@ -67,6 +68,7 @@ struct Screens : testing::Test {
         double linkLostAfter = 3.0;  ///< [s] long, because the machine may be busy
         AtemLimits limits = kPatient;
         bool hasPanel = false;
+        bool hasGamepad = false;
         bool safeMode = false;
         std::string sessions{};  ///< folder of recordings; empty: a temporary one
         Staging staging{};
@@ -99,6 +101,7 @@ struct Screens : testing::Test {
     RobotModel model = absolem();
     MemoryBus bus{steadyNow};
     std::unique_ptr<PanelBoard> board;  ///< set if there is a panel
+    GamepadDesk desk;                   ///< controls of the gamepad
     std::unique_ptr<StagedRobot> robot;
     std::unique_ptr<MainWindow> console;
     std::unique_ptr<ReviewWindow> review;      ///< pictured if there is no console

@@ -43,7 +43,8 @@ bool isSameEverywhere(const std::string& text)
     static const QRegularExpression kNames(
         "\\b(pa|pac|pafc|pafac|local|joint|clearance|trail|Absolem|Terratact|SIMULATED ROBOT|"
         "REPLAY|English|Deutsch|Eigen|Qwt|OpenBLAS.*|Linux.*|R-hat|ESS|AVX|rad|STOP|Token|"
-        "terratact (simulate|train) .*|[Mm]odel|[Pp]anel|[Rr]obot|Bus|Start|Status|Name|Training|"
+        "terratact (simulate|train) "
+        ".*|[Mm]odel|[Gg]amepad|[Pp]anel|[Rr]obot|Bus|Start|Status|Name|Training|"
         "Signal|Rate|Bytes|REC|Export|Format)\\b|can#|"
         "\\b(Ctrl|Alt|PgUp|PgDown|Home|End|Esc|Del)\\b|"  // key names of these languages
         "/usr/share/doc/terratact/copyright|candump|Vector|Foxglove|Čeština|\\bbit\\b|UTC|/min\\b|"
