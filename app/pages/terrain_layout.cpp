@@ -20,13 +20,13 @@
 namespace terratact {
 namespace {
 
-constexpr int kBetween = 10;            // [px] between cards
-constexpr int kToSpare = 10;            // [px] spare room below which cards leave
-constexpr QSize kMinTerrain{420, 180};  // [px]
-constexpr int kLargeFontTerrain = 230;  // [px] minimum height when tight with a large font
+constexpr int kBetween = 10;                       // [px] between cards
+constexpr int kToSpare = 10;                       // [px] spare room below which cards leave
+constexpr QSize kMinTerrain{420, 190};             // [px]
 constexpr int kColumn = 404, kNarrowColumn = 281;  // [px] width of the decisions, at 100 %
 // [px] minimum width of the terrain beside them, at 100 %; it is the largest part
 constexpr int kRoomyTerrain = 540, kTightTerrain = 324;
+constexpr int kTightTerrainHeight = 230;  // [px]
 constexpr double kTerrainToColumn = 1.17;
 
 }  // namespace
@@ -115,8 +115,6 @@ void TerrainLayout::arrange(Layout layout, int fontScale)
     if (window_) {
         const bool tight = tight_;
         measures_ = true;
-        tightRows_ = rowsOfStrip(true);
-        roomyRows_ = rowsOfStrip(false);
         tightNeeds_ = needs(true);
         roomyNeeds_ = needs(false);
         setTight(tight);
@@ -130,6 +128,7 @@ void TerrainLayout::arrange(Layout layout, int fontScale)
 /// Returns the size [px] that the page needs in this arrangement.
 QSize TerrainLayout::needs(bool tight)
 {
+    forgetSizes(*decisions_);  // setTight() reserves their height at these letters
     setTight(tight);
     forgetSizes(page_);
     forgetSizes(*lowerPanel_);  // the panel may be elsewhere
@@ -152,13 +151,14 @@ QSize TerrainLayout::needs(bool tight)
     return size.grownBy(margins);
 }
 
+void TerrainLayout::measure()
+{
+    roomyNeeds_ = {};
+    arrange(layout_, fontScale_);
+}
+
 void TerrainLayout::fit()
 {
-    const bool isOther = tightRows_ != rowsOfStrip(true) || roomyRows_ != rowsOfStrip(false);
-    if (window_ && !measures_ && isOther) {
-        roomyNeeds_ = {};
-        return arrange(layout_, fontScale_);
-    }
     fitTightness();
     setColumn();
 }
@@ -178,17 +178,16 @@ void TerrainLayout::setTight(bool tight)
 {
     tight_ = tight;
     if (window_) stacked_ = tight;
-    const int margin = tight ? 6 : 10;
+    const int margin = tight ? 4 : kBetween;
     rows_->setContentsMargins(12, margin, 12, margin);
-    for (QBoxLayout* const layout : {rows_, ground_}) layout->setSpacing(margin);
+    for (QBoxLayout* const layout : {rows_, ground_, decide_}) layout->setSpacing(margin);
     parts_.atem->setNarrow(tight);
     parts_.probe->setNarrow(tight);
     parts_.drive->setNarrow(tight);
     // A banner takes its line from the terrain and the proposal, so that it never makes the cards leave.
     if (window_)
-        parts_.terrain->setMinimumSize(
-            tight ? QSize(0, fontScale_ > 100 ? kLargeFontTerrain : kMinTerrain.height())
-                  : kMinTerrain - QSize(0, window_->bannerLine()));
+        parts_.terrain->setMinimumSize(tight ? QSize(0, kMinTerrain.height())
+                                             : kMinTerrain - QSize(0, window_->bannerLine()));
     if (window_) parts_.terrainCard->setMinimumWidth(scaled(tight ? kTightTerrain : kRoomyTerrain));
     // The attitude is shown once on a page: where the robot's card is on this one, by the drive strip.
     parts_.readout->showAttitude(tight || verdictBeside_);
@@ -216,17 +215,8 @@ void TerrainLayout::setColumn()
         card->setFixedWidth(wide);
     // Reserves the proposal's height, so that nothing moves when it appears.
     question_->changeSize(0, verdictBeside_ ? 0
-                                            : parts_.atem->leastHeight() + kBetween
+                                            : parts_.atem->leastHeight() + decide_->spacing()
                                                   + parts_.probe->leastHeight());
-}
-
-/// Returns how many rows the drive strip needs in the present width of the page.
-int TerrainLayout::rowsOfStrip(bool tight) const
-{
-    const QMargins margins = rows_->contentsMargins();
-    int room = page_.width() - margins.left() - margins.right();
-    if (fontScale_ <= 100 && !tight) room -= kBetween + scaled(kColumn);
-    return room >= parts_.driving->widthOfOneRow() ? 1 : 2;
 }
 
 void TerrainLayout::placeVerdict()
@@ -243,7 +233,6 @@ void TerrainLayout::placeVerdict()
         for (QWidget* strip : std::initializer_list<QWidget*>{parts_.verdict, parts_.driving})
             column->removeWidget(strip);
     (large && !verdictBeside_ ? rows_ : ground_)->insertWidget(0, parts_.driving);
-    parts_.driving->setRows(tight_ ? tightRows_ : roomyRows_);
     (verdictBeside_ ? column_ : large ? rows_ : ground_)->insertWidget(0, parts_.verdict);
     parts_.verdict->setStacked(verdictBeside_);
     if (verdictBeside_) parts_.verdict->setFixedWidth(scaled(columnWidth_));
@@ -268,7 +257,19 @@ void TerrainLayout::share()
     recent_->itemAt(1)->widget()->setVisible(shares.events > 0);
     // With a large font the preconditions of exploring are shown completely before driving gets large buttons.
     parts_.drive->setProminent(layout_ == Layout::Drive && !(tight_ && fontScale_ > 120));
-    parts_.drive->setVisible(layout_ != Layout::Review);
+    showDrive();
+}
+
+void TerrainLayout::setProposes(bool proposes)
+{
+    proposes_ = proposes;
+    showDrive();
+}
+
+/// A narrow column has no room for driving beside a proposal; the robot stands still meanwhile.
+void TerrainLayout::showDrive()
+{
+    parts_.drive->setVisible(layout_ != Layout::Review && !(tight_ && proposes_));
 }
 
 }  // namespace terratact

@@ -64,7 +64,9 @@ public:
     bool isTight() const { return tight_; }
     /// Returns the size needed when tight [px]; invalid if tight is not enabled.
     QSize tightNeeds() const { return tightNeeds_; }
-    void fit();  ///< call after a change of the page's size
+    void fit();                       ///< call after a change of the page's size
+    void measure();                   ///< call after a change of the size that a part needs
+    void setProposes(bool proposes);  ///< true while a probe is proposed or done
 
 signals:
     void tightened(bool tight);  ///< emitted when lower() must leave or may return: placeLower()
@@ -75,8 +77,8 @@ private:
     void fitTightness();
     void setColumn();
     void placeVerdict();
-    int rowsOfStrip(bool tight) const;  ///< of the drive strip
     void share();
+    void showDrive();
 
     QWidget& page_;
     Parts parts_;
@@ -86,10 +88,9 @@ private:
     bool stacked_ = false;                   ///< robot and events
     const ConsoleWindow* window_ = nullptr;  ///< null: tight is not enabled
     bool tight_ = false;
-    bool measures_ = false;              ///< arranged temporarily, to measure sizes
-    QSize roomyNeeds_, tightNeeds_;      ///< [px]
-    int roomyRows_ = 1, tightRows_ = 1;  ///< of the drive strip in these sizes
-    int columnWidth_ = 404;              ///< [px] at 100 %
+    bool measures_ = false;          ///< arranged temporarily, to measure sizes
+    QSize roomyNeeds_, tightNeeds_;  ///< [px]
+    int columnWidth_ = 404;          ///< [px] at 100 %
 
     // Qt's parents own the widgets.
     QBoxLayout* ground_ = nullptr;  ///< verdict and terrain
@@ -99,6 +100,7 @@ private:
     /// Reserves the height of a probe proposal beside the decisions.
     QSpacerItem* question_ = nullptr;
     QWidget* decisions_ = nullptr;
+    bool proposes_ = false;
     QBoxLayout* decide_ = nullptr;  ///< the decisions
     QWidget* lowerPanel_ = nullptr;
     QBoxLayout* lower_ = nullptr;   ///< forces, and the cards beside them

@@ -107,9 +107,9 @@ void TerrainPage::showDrive(const TerrainViewState& viewState)
         drive = shown;
         drive.contact = contact;
     }
-    const int before = driving_->widthOfOneRow();
+    const int before = driving_->minimumSizeHint().width();
     driving_->setViewState(drive);
-    if (driving_->widthOfOneRow() != before) layout_->fit();  // rear elements came in
+    if (driving_->minimumSizeHint().width() != before) layout_->measure();  // rear elements came in
 }
 
 /// Marks the contacts, unless the robot stands at an estimate, which has its own marks of contacts.

@@ -373,7 +373,7 @@ void TerrainPage::showProbe(const TerrainViewState& viewState)
     probe_->setVisible(
         ((layout_->layout() == Layout::Probe || (open && isAtRest(viewState))) && !isTight())
         || needed);
-    drive_->setVisible(layout_->layout() != Layout::Review && !(isTight() && needed));
+    layout_->setProposes(needed);
     // With a large font the proposal takes the room; the robot stands still meanwhile.
     readout_->setVisible(!asking || layout_->fontScale() <= 120 || isTight());
     terrain_->setArmTip(armTipOf(viewState, asking && !firstMissing(viewState.probing)));

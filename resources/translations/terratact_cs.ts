@@ -5036,6 +5036,10 @@ Poslední deaktivace: %1</translation>
         <source>Probe %1 (B)</source>
         <translation>Sonda %1 (B)</translation>
     </message>
+    <message>
+        <source>Explore (A)</source>
+        <translation>Prozkoumat (A)</translation>
+    </message>
 </context>
 <context>
     <name>terratact::BinInspector</name>
@@ -5206,21 +5210,6 @@ F1</translation>
     <message>
         <source>full screen, and back</source>
         <translation>celá obrazovka a zpět</translation>
-    </message>
-</context>
-<context>
-    <name>terratact::ContactMap</name>
-    <message>
-        <source>Contact by segment</source>
-        <translation>Kontakt podle prvků</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>není známo</translation>
-    </message>
-    <message>
-        <source>Elements 1 (pivot) to 6 (tip), filled where they touch the ground: %1</source>
-        <translation>Prvky 1 (čep) až 6 (špička), vyplněné tam, kde se dotýkají terénu: %1</translation>
     </message>
 </context>
 <context>
@@ -5557,14 +5546,6 @@ F1</translation>
     <message>
         <source>Driving</source>
         <translation>Jízda</translation>
-    </message>
-    <message>
-        <source>limits of the pitch</source>
-        <translation>meze sklonu</translation>
-    </message>
-    <message>
-        <source>limits of the roll</source>
-        <translation>meze náklonu</translation>
     </message>
     <message>
         <source>STEEP at %1, DANGER at %2, tips over at %3</source>

@@ -5036,6 +5036,10 @@ Zuletzt gesperrt: %1</translation>
         <source>Probe %1 (B)</source>
         <translation>Sonde %1 (B)</translation>
     </message>
+    <message>
+        <source>Explore (A)</source>
+        <translation>Erkunden (A)</translation>
+    </message>
 </context>
 <context>
     <name>terratact::BinInspector</name>
@@ -5206,21 +5210,6 @@ F1</translation>
     <message>
         <source>full screen, and back</source>
         <translation>Vollbild und zurück</translation>
-    </message>
-</context>
-<context>
-    <name>terratact::ContactMap</name>
-    <message>
-        <source>Contact by segment</source>
-        <translation>Kontakt nach Elementen</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
-    </message>
-    <message>
-        <source>Elements 1 (pivot) to 6 (tip), filled where they touch the ground: %1</source>
-        <translation>Elemente 1 (Drehachse) bis 6 (Spitze), gefüllt, wo sie den Boden berühren: %1</translation>
     </message>
 </context>
 <context>
@@ -5557,14 +5546,6 @@ F1</translation>
     <message>
         <source>Driving</source>
         <translation>Fahren</translation>
-    </message>
-    <message>
-        <source>limits of the pitch</source>
-        <translation>Grenzen des Nickens</translation>
-    </message>
-    <message>
-        <source>limits of the roll</source>
-        <translation>Grenzen des Rollens</translation>
     </message>
     <message>
         <source>STEEP at %1, DANGER at %2, tips over at %3</source>

@@ -150,10 +150,10 @@ struct Console : testing::Test {
             QSize size;
             int largest;  // font scale [%] that must be possible
         };
-        constexpr Screen kScreens[]{{{1200, 680}, 140},
-                                    {{1280, 720}, 140},
-                                    {{1366, 768}, 150},
-                                    {{1440, 900}, 180},
+        constexpr Screen kScreens[]{{{1200, 680}, 150},
+                                    {{1280, 720}, 160},
+                                    {{1366, 768}, 170},
+                                    {{1440, 900}, 200},
                                     {{1920, 1080}, 200}};
         for (const int wanted : letters)
             for (const Screen& screen : kScreens) {
@@ -162,6 +162,7 @@ struct Console : testing::Test {
                 window->resize(screen.size);
                 const std::string what = std::string(state) + ", " + std::to_string(wanted) + " %, "
                                        + std::to_string(screen.size.width());
+                EXPECT_TRUE(gui::eventually([&] { return !window->isMeasured(); })) << what;
                 EXPECT_GE(lookInForce().fontScale, std::min(wanted, screen.largest)) << what;
                 EXPECT_EQ(window->preferences().current().fontScale, wanted);
                 (void)gui::eventually([&] { return gui::cramped(*window).empty(); });

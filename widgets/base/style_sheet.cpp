@@ -66,7 +66,6 @@ QHash<QString, QColor> coloursOf(const Theme& t)
         {"clear", t.clear},
         {"blocked", t.blocked},
         {"open", t.open},
-        {"felt", t.felt},
     };
     for (const auto& [name, fill] : fills) {
         colours[name + "Area"] = fill.area;
@@ -93,16 +92,14 @@ QString styleSheet(const Theme& theme)
     sheet.remove(QRegularExpression(QStringLiteral("^/\\*.*?\\*/\n"),
                                     QRegularExpression::DotMatchesEverythingOption));
     const QHash<QString, QColor> colours = coloursOf(theme);
-    static const QRegularExpression kWord(QStringLiteral("@(?:(large)?([0-9]+)px|([A-Za-z]+))"));
+    static const QRegularExpression kWord(QStringLiteral("@(?:([0-9]+)px|([A-Za-z]+))"));
     for (QRegularExpressionMatch word = kWord.match(sheet); word.hasMatch();
          word = kWord.match(sheet, word.capturedStart())) {
-        const bool isLarge = !word.captured(1).isEmpty();
-        const QString pixels = word.captured(2), name = word.captured(3);
+        const QString pixels = word.captured(1), name = word.captured(2);
         if (pixels.isEmpty() && !colours.contains(name))
             throw std::logic_error("theme.qss: no colour @" + name.toStdString());
-        const auto length = isLarge ? scaledLarge : scaled;
         const QString value = pixels.isEmpty() ? colours.value(name).name()
-                                               : QStringLiteral("%1px").arg(length(pixels.toInt()));
+                                               : QStringLiteral("%1px").arg(scaled(pixels.toInt()));
         sheet.replace(word.capturedStart(), word.capturedLength(), value);
     }
     return sheet;

@@ -354,6 +354,7 @@ void AtemPanel::setNarrow(bool narrow)
 {
     narrow_ = narrow;
     setTitle(narrow ? tr("Exploration") : tr("Exploration (ATEM)"));
+    request_->setText(narrow ? tr("Explore (A)") : tr("Explore the terrain (A)"));
     showList();
     arrange();
     showButtons();
@@ -387,6 +388,23 @@ int AtemPanel::leastHeight() const
     return frameHeight() + lines + parts_->spacing() + button;
 }
 
+/// Puts the buttons side by side if their words fit.
+void AtemPanel::placeButtons()
+{
+    int width = body()->contentsMargins().left() + body()->contentsMargins().right();
+    for (const QPushButton* button :
+         std::initializer_list<QPushButton*>{request_, override_, abort_, ask_})
+        if (!button->isHidden()) width += button->sizeHint().width() + buttons_->spacing();
+    const bool fits = width - buttons_->spacing() <= this->width();
+    buttons_->setDirection(stacks_ || !fits ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+}
+
+void AtemPanel::resizeEvent(QResizeEvent* event)
+{
+    Card::resizeEvent(event);
+    placeButtons();
+}
+
 void AtemPanel::showButtons()
 {
     if (onlyShows_) {
@@ -409,16 +427,17 @@ void AtemPanel::showButtons()
     const bool ended = state_.phase == AtemPhase::Failed || state_.phase == AtemPhase::Presenting
                     || (!busy && resultStands_);
 
-    request_->setVisible(!stopped && !(narrow_ && busy));
     const bool asks = askPlace_ && !busy && !stopped && !state_.followed && doubtful.isEmpty();
     abort_->setVisible(!stopped && !asks);
     ask_->setVisible(asks);
     release_->setVisible(stopped);
     request_->setEnabled(!busy && !stopped && missing.isEmpty() && doubtful.isEmpty());
     const bool overrides = !busy && !stopped && missing.isEmpty() && !doubtful.isEmpty();
-    override_->setVisible(overrides);  // this button needs the request button's place
-    buttons_->setDirection(narrow_ || overrides ? QBoxLayout::TopToBottom
-                                                : QBoxLayout::LeftToRight);
+    override_->setVisible(overrides);
+    // A narrow panel keeps its buttons in one row, so that none of its lines must go.
+    request_->setVisible(!stopped && !(narrow_ && (busy || overrides)));
+    stacks_ = overrides;
+    placeButtons();
     QString tip = tr("Halts the robot, presses the front flippers down and estimates the terrain");
     if (busy && !state_.followed)
         tip = translated(kAlreadyExploring);
@@ -432,7 +451,7 @@ void AtemPanel::showButtons()
     abort_->setEnabled(busy || ended);
     abort_->setText(clears ? tr("Forget (Del)") : tr("Abort (Esc)"));
     if (asks) {
-        ask_->setText(tr("Probe %1 (B)").arg(placeText(*askPlace_)));
+        ask_->setText(tr("Probe %1 (B)").arg(sidePlace(*askPlace_)));
         ask_->setEnabled(missing.isEmpty());
         setTip(*ask_,
                (missing.isEmpty() ? tr("The robot presses again, then the probe is proposed. The "

@@ -72,11 +72,15 @@ signals:
     void stopReleased();
     void overrideWanted();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void showState();
     QString idleWords(const QString& ready) const;
     void showList();
     void showButtons();
+    void placeButtons();
     bool forgets() const;
     void arrange();
     Commanded next() const;
@@ -89,6 +93,7 @@ private:
     QString said_;  ///< text that replaces the state's own
     bool onlyShows_ = false;
     bool narrow_ = false;
+    bool stacks_ = false;  ///< the buttons stand one above the other even if they fit side by side
     bool resultStands_ = false;
     std::array<QList<Precondition>, kCommanded.size()> needs_;
     std::optional<Commanded> lookedUp_;

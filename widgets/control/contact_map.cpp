@@ -2,62 +2,38 @@
 
 #include <QPainter>
 #include <algorithm>
-#include <cmath>
 
-#include "app/display/drive_text.h"
 #include "app/display/place_text.h"
-#include "widgets/base/tips.h"
 
 namespace terratact {
 namespace {
 
-constexpr int kBox = 14, kHeight = 17;  // [px at 100 %] of an element
-constexpr int kLetter = 13, kLetterSize = 13, kNumberSize = 11, kGap = 6;  // [px at 100 %]
-constexpr double kFullBar = 20.0;                                          // [N] fills the box
+constexpr int kLetterSize = 13, kNumberSize = 11;  // [px at 100 %]
+constexpr double kFullBar = 20.0;                  // [N] fills the box
 
-}  // namespace
+/// Sizes [px at 100 %]; a small map has no letters in front of its rows.
+struct Sizes {
+    int box, row, letter, gap;
+};
+constexpr Sizes kWhole{14, 17, 13, 6}, kSmall{9, 9, 0, 4};
 
-ContactMap::ContactMap(QWidget* parent) : QWidget(parent)
+Sizes sizesOf(bool isSmall)
 {
-    setAccessibleName(tr("Contact by segment"));
-    setContacts(std::nullopt);
+    const Sizes& at100 = isSmall ? kSmall : kWhole;
+    return {scaledLarge(at100.box), scaledLarge(at100.row), scaledLarge(at100.letter),
+            scaledLarge(at100.gap)};
 }
 
-bool ContactMap::hasRear() const
+bool hasRear(const std::optional<FlipperContacts>& contacts)
 {
-    return state_ && (state_->knows(Flipper::RearLeft) || state_->knows(Flipper::RearRight));
+    return contacts && (contacts->knows(Flipper::RearLeft) || contacts->knows(Flipper::RearRight));
 }
 
-QSize ContactMap::sizeHint() const
+/// A number of 0 draws the box without it.
+void drawElement(QPainter& painter, const QRectF& box, int number,
+                 const FlipperContacts::Element& element, const Fill& fill)
 {
-    const int front = scaledLarge(kLetter) + kForceElements * scaledLarge(kBox);
-    const int rear = hasRear() ? scaledLarge(kGap) + kForceElements * scaledLarge(kBox) : 0;
-    return {front + rear + 1, 2 * scaledLarge(kHeight) + 1};
-}
-
-void ContactMap::setContacts(const std::optional<FlipperContacts>& state)
-{
-    const bool hadRear = hasRear();
-    const QString spoken = state ? DriveText::contactsSpoken(*state) : tr("not known");
-    if (state_ == state && spoken == accessibleDescription()) return;
-    state_ = state;
-    setAccessibleDescription(spoken);
-    setTip(*this,
-           tr("Elements 1 (pivot) to 6 (tip), filled where they touch the ground: %1").arg(spoken));
-    if (hadRear != hasRear()) updateGeometry();
-    update();
-}
-
-void ContactMap::setFill(const Fill& fill)
-{
-    fill_ = fill;
-    update();
-}
-
-void ContactMap::drawElement(QPainter& painter, const QRectF& box, int number,
-                             const FlipperContacts::Element& element) const
-{
-    const QColor& ink = fill_.text;
+    const QColor& ink = fill.text;
     painter.setPen(QPen(ink, 1.0, element.force ? Qt::SolidLine : Qt::DotLine));
     painter.setBrush(element.touches ? QBrush(ink) : QBrush(Qt::NoBrush));
     painter.drawRect(box);
@@ -71,39 +47,57 @@ void ContactMap::drawElement(QPainter& painter, const QRectF& box, int number,
         bar.setTop(box.bottom() - share * box.height());
         painter.fillRect(bar, ink);
     }
-    painter.setPen(element.touches ? fill_.area : ink);
-    QFont digits = font();
+    if (number == 0) return;
+    painter.setPen(element.touches ? fill.area : ink);
+    QFont digits = painter.font();
     digits.setPixelSize(scaledLarge(kNumberSize));
     digits.setBold(element.touches);
     painter.setFont(digits);
     painter.drawText(box, Qt::AlignCenter, QString::number(number));
 }
 
-void ContactMap::paintEvent(QPaintEvent*)
+void drawLetter(QPainter& painter, const QRectF& area, Side side, const Fill& fill)
 {
-    QPainter painter(this);
-    const double box = scaledLarge(kBox), high = scaledLarge(kHeight);
-    const double top = (height() - 1 - 2.0 * high) / 2.0;
-    const bool rear = hasRear();
-    const double front = rear ? kForceElements * box + scaledLarge(kGap) : 0.0;
+    QFont letters = painter.font();
+    letters.setPixelSize(scaledLarge(kLetterSize));
+    letters.setBold(false);
+    painter.setFont(letters);
+    painter.setPen(fill.text);
+    painter.drawText(area, Qt::AlignCenter, sideLetter(side));
+}
+
+}  // namespace
+
+QSize ContactMap::size() const
+{
+    const Sizes sizes = sizesOf(isSmall);
+    const int front = sizes.letter + kForceElements * sizes.box;
+    const int rear = hasRear(contacts) ? sizes.gap + kForceElements * sizes.box : 0;
+    return {front + rear + 1, 2 * sizes.row + 1};
+}
+
+void ContactMap::draw(QPainter& painter, const QRectF& area, const Fill& fill) const
+{
+    const Sizes sizes = sizesOf(isSmall);
+    const QSize all = size();
+    const double left = area.right() - all.width(), top = area.center().y() - all.height() / 2.0;
+    const bool rear = hasRear(contacts);
+    const double front = left + (rear ? kForceElements * sizes.box + sizes.gap : 0.0);
     for (const Side side : {Side::Left, Side::Right}) {
-        const double y = top + (side == Side::Left ? 0.0 : high);
-        painter.setPen(fill_.text);
-        QFont letters = font();
-        letters.setPixelSize(scaledLarge(kLetterSize));
-        painter.setFont(letters);
-        painter.drawText(QRectF(front, y, scaledLarge(kLetter), high), Qt::AlignCenter,
-                         sideLetter(side));
+        const double y = top + (side == Side::Left ? 0.0 : sizes.row);
+        if (!isSmall) drawLetter(painter, QRectF(front, y, sizes.letter, sizes.row), side, fill);
         for (int e = 0; e < kForceElements; ++e) {
             const auto elementOf = [&](Flipper flipper) {
-                return state_ ? state_->flippers[indexOf(flipper)][static_cast<std::size_t>(e)]
-                              : FlipperContacts::Element{};
+                return contacts ? contacts->flippers[indexOf(flipper)][static_cast<std::size_t>(e)]
+                                : FlipperContacts::Element{};
             };
-            const double ahead = front + scaledLarge(kLetter) + e * box;
-            drawElement(painter, {ahead, y, box, high}, e + 1, elementOf(frontFlipper(side)));
+            const auto box = [&](double x) { return QRectF(x, y, sizes.box, sizes.row); };
+            const int number = isSmall ? 0 : e + 1;
+            drawElement(painter, box(front + sizes.letter + e * sizes.box), number,
+                        elementOf(frontFlipper(side)), fill);
             if (!rear) continue;
-            const double behind = (kForceElements - 1 - e) * box;
-            drawElement(painter, {behind, y, box, high}, e + 1, elementOf(rearFlipper(side)));
+            drawElement(painter, box(left + (kForceElements - 1 - e) * sizes.box), number,
+                        elementOf(rearFlipper(side)), fill);
         }
     }
 }

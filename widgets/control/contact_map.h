@@ -1,36 +1,26 @@
 #pragma once
 
-#include <QWidget>
+#include <QRectF>
+#include <QSize>
 #include <optional>
 
 #include "core/atem/contact_watch.h"
 #include "widgets/base/palette.h"
 
+class QPainter;
+
 namespace terratact {
 
 /// Force elements of the flippers, the left row above the right one, as seen from above with the front at the right. An
 /// element is a box with its number: filled where it touches the ground, with a bar of its force where it does not, and
-/// crossed out where it is not known. The rear elements are shown if they are known. Takes values, emits nothing.
-class ContactMap final : public QWidget {
-    Q_OBJECT
-public:
-    explicit ContactMap(QWidget* parent = nullptr);
+/// crossed out where it is not known. The rear elements are shown if they are known. A small map has no letters.
+struct ContactMap {
+    std::optional<FlipperContacts> contacts{};  ///< empty: nothing is known
+    bool isSmall = false;
 
-    void setContacts(const std::optional<FlipperContacts>& state);  ///< empty: nothing is known
-    void setFill(const Fill& fill);  ///< colours of the cell around it
-    QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return sizeHint(); }
-
-protected:
-    void paintEvent(QPaintEvent* event) override;
-
-private:
-    bool hasRear() const;
-    void drawElement(QPainter& painter, const QRectF& box, int number,
-                     const FlipperContacts::Element& element) const;
-
-    std::optional<FlipperContacts> state_;
-    Fill fill_;
+    QSize size() const;  ///< [px]
+    /// Draws the map at the right of an area, centred in its height, in the colours of the area.
+    void draw(QPainter& painter, const QRectF& area, const Fill& fill) const;
 };
 
 }  // namespace terratact

@@ -21,7 +21,7 @@ namespace terratact {
 namespace {
 
 // [px]; the gap keeps other controls away from STOP
-constexpr int kBetween = 8, kBetweenLines = 6, kBeforeStop = 20;
+constexpr int kBetween = 7, kBetweenLines = 6, kBeforeStop = 12;
 constexpr int kSourceLetters = 24;  // enough letters to distinguish sources
 
 /// Returns the minimum width [px] of the items that are not hidden.
@@ -157,7 +157,7 @@ StatusHeader::StatusHeader(QWidget* parent) : QFrame(parent)
     setStop({});
 
     auto* whole = new QHBoxLayout(this);
-    whole->setContentsMargins(18, 7, 12, 7);
+    whole->setContentsMargins(12, 5, 10, 5);
     whole->setSpacing(kBeforeStop);
     auto* lines = new QVBoxLayout;
     lines->setSpacing(kBetweenLines);

@@ -98,7 +98,7 @@ TEST_F(Screens, result)
         console->resize(1440, 900);
         console->preferences().change([](Preferences& p) { p.fontScale = 200; });
         picture("letters_200_percent", {stands});
-        EXPECT_GE(lookInForce().fontScale, 170) << "they are as large as the words let them be";
+        EXPECT_GE(lookInForce().fontScale, 180) << "they are as large as the words let them be";
         press(Qt::Key_F9);
         EXPECT_TRUE(eventually([&] { return console->forces()->isVisible(); }));
         picture("letters_200_percent_page_robot", {QStringLiteral("N")});

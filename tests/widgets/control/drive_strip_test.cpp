@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <QLabel>
 #include <algorithm>
 #include <numbers>
 #include <string>
@@ -12,7 +11,7 @@
 #include "tests/support/gui.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/theme.h"
-#include "widgets/control/contact_map.h"
+#include "widgets/control/drive_cell.h"
 
 namespace terratact {
 namespace {
@@ -53,6 +52,27 @@ struct DriveStripShown : testing::Test {
         strip.resize(1000, strip.minimumSizeHint().height());
     }
     ~DriveStripShown() override { look(); }
+    QString spoken(const QString& name) const
+    {
+        for (const DriveCell* cell : strip.findChildren<DriveCell*>())
+            if (cell->accessibleName() == name) return cell->accessibleDescription();
+        return {};
+    }
+    /// Returns the painted texts, each cell's from top to bottom.
+    QStringList painted() const
+    {
+        QStringList texts;
+        for (const DriveCell* cell : strip.findChildren<DriveCell*>())
+            for (const DriveCell::Line& line : cell->lines()) texts << line.text;
+        return texts;
+    }
+    QStringList shrunk() const
+    {
+        QStringList cut;
+        for (const DriveCell* cell : strip.findChildren<DriveCell*>())
+            if (!cell->fits()) cut << cell->accessibleName();
+        return cut;
+    }
     DriveStrip strip;
 };
 
@@ -108,10 +128,9 @@ TEST_F(DriveStripShown, namesTheHardestContactOfEachFlipper)
     EXPECT_EQ(strip.text(DriveStrip::Contact), "L5 R6");
     EXPECT_EQ(strip.caption(DriveStrip::Contact), QStringLiteral("● CONTACT 12 N"));
     EXPECT_EQ(strip.level(DriveStrip::Contact), "contact");
-    const auto* map = strip.findChild<ContactMap*>();
-    EXPECT_EQ(map->accessibleDescription(), "left 5: 12.2 N; right 6: 6.0 N");
+    EXPECT_EQ(spoken("contact"), "left 5: 12.2 N; right 6: 6.0 N");
     strip.setViewState({});
-    EXPECT_EQ(map->accessibleDescription(), "not known");
+    EXPECT_EQ(spoken("contact"), "not known");
 }
 
 TEST_F(DriveStripShown, namesRearContactsAndThoseOfBothSides)
@@ -123,9 +142,9 @@ TEST_F(DriveStripShown, namesRearContactsAndThoseOfBothSides)
     both.sidesKnown = false;
     both.flippers[1] = both.flippers[0];
     EXPECT_EQ(DriveText::contacts(both), "5") << "no side is known";
-    const int before = strip.widthOfOneRow();
+    const int before = strip.minimumSizeHint().width();
     strip.setViewState({.contact = rear});
-    EXPECT_GT(strip.widthOfOneRow(), before) << "the rear elements need room";
+    EXPECT_GT(strip.minimumSizeHint().width(), before) << "the rear elements need room";
 }
 
 TEST_F(DriveStripShown, marksThatFeltGroundEnds)
@@ -139,28 +158,29 @@ TEST_F(DriveStripShown, marksThatFeltGroundEnds)
     EXPECT_EQ(strip.caption(DriveStrip::FeltTo), "felt to !");
 }
 
-TEST_F(DriveStripShown, leavesOutOnlyTheLimitsWhereItIsNarrow)
+TEST_F(DriveStripShown, leavesOutLimitsAndThenWords)
 {
-    strip.setViewState({.pitch = angle(2.0), .roll = angle(2.0), .contact = known()});
-    const auto limits = [&] {
-        int shown = 0;
-        for (const QLabel* label : strip.findChildren<QLabel*>())
-            shown += label->isVisible() && label->text() == QStringLiteral("! 25° ✘ 35°") ? 1 : 0;
-        return shown;
+    strip.setViewState(
+        {.pitch = angle(26.0, AttitudeLevel::Amber), .roll = angle(2.0), .contact = known()});
+    const auto says = [&](DriveDetail detail) {
+        strip.resize(strip.widthFor(detail), strip.height());
+        EXPECT_EQ(strip.detail(), detail);
+        return painted();
     };
-    strip.resize(strip.widthOfOneRow() + 200, strip.height());
-    EXPECT_EQ(limits(), 2);
-    strip.resize(strip.widthOfOneRow(), strip.height());
-    EXPECT_EQ(limits(), 0);
-    EXPECT_EQ(gui::cutText(strip), std::vector<std::string>());
+    const QString limits = QStringLiteral("! 25° ✘ 35°");
+    EXPECT_EQ(says(DriveDetail::Limits).count(limits), 2);
+    EXPECT_TRUE(says(DriveDetail::Words).contains("pitch ! STEEP"));
+    EXPECT_FALSE(painted().contains(limits));
+    EXPECT_TRUE(says(DriveDetail::Short).contains("pitch !"));
+    EXPECT_TRUE(painted().contains(QStringLiteral("+26.0°")));
 }
 
-TEST_F(DriveStripShown, fitsItsTextsInOneAndTwoRows)
+TEST_F(DriveStripShown, fitsItsTextsInEveryDetailAndSize)
 {
     for (const int scale : {80, 100, 150, 200})
-        for (const int rows : {1, 2}) {
+        for (const DriveDetail detail :
+             {DriveDetail::Limits, DriveDetail::Words, DriveDetail::Short}) {
             look(ThemeName::Day, scale);
-            strip.setRows(rows);
             strip.setViewState({.pitch = angle(-26.0, AttitudeLevel::Amber),
                                 .roll = angle(-40.0, AttitudeLevel::Red),
                                 .contact = pressed(),
@@ -169,19 +189,32 @@ TEST_F(DriveStripShown, fitsItsTextsInOneAndTwoRows)
                                 .feltTo = -1.25,
                                 .feltEnds = true});
             QCoreApplication::processEvents();
-            strip.resize(strip.minimumSizeHint());
-            EXPECT_EQ(gui::cutText(strip), std::vector<std::string>()) << scale << ' ' << rows;
+            strip.resize(strip.widthFor(detail), strip.minimumSizeHint().height());
+            EXPECT_EQ(shrunk(), QStringList()) << scale << ' ' << static_cast<int>(detail);
         }
 }
 
-TEST_F(DriveStripShown, everyValueHasAName)
+TEST_F(DriveStripShown, aLongTextGetsSmallerLetters)
 {
-    strip.setViewState({.pitch = angle(2.0), .roll = angle(2.0)});
-    for (const QLabel* label : strip.findChildren<QLabel*>())
-        if (label->property("part") == "value") {
-            EXPECT_NE(label->accessibleName(), "") << label->text().toStdString();
-        }
+    FlipperContacts rear = pressed();
+    rear.flippers[indexOf(Flipper::RearLeft)][0] = {4.0, true};
+    strip.setViewState({.contact = rear});
+    strip.resize(strip.minimumSizeHint());
+    EXPECT_EQ(shrunk(), QStringList{"contact"});
+}
+
+TEST_F(DriveStripShown, everyValueIsNamedAndSpoken)
+{
+    strip.setViewState({.pitch = angle(26.0, AttitudeLevel::Amber),
+                        .roll = angle(2.0),
+                        .feltTo = 0.2,
+                        .feltEnds = true});
     EXPECT_EQ(strip.accessibleName(), "Driving");
+    EXPECT_EQ(strip.findChildren<DriveCell*>().size(), DriveStrip::kCells);
+    EXPECT_TRUE(spoken("pitch").startsWith(QStringLiteral("+26.0°; ! STEEP")))
+        << spoken("pitch").toStdString();
+    EXPECT_EQ(spoken("felt to"), "+0.20 m !");
+    EXPECT_EQ(spoken("speed"), "--");
 }
 
 }  // namespace
