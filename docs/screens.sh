@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes the pictures of the README and of docs/manual.md again from a release build. They show the console on its
-# simulated robot, also on ground that differs left and right, the review of the shipped session, and nine states of
+# simulated robot, also on ground that differs left and right, the review of the shipped session, and ten states of
 # tests/app/console/screens_test.cpp. Needs imagemagick to make the files smaller.
 #   docs/screens.sh
 set -eu
@@ -36,7 +36,7 @@ small() { convert "$1" +dither -colors 200 -strip "$2"; }
 build/release/app/terratact-console --screenshot "$all/console.png"
 build/release/app/terratact-console resources/sessions/demo.tts --at 66 --screenshot "$all/review.png"
 TERRATACT_LANGUAGE=en TERRATACT_PICTURES="$all" build/release/tests/app.console.screens_test \
-  --gtest_filter=Screens.start:Screens.verdict:Screens.probe:Screens.result:Screens.trouble:Screens.lying
+  --gtest_filter=Screens.start:Screens.verdict:Screens.probe:Screens.result:Screens.trouble:Screens.lying:Screens.gamepad
 for kind in kerb diagonal slope hanging; do
   lines "$kind" >"$all/$kind.csv"
   build/release/app/terratact-console --terrain "$all/$kind.csv" --screenshot "$all/$kind.png"
@@ -54,3 +54,4 @@ small "$all"/??-??_clear_to_a_horizon.png docs/screens/clear.png
 small "$all"/??-??_proposed.png docs/screens/cannot_tell.png
 small "$all"/??-??_attitude_alarm.png docs/screens/attitude.png
 small "$all"/??-??_stuck_imu.png docs/screens/stuck_imu.png
+small "$all"/??-??_page_gamepad.png docs/screens/gamepad.png
