@@ -14,6 +14,7 @@
 #include "app/console/console_keys.h"
 #include "app/console/gamepad_control.h"
 #include "app/console/gamepad_page.h"
+#include "app/console/live_plots.h"
 #include "app/console/profile_menu.h"
 #include "app/console/replay_bar.h"
 #include "app/console/settings_page.h"
@@ -23,6 +24,7 @@
 #include "app/display/translated.h"
 #include "app/mission/session_event_logger.h"
 #include "app/pages/numbers_page.h"
+#include "app/pages/plots_page.h"
 #include "app/recording/session_folder.h"
 #include "app/shell/open_file.h"
 #include "app/shell/page.h"
@@ -181,9 +183,18 @@ void MainWindow::addPages(const Options& options)
                     tr("Forces, attitude and the last events"));
     addScrolledPage(gamepadPage_, tr("Gamepad"), Qt::Key_F10,
                     tr("What arrives from the gamepad, and what its controls do"));
+    plots_ = std::make_unique<LivePlots>(*acquisition_, link_, *exploration_, *preferences_, this);
+    if (signalsPage_->dbc()) plots_->describeBy(*signalsPage_->dbc());
+    addScrolledPage(plots_->page(), tr("Plots"), kPlotsKey, tr("Any signal over time"));
+    plots_->page()->dockIn(*this);
     connect(terrainPage_, &TerrainPage::tightened, this, &MainWindow::placeCards);
     terrainPage_->allowTight(*this);
     placeCards();
+}
+
+PlotsPage* MainWindow::plotsPage() const
+{
+    return plots_->page();
 }
 
 void MainWindow::placeCards()
@@ -392,6 +403,7 @@ void MainWindow::defineKeys()
     keys.addGroup(tr("Pages"));
     addPageKeys();
     numbers_->addKeys(keys);
+    plots_->page()->addKeys(keys);
     addHelpKeys();
     keys.add({{QKeyCombination(Qt::CTRL, Qt::Key_O)},
               tr("open a session, a log or scenes in another window"),

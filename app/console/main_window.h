@@ -42,6 +42,7 @@ class QPushButton;
 namespace terratact {
 
 class AlarmsPage;
+class LivePlots;
 class LogReplay;
 class ReplayBar;
 class SessionEventLogger;
@@ -51,6 +52,7 @@ class GamepadPage;
 class SettingsPage;
 class SignalsPage;
 class NumbersPage;
+class PlotsPage;
 class ProfileMenu;
 class TrainingPage;
 
@@ -112,6 +114,7 @@ public:
     AlarmsPage* alarmsPage() const { return alarmsPage_; }
     SignalsPage* signalsPage() const { return signalsPage_; }
     DiagnosticsPage* diagnosticsPage() const { return diagnosticsPage_; }
+    PlotsPage* plotsPage() const;
 
 signals:
     /// Another robot or language was chosen, so the window must be rebuilt. Motion commanded from here was ended.
@@ -190,6 +193,7 @@ private:
     std::shared_ptr<SessionRecorder> recorder_;        ///< may be null
     std::unique_ptr<SessionEventLogger> eventLogger_;  ///< may be null
     std::unique_ptr<LiveViewState> viewStates_;
+    std::unique_ptr<LivePlots> plots_;
     LoopMeter meter_;
     double prepared_ = 0.0;    ///< [s] preparation time of the frame to be painted
     double newestIn_ = -1.0;   ///< [s] arrival of the new telemetry in that frame

@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "app/console/live_plots.h"
 #include "app/console/main_window.h"
 #include "app/console/replay_bar.h"
 #include "app/console/settings_page.h"
@@ -92,6 +93,7 @@ void MainWindow::redraw()
     header()->setOverridden(translated(Message::listed(exploration_->overridden(), "; ")));
     if (settings_->isVisible()) showCards();
     if (auto* page = qobject_cast<Page*>(currentPage())) page->refresh(now);
+    plots_->poll(moment_);
 
     prepared_ = steadyNow() - now;
     if (const auto& latest = moment_.latest; latest && latest->count != drawn_) {

@@ -8,10 +8,12 @@
 #include <utility>
 
 #include "app/display/format.h"
+#include "app/display/translated.h"
 #include "app/link/can_source.h"
 #include "app/link/robot_moment.h"
 #include "app/mission/bus_text.h"
 #include "app/pages/dbc_files.h"
+#include "app/plotting/telemetry_signals.h"
 #include "widgets/base/card.h"
 #include "widgets/base/palette.h"
 #include "widgets/base/plain_label.h"
@@ -27,40 +29,20 @@ namespace {
 // Update periods slow enough to read.
 constexpr double kRows = 0.1, kTrace = 0.2;  // [s]
 
-SignalRow quantity(const QString& name, double value, const QString& unit)
-{
-    SignalRow row;
-    row.name = name;
-    row.value = format::number(value, 3);
-    row.unit = unit;
-    return row;
-}
-
+/// Returns the rows of a line; what a robot may lack has a row only if it was measured.
 std::vector<SignalRow> rowsOf(const Measurement& m)
 {
-    const QString radians = QStringLiteral("rad"), amperes = QStringLiteral("A");
-    std::vector<SignalRow> rows{
-        quantity(SignalsPage::tr("pitch"), m.pitch, radians),
-        quantity(SignalsPage::tr("roll"), m.roll, radians),
-        quantity(SignalsPage::tr("front flipper left"), m.frontLeft, radians),
-        quantity(SignalsPage::tr("front flipper right"), m.frontRight, radians),
-        quantity(SignalsPage::tr("rear flipper left"), m.rearLeft, radians),
-        quantity(SignalsPage::tr("rear flipper right"), m.rearRight, radians),
-        quantity(SignalsPage::tr("front current left"),
-                 shownFeature(m, kFrontCurrentFeature, m.frontLeftCurrent), amperes),
-        quantity(SignalsPage::tr("front current right"),
-                 shownFeature(m, kFrontCurrentFeature, m.frontRightCurrent), amperes),
-        quantity(SignalsPage::tr("rear current left"),
-                 shownFeature(m, kRearCurrentFeature, m.rearLeftCurrent), amperes),
-        quantity(SignalsPage::tr("rear current right"),
-                 shownFeature(m, kRearCurrentFeature, m.rearRightCurrent), amperes)};
-    for (std::size_t i = 0; i < m.force.size(); ++i)
-        rows.push_back(quantity(SignalsPage::tr("force %1").arg(i + 1),
-                                shownFeature(m, kFirstForceFeature + i, m.force[i]),
-                                QStringLiteral("N")));
-    if (m.travelled)
-        rows.push_back(
-            quantity(SignalsPage::tr("way of the tracks"), *m.travelled, QStringLiteral("m")));
+    std::vector<SignalRow> rows;
+    const auto all = telemetrySignals();
+    rows.reserve(kEverySignals);
+    for (std::size_t i = 0; i < kEverySignals; ++i) {
+        const std::optional<double> value = telemetryValue(i, m);
+        if (!value && i >= kSensorSignals) continue;
+        SignalRow& row = rows.emplace_back();
+        row.name = translated(all[i].name);
+        row.value = value ? format::number(*value, 3) : format::kNothing;
+        row.unit = format::text(all[i].unit);
+    }
     return rows;
 }
 

@@ -57,6 +57,13 @@ inline QString number(double value, int decimals)
         .replace(QLatin1Char('-'), QChar(0x2212));
 }
 
+/// Formats a value of any size with this many digits: "−0.0123", "1.5e+07".
+inline QString significant(double value, int digits)
+{
+    if (!std::isfinite(value)) return kNothing;
+    return QString::number(value + 0.0, 'g', digits).replace(QLatin1Char('-'), QChar(0x2212));
+}
+
 /// Formats a Monte-Carlo error the way the core does: "0.01", or "< 0.01" if it would round to 0.
 inline QString randomError(double sd, int decimals)
 {

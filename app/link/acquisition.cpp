@@ -59,8 +59,15 @@ void Acquisition::receive(const Sample& sample)
         arrivals_.push_back(now);
         while (now - arrivals_.front() > 1s) arrivals_.pop_front();
         trouble_ = {};
+        if (listener_) listener_(*latest_);
     }
     if (received_) received_();
+}
+
+void Acquisition::listen(const Listener& listener)
+{
+    const std::scoped_lock lock(mutex_);
+    listener_ = listener;
 }
 
 void Acquisition::read(const std::stop_token& stop)

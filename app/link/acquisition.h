@@ -56,6 +56,10 @@ public:
     explicit Acquisition(MeasurementSource& source, std::function<void()> received = {},
                          const std::optional<RobotModel>& robot = {});
 
+    /// Called with every sample, in the reading thread; it must be quick and call nothing of this object.
+    using Listener = std::function<void(const Received& sample)>;
+    void listen(const Listener& listener);  ///< empty: nothing is called any more
+
     std::optional<Received> latest() const;
     double rate() const;  ///< [Hz] sample rate over the last second
     /// Returns the source's last error; empty once telemetry arrives again.
@@ -72,6 +76,7 @@ private:
     std::optional<Received> latest_;
     std::deque<SteadyTime> arrivals_;
     Message trouble_;
+    Listener listener_;
     std::jthread thread_;  // last member: the thread starts after all others exist
 };
 

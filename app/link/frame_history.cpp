@@ -58,6 +58,13 @@ void FrameHistory::add(const BusFrame& received, const JudgedFrame& judged)
         trace_[(frames_ - 1) % kTrace] = traced;
 
     if (judged.kind) keep(known_[static_cast<std::size_t>(*judged.kind)], judged, received);
+    if (listener_) listener_(received, judged);
+}
+
+void FrameHistory::listen(const Listener& listener)
+{
+    const std::scoped_lock lock(mutex_);
+    listener_ = listener;
 }
 
 void FrameHistory::keep(Kept& kept, const JudgedFrame& judged, const BusFrame& received)

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -36,6 +37,10 @@ public:
     static constexpr double kFresh = kStaleAfter;  ///< [s] an older value is stale
 
     FrameHistory();
+
+    /// Called with every frame, in the receiving thread; it must be quick and call nothing of this object.
+    using Listener = std::function<void(const BusFrame& received, const JudgedFrame& judged)>;
+    void listen(const Listener& listener);  ///< empty: nothing is called any more
 
     /// Adds a frame and the verdict on it.
     void add(const BusFrame& received, const JudgedFrame& judged);
@@ -75,6 +80,7 @@ private:
     std::size_t ticks_ = 0;  ///< ticks taken
     std::size_t point_ = 0;  ///< next index of the histories
     std::optional<double> nextTick_;
+    Listener listener_;
 };
 
 }  // namespace terratact

@@ -69,10 +69,10 @@ void LiveSignals::setNow(double now)
     now_ = now;
 }
 
-std::vector<PlotSignal> LiveSignals::signals() const
+std::vector<PlotSignal> LiveSignals::catalogue() const
 {
     const std::scoped_lock lock(mutex_);
-    return catalogue_.signals();
+    return catalogue_.all();
 }
 
 void LiveSignals::choose(const std::vector<std::string>& keys)

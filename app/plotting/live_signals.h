@@ -32,7 +32,7 @@ public:
     void describe(std::shared_ptr<const DbcBook> book);
     void setNow(double now);
 
-    std::vector<PlotSignal> signals() const override;
+    std::vector<PlotSignal> catalogue() const override;
     void choose(const std::vector<std::string>& keys) override;
     SeriesView view(const std::string& key, const PlotSpan& span) override;
     double begin() const override { return begin_; }

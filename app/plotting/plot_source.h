@@ -26,7 +26,7 @@ public:
     virtual ~PlotSource() = default;
 
     /// Returns all signals that can be chosen now.
-    virtual std::vector<PlotSignal> signals() const = 0;
+    virtual std::vector<PlotSignal> catalogue() const = 0;
     /// Chooses the signals of these keys, at most kMaxChosen; values of those chosen before stay. A key that names no
     /// signal yet is kept: a frame may come later.
     virtual void choose(const std::vector<std::string>& keys) = 0;
@@ -35,7 +35,7 @@ public:
 
     virtual double begin() const = 0;  ///< [s] earliest time
     virtual double end() const = 0;    ///< [s] latest time
-    /// Returns a number that changes with signals() or values.
+    /// Returns a number that changes with catalogue() or values.
     virtual std::uint64_t version() const = 0;
     /// Returns the share of the values that is read, 0 … 1.
     virtual double share() const { return 1.0; }

@@ -302,10 +302,10 @@ void SessionSignals::describe(std::shared_ptr<const DbcBook> book)
     wake_.notify_all();
 }
 
-std::vector<PlotSignal> SessionSignals::signals() const
+std::vector<PlotSignal> SessionSignals::catalogue() const
 {
     const std::scoped_lock lock(mutex_);
-    return catalogue_.signals();
+    return catalogue_.all();
 }
 
 void SessionSignals::choose(const std::vector<std::string>& keys)

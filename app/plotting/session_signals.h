@@ -31,7 +31,7 @@ public:
     /// Uses these DBC descriptions from now on; null: none. Payload signals are read anew.
     void describe(std::shared_ptr<const DbcBook> book);
 
-    std::vector<PlotSignal> signals() const override;
+    std::vector<PlotSignal> catalogue() const override;
     void choose(const std::vector<std::string>& keys) override;
     SeriesView view(const std::string& key, const PlotSpan& span) override;
     double begin() const override { return begin_; }

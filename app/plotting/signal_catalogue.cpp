@@ -70,7 +70,7 @@ bool SignalCatalogue::add(const CanFrame& frame)
     return true;
 }
 
-std::vector<PlotSignal> SignalCatalogue::signals() const
+std::vector<PlotSignal> SignalCatalogue::all() const
 {
     std::vector<PlotSignal> all(telemetrySignals().begin(), telemetrySignals().end());
     const auto append = [&all](const auto& some) {

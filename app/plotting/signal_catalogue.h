@@ -23,7 +23,7 @@ public:
     /// Adds the signals of a frame outside the protocol. Returns true if they are new.
     bool add(const CanFrame& frame);
 
-    std::vector<PlotSignal> signals() const;
+    std::vector<PlotSignal> all() const;
     /// Returns the default set: pitch, roll and the flippers' forces.
     static std::vector<std::vector<std::string>> usualRows();
 

@@ -63,7 +63,7 @@ constexpr std::array kTelemetryTail{
 constexpr std::size_t kForces = static_cast<std::size_t>(kForceElements);
 constexpr std::size_t kTail = kTelemetryEntries.size() + kForces;
 constexpr std::size_t kSideForces = kTail + kTelemetryTail.size();
-static_assert(kSideForces == kEverySignals);
+static_assert(kSideForces == kEverySignals && kTail == kSensorSignals);
 
 struct SidePlace {
     const char* id;

@@ -14,7 +14,9 @@
 #include <utility>
 
 #include "app/display/format.h"
+#include "app/pages/dbc_files.h"
 #include "app/pages/numbers_page.h"
+#include "app/pages/plots_page.h"
 #include "app/pages/side_keys.h"
 #include "app/pages/terrain_page.h"
 #include "app/review/review_events_page.h"
@@ -23,6 +25,7 @@
 #include "app/review/review_signals_page.h"
 #include "app/review/review_timeline.h"
 #include "app/review/what_if_page.h"
+#include "app/runtime/steady_now.h"
 #include "app/shell/open_file.h"
 #include "app/shell/view_menu.h"
 #include "widgets/base/held_button.h"
@@ -58,7 +61,8 @@ ReviewWindow::ReviewWindow(Options options)
       preferences_(options.preferences ? std::move(options.preferences)
                                        : std::make_unique<PreferenceStore>()),
       moments_(session_, robot_), viewStates_(session_, robot_),
-      indexer_(session_.path(), robot_, preferences_->current().forceThreshold)
+      indexer_(session_.path(), robot_, preferences_->current().forceThreshold),
+      plotted_(session_.path(), robot_, secondsOf(session_.begin()), secondsOf(session_.end()))
 {
     setWindowTitle(tr("REVIEW — %1 — Terratact").arg(fileName(session_)));
     buildHeader();
@@ -129,6 +133,11 @@ void ReviewWindow::addPages(QStringList models)
     signals_ = new ReviewSignalsPage(session_, *preferences_, this);
     addScrolledPage(signals_, tr("Signals"), Qt::Key_F7,
                     tr("What other devices had sent: gas sensors, batteries"));
+    plots_ = new PlotsPage(plotted_, *preferences_, PlotsPanel::Kind::Review, this);
+    connect(signals_->dbc(), &DbcFiles::wereRead, this,
+            [this](const DbcReading& reading) { plotted_.describe(reading.book); });
+    addScrolledPage(plots_, tr("Plots"), kPlotsKey, tr("Any signal over the session"));
+    plots_->dockIn(*this);
 }
 
 void ReviewWindow::addTools()
@@ -165,6 +174,7 @@ void ReviewWindow::connectAll()
     connect(header(), &StatusHeader::alarmsRequested, this,
             [this] { rail()->choose(rail()->pageOf(Qt::Key_F4)); });
     connect(events_, &ReviewEventsPage::seekWanted, player_, &ReviewPlayerBar::goTo);
+    connect(plots_->panel(), &PlotsPanel::seekWanted, player_, &ReviewPlayerBar::goTo);
     connect(whatIf_, &WhatIfPage::answered, this, &ReviewWindow::showMoment);
     connect(note_, &ReviewNoteField::submitted, this, &ReviewWindow::noteTaken);
     connect(player_, &ReviewPlayerBar::moved, this, &ReviewWindow::showMoment);
@@ -186,6 +196,7 @@ void ReviewWindow::poll(double elapsed)
     }
     player_->advance(elapsed);
     if (currentPage() == whatIf_) whatIf_->refresh(0.0);
+    if (plots_->panel()->isVisible()) plots_->refresh(steadyNow());
 }
 
 /// Reads new rows of the file and new results of the indexer.
@@ -230,6 +241,7 @@ void ReviewWindow::showMoment()
     whatIf_->setRecorded(moment_.estimate, moment_.scene, moment_.model);
     events_->setMoment(moment_);
     signals_->setTime(moment_.time);
+    plots_->panel()->setTime(secondsOf(moment_.time));
     if (currentPage() == numbers_) numbers_->refresh(0.0);
 }
 
@@ -349,6 +361,7 @@ void ReviewWindow::defineKeys()
     keys.addGroup(tr("Pages"));
     addPageKeys();
     numbers_->addKeys(keys);
+    plots_->addKeys(keys);
     // R and S are not used, because they release STOP and drive back in the console.
     keys.add({{Qt::Key_E}, tr("estimate the recorded scene again on the page What if"), [this] {
                   rail()->choose(rail()->pageOf(Qt::Key_F6));
@@ -393,7 +406,7 @@ void ReviewWindow::place()
     note_->setMinimumSize(scaled(90), scaled(kTarget));
     note_->setMaximumWidth(scaled(220));
     constexpr int kHigh = 800, kWide = 1180;  // [px] at 100 %
-    const bool isLow = isMeasured() || height() < scaled(kHigh);
+    const bool isLow = isMeasured() || pagesHeight() < scaled(kHigh);
     const bool isNarrow = isMeasured() || width() < scaled(kWide);
     auto* robot = qobject_cast<QBoxLayout*>(robotPage_->widget()->layout());
     timeline()->setDense(isLow);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/plotting/session_signals.h"
 #include "app/recording/session_indexer.h"
 #include "app/review/review_display.h"
 #include "app/review/review_note_field.h"
@@ -22,6 +23,7 @@ class QScrollArea;
 namespace terratact {
 
 class NumbersPage;
+class PlotsPage;
 class ReviewEventsPage;
 class ReviewExportDialog;
 class ReviewSignalsPage;
@@ -57,6 +59,8 @@ public:
     ReviewEventsPage* events() const { return events_; }
     WhatIfPage* whatIf() const { return whatIf_; }
     ReviewSignalsPage* signalsPage() const { return signals_; }
+    PlotsPage* plotsPage() const { return plots_; }
+    const SessionSignals& plotted() const { return plotted_; }
     SessionTimeline* timeline() const { return player_->timeline(); }
     QLabel* stateLabel() const { return state_; }
     QLabel* damageLabel() const { return damage_; }
@@ -101,6 +105,7 @@ private:
     std::optional<ReviewDisplay> display_;  ///< set once its widgets exist
     ReviewMoment moment_;
     SessionIndexer indexer_;
+    SessionSignals plotted_;
     std::uint64_t surveyVersion_ = 0;
     bool surveyedAll_ = false;
     bool grows_ = false;  ///< rows were committed within the last seconds
@@ -119,6 +124,7 @@ private:
     ReviewEventsPage* events_ = nullptr;
     WhatIfPage* whatIf_ = nullptr;
     ReviewSignalsPage* signals_ = nullptr;
+    PlotsPage* plots_ = nullptr;
     ReviewPlayerBar* player_ = nullptr;
     ReviewNoteField* note_ = nullptr;
     ReviewExportDialog* export_ = nullptr;

@@ -282,7 +282,9 @@ bool ConsoleWindow::event(QEvent* event)
     const bool done = QWidget::event(event);
     if (event->type() == QEvent::UpdateRequest)
         clearUpperVectorHalves();  // painting leaves them in use
+    if (event->type() == QEvent::Resize && fits_) placeDock();
     if (event->type() != QEvent::LayoutRequest || !fits_) return done;
+    placeDock();
     const QSize needed = needs();
     if (needed.expandedTo(size()) == size()) return done;
     // The content needs more than the fitted size.

@@ -46,6 +46,11 @@ public:
     /// Places another window on this one: below the header with STOP and a banner's line, clamped to the room there.
     void putBelowHeader(QWidget& other) const;
     QSize roomBelowHeader() const;  ///< [px] for such a window, without its desktop frame
+    /// Shows a widget below all pages as long as the window has height to spare, so that no page gets smaller than it
+    /// needs; null: nothing. Its former parent gives it away.
+    void setDock(QWidget* docked);
+    bool isDockShown() const { return dock_ && dock_->isVisible(); }
+    int pagesHeight() const;  ///< [px] of the window without the dock
     /// Adds a strip that states safe mode and how to leave it. Call before the window is shown.
     void showSafeMode();
     /// Closes without asking, as for a signal and for QEvent::Quit.
@@ -120,6 +125,7 @@ private:
     /// Styles some widgets of pages that were never visible, so that a page opens without delay.
     void prepareSome();
     void keepOnScreen();
+    void placeDock();  ///< sizes the dock, or hides it without room
 
     KeyTable keys_;
     QString keysNote_;
@@ -148,6 +154,8 @@ private:
     QBoxLayout* banners_ = nullptr;  ///< side by side
     QBoxLayout* strips_ = nullptr;
     QBoxLayout* right_ = nullptr;
+    QWidget* dock_ = nullptr;    ///< below the pages; null: it was never used
+    QWidget* docked_ = nullptr;  ///< in the dock; null: nothing
     TextSheet* keySheet_ = nullptr;
     TextSheet* about_ = nullptr;
 };

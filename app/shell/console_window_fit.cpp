@@ -143,6 +143,7 @@ bool ConsoleWindow::tryLetters()
 {
     fits_ = false;  // fitting is in progress
     tryLater_.stop();
+    if (dock_) dock_->hide();
     letScroll(false);
     if (trying_ != lookInForce().fontScale || theme_ != lookInForce().theme)
         applyLook(*qApp, theme_, trying_);
@@ -160,6 +161,7 @@ bool ConsoleWindow::tryLetters()
     fits_ = true;
     arrange();
     keepOnScreen();
+    placeDock();
     setUpdatesEnabled(true);
     return true;
 }

@@ -122,6 +122,15 @@ struct Reader {
             return parsed.has_value();
         });
     }
+    void lines(const char* key, QStringList& to, qsizetype most)
+    {
+        value(key, [&](const QString& text) {
+            QStringList found = text.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+            const bool good = found.size() <= most;
+            if (good) to = std::move(found);
+            return good;
+        });
+    }
     void bytes(const char* key, QByteArray& to)
     {
         value(key, [&](const QString& text) {
@@ -158,6 +167,10 @@ struct Writer {
     void mapping(const char* key, const PadMapping& value_)
     {
         value(key, QString::fromStdString(value_.text()));
+    }
+    void lines(const char* key, const QStringList& value_, qsizetype)
+    {
+        value(key, value_.join(QLatin1Char('\n')));
     }
     void bytes(const char* key, const QByteArray& value_)
     {
@@ -197,6 +210,7 @@ void visit(Visitor visitor, Values& p)
     visitor.mapping("gamepad", p.pad.mapping);
     visitor.number("gamepad-dead-zone", p.pad.deadZone, kDeadZoneRange);
     visitor.number("gamepad-speed", p.pad.speedLimit, kPadSpeedRange);
+    visitor.lines("plot-sets", p.plotSets, kMaxPlotSets);
     visitor.bytes("window", p.window);
 }
 
@@ -314,6 +328,7 @@ QString changesOf(const Preferences& before, const Preferences& now)
     const auto listed = [](Preferences preferences) {
         QList<std::pair<QString, QString>> values;
         preferences.window.clear();
+        preferences.plotSets.clear();
         visit(Writer{[&values](const char* key, const QString& text) {
                   values.emplace_back(QLatin1String(key), text);
               }},

@@ -46,7 +46,8 @@ struct Preferences {
     int keepDays = 0, keepGigabytes = 0;  ///< retention of recordings; 0: no limit
     bool mayDelete = false;  ///< deletes recordings beyond the limits; otherwise only reports them
     PadSettings pad;         ///< the gamepad
-    QByteArray window;       ///< QWidget::saveGeometry(); empty: none yet
+    QStringList plotSets;  ///< saved sets of plots (app/pages/plots_state.h), at most kMaxPlotSets
+    QByteArray window;     ///< QWidget::saveGeometry(); empty: none yet
     bool operator==(const Preferences&) const = default;
 };
 
@@ -69,6 +70,7 @@ inline constexpr int kSmallestFont = 80, kLargestFont = 200;                ///<
 inline constexpr int kMaxEstimateSeconds = 25;  ///< [s] below the 30 s timeout of an exploration
 inline constexpr int kMaxDays = 10'000, kMaxGigabytes = 100'000;
 inline constexpr qsizetype kMaxDbcFiles = 32;
+inline constexpr qsizetype kMaxPlotSets = 32;
 inline constexpr int kPreferencesSchema = 1;
 
 /// Returns the methods that an operator can choose. PAFAc is not among them: PAFc becomes it once the arm has measured.
@@ -96,7 +98,7 @@ LoadedPreferences loadPreferences(const QString& path);
 std::optional<Message> savePreferences(const QString& path, const Preferences& preferences);
 
 /// Returns every changed preference by its key in the file, for the session's record: "method: local → pafc; sound:
-/// true → false". The window geometry is omitted.
+/// true → false". The window geometry and the plots are omitted.
 QString changesOf(const Preferences& before, const Preferences& now);
 
 // Sentences for a preferred file that could not be used.

@@ -4468,6 +4468,146 @@ soubor z %3, %4 bajtů; obsah %5</translation>
         <source>a memory of the way is expected to hold 103 numbers in their ranges</source>
         <translation>paměť cesty má obsahovat 103 čísel ve svých mezích</translation>
     </message>
+    <message>
+        <source>left</source>
+        <translation>vlevo</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>vpravo</translation>
+    </message>
+    <message>
+        <source>P(step)</source>
+        <translation>P(schod)</translation>
+    </message>
+    <message>
+        <source>computing time</source>
+        <translation>doba výpočtu</translation>
+    </message>
+    <message>
+        <source>P(step), %1</source>
+        <translation>P(schod), %1</translation>
+    </message>
+    <message>
+        <source>mean sd ahead, %1</source>
+        <translation>průměrná sd vpředu, %1</translation>
+    </message>
+    <message>
+        <source>largest sd ahead, %1</source>
+        <translation>největší sd vpředu, %1</translation>
+    </message>
+    <message>
+        <source>mean absolute error, %1</source>
+        <translation>průměrná absolutní chyba, %1</translation>
+    </message>
+    <message>
+        <source>largest absolute error, %1</source>
+        <translation>největší absolutní chyba, %1</translation>
+    </message>
+    <message>
+        <source>height at %1 m, %2</source>
+        <translation>výška v %1 m, %2</translation>
+    </message>
+    <message>
+        <source>sd at %1 m, %2</source>
+        <translation>sd v %1 m, %2</translation>
+    </message>
+    <message>
+        <source>error at %1 m, %2</source>
+        <translation>chyba v %1 m, %2</translation>
+    </message>
+    <message>
+        <source>frames per second</source>
+        <translation>rámců za sekundu</translation>
+    </message>
+    <message>
+        <source>telemetry</source>
+        <translation>telemetrie</translation>
+    </message>
+    <message>
+        <source>bus</source>
+        <translation>sběrnice</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>odhad</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>užitečná zátěž</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>podélný sklon</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>náklon</translation>
+    </message>
+    <message>
+        <source>front flipper left</source>
+        <translation>přední flipper vlevo</translation>
+    </message>
+    <message>
+        <source>front flipper right</source>
+        <translation>přední flipper vpravo</translation>
+    </message>
+    <message>
+        <source>rear flipper left</source>
+        <translation>zadní flipper vlevo</translation>
+    </message>
+    <message>
+        <source>rear flipper right</source>
+        <translation>zadní flipper vpravo</translation>
+    </message>
+    <message>
+        <source>front current left</source>
+        <translation>proud vpředu vlevo</translation>
+    </message>
+    <message>
+        <source>front current right</source>
+        <translation>proud vpředu vpravo</translation>
+    </message>
+    <message>
+        <source>rear current left</source>
+        <translation>proud vzadu vlevo</translation>
+    </message>
+    <message>
+        <source>rear current right</source>
+        <translation>proud vzadu vpravo</translation>
+    </message>
+    <message>
+        <source>way of the tracks</source>
+        <translation>dráha pásů</translation>
+    </message>
+    <message>
+        <source>turn of the tracks</source>
+        <translation>otočení pásů</translation>
+    </message>
+    <message>
+        <source>differential</source>
+        <translation>diferenciál</translation>
+    </message>
+    <message>
+        <source>force %1, front left</source>
+        <translation>síla %1, vpředu vlevo</translation>
+    </message>
+    <message>
+        <source>force %1, front right</source>
+        <translation>síla %1, vpředu vpravo</translation>
+    </message>
+    <message>
+        <source>force %1, rear left</source>
+        <translation>síla %1, vzadu vlevo</translation>
+    </message>
+    <message>
+        <source>force %1, rear right</source>
+        <translation>síla %1, vzadu vpravo</translation>
+    </message>
+    <message>
+        <source>force %1</source>
+        <translation>síla %1</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -6414,6 +6554,14 @@ F1</translation>
         <source>What arrives from the gamepad, and what its controls do</source>
         <translation>Co přichází z gamepadu a co dělají jeho prvky</translation>
     </message>
+    <message>
+        <source>Plots</source>
+        <translation>Grafy</translation>
+    </message>
+    <message>
+        <source>Any signal over time</source>
+        <translation>Libovolný signál v čase</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -6635,6 +6783,223 @@ F1</translation>
     <message>
         <source>right at %1</source>
         <translation>vpravo v %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::PlotValues</name>
+    <message>
+        <source>Plot</source>
+        <translation>Graf</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signál</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Jednotka</translation>
+    </message>
+    <message>
+        <source>Cursor</source>
+        <translation>Kurzor</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Nejméně</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Nejvíce</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Průměr</translation>
+    </message>
+    <message>
+        <source>sd</source>
+        <translation>sd</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Hodnot</translation>
+    </message>
+    <message>
+        <source>Values in sight</source>
+        <translation>Viditelné hodnoty</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::PlotsPage</name>
+    <message>
+        <source>plots below every page, and back</source>
+        <translation>grafy pod každou stránkou, a zpět</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::PlotsPanel</name>
+    <message>
+        <source>State of the plots</source>
+        <translation>Stav grafů</translation>
+    </message>
+    <message>
+        <source>Saved set of plots</source>
+        <translation>Uložená sada grafů</translation>
+    </message>
+    <message>
+        <source>name of a set</source>
+        <translation>název sady</translation>
+    </message>
+    <message>
+        <source>Name of a set</source>
+        <translation>Název sady</translation>
+    </message>
+    <message>
+        <source>Save set</source>
+        <translation>Uložit sadu</translation>
+    </message>
+    <message>
+        <source>Saves these plots under the name above</source>
+        <translation>Uloží tyto grafy pod názvem nahoře</translation>
+    </message>
+    <message>
+        <source>Delete set</source>
+        <translation>Smazat sadu</translation>
+    </message>
+    <message>
+        <source>Deletes the saved set of this name</source>
+        <translation>Smaže uloženou sadu tohoto názvu</translation>
+    </message>
+    <message>
+        <source>New plot</source>
+        <translation>Nový graf</translation>
+    </message>
+    <message>
+        <source>Plots the chosen signal in a new row</source>
+        <translation>Kreslí vybraný signál v novém řádku</translation>
+    </message>
+    <message>
+        <source>Add to plot</source>
+        <translation>Do grafu</translation>
+    </message>
+    <message>
+        <source>Adds the chosen signal to the chosen plot, which has a frame</source>
+        <translation>Přidá vybraný signál do vybraného grafu, který má rámeček</translation>
+    </message>
+    <message>
+        <source>Remove plot</source>
+        <translation>Odebrat graf</translation>
+    </message>
+    <message>
+        <source>Removes the chosen plot</source>
+        <translation>Odebere vybraný graf</translation>
+    </message>
+    <message>
+        <source>Closer</source>
+        <translation>Blíž</translation>
+    </message>
+    <message>
+        <source>Shows a shorter time; also the wheel, or a box drawn with the mouse</source>
+        <translation>Ukáže kratší čas; také kolečkem nebo rámečkem nakresleným myší</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>Dál</translation>
+    </message>
+    <message>
+        <source>Shows a longer time</source>
+        <translation>Ukáže delší čas</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Dřív</translation>
+    </message>
+    <message>
+        <source>Moves to earlier times; also a drag with the right button, or the wheel with Shift</source>
+        <translation>Posune k dřívějším časům; také tažením pravým tlačítkem nebo kolečkem se Shiftem</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Později</translation>
+    </message>
+    <message>
+        <source>Moves to later times</source>
+        <translation>Posune k pozdějším časům</translation>
+    </message>
+    <message>
+        <source>Cursor earlier</source>
+        <translation>Kurzor dřív</translation>
+    </message>
+    <message>
+        <source>Moves the cursor by a hundredth of the time in sight</source>
+        <translation>Posune kurzor o setinu viditelného času</translation>
+    </message>
+    <message>
+        <source>Cursor later</source>
+        <translation>Kurzor později</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Vše</translation>
+    </message>
+    <message>
+        <source>Shows everything</source>
+        <translation>Ukáže vše</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Živě</translation>
+    </message>
+    <message>
+        <source>Follows the newest values</source>
+        <translation>Sleduje nejnovější hodnoty</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Měřítko</translation>
+    </message>
+    <message>
+        <source>Fits the scales to the values in sight</source>
+        <translation>Přizpůsobí stupnice viditelným hodnotám</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Čísla</translation>
+    </message>
+    <message>
+        <source>Shows the values at the cursor and the statistics of the time in sight</source>
+        <translation>Ukáže hodnoty u kurzoru a statistiku viditelného času</translation>
+    </message>
+    <message>
+        <source>Dock</source>
+        <translation>Panel</translation>
+    </message>
+    <message>
+        <source>Keeps the plots below every page, where the window is high enough</source>
+        <translation>Nechá grafy pod každou stránkou, pokud je okno dost vysoké</translation>
+    </message>
+    <message>
+        <source>No room: at most %1 plots, %2 signals in each, %3 in all</source>
+        <translation>Není místo: nejvýš %1 grafů, v každém %2 signály, celkem %3</translation>
+    </message>
+    <message>
+        <source>the session is read: %1 %</source>
+        <translation>záznam se čte: %1 %</translation>
+    </message>
+    <message>
+        <source>Enter a name for the set first</source>
+        <translation>Nejdřív zadejte název sady</translation>
+    </message>
+    <message>
+        <source>There is no plot to save</source>
+        <translation>Není žádný graf k uložení</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Uloženo: %1</translation>
+    </message>
+    <message>
+        <source>Deleted: %1</source>
+        <translation>Smazáno: %1</translation>
     </message>
 </context>
 <context>
@@ -7788,6 +8153,14 @@ F1</translation>
         <source>What other devices had sent: gas sensors, batteries</source>
         <translation>Co poslala jiná zařízení: senzory plynů, baterie</translation>
     </message>
+    <message>
+        <source>Plots</source>
+        <translation>Grafy</translation>
+    </message>
+    <message>
+        <source>Any signal over the session</source>
+        <translation>Libovolný signál přes celý záznam</translation>
+    </message>
 </context>
 <context>
     <name>terratact::RobotReadout</name>
@@ -8312,6 +8685,25 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::SignalList</name>
+    <message>
+        <source>part of a name</source>
+        <translation>část názvu</translation>
+    </message>
+    <message>
+        <source>Filter of the signals</source>
+        <translation>Filtr signálů</translation>
+    </message>
+    <message>
+        <source>Signals to plot</source>
+        <translation>Signály pro grafy</translation>
+    </message>
+    <message>
+        <source>Drag a signal onto a plot, or below the last one for a new plot</source>
+        <translation>Přetáhněte signál na graf, nebo pod poslední pro nový graf</translation>
+    </message>
+</context>
+<context>
     <name>terratact::SignalTable</name>
     <message>
         <source>Frame</source>
@@ -8369,50 +8761,6 @@ F1</translation>
         <translation>neznámo</translation>
     </message>
     <message>
-        <source>pitch</source>
-        <translation>podélný sklon</translation>
-    </message>
-    <message>
-        <source>roll</source>
-        <translation>náklon</translation>
-    </message>
-    <message>
-        <source>front flipper left</source>
-        <translation>přední flipper vlevo</translation>
-    </message>
-    <message>
-        <source>front flipper right</source>
-        <translation>přední flipper vpravo</translation>
-    </message>
-    <message>
-        <source>rear flipper left</source>
-        <translation>zadní flipper vlevo</translation>
-    </message>
-    <message>
-        <source>rear flipper right</source>
-        <translation>zadní flipper vpravo</translation>
-    </message>
-    <message>
-        <source>front current left</source>
-        <translation>proud vpředu vlevo</translation>
-    </message>
-    <message>
-        <source>front current right</source>
-        <translation>proud vpředu vpravo</translation>
-    </message>
-    <message>
-        <source>rear current left</source>
-        <translation>proud vzadu vlevo</translation>
-    </message>
-    <message>
-        <source>rear current right</source>
-        <translation>proud vzadu vpravo</translation>
-    </message>
-    <message>
-        <source>force %1</source>
-        <translation>síla %1</translation>
-    </message>
-    <message>
         <source>load --- (bit rate not known): %1 to %2 kbit/s</source>
         <translation>zátěž --- (rychlost neznámá): %1 až %2 kbit/s</translation>
     </message>
@@ -8445,10 +8793,6 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     <message>
         <source>This source is no CAN bus: it has no frames, and these are its values.</source>
         <translation>Tento zdroj není sběrnice CAN: nemá rámce, zde jsou jeho hodnoty.</translation>
-    </message>
-    <message>
-        <source>way of the tracks</source>
-        <translation>dráha pásů</translation>
     </message>
     <message>
         <source>load %1 to %2 % of nominal %3 kbit/s (without stuff bits, with the most possible)</source>
@@ -8939,6 +9283,24 @@ Od spuštění: %4 rámců, %5 ztraceno, %6 chybových, %7 se špatným součtem
     <message>
         <source>Close (Esc)</source>
         <translation>Zavřít (Esc)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TimePlot</name>
+    <message>
+        <source>Plot of %1</source>
+        <translation>Graf: %1</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nic</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TimePlots</name>
+    <message>
+        <source>No plot yet: drag a signal here, or choose one and press New plot</source>
+        <translation>Zatím žádný graf: přetáhněte sem signál, nebo ho vyberte a stiskněte Nový graf</translation>
     </message>
 </context>
 <context>

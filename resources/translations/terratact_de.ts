@@ -4468,6 +4468,146 @@ Datei vom %3, %4 Bytes; Inhalt %5</translation>
         <source>a memory of the way is expected to hold 103 numbers in their ranges</source>
         <translation>ein Gedächtnis des Weges muss 103 Zahlen in ihren Bereichen enthalten</translation>
     </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>P(step)</source>
+        <translation>P(Stufe)</translation>
+    </message>
+    <message>
+        <source>computing time</source>
+        <translation>Rechenzeit</translation>
+    </message>
+    <message>
+        <source>P(step), %1</source>
+        <translation>P(Stufe), %1</translation>
+    </message>
+    <message>
+        <source>mean sd ahead, %1</source>
+        <translation>mittlere sd voraus, %1</translation>
+    </message>
+    <message>
+        <source>largest sd ahead, %1</source>
+        <translation>größte sd voraus, %1</translation>
+    </message>
+    <message>
+        <source>mean absolute error, %1</source>
+        <translation>mittlerer absoluter Fehler, %1</translation>
+    </message>
+    <message>
+        <source>largest absolute error, %1</source>
+        <translation>größter absoluter Fehler, %1</translation>
+    </message>
+    <message>
+        <source>height at %1 m, %2</source>
+        <translation>Höhe bei %1 m, %2</translation>
+    </message>
+    <message>
+        <source>sd at %1 m, %2</source>
+        <translation>sd bei %1 m, %2</translation>
+    </message>
+    <message>
+        <source>error at %1 m, %2</source>
+        <translation>Fehler bei %1 m, %2</translation>
+    </message>
+    <message>
+        <source>frames per second</source>
+        <translation>Rahmen je Sekunde</translation>
+    </message>
+    <message>
+        <source>telemetry</source>
+        <translation>Telemetrie</translation>
+    </message>
+    <message>
+        <source>bus</source>
+        <translation>Bus</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>Schätzung</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>Nutzlast</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>front flipper left</source>
+        <translation>Flipper vorn links</translation>
+    </message>
+    <message>
+        <source>front flipper right</source>
+        <translation>Flipper vorn rechts</translation>
+    </message>
+    <message>
+        <source>rear flipper left</source>
+        <translation>Flipper hinten links</translation>
+    </message>
+    <message>
+        <source>rear flipper right</source>
+        <translation>Flipper hinten rechts</translation>
+    </message>
+    <message>
+        <source>front current left</source>
+        <translation>Strom vorn links</translation>
+    </message>
+    <message>
+        <source>front current right</source>
+        <translation>Strom vorn rechts</translation>
+    </message>
+    <message>
+        <source>rear current left</source>
+        <translation>Strom hinten links</translation>
+    </message>
+    <message>
+        <source>rear current right</source>
+        <translation>Strom hinten rechts</translation>
+    </message>
+    <message>
+        <source>way of the tracks</source>
+        <translation>Weg der Ketten</translation>
+    </message>
+    <message>
+        <source>turn of the tracks</source>
+        <translation>Drehung der Ketten</translation>
+    </message>
+    <message>
+        <source>differential</source>
+        <translation>Differential</translation>
+    </message>
+    <message>
+        <source>force %1, front left</source>
+        <translation>Kraft %1, vorn links</translation>
+    </message>
+    <message>
+        <source>force %1, front right</source>
+        <translation>Kraft %1, vorn rechts</translation>
+    </message>
+    <message>
+        <source>force %1, rear left</source>
+        <translation>Kraft %1, hinten links</translation>
+    </message>
+    <message>
+        <source>force %1, rear right</source>
+        <translation>Kraft %1, hinten rechts</translation>
+    </message>
+    <message>
+        <source>force %1</source>
+        <translation>Kraft %1</translation>
+    </message>
 </context>
 <context>
     <name>event</name>
@@ -6414,6 +6554,14 @@ F1</translation>
         <source>What arrives from the gamepad, and what its controls do</source>
         <translation>Was vom Gamepad ankommt, und was seine Elemente tun</translation>
     </message>
+    <message>
+        <source>Plots</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Any signal over time</source>
+        <translation>Jedes Signal über der Zeit</translation>
+    </message>
 </context>
 <context>
     <name>terratact::NavigationRail</name>
@@ -6635,6 +6783,223 @@ F1</translation>
     <message>
         <source>right at %1</source>
         <translation>rechts bei %1</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::PlotValues</name>
+    <message>
+        <source>Plot</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Cursor</source>
+        <translation>Zeiger</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>sd</source>
+        <translation>sd</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Values in sight</source>
+        <translation>Werte im Bild</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::PlotsPage</name>
+    <message>
+        <source>plots below every page, and back</source>
+        <translation>Kurven unter jeder Seite, und zurück</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::PlotsPanel</name>
+    <message>
+        <source>State of the plots</source>
+        <translation>Zustand der Kurven</translation>
+    </message>
+    <message>
+        <source>Saved set of plots</source>
+        <translation>Gespeicherter Satz von Kurven</translation>
+    </message>
+    <message>
+        <source>name of a set</source>
+        <translation>Name eines Satzes</translation>
+    </message>
+    <message>
+        <source>Name of a set</source>
+        <translation>Name eines Satzes</translation>
+    </message>
+    <message>
+        <source>Save set</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Saves these plots under the name above</source>
+        <translation>Speichert diese Kurven unter dem Namen darüber</translation>
+    </message>
+    <message>
+        <source>Delete set</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Deletes the saved set of this name</source>
+        <translation>Löscht den gespeicherten Satz dieses Namens</translation>
+    </message>
+    <message>
+        <source>New plot</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Plots the chosen signal in a new row</source>
+        <translation>Zeichnet das gewählte Signal in einer neuen Zeile</translation>
+    </message>
+    <message>
+        <source>Add to plot</source>
+        <translation>Dazu</translation>
+    </message>
+    <message>
+        <source>Adds the chosen signal to the chosen plot, which has a frame</source>
+        <translation>Fügt das gewählte Signal zur gewählten Kurve, die einen Rahmen hat</translation>
+    </message>
+    <message>
+        <source>Remove plot</source>
+        <translation>Kurve entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the chosen plot</source>
+        <translation>Entfernt die gewählte Kurve</translation>
+    </message>
+    <message>
+        <source>Closer</source>
+        <translation>Näher</translation>
+    </message>
+    <message>
+        <source>Shows a shorter time; also the wheel, or a box drawn with the mouse</source>
+        <translation>Zeigt eine kürzere Zeit; auch mit dem Rad oder einem Kasten, mit der Maus gezogen</translation>
+    </message>
+    <message>
+        <source>Wider</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Shows a longer time</source>
+        <translation>Zeigt eine längere Zeit</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Früher</translation>
+    </message>
+    <message>
+        <source>Moves to earlier times; also a drag with the right button, or the wheel with Shift</source>
+        <translation>Geht zu früheren Zeiten; auch mit der rechten Taste gezogen oder mit dem Rad und Umschalt</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+    <message>
+        <source>Moves to later times</source>
+        <translation>Geht zu späteren Zeiten</translation>
+    </message>
+    <message>
+        <source>Cursor earlier</source>
+        <translation>Zeiger früher</translation>
+    </message>
+    <message>
+        <source>Moves the cursor by a hundredth of the time in sight</source>
+        <translation>Bewegt den Zeiger um ein Hundertstel der Zeit im Bild</translation>
+    </message>
+    <message>
+        <source>Cursor later</source>
+        <translation>Zeiger später</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Shows everything</source>
+        <translation>Zeigt alles</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>Follows the newest values</source>
+        <translation>Folgt den neuesten Werten</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>Fits the scales to the values in sight</source>
+        <translation>Passt die Skalen den Werten im Bild an</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>Shows the values at the cursor and the statistics of the time in sight</source>
+        <translation>Zeigt die Werte am Zeiger und die Statistik der Zeit im Bild</translation>
+    </message>
+    <message>
+        <source>Dock</source>
+        <translation>Leiste</translation>
+    </message>
+    <message>
+        <source>Keeps the plots below every page, where the window is high enough</source>
+        <translation>Behält die Kurven unter jeder Seite, wenn das Fenster hoch genug ist</translation>
+    </message>
+    <message>
+        <source>No room: at most %1 plots, %2 signals in each, %3 in all</source>
+        <translation>Kein Platz: höchstens %1 Kurven, in jeder %2 Signale, zusammen %3</translation>
+    </message>
+    <message>
+        <source>the session is read: %1 %</source>
+        <translation>die Sitzung wird gelesen: %1 %</translation>
+    </message>
+    <message>
+        <source>Enter a name for the set first</source>
+        <translation>Zuerst einen Namen für den Satz eingeben</translation>
+    </message>
+    <message>
+        <source>There is no plot to save</source>
+        <translation>Es gibt keine Kurve zum Speichern</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Deleted: %1</source>
+        <translation>Gelöscht: %1</translation>
     </message>
 </context>
 <context>
@@ -7788,6 +8153,14 @@ F1</translation>
         <source>What other devices had sent: gas sensors, batteries</source>
         <translation>Was andere Geräte gesendet hatten: Gassensoren, Batterien</translation>
     </message>
+    <message>
+        <source>Plots</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Any signal over the session</source>
+        <translation>Jedes Signal über die Sitzung</translation>
+    </message>
 </context>
 <context>
     <name>terratact::RobotReadout</name>
@@ -8312,6 +8685,25 @@ F1</translation>
     </message>
 </context>
 <context>
+    <name>terratact::SignalList</name>
+    <message>
+        <source>part of a name</source>
+        <translation>Teil eines Namens</translation>
+    </message>
+    <message>
+        <source>Filter of the signals</source>
+        <translation>Filter der Signale</translation>
+    </message>
+    <message>
+        <source>Signals to plot</source>
+        <translation>Signale für Kurven</translation>
+    </message>
+    <message>
+        <source>Drag a signal onto a plot, or below the last one for a new plot</source>
+        <translation>Ein Signal auf eine Kurve ziehen, oder unter die letzte für eine neue</translation>
+    </message>
+</context>
+<context>
     <name>terratact::SignalTable</name>
     <message>
         <source>Frame</source>
@@ -8369,50 +8761,6 @@ F1</translation>
         <translation>unbekannt</translation>
     </message>
     <message>
-        <source>pitch</source>
-        <translation>Nicken</translation>
-    </message>
-    <message>
-        <source>roll</source>
-        <translation>Rollen</translation>
-    </message>
-    <message>
-        <source>front flipper left</source>
-        <translation>Flipper vorn links</translation>
-    </message>
-    <message>
-        <source>front flipper right</source>
-        <translation>Flipper vorn rechts</translation>
-    </message>
-    <message>
-        <source>rear flipper left</source>
-        <translation>Flipper hinten links</translation>
-    </message>
-    <message>
-        <source>rear flipper right</source>
-        <translation>Flipper hinten rechts</translation>
-    </message>
-    <message>
-        <source>front current left</source>
-        <translation>Strom vorn links</translation>
-    </message>
-    <message>
-        <source>front current right</source>
-        <translation>Strom vorn rechts</translation>
-    </message>
-    <message>
-        <source>rear current left</source>
-        <translation>Strom hinten links</translation>
-    </message>
-    <message>
-        <source>rear current right</source>
-        <translation>Strom hinten rechts</translation>
-    </message>
-    <message>
-        <source>force %1</source>
-        <translation>Kraft %1</translation>
-    </message>
-    <message>
         <source>load --- (bit rate not known): %1 to %2 kbit/s</source>
         <translation>Last --- (Bitrate unbekannt): %1 bis %2 kbit/s</translation>
     </message>
@@ -8445,10 +8793,6 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     <message>
         <source>This source is no CAN bus: it has no frames, and these are its values.</source>
         <translation>Diese Quelle ist kein CAN-Bus: sie hat keine Rahmen, dies sind ihre Werte.</translation>
-    </message>
-    <message>
-        <source>way of the tracks</source>
-        <translation>Weg der Ketten</translation>
     </message>
     <message>
         <source>load %1 to %2 % of nominal %3 kbit/s (without stuff bits, with the most possible)</source>
@@ -8939,6 +9283,24 @@ Seit dem Start: %4 Rahmen, %5 verloren, %6 Fehlerrahmen, %7 mit falscher Prüfsu
     <message>
         <source>Close (Esc)</source>
         <translation>Schließen (Esc)</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TimePlot</name>
+    <message>
+        <source>Plot of %1</source>
+        <translation>Kurve: %1</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+</context>
+<context>
+    <name>terratact::TimePlots</name>
+    <message>
+        <source>No plot yet: drag a signal here, or choose one and press New plot</source>
+        <translation>Noch keine Kurve: ein Signal hierher ziehen, oder eines wählen und „Neu“ drücken</translation>
     </message>
 </context>
 <context>

@@ -52,17 +52,6 @@ QPainterPath shapeOf(TimelineWeight weight, double x, double y, double r)
     return path;
 }
 
-/// Returns a round step [s] with at most `most` steps in `span`.
-double scaleStep(double span, double most)
-{
-    static constexpr std::array kSteps{0.001, 0.002, 0.005, 0.01,  0.02,   0.05,  0.1,  0.2,
-                                       0.5,   1.0,   2.0,   5.0,   10.0,   15.0,  30.0, 60.0,
-                                       120.0, 300.0, 600.0, 900.0, 1800.0, 3600.0};
-    for (const double step : kSteps)
-        if (span / step <= most) return step;
-    return 3600.0 * std::ceil(span / most / 3600.0);
-}
-
 /// Returns false beyond thirty years, where neighbouring pixels could round to the same number.
 bool isTime(double seconds)
 {
@@ -75,6 +64,16 @@ bool isSound(const TimelineSpan& span)
 }
 
 }  // namespace
+
+double timeStep(double span, double most)
+{
+    static constexpr std::array kSteps{0.001, 0.002, 0.005, 0.01,  0.02,   0.05,  0.1,  0.2,
+                                       0.5,   1.0,   2.0,   5.0,   10.0,   15.0,  30.0, 60.0,
+                                       120.0, 300.0, 600.0, 900.0, 1800.0, 3600.0};
+    for (const double step : kSteps)
+        if (span / step <= most) return step;
+    return 3600.0 * std::ceil(span / most / 3600.0);
+}
 
 QString timeWords(double seconds, double step)
 {
@@ -263,7 +262,7 @@ void SessionTimeline::paintScale(QPainter& painter) const
 {
     const QRectF area = plot();
     const double span = last_ - first_;
-    const double step = scaleStep(span, area.width() / scaled(86));
+    const double step = timeStep(span, area.width() / scaled(86));
     painter.setFont(font());
     for (double k = std::ceil(first_ / step); k * step <= last_; k += 1.0) {
         const double x = pixelOf(k * step);

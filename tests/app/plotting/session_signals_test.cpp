@@ -123,7 +123,7 @@ TEST_F(PlottedSession, payloadComesWithADescription)
     EXPECT_EQ(signals.view("payload:700 Filler.A", whole).visible.count, 0U);
     signals.describe(book);
     ASSERT_TRUE(becomesIdle(signals));
-    const auto all = signals.signals();
+    const auto all = signals.catalogue();
     EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const PlotSignal& s) {
         return s.key() == "payload:700 Filler.A" && s.unit == "V";
     }));

@@ -75,7 +75,7 @@ TEST(SignalCatalogue, everyKeyIsUniqueAndHasAName)
 {
     SignalCatalogue catalogue;
     std::set<std::string> keys;
-    for (const PlotSignal& signal : catalogue.signals()) {
+    for (const PlotSignal& signal : catalogue.all()) {
         EXPECT_TRUE(keys.insert(signal.key()).second) << signal.key();
         EXPECT_FALSE(signal.name.empty()) << signal.key();
         EXPECT_EQ(signal.frame.empty(),
@@ -89,14 +89,14 @@ TEST(SignalCatalogue, everyKeyIsUniqueAndHasAName)
 TEST(SignalCatalogue, payloadComesWithItsFrames)
 {
     SignalCatalogue catalogue;
-    const std::size_t before = catalogue.signals().size();
+    const std::size_t before = catalogue.all().size();
     EXPECT_FALSE(catalogue.add(gas(1280, 0))) << "no file describes it";
     catalogue.describe(gasBook());
     EXPECT_TRUE(catalogue.add(gas(1280, 0)));
     EXPECT_FALSE(catalogue.add(gas(1280, 0)));
     EXPECT_TRUE(catalogue.add(gas(1281, 0)));
     EXPECT_FALSE(catalogue.add(gas(1282, 0)));
-    const auto signals = catalogue.signals();
+    const auto signals = catalogue.all();
     ASSERT_EQ(signals.size(), before + 2);
     const auto found = std::find_if(signals.begin(), signals.end(), [](const PlotSignal& s) {
         return s.key() == "payload:501 Gas.Oxygen";
