@@ -124,6 +124,10 @@ void addSessionReport(CLI::App& session, Job& job)
     addInput(*c, "file", o->file, "Session (*.tts)")->required();
     c->add_option("--scene", o->scene, "Its number; without it the last")
         ->check(CLI::Range(1, 1'000'000'000));
+    addInput(*c, "--dbc", o->dbc,
+             "DBC file: adds the newest values of frames that are not the protocol's; may be "
+             "repeated")
+        ->allow_extra_args(false);
     addFileOutput(*c, "--out", o->out, "PDF, SVG, PNG or HTML to write, by the ending")->required();
     c->callback([o, &job] { job = [o] { return reportSession(*o); }; });
 }

@@ -66,7 +66,8 @@ Status mergeSessions(const SessionMergeOptions& options);
 
 struct SessionReportOptions {
     std::string file, out;
-    std::int64_t scene = 0;  ///< 0: the last estimated scene
+    std::int64_t scene = 0;          ///< 0: the last estimated scene
+    std::vector<std::string> dbc{};  ///< DBC files for frames outside the protocol
 };
 Status reportSession(const SessionReportOptions& options);
 

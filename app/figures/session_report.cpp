@@ -9,6 +9,7 @@
 
 #include "app/figures/canvas.h"
 #include "app/figures/figure_colours.h"
+#include "app/figures/payload_facts.h"
 #include "app/recording/recorded_sides.h"
 #include "app/recording/session_text.h"
 #include "app/recording/what_if.h"
@@ -308,18 +309,13 @@ private:
 std::string escaped(std::string_view text)
 {
     std::string html;
-    for (const char c : text) {
-        if (c == '<')
-            html += "&lt;";
-        else if (c == '>')
-            html += "&gt;";
-        else if (c == '&')
-            html += "&amp;";
-        else if (c == '"')
-            html += "&quot;";
-        else
-            html += c;
-    }
+    for (const char c : text) switch (c) {
+        case '<': html += "&lt;"; break;
+        case '>': html += "&gt;"; break;
+        case '&': html += "&amp;"; break;
+        case '"': html += "&quot;"; break;
+        default: html += c;
+        }
     return html;
 }
 
@@ -379,7 +375,8 @@ std::string readingsText(const EstimateRow& row)
 }  // namespace
 
 Result<SessionReport> reportOf(SessionReader& session, std::int64_t wanted,
-                               const std::function<bool(double)>& progress)
+                               const std::function<bool(double)>& progress,
+                               const std::shared_ptr<const DbcBook>& book)
 {
     const SceneRow* scene = sceneOf(session, wanted);
     if (!scene)
@@ -432,6 +429,8 @@ Result<SessionReport> reportOf(SessionReader& session, std::int64_t wanted,
                      found.damage.empty() && !found.broken ? "every hash holds"
                                                            : "PARTS ARE NOT WHAT WAS RECORDED",
                      found.chain)}};
+    const Facts payload = payloadFacts(session, book, scene->time);
+    report.facts.insert(report.facts.end(), payload.begin(), payload.end());
     const Facts verdicts = verdictFacts(verdict, row.stepLimit);
     report.facts.insert(report.facts.begin(), verdicts.begin(), verdicts.end());
     if (const std::string warnings = warningsText(row.estimate); !warnings.empty())

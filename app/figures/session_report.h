@@ -1,11 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/figures/profile_figure.h"
+#include "app/link/dbc_book.h"
 #include "core/base/result.h"
 #include "core/log/session_reader.h"
 
@@ -22,9 +24,11 @@ struct SessionReport {
 
 /// Returns the report of a scene; scene 0 is the last estimated one. Reads the whole session to check its hash chain.
 /// Errors name the file: no such scene, or a scene without an estimate. progress(share of the batches) cancels by
-/// returning false, which is an Error.
+/// returning false, which is an Error. book: describes frames of other devices, whose newest values at the scene
+/// become facts; null: none.
 Result<SessionReport> reportOf(SessionReader& session, std::int64_t scene,
-                               const std::function<bool(double)>& progress = {});
+                               const std::function<bool(double)>& progress = {},
+                               const std::shared_ptr<const DbcBook>& book = {});
 
 /// Writes one A4 page as PDF, SVG, PNG or HTML by the file ending. The page counts what does not fit on it; HTML holds
 /// everything. The file is written under a temporary name and renamed.

@@ -15,7 +15,9 @@ using Progress = std::function<bool(double)>;
 Status writeReportOf(SessionReader& session, const SessionExportJob::Wish& wish,
                      const Progress& progress)
 {
-    const auto report = reportOf(session, wish.scene, progress);
+    const auto book = readDbcBook(CanProtocol::Terratact, wish.dbc);
+    if (!book) return book.error();
+    const auto report = reportOf(session, wish.scene, progress, *book);
     if (!report) return report.error();
     return writeReport(wish.out, *report);
 }

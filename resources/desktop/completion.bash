@@ -144,7 +144,7 @@ _terratact_options() {
     "session recover") echo --out ;;
     "session scenes") echo --out --measured --tracks ;;
     "session strip") echo --out --section ;;
-    "session report") echo --scene --out ;;
+    "session report") echo --scene --dbc --out ;;
     "session merge") echo --out ;;
     "session what-if") echo --estimate --all --method --quality --threshold --seed --model --out ;;
     "session import") echo --out --interface --robot ;;
