@@ -15,26 +15,26 @@ trap 'rm -f "$page"' EXIT
   echo 'dead-man control and the verdict is CLEAR for more than the advance ([manual.md](manual.md#feel-forward)). The state machine is'
   echo '`core/atem/atem_machine.h`, what allows an advance is `core/atem/feel_forward.h`. `docs/feel_forward.sh` made this page:'
   echo
-  echo "    terratact feel-forward --drives $drives"
+  echo "    terratact feel-forward --drives $drives --method trail"
   echo
   echo 'A simulated robot drives over generated ground towards drops, gaps, pits, ditches, ramps that end, walls and lips of 0.15 to 2 m. The'
   echo 'ground is level, or has the roughness of ISO 8608 class A or C; it is hard, or soft with a layer of 12 to 28 mm. The estimates are those'
-  echo 'of the default method with the shipped model. The simulated operator only holds the control. Where the loop asks on ground that is truly'
+  echo 'of the method trail, the default of the console, with the shipped model. The simulated operator only holds the control. Where the loop asks on ground that is truly'
   echo 'free, the robot is driven on by 0.1 m by hand, and the operator holds again. So each drive comes to its hazard, or to the end of the'
   echo 'ground. No probe is made.'
   echo
   echo '```'
-  "$terratact" feel-forward --drives "$drives"
+  "$terratact" feel-forward --drives "$drives" --method trail
   echo '```'
   echo
   echo '## The same without the verdict'
   echo
   echo 'A loop that advances whatever the verdict is shows what the verdict prevents:'
   echo
-  echo "    terratact feel-forward --drives $drives --blind"
+  echo "    terratact feel-forward --drives $drives --method trail --blind"
   echo
   echo '```'
-  "$terratact" feel-forward --drives "$drives" --blind
+  "$terratact" feel-forward --drives "$drives" --method trail --blind
   echo '```'
   echo
   echo '## What this means'
@@ -42,7 +42,8 @@ trap 'rm -f "$page"' EXIT
   echo '- The loop goes on by itself on level ground. A whole round takes about 4.5 s, which is 1.3 m/min. Most of it goes into the flippers, up for'
   echo '  each advance and down for each press. The pace in the table is less: it includes the presses after which the loop asks.'
   echo '- On hard rough ground it asks at nearly every stop. The flippers rest there on one or two points, so the ground between them is only'
-  echo '  bounded. The operator then drives by hand, or asks for a probe. A method that remembers what was felt before is to lengthen CLEAR.'
+  echo '  bounded. The operator then drives by hand, or asks for a probe. The method trail'
+  echo '  errs less there. But what was felt at earlier stops does not yet count as felt, so CLEAR reaches no further.'
   echo '- The simulated robot raises its front flippers to 1.2 rad before an advance. Their tips then come no further ahead than they were when'
   echo '  they pressed, so they cannot meet a wall that nobody has felt. A robot that raises them less can (*touch*).'
   echo '- The simulation has no sensor faults, no lost telemetry and no slide. The odometry has a slip of 10 %. Faults of the loop itself are'

@@ -51,7 +51,7 @@ The method `trail` estimates a scene from its readings and from that memory. `co
 Probes and hazards act as in `local`. A scene without a history, or without a current or a force, is estimated by `local`, and a warning says so.
 `terratact train --drives` trains networks; `resources/models/make_trail.sh` made the shipped ones.
 
-The console uses `trail` if that method is chosen and the way before a scene is known; otherwise `local` estimates. The line above the
+The console uses `trail` by default where the way before a scene is known; otherwise `local` estimates. The line above the
 picture says how much is remembered, such as "memory: 1.20 m, presses: 4", or why nothing is: the way begins there, no odometry, lost
 telemetry, a turn, a suspected odometry or pitch, cleared ground, a current or a force that was not measured, or a model without networks.
 The networks are the file beside the model, with the ending `.ttn`. The shipped ones serve robots with Absolem's shape. Sessions record the

@@ -381,7 +381,8 @@ void addFeelForward(CLI::App& app, Job& job)
         ->check(CLI::Range(0.0, 60.0));
     c->add_flag("--blind", o->isBlind, "Advance whatever the verdict is, for comparison");
     addNumber(*c, "--seed", o->settings.seed, "Seed of ground, drives and noise");
-    addMethod(*c, o->settings);
+    addTrailMethod(*c, "--method", o->settings.method,
+                   fmt::format("Method (default {})", name(o->settings.method)));
     c->callback([o, &job] {
         useShippedRobot(o->robot);
         useShippedModel(o->model);

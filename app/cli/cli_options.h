@@ -105,6 +105,13 @@ void useShippedModel(std::string& model);          ///< used if no --model is gi
 void useShippedTrail(std::string& trail);          ///< used if no --trail is given
 
 void addMethod(CLI::App& app, Settings& settings);
+/// Adds an option for every method, trail included. method: a Method or an optional one.
+template <class T>
+void addTrailMethod(CLI::App& app, const std::string& flag, T& method, const std::string& text)
+{
+    addChoice(app, flag, method, methodFromName, "pa|pac|pafc|pafac|clearance|joint|local|trail",
+              text);
+}
 void addMethods(CLI::App& app, std::vector<std::string>& methods);
 /// Returns each method once, in the order given; all methods for an empty list.
 std::vector<Method> methodsFrom(const std::vector<std::string>& names);

@@ -152,8 +152,7 @@ void addSessionWhatIf(CLI::App& session, Job& job)
     c->add_flag_callback(
          "--all", [] {}, "All estimates, which is so without it")
         ->excludes(one);
-    addChoice(*c, "--method", o->rerun.changes.method, methodFromName,
-              "pa|pac|pafc|pafac|clearance|joint|local|trail", "Another method");
+    addTrailMethod(*c, "--method", o->rerun.changes.method, "Another method");
     addChoice(*c, "--quality", o->rerun.changes.preset, qualityPresetFromName,
               "fast|balanced|accurate",
               "Draws, chains, burn-in, precision and inducing rows of a "

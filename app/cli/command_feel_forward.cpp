@@ -1,12 +1,15 @@
 #include "app/cli/commands.h"
 #include "app/modelling/feel_forward_trials.h"
 #include "app/runtime/print_text.h"
+#include "app/runtime/resources.h"
 
 namespace terratact {
 
 Status tryFeelForward(const FeelForwardOptions& options)
 {
-    const auto bundle = openEstimatorBundle(options.robot, options.model);
+    const bool isTrail = options.settings.method == Method::Trail;
+    const auto bundle = openEstimatorBundle(
+        options.robot, options.model, isTrail ? trailPathBeside(options.model) : std::string());
     if (!bundle) return bundle.error();
     const FeelForwardTrial trial{.drives = options.drives,
                                  .seed = options.settings.seed,

@@ -47,7 +47,7 @@ FeelForwardSimulation::FeelForwardSimulation(const EstimatorBundle& bundle,
                                              const FeelForwardTrial& trial, GroundLines ground,
                                              const SimulatedRobot::Options& options)
     : bundle_(bundle), trial_(trial), robot_(bundle.robot, std::move(ground), options),
-      line_(robot_.measure())
+      line_(robot_.measure()), way_(bundle.robot)
 {
     counts_.drives = 1;
 }
@@ -69,10 +69,17 @@ void FeelForwardSimulation::hold()
     if (state_.phase == AtemPhase::Failed) ++counts_.failures[state_.failure];
 }
 
+/// Adds the newest line to the memory of the way.
+void FeelForwardSimulation::follow()
+{
+    if (trial_.settings.method == Method::Trail) way_.add(line_);
+}
+
 void FeelForwardSimulation::tick(bool begins)
 {
     robot_.step(kTick);
     line_ = robot_.measure();
+    follow();
     now_ += kTick;
     if (state_.phase == AtemPhase::Advancing) judgeGround();
     AtemInput in = poll();
@@ -142,8 +149,10 @@ void FeelForwardSimulation::enter(AtemPhase phase)
 
 void FeelForwardSimulation::estimate()
 {
+    const TrailHistory memory = way_.before(line_);
     TwoTrackEstimate estimate =
-        estimateMeasured(line_, {}, bundle_.robot, bundle_.models, trial_.settings);
+        estimateMeasured(line_, {}, bundle_.robot, bundle_.models, trial_.settings, {}, &memory);
+    if (trial_.settings.method == Method::Trail) way_.addScene(line_);
     writePosteriorCheck(estimate, line_, bundle_.robot);
     verdict_ = verdictOf(estimate, bundle_.robot, line_, {}, trial_.stepLimit);
 }
@@ -200,7 +209,12 @@ bool FeelForwardSimulation::driveByHand()
     const double from = robot_.pose().base.x;
     robot_.command(AbortAtemCommand{});
     robot_.command(AdvanceCommand{.distance = kAdvance});
-    for (int i = 0; i < 500 && robot_.activity() == RobotActivity::Driving; ++i) robot_.step(kTick);
+    for (int i = 0; i < 500 && robot_.activity() == RobotActivity::Driving; ++i) {
+        robot_.step(kTick);
+        if (trial_.settings.method != Method::Trail) continue;
+        line_ = robot_.measure();
+        follow();
+    }
     line_ = robot_.measure();
     const double moved = robot_.pose().base.x - from;
     counts_.byHand += moved;

@@ -6,6 +6,7 @@
 #include "core/atem/advance_watch.h"
 #include "core/atem/feel_forward.h"
 #include "core/sim/simulated_robot.h"
+#include "core/trail/trail_record.h"
 
 namespace terratact {
 
@@ -20,6 +21,7 @@ public:
 
 private:
     void hold();  ///< runs the loop until it ends
+    void follow();
     void tick(bool begins);
     AtemInput poll() const;
     void enter(AtemPhase phase);
@@ -33,6 +35,7 @@ private:
     const FeelForwardTrial& trial_;
     SimulatedRobot robot_;
     Measurement line_;
+    TrailRecord way_;  ///< fed for the method Trail alone
     double now_ = 0.0;
     AtemState state_;
     std::optional<TwoTrackVerdict> verdict_;

@@ -26,10 +26,10 @@ struct Preferences {
     int fontScale = 100;  ///< [%] kSmallestFont … kLargestFont
     QString language;     ///< "en", "cs" or "de"; empty: the system's
     Layout layout = Layout::Probe;
-    bool sound = true;            ///< alarms make sounds
-    int contactSound = 50;        ///< [%] level of the ticks of contacts; 0: off
-    double obstacleLimit = 0.10;  ///< [m] obstacle height (hasStep())
-    Method method = Method::Local;
+    bool sound = true;              ///< alarms make sounds
+    int contactSound = 50;          ///< [%] level of the ticks of contacts; 0: off
+    double obstacleLimit = 0.10;    ///< [m] obstacle height (hasStep())
+    Method method = Method::Trail;  ///< Local estimates where the way before a scene is not known
     QualityPreset preset = QualityPreset::Balanced;
     int estimateSeconds = 0;                            ///< [s] time limit of sampling; 0: no limit
     double forceThreshold = Settings{}.forceThreshold;  ///< [N]

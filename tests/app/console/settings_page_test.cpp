@@ -252,7 +252,7 @@ TEST_F(SettingsInForce, everyChangeIsOnRecordWithWhatWasBefore)
         p.layout = Layout::Drive;
     });
     EXPECT_EQ(decisions("settings"),
-              (std::vector<std::string>{"method: local → pafc", "force-threshold: 2 → 3.5",
+              (std::vector<std::string>{"method: trail → pafc", "force-threshold: 2 → 3.5",
                                         "theme: day → night-red",
                                         "layout: probe → drive; roll-limit: 0.1 → 0.125"}));
 }
