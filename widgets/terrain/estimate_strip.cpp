@@ -1,6 +1,7 @@
 #include "widgets/terrain/estimate_strip.h"
 
 #include <QEvent>
+#include <QFontMetrics>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -201,12 +202,15 @@ void EstimateStrip::arrange()
     // Showing a part triggers a layout that may call this function again.
     if (std::exchange(arranges_, true)) return;
     const int room = width() - headline_->sizeHint().width() - 3 * layout()->spacing();
-    const auto fits = [&](const QString& text) {
-        return details_->fontMetrics().size(0, text).width() + 2 * details_->margin() <= room;
-    };
+    const QFontMetrics metrics = details_->fontMetrics();
+    const auto fits = [&](const QString& text) { return metrics.size(0, text).width() <= room; };
     const auto fitting = std::ranges::find_if(detailTexts_, fits);
     const bool isRoom = fitting != detailTexts_.end();
-    const QString text = isRoom ? *fitting : detailTexts_.value(0);
+    QString text = isRoom ? *fitting : detailTexts_.value(0);
+    // Better the begin of what is remembered than the method alone.
+    const bool isAlone = isRoom && detailTexts_.size() > 1 && text == detailTexts_.last();
+    if (isAlone && fits(text + QStringLiteral(" · no memory: …")))
+        text = metrics.elidedText(detailTexts_.at(detailTexts_.size() - 2), Qt::ElideRight, room);
     if (details_->text() != text) details_->setText(text);
     details_->setVisible(progress_->isHidden() && isRoom);
     arranges_ = false;
