@@ -276,8 +276,10 @@ TEST(Preferences, settleWhatAnEstimateIsMadeWith)
     EXPECT_EQ(settings.probeAbove, 0.05);
     EXPECT_EQ(settings.rollLimit, 0.2);
     EXPECT_EQ(settings.asymmetryLimit, 0.3);
-    EXPECT_EQ(withPreferences(Settings{}, Preferences{}),
-              withPreset(Settings{}, QualityPreset::Balanced));
+    Settings defaults = withPreset(Settings{}, QualityPreset::Balanced);
+    EXPECT_EQ(defaults.method, Method::Local) << "of commands for single scenes";
+    defaults.method = Method::Trail;
+    EXPECT_EQ(withPreferences(Settings{}, Preferences{}), defaults);
 }
 
 TEST(Preferences, lieInTheUsersConfigurationFolder)
