@@ -83,9 +83,8 @@ LinkViewState LiveViewState::link(const RobotMoment& moment)
 
 Attitude LiveViewState::attitudeOf(const Measurement& line) const
 {
-    AttitudeLimits limits;
-    if (parts_.preferences)
-        limits = {parts_.preferences->current().tiltAmber, parts_.preferences->current().tiltRed};
+    const AttitudeLimits limits =
+        parts_.preferences ? parts_.preferences->current().tilt() : AttitudeLimits{};
     return terratact::attitudeOf(line, model_, limits);
 }
 

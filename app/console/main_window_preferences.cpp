@@ -49,7 +49,7 @@ void MainWindow::applyPreferences(const Preferences& before)
     setLook(now.theme, now.fontScale);
     exploration_->setEstimateSeconds(now.estimateSeconds);
     exploration_->setProbePolicy(now.probes);
-    exploration_->setAttitudeLimits({now.tiltAmber, now.tiltRed});
+    exploration_->setAttitudeLimits(now.tilt());
     if (now.robot != before.robot || now.language != before.language) reopen();
 }
 

@@ -95,7 +95,7 @@ Exploration::Options explorationFor(const ConsoleOptions& options, const Prefere
     exploration.settings.seed = options.seed;
     exploration.stepLimit = preferences.obstacleLimit;
     exploration.probes = preferences.probes;
-    exploration.attitude = {preferences.tiltAmber, preferences.tiltRed};
+    exploration.attitude = preferences.tilt();
     exploration.seconds = preferences.estimateSeconds;
     if (options.can.empty() && options.replay.empty())
         exploration.groundFile = options.terrain == "varied" ? std::string() : options.terrain;

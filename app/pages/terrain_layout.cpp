@@ -96,7 +96,6 @@ void TerrainLayout::setVerdictBeside(int columnWidth)
     columnWidth_ = columnWidth;
     if (!verdictBeside_) column_->addStretch();  // if only the verdict is beside the terrain
     verdictBeside_ = true;
-    parts_.driving->hide();
     arrange(layout_, fontScale_);
 }
 

@@ -55,8 +55,8 @@ public:
     /// Returns the panel with exploration and probe beside the terrain; placeDecisions() puts it back.
     QWidget* decisions() const { return decisions_; }
     void placeDecisions();
-    /// Puts verdict and decisions in a column beside the terrain, which then gets the full height, and leaves out the
-    /// drive strip: recorded scenes are not driven. columnWidth: [px at 100 %].
+    /// Puts verdict and decisions in a column beside the terrain, which then gets the full height. columnWidth: [px at
+    /// 100 %].
     void setVerdictBeside(int columnWidth);
     /// Enables the tight arrangement. Cards below the terrain that do not fit move to another place (tightened()). The
     /// decisions then get a narrow column. The window's banner moves no card: its line is taken from the terrain.

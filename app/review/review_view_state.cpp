@@ -78,7 +78,7 @@ TerrainViewState ReviewViewState::terrain(const ReviewMoment& moment,
 {
     TerrainViewState viewState{.now = secondsOf(moment.time)};
     viewState.count = ++shows_;  // every moment is redrawn
-    addMeasured(viewState, moment, threshold(moment, preferences));
+    addMeasured(viewState, moment, preferences);
     addEstimates(viewState, moment, whatIf);
     addRemembered(viewState, moment);
     viewState.state = moment.state;
@@ -91,11 +91,13 @@ TerrainViewState ReviewViewState::terrain(const ReviewMoment& moment,
 }
 
 void ReviewViewState::addMeasured(TerrainViewState& viewState, const ReviewMoment& moment,
-                                  double threshold)
+                                  const Preferences& preferences)
 {
+    const double threshold = this->threshold(moment, preferences);
     if (moment.measurement) {
         viewState.measurement = &*moment.measurement;
         viewState.age = secondsOf(moment.time - moment.measured);
+        viewState.attitude = attitudeOf(*moment.measurement, robot_, preferences.tilt());
         forces_ = ForceArrays(robot_).of(*moment.measurement, moment.forces, threshold);
         viewState.forces = &forces_;
         forcesBefore_ = felt_.before(moment.time, threshold);

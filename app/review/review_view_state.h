@@ -45,7 +45,8 @@ public:
                              const Preferences& preferences);
 
 private:
-    void addMeasured(TerrainViewState& viewState, const ReviewMoment& moment, double threshold);
+    void addMeasured(TerrainViewState& viewState, const ReviewMoment& moment,
+                     const Preferences& preferences);
     void addEstimates(TerrainViewState& viewState, const ReviewMoment& moment,
                       const Revised<TwoTrackEstimate>& whatIf) const;
     void addRemembered(TerrainViewState& viewState, const ReviewMoment& moment);

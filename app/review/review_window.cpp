@@ -34,6 +34,7 @@
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/drive_pad.h"
+#include "widgets/control/drive_strip.h"
 #include "widgets/control/probe_card.h"
 #include "widgets/control/robot_readout.h"
 #include "widgets/control/status_header.h"
@@ -411,6 +412,7 @@ void ReviewWindow::place()
     auto* robot = qobject_cast<QBoxLayout*>(robotPage_->widget()->layout());
     timeline()->setDense(isLow);
     terrain_->setVerdictBeside(isNarrow ? 290 : 404);
+    terrain_->driveStrip()->setVisible(!isLow || lookInForce().fontScale <= 100);
     if (isNarrow)
         robot->insertWidget(0, terrain_->decisions(), 0, Qt::AlignLeft);
     else

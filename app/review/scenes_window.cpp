@@ -13,6 +13,7 @@
 #include "widgets/base/theme.h"
 #include "widgets/control/arming_control.h"
 #include "widgets/control/atem_panel.h"
+#include "widgets/control/drive_strip.h"
 #include "widgets/control/robot_readout.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/event_list.h"
@@ -84,6 +85,7 @@ ScenesWindow::ScenesWindow(Options options)
     page_ = new TerrainPage(options_.robot, this);
     page_->arrange(Layout::Review, lookInForce().fontScale);
     page_->setVerdictBeside(404);
+    page_->driveStrip()->hide();  // recorded scenes are not driven
     page_->viewButton()->hide();
     page_->events()->parentWidget()->hide();
     page_->atemPanel()->forbidCommands();

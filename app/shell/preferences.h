@@ -48,6 +48,7 @@ struct Preferences {
     PadSettings pad;         ///< the gamepad
     QStringList plotSets;  ///< saved sets of plots (app/pages/plots_state.h), at most kMaxPlotSets
     QByteArray window;     ///< QWidget::saveGeometry(); empty: none yet
+    AttitudeLimits tilt() const { return {tiltAmber, tiltRed}; }
     bool operator==(const Preferences&) const = default;
 };
 

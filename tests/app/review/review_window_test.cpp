@@ -22,6 +22,7 @@
 #include "widgets/base/theme.h"
 #include "widgets/control/atem_panel.h"
 #include "widgets/control/drive_pad.h"
+#include "widgets/control/drive_strip.h"
 #include "widgets/control/probe_card.h"
 #include "widgets/control/status_header.h"
 #include "widgets/signals/force_bars.h"
@@ -51,6 +52,23 @@ TEST_F(ReviewOf, aSessionIsMarkedAndOffersNoCommand)
             EXPECT_FALSE(button->isVisible() && button->isEnabled())
                 << t << " " << button->text().toStdString();
     }
+}
+
+TEST_F(ReviewOf, theDriveStripShowsTheRecordedMoment)
+{
+    record();
+    open();
+    const DriveStrip& strip = *window->terrainPage()->driveStrip();
+    window->goTo(At::kPresenting + 0.1);
+    EXPECT_TRUE(strip.isVisible());
+    EXPECT_EQ(strip.text(DriveStrip::Contact), "none") << "the flippers hang in the air";
+    const auto& pitch = strip.viewState().pitch;
+    ASSERT_TRUE(pitch);
+    EXPECT_GT(pitch->tips, 0.3) << "the recorded attitude is judged, [rad]";
+    EXPECT_NE(strip.text(DriveStrip::Pitch), "--");
+    press(Qt::Key_Plus, Qt::ControlModifier);
+    window->resize(1200, 680);
+    EXPECT_FALSE(strip.isVisible()) << "large letters leave the room to the terrain";
 }
 
 bool saysUponTheHeader(const QWidget& window, const char* words)
