@@ -37,6 +37,7 @@ build/release/app/terratact-console --screenshot "$all/console.png"
 build/release/app/terratact-console resources/sessions/demo.tts --at 66 --screenshot "$all/review.png"
 TERRATACT_LANGUAGE=en TERRATACT_PICTURES="$all" build/release/tests/app.console.screens_test \
   --gtest_filter=Screens.start:Screens.verdict:Screens.probe:Screens.result:Screens.trouble:Screens.lying:Screens.gamepad
+TERRATACT_PICTURES="$all" build/release/tests/app.console.plots_page_test --gtest_filter='*fitInEvery*'
 for kind in kerb diagonal slope hanging; do
   lines "$kind" >"$all/$kind.csv"
   build/release/app/terratact-console --terrain "$all/$kind.csv" --screenshot "$all/$kind.png"
@@ -55,3 +56,4 @@ small "$all"/??-??_proposed.png docs/screens/cannot_tell.png
 small "$all"/??-??_attitude_alarm.png docs/screens/attitude.png
 small "$all"/??-??_stuck_imu.png docs/screens/stuck_imu.png
 small "$all"/??-??_page_gamepad.png docs/screens/gamepad.png
+small "$all/plots_day.png" docs/screens/plots.png

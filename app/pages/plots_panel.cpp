@@ -87,8 +87,15 @@ PlotsPanel::PlotsPanel(PlotSource& source, PreferenceStore& preferences, Kind ki
     else
         state_.showAll();
     showSets();
-    source_.choose(state_.keys());
+    // A console keeps values before the page is seen; a session is read only once it is.
+    if (kind_ == Kind::Live) chooseSignals();
     showSignals();
+}
+
+void PlotsPanel::chooseSignals()
+{
+    isChosen_ = true;
+    source_.choose(state_.keys());
 }
 
 QPushButton* PlotsPanel::button(const QString& text, const QString& name, const QString& tip)
@@ -264,7 +271,7 @@ void PlotsPanel::removeChosen()
 
 void PlotsPanel::chosenChanged()
 {
-    source_.choose(state_.keys());
+    chooseSignals();
     savePlotSet(preferences_, {kLastPlotSet, state_.rows()});
     showSignals();
     showNow();
@@ -345,6 +352,7 @@ void PlotsPanel::showNote()
 
 void PlotsPanel::showNow()
 {
+    if (!isChosen_) chooseSignals();
     state_.setEnds(source_.begin(), source_.end());
     showRows();
     showNote();

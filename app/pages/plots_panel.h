@@ -69,6 +69,7 @@ private:
     void addSignal(const QString& key, int row);
     void removeChosen();
     void chosenChanged();
+    void chooseSignals();
     void showRows();
     void showSignals();
     void showNote();
@@ -86,6 +87,7 @@ private:
     PlotsState state_;
     std::map<std::string, PlotSignal> known_;  // by key
     std::optional<double> pointer_;            ///< [s] time under the pointer
+    bool isChosen_ = false;                    ///< the source knows what is plotted
     double refreshedAt_ = 0.0;                 ///< [s]
     double listedAt_ = 0.0;                    ///< [s]
     std::uint64_t shownVersion_ = 0;

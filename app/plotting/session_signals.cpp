@@ -266,6 +266,10 @@ void SessionSignals::fail(Message why)
 
 void SessionSignals::run(const std::stop_token& stop)
 {
+    {
+        std::unique_lock lock(mutex_);
+        if (!wake_.wait(lock, stop, [this] { return isChosen_; })) return;
+    }
     auto reader = SessionReader::open(path_);
     if (!reader) return fail(reader.error().message);
     Work work(*this, std::move(*reader));
@@ -319,6 +323,7 @@ void SessionSignals::choose(const std::vector<std::string>& keys)
         chosen.push_back(kept ? *kept : Series{keys[i], emptyPyramid()});
     }
     series_ = std::move(chosen);
+    isChosen_ = true;
     detail_.reset();
     ++orders_;
     ++version_;

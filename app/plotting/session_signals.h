@@ -19,7 +19,7 @@ namespace terratact {
 
 /// The plotted signals of a session. A thread with its own reader reads the whole file once for newly chosen signals
 /// and keeps them in kBuckets each. A span that needs more is read again, that span only. Until then, view() shows
-/// the buckets. It follows a session that still grows.
+/// the buckets. It follows a session that still grows. Nothing is read before the first choose().
 class SessionSignals final : public PlotSource {
 public:
     static constexpr std::size_t kBuckets = 65'536;  ///< of the whole session: 4 MB for each signal
@@ -73,6 +73,7 @@ private:
     std::vector<Series> series_;
     std::shared_ptr<const DbcBook> book_;
     std::uint64_t orders_ = 0;  // number of changes of what is chosen or described
+    bool isChosen_ = false;     // choose() was called
     std::optional<Range> wanted_{}, detail_{};
     SignalCatalogue catalogue_;
     double share_ = 0.0;

@@ -159,8 +159,9 @@ TEST_F(PlotsOfConsole, fitInEveryThemeAndInASmallWindow)
     open(fastRobot(robot, 2.0));
     const auto save = [this](const char* name) {
         const QString folder = qEnvironmentVariable("TERRATACT_PICTURES");
-        if (!folder.isEmpty())
-            window->grab().save(QStringLiteral("%1/plots_%2.png").arg(folder, name));
+        if (folder.isEmpty()) return;
+        QTest::qWait(500);  // the plots take the colours of the theme
+        window->grab().save(QStringLiteral("%1/plots_%2.png").arg(folder, name));
     };
     proposeByKeyboard();
     press(kPlotsKey);

@@ -20,6 +20,7 @@
 #include <thread>
 
 #include "app/console/diagnostics_page.h"
+#include "app/pages/plots_page.h"
 #include "app/recording/session_recorder.h"
 #include "app/runtime/big_blocks.h"
 #include "app/runtime/resources.h"
@@ -40,7 +41,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kFramesPerSecond = 9000;
 constexpr double kOneEstimate =
-    2.0;  // [s] computation on both cores per request, unless replaced by a newer one
+    2.0;  // [s] on both cores per request, unless a newer one replaces it
 
 /// Runs the event loop like the program, which wakes for every event. QTest::qWait() sleeps 10 ms between polls.
 void runFor(std::chrono::milliseconds time)
@@ -92,8 +93,7 @@ QualityPreset preset()
     return qualityPresetFromName(wanted).value_or(QualityPreset::Balanced);
 }
 
-/// Returns the peak memory of the process [MB].
-double mostMemory()
+double mostMemory()  // [MB]
 {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -273,6 +273,8 @@ struct Soak : testing::Test, RobotOnBench {
         runFor(200ms);
     }
 
+    void keepsUp(const std::function<void(int count)>& choosePage, double mostMegabytes);
+
     TemporaryDirectory directory;
     Busy busy;
     Lines lines;
@@ -290,7 +292,8 @@ QString spread(const char* what, const NewestValues& values)
         .arg(values.count());
 }
 
-TEST_F(Soak, keepsUpWithAFullBusWhileItEstimatesAndRecords)
+/// Fills the bus, explores and records; chooses a page eight times.
+void Soak::keepsUp(const std::function<void(int count)>& choosePage, double mostMegabytes)
 {
     const double wanted = wantedSeconds();
     const double seconds = wanted > 0.0 ? wanted : 3.0;
@@ -303,13 +306,12 @@ TEST_F(Soak, keepsUpWithAFullBusWhileItEstimatesAndRecords)
     LoopBeat beat;
     const double began = steadyNow(), cpu = cpuSeconds(), estimating = busy.seconds;
     const std::uint64_t received = window->link()->view().frames.received;
-    int page = 0;
     double nextPage = began;
-    while (steadyNow() - began < seconds) {
+    for (int page = 0; steadyNow() - began < seconds;) {
         runFor(50ms);
         keepExploring();
         if (steadyNow() < nextPage) continue;
-        window->rail()->choose(page++ % window->rail()->pages());
+        choosePage(page++);
         nextPage += seconds / 8.0;
     }
     const double elapsed = steadyNow() - began;
@@ -342,13 +344,23 @@ TEST_F(Soak, keepsUpWithAFullBusWhileItEstimatesAndRecords)
     EXPECT_GT(rate, 0.5 * kFramesPerSecond);
     EXPECT_GT(busy.seconds, estimating) << "nothing was estimated";
     EXPECT_LT(static_cast<double>(meter.frames().count()) / elapsed, 30.0) << "25 Hz and estimates";
-    EXPECT_LT(megabytes, 150.0);
+    EXPECT_LT(megabytes, mostMegabytes);
     EXPECT_LT(beat.own(0.99), 16.0) << "of the window's own thread, however busy the machine";
     EXPECT_LT(beat.own(1.0), 100.0);
     EXPECT_LT(meter.lateness().most(), 5.0) << "hangs";
     if (!(wanted > 0.0)) return;
     EXPECT_LE(meter.lateness().quantile(0.99), 0.016);
     EXPECT_LE(meter.lateness().most(), 0.100);
+}
+
+TEST_F(Soak, keepsUpWithAFullBusWhileItEstimatesAndRecords)
+{
+    keepsUp([this](int count) { window->rail()->choose(count % window->rail()->pages()); }, 150.0);
+}
+
+TEST_F(Soak, plotsKeepUpWithAFullBus)
+{
+    keepsUp([this](int) { window->rail()->choose(window->rail()->pageOf(kPlotsKey)); }, 200.0);
 }
 
 TEST_F(Soak, costsLittleWhileNothingIsEstimated)

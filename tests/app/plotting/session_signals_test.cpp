@@ -99,6 +99,8 @@ TEST_F(PlottedSession, laterChoicesAreReadFromTheBeginning)
 {
     record(3.0);
     SessionSignals signals(path, absolem(), 0.0, 3.0);
+    EXPECT_EQ(signals.share(), 0.0) << "nothing is read before it is chosen";
+    signals.choose({});
     ASSERT_TRUE(becomesIdle(signals));
     const PlotSpan whole{.from = 0.0, .to = 3.0, .columns = 100, .cursor = 1.0};
     signals.choose({"telemetry:pitch"});
@@ -133,6 +135,7 @@ TEST_F(PlottedSession, payloadComesWithADescription)
 TEST_F(PlottedSession, aFileThatIsNoSessionIsTrouble)
 {
     SessionSignals signals(directory.write("no.tts", "no session"), absolem(), 0.0, 1.0);
+    signals.choose({});
     ASSERT_TRUE(becomesIdle(signals));
     EXPECT_NE(signals.trouble().english().find("no.tts"), std::string::npos);
 }

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "app/pages/plots_page.h"
 #include "app/review/review_window.h"
 #include "tests/support/gui.h"
 #include "tests/support/review_bench.h"
@@ -90,6 +91,7 @@ TEST_F(ReviewOf, aSessionThatIsStillRecordedIsFollowed)
 }
 
 /// Measures the cost of playback: TERRATACT_REVIEW_SECONDS=3600 app.review.review_window_test --gtest_filter=*Costs*
+/// TERRATACT_REVIEW_PLOTS=1: on the page Plots.
 TEST_F(ReviewOf, playbackCostsLittle)
 {
     const char* given = std::getenv("TERRATACT_REVIEW_SECONDS");
@@ -109,6 +111,11 @@ TEST_F(ReviewOf, playbackCostsLittle)
         };
         return std::pair(of(usage.ru_utime) + of(usage.ru_stime), usage.ru_maxrss / 1024);
     };
+    if (std::getenv("TERRATACT_REVIEW_PLOTS")) {
+        press(kPlotsKey);
+        QTest::qWait(100);
+        ASSERT_TRUE(eventually([&] { return window->plotted().isIdle(); }, 120000));
+    }
     const double from = seconds / 2.0, before = used().first;
     window->goTo(from);
     press(Qt::Key_L);
