@@ -47,7 +47,8 @@ protected:
     void changeEvent(QEvent* event) override
     {
         QWidget::changeEvent(event);
-        if (event->type() == QEvent::FontChange) layOut();
+        if (event->type() == QEvent::FontChange && isVisible())
+            layOut();  // setHtml() precedes show()
     }
     void paintEvent(QPaintEvent* event) override
     {
