@@ -328,8 +328,12 @@ void addHazards(CLI::App& app, Job& job)
                   "(default 0.002,0.01,0.05)")
         ->delimiter(',')
         ->check(CLI::Range(0.0, 1.0));
-    c->add_flag("--tracks", o->tracks,
-                "Hazards on one side and on both, judged for left and right by local or joint");
+    auto* tracks =
+        c->add_flag("--tracks", o->tracks,
+                    "Hazards on one side and on both, judged for left and right by local or joint");
+    c->add_flag("--memory", o->memory,
+                "Drives with telemetry on the way, judged by trail, and the same ones by local")
+        ->needs(tracks);
     addNumber(*c, "--seed", o->settings.seed, "Seed of ground, drives and noise");
     addMethod(*c, o->settings);
     c->callback([o, &job] {

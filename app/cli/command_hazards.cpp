@@ -5,12 +5,30 @@
 #include "app/modelling/track_hazards.h"
 #include "app/modelling/two_track_evaluation.h"
 #include "app/runtime/print_text.h"
+#include "app/runtime/resources.h"
 
 namespace terratact {
 
+namespace {
+
+/// Prints the table of the same drives by Trail and by Local.
+void printRemembered(const EstimatorBundle& bundle, HazardTrial trial)
+{
+    trial.remembers = true;
+    for (const Method method : {Method::Trail, Method::Local}) {
+        trial.settings.method = method;
+        const std::string table = trackHazardTable(tryTrackHazards(bundle, trial));
+        printText("by {}\n{}\n", name(method), Lines(table));
+    }
+}
+
+}  // namespace
+
 Status judgeHazards(const HazardsOptions& options)
 {
-    const auto bundle = openEstimatorBundle(options.robot, options.model);
+    const auto bundle =
+        openEstimatorBundle(options.robot, options.model,
+                            options.memory ? trailPathBeside(options.model) : std::string());
     if (!bundle) return bundle.error();
     HazardTrial trial;
     trial.drives = options.drives;
@@ -26,6 +44,10 @@ Status judgeHazards(const HazardsOptions& options)
                     name(trial.settings.method)),
                 0};
         if (!(*bundle)->models.sides) return modelOfOnePlane(options.model);
+        if (options.memory) {
+            printRemembered(**bundle, trial);
+            return Done{};
+        }
         const std::string sides = trackHazardTable(tryTrackHazards(**bundle, trial));
         printText("{}", Lines(sides));
         return Done{};

@@ -126,6 +126,7 @@ struct HazardsOptions {
     /// Hazard rates per unfelt bin; the last one is printed in full. Empty: the defaults.
     std::vector<double> rates;
     bool tracks = false;  ///< both sides, with hazards on one and on both, by the last rate
+    bool memory = false;  ///< of tracks: drives with telemetry on the way, by Trail and by Local
     Settings settings;
 };
 /// Drives simulated robots towards hazards and prints how often the verdict is wrong (app/modelling/hazard_trials.h).

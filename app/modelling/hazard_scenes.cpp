@@ -12,6 +12,7 @@
 #include "core/sim/ground/random_terrain.h"
 #include "core/sim/ground/terrain_shapes.h"
 #include "core/sim/two_track_drive.h"
+#include "core/sim/way_drive.h"
 #include "core/terrain/step.h"
 
 namespace terratact {
@@ -22,10 +23,10 @@ constexpr double kBefore = 1.0;      // [m] judged ground before the hazard
 constexpr double kBehind = 0.5;      // [m] ground behind the latest start of the hazard
 constexpr double kFirstStop = 0.65;  // [m] see stopsOver()
 
-/// Returns true if a scene that was driven over level ground with hazards stands near these.
-bool isNearHazard(double time)
+/// Returns true if a scene stands near hazards. way: driven since the first stop [m].
+bool isNearHazard(double way)
 {
-    const double x = kFirstStop + kDriveSpeed * time;
+    const double x = kFirstStop + way;
     return x >= kHazardBegin - kBefore && x <= kHazardEnd + kBehind;
 }
 
@@ -88,7 +89,7 @@ std::vector<HazardScene> driveTowards(const RobotModel& robot, const HazardGroun
                                           drive, conditions, rng, skipped);
     std::vector<HazardScene> near;
     for (std::size_t k = 0; k < scenes.size(); ++k)
-        if (isNearHazard(scenes[k].time))
+        if (isNearHazard(kDriveSpeed * scenes[k].time))
             near.push_back({std::move(scenes[k]), std::move(contacts[k])});
     return near;
 }
@@ -103,8 +104,25 @@ std::vector<TwoTrackScene> driveTracksTowards(const RobotModel& robot, const Haz
     int skipped = 0;
     auto scenes = driveOver(robot, lines, stopsOver(lines, kStops), "hazard", drive, conditions,
                             rng, skipped);
-    std::erase_if(scenes, [](const TwoTrackScene& scene) { return !isNearHazard(scene.time); });
+    std::erase_if(
+        scenes, [](const TwoTrackScene& scene) { return !isNearHazard(kDriveSpeed * scene.time); });
     return scenes;
+}
+
+DriveLines driveTracksAlong(const RobotModel& robot, const HazardGround& ground,
+                            std::optional<Hazard> hazard, bool onBothSides, PressStyle style,
+                            std::mt19937_64& rng)
+{
+    const GroundLines lines = hazardLines(robot, ground, hazard, onBothSides, rng);
+    const DriveConditions conditions = conditionsOn(ground, rng);
+    const DriveStyle drive = style == PressStyle::Random ? randomDriveStyle(rng) : DriveStyle{};
+    int skipped = 0;
+    return driveWay(robot, lines, "hazard", drive, {.spacing = kStops}, conditions, rng, skipped);
+}
+
+bool isNear(const Measurement& scene)
+{
+    return isNearHazard(scene.travelled.value_or(0.0));
 }
 
 Heights knownHeights(const OptionalHeights& truth)

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/learn/data/drive_lines.h"
 #include "core/learn/data/scene.h"
 #include "core/learn/data/two_track_scene.h"
 #include "core/robot/robot_model.h"
@@ -59,6 +60,13 @@ std::vector<HazardScene> driveTowards(const RobotModel& robot, const HazardGroun
 std::vector<TwoTrackScene> driveTracksTowards(const RobotModel& robot, const HazardGround& ground,
                                               std::optional<Hazard> hazard, bool onBothSides,
                                               PressStyle style, std::mt19937_64& rng);
+
+/// Returns the same drive with telemetry on the way (core/sim/way_drive.h). isNear() tells the scenes to judge.
+DriveLines driveTracksAlong(const RobotModel& robot, const HazardGround& ground,
+                            std::optional<Hazard> hazard, bool onBothSides, PressStyle style,
+                            std::mt19937_64& rng);
+/// Returns true if a scene of driveTracksAlong() stands near hazards, by its odometry, which slips.
+bool isNear(const Measurement& scene);
 
 /// Returns the heights of a scene whose truth is known. Throws std::bad_optional_access if one is not.
 Heights knownHeights(const OptionalHeights& truth);

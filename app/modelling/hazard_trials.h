@@ -17,6 +17,8 @@ struct HazardTrial {
     std::uint64_t seed = 1;   ///< seed of ground, drives and noise
     double stepLimit = 0.10;  ///< [m] obstacle height, see hasStep()
     Settings settings;        ///< options of the estimates; `rates` replaces the hazard rate
+    /// The drives of two tracks have telemetry on the way (core/sim/way_drive.h), and the scenes a memory of it.
+    bool remembers = false;
     std::vector<double> rates{0.002, 0.01, kHazardRate};  ///< hazard rates to try, per unfelt bin
 };
 

@@ -9,6 +9,7 @@
 #include "core/infer/verdict/two_track_verdict.h"
 #include "core/sim/two_track_check.h"
 #include "core/terrain/step.h"
+#include "core/trail/trail_record.h"
 
 namespace terratact {
 namespace {
@@ -75,6 +76,36 @@ TrackHazardLine judgeTrackDrive(const EstimatorBundle& bundle, const HazardTrial
     return line;
 }
 
+/// Judges a drive with telemetry on the way. Of the methods, Trail alone uses its memory.
+TrackHazardLine judgeWayDrive(const EstimatorBundle& bundle, const HazardTrial& trial,
+                              const TrackDriveKind& kind, std::uint64_t seed)
+{
+    std::mt19937_64 rng(seed);
+    Settings settings = trial.settings;
+    settings.hazardRate = trial.rates.back();
+    TrackHazardLine line = lineOf(kind);
+    TrailRecord record(bundle.robot);
+    for (const DriveLine& driven : driveTracksAlong(bundle.robot, kHazardGrounds[kind.ground],
+                                                    kind.hazard, kind.onBothSides, kind.style, rng)
+                                       .lines) {
+        if (!driven.isScene) {
+            record.add(driven.line);
+            continue;
+        }
+        const TrailHistory history = record.before(driven.line);
+        record.addScene(driven.line);
+        if (!isNear(driven.line)) continue;
+        TwoTrackEstimate estimate =
+            estimateMeasured(driven.line, {}, bundle.robot, bundle.models, settings, {}, &history);
+        writePosteriorCheck(estimate, driven.line, bundle.robot);
+        TwoTrackScene scene;
+        scene.s = twoTrackReadings(driven.line);
+        scene.truth = driven.truth;
+        countScene(scene, bundle.robot, estimate, trial.stepLimit, line);
+    }
+    return line;
+}
+
 std::vector<TrackDriveKind> trackDriveKinds()
 {
     std::vector<TrackDriveKind> kinds;
@@ -136,8 +167,9 @@ std::vector<TrackHazardLine> tryTrackHazards(const EstimatorBundle& bundle,
         std::vector<TrackHazardLine> drives(static_cast<std::size_t>(trial.drives));
         parallelFor(trial.drives, [&](int drive) {
             const auto i = static_cast<std::size_t>(drive);
-            drives[i] =
-                judgeTrackDrive(bundle, trial, kinds[k], trial.seed * 10'000'019 + k * 10'007 + i);
+            const std::uint64_t seed = trial.seed * 10'000'019 + k * 10'007 + i;
+            drives[i] = trial.remembers ? judgeWayDrive(bundle, trial, kinds[k], seed)
+                                        : judgeTrackDrive(bundle, trial, kinds[k], seed);
         });
         TrackHazardLine line = lineOf(kinds[k]);
         for (const TrackHazardLine& drive : drives) {
