@@ -120,6 +120,7 @@ QWidget* PlotsPanel::builtSide()
     sets_->lineEdit()->setPlaceholderText(tr("name of a set"));
     sets_->lineEdit()->setMaxLength(60);
     sets_->lineEdit()->setAccessibleName(tr("Name of a set"));
+    sets_->lineEdit()->setFocusPolicy(Qt::ClickFocus);  // Tab reaches the box around it
     save_ = button(tr("Save set"), tr("Save set"), tr("Saves these plots under the name above"));
     delete_ = button(tr("Delete set"), tr("Delete set"), tr("Deletes the saved set of this name"));
     auto* setKeys = new QHBoxLayout;

@@ -20,9 +20,11 @@
 namespace terratact {
 namespace {
 
-constexpr int kBetween = 10;                       // [px] between cards
-constexpr int kToSpare = 10;                       // [px] spare room below which cards leave
-constexpr QSize kMinTerrain{420, 190};             // [px]
+constexpr int kBetween = 10;            // [px] between cards
+constexpr int kToSpare = 10;            // [px] spare room below which cards leave
+constexpr QSize kMinTerrain{420, 190};  // [px]
+// [px] least height where the panel with the forces takes more of the page
+constexpr int kDriveTerrainHeight = 240;
 constexpr int kColumn = 404, kNarrowColumn = 281;  // [px] width of the decisions, at 100 %
 // [px] minimum width of the terrain beside them, at 100 %; it is the largest part
 constexpr int kRoomyTerrain = 540, kTightTerrain = 324;
@@ -184,9 +186,7 @@ void TerrainLayout::setTight(bool tight)
     parts_.probe->setNarrow(tight);
     parts_.drive->setNarrow(tight);
     // A banner takes its line from the terrain and the proposal, so that it never makes the cards leave.
-    if (window_)
-        parts_.terrain->setMinimumSize(tight ? QSize(0, kMinTerrain.height())
-                                             : kMinTerrain - QSize(0, window_->bannerLine()));
+    if (window_) parts_.terrain->setMinimumSize(leastTerrain(tight));
     if (window_) parts_.terrainCard->setMinimumWidth(scaled(tight ? kTightTerrain : kRoomyTerrain));
     // The attitude is shown once on a page: where the robot's card is on this one, by the drive strip.
     parts_.readout->showAttitude(tight || verdictBeside_);
@@ -198,6 +198,14 @@ void TerrainLayout::setTight(bool tight)
     setColumn();
     placeVerdict();
     share();
+}
+
+/// Returns the least size [px] of the terrain's picture.
+QSize TerrainLayout::leastTerrain(bool tight) const
+{
+    if (tight) return {0, kTightTerrainHeight};
+    const int height = layout_ == Layout::Drive ? kDriveTerrainHeight : kMinTerrain.height();
+    return {kMinTerrain.width(), height - window_->bannerLine()};
 }
 
 /// In the tight arrangement the decisions are narrow enough that the terrain is wider.

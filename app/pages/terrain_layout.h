@@ -75,6 +75,7 @@ private:
     QSize needs(bool tight);
     void setTight(bool tight);
     void fitTightness();
+    QSize leastTerrain(bool tight) const;
     void setColumn();
     void placeVerdict();
     void share();

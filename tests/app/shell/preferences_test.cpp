@@ -169,9 +169,9 @@ TEST_F(PreferencesFile, aBadValueBecomesItsDefaultAndIsReported)
         {"quality", "best"},
         {"force-threshold", "0"},
         {"dbc", "a\\x0"},
-        {"gamepad", ""},
         {"gamepad", "stop:a stop:b"},
         {"gamepad", "explore:a"},
+        {"gamepad", ""},  // not after a line of its length: QSettings takes such files for one
         {"gamepad-dead-zone", "0"},
         {"gamepad-speed", "0.7"},
         {"probe-above", "@Variant(\\0\\0\\0\\x7f\\xff\\xff\\xff\\xff)"},
@@ -186,7 +186,8 @@ TEST_F(PreferencesFile, aBadValueBecomesItsDefaultAndIsReported)
             loadText("[General]\nschema=1\n" + std::string(key) + "=" + value + "\n");
         EXPECT_TRUE(loaded.preferences == kDefaults) << key << "=" << value;
         ASSERT_EQ(loaded.troubles.size(), 1U) << key << "=" << value;
-        EXPECT_TRUE(mentions(loaded.troubles.front(), key));
+        EXPECT_TRUE(mentions(loaded.troubles.front(), key))
+            << key << "=" << value << ": " << loaded.troubles.front().english();
         EXPECT_EQ(loaded.path, path()) << "the file may be replaced";
     }
 }
