@@ -1,10 +1,12 @@
 #!/bin/sh
 # Writes docs/hazards.md: how often the verdict is wrong before hazards that no model is trained on.
-# Usage: docs/hazards.sh path/to/terratact [DRIVES]
-#   DRIVES   number per kind of hazard and ground, default 12: about five minutes on two cores
+# Usage: docs/hazards.sh path/to/terratact [DRIVES [REMEMBERED]]
+#   DRIVES       number per kind of hazard and ground, default 12: about five minutes on two cores
+#   REMEMBERED   the same with telemetry on the way, default 1: about four minutes more
 set -eu
 terratact=$(realpath "$1")
 drives=${2:-12}
+remembered=${3:-1}
 rates=0.01,0.05
 cd "$(dirname "$0")"
 page=$(mktemp)
@@ -36,6 +38,17 @@ trap 'rm -f "$page"' EXIT
   echo
   echo '```'
   "$terratact" hazards --tracks --drives "$drives"
+  echo '```'
+  echo
+  echo '## With the memory of the way'
+  echo
+  echo 'The console remembers the way before a scene (method *trail*). These drives have telemetry between their scenes. They are judged by'
+  echo '*trail*, and the same ones by *local*, which uses the scene alone:'
+  echo
+  echo "    terratact hazards --tracks --memory --drives $remembered"
+  echo
+  echo '```'
+  "$terratact" hazards --tracks --memory --drives "$remembered"
   echo '```'
 } >"$page"
 cp "$page" hazards.md
