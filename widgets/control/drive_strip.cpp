@@ -3,7 +3,6 @@
 #include <QEvent>
 #include <QStringList>
 #include <numbers>
-#include <utility>
 
 #include "app/display/drive_text.h"
 #include "app/display/format.h"
@@ -181,12 +180,12 @@ void DriveStrip::setViewState(const DriveViewState& viewState)
     place();
 }
 
-void DriveStrip::show(Cell cell, DriveCell::Content content, const QString& description)
+void DriveStrip::show(Cell cell, const DriveCell::Content& content, const QString& description)
 {
     DriveCell& shown = *cells_.at(cell);
     if (content == shown.content() && shown.accessibleDescription() == description) return;
     shown.setAccessibleDescription(description);
-    shown.setContent(std::move(content));
+    shown.setContent(content);
 }
 
 void DriveStrip::showAngle(Cell cell, const std::optional<DriveViewState::Angle>& angle)

@@ -39,7 +39,7 @@ private:
     void showAngle(Cell cell, const std::optional<DriveViewState::Angle>& angle);
     void showContact(const std::optional<FlipperContacts>& contact);
     void showDistances(const DriveViewState& viewState);
-    void show(Cell cell, DriveCell::Content content, const QString& description);
+    void show(Cell cell, const DriveCell::Content& content, const QString& description);
 
     std::array<DriveCell*, kCells> cells_{};  // Qt's parents own the widgets
     DriveDetail detail_ = DriveDetail::Words;
