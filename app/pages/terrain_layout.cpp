@@ -162,6 +162,8 @@ void TerrainLayout::fit()
 {
     fitTightness();
     setColumn();
+    // The title's row may keep the width that it had with another column.
+    if (!measures_) forgetSizes(*parts_.terrainCard);
 }
 
 void TerrainLayout::fitTightness()
