@@ -20,6 +20,12 @@ __lsan_default_suppressions()  // NOLINT(clang-diagnostic-reserved-identifier)
 {
     return "leak:libfontconfig\n";
 }
+
+/// Options of LeakSanitizer: it must not count the suppressed leaks among the output of a command.
+extern "C" const char* __lsan_default_options()  // NOLINT(clang-diagnostic-reserved-identifier)
+{
+    return "print_suppressions=0";
+}
 #endif
 #endif
 

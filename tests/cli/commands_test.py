@@ -346,7 +346,7 @@ class Commands(unittest.TestCase):
         run("simulate", "--terrain", "varied", "--tracks", "--count", 160, "--seed", 3, "--out", scenes)
         said = run("train", "--data", self.data, "--tracks", scenes, "--out", model, "--seed", 3, "--inducing", 40)
         self.assertRegex(said, r"two tracks: 22 Gaussian processes for both sides; 1\d\d scenes kept")
-        refused = complaint("hazards", "--memory", "--drives", 1)
+        refused = complaint("hazards", "--memory", "--drives", 1, code=2)
         self.assertIn("--memory requires --tracks", refused)
         refused = complaint("hazards", "--tracks", "--drives", 1, "--method", "pafc")
         self.assertIn("method pafc estimates one plane, expected local or joint", refused)
