@@ -32,7 +32,7 @@ struct ReadGamepad : testing::Test {
     {
         for (int i = 0; i < 20000; ++i) {
             if (condition()) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));  // the reader polls, too
         }
         return false;
     }
