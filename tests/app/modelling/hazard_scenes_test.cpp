@@ -80,16 +80,21 @@ TEST(HazardScenes, aDriveWithItsWayMeetsTheHazard)
     std::mt19937_64 rng(3);
     const DriveLines drive =
         driveTracksAlong(robot, kHazardGrounds[0], Hazard::Drop, true, PressStyle::Console, rng);
-    int near = 0, steps = 0;
+    int near = 0, far = 0, steps = 0;
     std::size_t onTheWay = 0;
     for (const DriveLine& line : drive.lines) {
         onTheWay += line.isScene ? 0U : 1U;
-        if (!line.isScene || !isNear(line.line)) continue;
+        if (!line.isScene) continue;
+        if (!isNear(line.line)) {
+            ++far;
+            continue;
+        }
         ++near;
         steps += hasStep(knownHeights(line.truth[0]), 0.10, kFirstAhead, kReach) ? 1 : 0;
     }
     EXPECT_GT(onTheWay, drive.lines.size() / 2);
     EXPECT_GT(near, 5);
+    EXPECT_GT(far, 2) << "the begin of the drive is not judged";
     EXPECT_GT(steps, 0) << "the last scenes see the drop";
     EXPECT_LT(steps, near) << "the first ones do not";
 }
