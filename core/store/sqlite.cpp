@@ -152,9 +152,14 @@ bool SqliteFile::isReadable()
 
 bool SqliteFile::journalIsDamaged(const std::string& path)
 {
+    return isJournaled(path) && hasDamagedJournal(path);
+}
+
+bool SqliteFile::hasDamagedJournal(const std::string& path)
+{
     const std::string journal = path + "-wal";
     std::error_code none;
-    if (!isJournaled(path) || !std::filesystem::is_regular_file(journal, none)) return false;
+    if (!std::filesystem::is_regular_file(journal, none)) return false;
     const std::uintmax_t size = std::filesystem::file_size(journal, none);
     if (none || size == 0 || ::access(journal.c_str(), R_OK) != 0) return false;
     return contentKindOfFile(journal) != ContentKind::Journal;
@@ -183,33 +188,58 @@ void requireReadableJournal(const std::string& path)
 
 }  // namespace
 
-SqliteFile SqliteFile::openLog(const std::string& path, int longest)
+SqliteFile SqliteFile::readLog(const std::string& path, int longest, std::string_view options)
 {
-    const bool journaled = isJournaled(path);
-    if (!journaled) checkSize(path, std::numeric_limits<std::uintmax_t>::max());
-    const auto open = [&](std::string_view options) {
-        SqliteFile file(uriOf(path, options), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
-        file.path_ = path;
-        file.harden();
-        sqlite3_limit(file.file_.get(), SQLITE_LIMIT_LENGTH, longest);
-        sqlite3_busy_timeout(file.file_.get(), 200);  // [ms] for a checkpoint of the writer
-        file.bytesLeft_ = std::make_unique<std::int64_t>(0);
-        file.grantBytes(1);
-        return file;
-    };
-    if (!journaled || lacksJournal(path)) return open("mode=ro&immutable=1");
-    requireReadableJournal(path);
-    SqliteFile file = open("mode=ro");
-    if (file.isReadable()) return file;
-    // SQLite cannot create the journal's index beside the file here. It can hold the index in
-    // memory for a single reader. That needs a lock and the right to write, so the file is opened
-    // without locks.
-    SqliteFile alone = open("mode=ro&vfs=unix-none");
+    SqliteFile file(uriOf(path, options), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+    file.path_ = path;
+    file.harden();
+    sqlite3_limit(file.file_.get(), SQLITE_LIMIT_LENGTH, longest);
+    sqlite3_busy_timeout(file.file_.get(), 200);  // [ms] for a checkpoint of the writer
+    file.bytesLeft_ = std::make_unique<std::int64_t>(0);
+    file.grantBytes(1);
+    return file;
+}
+
+/// Opens a file whose journal's index SQLite cannot or must not create beside it. SQLite can hold the
+/// index in memory for a single reader. That needs a lock and the right to write, so the file is
+/// opened without locks.
+SqliteFile SqliteFile::readLogAlone(const std::string& path, int longest)
+{
+    SqliteFile alone = readLog(path, longest, "mode=ro&vfs=unix-none");
     checkSqlite(sqlite3_db_config(alone.file_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr),
                 alone.file_.get());
     alone.run("PRAGMA locking_mode = EXCLUSIVE");
     static_cast<void>(alone.integer("PRAGMA schema_version"));
     return alone;
+}
+
+SqliteFile SqliteFile::openLog(const std::string& path, int longest)
+{
+    const bool journaled = isJournaled(path);
+    if (!journaled) checkSize(path, std::numeric_limits<std::uintmax_t>::max());
+    if (!journaled || lacksJournal(path)) return readLog(path, longest, "mode=ro&immutable=1");
+    requireReadableJournal(path);
+    SqliteFile file = readLog(path, longest, "mode=ro");
+    if (file.isReadable()) return file;
+    return readLogAlone(path, longest);
+}
+
+SqliteFile SqliteFile::openLogWithoutTrace(const std::string& path, int longest)
+{
+    std::error_code none;
+    if (!std::filesystem::exists(path + "-wal", none)) return openLog(path, longest);
+    requireReadableJournal(path);
+    // Without an index no connection writes: neither of this process nor of another.
+    if (!std::filesystem::exists(path + "-shm", none)) return readLogAlone(path, longest);
+    SqliteFile file = readLog(path, longest, "mode=ro&readonly_shm=1");
+    static_cast<void>(file.integer("PRAGMA schema_version"));
+    return file;
+}
+
+bool SqliteFile::readsJournal()
+{
+    SqliteStatement mode = prepare("PRAGMA journal_mode");
+    return mode.step() && mode.text(0) == "wal";
 }
 
 void SqliteFile::grantBytes(int times)

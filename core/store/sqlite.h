@@ -28,6 +28,14 @@ public:
     /// Texts and blobs have at most `longest` bytes, and grantBytes() bounds all values together.
     static SqliteFile openLog(const std::string& path, int longest);
 
+    /// Opens a log as openLog(), but leaves no file beside it and disturbs no writer, not even one of
+    /// this process. A file with a journal beside it is opened by SQLite alone: closing any other
+    /// descriptor would release this process's locks on it.
+    static SqliteFile openLogWithoutTrace(const std::string& path, int longest);
+
+    /// Returns true if the connection reads in WAL mode, with a journal.
+    bool readsJournal();
+
     /// Returns true if the file is in WAL mode: its writer did not close it. Throws as openLog if
     /// it is no SQLite file.
     static bool isJournaled(const std::string& path);
@@ -37,6 +45,9 @@ public:
 
     /// Returns true if the journal of a file in WAL mode is invalid and cannot be read.
     static bool journalIsDamaged(const std::string& path);
+
+    /// Returns the same for a file in WAL mode, which is not opened itself.
+    static bool hasDamagedJournal(const std::string& path);
 
     /// Creates a file that one connection writes while others read. It must not exist. It has a
     /// write-ahead journal (WAL) that every commit flushes to the disk. Only its owner can read it
@@ -89,6 +100,8 @@ private:
         void operator()(sqlite3* file) const;
     };
     SqliteFile(const std::string& name, int flags);
+    static SqliteFile readLog(const std::string& path, int longest, std::string_view options);
+    static SqliteFile readLogAlone(const std::string& path, int longest);
     void harden();
     void checkStructure();
     void journal();
