@@ -27,6 +27,14 @@ void addOfFiles(CLI::App& session, Job& job, const std::string& name, const std:
     c->callback([files, run, &job] { job = [files, run] { return run(*files); }; });
 }
 
+void addSessionList(CLI::App& session, Job& job)
+{
+    auto* c = session.add_subcommand("list", "One line for each recording of a folder");
+    const auto folder = std::make_shared<std::string>();
+    addInput(*c, "folder", *folder, "Folder of sessions; without it that of this user's console");
+    c->callback([folder, &job] { job = [folder] { return listSessions(*folder); }; });
+}
+
 void addSessionRecover(CLI::App& session, Job& job)
 {
     auto* c = session.add_subcommand("recover", "Close sessions whose program died; of damaged "
@@ -223,6 +231,7 @@ void addSessions(CLI::App& app, Job& job)
                                                   "them: docs/sessions.md");
     session->require_subcommand(1);
     addOfFiles(*session, job, "info", "What is in them, and whether it holds", showSessions);
+    addSessionList(*session, job);
     addSessionVerify(*session, job);
     addSessionRecover(*session, job);
     addSessionExport(*session, job);

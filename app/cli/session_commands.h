@@ -18,6 +18,10 @@ namespace terratact {
 /// Prints the content of each session, and whether its hash chain holds.
 Status showSessions(const std::vector<std::string>& files);
 
+/// Prints a line for each recording of a folder: when, how long, verdicts, probes, alarms, notes, size. Empty: the
+/// folder of this user's sessions. A file that is no session gets a line with its reason.
+Status listSessions(const std::string& folder);
+
 struct VerifyOptions {
     std::vector<std::string> files;
     std::string link;  ///< last link of the chain, noted elsewhere; empty: unknown

@@ -31,6 +31,13 @@ std::int64_t sizeOf(const std::string& path)
     return none ? 0 : static_cast<std::int64_t>(size);
 }
 
+std::int64_t writtenAt(const std::string& path)
+{
+    struct stat file {};
+    if (::stat(path.c_str(), &file) != 0) return 0;
+    return std::int64_t{file.st_mtim.tv_sec} * 1'000'000'000 + file.st_mtim.tv_nsec;
+}
+
 std::string sessionFolder()
 {
     const char* const state = std::getenv("XDG_STATE_HOME");
@@ -87,14 +94,6 @@ constexpr std::int64_t kYear2020 = std::int64_t{1'577'836'800} * 1'000'000'000;
 bool canBeTrue(std::int64_t time, std::int64_t now)
 {
     return time >= kYear2020 && time <= now + kDay;
-}
-
-/// Returns the last write [ns] since 1970; 0 if unknown.
-std::int64_t writtenAt(const std::string& path)
-{
-    struct stat file {};
-    if (::stat(path.c_str(), &file) != 0) return 0;
-    return std::int64_t{file.st_mtim.tv_sec} * 1'000'000'000 + file.st_mtim.tv_nsec;
 }
 
 struct ClosedSession {

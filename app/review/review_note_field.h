@@ -3,7 +3,7 @@
 #include <QLineEdit>
 #include <vector>
 
-#include "app/review/review_notes.h"
+#include "app/recording/review_notes.h"
 
 namespace terratact {
 

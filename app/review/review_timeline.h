@@ -5,8 +5,8 @@
 #include <QString>
 #include <vector>
 
+#include "app/recording/review_notes.h"
 #include "app/recording/session_indexer.h"
-#include "app/review/review_notes.h"
 #include "core/log/session_reader.h"
 #include "widgets/signals/session_timeline.h"
 

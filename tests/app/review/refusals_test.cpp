@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "app/recording/review_notes.h"
 #include "app/recording/what_if.h"
-#include "app/review/review_notes.h"
 #include "core/learn/model/model_file.h"
 #include "core/log/session_reader.h"
 #include "core/store/file_read.h"

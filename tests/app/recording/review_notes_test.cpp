@@ -1,9 +1,8 @@
 // Tests the file of notes beside a session.
-#include "app/review/review_notes.h"
+#include "app/recording/review_notes.h"
 
 #include <gtest/gtest.h>
 
-#include "app/display/format.h"
 #include "core/store/file_write.h"
 #include "tests/support/temporary_directory.h"
 

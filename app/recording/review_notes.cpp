@@ -1,11 +1,10 @@
-#include "app/review/review_notes.h"
+#include "app/recording/review_notes.h"
 
-#include <QByteArray>
-#include <QLocale>
 #include <array>
 #include <filesystem>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/store/csv_reader.h"
 #include "core/store/csv_text.h"
 #include "core/store/file_write.h"
@@ -51,9 +50,7 @@ Status writeNotes(const std::string& session, const std::vector<ReviewNote>& not
 {
     std::string text = std::string(kHeader) + "\n";
     for (const ReviewNote& note : notes)
-        text += csvLine(std::array{
-            QByteArray::number(note.time, 'g', QLocale::FloatingPointShortest).toStdString(),
-            note.text});
+        text += csvLine(std::array{numberText(note.time), note.text});
     return writeFileAtomically(notesPath(session), text, Access::Owner);
 }
 
